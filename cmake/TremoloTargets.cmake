@@ -1,0 +1,52 @@
+# One way to declare a library, a program and a test, so that every folder's CMakeLists reads alike.
+
+# tremolo_library(name SOURCES a.cpp ... DEPENDS tremolo::x ... [PRIVATE_DEPENDS ...])
+# Makes target tremolo_<name> with alias tremolo::<name>; headers are included as "<folder>/<file>.hpp".
+# Without SOURCES the library is header-only.
+function(tremolo_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(target tremolo_${name})
+  if(ARG_SOURCES)
+    add_library(${target} STATIC ${ARG_SOURCES})
+    target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE tremolo_options ${ARG_PRIVATE_DEPENDS})
+    set(scope PUBLIC)
+  else()
+    add_library(${target} INTERFACE)
+    target_link_libraries(${target} INTERFACE ${ARG_DEPENDS})
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                $<INSTALL_INTERFACE:include/tremolo>)
+  target_compile_features(${target} ${scope} cxx_std_20)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  add_library(tremolo::${name} ALIAS ${target})
+  install(TARGETS ${target} EXPORT tremoloTargets)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION include/tremolo/${folder}
+          FILES_MATCHING PATTERN "*.hpp")
+endfunction()
+
+# tremolo_program(name SOURCES main.cpp ... DEPENDS tremolo::x ...): an installed executable in <build>/bin.
+function(tremolo_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES} $<TARGET_OBJECTS:tremolo_cpu_check>)
+  target_link_libraries(${name} PRIVATE tremolo_options ${ARG_DEPENDS})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  install(TARGETS ${name})
+endfunction()
+
+# tremolo_test(name LABELS fast|verification|stability|system|fuzz ... SOURCES a.cpp ... DEPENDS tremolo::x ...
+#              [TIMEOUT seconds])
+# A GoogleTest program; each TEST becomes a ctest entry carrying the labels.
+function(tremolo_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  add_executable(test_${name} ${ARG_SOURCES})
+  target_link_libraries(test_${name} PRIVATE tremolo_options ${ARG_DEPENDS} GTest::gmock GTest::gtest_main)
+  target_compile_definitions(test_${name} PRIVATE
+    TREMOLO_SOURCE_DIR="${PROJECT_SOURCE_DIR}" TREMOLO_BIN_DIR="${PROJECT_BINARY_DIR}/bin")
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+endfunction()

@@ -1,0 +1,67 @@
+#pragma once
+
+// Eq. (6) of Gao, Wang et al. (MPM for geotechnical earthquake engineering): the traction on a boundary face,
+//
+//     f_i^b = f_i^{b,vis} + f_i^{b,dyn} + f_i^{b,st},
+//
+//     f^vis = -rho c_p [(v^m - v^ff).n] n - rho c_s [(v^m - v^ff).t] t     Lysmer dashpots on the difference
+//     f^dyn = sigma^ff,dyn n                                               free-field dynamic stress
+//     f^st                                                                 what held the model at rest
+//
+// with n the outward unit normal and t = (-n_y, n_x). Eqs. (2) to (5) are special cases: a side takes v^ff and
+// sigma^ff from its free field; a transmitting base takes them from the incident wave alone, which at vertical
+// incidence is -rho c (v^m - 2 v^inp).
+//
+// Every product that is added goes through std::fma: the result is then the same bits wherever the function is
+// inlined, so the coupler (lockstep) and the domain (window) cannot differ.
+
+#include <cmath>
+
+namespace tremolo::eq6 {
+
+/// A vector in the plane: x to the right, y up.
+struct Vector {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// Dynamic stress in the plane, Pa, tension positive.
+struct Stress {
+  double xx = 0.0;
+  double yy = 0.0;
+  double xy = 0.0;
+};
+
+/// What a dashpot needs to know of a boundary face.
+struct Face {
+  Vector normal;             ///< outward unit normal
+  double impedance_p = 0.0;  ///< rho c_p, Pa s/m
+  double impedance_s = 0.0;  ///< rho c_s, Pa s/m
+};
+
+/// Free-field motion at a face: particle velocity (m/s) and dynamic stress (Pa).
+struct FreeField {
+  Vector velocity;
+  Stress stress;
+};
+
+/// The viscous part of Eq. (6) alone for a velocity difference dv = v^m - v^ff (m/s), in Pa.
+inline Vector viscous_traction(const Face& face, Vector dv) {
+  const Vector n = face.normal;
+  const double dv_n = std::fma(dv.x, n.x, dv.y * n.y);
+  const double dv_t = std::fma(dv.y, n.x, -(dv.x * n.y));
+  const double p = -face.impedance_p * dv_n;
+  const double s = -face.impedance_s * dv_t;
+  return {std::fma(p, n.x, -(s * n.y)), std::fma(p, n.y, s * n.x)};
+}
+
+/// Eq. (6): traction on a face (Pa) from the domain's velocity there (m/s), the free field, and the static part.
+inline Vector boundary_traction(const Face& face, Vector v_domain, const FreeField& ff, Vector static_traction) {
+  const Vector vis = viscous_traction(face, {v_domain.x - ff.velocity.x, v_domain.y - ff.velocity.y});
+  const Vector n = face.normal;
+  const double dyn_x = std::fma(ff.stress.xx, n.x, std::fma(ff.stress.xy, n.y, static_traction.x));
+  const double dyn_y = std::fma(ff.stress.xy, n.x, std::fma(ff.stress.yy, n.y, static_traction.y));
+  return {vis.x + dyn_x, vis.y + dyn_y};
+}
+
+} // namespace tremolo::eq6

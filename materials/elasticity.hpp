@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cmath>
+
+namespace tremolo::materials {
+
+/// Isotropic elasticity with density. sigma = 2 G dev(eps) + K tr(eps) I.
+struct Elasticity {
+  double density = 0.0; ///< kg/m3
+  double young = 0.0;   ///< Pa
+  double poisson = 0.0; ///< 1, in (-1, 0.5)
+
+  double shear_modulus() const { return young / (2.0 * (1.0 + poisson)); }
+  double bulk_modulus() const { return young / (3.0 * (1.0 - 2.0 * poisson)); }
+  /// lambda = K - 2/3 G, Pa
+  double lame() const { return young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)); }
+  /// M = K + 4/3 G, Pa
+  double p_modulus() const { return lame() + 2.0 * shear_modulus(); }
+  /// c_p, m/s
+  double p_wave_speed() const { return std::sqrt(p_modulus() / density); }
+  /// c_s, m/s
+  double s_wave_speed() const { return std::sqrt(shear_modulus() / density); }
+  /// nu/(1-nu): horizontal over vertical stress under self weight without lateral strain
+  double rest_coefficient() const { return poisson / (1.0 - poisson); }
+
+  static Elasticity from_wave_speeds(double density, double vs, double vp) {
+    const double ratio = vs * vs / (vp * vp);
+    const double poisson = (0.5 - ratio) / (1.0 - ratio);
+    return {density, 2.0 * density * vs * vs * (1.0 + poisson), poisson};
+  }
+};
+
+} // namespace tremolo::materials
