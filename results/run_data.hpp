@@ -1,0 +1,67 @@
+#pragma once
+
+// Plain data that goes into and comes out of a run file.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tremolo::results {
+
+using AttributeValue =
+    std::variant<std::string, double, std::int64_t, std::vector<double>, std::vector<std::string>>;
+
+/// A quantity of all particles of a frame, particle after particle.
+struct Field {
+  std::string_view name;
+  std::string_view unit;      ///< SI, "1" for none
+  std::size_t components = 1; ///< 1 scalar, 2 vector (x, y), 4 stress (xx, yy, zz, xy)
+  std::variant<std::span<const double>, std::span<const std::int32_t>> values; ///< [particles * components]
+};
+
+/// A field as read.
+struct FieldData {
+  std::string unit;
+  std::size_t components = 1;
+  std::vector<double> values; ///< [particles * components]
+};
+
+/// A time series as read.
+struct SeriesData {
+  std::vector<std::string> columns;
+  std::vector<std::string> units;
+  std::vector<double> values; ///< [rows * columns], row after row
+
+  std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
+};
+
+/// The faces through which the domain is shaken, in the order of the exchange.
+struct BoundaryFaces {
+  std::vector<double> position;    ///< [faces * 2] at the start of shaking, m
+  std::vector<double> normal;      ///< [faces * 2] outward, 1
+  std::vector<double> length;      ///< [faces] m
+  std::vector<std::string> source; ///< [faces] the participant that serves the face
+};
+
+/// What passes through the faces at one time; all arrays [faces * 2].
+struct BoundaryExchange {
+  std::span<const double> free_field_velocity; ///< v^ff, m/s
+  std::span<const double> domain_velocity;     ///< v^m, m/s
+  std::span<const double> traction;            ///< on the domain, Pa
+};
+
+/// Named columns of equal length.
+struct Table {
+  struct Column {
+    std::string name;
+    std::string unit; ///< SI, "1" for none
+    std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>> values;
+  };
+  std::vector<Column> columns;
+};
+
+} // namespace tremolo::results
