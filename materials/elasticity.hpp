@@ -23,10 +23,18 @@ struct Elasticity {
   /// nu/(1-nu): horizontal over vertical stress under self weight without lateral strain
   double rest_coefficient() const { return poisson / (1.0 - poisson); }
 
-  static Elasticity from_wave_speeds(double density, double vs, double vp) {
+  /// Elastic energy per unit volume at a stress (Pa, out-of-plane shear zero), J/m3
+  double energy_density(double sxx, double syy, double szz, double sxy) const {
+    const double trace = sxx + syy + szz;
+    const double squares = sxx * sxx + syy * syy + szz * szz + 2.0 * sxy * sxy;
+    return ((1.0 + poisson) * squares - poisson * trace * trace) / (2.0 * young);
+  }
+
+  /// @param vs, vp  wave speeds, m/s
+  static Elasticity from_wave_speeds(double rho, double vs, double vp) {
     const double ratio = vs * vs / (vp * vp);
-    const double poisson = (0.5 - ratio) / (1.0 - ratio);
-    return {density, 2.0 * density * vs * vs * (1.0 + poisson), poisson};
+    const double nu = (0.5 - ratio) / (1.0 - ratio);
+    return {rho, 2.0 * rho * vs * vs * (1.0 + nu), nu};
   }
 };
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// The one interface of constitutive laws, used by columns and domain alike. A law is a plain struct of parameters;
-// what it does are free functions on blocks of points. Choosing the law costs one branch per block, not per point.
+// The one interface of constitutive laws, used by columns and domain alike. A law is a plain struct of
+// parameters; what it does are free functions on blocks of points. Choosing the law costs one branch per
+// block, not per point.
 
 #include "materials/linear_elastic.hpp"
 #include "materials/mohr_coulomb.hpp"
@@ -28,6 +29,9 @@ void update(const Law& law, const Points& points);
 
 /// The law's elastic constants.
 const Elasticity& elasticity(const Law& law);
+
+/// The law held at its peak strength: itself if it does not soften.
+Law without_softening(const Law& law);
 
 /// Refuses parameters outside their physical range.
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range

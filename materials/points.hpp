@@ -6,11 +6,11 @@ namespace tremolo::materials {
 
 /// A view of `count` material points in plane strain, one array a quantity. Tension positive.
 ///
-/// A law reads the strain and rotation increments of a step and updates stress and state in place. Arrays hold
-/// `count` values, except `state`, which holds the law's state variables point after point.
+/// A law reads the strain and rotation increments of a step and updates stress and state in place. Arrays
+/// hold `count` values, except `state`, which holds the law's state variables point after point.
 struct Points {
   std::size_t count = 0;
-  double* sxx = nullptr;          ///< Cauchy stress, Pa
+  double* sxx = nullptr; ///< Cauchy stress, Pa
   double* syy = nullptr;
   double* szz = nullptr;
   double* sxy = nullptr;
@@ -18,8 +18,8 @@ struct Points {
   double* plastic_work = nullptr; ///< += plastic work of the step per unit volume, J/m3
   const double* dexx = nullptr;   ///< strain increments
   const double* deyy = nullptr;
-  const double* dgxy = nullptr;   ///< engineering shear strain increment, dux/dy + duy/dx
-  const double* dwxy = nullptr;   ///< rotation increment (duy/dx - dux/dy)/2, rad, counter-clockwise positive
+  const double* dgxy = nullptr; ///< engineering shear strain increment, dux/dy + duy/dx
+  const double* dwxy = nullptr; ///< rotation increment (duy/dx - dux/dy)/2, rad, counter-clockwise positive
 };
 
 } // namespace tremolo::materials
