@@ -1,0 +1,75 @@
+#pragma once
+
+// Eq. (6) for all faces of the domain at one time: the histories of the fields they take, their maps, and the
+// sum. The hub owns one in mode lockstep, the domain in mode window; one implementation, so the modes cannot
+// differ.
+
+#include "coupler/field.hpp"
+#include "coupler/mapping.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::coupler {
+
+/// A field of a participant in this run, as a frame names it.
+struct FieldAddress {
+  std::uint32_t sender = 0;
+  std::uint32_t field = 0;
+  friend bool operator==(const FieldAddress&, const FieldAddress&) = default;
+};
+
+class BoundaryExchange {
+public:
+  /// @param start_time,end_time of the exchange, s, on the sources' clock
+  /// @throws std::invalid_argument if a face names no source, or the source does not cover it in depth or
+  /// time
+  BoundaryExchange(const std::vector<SourceDescription>& sources, std::vector<BoundaryFace> faces,
+                   double start_time, double end_time);
+
+  [[nodiscard]] std::size_t faces() const { return faces_.size(); }
+
+  /// A field that faces take, and how far its steps have come.
+  struct Inlet {
+    FieldAddress address;
+    std::string source;
+    FreeFieldHistory history;
+    std::uint64_t announced_credit = 0; ///< the last one told to the source
+  };
+  /// Only fields that a face takes are here: the others are never asked for.
+  [[nodiscard]] std::span<Inlet> inlets() { return inlets_; }
+  [[nodiscard]] Inlet* find(FieldAddress address);
+
+  /// What the exchange still waits for at a time.
+  struct Missing {
+    std::string source;
+    std::string field;
+    std::uint64_t step = 0;
+  };
+  [[nodiscard]] std::optional<Missing> missing(double time) const;
+
+  /// Releases what is older than time, then evaluates.
+  /// @param v_domain velocities of the faces, m/s
+  /// @param free_field out: what Eq. (6) took, per face
+  /// @param tractions out, Pa
+  void evaluate(double time, std::span<const eq6::Vector> v_domain, std::span<eq6::FreeField> free_field,
+                std::span<eq6::Vector> tractions);
+
+private:
+  struct Reader {
+    std::size_t inlet = 0;
+    FaceMap map;
+  };
+  std::vector<BoundaryFace> faces_;
+  std::vector<Reader> readers_;
+  std::vector<Inlet> inlets_;
+};
+
+/// Steps that a source sends in one frame: about 256 KiB, at most 64 steps.
+std::uint32_t steps_per_frame(const FieldDescription& field);
+
+} // namespace tremolo::coupler

@@ -1,0 +1,62 @@
+#pragma once
+
+// What passes between participants, in words of the physics: the free-field motion that a source serves along
+// a vertical profile, and the boundary faces of the domain that take it.
+//
+// A source serves the motion on ONE vertical line. Along x the motion is the same, later by the horizontal
+// slowness p = sin(angle) / c:
+//
+//     v(x, y, t) = v(x_reference, y, t - p (x - x_reference))      and the same for the stress.
+
+#include "coupler/eq6/boundary_traction.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tremolo::coupler {
+
+/// Values per point and step: vx, vy (m/s), sxx, syy, sxy (Pa, dynamic part, tension positive), then the time
+/// derivatives of these five (m/s2, Pa/s).
+inline constexpr std::size_t values_per_point = 10;
+
+/// One free field that a source serves.
+struct FieldDescription {
+  std::string name; ///< "total" (free field with its free surface) or "incident" (the upgoing wave alone)
+  std::vector<double> y;        ///< elevations of the points served, strictly ascending, m
+  double x_reference = 0.0;     ///< x of the profile, m
+  double slowness_x = 0.0;      ///< horizontal slowness p, s/m; 0 for a column
+  double start_time = 0.0;      ///< time of step 0, s
+  double time_step = 0.0;       ///< s
+  std::uint64_t step_count = 0; ///< steps 0 ... step_count - 1 are served
+
+  [[nodiscard]] std::size_t values_per_step() const { return y.size() * values_per_point; }
+  [[nodiscard]] double time(std::uint64_t step) const {
+    return start_time + static_cast<double>(step) * time_step;
+  }
+  [[nodiscard]] double end_time() const { return time(step_count - 1); }
+};
+
+/// Refuses a description that cannot be served: no points, elevations not ascending, fewer than two steps,
+/// anything not finite.
+/// @throws std::invalid_argument naming the field, the key and its value
+void validate(const FieldDescription& field);
+
+/// A source and what it serves, as the domain and the hub know it after the handshake.
+struct SourceDescription {
+  std::string name;
+  std::uint32_t number = 0; ///< the participant's number in this run, the sender in its frames
+  std::vector<FieldDescription> fields;
+};
+
+/// A boundary face of the domain. It keeps its material position: the free field does not move with the soil.
+struct BoundaryFace {
+  eq6::Vector position;        ///< centre, m
+  eq6::Face dashpot;           ///< outward normal and impedances
+  eq6::Vector static_traction; ///< what held the model at rest, Pa
+  std::string source;          ///< name of the source it takes its free field from
+  std::string field;           ///< which of that source's fields
+};
+
+} // namespace tremolo::coupler

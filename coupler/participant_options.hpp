@@ -1,0 +1,42 @@
+#pragma once
+
+// The command line that every participant has: what the launcher passes to it.
+//
+//     tremolo-wave --case CASE --name left --endpoint ipc:///run/... --session 0123456789abcdef [--threads N]
+//     [--out DIR]
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tremolo::coupler {
+
+/// Every wait has a deadline, s.
+struct Deadlines {
+  double connect = 30.0; ///< until all participants have said HELLO
+  double step = 60.0;    ///< between two signs of life of a participant that owes something
+  double shutdown = 2.0; ///< between BYE and the end of the process
+};
+
+struct ParticipantOptions {
+  std::filesystem::path case_file;
+  std::string name;          ///< unique in the run, e.g. "left"
+  std::string endpoint;      ///< of the hub
+  std::uint64_t session = 0; ///< random number of the run
+  int threads = 1;
+  std::filesystem::path out; ///< the run's folder; a participant that writes nothing ignores it
+  Deadlines deadlines;
+};
+
+/// The command line for options, without the program itself.
+std::vector<std::string> command_line(const ParticipantOptions& options);
+
+/// The body of a participant's main: parses the command line, runs, and turns every exception into one line
+/// "program: message" on stderr.
+/// @returns the process's exit status: 0, 1 for a failure, 2 for a wrong command line
+int participant_main(const std::string& program, const std::string& description, int argc, char** argv,
+                     const std::function<void(const ParticipantOptions&)>& body);
+
+} // namespace tremolo::coupler
