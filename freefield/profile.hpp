@@ -1,0 +1,52 @@
+#pragma once
+
+#include "materials/elasticity.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tremolo::freefield {
+
+struct Layer {
+  double thickness = 0.0; ///< m
+  materials::Elasticity soil;
+  double damping_ratio = 0.0; ///< of critical, [0, 1); what it means at which frequency is the Damping's
+};
+
+/// Soil layers from top to bottom on an elastic half-space.
+struct Profile {
+  double surface_level = 0.0; ///< y of the free surface, m
+  std::vector<Layer> layers;
+  materials::Elasticity half_space;
+
+  /// y of the base, m: where the layers end and the half-space begins.
+  double base_level() const;
+};
+
+/// c = alpha rho + beta E per layer, which gives the layer's damping ratio at both frequencies.
+struct RayleighDamping {
+  double first_frequency_hz = 0.0;
+  double second_frequency_hz = 0.0;
+};
+
+/// sigma = E (eps + beta d eps/dt) per layer: the layer's damping ratio at the reference frequency, growing
+/// linearly with frequency.
+struct KelvinVoigtDamping {
+  double reference_frequency_hz = 0.0;
+};
+
+using Damping = std::variant<KelvinVoigtDamping, RayleighDamping>;
+
+/// Damping coefficients of a layer: alpha (1/s) on mass, beta (s) on stiffness.
+struct DampingCoefficients {
+  double alpha = 0.0;
+  double beta = 0.0;
+};
+DampingCoefficients coefficients(const Damping& damping, double ratio);
+
+/// @throws std::invalid_argument naming the layer, the quantity, its value and the allowed range
+void validate(const Profile& profile);
+void validate(const Damping& damping);
+
+} // namespace tremolo::freefield
