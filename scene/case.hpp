@@ -1,0 +1,211 @@
+#pragma once
+
+// A checked case: what a case file says, in SI units, after every rule has passed. The keys, their ranges and
+// defaults stand in keys.cpp; docs/case-file.md is generated from there.
+
+#include "materials/law.hpp"
+#include "scene/geometry.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tremolo::scene {
+
+/// [motion] pulse: the Ricker velocity pulse V (1 - 2a) exp(-a), a = (pi f (t - t0))^2.
+struct RickerPulse {
+  double frequency = 0.0; ///< f, Hz
+  double time = 0.0;      ///< t0 of the peak, s
+  double velocity = 0.0;  ///< V, m/s
+};
+
+enum class Quantity { acceleration, velocity };
+
+/// [motion] file: a record in PEER format, accelerations in g (AT2) or velocities in cm/s (VT2).
+struct MotionFile {
+  std::filesystem::path path; ///< absolute, or relative to the working directory
+  Quantity quantity = Quantity::acceleration;
+  double scale = 1.0;
+};
+
+enum class Wave { sv, p };
+
+/// The incident plane wave. Its motion along the polarisation, SV (cos, -sin) and P (sin, cos) of the angle,
+/// is given at the reference point; scene::Motion evaluates it.
+struct MotionInput {
+  std::variant<RickerPulse, MotionFile> source;
+  Wave wave = Wave::sv;
+  double angle_deg = 0.0; ///< from the vertical, travelling to +x, +y; in [0, 90)
+  Point reference;
+};
+
+struct Soil {
+  std::string name;
+  materials::Law law; ///< eta already scaled to the mesh size where the soil has a reference_size
+};
+
+struct Region {
+  std::size_t soil = 0; ///< index into Case::soils
+  Polygon polygon;
+};
+
+/// A layer of the free-field profile.
+struct Layer {
+  double thickness = 0.0; ///< m
+  materials::Elasticity elastic;
+  double damping_ratio = 0.0; ///< of critical
+};
+
+/// c = alpha rho + beta E per layer, exact at the two frequencies.
+struct RayleighDamping {
+  double first_frequency = 0.0;  ///< Hz
+  double second_frequency = 0.0; ///< Hz
+};
+/// The layer's damping ratio at the reference frequency, proportional to frequency.
+struct KelvinVoigtDamping {
+  double reference_frequency = 0.0; ///< Hz
+};
+using Damping = std::variant<std::monostate, RayleighDamping, KelvinVoigtDamping>;
+
+enum class Integrator { central_difference, newmark };
+
+struct Column {
+  Integrator integrator = Integrator::central_difference;
+  double element_size = 0.0; ///< m
+  std::optional<double> dt;  ///< s; otherwise the column chooses its own
+};
+
+struct Mesh {
+  double size = 0.0;          ///< h, m
+  Box box;                    ///< the model; its left, right and lower edges carry boundary faces
+  int particles_per_cell = 2; ///< per direction
+};
+
+enum class Transfer { apic, flip, pic_blend };
+enum class StepOrder { usl, usf, musl };
+
+struct TimeStepping {
+  double fraction = 0.5;    ///< of the critical step, in (0, 1]
+  std::optional<double> dt; ///< a fixed step instead, s
+  Transfer transfer = Transfer::apic;
+  double blend_time = 0.0; ///< tau of pic_blend, s
+  StepOrder order = StepOrder::usl;
+};
+
+enum class Side { left, right, base };
+enum class SourceModel { wave, column };
+enum class BaseForm {
+  total, ///< free-field velocity and stress of the whole (incident and reflected) field: exact at any angle
+  incident, ///< the incident wave alone: Eqs. (4) and (5) of the method, dashpots take up the reflected waves
+};
+
+/// A lateral free field.
+struct LateralBoundary {
+  SourceModel model = SourceModel::wave;
+  double surface = 0.0; ///< y of its free surface, m
+};
+
+struct BaseBoundary {
+  SourceModel model = SourceModel::wave;
+  BaseForm form = BaseForm::total;
+};
+
+struct Boundary {
+  LateralBoundary left;
+  LateralBoundary right;
+  BaseBoundary base;
+};
+
+/// [[stage]] kind = "gravity": base fixed, sides on rollers, damped relaxation to rest.
+struct GravityStage {
+  double acceleration = 9.81; ///< m/s2, downwards
+  double residual = 1e-6;     ///< largest unbalanced nodal force over the largest nodal weight
+  double max_time = 0.0;      ///< simulated time within which it must be reached, s
+};
+
+/// [[stage]] kind = "shaking"; t = 0 of the motion is its start.
+struct ShakingStage {
+  double duration = 0.0; ///< s
+};
+
+enum class ExchangeMode { window, lockstep };
+
+struct Coupling {
+  ExchangeMode mode = ExchangeMode::window;
+  int window_steps = 0;           ///< steps of the source in one frame
+  double connect_deadline = 0.0;  ///< s
+  double step_deadline = 0.0;     ///< s
+  double shutdown_deadline = 0.0; ///< s
+};
+
+struct Monitor {
+  std::string name;
+  Point point;
+};
+
+enum class OutputField { displacement, velocity, acceleration, stress, state };
+
+struct Output {
+  double every = 0.0;         ///< interval of particle frames, s
+  double history_every = 0.0; ///< interval of monitors and energy, s
+  std::vector<OutputField> fields;
+};
+
+/// A value that the case runs with, and where it was found.
+struct ValueInForce {
+  std::string key;    ///< "mesh.size", "soil.sand.density", "region[1].soil"
+  std::string value;  ///< as TOML
+  std::string origin; ///< "case.toml:14:9" or "default"
+};
+
+struct Case {
+  std::string title;
+  std::filesystem::path file;      ///< as given to load()
+  std::filesystem::path directory; ///< that relative names in the case start from
+  std::string text;                ///< the source
+
+  MotionInput motion;
+  double surface_level = 0.0; ///< y of the free field's surface, m
+  materials::Elasticity halfspace;
+  std::vector<Soil> soils;
+  std::vector<Region> regions;
+  std::vector<Layer> profile; ///< from the surface down; empty: the half-space reaches the surface
+  Damping damping;            ///< of the columns
+  Column column;
+  Mesh mesh;
+  TimeStepping time;
+  Boundary boundary;
+  std::optional<GravityStage> gravity; ///< absent: weightless, the model starts at rest without stress
+  ShakingStage shaking;
+  Coupling coupling;
+  std::vector<Monitor> monitors;
+  Output output;
+  double verify_tolerance = 0.0; ///< relative L2 error of particle velocity that `tremolo verify` allows
+
+  std::vector<ValueInForce> values;
+};
+
+/// Reads and checks a case file.
+/// @throws CaseErrors (scene/errors.hpp) with every error of the file
+Case load(const std::filesystem::path& file);
+
+/// The same from text. `file` names it in messages, `directory` is where relative file names start.
+Case parse(std::string_view text, const std::filesystem::path& file, const std::filesystem::path& directory);
+
+/// The name that a case file uses for a value, e.g. "pic_blend".
+std::string_view name(Wave);
+std::string_view name(Quantity);
+std::string_view name(Integrator);
+std::string_view name(Transfer);
+std::string_view name(StepOrder);
+std::string_view name(Side);
+std::string_view name(SourceModel);
+std::string_view name(BaseForm);
+std::string_view name(ExchangeMode);
+std::string_view name(OutputField);
+
+} // namespace tremolo::scene

@@ -1,0 +1,43 @@
+#pragma once
+
+// Plane geometry of case files. x to the right, y up, m.
+
+#include <vector>
+
+namespace tremolo::scene {
+
+struct Point {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// Corners in either sense of rotation; the last is joined to the first.
+using Polygon = std::vector<Point>;
+
+/// An axis-parallel rectangle.
+struct Box {
+  double x_min = 0.0;
+  double y_min = 0.0;
+  double x_max = 0.0;
+  double y_max = 0.0;
+
+  double width() const { return x_max - x_min; }
+  double height() const { return y_max - y_min; }
+  /// Whether p lies inside or on the edge.
+  bool contains(Point p) const;
+};
+
+/// Enclosed area, m2.
+double area(const Polygon& polygon);
+
+/// Whether p lies inside the polygon or on its edge.
+bool contains(const Polygon& polygon, Point p);
+
+/// Whether two edges of the polygon that are not neighbours meet, or neighbours fold back on each other.
+bool intersects_itself(const Polygon& polygon);
+
+/// Whether the interiors of two simple polygons have a point in common; touching along edges or corners is no
+/// overlap.
+bool overlap(const Polygon& a, const Polygon& b);
+
+} // namespace tremolo::scene

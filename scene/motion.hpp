@@ -1,0 +1,54 @@
+#pragma once
+
+// The incident motion as a smooth function of time.
+//
+// Ricker: v(t) = V (1 - 2a) exp(-a), a = (pi f (t - t0))^2.
+//
+// Record: accelerations are integrated by the trapezoidal rule to velocities, v_0 = 0; velocities are scaled,
+// multiplied by a half cosine that rises from 0 to 1 over the first 0.1 s, continued after the last sample by
+// a half cosine that falls from there to 0 within 1 s, and joined by a natural cubic spline. Before the first
+// sample (t = 0) and after the continuation the velocity is zero.
+
+#include "scene/case.hpp"
+
+#include <memory>
+#include <span>
+
+namespace tremolo::scene {
+
+/// Particle velocity of the incident wave alone, along its polarisation, at the reference point. Cheap to
+/// copy; may be evaluated from several threads.
+class Motion {
+public:
+  static Motion ricker(const RickerPulse& pulse);
+
+  /// A record of velocities (m/s) at 0, dt, 2 dt, ... (s).
+  /// @throws std::invalid_argument for fewer than two samples, dt <= 0, or values that are not finite
+  static Motion record(std::span<const double> velocity, double dt);
+
+  /// m/s at time t (s); zero outside [begin(), end()].
+  double velocity(double t) const;
+
+  /// Support, s.
+  double begin() const { return begin_; }
+  double end() const { return end_; }
+
+  /// Hz; above it the spectrum is negligible: 6.5 f of a Ricker pulse (1e-16 of its peak), 1/dt of a record
+  /// (twice its Nyquist frequency, beyond which only the spline's fall-off is left).
+  double highest_frequency() const { return highest_frequency_; }
+
+private:
+  class Shape;
+  Motion(std::shared_ptr<const Shape> shape, double begin, double end, double highest_frequency);
+
+  std::shared_ptr<const Shape> shape_;
+  double begin_ = 0.0;
+  double end_ = 0.0;
+  double highest_frequency_ = 0.0;
+};
+
+/// The motion of a case; reads the record if there is one.
+/// @throws RecordError (scene/record.hpp) for a record that cannot be read
+Motion motion(const MotionInput& input);
+
+} // namespace tremolo::scene

@@ -1,0 +1,71 @@
+#pragma once
+
+// The plan of a case: which effects it calls for and why, which processes serve its free fields, and what the
+// run costs. Nobody switches effects by hand.
+
+#include "scene/case.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tremolo::scene {
+
+struct Effect {
+  std::string name;
+  bool on = false;
+  std::string why;                   ///< what in the case calls for it, or what would
+  double bytes_per_particle = 0.0;   ///< on top of the others
+  double ns_per_particle_step = 0.0; ///< single thread, on top of the others; 0 where it is not per particle
+};
+
+/// What a source process sends to a side.
+struct Served {
+  Side side = Side::left;
+  BaseForm field = BaseForm::total; ///< lateral sides always take the total field
+};
+
+/// A free-field process. Equal free fields share one.
+struct SourceProcess {
+  std::string name; ///< the sides it serves, e.g. "left-base"
+  SourceModel model = SourceModel::wave;
+  double surface = 0.0; ///< y of the free surface, m
+  std::vector<Served> serves;
+};
+
+/// "tremolo-wave" or "tremolo-column".
+std::string program(SourceModel model);
+
+struct Plan {
+  std::vector<Effect> effects;
+  std::vector<SourceProcess> sources;
+  std::string base;               ///< in words: what the base uses
+  std::vector<std::string> notes; ///< what the user should know of this case, e.g. a coarse mesh
+
+  std::size_t particles = 0;
+  std::size_t cells = 0;       ///< of the padded grid
+  double critical_dt = 0.0;    ///< s
+  double dt = 0.0;             ///< s
+  std::int64_t steps = 0;      ///< of the shaking stage
+  std::int64_t frames = 0;     ///< particle frames written
+  double memory_bytes = 0.0;   ///< of the domain process
+  double output_bytes = 0.0;   ///< of the run file
+  double estimated_time = 0.0; ///< wall-clock of the shaking stage on one thread, s
+};
+
+/// The critical time step of the domain at rest: 0.65 h / c_p of the fastest soil, s (2D uGIMP with dashpots
+/// at corners).
+double critical_time_step(const Case& scene);
+
+Plan plan(const Case& scene);
+
+/// The source that serves a side.
+const SourceProcess& source_of(const Plan& plan, Side side);
+
+/// The plan as text for people.
+std::string explain(const Case& scene, const Plan& plan);
+
+/// The plan as JSON, for result files.
+std::string to_json(const Plan& plan);
+
+} // namespace tremolo::scene
