@@ -1,0 +1,83 @@
+#include "mpm_domain/boundary_faces.hpp"
+
+#include "mpm_domain/fill.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// The two nodes around a point in one direction, with their hat functions.
+struct Linear {
+  int base;
+  double w[2];
+};
+
+Linear linear_weights(double x, double origin, double h) {
+  const double cell = std::floor((x - origin) / h);
+  const double xi = (x - origin) / h - cell;
+  return {static_cast<int>(cell), {1.0 - xi, xi}};
+}
+
+BoundaryFace make_face(Side side, Vector normal, const Particles& set, std::size_t set_index, std::size_t k,
+                       double size) {
+  const materials::Elasticity& soil = materials::elasticity(set.law);
+  BoundaryFace face;
+  face.side = side;
+  face.set = set_index;
+  face.id = set.id[k];
+  face.position = {set.x[k] + 0.5 * size * normal.x, set.y[k] + 0.5 * size * normal.y};
+  face.length = size;
+  face.face = {normal, soil.density * soil.p_wave_speed(), soil.density * soil.s_wave_speed()};
+  return face;
+}
+
+} // namespace
+
+std::vector<BoundaryFace> find_faces(const std::vector<Particles>& sets, const Spec& spec) {
+  const double size = particle_size(spec);
+  const double near = 0.75 * size; // between the first particle at size/2 and the second at 3/2 size
+  std::vector<BoundaryFace> faces;
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (std::size_t k = 0; k < sets[s].size(); ++k) {
+      if (sets[s].x[k] - spec.box.x_min < near)
+        faces.push_back(make_face(Side::left, {-1.0, 0.0}, sets[s], s, k, size));
+      if (spec.box.x_max - sets[s].x[k] < near)
+        faces.push_back(make_face(Side::right, {1.0, 0.0}, sets[s], s, k, size));
+      if (sets[s].y[k] - spec.box.y_min < near)
+        faces.push_back(make_face(Side::base, {0.0, -1.0}, sets[s], s, k, size));
+    }
+  std::sort(faces.begin(), faces.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
+    return std::tuple(a.side, a.position.y, a.position.x) < std::tuple(b.side, b.position.y, b.position.x);
+  });
+  return faces;
+}
+
+FaceWeights face_weights(const BoundaryFace& face, const Particles& set, const Grid& grid) {
+  const std::size_t k = set.index_of[face.id];
+  const double half = 0.5 * face.length;
+  const bool vertical = face.side != Side::base;
+  const Vector n = face.face.normal;
+  FaceWeights weights;
+  if (vertical) {
+    const Linear across = linear_weights(set.x[k] + half * n.x, grid.x0, grid.h);
+    const Weights along = gimp_weights(set.y[k], {grid.y0, grid.h, half});
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 2; ++b)
+        weights[static_cast<std::size_t>(2 * a + b)] = {grid.index(across.base + b, along.base + a),
+                                                        along.s[a] * across.w[b]};
+  } else {
+    const Linear across = linear_weights(set.y[k] + half * n.y, grid.y0, grid.h);
+    const Weights along = gimp_weights(set.x[k], {grid.x0, grid.h, half});
+    for (int b = 0; b < 2; ++b)
+      for (int a = 0; a < 3; ++a)
+        weights[static_cast<std::size_t>(3 * b + a)] = {grid.index(along.base + a, across.base + b),
+                                                        along.s[a] * across.w[b]};
+  }
+  return weights;
+}
+
+} // namespace tremolo::mpm_domain

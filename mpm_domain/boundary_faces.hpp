@@ -1,0 +1,50 @@
+#pragma once
+
+// Boundary faces ride on the particles that lay along the left, right and lower edge of the model. A face
+// covers its particle's side, length 2l. Its weights are the grid's hat functions averaged along the face,
+//
+//     W_i = 1/(2l) int_face N_i ds,
+//
+// so that tractions t spread as f_i = sum_f 2l W_if t_f balance a uniform stress exactly, wherever the
+// particle lies in its cell, and a dashpot can only take energy out: the velocity it reads, v^m_f = sum_i
+// W_if v_i, uses the same W.
+
+#include "coupler/eq6/boundary_traction.hpp"
+#include "mpm_domain/grid.hpp"
+#include "mpm_domain/kernel.hpp"
+#include "mpm_domain/particles.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+enum class Side { left, right, base };
+
+/// A face: the particle it rides on and what Eq. (6) needs to know.
+struct BoundaryFace {
+  Side side = Side::left;
+  std::size_t set = 0;  ///< which soil's particles
+  std::uint32_t id = 0; ///< the particle
+  Vector position;      ///< where it lay at the start: the material point its free field is taken from, m
+  double length = 0.0;  ///< m
+  eq6::Face face;       ///< normal and impedances
+};
+
+/// A node that a face touches, and W.
+struct FaceWeight {
+  std::size_t node = 0;
+  double w = 0.0;
+};
+
+/// Two rows of three nodes: averaged along the face, linear across it.
+using FaceWeights = std::array<FaceWeight, 6>;
+
+/// The faces of the model's left, right and lower edge, in this order, each from low to high coordinate.
+std::vector<BoundaryFace> find_faces(const std::vector<Particles>& sets, const Spec& spec);
+
+/// Weights of a face at its particle's present place.
+FaceWeights face_weights(const BoundaryFace& face, const Particles& set, const Grid& grid);
+
+} // namespace tremolo::mpm_domain

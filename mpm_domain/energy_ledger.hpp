@@ -1,0 +1,46 @@
+#pragma once
+
+// Where the energy goes. Over a step of length dt, with v- and v+ the grid velocity before and after the
+// update and v = (v- + v+)/2, the grid's kinetic energy changes exactly by dt times the power of all nodal
+// forces on v:
+//
+//     K(v+) - K(v-) = dt sum_i f_i . v_i.
+//
+// Gravity, dashpots, the rest of the boundary tractions and the stresses each give a part of f. What the
+// stresses take is not booked from f but from the particles, V (s- + s+)/2 : de, as elastic and plastic work;
+// what the transfer between grid and particles loses is booked as K(v-) of the next step minus K(v+) of this
+// one. All entries are thus measured, and
+//
+//     residual = kinetic - kinetic_0 + elastic + plastic - gravity - input - static - dashpots - transfer
+//
+// is a true check: it holds the error of the time integration alone.
+
+#include <array>
+#include <string_view>
+
+namespace tremolo::mpm_domain {
+
+/// Energies per metre out of plane, J/m, accumulated since the start of shaking; work done on the soil is
+/// positive.
+struct EnergyLedger {
+  double kinetic_start = 0.0;
+  double kinetic = 0.0;
+  double elastic = 0.0; ///< work stored in elastic strain
+  double plastic = 0.0; ///< work dissipated in plastic strain, >= 0
+  double gravity = 0.0;
+  double input = 0.0;    ///< work of free-field velocity and stress through the boundary faces
+  double static_ = 0.0;  ///< work of the tractions that replaced the constraints
+  double dashpots = 0.0; ///< work of the dashpots on the soil's own velocity, <= 0
+  double transfer = 0.0; ///< gained (> 0) or lost (< 0) between particles and grid: numerical
+
+  double residual() const {
+    return kinetic - kinetic_start + elastic + plastic - gravity - input - static_ - dashpots - transfer;
+  }
+
+  /// Column names and the values of one row of the energy history.
+  static constexpr std::array<std::string_view, 9> columns{
+      "kinetic", "elastic", "plastic", "gravity", "input", "static", "dashpots", "transfer", "residual"};
+  std::array<double, 9> row() const;
+};
+
+} // namespace tremolo::mpm_domain

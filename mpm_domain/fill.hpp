@@ -1,0 +1,24 @@
+#pragma once
+
+#include "mpm_domain/particles.hpp"
+#include "mpm_domain/spec.hpp"
+
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Side of a particle's square, m.
+inline double particle_size(const Spec& spec) {
+  return spec.cell_size / spec.particles_per_cell;
+}
+
+/// Lays particles on a square lattice aligned with the model box, particles_per_cell per cell and direction,
+/// wherever the lattice point lies in a region. One set per soil, in the order of Spec::soils.
+/// @throws std::invalid_argument if no particle results or the box is not a multiple of the particle size
+std::vector<Particles> fill(const Spec& spec);
+
+/// Gives every particle the stress of level layers at rest: s_yy = -overburden of the particles above it,
+/// s_xx = s_zz = K0 s_yy with the soil's nu/(1-nu). A start for the gravity stage, exact for level ground.
+void set_rest_stress(std::vector<Particles>& sets, const Spec& spec);
+
+} // namespace tremolo::mpm_domain

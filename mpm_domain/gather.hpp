@@ -1,0 +1,33 @@
+#pragma once
+
+#include "mpm_domain/domain.hpp"
+
+namespace tremolo::mpm_domain {
+
+/// What a gather pass brings to the particles; any may be combined.
+struct GatherParts {
+  bool velocity = false; ///< v_p (and C_p with APIC)
+  bool position = false; ///< x_p += dt sum_i S_ip v+_i
+  bool strain = false;   ///< strain increment from the grid velocity, then stress, state and volume
+};
+
+/// Work of the stresses in a gather with strain, J/m.
+struct StressWork {
+  double elastic = 0.0;
+  double plastic = 0.0;
+};
+
+/// Grid to particles over a step dt (s).
+///
+///   apic:       v_p = sum_i S v+,  C_p = sum_i S v+ (x_i - x_p)^T D_p^-1
+///   flip:       v_p += sum_i S (v+ - v-)
+///   pic_blend:  a flip + (1 - a) pic with a = exp(-dt/tau), so that the loss does not depend on the step
+///
+/// The strain increment is dt sym(sum_i u_i grad S) and the rotation dt skew of the same, with u = v- if
+/// `strain_of_old` (update stress first), else v+. Volumes grow by tr(de).
+StressWork gather(Domain& domain, double dt, GatherParts parts, bool strain_of_old = false);
+
+/// Accelerations (v+ - v-)/dt of the grid at the particles of one soil, m/s2, for output.
+std::vector<Vector> particle_accelerations(const Domain& domain, const Particles& particles, double dt);
+
+} // namespace tremolo::mpm_domain

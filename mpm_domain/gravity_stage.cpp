@@ -1,0 +1,146 @@
+#include "mpm_domain/gravity_stage.hpp"
+
+#include "mpm_domain/fill.hpp"
+#include "mpm_domain/gather.hpp"
+#include "mpm_domain/scatter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Steps between two looks at the residual.
+constexpr long report_every = 100;
+
+/// Which directions of a node are fixed, and which nodes carry soil.
+struct Supports {
+  std::vector<unsigned char> fixed_x, fixed_y, full;
+};
+
+bool on_line(double a, double b, double h) {
+  return std::abs(a - b) < 1e-6 * h;
+}
+
+Supports find_supports(const Domain& domain, Reactions& reactions) {
+  const Grid& grid = domain.grid;
+  const Box& box = domain.spec.box;
+  Supports supports{std::vector<unsigned char>(grid.size(), 0), std::vector<unsigned char>(grid.size(), 0),
+                    std::vector<unsigned char>(grid.size(), 0)};
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const std::size_t n = grid.index(i, j);
+      if (grid.sums[n].motion[0] <= 0.0)
+        continue;
+      supports.full[n] = 1;
+      const bool base = on_line(grid.y0 + j * grid.h, box.y_min, grid.h);
+      const double x = grid.x0 + i * grid.h;
+      const bool side = on_line(x, box.x_min, grid.h) || on_line(x, box.x_max, grid.h);
+      supports.fixed_y[n] = base;
+      supports.fixed_x[n] = base || side;
+      if (base)
+        reactions.base.push_back(n);
+      else if (side)
+        reactions.sides.push_back(n);
+    }
+  return supports;
+}
+
+/// One relaxation step on the grid; returns the residual ||f||/||m g|| over free directions.
+double relax_grid(Domain& domain, const Supports& supports, double dt, double alpha) {
+  Grid& grid = domain.grid;
+  const double keep = (1.0 - 0.5 * alpha * dt) / (1.0 + 0.5 * alpha * dt);
+  const double gain = dt / (1.0 + 0.5 * alpha * dt);
+  double unbalanced = 0.0;
+  double applied = 0.0;
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    if (!supports.full[n])
+      continue;
+    const double m = grid.sums[n].motion[0];
+    const Lanes f = grid.sums[n].force;
+    const Lanes v = grid.motion[n].velocity;
+    const double fx = supports.fixed_x[n] ? 0.0 : f[0];
+    const double fy = supports.fixed_y[n] ? 0.0 : f[1];
+    const double vx = supports.fixed_x[n] ? 0.0 : keep * v[2] + gain * fx / m;
+    const double vy = supports.fixed_y[n] ? 0.0 : keep * v[3] + gain * fy / m;
+    grid.motion[n].velocity = Lanes{v[2], v[3], vx, vy};
+    unbalanced += fx * fx + fy * fy;
+    applied += m * m * domain.spec.gravity * domain.spec.gravity;
+  }
+  return std::sqrt(unbalanced / applied);
+}
+
+void reset_state(Domain& domain) {
+  for (Particles& set : domain.sets) {
+    const auto variables = materials::state_variables(set.law);
+    for (std::size_t k = 0; k < set.size(); ++k)
+      for (std::size_t s = 0; s < set.state_size; ++s)
+        set.state[k * set.state_size + s] = variables[s].initial;
+  }
+}
+
+} // namespace
+
+Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
+                              const GravityProgress& progress) {
+  if (!(domain.spec.gravity > 0.0))
+    throw std::invalid_argument(
+        fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", domain.spec.gravity));
+  set_rest_stress(domain.sets, domain.spec);
+  std::vector<materials::Law> laws;
+  for (Particles& set : domain.sets) {
+    laws.push_back(set.law);
+    set.law = materials::without_softening(set.law);
+  }
+  std::vector<std::vector<double>> volumes;
+  for (const Particles& set : domain.sets)
+    volumes.push_back(set.volume);
+
+  scatter(domain, ScatterPart::motion);
+  for (NodeMotion& node : domain.grid.motion)
+    node.velocity = Lanes{};
+  Reactions reactions;
+  const Supports supports = find_supports(domain, reactions);
+  const double depth = domain.spec.box.y_max - domain.spec.box.y_min;
+  double slowest = domain.fastest_wave();
+  for (const Particles& set : domain.sets)
+    slowest = std::min(slowest, materials::elasticity(set.law).s_wave_speed());
+  const double alpha = std::numbers::pi * slowest / depth;
+  const double dt = domain.spec.scheme.fraction * critical_time_step(domain, 0.0);
+
+  double residual = 0.0;
+  for (long step = 0;; ++step) {
+    scatter(domain, ScatterPart::force);
+    residual = relax_grid(domain, supports, dt, alpha);
+    if (step % report_every == 0)
+      progress(step, residual);
+    if (residual < settings.residual)
+      break;
+    if (!(static_cast<double>(step) * dt < settings.max_time))
+      throw std::runtime_error(
+          fmt::format("the gravity stage did not come to rest: residual {:.3g} after {:.3g} s of "
+                      "relaxation, wanted {:.3g}; the slope may not be stable under its weight",
+                      residual, settings.max_time, settings.residual));
+    gather(domain, dt, {.strain = true});
+    // Geometry is given: volumes and places do not change.
+    for (std::size_t s = 0; s < domain.sets.size(); ++s)
+      domain.sets[s].volume = volumes[s];
+  }
+
+  reactions.force.assign(domain.grid.size(), Vector{});
+  for (const std::size_t n : reactions.base)
+    reactions.force[n] = {-domain.grid.sums[n].force[0], -domain.grid.sums[n].force[1]};
+  for (const std::size_t n : reactions.sides)
+    reactions.force[n] = {-domain.grid.sums[n].force[0], 0.0};
+  for (std::size_t s = 0; s < domain.sets.size(); ++s)
+    domain.sets[s].law = laws[s];
+  reset_state(domain);
+  return reactions;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,42 @@
+#pragma once
+
+// The gravity stage finds stresses in equilibrium with the given geometry. Base nodes are fixed, side nodes
+// may move vertically only. Particles keep their places, as finite-element programs do when they reset
+// displacements after a geostatic step, so the weights are constant and the velocity can stay on the grid:
+//
+//     m_i dv_i/dt = f_i - alpha m_i v_i,      alpha = 2 omega_1,      omega_1 = pi c_s / (2 H),
+//
+// which damps the slowest mode of a layer of depth H critically and every other at the same rate. It ends
+// when the unbalanced force at the free nodes, ||f|| over the norm of their weights, is below the stated
+// residual.
+
+#include "mpm_domain/domain.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Nodal reactions of the constraints at the end of the stage, N/m: what the supports exert on the soil.
+struct Reactions {
+  std::vector<std::size_t> base;  ///< nodes fixed in x and y
+  std::vector<std::size_t> sides; ///< nodes fixed in x only
+  std::vector<Vector> force;      ///< one per node of the grid; zero where free
+};
+
+struct GravitySettings {
+  double residual = 1e-9; ///< unbalanced over applied force
+  double max_time = 60.0; ///< s of relaxation after which the stage gives up
+};
+
+/// Reports how far the stage is: steps done, and the residual reached.
+using GravityProgress = std::function<void(long step, double residual)>;
+
+/// Brings the domain to rest under gravity, all laws at peak strength (no softening); plastic strains are
+/// reset after it.
+/// @returns the reactions of the constraints
+/// @throws std::runtime_error if the residual is not reached, with what was reached
+Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
+                              const GravityProgress& progress);
+
+} // namespace tremolo::mpm_domain

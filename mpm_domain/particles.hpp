@@ -1,0 +1,46 @@
+#pragma once
+
+#include "mpm_domain/grid.hpp"
+#include "mpm_domain/kernel.hpp"
+#include "mpm_domain/spec.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Rows of cells that one task of a particle loop owns.
+///
+/// A block's particles touch nodes of its own rows and, because they may have moved by up to a cell since the
+/// last sort, one row below and three above; with eight rows every second block can therefore be scattered at
+/// once.
+inline constexpr int rows_per_block = 8;
+
+/// All particles of one soil, one array a quantity, ordered by grid cell.
+struct Particles {
+  std::string soil;
+  materials::Law law;
+  std::size_t state_size = 0; ///< doubles per particle in `state`
+
+  std::vector<std::uint32_t> id; ///< number at creation; the same for the whole run
+  std::vector<double> x, y, vx, vy;
+  std::vector<double> cxx, cxy, cyx, cyy; ///< affine velocity d v_a/d x_b, 1/s; empty unless APIC
+  std::vector<double> sxx, syy, szz, sxy; ///< Cauchy stress, Pa, tension positive
+  std::vector<double> mass, volume;       ///< per metre out of plane, kg/m and m2
+  std::vector<double> x_initial, y_initial;
+  std::vector<double> state; ///< [particle][state_size]
+
+  std::vector<std::size_t> block_start; ///< first particle of each block, and the end
+  std::vector<std::uint32_t> index_of;  ///< place of each id in the arrays
+
+  std::size_t size() const { return x.size(); }
+  /// Every array of one double a particle, for passes that treat all alike.
+  std::vector<std::vector<double>*> columns();
+};
+
+/// Orders the particles by cell, rows first, keeping the order of those that share a cell.
+/// @throws std::runtime_error if a particle has left the grid, naming its place
+void sort_by_cell(Particles& particles, const Grid& grid, double half_size);
+
+} // namespace tremolo::mpm_domain

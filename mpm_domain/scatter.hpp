@@ -1,0 +1,19 @@
+#pragma once
+
+#include "mpm_domain/domain.hpp"
+
+namespace tremolo::mpm_domain {
+
+/// What a scatter pass brings to the nodes.
+enum class ScatterPart { motion, force, both };
+
+/// Particles to grid; sums of the chosen part are zeroed first.
+///
+///   motion:  m_i = sum_p S_ip m_p,    p_i = sum_p S_ip m_p (v_p + C_p (x_i - x_p))    (C only with APIC)
+///   force:   f_i = sum_p (S_ip m_p g - V_p sigma_p grad S_ip)
+///
+/// Blocks of rows are scattered in two colours, so no two threads write one node and every node receives its
+/// contributions in the same order for any thread count.
+void scatter(Domain& domain, ScatterPart part);
+
+} // namespace tremolo::mpm_domain

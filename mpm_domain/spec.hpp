@@ -1,0 +1,64 @@
+#pragma once
+
+#include "coupler/eq6/boundary_traction.hpp"
+#include "materials/law.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+using eq6::Vector;
+
+/// An axis-parallel rectangle, m.
+struct Box {
+  double x_min = 0.0;
+  double y_min = 0.0;
+  double x_max = 0.0;
+  double y_max = 0.0;
+};
+
+struct Soil {
+  std::string name;
+  materials::Law law;
+};
+
+/// A polygon of one soil; where polygons overlap, the later one wins.
+struct Region {
+  std::size_t soil = 0; ///< index into Spec::soils
+  std::vector<Vector> polygon;
+};
+
+/// How velocity travels between particles and grid.
+enum class Transfer {
+  apic,      ///< affine particle-in-cell (Jiang et al. 2015): angular momentum kept, noise filtered
+  flip,      ///< particles take the grid's acceleration; no dissipation, no filter
+  pic_blend, ///< FLIP blended with PIC so that the difference decays with a time constant
+};
+
+/// When stress is updated in a step: last, first, or last with remapped velocity.
+enum class StepOrder { usl, usf, musl };
+
+/// The numerical scheme of the domain.
+struct Scheme {
+  Transfer transfer = Transfer::apic;
+  StepOrder order = StepOrder::usl;
+  double blend_time = 0.0;  ///< time constant of pic_blend, s
+  double fraction = 0.5;    ///< of the critical time step, in (0, 1]
+  std::optional<double> dt; ///< a fixed time step instead, s
+};
+
+/// Everything the domain is built from.
+struct Spec {
+  Box box;                    ///< model; its left, right and lower edges carry boundary faces
+  double cell_size = 0.0;     ///< h, m
+  int particles_per_cell = 2; ///< per direction, 1 to 4
+  double gravity = 0.0;       ///< m/s2, downwards
+  std::vector<Soil> soils;
+  std::vector<Region> regions;
+  Scheme scheme;
+  int threads = 1;
+};
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,159 @@
+#include "mpm_domain/stepper.hpp"
+
+#include "mpm_domain/gather.hpp"
+#include "mpm_domain/grid_update.hpp"
+#include "mpm_domain/scatter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace tremolo::mpm_domain {
+
+Stepper::Stepper(Domain& domain, double start_time, TractionSource source)
+    : domain_(domain), source_(std::move(source)), time_(start_time), weights_(domain.faces.size()),
+      v_face_(domain.faces.size()), v_mid_(domain.faces.size()), traction_(domain.faces.size()),
+      passes_(assemble()) {
+  for (const Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      max_speed_ = std::max(max_speed_, std::hypot(set.vx[k], set.vy[k]));
+  choose_dt();
+}
+
+std::vector<Pass> Stepper::assemble() {
+  const auto gather_pass = [this](GatherParts parts, bool of_old) {
+    return [this, parts, of_old] { book(gather(domain_, dt_, parts, of_old)); };
+  };
+  const GatherParts all{.velocity = true, .position = true, .strain = true};
+  const GatherParts strain{.strain = true};
+  std::vector<Pass> passes{{"time step", [this] { choose_dt(); }}, {"sort", [this] { sort(); }}};
+  const auto add = [&](std::string name, std::function<void()> run) {
+    passes.push_back({std::move(name), std::move(run)});
+  };
+  const bool first = domain_.spec.scheme.order == StepOrder::usf;
+  add("particles to grid",
+      [this, first] { scatter(domain_, first ? ScatterPart::motion : ScatterPart::both); });
+  add("grid velocities", [this] { velocities(); });
+  if (first) {
+    add("strain and stress", gather_pass(strain, true));
+    add("forces to grid", [this] { scatter(domain_, ScatterPart::force); });
+  }
+  add("boundary exchange", [this] { exchange(); });
+  add("boundary tractions", [this] { boundary(); });
+  add("grid update", [this] { grid(); });
+  switch (domain_.spec.scheme.order) {
+  case StepOrder::usl:
+    add("grid to particles, stress", gather_pass(all, false));
+    break;
+  case StepOrder::usf:
+    add("grid to particles", gather_pass({.velocity = true, .position = true}, false));
+    break;
+  case StepOrder::musl:
+    add("grid to particles", gather_pass({.velocity = true}, false));
+    add("velocities to grid again", [this] { scatter(domain_, ScatterPart::motion); });
+    add("remapped velocities", [this] { grid_velocities(domain_); });
+    add("strain and stress", gather_pass({.position = true, .strain = true}, false));
+    break;
+  }
+  return passes;
+}
+
+void Stepper::step() {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point before = Clock::now();
+  for (Pass& pass : passes_) {
+    pass.run();
+    const Clock::time_point after = Clock::now();
+    pass.seconds += std::chrono::duration<double>(after - before).count();
+    before = after;
+  }
+  time_ += dt_;
+  ++steps_;
+}
+
+void Stepper::choose_dt() {
+  const Scheme& scheme = domain_.spec.scheme;
+  const double critical = critical_time_step(domain_, max_speed_);
+  if (!std::isfinite(max_speed_))
+    throw std::runtime_error(fmt::format("a grid velocity is not finite at t = {:.6g} s", time_));
+  if (scheme.dt) {
+    if (*scheme.dt > critical)
+      throw std::invalid_argument(fmt::format(
+          "the time step {:.6g} s is over the limit {:.6g} s = 0.65 h/(c_p + |v|) with h = {:.6g} m, c_p = "
+          "{:.6g} m/s, |v| = {:.3g} m/s",
+          *scheme.dt, critical, domain_.grid.h, domain_.fastest_wave(), max_speed_));
+    dt_ = *scheme.dt;
+    return;
+  }
+  // Leapfrog is second order only while dt stays the same, so small changes of the limit are let pass.
+  const double wanted = scheme.fraction * critical;
+  if (dt_ == 0.0 || dt_ > 1.02 * wanted || dt_ < 0.8 * wanted)
+    dt_ = wanted;
+}
+
+void Stepper::sort() {
+  moved_ += max_speed_ * dt_;
+  if (moved_ < 0.9 * domain_.grid.h)
+    return;
+  for (Particles& set : domain_.sets)
+    sort_by_cell(set, domain_.grid, domain_.half_size());
+  moved_ = max_speed_ * dt_;
+}
+
+void Stepper::velocities() {
+  const double kinetic = grid_velocities(domain_);
+  EnergyLedger& energy = domain_.energy;
+  if (steps_ == 0)
+    energy.kinetic_start = kinetic;
+  else
+    energy.transfer += kinetic - kinetic_after_;
+}
+
+void Stepper::exchange() {
+  for (std::size_t f = 0; f < weights_.size(); ++f)
+    weights_[f] = face_weights(domain_.faces[f], domain_.sets[domain_.faces[f].set], domain_.grid);
+  mpm_domain::face_velocities(domain_, weights_, v_face_);
+  source_(steps_, time_, v_face_, traction_);
+}
+
+void Stepper::boundary() {
+  spread_tractions(domain_, weights_, traction_);
+}
+
+void Stepper::grid() {
+  const GridUpdate update = update_grid(domain_, dt_);
+  EnergyLedger& energy = domain_.energy;
+  energy.kinetic = update.kinetic;
+  energy.gravity += update.gravity_work;
+  energy.dashpots += update.dashpot_relief;
+  kinetic_after_ = update.kinetic;
+  max_speed_ = update.max_speed;
+  book_boundary_work();
+}
+
+void Stepper::book_boundary_work() {
+  face_mid_velocities(domain_, weights_, v_mid_);
+  EnergyLedger& energy = domain_.energy;
+  for (std::size_t f = 0; f < weights_.size(); ++f) {
+    const BoundaryFace& face = domain_.faces[f];
+    const Vector own = eq6::viscous_traction(face.face, v_face_[f]);
+    const Vector held = domain_.static_tractions[f];
+    const auto work = [&](double tx, double ty) {
+      return dt_ * face.length * (tx * v_mid_[f].x + ty * v_mid_[f].y);
+    };
+    energy.dashpots += work(own.x, own.y);
+    energy.static_ += work(held.x, held.y);
+    energy.input += work(traction_[f].x - own.x - held.x, traction_[f].y - own.y - held.y);
+  }
+}
+
+void Stepper::book(const StressWork& work) {
+  domain_.energy.elastic += work.elastic;
+  domain_.energy.plastic += work.plastic;
+}
+
+} // namespace tremolo::mpm_domain

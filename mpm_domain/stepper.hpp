@@ -1,0 +1,74 @@
+#pragma once
+
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/gather.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Gives every face its traction by Eq. (6), static part included, Pa, at a time (s) from the domain's
+/// velocities there (m/s). Called once a step.
+using TractionSource =
+    std::function<void(long step, double time, std::span<const Vector> v_domain, std::span<Vector> traction)>;
+
+/// A named, timed part of a step.
+struct Pass {
+  std::string name;
+  std::function<void()> run;
+  double seconds = 0.0;
+};
+
+/// Advances a domain in time. The step is a list of passes put together once from the scheme (update stress
+/// last, first, or last with remapped velocity):
+///
+///   usl:   scatter | velocities | boundary | grid | gather all
+///   usf:   scatter | velocities | strain | scatter force | boundary | grid | gather velocity
+///   musl:  scatter | velocities | boundary | grid | gather velocity | scatter again | gather strain
+///
+/// Time levels are those of leapfrog: at time() places and stresses are known; particle velocities belong to
+/// velocity_time() = time() - dt/2.
+class Stepper {
+public:
+  /// @throws std::invalid_argument if the spec's fixed time step is over the critical one
+  Stepper(Domain& domain, double start_time, TractionSource source);
+
+  void step();
+
+  double time() const { return time_; }
+  double velocity_time() const { return time_ - 0.5 * dt_; }
+  double dt() const { return dt_; } ///< of the step just made, or of the first
+  long steps() const { return steps_; }
+  const std::vector<Pass>& passes() const { return passes_; }
+  /// Of the step just made, per face: v^m before the update (m/s) and the traction (Pa).
+  std::span<const Vector> face_velocities() const { return v_face_; }
+  std::span<const Vector> face_tractions() const { return traction_; }
+
+private:
+  void choose_dt();
+  void sort();
+  void velocities();
+  void exchange();
+  void boundary();
+  void grid();
+  void book_boundary_work();
+  void book(const StressWork& work);
+  std::vector<Pass> assemble();
+
+  Domain& domain_;
+  TractionSource source_;
+  double time_;
+  double dt_ = 0.0;
+  long steps_ = 0;
+  double max_speed_ = 0.0;
+  double moved_ = 0.0;         ///< bound on any particle's way since the last sort, m
+  double kinetic_after_ = 0.0; ///< K(v+) of the step before
+  std::vector<FaceWeights> weights_;
+  std::vector<Vector> v_face_, v_mid_, traction_;
+  std::vector<Pass> passes_;
+};
+
+} // namespace tremolo::mpm_domain
