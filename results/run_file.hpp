@@ -21,6 +21,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tremolo::results {
@@ -41,11 +42,17 @@ struct RunDescription {
 /// A growing table of numbers: one row a time, first column the time in s.
 class TimeSeries {
 public:
-  virtual ~TimeSeries() = default;
-
   /// Adds one row; it reaches the file at the writer's next flush.
   /// @throws std::invalid_argument where the row has not one value a column
-  virtual void append(std::span<const double> row) = 0;
+  void append(std::span<const double> row);
+
+private:
+  friend class RunWriter;
+  TimeSeries(std::string path, std::size_t columns) : path_(std::move(path)), columns_(columns) {}
+
+  std::string path_;
+  std::size_t columns_;
+  std::vector<double> pending_; ///< rows that wait for the flush
 };
 
 /// Creates a run file and fills it.

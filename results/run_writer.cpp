@@ -1,0 +1,369 @@
+#include "results/growing_dataset.hpp"
+#include "results/hdf5_write.hpp"
+#include "results/run_file.hpp"
+#include "results/run_status.hpp"
+#include "results/xdmf.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+namespace tremolo::results {
+namespace {
+
+/// Room for links in /frames and /monitors; more are possible, each at the cost of a second write.
+constexpr std::size_t expected_frames = 1024;
+constexpr std::size_t expected_monitors = 64;
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+std::string utc_now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
+}
+
+std::size_t value_count(const Field& field) {
+  return std::visit([](auto span) { return span.size(); }, field.values);
+}
+
+/// The number of particles of a frame, after checking that all fields agree on it.
+std::size_t particle_count(std::span<const Field> fields) {
+  const auto position = std::ranges::find(fields, "position", &Field::name);
+  if (position == fields.end() || position->components != 2 || value_count(*position) == 0) {
+    throw std::invalid_argument(
+        "a frame needs the field position with 2 components and at least one particle");
+  }
+  const std::size_t particles = value_count(*position) / 2;
+  for (const Field& field : fields) {
+    if (value_count(field) != particles * field.components) {
+      throw std::invalid_argument(
+          fmt::format("field {} has {} values where {} particles with {} components need {}", field.name,
+                      value_count(field), particles, field.components, particles * field.components));
+    }
+  }
+  return particles;
+}
+
+/// The four growing arrays of /boundary.
+struct BoundaryDatasets {
+  BoundaryDatasets(Place group, hsize_t faces)
+      : face_count(faces), time(group, "time", {}),
+        free_field_velocity(group, "free_field_velocity", std::array{faces, hsize_t{2}}),
+        domain_velocity(group, "domain_velocity", std::array{faces, hsize_t{2}}),
+        traction(group, "traction", std::array{faces, hsize_t{2}}) {}
+
+  std::size_t face_count;
+  GrowingDataset time;
+  GrowingDataset free_field_velocity;
+  GrowingDataset domain_velocity;
+  GrowingDataset traction;
+  std::vector<double> pending_time;
+  std::vector<double> pending_free_field_velocity;
+  std::vector<double> pending_domain_velocity;
+  std::vector<double> pending_traction;
+
+  void write_pending() {
+    const auto move_to = [](GrowingDataset& dataset, std::vector<double>& rows) {
+      dataset.append(rows);
+      rows.clear();
+    };
+    move_to(free_field_velocity, pending_free_field_velocity);
+    move_to(domain_velocity, pending_domain_velocity);
+    move_to(traction, pending_traction);
+    move_to(time, pending_time);
+  }
+};
+
+} // namespace
+
+void TimeSeries::append(std::span<const double> row) {
+  if (row.size() != columns_) {
+    throw std::invalid_argument(
+        fmt::format("a row of {} has {} values where {} are needed", path_, row.size(), columns_));
+  }
+  pending_.insert(pending_.end(), row.begin(), row.end());
+}
+
+class RunWriter::Implementation {
+public:
+  Implementation(const std::filesystem::path& path, const RunDescription& description)
+      : path_(path), file_(create_file(path_)), frames_(create_group(root(), "frames", expected_frames)),
+        monitors_(create_group(root(), "monitors", expected_monitors)), xdmf_(path_) {
+    create_status(root());
+    write_attribute(root(), "schema_version", std::string(schema_version));
+    write_attribute(root(), "title", description.title);
+    write_attribute(root(), "build_version", description.build_version);
+    write_attribute(root(), "compiler", description.compiler);
+    write_attribute(root(), "build_flags", description.build_flags);
+    write_attribute(root(), "host", host_name());
+    write_attribute(root(), "started", utc_now());
+    write_text(root(), "case", description.case_text);
+    write_text(root(), "plan", description.plan);
+    flush();
+  }
+
+  Place root() const { return {file_.get(), path_}; }
+
+  /// Runs an action that writes. When it fails, the file is left as the last flush made it: its descriptor is
+  /// replaced by one that refuses writes, so that closing cannot add half of what failed.
+  template <class Action>
+  void guarded(Action action) {
+    if (file_.get() < 0) {
+      throw std::invalid_argument(fmt::format("{}: the run is already closed", path_.string()));
+    }
+    try {
+      action();
+    } catch (const std::runtime_error&) {
+      refuse_further_writes();
+      throw;
+    }
+  }
+
+  void require_new(std::string_view path) const {
+    if (H5Lexists(file_.get(), std::string(path).c_str(), H5P_DEFAULT) > 0) {
+      throw std::invalid_argument(fmt::format("{} is in the run already", path));
+    }
+  }
+
+  void attribute(std::string_view name, const AttributeValue& value) {
+    if (H5Aexists(file_.get(), std::string(name).c_str()) > 0) {
+      throw std::invalid_argument(fmt::format("attribute {} is in the run already", name));
+    }
+    write_attribute(root(), name, value);
+  }
+
+  void require_no_frame(std::string_view what) const {
+    if (frame_count_ > 0) {
+      throw std::invalid_argument(fmt::format("{} must be declared before the first frame", what));
+    }
+  }
+
+  TimeSeries& add_series(std::string_view path, std::span<const std::string> columns,
+                         std::span<const std::string> units, std::unique_ptr<TimeSeries> series) {
+    if (columns.empty() || columns.size() != units.size()) {
+      throw std::invalid_argument(
+          fmt::format("series {} has {} columns and {} units", path, columns.size(), units.size()));
+    }
+    require_new(path);
+    const hsize_t width = columns.size();
+    GrowingDataset dataset(root(), path, {&width, 1});
+    const Place place{dataset.id(), path_};
+    write_attribute(place, "columns", std::vector<std::string>(columns.begin(), columns.end()));
+    write_attribute(place, "units", std::vector<std::string>(units.begin(), units.end()));
+    series_.push_back({std::move(series), std::move(dataset)});
+    return *series_.back().buffer;
+  }
+
+  void set_boundary(const BoundaryFaces& faces) {
+    const hsize_t count = faces.length.size();
+    if (faces.position.size() != 2 * count || faces.normal.size() != 2 * count ||
+        faces.source.size() != count || count == 0) {
+      throw std::invalid_argument(
+          "the boundary needs position, normal, length and source of at least one face");
+    }
+    require_new("/boundary");
+    constexpr std::size_t datasets = 8;
+    const Handle group = create_group(root(), "boundary", datasets);
+    const Place place{group.get(), path_};
+    const std::array<hsize_t, 2> vectors{count, 2};
+    const std::array<hsize_t, 1> scalars{count};
+    write_array(place, "position", vectors, std::span(faces.position), "m", false);
+    write_array(place, "normal", vectors, std::span(faces.normal), "1", false);
+    write_array(place, "length", scalars, std::span(faces.length), "m", false);
+    write_attribute(place, "source", faces.source);
+    boundary_.emplace(place, count);
+    write_attribute({boundary_->time.id(), path_}, "unit", std::string("s"));
+    write_attribute({boundary_->free_field_velocity.id(), path_}, "unit", std::string("m/s"));
+    write_attribute({boundary_->domain_velocity.id(), path_}, "unit", std::string("m/s"));
+    write_attribute({boundary_->traction.id(), path_}, "unit", std::string("Pa"));
+  }
+
+  void append_boundary(double time, const BoundaryExchange& exchange) {
+    if (!boundary_) {
+      throw std::invalid_argument("the boundary faces must be declared before their exchange is written");
+    }
+    const auto keep = [&](std::vector<double>& pending, std::span<const double> values,
+                          std::string_view name) {
+      if (values.size() != 2 * boundary_->face_count) {
+        throw std::invalid_argument(fmt::format("{} has {} values where {} faces need {}", name,
+                                                values.size(), boundary_->face_count,
+                                                2 * boundary_->face_count));
+      }
+      pending.insert(pending.end(), values.begin(), values.end());
+    };
+    keep(boundary_->pending_free_field_velocity, exchange.free_field_velocity, "free_field_velocity");
+    keep(boundary_->pending_domain_velocity, exchange.domain_velocity, "domain_velocity");
+    keep(boundary_->pending_traction, exchange.traction, "traction");
+    boundary_->pending_time.push_back(time);
+  }
+
+  /// The frame is written and flushed before anything refers to it; then one link makes it part of the run.
+  void write_frame(double time, std::span<const Field> fields) {
+    const std::size_t particles = particle_count(fields);
+    const std::string name = fmt::format("{:04}", frame_count_);
+    const Handle group(
+        checked(H5Gcreate_anon(file_.get(), group_properties(fields.size()).get(), H5P_DEFAULT), path_,
+                "create frame " + name),
+        H5Gclose);
+    const Place place{group.get(), path_};
+    write_attribute(place, "time", time);
+    std::vector<XdmfField> xdmf_fields;
+    for (const Field& field : fields) {
+      std::vector<hsize_t> shape{particles};
+      if (field.components > 1) {
+        shape.push_back(field.components);
+      }
+      write_array(place, field.name, shape, field.values, field.unit, true);
+      xdmf_fields.push_back({std::string(field.name), field.components,
+                             std::holds_alternative<std::span<const double>>(field.values)});
+    }
+    publish(group, frames_, name);
+    ++frame_count_;
+    xdmf_.add_frame(time, "/frames/" + name, particles, xdmf_fields);
+  }
+
+  void table(std::string_view path, const Table& table) {
+    require_new(path);
+    publish(write_unlinked_table(root(), table), file_, std::string(path));
+  }
+
+  void flush() {
+    for (auto& [buffer, dataset] : series_) {
+      dataset.append(buffer->pending_);
+      buffer->pending_.clear();
+    }
+    if (boundary_) {
+      boundary_->write_pending();
+    }
+    checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), path_, "flush");
+  }
+
+  void close(std::string_view status) {
+    set_status(root(), status);
+    flush();
+    close_handles();
+  }
+
+  std::size_t frame_count() const { return frame_count_; }
+
+private:
+  struct Series {
+    std::unique_ptr<TimeSeries> buffer;
+    GrowingDataset dataset;
+  };
+
+  void publish(const Handle& object, const Handle& parent, const std::string& name) {
+    flush();
+    checked(H5Olink(object.get(), parent.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), path_,
+            "add " + name);
+    checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), path_, "flush");
+  }
+
+  void refuse_further_writes() const {
+    void* descriptor = nullptr;
+    const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    if (nothing >= 0 && H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor) >= 0) {
+      ::dup2(nothing, *static_cast<int*>(descriptor));
+    }
+    ::close(nothing);
+  }
+
+  void close_handles() {
+    boundary_.reset();
+    series_.clear();
+    monitors_ = Handle();
+    frames_ = Handle();
+    file_ = Handle();
+  }
+
+  std::filesystem::path path_;
+  Handle file_;
+  Handle frames_;
+  Handle monitors_;
+  std::vector<Series> series_;
+  std::optional<BoundaryDatasets> boundary_;
+  std::size_t frame_count_ = 0;
+  XdmfFile xdmf_;
+};
+
+RunWriter::RunWriter(const std::filesystem::path& file, const RunDescription& description)
+    : implementation_(std::make_unique<Implementation>(file, description)) {}
+
+RunWriter::~RunWriter() = default;
+
+void RunWriter::attribute(std::string_view name, const AttributeValue& value) {
+  implementation_->require_no_frame("an attribute");
+  implementation_->guarded([&] { implementation_->attribute(name, value); });
+}
+
+TimeSeries& RunWriter::add_series(std::string_view path, std::span<const std::string> columns,
+                                  std::span<const std::string> units) {
+  implementation_->require_no_frame("a series");
+  std::unique_ptr<TimeSeries> series(new TimeSeries(std::string(path), columns.size()));
+  TimeSeries* added = nullptr;
+  implementation_->guarded(
+      [&] { added = &implementation_->add_series(path, columns, units, std::move(series)); });
+  return *added;
+}
+
+void RunWriter::set_boundary(const BoundaryFaces& faces) {
+  implementation_->require_no_frame("the boundary");
+  implementation_->guarded([&] { implementation_->set_boundary(faces); });
+}
+
+void RunWriter::append_boundary(double time, const BoundaryExchange& exchange) {
+  implementation_->append_boundary(time, exchange);
+}
+
+void RunWriter::write_frame(double time, std::span<const Field> fields) {
+  implementation_->guarded([&] { implementation_->write_frame(time, fields); });
+}
+
+void RunWriter::flush() {
+  implementation_->guarded([&] { implementation_->flush(); });
+}
+
+void RunWriter::table(std::string_view path, const Table& table) {
+  implementation_->guarded([&] { implementation_->table(path, table); });
+}
+
+void RunWriter::finish() {
+  implementation_->guarded([&] { implementation_->close(status_complete); });
+}
+
+void RunWriter::abort(std::string_view reason) {
+  implementation_->guarded([&] { implementation_->close(aborted_status(reason)); });
+}
+
+std::size_t RunWriter::frame_count() const {
+  return implementation_->frame_count();
+}
+
+void append_table(const std::filesystem::path& file, std::string_view path, const Table& table) {
+  const Handle run = open_for_writing(file);
+  const Handle group = write_unlinked_table({run.get(), file}, table);
+  checked(H5Fflush(run.get(), H5F_SCOPE_GLOBAL), file, "flush");
+  checked(H5Olink(group.get(), run.get(), std::string(path).c_str(), H5P_DEFAULT, H5P_DEFAULT), file,
+          fmt::format("add {}", path));
+  checked(H5Fflush(run.get(), H5F_SCOPE_GLOBAL), file, "flush");
+}
+
+void mark_aborted(const std::filesystem::path& file, std::string_view reason) {
+  const Handle run = open_for_writing(file);
+  set_status({run.get(), file}, aborted_status(reason));
+  checked(H5Fflush(run.get(), H5F_SCOPE_GLOBAL), file, "flush");
+}
+
+} // namespace tremolo::results

@@ -1,0 +1,226 @@
+#include "sample_run.hpp"
+
+#include <gmock/gmock.h>
+#include <hdf5.h>
+
+#include <csignal>
+#include <fstream>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+using namespace tremolo::results;
+using namespace sample_run;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+namespace {
+
+/// Writes a run with everything a run may hold.
+void write_full_run(const std::filesystem::path& file, std::size_t frames) {
+  RunWriter run(file, description);
+  run.attribute("mesh_size", 0.5);
+  run.attribute("box", std::vector<double>{0, -40, 100, 0});
+  run.attribute("wave", std::string("SV"));
+  run.attribute("soil_names", std::vector<std::string>{"sand", "clay of the deep"});
+  run.attribute("threads", std::int64_t{2});
+  TimeSeries& toe = run.add_series("/monitors/toe", monitor_columns, monitor_units);
+  run.add_series("/monitors/crest", monitor_columns, monitor_units);
+  run.set_boundary(faces());
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    for (std::size_t row = 0; row < 10; ++row) {
+      toe.append(monitor_row(10 * frame + row));
+    }
+    const auto v_ff = filled(frame, 6, 6);
+    const auto v_m = filled(frame, 7, 6);
+    const auto traction = filled(frame, 8, 6);
+    run.append_boundary(frame_time(frame), {v_ff, v_m, traction});
+    write_frame(run, frame);
+  }
+  run.table("/timings", {{{"pass", "", std::vector<std::string>{"p2g", "stress update"}},
+                          {"seconds", "s", std::vector<double>{1.5, 2.5}},
+                          {"calls", "1", std::vector<std::int64_t>{10, 20}}}});
+  run.finish();
+}
+
+TEST(RunFile, ReturnsWhatWasWritten) {
+  const Folder folder;
+  write_full_run(folder / "run.h5", 12);
+  const RunReader run(folder / "run.h5");
+
+  EXPECT_EQ(run.title(), "sample");
+  EXPECT_EQ(run.status(), "complete");
+  EXPECT_EQ(run.case_text(), description.case_text);
+  EXPECT_EQ(run.plan(), description.plan);
+  EXPECT_EQ(std::get<double>(run.attribute("mesh_size")), 0.5);
+  EXPECT_THAT(std::get<std::vector<double>>(run.attribute("box")), ElementsAre(0, -40, 100, 0));
+  EXPECT_EQ(std::get<std::string>(run.attribute("wave")), "SV");
+  EXPECT_EQ(std::get<std::int64_t>(run.attribute("threads")), 2);
+  EXPECT_THAT(std::get<std::vector<std::string>>(run.attribute("soil_names")),
+              ElementsAre("sand", "clay of the deep"));
+  EXPECT_FALSE(run.has_attribute("angle_deg"));
+
+  ASSERT_EQ(run.frame_times().size(), 12U);
+  for (std::size_t frame = 0; frame < 12; ++frame) {
+    EXPECT_EQ(run.frame_times()[frame], frame_time(frame));
+    EXPECT_THAT(run.frame_fields(frame), ElementsAre("position", "soil", "stress", "velocity"));
+    const FieldData stress = run.frame_field(frame, "stress");
+    EXPECT_EQ(stress.unit, "Pa");
+    EXPECT_EQ(stress.components, 4U);
+    EXPECT_EQ(stress.values, filled(frame, 2, 4 * particles(frame)));
+    EXPECT_EQ(run.frame_field(frame, "soil").values,
+              std::vector<double>(particles(frame), static_cast<double>(frame)));
+  }
+
+  EXPECT_THAT(run.monitors(), ElementsAre("crest", "toe"));
+  const SeriesData toe = run.series("/monitors/toe");
+  EXPECT_EQ(toe.columns, monitor_columns);
+  EXPECT_EQ(toe.units, monitor_units);
+  ASSERT_EQ(toe.rows(), 120U);
+  const auto last = monitor_row(119);
+  EXPECT_TRUE(std::equal(last.begin(), last.end(), toe.values.end() - 9));
+  EXPECT_EQ(run.series("/monitors/crest").rows(), 0U);
+}
+
+TEST(RunFile, KeepsTablesOfTextNumbersAndCounts) {
+  const Folder folder;
+  write_full_run(folder / "run.h5", 1);
+  append_table(
+      folder / "run.h5", "/processes",
+      {{{"name", "", std::vector<std::string>{"domain"}}, {"seconds", "s", std::vector<double>{3.25}}}});
+  const RunReader run(folder / "run.h5");
+  const Table timings = run.table("/timings");
+  ASSERT_EQ(timings.columns.size(), 3U);
+  EXPECT_THAT(std::get<std::vector<std::string>>(timings.columns[0].values),
+              ElementsAre("p2g", "stress update"));
+  EXPECT_THAT(std::get<std::vector<double>>(timings.columns[1].values), ElementsAre(1.5, 2.5));
+  EXPECT_THAT(std::get<std::vector<std::int64_t>>(timings.columns[2].values), ElementsAre(10, 20));
+  EXPECT_EQ(timings.columns[1].unit, "s");
+  EXPECT_TRUE(run.has_table("/processes"));
+  EXPECT_FALSE(run.has_table("/nothing"));
+}
+
+TEST(RunFile, SaysWhyARunEnded) {
+  const Folder folder;
+  {
+    RunWriter run(folder / "a.h5", description);
+    write_frame(run, 0);
+    EXPECT_EQ(RunReader(folder / "a.h5").status(), "running"); // and can be read while it goes on
+    run.abort("column 'left' died with signal 9");
+  }
+  EXPECT_EQ(RunReader(folder / "a.h5").status(), "aborted: column 'left' died with signal 9");
+  { const RunWriter run(folder / "b.h5", description); }
+  EXPECT_EQ(RunReader(folder / "b.h5").status(), "running");
+  mark_aborted(folder / "b.h5", "killed");
+  EXPECT_EQ(RunReader(folder / "b.h5").status(), "aborted: killed");
+}
+
+TEST(RunFile, UsesTheFormatWithoutConsistencyFlags) {
+  const Folder folder;
+  write_full_run(folder / "run.h5", 2);
+  std::ifstream in(folder / "run.h5", std::ios::binary);
+  std::array<char, 9> head{};
+  in.read(head.data(), head.size());
+  EXPECT_EQ(head[8], 0) << "superblock version";
+}
+
+TEST(RunFile, RefusesWhatContradictsItself) {
+  const Folder folder;
+  RunWriter run(folder / "run.h5", description);
+  TimeSeries& toe = run.add_series("/monitors/toe", monitor_columns, monitor_units);
+  const std::vector<double> short_row{1.0, 2.0};
+  EXPECT_THAT([&] { toe.append(short_row); },
+              ThrowsMessage<std::invalid_argument>("a row of /monitors/toe has 2 values where 9 are needed"));
+  EXPECT_THAT([&] { run.add_series("/monitors/toe", monitor_columns, monitor_units); },
+              ThrowsMessage<std::invalid_argument>("/monitors/toe is in the run already"));
+  EXPECT_THAT([&] { run.attribute("title", std::string("again")); },
+              ThrowsMessage<std::invalid_argument>("attribute title is in the run already"));
+
+  const std::vector<double> four(4, 0.0);
+  const std::vector<double> three(3, 0.0);
+  const std::vector<Field> uneven{{"position", "m", 2, std::span(four)},
+                                  {"volume", "m2", 1, std::span(three)}};
+  EXPECT_THAT([&] { run.write_frame(0.0, uneven); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("field volume has 3 values where 2 particles")));
+  const std::vector<Field> nowhere{{"volume", "m2", 1, std::span(three)}};
+  EXPECT_THROW(run.write_frame(0.0, nowhere), std::invalid_argument);
+  EXPECT_THROW(run.append_boundary(0.0, {four, four, four}), std::invalid_argument);
+
+  write_frame(run, 0);
+  EXPECT_THAT([&] { run.attribute("late", 1.0); },
+              ThrowsMessage<std::invalid_argument>("an attribute must be declared before the first frame"));
+  run.finish();
+  EXPECT_THROW(run.flush(), std::invalid_argument);
+  EXPECT_EQ(RunReader(folder / "run.h5").frame_times().size(), 1U) << "refusals leave the run as it was";
+}
+
+TEST(RunFile, ReaderNamesTheFileAndTheReason) {
+  const Folder folder;
+  EXPECT_THAT([&] { RunReader run(folder / "absent.h5"); },
+              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("absent.h5"), HasSubstr("No such file"))));
+  std::ofstream(folder / "text.h5") << "not HDF5";
+  EXPECT_THAT([&] { RunReader run(folder / "text.h5"); },
+              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("text.h5"), HasSubstr("cannot open"))));
+  write_full_run(folder / "run.h5", 1);
+  const RunReader run(folder / "run.h5");
+  EXPECT_THAT([&] { run.frame_field(3, "stress"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("no frame 3, the run holds 1")));
+  EXPECT_THAT([&] { run.frame_field(0, "pressure"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("cannot open /frames/0000/pressure")));
+}
+
+TEST(RunFile, RefusesAnotherMajorSchema) {
+  const Folder folder;
+  write_full_run(folder / "run.h5", 1);
+  const hid_t file = H5Fopen((folder / "run.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t attribute = H5Aopen(file, "schema_version", H5P_DEFAULT);
+  const hid_t type = H5Aget_type(attribute);
+  H5Awrite(attribute, type, "2.0");
+  H5Tclose(type);
+  H5Aclose(attribute);
+  H5Fclose(file);
+  EXPECT_THAT([&] { RunReader run(folder / "run.h5"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("schema version 2.0 cannot be read")));
+}
+
+TEST(RunFile, WriterNamesTheFileThatCannotBeCreated) {
+  EXPECT_THAT([] { RunWriter run("/proc/no-such-folder/run.h5", description); },
+              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("/proc/no-such-folder/run.h5: cannot create"),
+                                                      HasSubstr("No such file or directory"))));
+}
+
+/// A child whose files may not pass 1 MB, as on a disk that fills up; it returns the message of the
+/// failure.
+std::string message_of_full_disk(const std::filesystem::path& file, const std::filesystem::path& message) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{1'000'000, 1'000'000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      write_full_run(file, 2000);
+    } catch (const std::runtime_error& error) {
+      std::ofstream(message) << error.what();
+      ::_exit(7);
+    }
+    ::_exit(0);
+  }
+  int state = 0;
+  ::waitpid(child, &state, 0);
+  EXPECT_EQ(WEXITSTATUS(state), 7);
+  std::ifstream in(message);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(RunFile, FullDiskIsAnErrorAndLeavesAReadableFile) {
+  const Folder folder;
+  const std::string message = message_of_full_disk(folder / "run.h5", folder / "message");
+  EXPECT_THAT(message, AllOf(HasSubstr((folder / "run.h5").string()), HasSubstr("File too large")));
+  const RunReader run(folder / "run.h5");
+  ASSERT_GT(run.frame_times().size(), 0U);
+  for (std::size_t frame = 0; frame < run.frame_times().size(); ++frame) {
+    EXPECT_EQ(run.frame_field(frame, "velocity").values, filled(frame, 1, 2 * particles(frame)));
+  }
+}
+
+} // namespace
