@@ -1,7 +1,5 @@
 #pragma once
 
-#include <complex>
-
 namespace tremolo::wavefield {
 
 /// Homogeneous, isotropic, undamped elastic half-space under a horizontal free surface.
