@@ -44,6 +44,14 @@ public:
   [[nodiscard]] std::span<Inlet> inlets() { return inlets_; }
   [[nodiscard]] Inlet* find(FieldAddress address);
 
+  /// A field's source may send its steps below this one.
+  struct Credit {
+    FieldAddress address;
+    std::uint64_t steps = 0;
+  };
+  /// Credits that have grown by a frame or more since the last call, to be told to their sources.
+  std::vector<Credit> new_credits();
+
   /// What the exchange still waits for at a time.
   struct Missing {
     std::string source;
@@ -52,7 +60,7 @@ public:
   };
   [[nodiscard]] std::optional<Missing> missing(double time) const;
 
-  /// Releases what is older than time, then evaluates.
+  /// Evaluates Eq. (6) and releases the steps that are older than time.
   /// @param v_domain velocities of the faces, m/s
   /// @param free_field out: what Eq. (6) took, per face
   /// @param tractions out, Pa

@@ -27,8 +27,8 @@ class Connection {
 public:
   explicit Connection(const ParticipantOptions& options);
   ~Connection();
-  Connection(Connection&&) noexcept;
-  Connection& operator=(Connection&&) noexcept;
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
 
   /// HELLO, then waits for WELCOME.
   /// @throws Error if the hub refuses or the connect deadline passes
@@ -50,7 +50,7 @@ public:
   [[nodiscard]] std::uint64_t session() const { return session_; }
 
 private:
-  void send_bytes(std::span<const std::byte> bytes);
+  void send_bytes(std::span<const std::byte> bytes, double deadline_s);
 
   std::unique_ptr<zmq::context_t> context_;
   std::unique_ptr<zmq::socket_t> socket_;

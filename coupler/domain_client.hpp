@@ -68,14 +68,16 @@ public:
   [[nodiscard]] double waiting_seconds() const { return waiting_.seconds(); }
 
 private:
-  void check_step(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain) const;
   void wait_for_sources(std::uint64_t step, double time);
-  void wait_for_hub(std::uint64_t step, double time, std::span<eq6::Vector> tractions);
+  void wait_for_hub(std::uint64_t step, std::span<eq6::Vector> tractions);
+  void check_step(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain);
   void append_velocities(double time, std::span<const eq6::Vector> v_domain);
   void send_velocities();
+  void take_tractions(std::uint64_t step, std::span<const std::byte> bytes, std::span<eq6::Vector> tractions);
   void take_source_frame(std::span<const std::byte> bytes);
   void grant_credits();
-  void beat_while_waiting(const std::string& awaited, std::uint64_t step, double time);
+  void beat(const std::optional<BoundaryExchange::Missing>& awaited);
+  void check_hub(const std::string& awaited);
   void drain();
 
   ParticipantOptions options_;
@@ -83,14 +85,16 @@ private:
   Mode mode_ = Mode::window;
   std::vector<SourceDescription> sources_;
   std::optional<BoundaryExchange> exchange_;
+  std::size_t face_count_ = 0;
   std::vector<eq6::FreeField> free_field_;
   std::vector<double> batch_; ///< steps of [time, vx, vy of each face] not yet sent
   std::uint64_t batch_first_step_ = 0;
-  std::uint32_t batch_steps_ = 0;
   std::uint64_t next_step_ = 0;
   double last_time_ = 0.0;
-  double end_time_ = 0.0;
-  std::string stage_;
+  std::string stage_ = "start";
+  std::uint64_t stage_step_ = 0;
+  double stage_time_ = 0.0;
+  double stage_end_time_ = 0.0;
   Clock::time_point last_beat_;
   Stopwatch waiting_;
 };

@@ -1,0 +1,94 @@
+#include "coupler/connection.hpp"
+
+#include "coupler/error.hpp"
+#include "coupler/messages.hpp"
+#include "coupler/sockets.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <zmq.hpp>
+
+namespace tremolo::coupler {
+
+namespace {
+
+/// The hub knows more than a participant does, so its verdict on a deadline should come first.
+constexpr double grace_s = 1.0;
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text));
+}
+
+} // namespace
+
+Connection::Connection(const ParticipantOptions& options)
+    : context_(std::make_unique<zmq::context_t>(1)), name_(options.name), session_(options.session),
+      deadlines_(options.deadlines), last_heard_(Clock::now()) {
+  try {
+    socket_ = std::make_unique<zmq::socket_t>(connected_dealer(*context_, options.endpoint));
+  } catch (const zmq::error_t& error) {
+    throw Error(fmt::format("cannot connect to the hub at '{}': {}", options.endpoint, error.what()));
+  }
+}
+
+Connection::~Connection() = default;
+
+Message Connection::introduce(Message hello) {
+  hello.body["protocol"] = protocol_version;
+  hello.body["session"] = session_text(session_);
+  hello.body["name"] = name_;
+  hello.body["build"] = TREMOLO_VERSION;
+  hello.body["units"] = "SI";
+  const auto start = Clock::now();
+  send_bytes(bytes_of(to_text(hello)), deadlines_.connect);
+  while (seconds_since(start) < deadlines_.connect + grace_s) {
+    const auto incoming = receive(0.5);
+    if (!incoming || !incoming->message || incoming->message->type != "WELCOME")
+      continue;
+    number_ = incoming->message->body.at("number").get<std::uint32_t>();
+    return *incoming->message;
+  }
+  throw Error(fmt::format("'{}' waited {:.0f} s for WELCOME from the hub", name_, seconds_since(start)));
+}
+
+void Connection::send(const Message& message) {
+  send_bytes(bytes_of(to_text(message)), deadlines_.step);
+}
+
+void Connection::send(const FrameHeader& header, std::span<const double> values) {
+  send_bytes(encode(header, values), deadlines_.step);
+}
+
+void Connection::send_bytes(std::span<const std::byte> bytes, double deadline_s) {
+  // Set at each call because HELLO has another deadline than the rest.
+  socket_->set(zmq::sockopt::sndtimeo, static_cast<int>(deadline_s * 1000.0));
+  if (!socket_->send(zmq::const_buffer(bytes.data(), bytes.size())))
+    throw Error(fmt::format(
+        "'{}' waited {:.0f} s for the hub to take a message; last sign of life of the hub {:.1f} s ago",
+        name_, deadline_s, seconds_since_sign_of_life()));
+}
+
+std::optional<Incoming> Connection::receive(double wait_s) {
+  zmq::message_t raw;
+  if (!wait_readable(*socket_, wait_s) || !socket_->recv(raw, zmq::recv_flags::dontwait))
+    return std::nullopt;
+  last_heard_ = Clock::now();
+  const std::span<const std::byte> bytes(static_cast<const std::byte*>(raw.data()), raw.size());
+  if (!looks_like_message(bytes))
+    return Incoming{std::nullopt, {bytes.begin(), bytes.end()}};
+  Message message = parse_message(bytes);
+  const std::string reason = message.body.value("reason", "no reason given");
+  if (message.type == "ABORT")
+    throw Aborted("the run was ended: " + reason);
+  if (message.type == "REFUSE")
+    throw Error("refused by the hub: " + reason);
+  return Incoming{std::move(message), {}};
+}
+
+void Connection::fail(const std::string& reason) {
+  send({"ABORT", {{"reason", reason}}});
+  throw Error(reason);
+}
+
+} // namespace tremolo::coupler

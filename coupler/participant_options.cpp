@@ -1,0 +1,59 @@
+#include "coupler/participant_options.hpp"
+
+#include "coupler/messages.hpp"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <fmt/format.h>
+
+namespace tremolo::coupler {
+
+std::vector<std::string> command_line(const ParticipantOptions& options) {
+  std::vector<std::string> line{"--case",
+                                options.case_file.string(),
+                                "--name",
+                                options.name,
+                                "--endpoint",
+                                options.endpoint,
+                                "--session",
+                                session_text(options.session),
+                                "--threads",
+                                std::to_string(options.threads),
+                                "--connect-deadline",
+                                fmt::format("{}", options.deadlines.connect),
+                                "--step-deadline",
+                                fmt::format("{}", options.deadlines.step)};
+  if (!options.out.empty())
+    line.insert(line.end(), {"--out", options.out.string()});
+  return line;
+}
+
+int participant_main(const std::string& program, const std::string& description, int argc, char** argv,
+                     const std::function<void(const ParticipantOptions&)>& body) {
+  CLI::App app(description, program);
+  ParticipantOptions options;
+  std::string session;
+  app.add_option("--case", options.case_file, "case file")->required();
+  app.add_option("--name", options.name, "this participant's name in the run")->required();
+  app.add_option("--endpoint", options.endpoint, "address of the hub")->required();
+  app.add_option("--session", session, "the run's session, 16 hexadecimal digits")->required();
+  app.add_option("--threads", options.threads, "threads to compute with")->check(CLI::PositiveNumber);
+  app.add_option("--out", options.out, "folder of the run");
+  app.add_option("--connect-deadline", options.deadlines.connect, "s")->check(CLI::PositiveNumber);
+  app.add_option("--step-deadline", options.deadlines.step, "s")->check(CLI::PositiveNumber);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    options.session = session_from(session);
+    body(options);
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", program, error.what());
+    return 1;
+  }
+}
+
+} // namespace tremolo::coupler

@@ -1,0 +1,105 @@
+#include "coupler/source_client.hpp"
+
+#include "coupler/boundary_exchange.hpp"
+#include "coupler/error.hpp"
+#include "coupler/messages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tremolo::coupler {
+
+SourceClient::SourceClient(const ParticipantOptions& options, std::vector<FieldDescription> fields)
+    : options_(options), fields_(std::move(fields)), connection_(options) {
+  Message hello{"HELLO", {{"role", "source"}, {"case", file_crc(options.case_file)}}};
+  for (const auto& field : fields_) {
+    validate(field);
+    hello.body["fields"].push_back(to_json(field));
+    outgoing_.push_back({.steps_per_frame = steps_per_frame(field)});
+  }
+  connection_.introduce(std::move(hello));
+}
+
+void SourceClient::serve(const Fill& fill) {
+  while (!finished_) {
+    // While there is work the socket is only looked at; without credit the source sleeps until the hub
+    // speaks.
+    take_messages(0.0);
+    while (!finished_ && !send_frames(fill)) {
+      if (connection_.seconds_since_sign_of_life() > options_.deadlines.step)
+        connection_.fail(
+            fmt::format("source '{}' waits for credit; last sign of life of the hub {:.1f} s ago",
+                        options_.name, connection_.seconds_since_sign_of_life()));
+      waiting_.start();
+      take_messages(0.5);
+      waiting_.stop();
+    }
+  }
+  say_bye();
+}
+
+void SourceClient::beat() {
+  connection_.send({"BEAT", {{"stage", "computing"}}});
+}
+
+void SourceClient::take_messages(double wait_s) {
+  while (const auto incoming = connection_.receive(wait_s)) {
+    wait_s = 0.0;
+    if (!incoming->message)
+      connection_.fail(fmt::format("source '{}' was sent a data frame", options_.name));
+    const auto& [type, body] = *incoming->message;
+    if (type == "BYE")
+      finished_ = true;
+    if (type == "CREDIT") {
+      const auto field = body.at("field").get<std::size_t>();
+      outgoing_.at(field).credit =
+          std::min(body.at("steps").get<std::uint64_t>(), fields_.at(field).step_count);
+    }
+  }
+}
+
+bool SourceClient::send_frames(const Fill& fill) {
+  bool sent = false;
+  for (std::size_t field = 0; field < fields_.size(); ++field) {
+    const auto& out = outgoing_[field];
+    const std::uint64_t room = out.credit - std::min(out.credit, out.next_step);
+    const bool last = out.credit == fields_[field].step_count;
+    if (room == 0 || (room < out.steps_per_frame && !last))
+      continue;
+    send_frame(field, static_cast<std::uint32_t>(std::min<std::uint64_t>(room, out.steps_per_frame)), fill);
+    sent = true;
+  }
+  return sent;
+}
+
+void SourceClient::send_frame(std::size_t field, std::uint32_t steps, const Fill& fill) {
+  const std::size_t count = fields_[field].values_per_step();
+  const std::uint64_t first = outgoing_[field].next_step;
+  body_.resize(count * steps);
+  filling_.start();
+  for (std::uint32_t i = 0; i < steps; ++i)
+    fill(field, first + i, std::span(body_).subspan(i * count, count));
+  filling_.stop();
+  const auto bad = std::find_if(body_.begin(), body_.end(), [](double v) { return !std::isfinite(v); });
+  if (bad != body_.end())
+    connection_.fail(fmt::format("source '{}', field '{}': the value at step {} is {}", options_.name,
+                                 fields_[field].name,
+                                 first + static_cast<std::uint64_t>(bad - body_.begin()) / count, *bad));
+  connection_.send({.session = connection_.session(),
+                    .sender = connection_.number(),
+                    .field = static_cast<std::uint32_t>(field),
+                    .step = first,
+                    .steps = steps,
+                    .count = static_cast<std::uint32_t>(count)},
+                   body_);
+  outgoing_[field].next_step += steps;
+}
+
+void SourceClient::say_bye() {
+  std::vector<PassTime> passes{{"fill", filling_.seconds()}};
+  passes.insert(passes.end(), passes_.begin(), passes_.end());
+  connection_.send({"BYE", {{"passes", to_json(passes)}, {"waiting", waiting_.seconds()}}});
+}
+
+} // namespace tremolo::coupler
