@@ -1,0 +1,16 @@
+#include "materials/linear_elastic.hpp"
+
+#include "materials/elastic_trial.hpp"
+#include "materials/parameter_check.hpp"
+
+namespace tremolo::materials {
+
+void update(const LinearElastic& law, const Points& points) {
+  elastic_trial(law.elastic, points, 0, points.count);
+}
+
+void validate(const LinearElastic& law) {
+  check(law.elastic);
+}
+
+} // namespace tremolo::materials

@@ -1,0 +1,275 @@
+#include "materials/mohr_coulomb.hpp"
+
+#include "materials/elastic_trial.hpp"
+#include "materials/mohr_coulomb_return.hpp"
+#include "materials/parameter_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+namespace tremolo::materials {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Points handled together: their stress stays in the first-level cache between the passes.
+constexpr std::size_t block_size = 256;
+
+double softened(double peak, double residual, double decay) {
+  return residual + (peak - residual) * decay;
+}
+
+/// The strength of a point with equivalent plastic strain e.
+Strength strength_at(const MohrCoulomb& law, double e) {
+  const double decay = law.softening > 0.0 ? std::exp(-law.softening * e) : 1.0;
+  const double cohesion = softened(law.cohesion_peak, law.cohesion_residual, decay);
+  const double friction = softened(law.friction_peak, law.friction_residual, decay);
+  const double dilation = softened(law.dilation_peak, law.dilation_residual, decay);
+  Strength strength;
+  strength.cohesive = 2.0 * cohesion * std::cos(friction);
+  strength.sin_friction = std::sin(friction);
+  strength.sin_dilation = dilation == 0.0 ? 0.0 : std::sin(dilation);
+  strength.apex = strength.sin_friction > 0.0 ? 0.5 * strength.cohesive / strength.sin_friction : infinity;
+  strength.tension = std::min(law.tension_cutoff.value_or(infinity), strength.apex);
+  return strength;
+}
+
+bool outside(double s1, double s3, const Strength& strength) {
+  return yield_function(s1, s3, strength) > 0.0 || s1 > strength.tension;
+}
+
+/// Stress of a point by principal values: two in the plane, with twice their direction's angle, and s_zz.
+struct Spectrum {
+  double larger = 0.0; ///< in-plane
+  double smaller = 0.0;
+  double out_of_plane = 0.0;
+  double cosine2 = 1.0;
+  double sine2 = 0.0;
+};
+
+Spectrum spectrum(double sxx, double syy, double szz, double sxy) {
+  const double mean = 0.5 * (sxx + syy);
+  const double half = 0.5 * (sxx - syy);
+  const double radius = std::sqrt(half * half + sxy * sxy);
+  Spectrum s{mean + radius, mean - radius, szz, 1.0, 0.0};
+  if (radius > 0.0) {
+    s.cosine2 = half / radius;
+    s.sine2 = sxy / radius;
+  }
+  return s;
+}
+
+/// The place of s_zz among the sorted principal stresses: 0, 1 or 2.
+std::size_t place_of_szz(const Spectrum& s) {
+  if (s.out_of_plane > s.larger) {
+    return 0;
+  }
+  return s.out_of_plane < s.smaller ? 2 : 1;
+}
+
+Principal sorted(const Spectrum& s, std::size_t place) {
+  switch (place) {
+  case 0:
+    return {s.out_of_plane, s.larger, s.smaller};
+  case 1:
+    return {s.larger, s.out_of_plane, s.smaller};
+  default:
+    return {s.larger, s.smaller, s.out_of_plane};
+  }
+}
+
+/// Equivalent deviatoric strain sqrt(2/3 de:de) of the plastic step that took `trial` to `s`.
+double plastic_step(const Principal& trial, const Principal& s, double shear_modulus) {
+  const Principal d = {trial[0] - s[0], trial[1] - s[1], trial[2] - s[2]};
+  const double mean = (d[0] + d[1] + d[2]) / 3.0;
+  const double squares =
+      (d[0] - mean) * (d[0] - mean) + (d[1] - mean) * (d[1] - mean) + (d[2] - mean) * (d[2] - mean);
+  return std::sqrt(2.0 / 3.0 * squares) / (2.0 * shear_modulus);
+}
+
+struct Return {
+  Principal stress{};
+  double plastic_strain = 0.0; ///< e at the end of the step
+};
+
+/// Return implicit in e: finds the step x with x = plastic_step(trial, s(e + x)), s on the surface of
+/// strength at e + x. The gap between both sides is positive at 0 and negative for large x; a secant step
+/// inside this bracket converges in three or four evaluations, because softening per step is weak against the
+/// elastic stiffness, and a bisection takes over where it leaves the bracket.
+Return implicit_return(const MohrCoulomb& law, const Principal& trial, double e) {
+  const double shear = law.elastic.shear_modulus();
+  Return result;
+  const auto gap = [&](double x) {
+    result.stress = return_to_surface(trial, strength_at(law, e + x), law.elastic);
+    result.plastic_strain = e + x;
+    return plastic_step(trial, result.stress, shear) - x;
+  };
+
+  double low = 0.0;
+  double gap_low = gap(low);
+  if (law.softening == 0.0) {
+    result.plastic_strain += gap_low;
+    return result;
+  }
+  double high = infinity;
+  double x = gap_low;
+  double previous = low;
+  double gap_previous = gap_low;
+  constexpr int most_steps = 200; // bisection alone needs about 60
+  for (int step = 0; step < most_steps; ++step) {
+    const double gap_x = gap(x);
+    if (std::abs(gap_x) <= 1e-12 * x + 1e-18) {
+      break;
+    }
+    (gap_x > 0.0 ? low : high) = x;
+    const double slope = (gap_x - gap_previous) / (x - previous);
+    previous = x;
+    gap_previous = gap_x;
+    x -= gap_x / slope;
+    if (!(x > low && x < high)) {
+      x = std::isinf(high) ? 2.0 * previous : 0.5 * (low + high);
+    }
+    if (x <= low || x >= high) { // the bracket has shrunk to neighbouring numbers
+      break;
+    }
+  }
+  return result;
+}
+
+/// Stress, or change of stress, of one point, Pa.
+struct Stress {
+  double xx = 0.0;
+  double yy = 0.0;
+  double zz = 0.0;
+  double xy = 0.0;
+};
+
+/// sigma : D^-1 d, the work of a stress on the strain that belongs to a change d of elastic stress, J/m3.
+double work_on_strain(const Stress& s, const Stress& d, const Elasticity& elastic) {
+  const double products = s.xx * d.xx + s.yy * d.yy + s.zz * d.zz + 2.0 * s.xy * d.xy;
+  const double traces = (s.xx + s.yy + s.zz) * (d.xx + d.yy + d.zz);
+  return ((1.0 + elastic.poisson) * products - elastic.poisson * traces) / elastic.young;
+}
+
+/// Plastic work of a step with the mean of first and last stress, as the trapezoidal rule takes the whole
+/// work of the step: total = elastic + plastic then holds without remainder.
+double plastic_work(const Elasticity& elastic, const Points& points, std::size_t i, const Stress& trial,
+                    const Stress& last) {
+  const double lame = elastic.lame();
+  const double shear = elastic.shear_modulus();
+  const double pressure = lame * (points.dexx[i] + points.deyy[i]);
+  const Stress first = {trial.xx - pressure - 2.0 * shear * points.dexx[i],
+                        trial.yy - pressure - 2.0 * shear * points.deyy[i], trial.zz - pressure,
+                        trial.xy - shear * points.dgxy[i]};
+  const Stress mean = {0.5 * (first.xx + last.xx), 0.5 * (first.yy + last.yy), 0.5 * (first.zz + last.zz),
+                       0.5 * (first.xy + last.xy)};
+  const Stress relaxed = {trial.xx - last.xx, trial.yy - last.yy, trial.zz - last.zz, trial.xy - last.xy};
+  return work_on_strain(mean, relaxed, elastic);
+}
+
+/// Brings point i, whose arrays hold the trial stress, back to its surface if it lies outside.
+void correct(const MohrCoulomb& law, const Strength& peak, const Points& points, std::size_t i) {
+  const Stress trial = {points.sxx[i], points.syy[i], points.szz[i], points.sxy[i]};
+  const Spectrum directions = spectrum(trial.xx, trial.yy, trial.zz, trial.xy);
+  const std::size_t place = place_of_szz(directions);
+  const Principal principal = sorted(directions, place);
+  double& e = points.state[i];
+  const bool weakened = law.softening > 0.0 && e > 0.0;
+  if (!outside(principal[0], principal[2], weakened ? strength_at(law, e) : peak)) {
+    return;
+  }
+  const Return end = implicit_return(law, principal, e);
+  const double larger = end.stress[place == 0 ? 1 : 0];
+  const double smaller = end.stress[place == 2 ? 1 : 2];
+  const double mean = 0.5 * (larger + smaller);
+  const double half = 0.5 * (larger - smaller);
+  const Stress last = {mean + half * directions.cosine2, mean - half * directions.cosine2, end.stress[place],
+                       half * directions.sine2};
+  points.plastic_work[i] += plastic_work(law.elastic, points, i, trial, last);
+  e = end.plastic_strain;
+  points.sxx[i] = last.xx;
+  points.syy[i] = last.yy;
+  points.szz[i] = last.zz;
+  points.sxy[i] = last.xy;
+}
+
+/// Marks the points of a block that are softened already or whose trial stress exceeds the peak strength.
+void mark_suspects(const MohrCoulomb& law, const Strength& peak, const Points& points, std::size_t begin,
+                   std::size_t count, std::uint8_t* __restrict suspect) {
+  const double* __restrict sxx = points.sxx + begin;
+  const double* __restrict syy = points.syy + begin;
+  const double* __restrict szz = points.szz + begin;
+  const double* __restrict sxy = points.sxy + begin;
+  const double* __restrict e = points.state + begin;
+  const double sound =
+      law.softening > 0.0 ? 0.0 : infinity; // largest e at which the peak strength still holds
+  for (std::size_t i = 0; i < count; ++i) {
+    const double mean = 0.5 * (sxx[i] + syy[i]);
+    const double half = 0.5 * (sxx[i] - syy[i]);
+    const double radius = std::sqrt(half * half + sxy[i] * sxy[i]);
+    const double s1 = std::max(mean + radius, szz[i]);
+    const double s3 = std::min(mean - radius, szz[i]);
+    const bool yields = (yield_function(s1, s3, peak) > 0.0) | (s1 > peak.tension);
+    suspect[i] = static_cast<std::uint8_t>(yields | (e[i] > sound));
+  }
+}
+
+void check_softening_pair(const char* quantity, double peak, double residual, double high) {
+  check_range(fmt::format("{}_peak", quantity), peak, 0.0, high);
+  check_range(fmt::format("{}_residual", quantity), residual, 0.0, peak);
+}
+
+} // namespace
+
+void update(const MohrCoulomb& law, const Points& points) {
+  const Strength peak = strength_at(law, 0.0);
+  std::array<std::uint8_t, block_size> suspect{};
+  for (std::size_t begin = 0; begin < points.count; begin += block_size) {
+    const std::size_t count = std::min(block_size, points.count - begin);
+    elastic_trial(law.elastic, points, begin, begin + count);
+    mark_suspects(law, peak, points, begin, count, suspect.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      if (suspect[i] != 0) {
+        correct(law, peak, points, begin + i);
+      }
+    }
+  }
+}
+
+void validate(const MohrCoulomb& law) {
+  constexpr double steepest = 89.0 * std::numbers::pi / 180.0;
+  check(law.elastic);
+  check_softening_pair("cohesion", law.cohesion_peak, law.cohesion_residual,
+                       std::numeric_limits<double>::max());
+  check_softening_pair("friction", law.friction_peak, law.friction_residual, steepest);
+  check_softening_pair("dilation", law.dilation_peak, law.dilation_residual, law.friction_peak);
+  check_range("dilation_residual", law.dilation_residual, 0.0, law.friction_residual);
+  check_range("softening", law.softening, 0.0, std::numeric_limits<double>::max());
+  if (law.cohesion_residual == 0.0 && law.friction_residual == 0.0) {
+    throw std::invalid_argument(
+        "cohesion_residual and friction_residual are both 0: the soil would have no strength");
+  }
+  if (law.tension_cutoff) {
+    check_range("tension_cutoff", *law.tension_cutoff, 0.0, std::numeric_limits<double>::max());
+  }
+}
+
+MohrCoulomb without_softening(MohrCoulomb law) {
+  law.softening = 0.0;
+  return law;
+}
+
+MohrCoulomb regularised(MohrCoulomb law, double cell_size, double reference_size) {
+  check_positive("cell size", cell_size);
+  check_positive("reference size", reference_size);
+  law.softening *= cell_size / reference_size;
+  return law;
+}
+
+} // namespace tremolo::materials
