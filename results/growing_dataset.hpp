@@ -1,7 +1,8 @@
 #pragma once
 
 // A dataset that grows by rows: [rows, ...]. Not compressed, so that a chunk keeps its place in the file when
-// it fills up; rows that the file declares but whose values never arrived read as NaN.
+// it fills up; rows that the file declares but whose values never arrived (an empty dataset has one) read as
+// NaN.
 
 #include "results/hdf5_write.hpp"
 
@@ -25,7 +26,8 @@ private:
   const std::filesystem::path& file_;
   std::string name_;
   Handle dataset_;
-  std::vector<hsize_t> shape_; ///< shape_[0] is the number of rows
+  std::vector<hsize_t> shape_; ///< as declared in the file: at least one row
+  hsize_t rows_ = 0;
   hsize_t row_size_ = 1;
 };
 

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <stdexcept>
+#include <system_error>
 
 namespace tremolo::results {
 namespace {
@@ -126,7 +131,7 @@ Handle access_properties() {
 }
 
 void reserve_links(hid_t group_properties, std::size_t expected_links) {
-  constexpr unsigned typical_name_length = 24;
+  constexpr unsigned typical_name_length = 12;
   constexpr unsigned most_links = 65535;
   H5Pset_link_creation_order(group_properties, H5P_CRT_ORDER_TRACKED);
   H5Pset_link_phase_change(group_properties, most_links, most_links);
@@ -227,6 +232,24 @@ Handle create_file(const std::filesystem::path& file) {
   return {checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.get(), access_properties().get()), file,
                   "create the run file"),
           H5Fclose};
+}
+
+void flush_file(const Handle& open_file, const std::filesystem::path& file) {
+  constexpr off_t end_of_file_address = 40; // in a version 0 superblock, HDF5 File Format Specification III.A
+  void* descriptor = nullptr;
+  haddr_t end = 0;
+  checked(H5Fget_eoa(open_file.get(), &end), file, "find its end");
+  checked(H5Fget_vfd_handle(open_file.get(), H5P_DEFAULT, &descriptor), file, "find its descriptor");
+  const int fd = *static_cast<int*>(descriptor);
+  struct stat state {};
+  const bool known = ::fstat(fd, &state) == 0;
+  const bool extended =
+      known && (static_cast<haddr_t>(state.st_size) >= end || ::ftruncate(fd, static_cast<off_t>(end)) == 0);
+  if (!extended || ::pwrite(fd, &end, sizeof end, end_of_file_address) != static_cast<ssize_t>(sizeof end)) {
+    throw std::runtime_error(
+        fmt::format("{}: cannot extend the file: {}", file.string(), std::generic_category().message(errno)));
+  }
+  checked(H5Fflush(open_file.get(), H5F_SCOPE_GLOBAL), file, "flush");
 }
 
 } // namespace tremolo::results

@@ -50,4 +50,8 @@ Handle open_for_writing(const std::filesystem::path& file);
 /// Creates a file with these properties.
 Handle create_file(const std::filesystem::path& file);
 
+/// Brings a file opened by one of the two up to date on disk, in an order that never shows a half-finished
+/// state: first the end of the file, then the metadata, which may refer to anything before it.
+void flush_file(const Handle& open_file, const std::filesystem::path& file);
+
 } // namespace tremolo::results

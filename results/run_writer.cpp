@@ -20,8 +20,8 @@
 namespace tremolo::results {
 namespace {
 
-/// Room for links in /frames and /monitors; more are possible, each at the cost of a second write.
-constexpr std::size_t expected_frames = 1024;
+/// Room for links in /frames and /monitors; more are possible, but no longer added by a single write.
+constexpr std::size_t expected_frames = 4096;
 constexpr std::size_t expected_monitors = 64;
 
 std::string host_name() {
@@ -247,7 +247,7 @@ public:
     if (boundary_) {
       boundary_->write_pending();
     }
-    checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), path_, "flush");
+    flush_file(file_, path_);
   }
 
   void close(std::string_view status) {
@@ -268,7 +268,7 @@ private:
     flush();
     checked(H5Olink(object.get(), parent.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), path_,
             "add " + name);
-    checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), path_, "flush");
+    flush_file(file_, path_);
   }
 
   void refuse_further_writes() const {
@@ -354,16 +354,16 @@ std::size_t RunWriter::frame_count() const {
 void append_table(const std::filesystem::path& file, std::string_view path, const Table& table) {
   const Handle run = open_for_writing(file);
   const Handle group = write_unlinked_table({run.get(), file}, table);
-  checked(H5Fflush(run.get(), H5F_SCOPE_GLOBAL), file, "flush");
+  flush_file(run, file);
   checked(H5Olink(group.get(), run.get(), std::string(path).c_str(), H5P_DEFAULT, H5P_DEFAULT), file,
           fmt::format("add {}", path));
-  checked(H5Fflush(run.get(), H5F_SCOPE_GLOBAL), file, "flush");
+  flush_file(run, file);
 }
 
 void mark_aborted(const std::filesystem::path& file, std::string_view reason) {
   const Handle run = open_for_writing(file);
   set_status({run.get(), file}, aborted_status(reason));
-  checked(H5Fflush(run.get(), H5F_SCOPE_GLOBAL), file, "flush");
+  flush_file(run, file);
 }
 
 } // namespace tremolo::results
