@@ -1,6 +1,7 @@
 #pragma once
 
 #include "freefield/column.hpp"
+#include "freefield/column_mesh.hpp"
 #include "freefield/profile.hpp"
 #include "freefield/scalar_column.hpp"
 

@@ -43,6 +43,8 @@ struct DampingCoefficients {
   double alpha = 0.0;
   double beta = 0.0;
 };
+
+/// The coefficients that give a layer its damping ratio; both zero for a ratio of zero, whatever the damping.
 DampingCoefficients coefficients(const Damping& damping, double ratio);
 
 /// @throws std::invalid_argument naming the layer, the quantity, its value and the allowed range

@@ -1,0 +1,84 @@
+// Damping ratios of a harmonic motion of angular frequency w (Chopra 2012, Dynamics of Structures,
+// sec. 11.4):
+//
+//     Rayleigh, xi = alpha / (2 w) + beta w / 2, equal at w_1 and w_2:
+//         alpha = 2 xi w_1 w_2 / (w_1 + w_2),   beta = 2 xi / (w_1 + w_2)
+//     Kelvin-Voigt, xi = beta w / 2 at w_0:
+//         beta = 2 xi / w_0
+
+#include "freefield/profile.hpp"
+
+#include "freefield/require.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace tremolo::freefield {
+namespace {
+
+bool positive(double value) {
+  return value > 0.0 && std::isfinite(value);
+}
+
+void validate_soil(const materials::Elasticity& soil, const std::string& place) {
+  require(positive(soil.density), place + ": density", soil.density, "positive, in kg/m3");
+  require(positive(soil.young), place + ": Young's modulus", soil.young, "positive, in Pa");
+  require(soil.poisson > -1.0 && soil.poisson < 0.5, place + ": Poisson's ratio", soil.poisson,
+          "in (-1, 0.5)");
+}
+
+} // namespace
+
+double Profile::base_level() const {
+  double level = surface_level;
+  for (const Layer& layer : layers) {
+    level -= layer.thickness;
+  }
+  return level;
+}
+
+DampingCoefficients coefficients(const Damping& damping, double ratio) {
+  constexpr double two_pi = 2.0 * std::numbers::pi;
+  if (ratio == 0.0) {
+    return {};
+  }
+  if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) {
+    const double w1 = two_pi * rayleigh->first_frequency_hz;
+    const double w2 = two_pi * rayleigh->second_frequency_hz;
+    return {2.0 * ratio * w1 * w2 / (w1 + w2), 2.0 * ratio / (w1 + w2)};
+  }
+  return {0.0, 2.0 * ratio / (two_pi * std::get<KelvinVoigtDamping>(damping).reference_frequency_hz)};
+}
+
+void validate(const Profile& profile) {
+  require(std::isfinite(profile.surface_level), "level of the free surface", profile.surface_level, "finite");
+  if (profile.layers.empty()) {
+    throw std::invalid_argument("the profile has no layer, must have at least one");
+  }
+  for (std::size_t i = 0; i < profile.layers.size(); ++i) {
+    const Layer& layer = profile.layers[i];
+    const std::string place = "layer " + std::to_string(i + 1) + " from the top";
+    require(positive(layer.thickness), place + ": thickness", layer.thickness, "positive, in m");
+    require(layer.damping_ratio >= 0.0 && layer.damping_ratio < 1.0, place + ": damping ratio",
+            layer.damping_ratio, "in [0, 1)");
+    validate_soil(layer.soil, place);
+  }
+  validate_soil(profile.half_space, "half-space");
+}
+
+void validate(const Damping& damping) {
+  if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) {
+    require(positive(rayleigh->first_frequency_hz), "first Rayleigh frequency", rayleigh->first_frequency_hz,
+            "positive, in Hz");
+    require(rayleigh->second_frequency_hz > rayleigh->first_frequency_hz &&
+                std::isfinite(rayleigh->second_frequency_hz),
+            "second Rayleigh frequency", rayleigh->second_frequency_hz,
+            "above the first, " + shortest(rayleigh->first_frequency_hz) + " Hz");
+    return;
+  }
+  const double frequency = std::get<KelvinVoigtDamping>(damping).reference_frequency_hz;
+  require(positive(frequency), "reference frequency of Kelvin-Voigt damping", frequency, "positive, in Hz");
+}
+
+} // namespace tremolo::freefield
