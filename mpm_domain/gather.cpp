@@ -2,6 +2,7 @@
 
 #include "materials/law.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -72,7 +73,7 @@ void take_blend(Particles& p, std::size_t k, const Sample& q, double flip_share)
 }
 
 /// The strain part of a chunk: law, volumes, and the work done.
-StressWork strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& inc) {
+GatherSums strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& inc) {
   for (std::size_t c = 0; c < count; ++c) {
     inc.sxx[c] = p.sxx[begin + c];
     inc.syy[c] = p.syy[begin + c];
@@ -82,7 +83,7 @@ StressWork strain_chunk(Particles& p, std::size_t begin, std::size_t count, Incr
   materials::update(p.law, {count, &p.sxx[begin], &p.syy[begin], &p.szz[begin], &p.sxy[begin],
                             p.state.data() + begin * p.state_size, inc.plastic.data(), inc.exx.data(),
                             inc.eyy.data(), inc.gxy.data(), inc.wxy.data()});
-  StressWork work;
+  GatherSums work;
   for (std::size_t c = 0; c < count; ++c) {
     const std::size_t k = begin + c;
     const double total = 0.5 * ((inc.sxx[c] + p.sxx[k]) * inc.exx[c] + (inc.syy[c] + p.syy[k]) * inc.eyy[c] +
@@ -101,12 +102,13 @@ struct Settings {
 };
 
 template <bool velocity, bool position, bool strain, bool affine>
-StressWork gather_range(Domain& domain, Particles& p, std::size_t begin, std::size_t end,
+GatherSums gather_range(Domain& domain, Particles& p, std::size_t begin, std::size_t end,
                         const Settings& set) {
   const Axis x_axis = domain.x_axis();
   const Axis y_axis = domain.y_axis();
   const int a = set.strain_lane;
-  StressWork work;
+  GatherSums work;
+  double max_speed2 = 0.0;
   Increments inc;
   for (std::size_t first = begin; first < end; first += chunk) {
     const std::size_t count = std::min(chunk, end - first);
@@ -129,42 +131,46 @@ StressWork gather_range(Domain& domain, Particles& p, std::size_t begin, std::si
       if constexpr (position) {
         p.x[k] += set.dt * q.v[2];
         p.y[k] += set.dt * q.v[3];
+        max_speed2 = std::max(max_speed2, q.v[2] * q.v[2] + q.v[3] * q.v[3]);
       }
     }
     if constexpr (strain) {
-      const StressWork part = strain_chunk(p, first, count, inc);
+      const GatherSums part = strain_chunk(p, first, count, inc);
       work.elastic += part.elastic;
       work.plastic += part.plastic;
     }
   }
+  work.max_speed = std::sqrt(max_speed2);
   return work;
 }
 
 template <bool velocity, bool position, bool strain>
-StressWork gather_blocks(Domain& domain, const Settings& settings) {
-  std::vector<StressWork> sums(domain.block_count());
+GatherSums gather_blocks(Domain& domain, const Settings& settings) {
+  std::vector<GatherSums> sums(domain.block_count());
   domain.workers.run(sums.size(), [&](std::size_t block) {
     for (Particles& p : domain.sets) {
       const std::size_t begin = p.block_start[block];
       const std::size_t end = p.block_start[block + 1];
-      const StressWork work =
+      const GatherSums work =
           p.cxx.empty() ? gather_range<velocity, position, strain, false>(domain, p, begin, end, settings)
                         : gather_range<velocity, position, strain, true>(domain, p, begin, end, settings);
       sums[block].elastic += work.elastic;
       sums[block].plastic += work.plastic;
+      sums[block].max_speed = std::max(sums[block].max_speed, work.max_speed);
     }
   });
-  StressWork total;
-  for (const StressWork& sum : sums) {
+  GatherSums total;
+  for (const GatherSums& sum : sums) {
     total.elastic += sum.elastic;
     total.plastic += sum.plastic;
+    total.max_speed = std::max(total.max_speed, sum.max_speed);
   }
   return total;
 }
 
 } // namespace
 
-StressWork gather(Domain& domain, double dt, GatherParts parts, bool strain_of_old) {
+GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_old) {
   const Scheme& scheme = domain.spec.scheme;
   const double flip_share = scheme.transfer == Transfer::pic_blend ? std::exp(-dt / scheme.blend_time) : 1.0;
   const Settings settings{dt, flip_share, strain_of_old ? 0 : 2};
@@ -179,14 +185,10 @@ StressWork gather(Domain& domain, double dt, GatherParts parts, bool strain_of_o
   return gather_blocks<false, false, true>(domain, settings);
 }
 
-std::vector<Vector> particle_accelerations(const Domain& domain, const Particles& particles, double dt) {
-  std::vector<Vector> a(particles.size());
-  for (std::size_t k = 0; k < particles.size(); ++k) {
-    const Sample q = sample<true, false, false>(domain.grid, particles.x[k], particles.y[k], domain.x_axis(),
-                                                domain.y_axis());
-    a[k] = {(q.v[2] - q.v[0]) / dt, (q.v[3] - q.v[1]) / dt};
-  }
-  return a;
+Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k, double dt) {
+  const Sample q = sample<true, false, false>(domain.grid, particles.x[k], particles.y[k], domain.x_axis(),
+                                              domain.y_axis());
+  return {(q.v[2] - q.v[0]) / dt, (q.v[3] - q.v[1]) / dt};
 }
 
 } // namespace tremolo::mpm_domain

@@ -11,10 +11,11 @@ struct GatherParts {
   bool strain = false;   ///< strain increment from the grid velocity, then stress, state and volume
 };
 
-/// Work of the stresses in a gather with strain, J/m.
-struct StressWork {
-  double elastic = 0.0;
-  double plastic = 0.0;
+/// What a gather adds up.
+struct GatherSums {
+  double elastic = 0.0;   ///< work of the stresses on elastic strain, J/m
+  double plastic = 0.0;   ///< on plastic strain, J/m
+  double max_speed = 0.0; ///< of particles that were moved, m/s
 };
 
 /// Grid to particles over a step dt (s).
@@ -25,9 +26,9 @@ struct StressWork {
 ///
 /// The strain increment is dt sym(sum_i u_i grad S) and the rotation dt skew of the same, with u = v- if
 /// `strain_of_old` (update stress first), else v+. Volumes grow by tr(de).
-StressWork gather(Domain& domain, double dt, GatherParts parts, bool strain_of_old = false);
+GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_old = false);
 
-/// Accelerations (v+ - v-)/dt of the grid at the particles of one soil, m/s2, for output.
-std::vector<Vector> particle_accelerations(const Domain& domain, const Particles& particles, double dt);
+/// The grid's acceleration (v+ - v-)/dt at particle k of one soil, m/s2, for output.
+Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k, double dt);
 
 } // namespace tremolo::mpm_domain

@@ -1,7 +1,6 @@
 #include "mpm_domain/grid_update.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tremolo::mpm_domain {
 
@@ -68,13 +67,11 @@ GridUpdate update_grid(Domain& domain, double dt) {
       const double ux = v[0] + dt * ax;
       const double uy = v[1] + dt * ay;
       grid.motion[n].velocity = Lanes{v[0], v[1], ux, uy};
-      const double speed2 = ux * ux + uy * uy;
       const double mid_x = v[0] + 0.5 * dt * ax;
       const double mid_y = v[1] + 0.5 * dt * ay;
-      sum.kinetic += 0.5 * m * speed2;
+      sum.kinetic += 0.5 * m * (ux * ux + uy * uy);
       sum.gravity_work -= dt * m * gravity * mid_y;
       sum.dashpot_relief -= 0.5 * dt * dt * (f[2] * ax * mid_x + f[3] * ay * mid_y);
-      sum.max_speed = std::max(sum.max_speed, speed2);
     }
     return sum;
   });
@@ -83,9 +80,7 @@ GridUpdate update_grid(Domain& domain, double dt) {
     total.kinetic += sum.kinetic;
     total.gravity_work += sum.gravity_work;
     total.dashpot_relief += sum.dashpot_relief;
-    total.max_speed = std::max(total.max_speed, sum.max_speed);
   }
-  total.max_speed = std::sqrt(total.max_speed);
   return total;
 }
 

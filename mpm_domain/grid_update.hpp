@@ -10,12 +10,11 @@ namespace tremolo::mpm_domain {
 /// @returns the grid's kinetic energy, J/m
 double grid_velocities(Domain& domain);
 
-/// What the grid update adds up, J/m and m/s.
+/// What the grid update adds up, J/m.
 struct GridUpdate {
   double kinetic = 0.0; ///< K(v+)
   double gravity_work = 0.0;
   double dashpot_relief = 0.0; ///< work of -C (v+ - v-)/2, the implicit part of the lumped dashpots
-  double max_speed = 0.0;
 };
 
 /// v+ from (m/dt + C/2) (v+ - v-) = f, with C the boundary dashpots lumped to the node.

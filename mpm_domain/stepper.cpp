@@ -78,8 +78,6 @@ void Stepper::step() {
 void Stepper::choose_dt() {
   const Scheme& scheme = domain_.spec.scheme;
   const double critical = critical_time_step(domain_, max_speed_);
-  if (!std::isfinite(max_speed_))
-    throw std::runtime_error(fmt::format("a grid velocity is not finite at t = {:.6g} s", time_));
   if (scheme.dt) {
     if (*scheme.dt > critical)
       throw std::invalid_argument(fmt::format(
@@ -126,12 +124,14 @@ void Stepper::boundary() {
 
 void Stepper::grid() {
   const GridUpdate update = update_grid(domain_, dt_);
+  if (!std::isfinite(update.kinetic))
+    throw std::runtime_error(
+        fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
   EnergyLedger& energy = domain_.energy;
   energy.kinetic = update.kinetic;
   energy.gravity += update.gravity_work;
   energy.dashpots += update.dashpot_relief;
   kinetic_after_ = update.kinetic;
-  max_speed_ = update.max_speed;
   book_boundary_work();
 }
 
@@ -151,9 +151,11 @@ void Stepper::book_boundary_work() {
   }
 }
 
-void Stepper::book(const StressWork& work) {
-  domain_.energy.elastic += work.elastic;
-  domain_.energy.plastic += work.plastic;
+void Stepper::book(const GatherSums& sums) {
+  domain_.energy.elastic += sums.elastic;
+  domain_.energy.plastic += sums.plastic;
+  if (sums.max_speed > 0.0)
+    max_speed_ = sums.max_speed;
 }
 
 } // namespace tremolo::mpm_domain

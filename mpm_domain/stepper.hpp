@@ -55,7 +55,7 @@ private:
   void boundary();
   void grid();
   void book_boundary_work();
-  void book(const StressWork& work);
+  void book(const GatherSums& sums);
   std::vector<Pass> assemble();
 
   Domain& domain_;

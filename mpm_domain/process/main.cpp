@@ -1,0 +1,102 @@
+// tremolo-domain: the one process that owns particles. It builds the domain from the case, brings it to rest
+// under gravity, replaces the supports by tractions, and shakes it through its boundary faces with what the
+// coupler brings.
+
+#include "coupler/domain_client.hpp"
+#include "coupler/error.hpp"
+#include "coupler/timing.hpp"
+#include "mpm_domain/gravity_stage.hpp"
+#include "mpm_domain/process/run_output.hpp"
+#include "mpm_domain/process/spec_from_case.hpp"
+#include "mpm_domain/static_traction.hpp"
+#include "scene/case.hpp"
+#include "scene/plan.hpp"
+
+namespace {
+
+using namespace tremolo;
+
+scene::Side scene_side(mpm_domain::Side side) {
+  switch (side) {
+  case mpm_domain::Side::left:
+    return scene::Side::left;
+  case mpm_domain::Side::right:
+    return scene::Side::right;
+  case mpm_domain::Side::base:
+    break;
+  }
+  return scene::Side::base;
+}
+
+std::vector<coupler::BoundaryFace> coupled_faces(const mpm_domain::Domain& domain, const scene::Case& scene,
+                                                 const scene::Plan& plan) {
+  std::vector<coupler::BoundaryFace> faces;
+  for (std::size_t f = 0; f < domain.faces.size(); ++f) {
+    const mpm_domain::BoundaryFace& face = domain.faces[f];
+    const scene::Side side = scene_side(face.side);
+    const bool incident = side == scene::Side::base && scene.boundary.base.form == scene::BaseForm::incident;
+    faces.push_back({face.position, face.face, domain.static_tractions[f], scene::source_of(plan, side).name,
+                     incident ? "incident" : "total"});
+  }
+  return faces;
+}
+
+/// Brings the domain to rest and returns the wall time it took, s.
+double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stage,
+                     coupler::DomainClient& client) {
+  coupler::Stopwatch watch;
+  watch.start();
+  const mpm_domain::GravitySettings settings{stage.residual, stage.max_time};
+  const auto progress = [&](long step, double) {
+    client.progress("gravity", static_cast<std::uint64_t>(step), 0.0, 0.0);
+  };
+  mpm_domain::replace_constraints(domain, mpm_domain::relax_under_gravity(domain, settings, progress));
+  watch.stop();
+  return watch.seconds();
+}
+
+void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Plan& plan,
+           const coupler::ParticipantOptions& options, coupler::DomainClient& client,
+           double gravity_seconds) {
+  const std::vector<coupler::BoundaryFace> faces = coupled_faces(domain, scene, plan);
+  const double end = scene.shaking.duration;
+  mpm_domain::Stepper stepper(domain, 0.0, [&](long step, double time, auto v, auto traction) {
+    client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
+  });
+  std::vector<std::string> sources;
+  for (const coupler::BoundaryFace& face : faces)
+    sources.push_back(face.source);
+  mpm_domain::RunOutput output(options.out, scene, scene::to_json(plan), domain, sources);
+  try {
+    client.ready(faces, 0.0, end);
+    while (stepper.time() < end) {
+      stepper.step();
+      output.after_step(stepper, client.free_field());
+      client.progress("shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end);
+    }
+    output.finish(stepper, client.free_field(), gravity_seconds, client.waiting_seconds());
+  } catch (const std::exception& error) {
+    output.abort(error.what());
+    throw;
+  }
+  std::vector<coupler::PassTime> passes{{"gravity stage", gravity_seconds}};
+  for (const mpm_domain::Pass& pass : stepper.passes())
+    passes.push_back({pass.name, pass.seconds});
+  client.finish(passes, static_cast<double>(domain.particle_count()) * static_cast<double>(stepper.steps()));
+}
+
+void run(const coupler::ParticipantOptions& options) {
+  const scene::Case scene = scene::load(options.case_file);
+  const scene::Plan plan = scene::plan(scene);
+  coupler::DomainClient client(options);
+  mpm_domain::Domain domain(mpm_domain::spec_from_case(scene, options.threads));
+  const double gravity_seconds = scene.gravity ? gravity_stage(domain, *scene.gravity, client) : 0.0;
+  shake(domain, scene, plan, options, client, gravity_seconds);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return tremolo::coupler::participant_main(
+      "tremolo-domain", "The Material Point Method domain of a tremolo run.", argc, argv, run);
+}

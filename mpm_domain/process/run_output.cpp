@@ -1,0 +1,215 @@
+#include "mpm_domain/process/run_output.hpp"
+
+#include "mpm_domain/gather.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+results::RunDescription description(const scene::Case& scene, const std::string& plan) {
+  return {.title = scene.title,
+          .case_text = scene.text,
+          .plan = plan,
+          .build_version = TREMOLO_VERSION,
+          .compiler = __VERSION__,
+          .build_flags = TREMOLO_BUILD_FLAGS};
+}
+
+bool wants(const scene::Case& scene, scene::OutputField field) {
+  return std::find(scene.output.fields.begin(), scene.output.fields.end(), field) !=
+         scene.output.fields.end();
+}
+
+/// Arrays of a frame: all soils one after the other, each in the order of particle ids.
+struct Frame {
+  std::vector<double> position, displacement, velocity, acceleration, stress, volume;
+  std::vector<std::int32_t> soil;
+  std::vector<materials::StateVariable> variables; ///< of all soils, each name once
+  std::vector<std::vector<double>> states; ///< one array a variable; 0 where a soil has no such variable
+};
+
+std::vector<materials::StateVariable> all_state_variables(const Domain& domain) {
+  std::vector<materials::StateVariable> all;
+  for (const Particles& set : domain.sets)
+    for (const materials::StateVariable& variable : materials::state_variables(set.law))
+      if (std::none_of(all.begin(), all.end(),
+                       [&](const auto& known) { return known.name == variable.name; }))
+        all.push_back(variable);
+  return all;
+}
+
+double state_value(const Particles& set, std::size_t k, std::string_view name) {
+  const auto variables = materials::state_variables(set.law);
+  for (std::size_t s = 0; s < variables.size(); ++s)
+    if (variables[s].name == name)
+      return set.state[k * set.state_size + s];
+  return 0.0;
+}
+
+Frame collect(const Domain& domain, double dt) {
+  Frame frame;
+  frame.variables = all_state_variables(domain);
+  frame.states.resize(frame.variables.size());
+  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+    const Particles& set = domain.sets[s];
+    for (const std::uint32_t k : set.index_of) {
+      const Vector acceleration = particle_acceleration(domain, set, k, dt);
+      const double x = set.x[k] - 0.5 * dt * set.vx[k];
+      const double y = set.y[k] - 0.5 * dt * set.vy[k];
+      frame.position.insert(frame.position.end(), {x, y});
+      frame.displacement.insert(frame.displacement.end(), {x - set.x_initial[k], y - set.y_initial[k]});
+      frame.velocity.insert(frame.velocity.end(), {set.vx[k], set.vy[k]});
+      frame.acceleration.insert(frame.acceleration.end(), {acceleration.x, acceleration.y});
+      frame.stress.insert(frame.stress.end(), {set.sxx[k], set.syy[k], set.szz[k], set.sxy[k]});
+      frame.volume.push_back(set.volume[k]);
+      frame.soil.push_back(static_cast<std::int32_t>(s));
+      for (std::size_t v = 0; v < frame.variables.size(); ++v)
+        frame.states[v].push_back(state_value(set, k, frame.variables[v].name));
+    }
+  }
+  return frame;
+}
+
+results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std::string> sources) {
+  results::BoundaryFaces faces;
+  for (std::size_t f = 0; f < domain.faces.size(); ++f) {
+    const BoundaryFace& face = domain.faces[f];
+    faces.position.insert(faces.position.end(), {face.position.x, face.position.y});
+    faces.normal.insert(faces.normal.end(), {face.face.normal.x, face.face.normal.y});
+    faces.length.push_back(face.length);
+    faces.source.push_back(sources[f]);
+  }
+  return faces;
+}
+
+} // namespace
+
+RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& scene,
+                     const std::string& plan, const Domain& domain, std::span<const std::string> face_sources)
+    : scene_(scene), domain_(domain), writer_(directory / "run.h5", description(scene, plan)) {
+  const scene::Box& box = scene.mesh.box;
+  writer_.attribute("mesh_size", scene.mesh.size);
+  writer_.attribute("particle_size", 2.0 * domain.half_size());
+  writer_.attribute("box", std::vector<double>{box.x_min, box.y_min, box.x_max, box.y_max});
+  writer_.attribute("surface_levels",
+                    std::vector<double>{scene.boundary.left.surface, scene.boundary.right.surface});
+  writer_.attribute("wave", std::string(scene::name(scene.motion.wave)));
+  writer_.attribute("angle_deg", scene.motion.angle_deg);
+  std::vector<std::string> soils;
+  for (const scene::Soil& soil : scene.soils)
+    soils.push_back(soil.name);
+  writer_.attribute("soil_names", soils);
+
+  std::vector<std::string> columns{"time"};
+  std::vector<std::string> units{"s"};
+  for (const std::string_view column : EnergyLedger::columns) {
+    columns.emplace_back(column);
+    units.emplace_back("J/m");
+  }
+  energy_ = &writer_.add_series("/energy", columns, units);
+  add_monitors();
+  writer_.set_boundary(boundary_faces(domain, face_sources));
+}
+
+void RunOutput::add_monitors() {
+  const std::array<std::string, 9> columns{"time", "x", "y", "ux", "uy", "vx", "vy", "ax", "ay"};
+  const std::array<std::string, 9> units{"s", "m", "m", "m", "m", "m/s", "m/s", "m/s2", "m/s2"};
+  for (const scene::Monitor& monitor : scene_.monitors) {
+    Follower follower;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
+      const Particles& set = domain_.sets[s];
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        const double distance = std::hypot(set.x[k] - monitor.point.x, set.y[k] - monitor.point.y);
+        if (distance < nearest) {
+          nearest = distance;
+          follower.set = s;
+          follower.id = set.id[k];
+        }
+      }
+    }
+    follower.series = &writer_.add_series("/monitors/" + monitor.name, columns, units);
+    followers_.push_back(follower);
+  }
+}
+
+void RunOutput::after_step(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
+  const double time = stepper.velocity_time();
+  if (time >= next_history_) {
+    write_history(stepper);
+    next_history_ += scene_.output.history_every *
+                     std::max(1.0, std::ceil((time - next_history_) / scene_.output.history_every));
+  }
+  if (time >= next_frame_) {
+    write_frame(stepper, free_field);
+    next_frame_ += scene_.output.every * std::max(1.0, std::ceil((time - next_frame_) / scene_.output.every));
+  }
+}
+
+void RunOutput::write_history(const Stepper& stepper) {
+  const double dt = stepper.dt();
+  std::vector<double> row{stepper.velocity_time()};
+  for (const double value : domain_.energy.row())
+    row.push_back(value);
+  energy_->append(row);
+  for (const Follower& follower : followers_) {
+    const Particles& set = domain_.sets[follower.set];
+    const std::size_t k = set.index_of[follower.id];
+    const Vector a = particle_acceleration(domain_, set, k, dt);
+    const double x = set.x[k] - 0.5 * dt * set.vx[k];
+    const double y = set.y[k] - 0.5 * dt * set.vy[k];
+    follower.series->append(std::array<double, 9>{stepper.velocity_time(), x, y, x - set.x_initial[k],
+                                                  y - set.y_initial[k], set.vx[k], set.vy[k], a.x, a.y});
+  }
+}
+
+void RunOutput::write_frame(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
+  const Frame frame = collect(domain_, stepper.dt());
+  std::vector<results::Field> fields{{"position", "m", 2, frame.position}, {"soil", "1", 1, frame.soil}};
+  if (wants(scene_, scene::OutputField::displacement))
+    fields.push_back({"displacement", "m", 2, frame.displacement});
+  if (wants(scene_, scene::OutputField::velocity))
+    fields.push_back({"velocity", "m/s", 2, frame.velocity});
+  if (wants(scene_, scene::OutputField::acceleration))
+    fields.push_back({"acceleration", "m/s2", 2, frame.acceleration});
+  if (wants(scene_, scene::OutputField::stress)) {
+    fields.push_back({"stress", "Pa", 4, frame.stress});
+    fields.push_back({"volume", "m2", 1, frame.volume});
+  }
+  if (wants(scene_, scene::OutputField::state))
+    for (std::size_t v = 0; v < frame.variables.size(); ++v)
+      fields.push_back({frame.variables[v].name, frame.variables[v].unit, 1, frame.states[v]});
+  write_boundary(stepper, free_field);
+  writer_.write_frame(stepper.velocity_time(), fields);
+}
+
+void RunOutput::write_boundary(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
+  std::vector<double> v_free, v_domain, traction;
+  for (std::size_t f = 0; f < domain_.faces.size(); ++f) {
+    v_free.insert(v_free.end(), {free_field[f].velocity.x, free_field[f].velocity.y});
+    v_domain.insert(v_domain.end(), {stepper.face_velocities()[f].x, stepper.face_velocities()[f].y});
+    traction.insert(traction.end(), {stepper.face_tractions()[f].x, stepper.face_tractions()[f].y});
+  }
+  writer_.append_boundary(stepper.time() - stepper.dt(), {v_free, v_domain, traction});
+}
+
+void RunOutput::finish(const Stepper& stepper, std::span<const eq6::FreeField> free_field,
+                       double gravity_seconds, double waiting_seconds) {
+  write_history(stepper);
+  write_frame(stepper, free_field);
+  std::vector<std::string> names{"gravity stage", "waiting for the exchange"};
+  std::vector<double> seconds{gravity_seconds, waiting_seconds};
+  for (const Pass& pass : stepper.passes()) {
+    names.push_back(pass.name);
+    seconds.push_back(pass.seconds);
+  }
+  writer_.table("/timings", {{{"pass", "1", names}, {"seconds", "s", seconds}}});
+  writer_.finish();
+}
+
+} // namespace tremolo::mpm_domain

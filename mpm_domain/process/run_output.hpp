@@ -1,0 +1,56 @@
+#pragma once
+
+#include "mpm_domain/stepper.hpp"
+#include "results/run_file.hpp"
+#include "scene/case.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Writes a run's file as the case asks: monitors, energy, particle frames, boundary exchange, timings.
+///
+/// Everything written belongs to the time of the particle velocities, Stepper::velocity_time(): displacements
+/// are taken back by v dt/2 to it; accelerations and stresses lie half a step before and after it.
+class RunOutput {
+public:
+  /// Creates DIR/run.h5 for a domain at the start of shaking.
+  RunOutput(const std::filesystem::path& directory, const scene::Case& scene, const std::string& plan,
+            const Domain& domain, std::span<const std::string> face_sources);
+
+  /// Called after every step; writes what is due.
+  void after_step(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
+
+  /// Writes the last state and the timings, and closes the file as complete.
+  void finish(const Stepper& stepper, std::span<const eq6::FreeField> free_field, double gravity_seconds,
+              double waiting_seconds);
+
+  /// Closes the file with the reason why the run ended early.
+  void abort(const std::string& reason) { writer_.abort(reason); }
+
+private:
+  /// A monitor and the particle nearest to it at the start, which it follows.
+  struct Follower {
+    std::size_t set = 0;
+    std::uint32_t id = 0;
+    results::TimeSeries* series = nullptr;
+  };
+
+  void add_monitors();
+  void write_history(const Stepper& stepper);
+  void write_frame(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
+  void write_boundary(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
+
+  const scene::Case& scene_;
+  const Domain& domain_;
+  results::RunWriter writer_;
+  results::TimeSeries* energy_ = nullptr;
+  std::vector<Follower> followers_;
+  double next_history_ = 0.0;
+  double next_frame_ = 0.0;
+};
+
+} // namespace tremolo::mpm_domain

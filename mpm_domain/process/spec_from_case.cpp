@@ -1,0 +1,53 @@
+#include "mpm_domain/process/spec_from_case.hpp"
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+Transfer transfer(scene::Transfer choice) {
+  switch (choice) {
+  case scene::Transfer::flip:
+    return Transfer::flip;
+  case scene::Transfer::pic_blend:
+    return Transfer::pic_blend;
+  case scene::Transfer::apic:
+    break;
+  }
+  return Transfer::apic;
+}
+
+StepOrder order(scene::StepOrder choice) {
+  switch (choice) {
+  case scene::StepOrder::usf:
+    return StepOrder::usf;
+  case scene::StepOrder::musl:
+    return StepOrder::musl;
+  case scene::StepOrder::usl:
+    break;
+  }
+  return StepOrder::usl;
+}
+
+} // namespace
+
+Spec spec_from_case(const scene::Case& scene, int threads) {
+  Spec spec;
+  spec.box = {scene.mesh.box.x_min, scene.mesh.box.y_min, scene.mesh.box.x_max, scene.mesh.box.y_max};
+  spec.cell_size = scene.mesh.size;
+  spec.particles_per_cell = scene.mesh.particles_per_cell;
+  spec.gravity = scene.gravity ? scene.gravity->acceleration : 0.0;
+  for (const scene::Soil& soil : scene.soils)
+    spec.soils.push_back({soil.name, soil.law});
+  for (const scene::Region& region : scene.regions) {
+    Region& copy = spec.regions.emplace_back();
+    copy.soil = region.soil;
+    for (const scene::Point& point : region.polygon)
+      copy.polygon.push_back({point.x, point.y});
+  }
+  spec.scheme = {transfer(scene.time.transfer), order(scene.time.order), scene.time.blend_time,
+                 scene.time.fraction, scene.time.dt};
+  spec.threads = threads;
+  return spec;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,60 @@
+#pragma once
+
+// A flat elastic box shaken by a plane wave through all its faces, without processes: the traction source
+// evaluates the closed form itself.
+
+#include "mpm_domain/stepper.hpp"
+#include "tests/support/plane_wave.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace tremolo::test_support {
+
+inline mpm_domain::Spec elastic_box(double width, double depth, double h) {
+  mpm_domain::Spec spec;
+  spec.box = {0.0, -depth, width, 0.0};
+  spec.cell_size = h;
+  spec.soils = {{"soil", materials::LinearElastic{{1700.0, 40e6, 0.28}}}};
+  spec.regions = {{0, {{0.0, -depth}, {width, -depth}, {width, 0.0}, {0.0, 0.0}}}};
+  spec.threads = 2;
+  return spec;
+}
+
+/// Eq. (6) with the closed form on every face; the base takes the total field or the incident wave alone. The
+/// whole scene may move at a constant velocity.
+inline mpm_domain::TractionSource plane_wave_source(const mpm_domain::Domain& domain, const PlaneWave& wave,
+                                                    bool total_base, mpm_domain::Vector drift = {}) {
+  return [&domain, wave, total_base, drift](long, double t, std::span<const mpm_domain::Vector> v,
+                                            std::span<mpm_domain::Vector> traction) {
+    for (std::size_t f = 0; f < v.size(); ++f) {
+      const mpm_domain::BoundaryFace& face = domain.faces[f];
+      const bool incident = face.side == mpm_domain::Side::base && !total_base;
+      eq6::FreeField field = wave.at(face.position.x, face.position.y, t, incident ? 1 : 3);
+      field.velocity.x += drift.x;
+      field.velocity.y += drift.y;
+      traction[f] = eq6::boundary_traction(face.face, v[f], field, domain.static_tractions[f]);
+    }
+  };
+}
+
+/// Relative L2 error of particle velocity over the box and the time of the run, against the closed form.
+class VelocityError {
+public:
+  void add(const mpm_domain::Domain& domain, const PlaneWave& wave, double velocity_time,
+           mpm_domain::Vector drift = {}) {
+    for (const mpm_domain::Particles& set : domain.sets)
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        const eq6::Vector exact = wave.at(set.x_initial[k], set.y_initial[k], velocity_time).velocity;
+        error_ += std::pow(set.vx[k] - drift.x - exact.x, 2) + std::pow(set.vy[k] - drift.y - exact.y, 2);
+        norm_ += exact.x * exact.x + exact.y * exact.y;
+      }
+  }
+  double relative() const { return std::sqrt(error_ / norm_); }
+
+private:
+  double error_ = 0.0;
+  double norm_ = 0.0;
+};
+
+} // namespace tremolo::test_support

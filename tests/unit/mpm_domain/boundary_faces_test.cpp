@@ -1,0 +1,120 @@
+#include "mpm_domain/boundary_faces.hpp"
+#include "mpm_domain/grid_update.hpp"
+#include "mpm_domain/scatter.hpp"
+#include "tests/support/box_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tremolo::mpm_domain {
+namespace {
+
+Spec box_spec() {
+  return test_support::elastic_box(6.0, 4.0, 1.0);
+}
+
+TEST(BoundaryFaces, CoverTheThreeSidesOnce) {
+  const Domain domain(box_spec());
+  double left = 0.0, right = 0.0, base = 0.0;
+  for (const BoundaryFace& face : domain.faces) {
+    (face.side == Side::left ? left : face.side == Side::right ? right : base) += face.length;
+    if (face.side == Side::left) {
+      EXPECT_DOUBLE_EQ(face.position.x, 0.0);
+      EXPECT_DOUBLE_EQ(face.face.normal.x, -1.0);
+    }
+    if (face.side == Side::base) {
+      EXPECT_DOUBLE_EQ(face.position.y, -4.0);
+      EXPECT_DOUBLE_EQ(face.face.normal.y, -1.0);
+    }
+  }
+  EXPECT_DOUBLE_EQ(left, 4.0);
+  EXPECT_DOUBLE_EQ(right, 4.0);
+  EXPECT_DOUBLE_EQ(base, 6.0);
+}
+
+/// The domain and its faces after the particles were shifted by (dx, dy).
+struct Shifted {
+  Domain domain;
+  std::vector<FaceWeights> weights;
+
+  Shifted(double dx, double dy) : domain(box_spec()) {
+    for (Particles& set : domain.sets) {
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        set.x[k] += dx;
+        set.y[k] += dy;
+      }
+      sort_by_cell(set, domain.grid, domain.half_size());
+    }
+    for (const BoundaryFace& face : domain.faces)
+      weights.push_back(face_weights(face, domain.sets[face.set], domain.grid));
+  }
+};
+
+class ShiftedFaces : public testing::TestWithParam<Vector> {};
+
+TEST_P(ShiftedFaces, WeightsSumToOne) {
+  const Shifted s(GetParam().x, GetParam().y);
+  for (const FaceWeights& weights : s.weights) {
+    double sum = 0.0;
+    for (const FaceWeight& weight : weights) {
+      sum += weight.w;
+      EXPECT_GE(weight.w, -1e-12);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+  }
+}
+
+// A uniform stress and its own tractions leave no force at any node away from the free surface, however the
+// boundary cuts its cells.
+TEST_P(ShiftedFaces, TractionsBalanceAUniformStress) {
+  Shifted s(GetParam().x, GetParam().y);
+  const double sxx = -3e4, syy = -1e5, sxy = 2e4;
+  for (Particles& set : s.domain.sets) {
+    set.sxx.assign(set.size(), sxx);
+    set.syy.assign(set.size(), syy);
+    set.sxy.assign(set.size(), sxy);
+  }
+  scatter(s.domain, ScatterPart::force);
+  std::vector<Vector> traction;
+  for (const BoundaryFace& face : s.domain.faces) {
+    const Vector n = face.face.normal;
+    traction.push_back({sxx * n.x + sxy * n.y, sxy * n.x + syy * n.y});
+  }
+  spread_tractions(s.domain, s.weights, traction);
+  const Grid& grid = s.domain.grid;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      if (grid.y0 + j * grid.h > -1.5)
+        continue;
+      const Lanes force = grid.sums[grid.index(i, j)].force;
+      EXPECT_NEAR(force[0], 0.0, 1e-12 * 1e5) << "node " << i << ", " << j;
+      EXPECT_NEAR(force[1], 0.0, 1e-12 * 1e5) << "node " << i << ", " << j;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shifts, ShiftedFaces,
+                         testing::Values(Vector{0.0, 0.0}, Vector{1e-9, -1e-9}, Vector{0.13, -0.29},
+                                         Vector{-0.8, 0.4}));
+
+// -C (v+ + v-)/2 with the same impedance as the soil behind it: whatever the mass of a node, it stays
+// bounded.
+TEST(Dashpot, ANodeWithHardlyAnyMassIsBoundedByItsDashpot) {
+  Shifted s(0.0, -1e-7); // the base sticks out below a row of nodes by a ten-millionth of a cell
+  scatter(s.domain, ScatterPart::both);
+  grid_velocities(s.domain);
+  const double traction = 1e4;
+  spread_tractions(s.domain, s.weights, std::vector<Vector>(s.domain.faces.size(), {0.0, traction}));
+  update_grid(s.domain, 1e-3);
+  const double impedance = s.domain.faces.front().face.impedance_p;
+  double fastest = 0.0;
+  for (std::size_t n = 0; n < s.domain.grid.size(); ++n)
+    fastest = std::max(fastest, std::abs(s.domain.grid.motion[n].velocity[3]));
+  EXPECT_GT(fastest, 0.0);
+  EXPECT_LT(fastest, 2.0 * traction / impedance *
+                         (s.domain.faces.front().face.impedance_p / s.domain.faces.front().face.impedance_s));
+}
+
+} // namespace
+} // namespace tremolo::mpm_domain

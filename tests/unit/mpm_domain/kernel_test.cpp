@@ -1,0 +1,72 @@
+#include "mpm_domain/kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace tremolo::mpm_domain {
+namespace {
+
+/// The hat function averaged over the particle's box by quadrature: the definition of S, written without its
+/// formula.
+double averaged_hat(double node, double x, const Axis& axis) {
+  constexpr int n = 20000;
+  double sum = 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double s = x - axis.half_size + 2.0 * axis.half_size * (i + 0.5) / n;
+    sum += std::max(0.0, 1.0 - std::abs(s - node) / axis.h);
+  }
+  return sum / n;
+}
+
+class Kernel : public testing::TestWithParam<double> {
+protected:
+  Axis axis_{-3.0, 0.5, 0.5 * GetParam()};
+};
+
+TEST_P(Kernel, WeightsAreTheAveragedHatFunctions) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  for (int i = 0; i < 20; ++i) {
+    const double x = place(random);
+    const Weights w = gimp_weights(x, axis_);
+    for (int a = 0; a < 3; ++a)
+      EXPECT_NEAR(w.s[a], averaged_hat(axis_.origin + (w.base + a) * axis_.h, x, axis_), 1e-8);
+  }
+}
+
+TEST_P(Kernel, ReproducesLinearFieldsAndTheirGradient) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  for (int i = 0; i < 200; ++i) {
+    const Weights w = gimp_weights(place(random), axis_);
+    EXPECT_NEAR(w.s[0] + w.s[1] + w.s[2], 1.0, 1e-14);
+    EXPECT_NEAR(w.s[0] * w.d[0] + w.s[1] * w.d[1] + w.s[2] * w.d[2], 0.0, 1e-14);
+    EXPECT_NEAR(w.g[0] + w.g[1] + w.g[2], 0.0, 1e-13);
+    EXPECT_NEAR(w.g[0] * w.d[0] + w.g[1] * w.d[1] + w.g[2] * w.d[2], 1.0, 1e-13);
+    EXPECT_GE(std::min({w.s[0], w.s[1], w.s[2]}), -1e-15);
+    EXPECT_GE(second_moment(w), axis_.half_size * axis_.half_size / 3.0 - 1e-15);
+  }
+}
+
+TEST_P(Kernel, GradientIsTheDerivativeOfTheWeight) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  const double step = 1e-6;
+  for (int i = 0; i < 50; ++i) {
+    const double x = place(random);
+    const Weights w = gimp_weights(x, axis_);
+    const Weights left = gimp_weights(x - step, axis_);
+    const Weights right = gimp_weights(x + step, axis_);
+    if (left.base != right.base)
+      continue;
+    for (int a = 0; a < 3; ++a)
+      EXPECT_NEAR(w.g[a], (right.s[a] - left.s[a]) / (2.0 * step), 1e-5);
+  }
+}
+
+// One to four particles per cell: half size h/2 ... h/8.
+INSTANTIATE_TEST_SUITE_P(ParticleSizes, Kernel, testing::Values(0.5, 0.25, 0.5 / 3.0, 0.125));
+
+} // namespace
+} // namespace tremolo::mpm_domain
