@@ -50,3 +50,17 @@ function(tremolo_test name)
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
 endfunction()
+
+# The system's own interpreter: the one that has the Debian packages python3-numpy, python3-h5py, ...
+set(TREMOLO_PYTHON /usr/bin/python3)
+
+# tremolo_python_test(name SCRIPT x.py LABELS fast ... [ARGS a b ...] [TIMEOUT seconds])
+# A Python script that fails by its exit status.
+function(tremolo_python_test name)
+  cmake_parse_arguments(ARG "" "SCRIPT;TIMEOUT" "LABELS;ARGS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  add_test(NAME ${name} COMMAND ${TREMOLO_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_SCRIPT} ${ARG_ARGS})
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,111 @@
+"""Who may include whom, and how long a file may be.
+
+    usage: test_architecture.py SOURCE_DIR
+"""
+
+import re
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(sys.argv.pop(1)).resolve()
+LONGEST_FILE = 500  # lines
+
+# Libraries: folder -> folders whose headers it may include besides its own. coupler/eq6 is a leaf of its own.
+LIBRARIES = {
+    "wavefield": set(),
+    "materials": set(),
+    "results": set(),
+    "coupler/eq6": set(),
+    "freefield": {"materials"},
+    "mpm_domain": {"materials", "results", "coupler/eq6"},
+    "scene": {"materials"},
+    "coupler": {"results", "coupler/eq6"},
+    "app": {"scene", "coupler", "results", "wavefield"},
+}
+
+# Mains of processes, in <library>/process/ or <library>/main.cpp: their library's folders and these.
+PROCESSES = {
+    "wavefield": {"scene", "coupler"},
+    "freefield": {"materials", "scene", "coupler"},
+    "mpm_domain": {"materials", "results", "coupler/eq6", "scene", "coupler"},
+}
+
+SOURCES = {".cpp", ".hpp", ".py", ".sh", ".cmake"}
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
+
+
+def folder_of(path):
+    """The architectural folder of a path relative to the root, e.g. coupler/eq6."""
+    return "coupler/eq6" if path.startswith("coupler/eq6/") else path.split("/")[0]
+
+
+def is_process(path):
+    return path.split("/")[1] in ("process", "main.cpp")
+
+
+def allowed(path):
+    folder = folder_of(path)
+    others = LIBRARIES[folder]
+    if folder in PROCESSES and is_process(path):
+        others = others | PROCESSES[folder]
+    return others | {folder}
+
+
+def sources(folder, suffixes):
+    return sorted(p for p in (ROOT / folder).rglob("*") if p.suffix in suffixes and p.is_file())
+
+
+def forbidden_includes():
+    for folder in sorted({folder.split("/")[0] for folder in LIBRARIES}):
+        for file in sources(folder, {".cpp", ".hpp"}):
+            path = file.relative_to(ROOT).as_posix()
+            for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+                match = INCLUDE.match(line)
+                if match and folder_of(match[1]) not in allowed(path):
+                    yield f"{path}:{number}: includes {match[1]}; {path} may know {sorted(allowed(path))}"
+
+
+class Architecture(unittest.TestCase):
+    def test_includes_follow_the_table(self):
+        self.assertEqual([], list(forbidden_includes()))
+
+    def test_every_included_file_of_ours_exists(self):
+        for folder in sorted({folder.split("/")[0] for folder in LIBRARIES}):
+            for file in sources(folder, {".cpp", ".hpp"}):
+                for name in re.findall(r'^#include "([^"]+)"', file.read_text(encoding="utf-8"), re.MULTILINE):
+                    self.assertTrue((ROOT / name).is_file(), f"{file.relative_to(ROOT)} includes {name}")
+
+    def test_libraries_do_not_include_their_process(self):
+        for folder in PROCESSES:
+            for file in sources(folder, {".cpp", ".hpp"}):
+                path = file.relative_to(ROOT).as_posix()
+                if not is_process(path):
+                    self.assertNotIn(f'#include "{folder}/process/', file.read_text(encoding="utf-8"), path)
+
+    def test_no_file_is_too_long(self):
+        folders = {folder.split("/")[0] for folder in LIBRARIES} | {"tests", "python", "scripts", "cmake", "cases"}
+        long_files = {}
+        for folder in folders:
+            for file in sources(folder, SOURCES):
+                lines = len(file.read_text(encoding="utf-8").splitlines())
+                if lines > LONGEST_FILE:
+                    long_files[file.relative_to(ROOT).as_posix()] = lines
+        self.assertEqual({}, long_files)
+
+
+class TheCheckItself(unittest.TestCase):
+    """The table is read as it is meant."""
+
+    def test_processes_may_know_more_than_their_library(self):
+        self.assertNotIn("scene", allowed("mpm_domain/domain.cpp"))
+        self.assertIn("scene", allowed("mpm_domain/process/main.cpp"))
+
+    def test_eq6_is_a_leaf_of_its_own(self):
+        self.assertIn(folder_of("coupler/eq6/boundary_traction.hpp"), allowed("mpm_domain/domain.cpp"))
+        self.assertNotIn(folder_of("coupler/hub.hpp"), allowed("mpm_domain/domain.cpp"))
+        self.assertEqual({"coupler/eq6"}, allowed("coupler/eq6/boundary_traction.hpp"))
+
+
+if __name__ == "__main__":
+    unittest.main()
