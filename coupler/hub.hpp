@@ -1,0 +1,181 @@
+#pragma once
+
+// The hub: the one place where all participants meet. A ROUTER socket and a table of participants; every
+// message advances the table, every tick checks its deadlines. It never blocks and never starts or stops a
+// process (launcher.hpp does), so it can be tested on its own.
+//
+//     participant               hub
+//       HELLO  ------------------>   checked against what the run expects; REFUSE otherwise
+//             <------------------  WELCOME to all, once all are there
+//       READY (domain) ---------->   faces checked against what sources serve
+//             <------------------  CREDIT to sources
+//       frames ------------------>   to the domain (window) or into Eq. (6) (lockstep)
+//       BYE (domain) ------------>
+//             <------------------  BYE to sources
+//       BYE (sources) ----------->   finished
+
+#include "coupler/boundary_exchange.hpp"
+#include "coupler/field.hpp"
+#include "coupler/frame.hpp"
+#include "coupler/messages.hpp"
+#include "coupler/mode.hpp"
+#include "coupler/participant_options.hpp"
+#include "coupler/timing.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+#include <zmq.hpp>
+
+namespace tremolo::coupler {
+
+enum class Role { source, domain };
+
+std::string_view name(Role role);
+
+struct ExpectedParticipant {
+  std::string name;
+  Role role = Role::source;
+};
+
+struct HubOptions {
+  std::uint64_t session = 0;
+  Mode mode = Mode::window;
+  std::string case_crc;                          ///< file_crc() of the case that all must have read
+  std::vector<ExpectedParticipant> participants; ///< one domain and its sources
+  Deadlines deadlines;
+  std::function<void(const std::string&)> note; ///< told what was refused without ending the run
+};
+
+/// Why the run cannot go on.
+struct Failure {
+  std::string participant; ///< the one it is about; empty if none
+  std::string text;
+};
+
+/// Where the domain is.
+struct Progress {
+  std::string stage = "start";
+  std::uint64_t step = 0;
+  double time = 0.0;     ///< simulated, s
+  double end_time = 0.0; ///< s
+};
+
+/// What a participant says of itself at the end.
+struct ParticipantReport {
+  std::vector<PassTime> passes;
+  double waiting = 0.0;          ///< for the exchange, s
+  double particle_updates = 0.0; ///< the domain's; 0 otherwise
+};
+
+class Hub {
+public:
+  /// @param endpoint "ipc:///..." or "tcp://127.0.0.1:*"
+  /// @throws Error if it cannot be bound
+  Hub(zmq::context_t& context, const std::string& endpoint, HubOptions options);
+
+  /// The address to give to participants: with the port that was found.
+  [[nodiscard]] std::string endpoint() const;
+
+  /// To poll on.
+  [[nodiscard]] zmq::socket_ref socket() { return socket_; }
+
+  /// Takes all messages that wait.
+  void take_messages();
+
+  /// Beats, and looks whether somebody has waited too long. Call it several times a second.
+  void tick();
+
+  /// Tells every participant that the run is over and why.
+  void abort(const std::string& reason);
+
+  /// The first failure, if any. The caller ends the run.
+  [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
+
+  [[nodiscard]] bool finished() const;
+  /// Whether a participant has said BYE: its process may end.
+  [[nodiscard]] bool has_left(const std::string& participant) const;
+  [[nodiscard]] const Progress& progress() const { return progress_; }
+  [[nodiscard]] const std::map<std::string, ParticipantReport>& reports() const { return reports_; }
+
+private:
+  /// What has come of a source's field and how far it may go.
+  struct Outlet {
+    std::uint64_t next_step = 0;
+    std::uint64_t credit = 0;
+  };
+  struct Participant {
+    ExpectedParticipant expected;
+    std::uint32_t number = 0;
+    std::string routing_id; ///< empty before HELLO
+    std::string build;
+    Clock::time_point last_heard;
+    bool left = false;
+    std::vector<FieldDescription> fields;
+    std::vector<Outlet> outlets;
+  };
+  /// The domain's wait for a source.
+  struct Wait {
+    BoundaryExchange::Missing awaited;
+    Clock::time_point since;
+  };
+  /// A step of the domain in mode lockstep that still lacks source steps.
+  struct PendingStep {
+    std::uint64_t step = 0;
+    double time = 0.0;
+    std::vector<eq6::Vector> v_domain;
+  };
+
+  void take(const std::string& routing_id, std::span<const std::byte> bytes);
+  void take_hello(const std::string& routing_id, const Message& message);
+  std::optional<std::string> objection(const Participant& participant, const nlohmann::json& hello) const;
+  void welcome_all();
+  void take_message(Participant& participant, const Message& message);
+  void take_ready(Participant& domain, const nlohmann::json& body);
+  void take_credit(const nlohmann::json& body);
+  void take_beat(const Participant& participant, const nlohmann::json& body);
+  void take_bye(Participant& participant, const nlohmann::json& body);
+  void take_source_frame(Participant& source, std::span<const std::byte> bytes);
+  void take_velocities(Participant& domain, std::span<const std::byte> bytes);
+  void answer_pending_step();
+  void grant(Participant& source, std::uint32_t field, std::uint64_t steps);
+  void note_wait(const std::optional<BoundaryExchange::Missing>& awaited);
+
+  void check_connect_deadline();
+  void check_domain_deadline();
+  void check_source_deadline();
+
+  void refuse(const std::string& routing_id, const std::string& reason);
+  void fail(const std::string& participant, const std::string& text);
+  void send(const Participant& participant, const Message& message);
+  void forward(const Participant& participant, std::span<const std::byte> bytes);
+  bool send_bytes(const std::string& routing_id, std::span<const std::byte> bytes);
+
+  [[nodiscard]] Participant* find_name(const std::string& name);
+  [[nodiscard]] Participant* find_routing_id(const std::string& routing_id);
+  [[nodiscard]] Participant& domain();
+  [[nodiscard]] std::vector<SourceDescription> sources() const;
+
+  HubOptions options_;
+  zmq::socket_t socket_;
+  std::vector<Participant> participants_;
+  Clock::time_point start_;
+  Clock::time_point last_beat_;
+  bool welcomed_ = false;
+  bool ready_ = false;
+  std::size_t face_count_ = 0;
+  std::uint64_t next_domain_step_ = 0;
+  std::optional<BoundaryExchange> exchange_; ///< mode lockstep
+  std::optional<PendingStep> pending_;       ///< mode lockstep
+  std::optional<Wait> wait_;
+  std::optional<Failure> failure_;
+  Progress progress_;
+  std::map<std::string, ParticipantReport> reports_;
+};
+
+} // namespace tremolo::coupler

@@ -1,0 +1,170 @@
+// The data side of the hub: READY, credits, frames, and who waits for whom.
+
+#include "coupler/error.hpp"
+#include "coupler/hub.hpp"
+#include "coupler/layout.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace tremolo::coupler {
+
+using nlohmann::json;
+
+void Hub::take_ready(Participant& participant, const json& body) {
+  auto faces = faces_from(body.at("faces"));
+  const auto start_time = body.at("start_time").get<double>();
+  const auto end_time = body.at("end_time").get<double>();
+  ready_ = true;
+  face_count_ = faces.size();
+  try {
+    BoundaryExchange exchange(sources(), std::move(faces), start_time, end_time);
+    if (options_.mode == Mode::lockstep)
+      exchange_.emplace(std::move(exchange));
+  } catch (const std::invalid_argument& error) {
+    fail(participant.expected.name, fmt::format("domain '{}': {}", participant.expected.name, error.what()));
+    return;
+  }
+  if (exchange_)
+    for (const auto& credit : exchange_->new_credits())
+      grant(participants_.at(credit.address.sender - 1), credit.address.field, credit.steps);
+}
+
+void Hub::take_credit(const json& body) {
+  const auto number = body.at("source").get<std::uint32_t>();
+  if (number == 0 || number > participants_.size())
+    throw Error(fmt::format("CREDIT for participant {}, which does not exist", number));
+  grant(participants_[number - 1], body.at("field").get<std::uint32_t>(),
+        body.at("steps").get<std::uint64_t>());
+}
+
+void Hub::grant(Participant& source, std::uint32_t field, std::uint64_t steps) {
+  if (field >= source.outlets.size())
+    throw Error(
+        fmt::format("CREDIT for field {} of '{}', which does not exist", field, source.expected.name));
+  auto& credit = source.outlets[field].credit;
+  credit = std::max(credit, std::min(steps, source.fields[field].step_count));
+  send(source, {"CREDIT", {{"field", field}, {"steps", credit}}});
+}
+
+void Hub::take_beat(const Participant& participant, const json& body) {
+  if (participant.expected.role != Role::domain)
+    return;
+  progress_ = {body.at("stage").get<std::string>(), body.at("step").get<std::uint64_t>(),
+               body.at("time").get<double>(), body.at("end_time").get<double>()};
+  if (options_.mode == Mode::lockstep)
+    return;
+  std::optional<BoundaryExchange::Missing> awaited;
+  if (const auto waiting = body.find("waiting"); waiting != body.end())
+    awaited = {waiting->at("source").get<std::string>(), waiting->at("field").get<std::string>(),
+               waiting->at("step").get<std::uint64_t>()};
+  note_wait(awaited);
+}
+
+void Hub::note_wait(const std::optional<BoundaryExchange::Missing>& awaited) {
+  if (!awaited)
+    wait_.reset();
+  else if (!wait_ || wait_->awaited.source != awaited->source || wait_->awaited.step != awaited->step)
+    wait_ = Wait{*awaited, Clock::now()};
+}
+
+void Hub::take_source_frame(Participant& source, std::span<const std::byte> bytes) {
+  const auto field = claimed_origin(bytes).field;
+  if (field >= source.fields.size())
+    throw Error(fmt::format("a frame of field {}, but it serves {} fields", field, source.fields.size()));
+  auto& outlet = source.outlets[field];
+  const auto& description = source.fields[field];
+  const auto decoded =
+      decode(bytes, {.session = options_.session,
+                     .sender = source.number,
+                     .field = field,
+                     .step = outlet.next_step,
+                     .count = static_cast<std::uint32_t>(description.values_per_step()),
+                     .most_steps = static_cast<std::uint32_t>(outlet.credit - outlet.next_step)});
+  if (const auto* error = std::get_if<FrameError>(&decoded))
+    throw Error(fmt::format("field '{}', step {}: {}", description.name, outlet.next_step, error->text));
+  const auto& frame = std::get<Frame>(decoded);
+  source.last_heard = Clock::now();
+  outlet.next_step += frame.header.steps;
+  if (!exchange_) {
+    // Byte for byte: the source's own checksum is checked again where the numbers are used.
+    if (!domain().left)
+      forward(domain(), bytes);
+    return;
+  }
+  exchange_->find({source.number, field})->history.append(frame.values);
+  answer_pending_step();
+}
+
+void Hub::take_velocities(Participant& participant, std::span<const std::byte> bytes) {
+  if (!ready_)
+    throw Error("velocities before READY");
+  const std::size_t count = layout::velocities(face_count_);
+  const auto decoded = decode(bytes, {.session = options_.session,
+                                      .sender = participant.number,
+                                      .step = next_domain_step_,
+                                      .count = static_cast<std::uint32_t>(count),
+                                      .most_steps = options_.mode == Mode::lockstep ? 1U : ~0U});
+  if (const auto* error = std::get_if<FrameError>(&decoded))
+    throw Error(fmt::format("velocities of step {}: {}", next_domain_step_, error->text));
+  const auto& frame = std::get<Frame>(decoded);
+  participant.last_heard = Clock::now();
+  next_domain_step_ += frame.header.steps;
+  wait_.reset();
+  if (!exchange_)
+    return;
+  if (pending_)
+    throw Error(
+        fmt::format("step {} before the tractions of step {} were sent", frame.header.step, pending_->step));
+  pending_ = PendingStep{frame.header.step, frame.values.front(), std::vector<eq6::Vector>(face_count_)};
+  for (std::size_t i = 0; i < face_count_; ++i)
+    pending_->v_domain[i] = {frame.values[1 + 2 * i], frame.values[2 + 2 * i]};
+  answer_pending_step();
+}
+
+void Hub::answer_pending_step() {
+  if (!pending_)
+    return;
+  note_wait(exchange_->missing(pending_->time));
+  if (wait_)
+    return;
+  std::vector<eq6::FreeField> free_field(face_count_);
+  std::vector<eq6::Vector> tractions(face_count_);
+  exchange_->evaluate(pending_->time, pending_->v_domain, free_field, tractions);
+  std::vector<double> values;
+  values.reserve(layout::per_face * face_count_);
+  for (std::size_t i = 0; i < face_count_; ++i) {
+    const auto& [v, s] = free_field[i];
+    values.insert(values.end(), {tractions[i].x, tractions[i].y, v.x, v.y, s.xx, s.yy, s.xy});
+  }
+  forward(domain(), encode({.session = options_.session,
+                            .step = pending_->step,
+                            .steps = 1,
+                            .count = static_cast<std::uint32_t>(values.size())},
+                           values));
+  pending_.reset();
+  for (const auto& credit : exchange_->new_credits())
+    grant(participants_.at(credit.address.sender - 1), credit.address.field, credit.steps);
+}
+
+void Hub::check_source_deadline() {
+  if (!wait_)
+    return;
+  const auto* source = find_name(wait_->awaited.source);
+  if (source == nullptr)
+    return;
+  // A source that gives signs of life from its solver's thread is slow, not stuck.
+  const double silence = std::min(seconds_since(wait_->since), seconds_since(source->last_heard));
+  if (silence < options_.deadlines.step)
+    return;
+  fail(source->expected.name,
+       fmt::format("domain '{}' waits for source '{}', field '{}', step {}, since {:.1f} s (deadline {} s); "
+                   "last sign of "
+                   "life of '{}' {:.1f} s ago",
+                   domain().expected.name, wait_->awaited.source, wait_->awaited.field, wait_->awaited.step,
+                   seconds_since(wait_->since), options_.deadlines.step, source->expected.name,
+                   seconds_since(source->last_heard)));
+}
+
+} // namespace tremolo::coupler

@@ -1,0 +1,194 @@
+#include "coupler/launcher.hpp"
+
+#include "coupler/messages.hpp"
+#include "coupler/termination.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <fmt/format.h>
+#include <optional>
+#include <random>
+
+namespace tremolo::coupler {
+
+namespace {
+
+constexpr std::chrono::milliseconds tick{50};
+/// What survivors of a failure have to close their files before they are killed.
+constexpr double abort_grace_s = 1.0;
+/// The same when the user interrupts: there is no hurry then, and a second Ctrl-C ends it at once.
+constexpr double interrupt_grace_s = 10.0;
+constexpr std::size_t shown_lines = 8;
+
+std::uint64_t random_session() {
+  std::random_device device;
+  return (static_cast<std::uint64_t>(device()) << 32) | device();
+}
+
+HubOptions hub_options(const LaunchOptions& launch) {
+  HubOptions hub{.session = random_session(),
+                 .mode = launch.mode,
+                 .case_crc = file_crc(launch.case_file),
+                 .participants = {},
+                 .deadlines = launch.deadlines,
+                 .note = launch.note};
+  for (const auto& process : launch.processes)
+    hub.participants.push_back({process.name, process.role});
+  return hub;
+}
+
+class Run {
+public:
+  explicit Run(const LaunchOptions& options)
+      : options_(options), endpoint_(options.transport), hub_options_(hub_options(options)),
+        hub_(context_, endpoint_.address(), hub_options_) {
+    const auto log_folder = options_.out / "log";
+    std::filesystem::create_directories(log_folder);
+    for (const auto& process : options_.processes)
+      children_.emplace_back(process.name, command(process), log_folder / (process.name + ".log"));
+  }
+
+  std::vector<ProcessSummary> to_its_end() {
+    while (!all_ended()) {
+      wait_for_news();
+      if (const auto signal = signals_.termination())
+        stop_interrupted(*signal);
+      watch_children();
+      hub_.tick();
+      if (hub_.failure())
+        stop_failed(*hub_.failure());
+      end_stragglers();
+      options_.on_progress(hub_.progress());
+    }
+    return summaries();
+  }
+
+private:
+  std::vector<std::string> command(const ProcessSpec& process) const {
+    std::vector<std::string> words{process.program.string()};
+    const auto arguments = command_line({.case_file = options_.case_file,
+                                         .name = process.name,
+                                         .endpoint = hub_.endpoint(),
+                                         .session = hub_options_.session,
+                                         .threads = process.threads,
+                                         .out = options_.out,
+                                         .deadlines = options_.deadlines});
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return words;
+  }
+
+  void wait_for_news() {
+    std::array<zmq::pollitem_t, 2> items{
+        {{hub_.socket().handle(), 0, ZMQ_POLLIN, 0}, {nullptr, signals_.descriptor(), ZMQ_POLLIN, 0}}};
+    zmq::poll(items.data(), items.size(), tick);
+    hub_.take_messages();
+  }
+
+  bool all_ended() {
+    return std::all_of(children_.begin(), children_.end(), [](auto& child) { return child.ended(); });
+  }
+
+  /// A process may end only after its BYE, and then well.
+  void watch_children() {
+    for (auto& child : children_) {
+      if (!child.ended() || (hub_.has_left(child.name()) && child.succeeded()))
+        continue;
+      // Its last words may have arrived together with its end, and they tell more.
+      hub_.take_messages();
+      if (hub_.failure())
+        stop_failed(*hub_.failure());
+      if (!hub_.has_left(child.name()) || !child.succeeded())
+        stop_failed({child.name(), ""});
+    }
+  }
+
+  /// When the domain is done the results are written: whoever stays longer than the shutdown deadline is
+  /// ended.
+  void end_stragglers() {
+    const auto domain = std::find_if(options_.processes.begin(), options_.processes.end(),
+                                     [](const auto& p) { return p.role == Role::domain; });
+    if (!hub_.has_left(domain->name))
+      return;
+    if (!domain_left_)
+      domain_left_ = Clock::now();
+    if (seconds_since(*domain_left_) < options_.deadlines.shutdown)
+      return;
+    for (auto& child : children_)
+      if (!child.ended()) {
+        options_.note(fmt::format("killed '{}', which was still there {} s after the domain had finished",
+                                  child.name(), options_.deadlines.shutdown));
+        child.kill();
+      }
+  }
+
+  [[noreturn]] void stop_failed(const Failure& failure) {
+    const auto culprit = std::find_if(children_.begin(), children_.end(),
+                                      [&](const auto& child) { return child.name() == failure.participant; });
+    const std::string headline = culprit == children_.end() ? failure.text : describe(*culprit, failure.text);
+    hub_.abort(headline);
+    stop_all(abort_grace_s);
+    std::string text = headline;
+    if (culprit != children_.end()) {
+      if (!failure.text.empty())
+        text = fmt::format("{} ('{}' {})", failure.text, culprit->name(), culprit->ending());
+      const auto lines = culprit->last_lines(shown_lines);
+      text += lines.empty() ? fmt::format("; '{}' wrote nothing", culprit->name())
+                            : fmt::format("; the last lines of '{}':", culprit->name());
+      for (const auto& line : lines)
+        text += "\n    " + line;
+    }
+    throw RunFailed(text, 1);
+  }
+
+  static std::string describe(const ChildProcess& child, const std::string& reason) {
+    return reason.empty() ? fmt::format("'{}' {} before the run was over", child.name(), child.ending())
+                          : reason;
+  }
+
+  [[noreturn]] void stop_interrupted(int signal) {
+    const std::string text =
+        fmt::format("interrupted by {}", signal == SIGINT ? "Ctrl-C (SIGINT)" : "SIGTERM");
+    options_.note(text + ": waiting for files to be closed; Ctrl-C again to kill");
+    hub_.abort(text);
+    stop_all(interrupt_grace_s);
+    throw RunFailed(fmt::format("{}; what was computed until then is in {}", text, options_.out.string()),
+                    128 + signal);
+  }
+
+  void stop_all(double grace_s) {
+    const auto start = Clock::now();
+    while (!all_ended() && seconds_since(start) < grace_s && !signals_.termination())
+      wait_for_news();
+    for (auto& child : children_)
+      child.kill();
+  }
+
+  std::vector<ProcessSummary> summaries() const {
+    std::vector<ProcessSummary> list;
+    for (const auto& child : children_) {
+      const auto report = hub_.reports().find(child.name());
+      list.push_back({child.name(), child.wall_seconds(), child.cpu_seconds(),
+                      report == hub_.reports().end() ? ParticipantReport{} : report->second});
+    }
+    return list;
+  }
+
+  const LaunchOptions& options_;
+  SignalWatch signals_; // before the context, whose threads inherit the blocked signals
+  RunEndpoint endpoint_;
+  HubOptions hub_options_;
+  zmq::context_t context_;
+  Hub hub_;
+  std::vector<ChildProcess> children_;
+  std::optional<Clock::time_point> domain_left_;
+};
+
+} // namespace
+
+std::vector<ProcessSummary> launch(const LaunchOptions& options) {
+  return Run(options).to_its_end();
+}
+
+} // namespace tremolo::coupler

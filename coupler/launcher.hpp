@@ -1,0 +1,63 @@
+#pragma once
+
+// Starts the participants of a run, carries their messages (hub.hpp), and watches them: all end well, or all
+// end. A participant that dies, or that fails a deadline, ends the run at once with one message that names
+// it.
+
+#include "coupler/child_process.hpp"
+#include "coupler/error.hpp"
+#include "coupler/hub.hpp"
+#include "coupler/mode.hpp"
+#include "coupler/participant_options.hpp"
+#include "coupler/run_endpoint.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tremolo::coupler {
+
+/// A process to start. It gets the command line of ParticipantOptions.
+struct ProcessSpec {
+  std::string name;
+  Role role = Role::source;
+  std::filesystem::path program;
+  int threads = 1;
+};
+
+struct LaunchOptions {
+  std::filesystem::path case_file;
+  std::filesystem::path out; ///< the run's folder, which exists; logs go to out/log/NAME.log
+  std::vector<ProcessSpec> processes;
+  Mode mode = Mode::window;
+  Transport transport = Transport::ipc;
+  Deadlines deadlines;
+  std::function<void(const Progress&)> on_progress; ///< called several times a second
+  std::function<void(const std::string&)> note;     ///< one line about something that does not end the run
+};
+
+struct ProcessSummary {
+  std::string name;
+  double wall_seconds = 0.0;
+  double cpu_seconds = 0.0;
+  ParticipantReport report;
+};
+
+/// The run did not end well; the text names the culprit, how it ended and its last lines.
+class RunFailed : public Error {
+public:
+  RunFailed(const std::string& text, int exit_status) : Error(text), exit_status_(exit_status) {}
+  /// For the shell: 1, or 128 + signal if the user interrupted the run.
+  [[nodiscard]] int exit_status() const { return exit_status_; }
+
+private:
+  int exit_status_;
+};
+
+/// Runs all processes to their end. On Ctrl-C or SIGTERM all are told to close their files; a second Ctrl-C
+/// kills them.
+/// @throws RunFailed when no process is left; Error if the run cannot be set up
+std::vector<ProcessSummary> launch(const LaunchOptions& options);
+
+} // namespace tremolo::coupler

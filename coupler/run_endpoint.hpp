@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace tremolo::coupler {
+
+/// How processes of a run reach the hub.
+enum class Transport {
+  ipc, ///< a socket file in a folder that only this user can enter
+  tcp  ///< a free port of the loopback interface
+};
+
+/// @throws std::invalid_argument naming the value and the two that exist
+Transport transport_from(std::string_view name);
+
+/// The address that the hub of one run binds. For ipc it owns a fresh folder of mode 0700 under
+/// $XDG_RUNTIME_DIR or the temporary folder, so no other user can connect and no other run can take the
+/// address over; removed at the end.
+class RunEndpoint {
+public:
+  /// @throws Error if the folder cannot be made or its path is too long for a socket
+  explicit RunEndpoint(Transport transport);
+  ~RunEndpoint();
+  RunEndpoint(const RunEndpoint&) = delete;
+  RunEndpoint& operator=(const RunEndpoint&) = delete;
+
+  [[nodiscard]] const std::string& address() const { return address_; }
+
+private:
+  std::filesystem::path folder_;
+  std::string address_;
+};
+
+} // namespace tremolo::coupler
