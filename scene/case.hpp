@@ -175,6 +175,7 @@ struct Case {
   std::vector<Region> regions;
   std::vector<Layer> profile; ///< from the surface down; empty: the half-space reaches the surface
   Damping damping;            ///< of the columns
+  double damping_ratio = 0.0; ///< of the half-space within a column
   Column column;
   Mesh mesh;
   TimeStepping time;

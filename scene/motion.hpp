@@ -39,6 +39,8 @@ public:
 
 private:
   class Shape;
+  class Ricker;
+  class Spline;
   Motion(std::shared_ptr<const Shape> shape, double begin, double end, double highest_frequency);
 
   std::shared_ptr<const Shape> shape_;

@@ -1,0 +1,25 @@
+#include "app/commands.hpp"
+
+#include "scene/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+namespace tremolo::app {
+
+void add_check(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("check", "Check a case file and report everything that is wrong with it");
+  const auto file = std::make_shared<std::string>();
+  command->add_option("CASE", *file, "Case file")->required();
+  command->callback([file] {
+    const auto scene = scene::load(*file);
+    const auto plan = scene::plan(scene);
+    fmt::print("{}: ok, {} soils, {} particles, {} steps of {:.3g} s, {} free-field processes\n", *file,
+               scene.soils.size(), plan.particles, plan.steps, plan.dt, plan.sources.size());
+  });
+}
+
+} // namespace tremolo::app

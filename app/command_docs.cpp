@@ -1,0 +1,35 @@
+#include "app/commands.hpp"
+
+#include "scene/reference.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace tremolo::app {
+
+namespace {
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  if (!stream.flush())
+    throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+} // namespace
+
+void add_docs(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("docs", "Write the generated reference: case-file.md and case.schema.json");
+  const auto folder = std::make_shared<std::string>();
+  command->add_option("FOLDER", *folder, "Existing folder to write to")->required();
+  command->callback([folder] {
+    write(std::filesystem::path(*folder) / "case-file.md", scene::reference_markdown());
+    write(std::filesystem::path(*folder) / "case.schema.json", scene::reference_json_schema());
+  });
+}
+
+} // namespace tremolo::app

@@ -1,0 +1,22 @@
+#pragma once
+
+// The sub-commands of `tremolo`. Each adds itself to the command line; its callback does the work and leaves
+// by an exception where it fails: main turns that into a message and an exit status.
+
+#include <CLI/CLI.hpp>
+
+namespace tremolo::app {
+
+/// The command ends with this status; everything has been said already.
+struct Exit {
+  int status;
+};
+
+/// Exit status of a refused case file or command line.
+inline constexpr int refused = 2;
+
+void add_check(CLI::App& app);
+void add_explain(CLI::App& app);
+void add_docs(CLI::App& app);
+
+} // namespace tremolo::app

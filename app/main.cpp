@@ -1,0 +1,41 @@
+// tremolo: free fields and a large-deformation soil domain under seismic waves, coupled as processes.
+
+#include "app/commands.hpp"
+#include "scene/errors.hpp"
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app("tremolo: a large-deformation soil domain shaken through its boundaries by free-field models",
+               "tremolo");
+  app.set_version_flag("--version", "tremolo " TREMOLO_VERSION);
+  app.require_subcommand(1);
+  tremolo::app::add_check(app);
+  tremolo::app::add_explain(app);
+  tremolo::app::add_docs(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : tremolo::app::refused;
+  }
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const tremolo::app::Exit& exit) {
+    return exit.status;
+  } catch (const tremolo::scene::CaseErrors& errors) {
+    std::fprintf(stderr, "%s\n", errors.what());
+    return tremolo::app::refused;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tremolo: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,166 @@
+#include "scene/geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace tremolo::scene {
+
+namespace {
+
+struct Segment {
+  Point a;
+  Point b;
+};
+
+Segment edge(const Polygon& polygon, std::size_t i) {
+  return {polygon[i], polygon[(i + 1) % polygon.size()]};
+}
+
+Point minus(Point a, Point b) {
+  return {a.x - b.x, a.y - b.y};
+}
+double cross(Point a, Point b) {
+  return a.x * b.y - a.y * b.x;
+}
+double dot(Point a, Point b) {
+  return a.x * b.x + a.y * b.y;
+}
+double length(Point a) {
+  return std::hypot(a.x, a.y);
+}
+
+/// Distances below this fraction of a segment's length count as zero: corners typed as decimals meet exactly
+/// on paper.
+constexpr double tolerance = 1e-9;
+
+bool on_segment(Point p, const Segment& s) {
+  const Point along = minus(s.b, s.a);
+  const Point to = minus(p, s.a);
+  const double size = length(along);
+  if (size == 0.0)
+    return length(to) == 0.0;
+  const double t = dot(to, along) / (size * size);
+  return t >= -tolerance && t <= 1.0 + tolerance && std::abs(cross(along, to)) <= tolerance * size * size;
+}
+
+bool on_outline(const Polygon& polygon, Point p) {
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    if (on_segment(p, edge(polygon, i)))
+      return true;
+  return false;
+}
+
+/// Even-odd rule; undecided on the edge itself.
+bool crosses_odd(const Polygon& polygon, Point p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto [a, b] = edge(polygon, i);
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+      inside = !inside;
+  }
+  return inside;
+}
+
+bool strictly_inside(const Polygon& polygon, Point p) {
+  return !on_outline(polygon, p) && crosses_odd(polygon, p);
+}
+
+/// Parameters in [0, 1] along s where it meets the segment other, for segments that are not parallel.
+void add_crossing(const Segment& s, const Segment& other, std::vector<double>& cuts) {
+  const Point d = minus(s.b, s.a);
+  const Point e = minus(other.b, other.a);
+  const double denominator = cross(d, e);
+  if (std::abs(denominator) <= tolerance * length(d) * length(e))
+    return;
+  const double t = cross(minus(other.a, s.a), e) / denominator;
+  if (t > 0.0 && t < 1.0)
+    cuts.push_back(t);
+}
+
+bool segments_meet(const Segment& s, const Segment& r) {
+  if (on_segment(s.a, r) || on_segment(s.b, r) || on_segment(r.a, s) || on_segment(r.b, s))
+    return true;
+  const auto side = [](const Segment& line, Point p) {
+    return cross(minus(line.b, line.a), minus(p, line.a)) > 0.0;
+  };
+  return side(s, r.a) != side(s, r.b) && side(r, s.a) != side(r, s.b);
+}
+
+/// Whether a piece of a's edge, cut where it meets the edges of b, runs inside b.
+bool edge_enters(const Polygon& a, const Polygon& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Segment s = edge(a, i);
+    std::vector<double> cuts = {0.0, 1.0};
+    for (std::size_t j = 0; j < b.size(); ++j)
+      add_crossing(s, edge(b, j), cuts);
+    std::ranges::sort(cuts);
+    for (std::size_t k = 1; k < cuts.size(); ++k) {
+      const double t = 0.5 * (cuts[k - 1] + cuts[k]);
+      if (cuts[k] - cuts[k - 1] > tolerance &&
+          strictly_inside(b, {s.a.x + t * (s.b.x - s.a.x), s.a.y + t * (s.b.y - s.a.y)}))
+        return true;
+    }
+  }
+  return false;
+}
+
+/// A point inside a simple polygon: the middle of the first span of a horizontal line between two corners'
+/// levels.
+Point inner_point(const Polygon& polygon) {
+  std::vector<double> levels;
+  for (const Point p : polygon)
+    levels.push_back(p.y);
+  std::ranges::sort(levels);
+  const auto above = std::ranges::find_if(levels, [&](double y) { return y > levels.front(); });
+  if (above == levels.end())
+    return polygon.front();
+  const double y = 0.5 * (levels.front() + *above);
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto [a, b] = edge(polygon, i);
+    if ((a.y > y) != (b.y > y))
+      crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+  }
+  std::ranges::sort(crossings);
+  return crossings.size() < 2 ? polygon.front() : Point{0.5 * (crossings[0] + crossings[1]), y};
+}
+
+} // namespace
+
+bool Box::contains(Point p) const {
+  return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max;
+}
+
+double area(const Polygon& polygon) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    twice += cross(minus(edge(polygon, i).a, polygon.front()), minus(edge(polygon, i).b, polygon.front()));
+  return 0.5 * std::abs(twice);
+}
+
+bool contains(const Polygon& polygon, Point p) {
+  return on_outline(polygon, p) || crosses_odd(polygon, p);
+}
+
+bool intersects_itself(const Polygon& polygon) {
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Segment s = edge(polygon, i);
+    const Segment next = edge(polygon, (i + 1) % n);
+    if (length(minus(s.b, s.a)) == 0.0 || on_segment(next.b, s) || on_segment(s.a, next))
+      return true;
+    for (std::size_t j = i + 2; j < n && (j + 1) % n != i; ++j)
+      if (segments_meet(s, edge(polygon, j)))
+        return true;
+  }
+  return false;
+}
+
+// If no edge of either runs inside the other, the interiors are equal or disjoint; one inner point tells
+// which.
+bool overlap(const Polygon& a, const Polygon& b) {
+  return edge_enters(a, b) || edge_enters(b, a) || strictly_inside(b, inner_point(a));
+}
+
+} // namespace tremolo::scene

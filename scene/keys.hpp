@@ -1,0 +1,87 @@
+#pragma once
+
+// Every key of a case file, in one table. Reading, range checks, docs/case-file.md and docs/case.schema.json
+// all come from here, so a reference that differs from the program cannot exist.
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tremolo::scene {
+
+enum class Type {
+  text,
+  number,
+  integer,
+  choice,  ///< one of Key::choices
+  choices, ///< an array of them, each at most once
+  numbers, ///< an array of Key::count numbers
+  polygon, ///< an array of at least three points [x, y]
+};
+
+/// Allowed values of a number.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;
+  bool high_open = false;
+
+  bool contains(double value) const;
+  bool bounded() const;
+  /// "> 0", ">= 1", "in [0, 90)"
+  std::string text() const;
+};
+
+/// Keys that exist only for some values of another key of the same table.
+struct Condition {
+  std::string_view key;
+  std::vector<std::string_view> values;
+};
+
+struct Key {
+  std::string_view name;
+  Type type = Type::number;
+  std::string_view unit = {};
+  std::string_view meaning;
+  bool required = false;
+  std::string_view fallback = {};  ///< default, as it would stand in the file without quotes
+  std::string_view otherwise = {}; ///< in words, what holds without the key and without a fixed default
+  Range range = {};
+  std::vector<std::string_view> choices = {};
+  std::size_t count = 0;      ///< of Type::numbers
+  std::string_view form = {}; ///< of Type::numbers, "[x, y]"
+  Condition when = {};
+};
+
+enum class Kind {
+  single, ///< [name]
+  named,  ///< [name.NAME], any number
+  array,  ///< [[name]], any number
+};
+
+struct Table {
+  std::string_view name; ///< dotted, "boundary.left"; empty: the top of the file
+  Kind kind = Kind::single;
+  bool required = false;
+  std::string_view meaning;
+  std::vector<Key> keys;
+
+  /// nullptr if there is none of this name
+  const Key* find(std::string_view key) const;
+};
+
+/// All tables in the order of the reference; a table stands behind its parent.
+std::span<const Table> key_table();
+
+/// @throws std::logic_error for a name that is not in key_table()
+const Table& table_spec(std::string_view name);
+
+/// Names of the tables directly below `parent` ("" for the top of the file), without the parent's prefix.
+std::vector<std::string_view> subtables(std::string_view parent);
+
+/// "number", "array of 2 numbers [x, y]", ...
+std::string type_text(const Key& key);
+
+} // namespace tremolo::scene

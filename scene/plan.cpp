@@ -1,0 +1,157 @@
+#include "scene/plan.hpp"
+
+#include "scene/sources.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tremolo::scene {
+
+namespace {
+
+using materials::MohrCoulomb;
+
+// Doubles and 32-bit numbers of one particle and one node of the domain (mpm_domain/particles.hpp, grid.hpp).
+constexpr double particle_bytes =
+    12 * 8 + 2 * 4; // place, velocity, stress, mass, volume, first place; id, index
+constexpr double affine_bytes = 4 * 8;
+constexpr double node_bytes = 12 * 8;
+constexpr int padding = 6; // cells around the box
+
+// Nanoseconds per particle and step of one thread, rounded, measured on slopes of 1e4 to 1e5 particles.
+constexpr double base_cost_ns = 120.0;
+constexpr double plasticity_cost_ns = 60.0;
+
+template <class Predicate>
+bool any_soil(const Case& scene, Predicate predicate) {
+  return std::ranges::any_of(scene.soils, [&](const Soil& soil) {
+    const auto* law = std::get_if<MohrCoulomb>(&soil.law);
+    return law != nullptr && predicate(*law);
+  });
+}
+
+double state_size(const Case& scene) {
+  std::size_t largest = 0;
+  for (const Soil& soil : scene.soils)
+    largest = std::max(largest, materials::state_variables(soil.law).size());
+  return static_cast<double>(largest);
+}
+
+std::string listed(const std::vector<SourceProcess>& sources) {
+  std::string text;
+  for (const SourceProcess& source : sources)
+    text += fmt::format("{}{} '{}'", text.empty() ? "" : ", ", program(source.model), source.name);
+  return text;
+}
+
+std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources) {
+  const bool apic = scene.time.transfer == Transfer::apic;
+  const bool plastic = any_soil(scene, [](const MohrCoulomb&) { return true; });
+  const bool softening = any_soil(scene, [](const MohrCoulomb& law) { return law.softening > 0.0; });
+  const bool damped = !std::holds_alternative<std::monostate>(scene.damping);
+  return {
+      {"soil skeleton", true, "always: uGIMP particles, plane strain", particle_bytes, base_cost_ns},
+      {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
+       apic ? affine_bytes : 0.0, 0.0},
+      {"gravity", scene.gravity.has_value(),
+       scene.gravity ? fmt::format("[[stage]] gravity, {} m/s2, then static tractions on the boundary faces",
+                                   scene.gravity->acceleration)
+                     : "no [[stage]] of kind gravity"},
+      {"plasticity", plastic,
+       plastic ? "a [soil] with model = \"mohr_coulomb\"" : "every soil is linear elastic",
+       plastic ? 8.0 * state_size(scene) : 0.0, plastic ? plasticity_cost_ns : 0.0},
+      {"strain softening", softening,
+       softening ? "a [soil] with softening > 0" : "no soil has softening > 0"},
+      {"oblique incidence", scene.motion.angle_deg > 0.0,
+       fmt::format("[motion] angle_deg = {}", scene.motion.angle_deg)},
+      {"free field", true, "[boundary]: " + listed(sources)},
+      {"column damping", damped, damped ? "[damping] model" : "[damping] model is \"none\""},
+      {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
+       fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
+  };
+}
+
+std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
+  double slowest = highest_speed;
+  for (const Soil& soil : scene.soils)
+    slowest = std::min(slowest, materials::elasticity(soil.law).s_wave_speed());
+  constexpr double cells_per_wavelength = 15.0;
+  const double resolved = slowest / (cells_per_wavelength * scene.mesh.size);
+  std::vector<std::string> notes = {
+      fmt::format("shear waves up to {:.3g} Hz have {} cells per wavelength or more (speed error "
+                  "below about 2 % with apic, 3.5 % with flip)",
+                  resolved, cells_per_wavelength)};
+  if (const auto* pulse = std::get_if<RickerPulse>(&scene.motion.source);
+      pulse && 2.5 * pulse->frequency > resolved)
+    notes.push_back(fmt::format("the pulse reaches up to about {:.3g} Hz: the mesh is coarse for it",
+                                2.5 * pulse->frequency));
+  for (const Soil& soil : scene.soils) {
+    const auto& elastic = materials::elasticity(soil.law);
+    const auto& half = scene.halfspace;
+    if (scene.profile.empty() &&
+        (elastic.density != half.density || elastic.young != half.young || elastic.poisson != half.poisson))
+      notes.push_back(fmt::format(
+          "soil '{}' differs elastically from [halfspace]: where it lies at a boundary, the free field "
+          "there is not that of the domain",
+          soil.name));
+  }
+  return notes;
+}
+
+double output_doubles_per_particle(const Case& scene) {
+  double count = 2.0; // place
+  for (const OutputField field : scene.output.fields)
+    count += field == OutputField::stress ? 4.0 : field == OutputField::state ? state_size(scene) : 2.0;
+  return count;
+}
+
+} // namespace
+
+double critical_time_step(const Case& scene) {
+  double fastest = 0.0;
+  for (const Soil& soil : scene.soils)
+    if (const auto& elastic = materials::elasticity(soil.law); elastic.density > 0.0 && elastic.young > 0.0)
+      fastest = std::max(fastest, elastic.p_wave_speed());
+  constexpr double largest_courant_number = 0.65;
+  return largest_courant_number * scene.mesh.size / fastest;
+}
+
+Plan plan(const Case& scene) {
+  Plan result;
+  result.sources = plan_sources(scene);
+  result.effects = plan_effects(scene, result.sources);
+  result.base = describe_base(scene, result.sources);
+  result.critical_dt = critical_time_step(scene);
+  result.notes = plan_notes(scene, scene.mesh.size / result.critical_dt);
+  result.dt = scene.time.dt.value_or(scene.time.fraction * result.critical_dt);
+  result.steps = std::llround(std::ceil(scene.shaking.duration / result.dt));
+
+  double soil_area = 0.0;
+  for (const Region& region : scene.regions)
+    soil_area += area(region.polygon);
+  const double spacing = scene.mesh.size / scene.mesh.particles_per_cell;
+  const double particles = std::round(soil_area / (spacing * spacing));
+  const auto cells = [&](double length) { return std::ceil(length / scene.mesh.size - 1e-6) + 2 * padding; };
+  const double grid_cells = cells(scene.mesh.box.width()) * cells(scene.mesh.box.height());
+  result.particles = static_cast<std::size_t>(particles);
+  result.cells = static_cast<std::size_t>(grid_cells);
+
+  double bytes = 0.0;
+  double ns = 0.0;
+  for (const Effect& effect : result.effects) {
+    bytes += effect.bytes_per_particle;
+    ns += effect.ns_per_particle_step;
+  }
+  result.memory_bytes = particles * bytes + grid_cells * node_bytes;
+  result.estimated_time = static_cast<double>(result.steps) * particles * ns * 1e-9;
+  result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
+  const double rows = scene.shaking.duration / scene.output.history_every;
+  result.output_bytes =
+      8.0 * (static_cast<double>(result.frames) * particles * output_doubles_per_particle(scene) +
+             rows * (static_cast<double>(scene.monitors.size()) * 6.0 + 10.0));
+  return result;
+}
+
+} // namespace tremolo::scene

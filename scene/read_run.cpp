@@ -1,0 +1,35 @@
+#include "scene/names.hpp"
+#include "scene/read.hpp"
+
+namespace tremolo::scene {
+
+namespace {
+
+Coupling read_coupling(Document& document) {
+  const auto table = document.table("coupling");
+  return {from_name(table.text("mode"), std::array{ExchangeMode::window, ExchangeMode::lockstep}),
+          table.integer("window_steps"), table.number("connect_deadline_s"), table.number("step_deadline_s"),
+          table.number("shutdown_deadline_s")};
+}
+
+Output read_output(Document& document) {
+  const auto table = document.table("output");
+  Output output{table.number("every_s"), table.number("history_every_s"), {}};
+  for (const auto& field : table.choices("fields"))
+    output.fields.push_back(
+        from_name(field, std::array{OutputField::displacement, OutputField::velocity,
+                                    OutputField::acceleration, OutputField::stress, OutputField::state}));
+  return output;
+}
+
+} // namespace
+
+void read_run(Document& document, Case& scene) {
+  scene.coupling = read_coupling(document);
+  for (const auto& table : document.array("monitor"))
+    scene.monitors.push_back({table.text("name"), table.point("point")});
+  scene.output = read_output(document);
+  scene.verify_tolerance = document.table("verify").number("tolerance");
+}
+
+} // namespace tremolo::scene

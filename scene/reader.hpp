@@ -1,0 +1,101 @@
+#pragma once
+
+// Reading of TOML tables against the key table: every key of a table is checked for name, type, finite value,
+// range and applicability when the table is opened; the getters then hand out values.
+
+#include "scene/case.hpp"
+#include "scene/findings.hpp"
+#include "scene/keys.hpp"
+
+#include <toml++/toml.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tremolo::scene {
+
+/// "a string", "an array", ...
+std::string type_name(const toml::node& node);
+
+/// One table of the file, checked. A key that is missing or wrong has been reported; its getter then gives
+/// nothing, zero, or an empty value.
+class TableReader {
+public:
+  /// `node` is nullptr where the file does not have the table; defaults then hold.
+  /// @param path   for messages and rules, "region[0]"
+  /// @param shown  the table's name in messages, "[region]"
+  TableReader(const Table& spec, const toml::table* node, std::string path, std::string shown,
+              Findings& findings, std::vector<ValueInForce>& values);
+
+  const std::string& path() const { return path_; }
+  std::string path(std::string_view key) const;
+
+  /// Whether the key stands in the file (right or wrong).
+  bool given(std::string_view key) const;
+
+  std::optional<double> optional_number(std::string_view key) const;
+  double number(std::string_view key) const { return optional_number(key).value_or(0.0); }
+  int integer(std::string_view key) const { return static_cast<int>(number(key)); }
+  /// A text or a choice.
+  std::string text(std::string_view key) const;
+  std::vector<double> numbers(std::string_view key) const;
+  Point point(std::string_view key) const;
+  Polygon polygon(std::string_view key) const;
+  std::vector<std::string> choices(std::string_view key) const;
+
+private:
+  using Value = std::variant<double, std::string, std::vector<double>, Polygon, std::vector<std::string>>;
+
+  void refuse_unknown_keys();
+  bool applies(const Key& key) const;
+  void read(const Key& key);
+  void put_default(const Key& key);
+  std::optional<Value> convert(const Key& key, const toml::node& node);
+  std::optional<double> convert_number(const Key& key, const toml::node& node);
+  std::optional<std::string> convert_text(const Key& key, const toml::node& node);
+  std::optional<Value> convert_numbers(const Key& key, const toml::node& node);
+  std::optional<Value> convert_polygon(const Key& key, const toml::node& node);
+  std::optional<Value> convert_choices(const Key& key, const toml::node& node);
+  std::nullopt_t refuse(const Key& key, const toml::node& node, std::string text);
+  template <class T>
+  T get(std::string_view key) const;
+
+  const Table& spec_;
+  const toml::table* node_;
+  std::string path_;
+  std::string shown_;
+  Findings& findings_;
+  std::vector<ValueInForce>& in_force_;
+  std::map<std::string_view, Value> values_;
+};
+
+/// A named table, [soil.NAME].
+struct NamedTable {
+  std::string name;
+  TableReader reader;
+};
+
+/// The whole file.
+class Document {
+public:
+  Document(const toml::table& root, Findings& findings, std::vector<ValueInForce>& values)
+      : root_(root), findings_(findings), values_(values) {}
+
+  /// A single table, "boundary.left"; "" is the top of the file. A missing one is reported if it is required.
+  TableReader table(std::string_view name);
+  /// Whether the file has a table (or anything else) of this name.
+  bool has(std::string_view name) const { return root_.at_path(name).node() != nullptr; }
+  std::vector<TableReader> array(std::string_view name);
+  std::vector<NamedTable> named(std::string_view name);
+
+private:
+  const toml::table& root_;
+  Findings& findings_;
+  std::vector<ValueInForce>& values_;
+};
+
+} // namespace tremolo::scene

@@ -1,0 +1,48 @@
+#pragma once
+
+// What a case must fulfil beyond each key's own type and range. A rule is a function in a file of its own: it
+// looks at the case as read and reports what is violated, why, and how to mend it. A rule stays silent where
+// a value that it needs is missing or wrong; that has been reported already.
+
+#include "scene/case.hpp"
+#include "scene/findings.hpp"
+
+#include <span>
+
+namespace tremolo::scene {
+
+using Rule = void (*)(const Case& scene, Findings& findings);
+
+/// All rules.
+std::span<const Rule> rules();
+
+/// The motion's record can be read.
+void record_is_readable(const Case& scene, Findings& findings);
+/// Residual strength does not exceed peak strength, dilation does not exceed friction.
+void strength_is_ordered(const Case& scene, Findings& findings);
+/// The box has a width and a height that the particle lattice divides, and not too many particles.
+void box_fits_lattice(const Case& scene, Findings& findings);
+/// Polygons have an area and do not cross themselves.
+void regions_are_simple(const Case& scene, Findings& findings);
+/// Polygons lie in the box.
+void regions_lie_in_mesh(const Case& scene, Findings& findings);
+/// Polygons do not overlap.
+void regions_are_apart(const Case& scene, Findings& findings);
+/// Soil reaches along both sides up to the free field's surface, and along the whole base.
+void soil_reaches_boundaries(const Case& scene, Findings& findings);
+/// A total base field needs one surface level.
+void total_base_has_one_surface(const Case& scene, Findings& findings);
+/// Columns know vertical incidence only.
+void columns_are_shaken_vertically(const Case& scene, Findings& findings);
+/// The wave model is homogeneous.
+void profile_goes_with_columns(const Case& scene, Findings& findings);
+/// A layer's damping ratio needs a damping model.
+void layer_damping_has_model(const Case& scene, Findings& findings);
+/// The reference point of a layered column lies in its half-space.
+void reference_lies_in_halfspace(const Case& scene, Findings& findings);
+/// A fixed time step does not exceed the critical one.
+void time_step_is_stable(const Case& scene, Findings& findings);
+/// Monitors have different names and lie in soil.
+void monitors_lie_in_soil(const Case& scene, Findings& findings);
+
+} // namespace tremolo::scene

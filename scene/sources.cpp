@@ -1,0 +1,74 @@
+// Which processes serve the free fields. Equal fields (same model, same surface level) share a process. The
+// total field at the base is the one that both sides have; the incident wave knows no surface, so any source
+// of the same model gives it.
+
+#include "scene/sources.hpp"
+#include "scene/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tremolo::scene {
+
+namespace {
+
+void serve(std::vector<SourceProcess>& sources, SourceModel model, double surface, Served served) {
+  const bool any_surface = served.field == BaseForm::incident;
+  const auto equal = std::ranges::find_if(sources, [&](const SourceProcess& source) {
+    return source.model == model && (any_surface || source.surface == surface);
+  });
+  SourceProcess& source =
+      equal != sources.end() ? *equal : sources.emplace_back(SourceProcess{"", model, surface, {}});
+  source.serves.push_back(served);
+  source.name += fmt::format("{}{}", source.name.empty() ? "" : "-", name(served.side));
+}
+
+} // namespace
+
+std::vector<SourceProcess> plan_sources(const Case& scene) {
+  const auto& [left, right, base] = scene.boundary;
+  std::vector<SourceProcess> sources;
+  serve(sources, left.model, left.surface, {Side::left, BaseForm::total});
+  serve(sources, right.model, right.surface, {Side::right, BaseForm::total});
+  serve(sources, base.model, left.surface, {Side::base, base.form});
+  return sources;
+}
+
+std::string describe_base(const Case& scene, const std::vector<SourceProcess>& sources) {
+  const auto& [left, right, base] = scene.boundary;
+  const auto& source = sources[source_index(sources, Side::base)];
+  if (base.form == BaseForm::total)
+    return fmt::format("total: velocity and stress of the whole free field with its surface at y = {} m, "
+                       "from '{}'; dashpots "
+                       "see scattered waves only, exact at any angle",
+                       left.surface, source.name);
+  std::string text =
+      fmt::format("incident: velocity and stress of the incident wave alone, from '{}'; dashpots take up all "
+                  "waves that come down, exact at vertical incidence",
+                  source.name);
+  if (left.surface != right.surface)
+    text += fmt::format(
+        "; the surfaces at y = {} m (left) and {} m (right) do not enter, since a wave that only travels up "
+        "has met neither",
+        left.surface, right.surface);
+  return text;
+}
+
+std::size_t source_index(const std::vector<SourceProcess>& sources, Side side) {
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (std::ranges::find(sources[i].serves, side, &Served::side) != sources[i].serves.end())
+      return i;
+  throw std::logic_error(fmt::format("the plan has no source for the {} side", name(side)));
+}
+
+std::string program(SourceModel model) {
+  return fmt::format("tremolo-{}", name(model));
+}
+
+const SourceProcess& source_of(const Plan& plan, Side side) {
+  return plan.sources[source_index(plan.sources, side)];
+}
+
+} // namespace tremolo::scene
