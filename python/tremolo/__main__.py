@@ -1,0 +1,101 @@
+"""Commands: python3 -m tremolo plot RUN | compare RUN_A RUN_B | verify-picture PATH."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from tremolo import fronts, histories, maps, preview, verification
+from tremolo.run import Run
+
+
+def _folder(argument, run):
+    folder = Path(argument) if argument else run.path.parent / "pictures"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def _times(arguments, run):
+    wanted = arguments.time or maps.telling_times(run)
+    for time in wanted:
+        if not run.times[0] <= time <= run.times[-1]:
+            raise ValueError(f"time {time:g} s lies outside the run's frames, {run.times[0]:g} to {run.times[-1]:g} s")
+    return wanted
+
+
+def _require_frames(run):
+    if len(run.times) == 0:
+        raise ValueError(f"{run.path}: holds no particle frame yet")
+
+
+def plot(arguments):
+    """Yields the path of every picture as it is written."""
+    run = Run(arguments.run)
+    _require_frames(run)
+    folder = _folder(arguments.out, run)
+    yield preview.preview(run, folder)
+    if run.has_field("acceleration"):
+        yield maps.acceleration([run], _times(arguments, run), folder)
+    if run.has_field("equivalent_plastic_strain"):
+        yield maps.shear_bands([run], _times(arguments, run), folder)
+    for name in run.monitors:
+        if len(run.monitor(name)) > 1:
+            yield histories.monitor(run, name, folder)
+    if run.energy is not None and len(run.energy) > 1:
+        yield histories.energy(run, folder)
+    if len(run.times) > 10:
+        yield fronts.fronts(run, folder)
+
+
+def compare(arguments):
+    runs = [Run(arguments.run), Run(arguments.other)]
+    for run in runs:
+        _require_frames(run)
+    folder = _folder(arguments.out, runs[0])
+    times = _times(arguments, runs[0])
+    yield maps.acceleration(runs, times, folder, "compare_acceleration.png")
+    if all(run.has_field("equivalent_plastic_strain") for run in runs):
+        yield maps.shear_bands(runs, times, folder, "compare_shear_bands.png")
+
+
+def verify_picture(arguments):
+    yield verification.picture(arguments.path)
+
+
+def _parser():
+    parser = argparse.ArgumentParser(prog="python3 -m tremolo", description="Pictures of tremolo runs.")
+    commands = parser.add_subparsers(required=True)
+
+    def add(name, action, summary):
+        command = commands.add_parser(name, help=summary, description=summary)
+        command.set_defaults(action=action)
+        return command
+
+    def add_picture_options(command):
+        command.add_argument("--out", metavar="DIR", help="folder of the pictures (default: pictures/ beside the run)")
+        command.add_argument("--time", type=float, nargs="+", metavar="T", help="times of the contour pictures, s")
+
+    single = add("plot", plot, "Model preview, acceleration contours, shear bands, histories, energy, wave fronts.")
+    single.add_argument("run", help="folder of the run, or its run.h5")
+    add_picture_options(single)
+    pair = add("compare", compare, "Contours of two runs side by side at the same times.")
+    pair.add_argument("run")
+    pair.add_argument("other")
+    add_picture_options(pair)
+    verified = add("verify-picture", verify_picture, "Picture of a verification: error map and histories.")
+    verified.add_argument("path", help="verify.json, or its folder")
+    return parser
+
+
+def main(arguments=None):
+    parsed = _parser().parse_args(arguments)
+    try:
+        for path in parsed.action(parsed):
+            print(path, flush=True)
+    except (OSError, ValueError, KeyError) as error:
+        print(f"tremolo: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,59 @@
+"""Histories: monitors with their response spectra, and the energy ledger."""
+
+import numpy as np
+
+from tremolo import style
+from tremolo.response_spectrum import response_spectrum
+
+PERIODS = np.geomspace(0.05, 4.0, 80)  # s
+
+
+def even_steps(time, values):
+    """Values resampled linearly to equal steps, and the step (s): output follows a time step that may vary."""
+    dt = float(np.median(np.diff(time)))
+    even = np.arange(time[0], time[-1] + 0.5 * dt, dt)
+    return np.interp(even, time, values), dt
+
+
+def monitor(run, name, folder):
+    series = run.monitor(name)
+    time = series["time"]
+    figure, axes = style.plt.subplot_mosaic(
+        [["a", "s"], ["v", "s"], ["u", "s"]], figsize=(9.0, 4.8), layout="constrained", width_ratios=[1.8, 1.0]
+    )
+    labels = {"a": "acceleration (m/s²)", "v": "velocity (m/s)", "u": "displacement (m)"}
+    for quantity, label in labels.items():
+        ax = axes[quantity]
+        for direction, text in (("x", "horizontal"), ("y", "vertical")):
+            ax.plot(time, series[quantity + direction], label=text, linewidth=0.8)
+        ax.axhline(0.0, color="0.6", linewidth=0.5, zorder=0)
+        ax.set_ylabel(label)
+        ax.set_xlim(time[0], time[-1])
+        if quantity != "u":
+            ax.tick_params(labelbottom=False)
+    axes["u"].set_xlabel("t (s)")
+    axes["a"].legend(loc="upper right", ncols=2)
+    for direction, text in (("x", "horizontal"), ("y", "vertical")):
+        acceleration, dt = even_steps(time, series["a" + direction])
+        shown = PERIODS >= 2.0 * dt
+        axes["s"].semilogx(PERIODS[shown], response_spectrum(acceleration, dt, PERIODS[shown]), label=text)
+    axes["s"].set(xlabel="period (s)", ylabel="spectral acceleration, 5 % damping (m/s²)", ylim=(0, None))
+    axes["s"].set_xlim(PERIODS[0], PERIODS[-1])
+    axes["s"].set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 4], ["0.05", "0.1", "0.2", "0.5", "1", "2", "4"])
+    axes["s"].minorticks_off()
+    figure.suptitle(f"{name}, starting at x = {series['x'][0]:.2f} m, y = {series['y'][0]:.2f} m", fontsize=10)
+    return style.save(figure, folder, f"monitor_{name}.png")
+
+
+def energy(run, folder):
+    """Every entry of the ledger over time."""
+    ledger = run.energy
+    figure, ax = style.plt.subplots(figsize=(7.2, 3.8), layout="constrained")
+    for number, column in enumerate(ledger.columns[1:]):
+        line = "-" if number < len(style.COLOURS) else "--"
+        ax.plot(ledger["time"], ledger[column] / 1e3, line, label=column.replace("_", " "))
+    ax.axhline(0.0, color="0.6", linewidth=0.5, zorder=0)
+    ax.set(xlabel="t (s)", ylabel="energy (kJ per m of thickness)")
+    ax.set_xlim(ledger["time"][0], ledger["time"][-1])
+    ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return style.save(figure, folder, "energy.png")

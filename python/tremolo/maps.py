@@ -1,0 +1,82 @@
+"""Contour pictures of particle fields: acceleration, plastic strain, and two runs side by side."""
+
+import numpy as np
+
+from tremolo import style
+
+
+def telling_times(run, count=4):
+    """Times (s) that show a run: where 10 to 90 % of the domain's squared acceleration have passed."""
+    power = np.array([np.mean(run.field(i, "acceleration") ** 2) for i in range(len(run.times))])
+    passed = np.cumsum(power)
+    if passed[-1] == 0.0:
+        return [float(run.times[-1])]
+    levels = np.linspace(0.1, 0.9, count) * passed[-1]
+    frames = sorted({int(np.searchsorted(passed, level)) for level in levels})
+    return [float(run.times[i]) for i in frames]
+
+
+def symmetric_limit(values):
+    """A round limit of a diverging scale that cuts off no more than the highest 0.3 %."""
+    limit = float(np.percentile(np.abs(np.concatenate([np.ravel(v) for v in values])), 99.7))
+    if limit == 0.0:
+        return 1.0
+    step = 10.0 ** np.floor(np.log10(limit)) / 2.0
+    return float(np.ceil(limit / step) * step)
+
+
+def _angle(run):
+    angle = run.attribute("angle_deg")
+    return "" if angle is None else f"$\\beta$ = {angle:g}°"
+
+
+def _panels(runs, frames, name, component, colouring, label, colour_extend):
+    """One row a time, one column a run; frames[run][row] are frame indices."""
+    bounds = style.extent(runs[0], [0, *frames[0]])
+    figure, axes = style.map_axes(bounds, len(frames[0]), len(runs))
+    figure.canvas.draw()
+    for column, run in enumerate(runs):
+        size = style.spacing(run)
+        for ax, index in zip(axes[:, column], frames[column]):
+            values = run.field(index, name)
+            values = values[:, component] if values.ndim > 1 else values
+            drawn = style.fill_particles(ax, run.field(index, "position"), values, size, **colouring)
+            title = f"t = {run.times[index]:.2f} s"
+            ax.set_title(f"{_angle(run)},  {title}" if len(runs) > 1 else title, loc="left")
+    rows = len(frames[0])
+    figure.colorbar(
+        drawn, ax=axes, label=label, extend=colour_extend, extendfrac=0.03, shrink=1.2 / (rows + 0.5), aspect=18, pad=0.015
+    )
+    return figure
+
+
+def acceleration(runs, times, folder, name="acceleration.png"):
+    """Horizontal acceleration at the given times, one column a run, all on one symmetric scale."""
+    frames = [[run.nearest_frame(time) for time in times] for run in runs]
+    limit = symmetric_limit(
+        [run.field(i, "acceleration")[:, 0] for run, indices in zip(runs, frames) for i in indices]
+    )
+    figure = _panels(
+        runs, frames, "acceleration", 0, dict(cmap=style.DIVERGING, vmin=-limit, vmax=limit),
+        "horizontal acceleration (m/s²)", "both",
+    )
+    return style.save(figure, folder, name)
+
+
+def shear_bands(runs, times, folder, name="shear_bands.png"):
+    """Equivalent plastic strain on the deformed shape at the given times and at the end."""
+    frames = []
+    for run in runs:
+        indices = [run.nearest_frame(time) for time in times]
+        last = len(run.times) - 1
+        frames.append(indices if indices[-1] == last else indices + [last])
+    rows = min(len(indices) for indices in frames)
+    frames = [indices[-rows:] for indices in frames]
+    strains = np.concatenate([run.field(indices[-1], "equivalent_plastic_strain") for run, indices in zip(runs, frames)])
+    top = float(np.percentile(strains, 99.5))
+    top = top if top > 0.0 else 1.0
+    figure = _panels(
+        runs, frames, "equivalent_plastic_strain", 0, dict(cmap=style.SEQUENTIAL, vmin=0.0, vmax=top),
+        "equivalent plastic strain (1)", "max",
+    )
+    return style.save(figure, folder, name)

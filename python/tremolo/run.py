@@ -1,0 +1,139 @@
+"""A run file (docs/output-format.md) as numpy arrays.
+
+    run = Run("out")                      # the folder, or run.h5 itself
+    run.times                             # s, of the particle frames
+    run.frame(10)["velocity"]             # [particles, 2], m/s
+    run.monitor("toe")["ax"]              # m/s2 at run.monitor("toe")["time"]
+
+All values are SI units; tension is positive; x points right, y up.
+"""
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+SCHEMA_MAJOR = "1"
+
+
+def _text(value):
+    """Strings of fixed length arrive as bytes."""
+    if isinstance(value, bytes):
+        return value.rstrip(b"\0").decode("utf-8")
+    if isinstance(value, np.ndarray) and value.dtype.kind == "S":
+        return [_text(bytes(item)) for item in value]
+    if isinstance(value, np.generic):
+        return value.item()
+    return value
+
+
+class Series:
+    """A time series: columns by name, units by column."""
+
+    def __init__(self, dataset):
+        self.columns = _text(dataset.attrs["columns"])
+        self.units = dict(zip(self.columns, _text(dataset.attrs["units"])))
+        rows = dataset[()]
+        # A writer that died while it flushed may have declared rows whose values never arrived.
+        self._rows = rows[: np.count_nonzero(~np.isnan(rows[:, 0]))]
+
+    def __getitem__(self, column):
+        return self._rows[:, self.columns.index(column)]
+
+    def __len__(self):
+        return len(self._rows)
+
+
+class Run:
+    """Reads one run, complete or not."""
+
+    def __init__(self, path):
+        path = Path(path)
+        self.path = path / "run.h5" if path.is_dir() else path
+        if not self.path.exists():
+            raise FileNotFoundError(f"{self.path}: no such run")
+        try:
+            self._file = h5py.File(self.path, "r")
+        except OSError as error:
+            raise OSError(f"{self.path}: cannot be read as HDF5: {error}") from error
+        version = self.attribute("schema_version", "none")
+        if version.split(".")[0] != SCHEMA_MAJOR:
+            raise ValueError(f"{self.path}: schema version {version}, this package reads {SCHEMA_MAJOR}.x")
+        self._frames = sorted(self._file["frames"], key=int)
+        self.times = np.array([self._file["frames"][name].attrs["time"] for name in self._frames])
+
+    def close(self):
+        self._file.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def attribute(self, name, default=None):
+        """An attribute of the root, e.g. mesh_size (m), angle_deg, box, soil_names."""
+        return _text(self._file.attrs[name]) if name in self._file.attrs else default
+
+    @property
+    def title(self):
+        return self.attribute("title", "")
+
+    @property
+    def status(self):
+        """'running', 'complete' or 'aborted: reason'."""
+        return self.attribute("status")
+
+    @property
+    def case(self):
+        """The text of the case file."""
+        return _text(self._file["case"][()])
+
+    def frame(self, index):
+        """Fields of one frame: name -> array [particles] or [particles, components]."""
+        return {name: data[()] for name, data in self._file["frames"][self._frames[index]].items()}
+
+    def field(self, index, name):
+        """One field of one frame."""
+        return self._file["frames"][self._frames[index]][name][()]
+
+    def has_field(self, name):
+        return bool(self._frames) and name in self._file["frames"][self._frames[0]]
+
+    def nearest_frame(self, time):
+        """Index of the frame nearest to a time (s)."""
+        return int(np.argmin(np.abs(self.times - time)))
+
+    @property
+    def monitors(self):
+        """Names of the monitors."""
+        return sorted(self._file["monitors"])
+
+    def monitor(self, name):
+        """Series of a monitor: time, x, y, ux, uy, vx, vy, ax, ay."""
+        return Series(self._file["monitors"][name])
+
+    @property
+    def energy(self):
+        """The energy ledger, J per metre of thickness; None where the run has none."""
+        return Series(self._file["energy"]) if "energy" in self._file else None
+
+    @property
+    def boundary(self):
+        """Boundary exchange: name -> array (faces and [times, faces, 2]); None where the run has none."""
+        if "boundary" not in self._file:
+            return None
+        group = self._file["boundary"]
+        arrays = {name: data[()] for name, data in group.items()}
+        whole = int(np.count_nonzero(~np.isnan(arrays["time"])))
+        for name in ("time", "free_field_velocity", "domain_velocity", "traction"):
+            arrays[name] = arrays[name][:whole]
+        arrays["source"] = _text(group.attrs["source"])
+        return arrays
+
+    def table(self, name):
+        """A table, e.g. 'timings': column -> list or array; None where the run has none."""
+        if name not in self._file:
+            return None
+        group = self._file[name]
+        return {column: _text(group[column][()]) for column in _text(group.attrs["columns"])}

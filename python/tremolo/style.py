@@ -1,0 +1,87 @@
+"""The common look of all pictures, and particles drawn as filled squares."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+DIVERGING = "RdBu_r"
+SEQUENTIAL = "viridis"
+# Okabe & Ito (2008): distinguishable with every kind of colour vision.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#F0E442", "#000000"]
+SOIL_COLOURS = ["#E2CFA6", "#C08F5C", "#9FB3A2", "#8C8FA8", "#D9A79A", "#B7B27A"]
+
+plt.rcParams.update(
+    {
+        "figure.dpi": 150,
+        "savefig.dpi": 150,
+        "font.size": 9,
+        "axes.titlesize": 9,
+        "axes.labelsize": 9,
+        "legend.fontsize": 8,
+        "legend.frameon": False,
+        "axes.prop_cycle": matplotlib.cycler(color=COLOURS),
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "lines.linewidth": 1.0,
+        "image.interpolation": "nearest",
+    }
+)
+
+
+def spacing(run, index=0):
+    """Distance of neighbouring particles, m: the root of their area."""
+    if run.has_field("volume"):
+        return float(np.sqrt(np.median(run.field(index, "volume"))))
+    return run.attribute("mesh_size") / 2.0
+
+
+def extent(run, indices):
+    """(xmin, ymin, xmax, ymax) of the particles of some frames, with a margin, m."""
+    low = np.min([run.field(i, "position").min(axis=0) for i in indices], axis=0)
+    high = np.max([run.field(i, "position").max(axis=0) for i in indices], axis=0)
+    margin = 0.02 * (high[0] - low[0])
+    return low[0] - margin, low[1] - margin, high[0] + margin, high[1] + margin
+
+
+def map_axes(bounds, rows, columns):
+    """A grid of axes of equal aspect, as high as their maps need; all share the bounds."""
+    aspect = (bounds[3] - bounds[1]) / (bounds[2] - bounds[0])
+    width = 7.2 if columns == 1 else 5.2 * columns
+    panel = (0.78 if columns == 1 else 0.86) * width / columns * aspect + 0.3
+    figure, axes = plt.subplots(
+        rows, columns, figsize=(width, rows * panel + 0.3), squeeze=False, sharex=True, sharey=True,
+        layout="constrained",
+    )
+    for ax in axes.flat:
+        ax.set_aspect("equal")
+        ax.set_xlim(bounds[0], bounds[2])
+        ax.set_ylim(bounds[1], bounds[3])
+    for ax in axes[-1]:
+        ax.set_xlabel("x (m)")
+    for ax in axes[:, 0]:
+        ax.set_ylabel("y (m)")
+    return figure, axes
+
+
+def fill_particles(ax, position, values, size, **colouring):
+    """Particles as squares of `size` metres that leave no gap, coloured by value.
+
+    The marker's area follows from the scale of the axes, so their limits must be final.
+    """
+    ax.figure.canvas.draw()
+    points_per_metre = ax.get_window_extent().width / np.ptp(ax.get_xlim()) * 72.0 / ax.figure.dpi
+    return ax.scatter(
+        position[:, 0], position[:, 1], c=values, s=(1.25 * size * points_per_metre) ** 2, marker="s", linewidths=0,
+        rasterized=True, **colouring,
+    )
+
+
+def save(figure, folder, name):
+    """Writes the picture and returns its path."""
+    path = folder / name
+    figure.savefig(path)
+    plt.close(figure)
+    return path

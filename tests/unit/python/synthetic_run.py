@@ -1,0 +1,85 @@
+"""A run file with a known plane wave, written by h5py to the letter of docs/output-format.md."""
+
+import h5py
+import numpy as np
+
+C_S = 95.8  # m/s
+CREST, TOE, SLOPE_FOOT, SLOPE_HEAD = 10.0, 0.0, 30.0, 40.0  # levels and the ends of a 45 degree slope, m
+
+
+def ricker(t, frequency=3.0, peak_time=0.6):
+    a = (np.pi * frequency * (t - peak_time)) ** 2
+    return (1.0 - 2.0 * a) * np.exp(-a)
+
+
+def slope_particles(size=1.0):
+    """Particle positions of a slope that falls to the left, two by two in cells of `size`."""
+    step = size / 2.0
+    x, y = np.meshgrid(np.arange(step / 2, 70.0, step), np.arange(-20.0 + step / 2, CREST, step))
+    surface = np.clip(TOE + (x - SLOPE_FOOT), TOE, CREST)
+    inside = y < surface
+    return np.column_stack([x[inside], y[inside]])
+
+
+def write(path, angle_deg=15.0, amplitude=0.1, frame_interval=0.02, frames=100, size=1.0, damaged=False):
+    """An SV wave v = amplitude * ricker(t - (x sin + y cos)/c_s) along (cos, -sin), nothing else."""
+    position = slope_particles(size)
+    particles = len(position)
+    angle = np.radians(angle_deg)
+    polarisation = np.array([np.cos(angle), -np.sin(angle)])
+
+    def velocity(points, t):
+        delay = (points[:, 0] * np.sin(angle) + (points[:, 1] + 20.0) * np.cos(angle)) / C_S
+        return amplitude * ricker(t - delay)[:, None] * polarisation
+
+    with h5py.File(path, "w") as file:
+        file.attrs.update(
+            {
+                "schema_version": np.bytes_("1.0"), "title": np.bytes_("synthetic slope"),
+                "status": np.bytes_("complete"), "mesh_size": size, "angle_deg": angle_deg, "wave": np.bytes_("SV"),
+                "soil_names": np.array([b"sand", b"base layer"]), "box": [0.0, -20.0, 70.0, 10.0],
+            }
+        )
+        file["case"] = np.bytes_("title = 'synthetic slope'\n")
+        group = file.create_group("frames")
+        file.create_group("monitors")
+        for number in range(frames):
+            t = number * frame_interval
+            frame = group.create_group(f"{number:04}")
+            frame.attrs["time"] = t
+            centre = np.array([SLOPE_HEAD, CREST + 5.0])
+            band = np.exp(-(((np.linalg.norm(position - centre, axis=1) - 16.0) / 1.0) ** 2))
+            dt = 1e-4
+            fields = {
+                "position": (position, "m"),
+                "velocity": (velocity(position, t), "m/s"),
+                "acceleration": ((velocity(position, t + dt) - velocity(position, t - dt)) / (2 * dt), "m/s2"),
+                "equivalent_plastic_strain": (band * number / frames, "1"),
+                "soil": ((position[:, 1] < -12.0).astype(np.int32), "1"),
+                "volume": (np.full(particles, (size / 2.0) ** 2), "m2"),
+            }
+            for name, (values, unit) in fields.items():
+                frame.create_dataset(name, data=values).attrs["unit"] = np.bytes_(unit)
+        _write_series(file, "monitors/crest", frame_interval * frames, velocity, np.array([[45.0, 10.0]]), damaged)
+        times = np.arange(frames) * frame_interval
+        ledger = np.column_stack([times, 1e3 * times**2, 1e3 * times, -2e3 * times])
+        energy = file.create_dataset("energy", data=ledger)
+        energy.attrs["columns"] = np.array([b"time", b"kinetic", b"elastic", b"dashpots"])
+        energy.attrs["units"] = np.array([b"s", b"J/m", b"J/m", b"J/m"])
+        timings = file.create_group("timings")
+        timings.attrs["columns"] = np.array([b"pass", b"seconds"])
+        timings["pass"] = np.array([b"scatter", b"gather"])
+        timings["seconds"] = [1.0, 2.0]
+
+
+def _write_series(file, path, duration, velocity, point, damaged):
+    t = np.arange(0.0, duration, 0.005)
+    v = np.array([velocity(point, ti)[0] for ti in t])
+    a = np.gradient(v, t, axis=0)
+    u = np.cumsum(v, axis=0) * 0.005
+    rows = np.column_stack([t, np.tile(point, (len(t), 1)), u, v, a])
+    if damaged:
+        rows = np.vstack([rows, np.full((3, rows.shape[1]), np.nan)])
+    series = file.create_dataset(path, data=rows)
+    series.attrs["columns"] = np.array([b"time", b"x", b"y", b"ux", b"uy", b"vx", b"vy", b"ax", b"ay"])
+    series.attrs["units"] = np.array([b"s", b"m", b"m", b"m", b"m", b"m/s", b"m/s", b"m/s2", b"m/s2"])

@@ -1,0 +1,110 @@
+"""Every command of the package on a small synthetic run; the fronts' apparent velocity against the known one."""
+
+import contextlib
+import io
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import matplotlib.image
+import numpy as np
+
+import synthetic_run
+from tremolo import Run, fronts, histories
+from tremolo.__main__ import main
+
+
+def run_command(*arguments):
+    """Exit status, lines on stdout, stderr."""
+    out, error = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(error):
+        status = main([str(a) for a in arguments])
+    return status, out.getvalue().split(), error.getvalue()
+
+
+class Pictures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        for angle in (0, 15):
+            (cls.folder / str(angle)).mkdir()
+            synthetic_run.write(cls.folder / str(angle) / "run.h5", angle_deg=float(angle), size=2.0)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def expect_pictures(self, paths, names):
+        self.assertEqual([Path(p).name for p in paths], names)
+        for path in paths:
+            pixels = matplotlib.image.imread(path)
+            self.assertGreater(pixels.shape[1], 500)
+            self.assertGreater(len(np.unique(pixels.reshape(-1, pixels.shape[2]), axis=0)), 20, f"{path} is empty")
+
+    def test_plot(self):
+        status, paths, error = run_command("plot", self.folder / "15", "--time", 0.7, 0.9)
+        self.assertEqual((status, error), (0, ""))
+        names = ["model.png", "acceleration.png", "shear_bands.png", "monitor_crest.png", "energy.png", "fronts.png"]
+        self.expect_pictures(paths, names)
+
+    def test_compare(self):
+        status, paths, error = run_command("compare", self.folder / "0", self.folder / "15", "--out", self.folder / "c")
+        self.assertEqual((status, error), (0, ""))
+        self.expect_pictures(paths, ["compare_acceleration.png", "compare_shear_bands.png"])
+
+    def test_time_outside_the_run_is_refused(self):
+        status, _, error = run_command("plot", self.folder / "15", "--time", 99)
+        self.assertEqual(status, 1)
+        self.assertIn("time 99 s lies outside the run's frames, 0 to 1.98 s", error)
+
+    def test_absent_run_is_one_line(self):
+        status, _, error = run_command("plot", self.folder / "nowhere")
+        self.assertEqual(status, 1)
+        self.assertEqual(error.count("\n"), 1)
+        self.assertIn("no such run", error)
+
+    def test_apparent_velocity_of_the_fronts(self):
+        with Run(self.folder / "15") as run:
+            p = fronts.slowness(*fronts.level_traces(run))
+        self.assertAlmostEqual(p * synthetic_run.C_S / np.sin(np.radians(15.0)), 1.0, delta=0.01)
+        with Run(self.folder / "0") as run:
+            self.assertLess(abs(fronts.slowness(*fronts.level_traces(run))), fronts.PARALLEL)
+
+    def test_verification(self):
+        folder = self.folder / "verified"
+        folder.mkdir()
+        x, y = np.meshgrid(np.arange(0.5, 40.0), np.arange(-19.5, 0.0))
+        summary = {"mesh_size": 2.0, "regions": [{"name": "interior", "relative_l2": 0.02}]}
+        (folder / "verify.json").write_text(json.dumps(summary))
+        with h5py.File(folder / "verify.h5", "w") as file:
+
+            def table(path, **columns):
+                group = file.create_group(path)
+                group.attrs["columns"] = np.array([c.encode() for c in columns])
+                for column, values in columns.items():
+                    group[column] = values
+
+            table("particles", x=x.ravel(), y=y.ravel(), relative_error=0.02 * np.abs(np.sin(x)).ravel())
+            table("points", name=np.array([b"middle", b"surface"]), x=[20.0, 20.0], y=[-10.0, 0.0])
+            t = np.linspace(0.0, 2.0, 100)
+            for name in ("middle", "surface"):
+                exact = synthetic_run.ricker(t)
+                table(f"histories/{name}", time=t, exact_vx=exact, exact_vy=0 * t, vx=1.02 * exact, vy=0 * t)
+        status, paths, error = run_command("verify-picture", folder)
+        self.assertEqual((status, error), (0, ""))
+        self.expect_pictures(paths, ["verify.png"])
+
+
+class EvenSteps(unittest.TestCase):
+    def test_uneven_times_are_resampled(self):
+        time = np.array([0.0, 0.1, 0.2, 0.25, 0.35, 0.45])
+        values, dt = histories.even_steps(time, 3.0 * time)
+        self.assertAlmostEqual(dt, 0.1)
+        np.testing.assert_allclose(values, 3.0 * np.arange(0.0, 0.5, 0.1))
+
+
+if __name__ == "__main__":
+    unittest.main()
