@@ -14,7 +14,7 @@ namespace {
 /// Window lengths over the time that matters. Below critical the synthesis is exact at any; beyond, the error
 /// of the tails falls with the 7th power.
 constexpr double padding_sub_critical = 4.0;
-constexpr double padding_post_critical = 16.0;
+constexpr double padding_post_critical = 12.0;
 
 void require_times(const TimeGrid& grid) {
   require(std::isfinite(grid.start), "start of the time grid", grid.start, "finite");

@@ -1,0 +1,75 @@
+// tremolo-wave: serves the exact free field of an oblique P or SV wave in a half-space, computed at once for
+// the whole run on a vertical line; along x it is the same, delayed by the horizontal slowness.
+
+#include "coupler/source_client.hpp"
+#include "scene/case.hpp"
+#include "scene/service.hpp"
+#include "wavefield/process/field_from_case.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace tremolo;
+
+/// Samples per period of the highest frequency. The Hermite interpolation between them errs by (omega
+/// dt)^4/384: at a third of that frequency, where motions end in practice, by 3e-7.
+constexpr double samples_per_period = 20.0;
+
+std::vector<coupler::FieldDescription> descriptions(const scene::Service& service, double slowness_x,
+                                                    double dt) {
+  std::vector<coupler::FieldDescription> fields;
+  for (const scene::ServedLine& line : service.lines)
+    fields.push_back(
+        {.name = std::string(scene::name(line.field)),
+         .y = line.levels,
+         .x_reference = service.x_line,
+         .slowness_x = slowness_x,
+         .start_time = service.start_time - 2.0 * dt,
+         .time_step = dt,
+         .step_count =
+             static_cast<std::uint64_t>(std::ceil((service.end_time - service.start_time) / dt)) + 4});
+  return fields;
+}
+
+std::vector<wavefield::History> histories(const wavefield::HalfSpaceField& field,
+                                          const coupler::FieldDescription& served) {
+  std::vector<wavefield::Point> points;
+  for (const double y : served.y)
+    points.push_back({served.x_reference, y});
+  const bool incident = served.name == scene::name(scene::BaseForm::incident);
+  return field.sample(points, {served.start_time, served.time_step, served.step_count},
+                      incident ? wavefield::Part::incident : wavefield::Part::total);
+}
+
+void run(const coupler::ParticipantOptions& options) {
+  const scene::Case scene = scene::load(options.case_file);
+  const scene::Plan plan = scene::plan(scene);
+  const scene::SourceProcess& source = scene::source_named(plan, options.name);
+  const wavefield::HalfSpaceField field = wavefield::field_from_case(scene, source.surface);
+  const double dt = 1.0 / (samples_per_period * scene::motion(scene.motion).highest_frequency());
+  const std::vector<coupler::FieldDescription> fields =
+      descriptions(scene::service(scene, source, field.slowness_x()), field.slowness_x(), dt);
+
+  coupler::SourceClient client(options, fields);
+  std::vector<std::vector<wavefield::History>> computed;
+  for (const coupler::FieldDescription& served : fields)
+    computed.push_back(histories(field, served));
+
+  client.serve([&](std::size_t f, std::uint64_t step, std::span<double> values) {
+    std::size_t at = 0;
+    for (const wavefield::History& h : computed[f])
+      for (const std::vector<double>* series : {&h.vx, &h.vy, &h.sxx, &h.syy, &h.sxy, &h.vx_rate, &h.vy_rate,
+                                                &h.sxx_rate, &h.syy_rate, &h.sxy_rate})
+        values[at++] = (*series)[step];
+  });
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return tremolo::coupler::participant_main(
+      "tremolo-wave", "The exact free field of an oblique wave, as a source.", argc, argv, run);
+}
