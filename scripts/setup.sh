@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Installs with apt what tremolo needs and this machine lacks. Made for Debian 12; as root or through sudo; does nothing
+# when everything is there.
+#
+#   scripts/setup.sh         what building, running, plotting and testing need
+#   scripts/setup.sh lint    what scripts/lint.sh needs besides
+set -euo pipefail
+
+packages=(
+  build-essential cmake ninja-build pkg-config git
+  libeigen3-dev libfftw3-dev libgsl-dev                              # mathematics
+  libzmq3-dev cppzmq-dev nlohmann-json3-dev zlib1g-dev               # exchange between processes
+  libhdf5-dev                                                        # results
+  libtomlplusplus-dev libcli11-dev libfmt-dev libspdlog-dev          # case file, command line, messages
+  python3 python3-numpy python3-h5py python3-matplotlib              # plots
+  libgtest-dev libgmock-dev python3-vtk9                             # tests
+)
+case "${1:-}" in
+  "") ;;
+  lint) packages=(git clang-format clang-tidy) ;;
+  *) echo "setup: unknown argument '$1' (nothing, or lint)" >&2; exit 2 ;;
+esac
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "setup: all ${#packages[@]} packages are installed, nothing to do"
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo > /dev/null; then
+    echo "setup: neither root nor sudo; ask an administrator for: apt-get install ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+echo "setup: installs with apt-get: ${missing[*]}"
+"${as_root[@]}" apt-get update -q || echo "setup: apt-get update failed, trying with the package lists at hand" >&2
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+echo "setup: done"
