@@ -1,6 +1,8 @@
 """Contour pictures of particle fields: acceleration, plastic strain, and two runs side by side."""
 
 import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
 
 from tremolo import style
 
@@ -34,19 +36,22 @@ def _panels(runs, frames, name, component, colouring, label, colour_extend):
     """One row a time, one column a run; frames[run][row] are frame indices."""
     bounds = style.extent(runs[0], [0, *frames[0]])
     figure, axes = style.map_axes(bounds, len(frames[0]), len(runs))
-    figure.canvas.draw()
+    rows = len(frames[0])
+    figure.colorbar(
+        ScalarMappable(Normalize(colouring["vmin"], colouring["vmax"]), colouring["cmap"]), ax=axes, label=label,
+        extend=colour_extend, extendfrac=0.03, shrink=1.2 / (rows + 0.5), aspect=18, pad=0.015,
+    )
+    for column, run in enumerate(runs):
+        for ax, index in zip(axes[:, column], frames[column]):
+            title = f"t = {run.times[index]:.2f} s"
+            ax.set_title(f"{_angle(run)},  {title}" if len(runs) > 1 else title, loc="left")
+    style.fix_layout(figure)
     for column, run in enumerate(runs):
         size = style.spacing(run)
         for ax, index in zip(axes[:, column], frames[column]):
             values = run.field(index, name)
             values = values[:, component] if values.ndim > 1 else values
-            drawn = style.fill_particles(ax, run.field(index, "position"), values, size, **colouring)
-            title = f"t = {run.times[index]:.2f} s"
-            ax.set_title(f"{_angle(run)},  {title}" if len(runs) > 1 else title, loc="left")
-    rows = len(frames[0])
-    figure.colorbar(
-        drawn, ax=axes, label=label, extend=colour_extend, extendfrac=0.03, shrink=1.2 / (rows + 0.5), aspect=18, pad=0.015
-    )
+            style.fill_particles(ax, run.field(index, "position"), values, size, **colouring)
     return figure
 
 

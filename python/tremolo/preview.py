@@ -18,13 +18,14 @@ def preview(run, folder):
     for side in ("left", "bottom"):
         ax.spines[side].set_visible(False)
     ax.set(xlabel="", ylabel="", xticks=[], yticks=[])
+    figure.suptitle(run.title, fontsize=10)
+    style.fix_layout(figure)
     _soils(ax, run, position)
     tops = [position[beside, 1].max() for beside in _edges(position, low, high)]
     _boundaries(ax, low, high, tops)
     _dimensions(ax, low, high, tops)
     _incident_wave(ax, run, low, width)
     _monitors(ax, run)
-    figure.suptitle(run.title, fontsize=10)
     return style.save(figure, folder, "model.png")
 
 

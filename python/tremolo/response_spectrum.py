@@ -53,7 +53,7 @@ def oscillators(acceleration, dt, periods, damping=0.05):
 
 
 def response_spectrum(acceleration, dt, periods, damping=0.05):
-    """Spectral (absolute) acceleration, m/s2, at the periods (s): max |u'' + a| = max |2 z w u' + w^2 u|."""
-    u, v = oscillators(acceleration, dt, periods, damping)
+    """Spectral (pseudo-) acceleration w^2 max |u|, m/s2, at the periods (s); the peak is sought at the samples."""
+    u, _ = oscillators(acceleration, dt, periods, damping)
     omega = 2.0 * np.pi / np.asarray(periods, dtype=float)
-    return np.max(np.abs(2.0 * damping * omega * v + omega**2 * u), axis=0)
+    return omega**2 * np.max(np.abs(u), axis=0)

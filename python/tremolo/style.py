@@ -66,12 +66,17 @@ def map_axes(bounds, rows, columns):
     return figure, axes
 
 
+def fix_layout(figure):
+    """Lays the figure out for good; what is drawn later no longer moves the axes."""
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+
+
 def fill_particles(ax, position, values, size, **colouring):
     """Particles as squares of `size` metres that leave no gap, coloured by value.
 
-    The marker's area follows from the scale of the axes, so their limits must be final.
+    The marker's area follows from the scale of the axes: their limits and its layout must be final (fix_layout).
     """
-    ax.figure.canvas.draw()
     points_per_metre = ax.get_window_extent().width / np.ptp(ax.get_xlim()) * 72.0 / ax.figure.dpi
     return ax.scatter(
         position[:, 0], position[:, 1], c=values, s=(1.25 * size * points_per_metre) ** 2, marker="s", linewidths=0,

@@ -58,6 +58,7 @@ def picture(path):
     margin = 0.01 * (high[0] - low[0])
     ax.set(xlabel="x (m)", ylabel="y (m)", xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))
     ax.set_aspect("equal")
+    figure.draw_without_rendering()
     drawn = _error_map(ax, particles, summary["mesh_size"] / 2.0)
     upper.colorbar(drawn, ax=ax, label="rms error of velocity\n(% of the domain's rms)", extend="max", shrink=0.8)
     regions = ", ".join(f"{r['name']} {100.0 * r['relative_l2']:.2f} %" for r in summary["regions"])

@@ -42,16 +42,17 @@ class Pictures(unittest.TestCase):
         for path in paths:
             pixels = matplotlib.image.imread(path)
             self.assertGreater(pixels.shape[1], 500)
-            self.assertGreater(len(np.unique(pixels.reshape(-1, pixels.shape[2]), axis=0)), 20, f"{path} is empty")
+            self.assertGreater(pixels[..., :3].std(), 0.02, f"{path} is empty")
 
     def test_plot(self):
-        status, paths, error = run_command("plot", self.folder / "15", "--time", 0.7, 0.9)
+        status, paths, error = run_command("plot", self.folder / "15", "--time", 0.8)
         self.assertEqual((status, error), (0, ""))
         names = ["model.png", "acceleration.png", "shear_bands.png", "monitor_crest.png", "energy.png", "fronts.png"]
         self.expect_pictures(paths, names)
 
     def test_compare(self):
-        status, paths, error = run_command("compare", self.folder / "0", self.folder / "15", "--out", self.folder / "c")
+        runs = self.folder / "0", self.folder / "15"
+        status, paths, error = run_command("compare", *runs, "--out", self.folder / "c", "--time", 0.8)
         self.assertEqual((status, error), (0, ""))
         self.expect_pictures(paths, ["compare_acceleration.png", "compare_shear_bands.png"])
 
