@@ -17,8 +17,11 @@ void add_check(CLI::App& app) {
   command->callback([file] {
     const auto scene = scene::load(*file);
     const auto plan = scene::plan(scene);
-    fmt::print("{}: ok, {} soils, {} particles, {} steps of {:.3g} s, {} free-field processes\n", *file,
-               scene.soils.size(), plan.particles, plan.steps, plan.dt, plan.sources.size());
+    fmt::print("{}: ok, {} particles, {} steps of {:.3g} s, processes: domain", *file, plan.particles,
+               plan.steps, plan.dt);
+    for (const auto& source : plan.sources)
+      fmt::print(", {}", source.name);
+    fmt::print("\n");
   });
 }
 

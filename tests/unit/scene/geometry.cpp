@@ -1,0 +1,72 @@
+#include "scene/geometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace tremolo::scene {
+namespace {
+
+const Polygon square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+const Polygon notched = {{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}; // a notch from above
+
+Polygon moved(Polygon polygon, double dx, double dy) {
+  for (Point& p : polygon)
+    p = {p.x + dx, p.y + dy};
+  return polygon;
+}
+
+Polygon reversed(Polygon polygon) {
+  std::ranges::reverse(polygon);
+  return polygon;
+}
+
+TEST(Geometry, AreaInEitherSense) {
+  EXPECT_DOUBLE_EQ(area(square), 4.0);
+  EXPECT_DOUBLE_EQ(area(reversed(square)), 4.0);
+  EXPECT_DOUBLE_EQ(area(notched), 16.0 - 6.0); // the notch is a triangle of width 4 and height 3
+}
+
+TEST(Geometry, ContainsIncludesTheEdge) {
+  EXPECT_TRUE(contains(square, {1, 1}));
+  EXPECT_TRUE(contains(square, {2, 1}));
+  EXPECT_TRUE(contains(square, {0, 2}));
+  EXPECT_FALSE(contains(square, {2.001, 1}));
+  EXPECT_FALSE(contains(notched, {2, 2}));
+  EXPECT_TRUE(contains(notched, {0.1, 3}));
+}
+
+TEST(Geometry, SelfIntersection) {
+  EXPECT_FALSE(intersects_itself(square));
+  EXPECT_FALSE(intersects_itself(reversed(notched)));
+  EXPECT_TRUE(intersects_itself({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));         // bow tie
+  EXPECT_TRUE(intersects_itself({{0, 0}, {4, 0}, {2, 0}}));                 // folds back on itself
+  EXPECT_TRUE(intersects_itself({{0, 0}, {2, 0}, {2, 0}, {0, 2}}));         // a corner twice
+  EXPECT_TRUE(intersects_itself({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})); // a corner on an edge
+  EXPECT_FALSE(
+      intersects_itself({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}})); // a corner in a straight edge is fine
+}
+
+TEST(Geometry, TouchingIsNoOverlap) {
+  EXPECT_FALSE(overlap(square, moved(square, 2, 0)));       // along an edge
+  EXPECT_FALSE(overlap(square, moved(square, 2, 1)));       // along half an edge
+  EXPECT_FALSE(overlap(square, moved(square, 2, 2)));       // at a corner
+  EXPECT_FALSE(overlap(square, moved(square, 5, 0)));       // apart
+  EXPECT_FALSE(overlap(notched, {{0, 4}, {2, 1}, {4, 4}})); // the notch filled exactly
+  EXPECT_FALSE(overlap({{0.1, 0}, {0.3, 0}, {0.3, 0.7}},
+                       {{0.1, 0}, {0.3, 0.7}, {0.1, 0.7}})); // a diagonal that rounds
+}
+
+TEST(Geometry, Overlap) {
+  EXPECT_TRUE(overlap(square, moved(square, 1, 1)));
+  EXPECT_TRUE(overlap(square, square));
+  EXPECT_TRUE(overlap(square, reversed(square)));
+  EXPECT_TRUE(overlap(square, {{0.5, 0.5}, {1, 0.5}, {1, 1}})); // inside
+  EXPECT_TRUE(overlap({{0.5, 0.5}, {1, 0.5}, {1, 1}}, square)); // around
+  EXPECT_TRUE(overlap({{-1, 0.5}, {3, 0.5}, {3, 1}, {-1, 1}},
+                      square));                           // a cross: no corner of either inside the other
+  EXPECT_TRUE(overlap(square, {{0, 0}, {2, 0}, {2, 2}})); // half of it, edges shared
+}
+
+} // namespace
+} // namespace tremolo::scene

@@ -1,0 +1,226 @@
+// Each kind of error in a single key, with its exact message, and the values that a good case gives.
+
+#include "case_text.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace tremolo::scene::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(Keys, GoodCaseHasItsValuesAndDefaults) {
+  const auto scene = parse_case(std::string(flat_case));
+  EXPECT_EQ(scene.title, "flat");
+  EXPECT_EQ(std::get<RickerPulse>(scene.motion.source).frequency, 3.0);
+  EXPECT_EQ(scene.motion.reference.y, -10.0);
+  EXPECT_EQ(materials::elasticity(scene.soils.at(0).law).young, 40e6);
+  EXPECT_EQ(scene.mesh.particles_per_cell, 2);
+  EXPECT_EQ(scene.time.fraction, 0.5);
+  EXPECT_EQ(scene.time.transfer, Transfer::apic);
+  EXPECT_EQ(scene.boundary.base.form, BaseForm::total);
+  EXPECT_FALSE(scene.gravity.has_value());
+  EXPECT_EQ(scene.shaking.duration, 2.0);
+  EXPECT_EQ(scene.coupling.mode, ExchangeMode::window);
+  EXPECT_EQ(scene.coupling.connect_deadline, 30.0);
+  EXPECT_EQ(scene.output.fields.size(), 5U);
+}
+
+TEST(Keys, ValuesInForceTellWhereTheyCameFrom) {
+  const auto scene = parse_case(std::string(flat_case));
+  const auto origin = [&](std::string_view key) {
+    for (const auto& value : scene.values)
+      if (value.key == key)
+        return value.value + " " + value.origin;
+    return std::string("absent");
+  };
+  EXPECT_EQ(origin("mesh.size"), "1 case.toml:22:8");
+  EXPECT_EQ(origin("time.fraction"), "0.5 default");
+  EXPECT_EQ(origin("region[0].soil"), "\"sand\" case.toml:19:8");
+  EXPECT_EQ(origin("mesh.box"), "[0, -10, 20, 0] case.toml:23:7");
+}
+
+TEST(Keys, UnknownKeyNamesTheNearest) {
+  EXPECT_THAT(errors_of(with("size = 1.0", "size = 1.0\nsiz = 2.0")),
+              ElementsAre("case.toml:23:1: [mesh] unknown key 'siz', did you mean 'size'?"));
+  EXPECT_THAT(errors_of(with("title", "titel = \"x\"\ntitle")),
+              ElementsAre("case.toml:1:1: unknown key 'titel', did you mean 'title'?"));
+  EXPECT_THAT(errors_of(with("model = \"wave\" }", "model = \"wave\", modle = 1 }")),
+              ElementsAre("case.toml:25:26: [boundary.left] unknown key 'modle', did you mean 'model'?"));
+}
+
+TEST(Keys, UnknownTableNamesTheNearest) {
+  EXPECT_THAT(errors_of(plus("[couplin]\nmode = \"window\"\n")),
+              ElementsAre("case.toml:31:2: unknown key 'couplin', did you mean 'coupling'?"));
+}
+
+TEST(Keys, UnknownKeyFarFromAllListsThem) {
+  EXPECT_THAT(errors_of(plus("[verify]\nabracadabra = 1\n")),
+              ElementsAre("case.toml:32:1: [verify] unknown key 'abracadabra', known: tolerance"));
+}
+
+TEST(Keys, MissingKeyAndTable) {
+  EXPECT_THAT(errors_of(with("size = 1.0\n", "")),
+              ElementsAre("case.toml:21:1: [mesh] missing 'size', number m: Cell size h."));
+  EXPECT_THAT(errors_of(with("[surface]\nlevel = 0.0\n", "")),
+              ElementsAre("case.toml:1:1: missing table [surface]: The free surface of the free field."));
+}
+
+TEST(Keys, WrongType) {
+  EXPECT_THAT(errors_of(with("size = 1.0", "size = \"1.0\"")),
+              ElementsAre("case.toml:22:8: [mesh] 'size' must be a number, found a string"));
+  EXPECT_THAT(errors_of(with("size = 1.0", "size = 1.0\nparticles_per_cell = 2.5")),
+              ElementsAre("case.toml:23:22: [mesh] 'particles_per_cell' must be an integer, found a number"));
+  EXPECT_THAT(errors_of(with("\"flat\"", "3")),
+              ElementsAre("case.toml:1:9: 'title' must be a string, found an integer"));
+  EXPECT_THAT(
+      errors_of(with("[0.0, -10.0]", "[0.0]")),
+      ElementsAre(
+          "case.toml:6:13: [motion] 'reference' must be an array of 2 numbers [x, y], found 1 entries"));
+  EXPECT_THAT(
+      errors_of(with("[[region]]", "[region]")),
+      ElementsAre(
+          "case.toml:18:1: [[region]] 'region' must be an array of tables, found a table: write [[region]]"));
+  EXPECT_THAT(
+      errors_of(with("[surface]\nlevel = 0.0", "").insert(0, "surface = 0.0\n")),
+      ElementsAre("case.toml:1:11: [surface] 'surface' must be a table, found a number: write [surface]"));
+}
+
+TEST(Keys, NotFinite) {
+  EXPECT_THAT(errors_of(with("size = 1.0", "size = nan")),
+              ElementsAre("case.toml:22:8: [mesh] 'size' is nan, must be a finite number"));
+  EXPECT_THAT(errors_of(with("level = 0.0", "level = -inf")),
+              ElementsAre("case.toml:8:9: [surface] 'level' is -inf, must be a finite number"));
+  EXPECT_THAT(errors_of(with("[20.0, 0.0]", "[20.0, nan]")),
+              ElementsAre("case.toml:20:48: [[region]] 'polygon' is nan, must be a finite number"));
+}
+
+TEST(Keys, OutOfRange) {
+  EXPECT_THAT(
+      errors_of(with("angle_deg = 0.0", "angle_deg = 90.0")),
+      ElementsAre("case.toml:5:13: [motion] 'angle_deg' = 90 is out of range, must be in [0, 90) degrees"));
+  EXPECT_THAT(errors_of(with("density = 1700.0", "density = 0.0")),
+              ElementsAre("case.toml:10:11: [halfspace] 'density' = 0 is out of range, must be > 0 kg/m3"));
+  EXPECT_THAT(errors_of(plus("[time]\nfraction = 1.5\n")),
+              ElementsAre("case.toml:32:12: [time] 'fraction' = 1.5 is out of range, must be in (0, 1]"));
+}
+
+TEST(Keys, UnknownChoice) {
+  EXPECT_THAT(errors_of(with("wave = \"SV\"", "wave = \"XYZ\"")),
+              ElementsAre("case.toml:4:8: [motion] 'wave' = \"XYZ\" is not known, known: SV, P"));
+  EXPECT_THAT(
+      errors_of(plus("[output]\nfields = [\"velocty\"]\n")),
+      ElementsAre("case.toml:32:11: [output] 'velocty' in 'fields' is not known, did you mean 'velocity'?"));
+}
+
+TEST(Keys, KeyOfAnotherChoiceDoesNotApply) {
+  EXPECT_THAT(
+      errors_of(with("poisson = 0.28\n[[region]]", "poisson = 0.28\nsoftening = 15.0\n[[region]]")),
+      ElementsAre(
+          "case.toml:18:13: [soil.sand] 'softening' does not apply to model = \"linear_elastic\", only to "
+          "mohr_coulomb"));
+  EXPECT_THAT(errors_of(plus("[time]\ntransfer = \"pic_blend\"\n")),
+              ElementsAre(::testing::StartsWith(
+                  "case.toml:31:1: [time] missing 'blend_time', number s: Time constant")));
+}
+
+TEST(Keys, InvalidToml) {
+  EXPECT_THAT(errors_of(with("size = 1.0", "size = ")),
+              ElementsAre(::testing::StartsWith("case.toml:22:8: not valid TOML: ")));
+}
+
+TEST(Keys, AllErrorsAtOnceInTheOrderOfTheFile) {
+  auto text = with("angle_deg = 0.0", "angle_deg = -1.0");
+  text = with("level = 0.0", "levle = 0.0", text);
+  text = with("soil = \"sand\"", "soil = \"snad\"", text);
+  text = with("size = 1.0", "size = 0.0", text);
+  EXPECT_THAT(
+      errors_of(text),
+      ElementsAre("case.toml:5:13: [motion] 'angle_deg' = -1 is out of range, must be in [0, 90) degrees",
+                  "case.toml:7:1: [surface] missing 'level', number m: y of the free surface.",
+                  "case.toml:8:1: [surface] unknown key 'levle', did you mean 'level'?",
+                  "case.toml:19:8: [[region]] soil 'snad' is not defined, did you mean 'sand'?",
+                  "case.toml:22:8: [mesh] 'size' = 0 is out of range, must be > 0 m"));
+}
+
+TEST(Elasticity, ModuliAndSpeedsGiveTheSameSoil) {
+  // E = 40 MPa, nu = 0.28, rho = 1700: G = E/(2(1+nu)) = 15.625 MPa, c_s = sqrt(G/rho), c_p/c_s =
+  // sqrt((2-2nu)/(1-2nu)).
+  const double vs = std::sqrt(15.625e6 / 1700.0);
+  const double vp = vs * std::sqrt(1.44 / 0.44);
+  const auto scene = parse_case(
+      with("young = 40e6\npoisson = 0.28", "vs = " + std::to_string(vs) + "\nvp = " + std::to_string(vp)));
+  EXPECT_NEAR(scene.halfspace.young, 40e6, 1.0);
+  EXPECT_NEAR(scene.halfspace.poisson, 0.28, 1e-7);
+}
+
+TEST(Elasticity, RefusesHalfAndDoubleDescriptions) {
+  EXPECT_THAT(errors_of(with("poisson = 0.28\n", "")),
+              ElementsAre("case.toml:9:1: [halfspace] missing 'poisson': 'young' needs it"));
+  EXPECT_THAT(errors_of(with("young = 40e6\npoisson = 0.28\n", "")),
+              ElementsAre("case.toml:9:1: [halfspace] missing elastic constants: give either 'young' and "
+                          "'poisson' or 'vs' and "
+                          "'vp'"));
+  EXPECT_THAT(
+      errors_of(with("young = 40e6\n", "young = 40e6\nvs = 95.0\n")),
+      ElementsAre(
+          "case.toml:12:6: [halfspace] 'vs' is one value too many: give either 'young' and 'poisson' or 'vs' "
+          "and 'vp'"));
+  EXPECT_THAT(
+      errors_of(with("young = 40e6\npoisson = 0.28\n", "vs = 100.0\nvp = 110.0\n")),
+      ElementsAre(
+          "case.toml:12:6: [halfspace] 'vp' = 110 is too low for 'vs' = 100, must be > sqrt(4/3) vs = 115.47 "
+          "m/s"));
+}
+
+TEST(Stages, OneShakingAfterAtMostOneGravity) {
+  EXPECT_THAT(errors_of(with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]")), IsEmpty());
+  EXPECT_THAT(errors_of(plus("[[stage]]\nkind = \"gravity\"\n")),
+              ElementsAre("case.toml:32:8: [[stage]] the gravity stage must come before the shaking stage"));
+  EXPECT_THAT(errors_of(plus("[[stage]]\nkind = \"shaking\"\nduration_s = 1.0\n")),
+              ElementsAre("case.toml:32:8: [[stage]] a second shaking stage: there must be exactly one"));
+  EXPECT_THAT(
+      errors_of(with("kind = \"shaking\"\nduration_s = 2.0", "kind = \"gravity\"")),
+      ElementsAre(
+          "case.toml:28:1: [[stage]] missing [[stage]] of kind = \"shaking\": how long the motion acts"));
+  EXPECT_THAT(
+      errors_of(with("kind = \"shaking\"", "kind = \"shaking\"\nacceleration = 9.81")),
+      ElementsAre(
+          "case.toml:30:16: [[stage]] 'acceleration' does not apply to kind = \"shaking\", only to gravity"));
+}
+
+TEST(MotionTable, PulseOrFileButOne) {
+  EXPECT_THAT(errors_of(with("wave = \"SV\"", "file = \"a.AT2\"\nwave = \"SV\"")),
+              ElementsAre("case.toml:2:1: [motion] 'pulse' and 'file' exclude each other: remove one"));
+  EXPECT_THAT(
+      errors_of(with("pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }\n", "")),
+      ElementsAre("case.toml:2:1: [motion] missing 'pulse' or 'file': what the incident wave is"));
+  EXPECT_THAT(errors_of(with("wave = \"SV\"", "scale = 2.0\nwave = \"SV\"")),
+              ElementsAre("case.toml:4:9: [motion] 'scale' does not apply to 'pulse', only to 'file'"));
+}
+
+TEST(SoilTable, SofteningIsScaledToTheMesh) {
+  const std::string law =
+      "model = \"mohr_coulomb\"\ncohesion_peak = 4e3\ncohesion_residual = 0.0\nfriction_peak_deg = 45.0\n"
+      "friction_residual_deg = 28.0\nsoftening = 15.0\nreference_size = 0.5";
+  const auto scene = parse_case(with("model = \"linear_elastic\"", law));
+  const auto& soil = std::get<materials::MohrCoulomb>(scene.soils.at(0).law);
+  EXPECT_DOUBLE_EQ(soil.softening, 30.0); // h = 1 m: eta h/h_ref
+  EXPECT_DOUBLE_EQ(soil.friction_peak, std::acos(-1.0) / 4.0);
+  EXPECT_FALSE(soil.tension_cutoff.has_value());
+}
+
+TEST(Load, MissingFileIsOneClearError) {
+  try {
+    load("/nowhere/case.toml");
+    FAIL();
+  } catch (const CaseErrors& errors) {
+    EXPECT_STREQ(errors.what(), "/nowhere/case.toml:1:1: there is no such file");
+  }
+}
+
+} // namespace
+} // namespace tremolo::scene::testing

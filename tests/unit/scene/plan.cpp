@@ -1,0 +1,80 @@
+#include "case_text.hpp"
+
+#include "scene/plan.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace tremolo::scene::testing {
+namespace {
+
+Plan plan_of(const std::string& text) {
+  return plan(parse_case(text));
+}
+
+std::string slope() {
+  auto text = with("[[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]",
+                   "[[0.0, -10.0], [20.0, -10.0], [20.0, -2.0], [0.0, 0.0]]");
+  text = with("right = { model = \"wave\" }", "right = { model = \"wave\", surface = -2.0 }", text);
+  return with("form = \"total\"", "form = \"incident\"", text);
+}
+
+TEST(Plan, EqualFreeFieldsShareOneProcess) {
+  const auto flat = plan_of(std::string(flat_case));
+  ASSERT_EQ(flat.sources.size(), 1U);
+  EXPECT_EQ(flat.sources[0].name, "left-right-base");
+  EXPECT_EQ(program(flat.sources[0].model), "tremolo-wave");
+  EXPECT_EQ(flat.sources[0].serves.at(2).field, BaseForm::total);
+}
+
+TEST(Plan, DifferentSurfacesNeedTwoAndTheBaseTakesTheIncidentWaveOfOne) {
+  const auto sloping = plan_of(slope());
+  ASSERT_EQ(sloping.sources.size(), 2U);
+  EXPECT_EQ(sloping.sources[0].name, "left-base");
+  EXPECT_EQ(sloping.sources[0].surface, 0.0);
+  EXPECT_EQ(sloping.sources[1].name, "right");
+  EXPECT_EQ(sloping.sources[1].surface, -2.0);
+  EXPECT_EQ(source_of(sloping, Side::base).name, "left-base");
+  EXPECT_EQ(sloping.sources[0].serves.at(1).field, BaseForm::incident);
+  EXPECT_THAT(sloping.base, ::testing::HasSubstr("do not enter"));
+}
+
+TEST(Plan, BaseOfAnotherModelHasItsOwnProcess) {
+  const auto mixed = plan_of(with("base = { model = \"wave\"", "base = { model = \"column\""));
+  ASSERT_EQ(mixed.sources.size(), 2U);
+  EXPECT_EQ(mixed.sources[1].name, "base");
+  EXPECT_EQ(program(mixed.sources[1].model), "tremolo-column");
+}
+
+TEST(Plan, CountsParticlesStepsAndFrames) {
+  const auto flat = plan_of(std::string(flat_case));
+  EXPECT_EQ(flat.particles, 800U); // 20 m x 10 m, four per m2
+  // c_p = 173.44 m/s: critical 0.65/173.44 = 3.7477e-3 s, half of it in 2 s: 1067.3 -> 1068 steps.
+  EXPECT_NEAR(flat.critical_dt, 3.7477e-3, 1e-7);
+  EXPECT_EQ(flat.steps, 1068);
+  EXPECT_EQ(flat.frames, 21);
+  EXPECT_EQ(plan_of(plus("[time]\ndt = 1e-3\n")).steps, 2000);
+}
+
+TEST(Plan, EffectsFollowTheCase) {
+  const auto is_on = [](const Plan& plan, std::string_view effect) {
+    return std::ranges::find(plan.effects, effect, &Effect::name)->on;
+  };
+  const auto flat = plan_of(std::string(flat_case));
+  for (const auto* off : {"gravity", "plasticity", "strain softening", "oblique incidence", "column damping"})
+    EXPECT_FALSE(is_on(flat, off)) << off;
+  const auto heavy = plan_of(with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]"));
+  EXPECT_TRUE(is_on(heavy, "gravity"));
+  EXPECT_FALSE(is_on(plan_of(plus("[time]\ntransfer = \"flip\"\n")), "affine velocity"));
+}
+
+TEST(Plan, ShippedCasesAreGood) {
+  for (const auto* name : {"halfspace_box", "slope_oblique"}) {
+    const auto scene = load(std::string(TREMOLO_SOURCE_DIR "/cases/") + name + "/case.toml");
+    EXPECT_THAT(explain(scene, plan(scene)), ::testing::HasSubstr(scene.title));
+  }
+}
+
+} // namespace
+} // namespace tremolo::scene::testing

@@ -1,0 +1,189 @@
+// Each rule with a case that keeps it and one that breaks it, and the message.
+
+#include "case_text.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace tremolo::scene::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr std::string_view polygon = "[[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]";
+
+std::string with_columns(std::string text = std::string(flat_case)) {
+  for (const auto* side : {"left = ", "right = ", "base = "})
+    text = with(std::string(side) + "{ model = \"wave\"", std::string(side) + "{ model = \"column\"", text);
+  return text;
+}
+
+constexpr std::string_view layer = "[[profile]]\nthickness = 4.0\ndensity = 1700.0\nvs = 80.0\nvp = 150.0\n";
+
+TEST(Rules, RecordIsReadable) {
+  const auto pulse = "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }";
+  EXPECT_THAT(errors_of(with(pulse, "file = \"absent.AT2\"")),
+              ElementsAre("case.toml:3:8: [motion] ./absent.AT2: there is no such file"));
+
+  const auto file = std::filesystem::path(::testing::TempDir()) / "rules_record.AT2";
+  std::ofstream(file) << "NPTS= 3, DT= .01 SEC\n0.0 0.1 0.0\n";
+  EXPECT_THAT(errors_of(with(pulse, "file = \"" + file.string() + "\"")), IsEmpty());
+  std::ofstream(file) << "NPTS= 4, DT= .01 SEC\n0.0 0.1 0.0\n";
+  EXPECT_THAT(errors_of(with(pulse, "file = \"" + file.string() + "\"")),
+              ElementsAre("case.toml:3:8: [motion] " + file.string() +
+                          ":2: the header says NPTS = 4 but there are 3 samples"));
+  std::filesystem::remove(file);
+}
+
+TEST(Rules, StrengthIsOrdered) {
+  const auto soil = [](const char* residual_friction, const char* dilation) {
+    return with("model = \"linear_elastic\"",
+                std::string("model = \"mohr_coulomb\"\ncohesion_peak = 4e3\n"
+                            "cohesion_residual = 0.0\nfriction_peak_deg = 30.0\n"
+                            "softening = 15.0\nfriction_residual_deg = ") +
+                    residual_friction + "\ndilation_peak_deg = " + dilation);
+  };
+  EXPECT_THAT(errors_of(soil("28.0", "5.0")), IsEmpty());
+  EXPECT_THAT(errors_of(soil("35.0", "5.0")),
+              ElementsAre("case.toml:19:25: [soil.sand] 'friction_residual_deg' = 35 is above "
+                          "'friction_peak_deg' = 30"));
+  EXPECT_THAT(
+      errors_of(soil("28.0", "40.0")),
+      ElementsAre("case.toml:20:21: [soil.sand] 'dilation_peak_deg' = 40 is above 'friction_peak_deg' = 30"));
+  EXPECT_THAT(errors_of(soil("0.0", "0.0")),
+              ElementsAre("case.toml:19:25: [soil.sand] 'friction_residual_deg' and "
+                          "'cohesion_residual' are both 0: the soil would have no strength"));
+}
+
+TEST(Rules, BoxFitsLattice) {
+  EXPECT_THAT(errors_of(with("size = 1.0", "size = 0.8\nparticles_per_cell = 4")), IsEmpty());
+  EXPECT_THAT(errors_of(with("size = 1.0", "size = 0.75")),
+              ElementsAre("case.toml:23:7: [mesh] the width of 'box', 20 m, must be a multiple of the "
+                          "particle spacing, 0.375 m",
+                          "case.toml:23:7: [mesh] the height of 'box', 10 m, must be a multiple of the "
+                          "particle spacing, 0.375 "
+                          "m"));
+  EXPECT_THAT(
+      errors_of(with("size = 1.0", "size = 1e-5")),
+      ElementsAre(
+          "case.toml:22:8: [mesh] 'size' = 1e-05 gives 8e+12 particles in the box, must be at most 1e+09"));
+  EXPECT_THAT(errors_of(with("box = [0.0, -10.0, 20.0, 0.0]", "box = [0.0, 0.0, 20.0, -10.0]")),
+              ::testing::Contains(
+                  "case.toml:23:7: [mesh] 'box' is 20 m wide and -10 m high, must be [x_min, y_min, x_max, "
+                  "y_max] with both > 0"));
+}
+
+TEST(Rules, RegionsAreSimple) {
+  const auto bow_tie = with(polygon, "[[0.0, -10.0], [20.0, 0.0], [20.0, -10.0], [0.0, 0.0]]");
+  EXPECT_THAT(
+      errors_of(bow_tie),
+      ::testing::Contains(
+          "case.toml:20:11: [[region]] 'polygon' crosses or touches itself: list the corners in order "
+          "around the region, each once"));
+  const auto line = with(polygon, "[[0.0, -10.0], [20.0, -10.0], [10.0, -10.0]]");
+  EXPECT_THAT(errors_of(line), ::testing::Contains(::testing::HasSubstr("crosses or touches itself")));
+}
+
+TEST(Rules, RegionsLieInMesh) {
+  EXPECT_THAT(errors_of(with(polygon, "[[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [10.0, 0.5], [0.0, 0.0]]")),
+              ElementsAre("case.toml:20:11: [[region]] corner [10, 0.5] lies outside the mesh, must be in x "
+                          "0 to 20 and y -10 "
+                          "to 0"));
+}
+
+TEST(Rules, RegionsAreApart) {
+  const std::string second = "[[region]]\nsoil = \"sand\"\npolygon = ";
+  const auto left = with(polygon, "[[0.0, -10.0], [10.0, -10.0], [10.0, 0.0], [0.0, 0.0]]");
+  EXPECT_THAT(errors_of(left + second + "[[10.0, -10.0], [20.0, -10.0], [20.0, 0.0], [10.0, 0.0]]\n"),
+              IsEmpty());
+  EXPECT_THAT(errors_of(left + second + "[[9.0, -10.0], [20.0, -10.0], [20.0, 0.0], [10.0, 0.0]]\n"),
+              ElementsAre("case.toml:33:11: [[region]] 'polygon' overlaps the one in line 20: regions may "
+                          "touch but not overlap"));
+}
+
+TEST(Rules, SoilReachesBoundaries) {
+  EXPECT_THAT(
+      errors_of(with("right = { model = \"wave\" }", "right = { model = \"wave\", surface = -2.0 }")),
+      ::testing::Contains(
+          "case.toml:26:37: [boundary.right] soil along the right side, x = 20, reaches from the base to "
+          "y = 0 without a gap, but the free field's surface lies at y = -2; both must agree"));
+  EXPECT_THAT(
+      errors_of(with("[20.0, -10.0]", "[20.0, -9.0]")),
+      ::testing::Contains(
+          "case.toml:27:8: [boundary.base] soil along the base, y = -10, reaches from the left side to x = "
+          "0 without a gap, must reach to the right side, x = 20"));
+}
+
+TEST(Rules, TotalBaseHasOneSurface) {
+  const std::string sloping =
+      with("right = { model = \"wave\" }", "right = { model = \"wave\", surface = -2.0 }",
+           with(polygon, "[[0.0, -10.0], [20.0, -10.0], [20.0, -2.0], [0.0, 0.0]]"));
+  EXPECT_THAT(
+      errors_of(sloping),
+      ElementsAre("case.toml:27:33: [boundary.base] form = \"total\" needs one free field, but the surface "
+                  "lies at 0 m on "
+                  "the left and at -2 m on the right, and no total field has both; use form = \"incident\""));
+  EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"incident\"", sloping)), IsEmpty());
+}
+
+TEST(Rules, ColumnsAreShakenVertically) {
+  EXPECT_THAT(errors_of(with_columns()), IsEmpty());
+  EXPECT_THAT(
+      errors_of(with("angle_deg = 0.0", "angle_deg = 15.0",
+                     with("left = { model = \"wave\" }", "left = { model = \"column\" }"))),
+      ElementsAre(
+          "case.toml:25:18: [boundary.left] model = \"column\" knows vertical incidence only, but [motion] "
+          "angle_deg = 15; use model = \"wave\" or angle_deg = 0"));
+}
+
+TEST(Rules, ProfileGoesWithColumns) {
+  EXPECT_THAT(errors_of(with_columns() + std::string(layer)), IsEmpty());
+  EXPECT_THAT(
+      errors_of(with("base = { model = \"column\"", "base = { model = \"wave\"",
+                     with_columns() + std::string(layer))),
+      ElementsAre(
+          "case.toml:27:18: [boundary.base] model = \"wave\" is a homogeneous half-space and cannot take the "
+          "layers of [[profile]]; use model = \"column\" or remove [[profile]]"));
+}
+
+TEST(Rules, LayerDampingHasModel) {
+  const auto damped = with_columns() + std::string(layer) + "damping_ratio = 0.02\n";
+  EXPECT_THAT(
+      errors_of(damped),
+      ElementsAre("case.toml:36:17: [[profile]] 'damping_ratio' = 0.02 has no effect without a damping "
+                  "model; set [damping] model to \"rayleigh\" or \"kelvin_voigt\""));
+  EXPECT_THAT(errors_of(damped + "[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n"), IsEmpty());
+}
+
+TEST(Rules, ReferenceLiesInHalfspace) {
+  const auto layered = with_columns() + std::string(layer);
+  EXPECT_THAT(
+      errors_of(with("reference = [0.0, -10.0]", "reference = [0.0, -3.0]", layered)),
+      ElementsAre(
+          "case.toml:6:13: [motion] 'reference' at y = -3 lies in the layers of [[profile]], must be in the "
+          "half-space, y <= -4"));
+}
+
+TEST(Rules, TimeStepIsStable) {
+  // c_p = sqrt(E (1-nu)/((1+nu)(1-2nu) rho)) = 173.44 m/s, h = 1 m: 0.65 h/c_p = 3.74777e-3 s.
+  EXPECT_THAT(errors_of(plus("[time]\ndt = 3.74e-3\n")), IsEmpty());
+  EXPECT_THAT(errors_of(plus("[time]\ndt = 3.75e-3\n")),
+              ElementsAre("case.toml:32:6: [time] 'dt' = 0.00375 exceeds the critical step 0.65 h/c_p = "
+                          "0.00374777 s of this mesh "
+                          "and its fastest soil"));
+}
+
+TEST(Rules, MonitorsLieInSoil) {
+  const std::string monitor = "[[monitor]]\nname = \"top\"\npoint = [10.0, 0.0]\n";
+  EXPECT_THAT(errors_of(plus(monitor)), IsEmpty());
+  EXPECT_THAT(errors_of(plus("[[monitor]]\nname = \"top\"\npoint = [10.0, 0.1]\n")),
+              ElementsAre("case.toml:33:9: [[monitor]] 'point' [10, 0.1] lies in no region"));
+  EXPECT_THAT(errors_of(plus(monitor + monitor)),
+              ElementsAre("case.toml:35:8: [[monitor]] 'name' = \"top\" is taken by the monitor in line 32"));
+}
+
+} // namespace
+} // namespace tremolo::scene::testing
