@@ -18,5 +18,6 @@ inline constexpr int refused = 2;
 void add_check(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_docs(CLI::App& app);
+void add_plot(CLI::App& app);
 
 } // namespace tremolo::app

@@ -16,6 +16,7 @@ int run(int argc, char** argv) {
   tremolo::app::add_check(app);
   tremolo::app::add_explain(app);
   tremolo::app::add_docs(app);
+  tremolo::app::add_plot(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
