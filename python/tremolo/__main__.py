@@ -42,7 +42,7 @@ def plot(arguments):
             yield histories.monitor(run, name, folder)
     if run.energy is not None and len(run.energy) > 1:
         yield histories.energy(run, folder)
-    if len(run.times) > 10:
+    if len(run.times) > 10 and run.has_field("velocity"):
         yield fronts.fronts(run, folder)
 
 

@@ -31,11 +31,9 @@ plt.rcParams.update(
 )
 
 
-def spacing(run, index=0):
-    """Distance of neighbouring particles, m: the root of their area."""
-    if run.has_field("volume"):
-        return float(np.sqrt(np.median(run.field(index, "volume"))))
-    return run.attribute("mesh_size") / 2.0
+def spacing(run):
+    """Distance of neighbouring particles at the start, m."""
+    return run.attribute("particle_size") or run.attribute("mesh_size") / 2.0
 
 
 def extent(run, indices):

@@ -42,7 +42,7 @@ def _histories(axes, points, tables):
         ax.set_xlabel("t (s)")
         ax.set_xlim(table["time"][0], table["time"][-1])
     axes[0].set_ylabel("particle velocity (m/s)")
-    axes[0].legend(loc="upper left", fontsize=7)
+    axes[-1].legend(loc="upper right", fontsize=7)
 
 
 def picture(path):
