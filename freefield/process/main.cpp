@@ -1,0 +1,77 @@
+// tremolo-column: serves a laterally uniform free field, marched in time as the domain asks for it.
+
+#include "coupler/source_client.hpp"
+#include "freefield/process/column_from_case.hpp"
+#include "scene/service.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace tremolo;
+
+void write(const freefield::ColumnSample& s, std::span<double> values) {
+  const std::array<double, coupler::values_per_point> all{
+      s.vx, s.vy, s.sxx, s.syy, s.sxy, s.vx_rate, s.vy_rate, s.sxx_rate, s.syy_rate, s.sxy_rate};
+  std::copy(all.begin(), all.end(), values.begin());
+}
+
+/// The column's state at the step that is asked for; steps are asked for in order.
+class TotalField {
+public:
+  explicit TotalField(freefield::Column& column) : column_(column) {}
+
+  void fill(std::uint64_t step, std::span<const double> levels, std::span<double> values) {
+    for (; at_ < step; ++at_)
+      column_.step();
+    samples_.resize(levels.size());
+    column_.sample(levels, samples_);
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      write(samples_[i], values.subspan(i * coupler::values_per_point, coupler::values_per_point));
+  }
+
+private:
+  freefield::Column& column_;
+  std::vector<freefield::ColumnSample> samples_;
+  std::uint64_t at_ = 0;
+};
+
+void run(const coupler::ParticipantOptions& options) {
+  const scene::Case scene = scene::load(options.case_file);
+  const scene::Plan plan = scene::plan(scene);
+  const scene::SourceProcess& source = scene::source_named(plan, options.name);
+  const freefield::IncidentWave incident(scene);
+  const std::unique_ptr<freefield::Column> column = freefield::column_from_case(scene, source, incident);
+  const scene::Service service = scene::service(scene, source, 0.0);
+
+  const double dt = column->time_step();
+  const auto steps = static_cast<std::uint64_t>(std::ceil((service.end_time - column->time()) / dt)) + 4;
+  std::vector<coupler::FieldDescription> fields;
+  for (const scene::ServedLine& line : service.lines)
+    fields.push_back({.name = std::string(scene::name(line.field)),
+                      .y = line.levels,
+                      .x_reference = service.x_line,
+                      .start_time = column->time(),
+                      .time_step = dt,
+                      .step_count = steps});
+
+  coupler::SourceClient client(options, fields);
+  TotalField total(*column);
+  client.serve([&](std::size_t f, std::uint64_t step, std::span<double> values) {
+    if (service.lines[f].field == scene::BaseForm::total)
+      total.fill(step, fields[f].y, values);
+    else
+      write(incident.sample(fields[f].y.front(), fields[f].time(step)), values);
+  });
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return tremolo::coupler::participant_main("tremolo-column", "A 1D free-field column, as a source.", argc,
+                                            argv, run);
+}
