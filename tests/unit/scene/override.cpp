@@ -1,0 +1,49 @@
+#include "scene/override.hpp"
+
+#include "case_text.hpp"
+
+#include <gmock/gmock.h>
+
+namespace tremolo::scene::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Override, AngleAloneChangesNothingElse) {
+  const auto scene = parse_case(std::string(flat_case));
+  EXPECT_EQ(overridden_text(scene, {}), flat_case);
+  EXPECT_EQ(overridden_text(scene, {.record = {}, .angle_deg = 15.0}),
+            with("angle_deg = 0.0", "angle_deg = 15"));
+}
+
+TEST(Override, RecordOfAPulseIsRefused) {
+  const auto scene = parse_case(std::string(flat_case));
+  EXPECT_THROW(overridden_text(scene, {.record = "x.AT2", .angle_deg = {}}), std::invalid_argument);
+}
+
+TEST(Override, TextMeansTheSameInAnotherFolder) {
+  const auto scene = load(TREMOLO_SOURCE_DIR "/cases/slope_oblique/case.toml");
+  const auto moved = parse(overridden_text(scene, {.record = {}, .angle_deg = 0.0}), "case.toml", "/nowhere");
+  EXPECT_EQ(moved.motion.angle_deg, 0.0);
+  EXPECT_EQ(std::get<MotionFile>(moved.motion.source).path,
+            TREMOLO_SOURCE_DIR "/cases/slope_oblique/motion.AT2");
+  EXPECT_EQ(moved.regions.size(), scene.regions.size());
+}
+
+TEST(Override, RecordIsReplacedInInlineTablesAndBehindUmlauts) {
+  const auto text = with(
+      "[motion]\npulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }\nwave = \"SV\"\n"
+      "angle_deg = 0.0\nreference = [0.0, -10.0]\n",
+      "motion = { wave = \"SV\", angle_deg = 0.0, reference = [0.0, -10.0], file = 'b\u00f6schung.AT2' } # "
+      "f\u00fcr\n");
+  auto scene = parse_case(std::string(flat_case));
+  scene.text = text; // the record itself is not needed for the text
+  scene.motion.source = MotionFile{"b\u00f6schung.AT2"};
+  EXPECT_THAT(overridden_text(scene, {.record = "/a \"b\".AT2", .angle_deg = 5.0}),
+              HasSubstr("motion = { wave = \"SV\", angle_deg = 5, reference = [0.0, -10.0], file = \"/a "
+                        "\\\"b\\\".AT2\" } # "
+                        "f\u00fcr\n"));
+}
+
+} // namespace
+} // namespace tremolo::scene::testing
