@@ -114,6 +114,16 @@ void append_table(const std::filesystem::path& file, std::string_view path, cons
 /// @throws std::runtime_error where the file cannot be written
 void mark_aborted(const std::filesystem::path& file, std::string_view reason);
 
+/// A table and where it belongs in a file.
+struct NamedTable {
+  std::string path; ///< e.g. "/histories/toe"
+  Table table;
+};
+
+/// Creates an HDF5 file of tables, e.g. verify.h5.
+/// @throws std::runtime_error where the file cannot be written
+void write_tables(const std::filesystem::path& file, std::span<const NamedTable> tables);
+
 /// Reads a run file, complete or not.
 ///
 /// @throws std::runtime_error with file and reason where the file is absent, is no run file, has another

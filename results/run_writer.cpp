@@ -351,19 +351,4 @@ std::size_t RunWriter::frame_count() const {
   return implementation_->frame_count();
 }
 
-void append_table(const std::filesystem::path& file, std::string_view path, const Table& table) {
-  const Handle run = open_for_writing(file);
-  const Handle group = write_unlinked_table({run.get(), file}, table);
-  flush_file(run, file);
-  checked(H5Olink(group.get(), run.get(), std::string(path).c_str(), H5P_DEFAULT, H5P_DEFAULT), file,
-          fmt::format("add {}", path));
-  flush_file(run, file);
-}
-
-void mark_aborted(const std::filesystem::path& file, std::string_view reason) {
-  const Handle run = open_for_writing(file);
-  set_status({run.get(), file}, aborted_status(reason));
-  flush_file(run, file);
-}
-
 } // namespace tremolo::results

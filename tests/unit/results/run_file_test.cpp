@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <hdf5.h>
 
+#include <array>
 #include <csignal>
 #include <fstream>
 #include <sys/resource.h>
@@ -98,6 +99,22 @@ TEST(RunFile, KeepsTablesOfTextNumbersAndCounts) {
   EXPECT_EQ(timings.columns[1].unit, "s");
   EXPECT_TRUE(run.has_table("/processes"));
   EXPECT_FALSE(run.has_table("/nothing"));
+}
+
+TEST(RunFile, WritesFilesOfTables) {
+  const Folder folder;
+  const std::vector<NamedTable> tables{
+      {"/points", {{{"name", "", std::vector<std::string>{"toe"}}, {"x", "m", std::vector<double>{30.0}}}}},
+      {"/histories/toe", {{{"time", "s", std::vector<double>{0.0, 0.5}}}}}};
+  write_tables(folder / "verify.h5", tables);
+  const hid_t file = H5Fopen((folder / "verify.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t time = H5Dopen2(file, "/histories/toe/time", H5P_DEFAULT);
+  std::array<double, 2> values{};
+  EXPECT_GE(H5Dread(time, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  EXPECT_THAT(values, ElementsAre(0.0, 0.5));
+  EXPECT_GT(H5Lexists(file, "/points/name", H5P_DEFAULT), 0);
+  H5Dclose(time);
+  H5Fclose(file);
 }
 
 TEST(RunFile, SaysWhyARunEnded) {
