@@ -45,7 +45,8 @@ void check_time(const FieldUse& use, double start_time, double end_time) {
 } // namespace
 
 BoundaryExchange::BoundaryExchange(const std::vector<SourceDescription>& sources,
-                                   std::vector<BoundaryFace> faces, double start_time, double end_time)
+                                   std::vector<BoundaryFace> faces, double start_time, double end_time,
+                                   std::uint32_t window_steps)
     : faces_(std::move(faces)) {
   std::vector<FieldUse> uses;
   readers_.reserve(faces_.size());
@@ -69,9 +70,11 @@ BoundaryExchange::BoundaryExchange(const std::vector<SourceDescription>& sources
   for (const auto& use : uses) {
     check_time(use, start_time, end_time);
     // Four frames in flight hide the source's latency.
-    const std::uint64_t look_ahead = 4ULL * steps_per_frame(*use.field);
+    const std::uint32_t frame_steps = steps_per_frame(*use.field, window_steps);
+    const std::uint64_t look_ahead = 4ULL * frame_steps;
     inlets_.push_back({use.address, use.source->name,
-                       FreeFieldHistory(*use.field, use.least_delay, use.largest_delay, look_ahead)});
+                       FreeFieldHistory(*use.field, use.least_delay, use.largest_delay, look_ahead),
+                       frame_steps});
     inlets_.back().history.release_before(start_time);
   }
 }
@@ -88,7 +91,7 @@ std::vector<BoundaryExchange::Credit> BoundaryExchange::new_credits() {
     const auto& field = inlet.history.field();
     const std::uint64_t credit = inlet.history.credit();
     const bool last = credit == field.step_count && credit > inlet.announced_credit;
-    if (!last && credit < inlet.announced_credit + steps_per_frame(field))
+    if (!last && credit < inlet.announced_credit + inlet.steps_per_frame)
       continue;
     inlet.announced_credit = credit;
     credits.push_back({inlet.address, credit});
@@ -114,10 +117,10 @@ void BoundaryExchange::evaluate(double time, std::span<const eq6::Vector> v_doma
   }
 }
 
-std::uint32_t steps_per_frame(const FieldDescription& field) {
-  constexpr std::size_t frame_bytes = 256 * 1024;
-  return static_cast<std::uint32_t>(
-      std::clamp<std::size_t>(frame_bytes / (field.values_per_step() * sizeof(double)), 1, 64));
+std::uint32_t steps_per_frame(const FieldDescription& field, std::uint32_t window_steps) {
+  constexpr std::size_t most_bytes = 4 << 20;
+  const std::size_t fitting = most_bytes / (field.values_per_step() * sizeof(double));
+  return static_cast<std::uint32_t>(std::clamp<std::size_t>(fitting, 1, window_steps));
 }
 
 } // namespace tremolo::coupler

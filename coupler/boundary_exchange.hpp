@@ -23,13 +23,19 @@ struct FieldAddress {
   friend bool operator==(const FieldAddress&, const FieldAddress&) = default;
 };
 
+inline constexpr std::uint32_t default_window_steps = 64;
+
+/// Steps that a source sends in one frame: window_steps, but not more than 4 MiB.
+std::uint32_t steps_per_frame(const FieldDescription& field, std::uint32_t window_steps);
+
 class BoundaryExchange {
 public:
   /// @param start_time,end_time of the exchange, s, on the sources' clock
+  /// @param window_steps most steps in a source's frame
   /// @throws std::invalid_argument if a face names no source, or the source does not cover it in depth or
   /// time
   BoundaryExchange(const std::vector<SourceDescription>& sources, std::vector<BoundaryFace> faces,
-                   double start_time, double end_time);
+                   double start_time, double end_time, std::uint32_t window_steps);
 
   [[nodiscard]] std::size_t faces() const { return faces_.size(); }
 
@@ -38,6 +44,7 @@ public:
     FieldAddress address;
     std::string source;
     FreeFieldHistory history;
+    std::uint32_t steps_per_frame = 1;
     std::uint64_t announced_credit = 0; ///< the last one told to the source
   };
   /// Only fields that a face takes are here: the others are never asked for.
@@ -76,8 +83,5 @@ private:
   std::vector<Reader> readers_;
   std::vector<Inlet> inlets_;
 };
-
-/// Steps that a source sends in one frame: about 256 KiB, at most 64 steps.
-std::uint32_t steps_per_frame(const FieldDescription& field);
 
 } // namespace tremolo::coupler

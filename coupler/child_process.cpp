@@ -90,7 +90,7 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
     : name_(std::move(other.name_)), log_file_(std::move(other.log_file_)),
       pid_(std::exchange(other.pid_, -1)), start_(other.start_), status_(other.status_),
-      wall_seconds_(other.wall_seconds_), cpu_seconds_(other.cpu_seconds_) {}
+      killed_(other.killed_), end_(other.end_), cpu_seconds_(other.cpu_seconds_) {}
 
 ChildProcess::~ChildProcess() {
   if (pid_ > 0)
@@ -102,8 +102,9 @@ bool ChildProcess::ended() {
 }
 
 void ChildProcess::kill() {
-  if (status_)
+  if (ended())
     return;
+  killed_ = true;
   ::kill(pid_, SIGKILL);
   reap(0);
 }
@@ -118,7 +119,7 @@ bool ChildProcess::reap(int wait_options) {
   if (reaped != pid_)
     return false;
   status_ = status;
-  wall_seconds_ = seconds_since(start_);
+  end_ = Clock::now();
   cpu_seconds_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   return true;
 }
@@ -130,9 +131,15 @@ bool ChildProcess::succeeded() const {
 std::string ChildProcess::ending() const {
   if (!status_)
     return "is running";
+  if (killed_)
+    return "did not react and was killed";
   if (WIFSIGNALED(*status_))
     return fmt::format("was killed by signal {} ({})", WTERMSIG(*status_), ::strsignal(WTERMSIG(*status_)));
   return fmt::format("exited with code {}", WEXITSTATUS(*status_));
+}
+
+double ChildProcess::wall_seconds() const {
+  return std::chrono::duration<double>(end_ - start_).count();
 }
 
 std::vector<std::string> ChildProcess::last_lines(std::size_t most) const {

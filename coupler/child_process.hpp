@@ -37,10 +37,12 @@ public:
   [[nodiscard]] pid_t pid() const { return pid_; }
   /// After the end: whether it was exit code 0.
   [[nodiscard]] bool succeeded() const;
-  /// After the end: "exited with code 3" or "was killed by signal 9 (Killed)".
+  /// How it ended: "exited with code 3", "was killed by signal 9 (Killed)", or by kill().
   [[nodiscard]] std::string ending() const;
   /// From start to end, s.
-  [[nodiscard]] double wall_seconds() const { return wall_seconds_; }
+  [[nodiscard]] double wall_seconds() const;
+  /// After the end.
+  [[nodiscard]] double seconds_since_end() const { return seconds_since(end_); }
   /// User and system time, s.
   [[nodiscard]] double cpu_seconds() const { return cpu_seconds_; }
   /// The last lines it wrote.
@@ -54,7 +56,8 @@ private:
   pid_t pid_ = -1;
   Clock::time_point start_;
   std::optional<int> status_;
-  double wall_seconds_ = 0.0;
+  bool killed_ = false; ///< by kill()
+  Clock::time_point end_;
   double cpu_seconds_ = 0.0;
 };
 

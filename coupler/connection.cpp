@@ -86,6 +86,10 @@ std::optional<Incoming> Connection::receive(double wait_s) {
   return Incoming{std::move(message), {}};
 }
 
+bool Connection::hub_is_silent() const {
+  return seconds_since_sign_of_life() > deadlines_.step + grace_s;
+}
+
 void Connection::fail(const std::string& reason) {
   send({"ABORT", {{"reason", reason}}});
   throw Error(reason);

@@ -45,6 +45,8 @@ public:
   /// Tells the hub why this participant leaves, and throws it.
   [[noreturn]] void fail(const std::string& reason);
 
+  /// Whether the hub, which beats several times a second, has been silent for longer than the step deadline.
+  [[nodiscard]] bool hub_is_silent() const;
   [[nodiscard]] double seconds_since_sign_of_life() const { return seconds_since(last_heard_); }
   [[nodiscard]] std::uint32_t number() const { return number_; }
   [[nodiscard]] std::uint64_t session() const { return session_; }

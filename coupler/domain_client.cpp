@@ -26,6 +26,7 @@ DomainClient::DomainClient(const ParticipantOptions& options)
   const Message welcome =
       connection_.introduce({"HELLO", {{"role", "domain"}, {"case", file_crc(options.case_file)}}});
   mode_ = mode_from(welcome.body.at("mode").get<std::string>());
+  window_steps_ = welcome.body.at("window_steps").get<std::uint32_t>();
   for (const auto& source : welcome.body.at("sources"))
     sources_.push_back(source_from(source));
 }
@@ -36,7 +37,7 @@ void DomainClient::ready(const std::vector<BoundaryFace>& faces, double start_ti
   last_time_ = start_time;
   // Both modes build it, so that a mistake is told by whoever finds it first, in the same words.
   try {
-    exchange_.emplace(sources_, faces, start_time, end_time);
+    exchange_.emplace(sources_, faces, start_time, end_time, window_steps_);
   } catch (const std::invalid_argument& error) {
     connection_.fail(fmt::format("domain '{}': {}", options_.name, error.what()));
   }
@@ -112,7 +113,7 @@ void DomainClient::wait_for_hub(std::uint64_t step, std::span<eq6::Vector> tract
 }
 
 void DomainClient::check_hub(const std::string& awaited) {
-  if (connection_.seconds_since_sign_of_life() > options_.deadlines.step)
+  if (connection_.hub_is_silent())
     connection_.fail(fmt::format("domain '{}' waits for {}; last sign of life of the hub {:.1f} s ago",
                                  options_.name, awaited, connection_.seconds_since_sign_of_life()));
 }
@@ -182,12 +183,12 @@ void DomainClient::grant_credits() {
 }
 
 void DomainClient::progress(const std::string& stage, std::uint64_t step, double time, double end_time) {
-  if (seconds_since(last_beat_) < beat_interval_s)
-    return;
   stage_ = stage;
   stage_step_ = step;
   stage_time_ = time;
   stage_end_time_ = end_time;
+  if (seconds_since(last_beat_) < beat_interval_s)
+    return;
   drain();
   beat(std::nullopt);
 }

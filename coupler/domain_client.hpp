@@ -83,6 +83,7 @@ private:
   ParticipantOptions options_;
   Connection connection_;
   Mode mode_ = Mode::window;
+  std::uint32_t window_steps_ = default_window_steps;
   std::vector<SourceDescription> sources_;
   std::optional<BoundaryExchange> exchange_;
   std::size_t face_count_ = 0;

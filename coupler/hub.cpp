@@ -15,7 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double beat_interval_s = 1.0;
+constexpr double beat_interval_s = 0.25;
 
 zmq::socket_t bind(zmq::context_t& context, const std::string& endpoint) {
   try {
@@ -161,8 +161,11 @@ void Hub::welcome_all() {
     list.push_back(to_json(source));
   for (auto& participant : participants_) {
     participant.last_heard = Clock::now();
-    send(participant,
-         {"WELCOME", {{"number", participant.number}, {"mode", name(options_.mode)}, {"sources", list}}});
+    send(participant, {"WELCOME",
+                       {{"number", participant.number},
+                        {"mode", name(options_.mode)},
+                        {"window_steps", options_.window_steps},
+                        {"sources", list}}});
   }
 }
 
@@ -276,9 +279,8 @@ void Hub::send(const Participant& participant, const Message& message) {
 
 void Hub::forward(const Participant& participant, std::span<const std::byte> bytes) {
   if (!send_bytes(participant.routing_id, bytes))
-    fail(participant.expected.name,
-         fmt::format("{} '{}' cannot be reached: its connection is closed or takes nothing",
-                     name(participant.expected.role), participant.expected.name));
+    fail(participant.expected.name, fmt::format("{} '{}' takes no messages", name(participant.expected.role),
+                                                participant.expected.name));
 }
 
 bool Hub::send_bytes(const std::string& routing_id, std::span<const std::byte> bytes) {
@@ -287,8 +289,9 @@ bool Hub::send_bytes(const std::string& routing_id, std::span<const std::byte> b
                         zmq::send_flags::sndmore | zmq::send_flags::dontwait) &&
            socket_.send(zmq::const_buffer(bytes.data(), bytes.size()), zmq::send_flags::dontwait);
   } catch (const zmq::error_t& error) {
+    // It is gone: its BYE is on its way, or its process's end will be seen.
     if (error.num() == EHOSTUNREACH)
-      return false;
+      return true;
     throw;
   }
 }

@@ -46,6 +46,7 @@ struct ExpectedParticipant {
 struct HubOptions {
   std::uint64_t session = 0;
   Mode mode = Mode::window;
+  std::uint32_t window_steps = default_window_steps;
   std::string case_crc;                          ///< file_crc() of the case that all must have read
   std::vector<ExpectedParticipant> participants; ///< one domain and its sources
   Deadlines deadlines;
@@ -154,6 +155,7 @@ private:
   void fail(const std::string& participant, const std::string& text);
   void send(const Participant& participant, const Message& message);
   void forward(const Participant& participant, std::span<const std::byte> bytes);
+  /// @returns false if the participant's queue is full
   bool send_bytes(const std::string& routing_id, std::span<const std::byte> bytes);
 
   [[nodiscard]] Participant* find_name(const std::string& name);

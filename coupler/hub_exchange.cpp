@@ -19,7 +19,7 @@ void Hub::take_ready(Participant& participant, const json& body) {
   ready_ = true;
   face_count_ = faces.size();
   try {
-    BoundaryExchange exchange(sources(), std::move(faces), start_time, end_time);
+    BoundaryExchange exchange(sources(), std::move(faces), start_time, end_time, options_.window_steps);
     if (options_.mode == Mode::lockstep)
       exchange_.emplace(std::move(exchange));
   } catch (const std::invalid_argument& error) {

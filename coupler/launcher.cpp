@@ -20,6 +20,7 @@ constexpr std::chrono::milliseconds tick{50};
 constexpr double abort_grace_s = 1.0;
 /// The same when the user interrupts: there is no hurry then, and a second Ctrl-C ends it at once.
 constexpr double interrupt_grace_s = 10.0;
+constexpr double last_words_s = 0.1;
 constexpr std::size_t shown_lines = 8;
 
 std::uint64_t random_session() {
@@ -30,6 +31,7 @@ std::uint64_t random_session() {
 HubOptions hub_options(const LaunchOptions& launch) {
   HubOptions hub{.session = random_session(),
                  .mode = launch.mode,
+                 .window_steps = launch.window_steps,
                  .case_crc = file_crc(launch.case_file),
                  .participants = {},
                  .deadlines = launch.deadlines,
@@ -95,11 +97,9 @@ private:
     for (auto& child : children_) {
       if (!child.ended() || (hub_.has_left(child.name()) && child.succeeded()))
         continue;
-      // Its last words may have arrived together with its end, and they tell more.
-      hub_.take_messages();
-      if (hub_.failure())
-        stop_failed(*hub_.failure());
-      if (!hub_.has_left(child.name()) || !child.succeeded())
+      // Its last words, BYE or the reason, may still be on their way through the sockets.
+      const double patience = child.succeeded() ? options_.deadlines.shutdown : last_words_s;
+      if (child.seconds_since_end() > patience)
         stop_failed({child.name(), ""});
     }
   }
@@ -107,9 +107,7 @@ private:
   /// When the domain is done the results are written: whoever stays longer than the shutdown deadline is
   /// ended.
   void end_stragglers() {
-    const auto domain = std::find_if(options_.processes.begin(), options_.processes.end(),
-                                     [](const auto& p) { return p.role == Role::domain; });
-    if (!hub_.has_left(domain->name))
+    if (!hub_.has_left(domain_process().name()))
       return;
     if (!domain_left_)
       domain_left_ = Clock::now();
@@ -126,25 +124,23 @@ private:
   [[noreturn]] void stop_failed(const Failure& failure) {
     const auto culprit = std::find_if(children_.begin(), children_.end(),
                                       [&](const auto& child) { return child.name() == failure.participant; });
-    const std::string headline = culprit == children_.end() ? failure.text : describe(*culprit, failure.text);
-    hub_.abort(headline);
-    stop_all(abort_grace_s);
-    std::string text = headline;
-    if (culprit != children_.end()) {
-      if (!failure.text.empty())
-        text = fmt::format("{} ('{}' {})", failure.text, culprit->name(), culprit->ending());
-      const auto lines = culprit->last_lines(shown_lines);
-      text += lines.empty() ? fmt::format("; '{}' wrote nothing", culprit->name())
-                            : fmt::format("; the last lines of '{}':", culprit->name());
-      for (const auto& line : lines)
-        text += "\n    " + line;
+    if (culprit == children_.end()) {
+      stop_all(failure.text);
+      throw RunFailed(failure.text, 1);
     }
+    const bool died = failure.text.empty();
+    std::string text =
+        died ? fmt::format("'{}' {} before the run was over", culprit->name(), culprit->ending())
+             : failure.text;
+    stop_all(text);
+    if (!died)
+      text += fmt::format(" ('{}' {})", culprit->name(), culprit->ending());
+    const auto lines = culprit->last_lines(shown_lines);
+    text += lines.empty() ? fmt::format("; '{}' wrote nothing", culprit->name())
+                          : fmt::format("; the last lines of '{}':", culprit->name());
+    for (const auto& line : lines)
+      text += "\n    " + line;
     throw RunFailed(text, 1);
-  }
-
-  static std::string describe(const ChildProcess& child, const std::string& reason) {
-    return reason.empty() ? fmt::format("'{}' {} before the run was over", child.name(), child.ending())
-                          : reason;
   }
 
   [[noreturn]] void stop_interrupted(int signal) {
@@ -152,17 +148,32 @@ private:
         fmt::format("interrupted by {}", signal == SIGINT ? "Ctrl-C (SIGINT)" : "SIGTERM");
     options_.note(text + ": waiting for files to be closed; Ctrl-C again to kill");
     hub_.abort(text);
-    stop_all(interrupt_grace_s);
+    await([&] { return domain_process().ended(); }, interrupt_grace_s);
+    stop_all(text);
     throw RunFailed(fmt::format("{}; what was computed until then is in {}", text, options_.out.string()),
                     128 + signal);
   }
 
-  void stop_all(double grace_s) {
-    const auto start = Clock::now();
-    while (!all_ended() && seconds_since(start) < grace_s && !signals_.termination())
-      wait_for_news();
+  /// Tells all why, gives them a moment to close their files, and kills who is still there.
+  void stop_all(const std::string& reason) {
+    hub_.abort(reason);
+    await([&] { return all_ended(); }, abort_grace_s);
     for (auto& child : children_)
       child.kill();
+  }
+
+  /// Until it is done, the grace is over, or a signal calls for haste.
+  template <typename Done>
+  void await(const Done& done, double grace_s) {
+    const auto start = Clock::now();
+    while (!done() && seconds_since(start) < grace_s && !signals_.termination())
+      wait_for_news();
+  }
+
+  ChildProcess& domain_process() {
+    const auto spec = std::find_if(options_.processes.begin(), options_.processes.end(),
+                                   [](const auto& p) { return p.role == Role::domain; });
+    return children_[static_cast<std::size_t>(spec - options_.processes.begin())];
   }
 
   std::vector<ProcessSummary> summaries() const {

@@ -11,6 +11,7 @@
 #include "coupler/participant_options.hpp"
 #include "coupler/run_endpoint.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -31,6 +32,7 @@ struct LaunchOptions {
   std::filesystem::path out; ///< the run's folder, which exists; logs go to out/log/NAME.log
   std::vector<ProcessSpec> processes;
   Mode mode = Mode::window;
+  std::uint32_t window_steps = default_window_steps;
   Transport transport = Transport::ipc;
   Deadlines deadlines;
   std::function<void(const Progress&)> on_progress; ///< called several times a second

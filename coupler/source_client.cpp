@@ -16,9 +16,11 @@ SourceClient::SourceClient(const ParticipantOptions& options, std::vector<FieldD
   for (const auto& field : fields_) {
     validate(field);
     hello.body["fields"].push_back(to_json(field));
-    outgoing_.push_back({.steps_per_frame = steps_per_frame(field)});
   }
-  connection_.introduce(std::move(hello));
+  const Message welcome = connection_.introduce(std::move(hello));
+  const auto window_steps = welcome.body.at("window_steps").get<std::uint32_t>();
+  for (const auto& field : fields_)
+    outgoing_.push_back({.steps_per_frame = steps_per_frame(field, window_steps)});
 }
 
 void SourceClient::serve(const Fill& fill) {
@@ -27,7 +29,7 @@ void SourceClient::serve(const Fill& fill) {
     // speaks.
     take_messages(0.0);
     while (!finished_ && !send_frames(fill)) {
-      if (connection_.seconds_since_sign_of_life() > options_.deadlines.step)
+      if (connection_.hub_is_silent())
         connection_.fail(
             fmt::format("source '{}' waits for credit; last sign of life of the hub {:.1f} s ago",
                         options_.name, connection_.seconds_since_sign_of_life()));

@@ -1,0 +1,231 @@
+// Runs of real processes: that they end well with the right numbers, and that any way to fail ends all of
+// them with a message that names the one who failed.
+
+#include "coupler/launcher.hpp"
+#include "toy_field.hpp"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+#include <utility>
+
+namespace tremolo::coupler {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::AnyOf;
+using testing::HasSubstr;
+
+class CoupledRun : public testing::Test {
+protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / fmt::format("tremolo_{}_{}", test->name(), ::getpid());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  LaunchOptions options(const std::string& misdeeds, Mode mode = Mode::window) {
+    std::ofstream(folder_ / "case") << misdeeds;
+    return {.case_file = folder_ / "case",
+            .out = folder_,
+            .processes = {{"left", Role::source, TOY_PARTICIPANT},
+                          {"right", Role::source, TOY_PARTICIPANT},
+                          {"domain", Role::domain, TOY_PARTICIPANT}},
+            .mode = mode,
+            .on_progress = [](const Progress&) {},
+            .note = [this](const std::string& line) { notes_ += line + "\n"; }};
+  }
+
+  /// The message of a run that fails, after which no process is left.
+  std::string failure(const LaunchOptions& what) {
+    std::string text;
+    try {
+      launch(what);
+      ADD_FAILURE() << "the run did not fail";
+    } catch (const RunFailed& error) {
+      text = error.what();
+      exit_status_ = error.exit_status();
+    }
+    for (const auto& process : what.processes) {
+      pid_t pid = 0;
+      std::ifstream(folder_ / (process.name + ".pid")) >> pid;
+      EXPECT_TRUE(pid == 0 || (::kill(pid, 0) < 0 && errno == ESRCH)) << process.name << " is still there";
+    }
+    return text;
+  }
+
+  std::vector<eq6::Vector> tractions() const {
+    const auto file = folder_ / "tractions.bin";
+    std::vector<eq6::Vector> list(fs::file_size(file) / sizeof(eq6::Vector));
+    std::ifstream(file, std::ios::binary)
+        .read(reinterpret_cast<char*>(list.data()), static_cast<std::streamsize>(fs::file_size(file)));
+    return list;
+  }
+
+  fs::path folder_;
+  std::string notes_;
+  int exit_status_ = 0;
+};
+
+std::string bytes_of(const std::vector<eq6::Vector>& list) {
+  return {reinterpret_cast<const char*>(list.data()), list.size() * sizeof(eq6::Vector)};
+}
+
+TEST_F(CoupledRun, BothModesAndBothTransportsGiveTheSameBitsAndTheRightTractions) {
+  launch(options(""));
+  const auto window = tractions();
+  launch(options("", Mode::lockstep));
+  const auto lockstep = tractions();
+  auto over_tcp = options("");
+  over_tcp.transport = Transport::tcp;
+  launch(over_tcp);
+  EXPECT_EQ(notes_, "");
+  ASSERT_EQ(window.size(), toy::faces().size() * toy::steps);
+  EXPECT_TRUE(bytes_of(window) == bytes_of(lockstep)) << "the modes differ";
+  EXPECT_TRUE(bytes_of(window) == bytes_of(tractions())) << "the transports differ";
+
+  const auto faces = toy::faces();
+  const auto field = toy::field("total");
+  // 4 sums of cubic Hermite errors in time, 5e-6 relative at this step, and in depth, on values of 1e5 Pa.
+  const double tolerance = 5.0;
+  for (int step = 0; step < toy::steps; ++step)
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const auto& face = faces[i];
+      const double delay = field.slowness_x * (face.position.x - field.x_reference);
+      const auto exact =
+          eq6::boundary_traction(face.dashpot, toy::domain_velocity(i, step),
+                                 toy::motion(face.position.y, toy::time(step) - delay), face.static_traction);
+      const auto found = window[static_cast<std::size_t>(step) * faces.size() + i];
+      ASSERT_NEAR(found.x, exact.x, tolerance) << "step " << step << " face " << i;
+      ASSERT_NEAR(found.y, exact.y, tolerance) << "step " << step << " face " << i;
+    }
+}
+
+TEST_F(CoupledRun, SummaryHasTheReportsOfAll) {
+  const auto summaries = launch(options(""));
+  ASSERT_EQ(summaries.size(), 3U);
+  EXPECT_EQ(summaries[0].report.passes.front().name, "fill");
+  EXPECT_EQ(summaries[2].report.passes.front().name, "tractions");
+  EXPECT_EQ(summaries[2].report.particle_updates, 1e6);
+  EXPECT_GT(summaries[2].wall_seconds, 0.0);
+}
+
+TEST_F(CoupledRun, PauseWithinTheDeadlineChangesNothing) {
+  launch(options(""));
+  const auto smooth = tractions();
+  launch(options("right pauses 100\n"));
+  EXPECT_TRUE(bytes_of(smooth) == bytes_of(tractions()));
+}
+
+TEST_F(CoupledRun, KilledParticipantEndsTheRunAndIsNamed) {
+  for (const Mode mode : {Mode::window, Mode::lockstep})
+    for (const std::string victim : {"left", "right", "domain"}) {
+      const auto text = failure(options(victim + " killed 120\n", mode));
+      EXPECT_THAT(text, HasSubstr(fmt::format("'{}' was killed by signal 9", victim)));
+      EXPECT_EQ(exit_status_, 1);
+    }
+}
+
+TEST_F(CoupledRun, SurvivorsAreGoneWithinTwoSecondsOfAKill) {
+  failure(options("left killed 120\nright stuck 100\n")); // one that would never leave by itself
+  EXPECT_LT(fs::file_time_type::clock::now() - fs::last_write_time(folder_ / "death"),
+            std::chrono::seconds(2));
+}
+
+TEST_F(CoupledRun, ThrownErrorIsShownFromTheLog) {
+  EXPECT_THAT(failure(options("right throws 64\n")),
+              AllOf(HasSubstr("'right' exited with code 1"), HasSubstr("toy: the toy is broken")));
+}
+
+TEST_F(CoupledRun, SourceThatNeverStartsIsNamedAtTheConnectDeadline) {
+  auto what = options("right absent 0\n");
+  what.deadlines.connect = 0.6;
+  EXPECT_THAT(failure(what), HasSubstr("no HELLO from source 'right' within 0.6 s"));
+}
+
+TEST_F(CoupledRun, StuckSourceIsNamedAtTheStepDeadline) {
+  for (const Mode mode : {Mode::window, Mode::lockstep}) {
+    auto what = options("right stuck 100\n", mode);
+    what.deadlines.step = 1.0;
+    EXPECT_THAT(failure(what), HasSubstr("domain 'domain' waits for source 'right', field 'total', step 64"));
+  }
+}
+
+TEST_F(CoupledRun, StuckDomainIsNamedAtTheStepDeadline) {
+  auto what = options("domain stuck 100\n");
+  what.deadlines.step = 1.0;
+  EXPECT_THAT(failure(what), HasSubstr("no sign of life from domain 'domain'"));
+}
+
+TEST_F(CoupledRun, ValuesThatAreNotFiniteAreRefused) {
+  EXPECT_THAT(failure(options("left nan 70\n")),
+              HasSubstr("source 'left', field 'total': the value at step 70 is nan"));
+  EXPECT_THAT(failure(options("domain nan 20\n")),
+              HasSubstr("domain 'domain', step 20: the velocity of face 5 is (nan"));
+}
+
+TEST_F(CoupledRun, AnotherCaseIsRefusedNamingBothSides) {
+  EXPECT_THAT(failure(options("right other-case 0\n")),
+              AllOf(HasSubstr("'right' (build "), HasSubstr("says case = "), HasSubstr("the hub (build ")));
+}
+
+TEST_F(CoupledRun, SecondProcessOfOneNameIsRefusedAndNamed) {
+  const auto text = failure(options("right impostor 0\n"));
+  EXPECT_THAT(text, AnyOf(HasSubstr("'right' exited with code 1"), HasSubstr("'left' exited with code 1")));
+  EXPECT_THAT(text, HasSubstr("'left' is already taking part in this run"));
+  EXPECT_THAT(notes_, HasSubstr("refused: 'left' is already taking part"));
+}
+
+TEST_F(CoupledRun, StrangersAndDoublesDoNotDisturbARunningExchange) {
+  launch(options(""));
+  const auto undisturbed = tractions();
+  for (const Mode mode : {Mode::window, Mode::lockstep}) {
+    notes_.clear();
+    launch(options("domain disturbed 50\n", mode));
+    EXPECT_TRUE(bytes_of(undisturbed) == bytes_of(tractions()));
+    EXPECT_THAT(notes_, AllOf(HasSubstr("refused: 'domain' is already taking part"),
+                              HasSubstr("refused: BYE before HELLO"),
+                              HasSubstr("ignored 4096 bytes from a stranger")));
+  }
+}
+
+TEST_F(CoupledRun, FaceBeyondTheSourceIsRefusedNamingBoth) {
+  EXPECT_THAT(failure(options("domain beyond 0\n")),
+              AllOf(HasSubstr("domain 'domain'"), HasSubstr("source 'left' does not cover the domain"),
+                    HasSubstr("served from y = -40 to 0 m, but a face lies at x = 19.5, y = 50 m")));
+}
+
+TEST_F(CoupledRun, ProgramThatDoesNotExistIsToldAtOnce) {
+  auto what = options("");
+  what.processes[1].program = "/nonexistent/tremolo-wave";
+  EXPECT_THROW(
+      try { launch(what); } catch (const Error& error) {
+        EXPECT_THAT(error.what(),
+                    HasSubstr("cannot start 'right' as /nonexistent/tremolo-wave: No such file"));
+        throw;
+      },
+      Error);
+}
+
+TEST_F(CoupledRun, InterruptEndsAllInOrder) {
+  auto what = options("domain slow 0\n");
+  bool sent = false;
+  what.on_progress = [&](const Progress& progress) {
+    if (progress.stage == "shaking" && !std::exchange(sent, true))
+      ::kill(::getpid(), SIGINT);
+  };
+  EXPECT_THAT(failure(what), HasSubstr("interrupted by Ctrl-C"));
+  EXPECT_EQ(exit_status_, 128 + SIGINT);
+}
+
+} // namespace
+} // namespace tremolo::coupler

@@ -1,0 +1,80 @@
+#include "coupler/error.hpp"
+#include "coupler/messages.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace tremolo::coupler {
+namespace {
+
+Message parse(const std::string& text) {
+  return parse_message(std::as_bytes(std::span(text)));
+}
+
+TEST(Messages, RoundTrip) {
+  const auto message = parse(to_text({"BEAT", {{"step", 7}}}));
+  EXPECT_EQ(message.type, "BEAT");
+  EXPECT_EQ(message.body.at("step"), 7);
+}
+
+TEST(Messages, FacesKeepEveryBit) {
+  const std::vector<BoundaryFace> faces{{{1.0 / 3.0, -0.1},
+                                         {{std::sqrt(0.5), -std::sqrt(0.5)}, 1e6 / 3.0, 0.7e6},
+                                         {-1e5 / 7.0, 3.3},
+                                         "left",
+                                         "total"}};
+  const auto again = faces_from(nlohmann::json::parse(to_json(faces).dump()));
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_EQ(again[0].position.x, faces[0].position.x);
+  EXPECT_EQ(again[0].dashpot.normal.y, faces[0].dashpot.normal.y);
+  EXPECT_EQ(again[0].dashpot.impedance_p, faces[0].dashpot.impedance_p);
+  EXPECT_EQ(again[0].dashpot.impedance_s, faces[0].dashpot.impedance_s);
+  EXPECT_EQ(again[0].static_traction.x, faces[0].static_traction.x);
+  EXPECT_EQ(again[0].field, "total");
+}
+
+TEST(Messages, NonsenseIsRefused) {
+  for (const char* text : {"{", "{}", "{\"type\": 3}", "{\"type\": \"HALLO\"}", "[1]"})
+    EXPECT_THROW(parse(text), Error) << text;
+}
+
+TEST(Messages, FieldsThatCannotBeServedAreRefused) {
+  const FieldDescription good{.name = "total", .y = {-1.0, 0.0}, .time_step = 0.1, .step_count = 2};
+  EXPECT_NO_THROW(field_from(to_json(good)));
+  auto bad = good;
+  bad.y = {0.0, 0.0};
+  EXPECT_THROW(field_from(to_json(bad)), Error);
+  bad = good;
+  bad.time_step = 0.0;
+  EXPECT_THROW(field_from(to_json(bad)), Error);
+  bad = good;
+  bad.step_count = 1;
+  EXPECT_THROW(field_from(to_json(bad)), Error);
+  bad = good;
+  bad.slowness_x = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(field_from(to_json(bad)), Error);
+  auto json = to_json(good);
+  json.erase("slowness_x");
+  EXPECT_THROW(field_from(json), Error);
+}
+
+TEST(Messages, SessionIsSixteenHexadecimalDigits) {
+  EXPECT_EQ(session_from(session_text(0xfedcba9876543210)), 0xfedcba9876543210);
+  EXPECT_EQ(session_text(1), "0000000000000001");
+  for (const char* text : {"", "1", "00000000000000001", "000000000000000g", "0x00000000000001"})
+    EXPECT_THROW(session_from(text), std::invalid_argument) << text;
+}
+
+TEST(Messages, FileCrcIsTheCheckValueOfCrc32) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "tremolo_crc_check.txt";
+  std::ofstream(file) << "123456789";
+  EXPECT_EQ(file_crc(file), "cbf43926");
+  std::filesystem::remove(file);
+  EXPECT_THROW(file_crc(file), Error);
+}
+
+} // namespace
+} // namespace tremolo::coupler
