@@ -63,4 +63,20 @@ Case load(const std::filesystem::path& file) {
   return parse(read_text(file), file, file.parent_path());
 }
 
+Case load_free_field(const std::filesystem::path& file) {
+  Findings findings(file.string());
+  Case scene;
+  scene.file = file;
+  scene.directory = file.parent_path();
+  scene.text = read_text(file);
+
+  const toml::table root = parse_toml(scene.text, findings);
+  Document document(root, findings, scene.values);
+  read_free_field(document, findings, scene);
+  record_is_readable(scene, findings);
+
+  findings.throw_if_any();
+  return scene;
+}
+
 } // namespace tremolo::scene

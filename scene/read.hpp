@@ -8,7 +8,9 @@
 
 namespace tremolo::scene {
 
-/// Motion, half-space, profile, damping, columns and boundary.
+/// Motion, surface, half-space, profile and damping.
+void read_free_field(Document& document, Findings& findings, Case& scene);
+/// The free field, columns and boundary.
 void read_field(Document& document, Findings& findings, Case& scene);
 /// Soils, regions, mesh, time stepping and stages; after read_field.
 void read_model(Document& document, Findings& findings, Case& scene);

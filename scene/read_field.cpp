@@ -60,7 +60,7 @@ LateralBoundary read_side(Document& document, const char* name, double surface_l
 
 } // namespace
 
-void read_field(Document& document, Findings& findings, Case& scene) {
+void read_free_field(Document& document, Findings& findings, Case& scene) {
   read_motion(document, findings, scene);
   scene.surface_level = document.table("surface").number("level");
   scene.halfspace = read_elasticity(document.table("halfspace"), findings);
@@ -69,6 +69,10 @@ void read_field(Document& document, Findings& findings, Case& scene) {
   for (const auto& table : document.array("profile"))
     scene.profile.push_back({table.number("thickness"), read_elasticity(table, findings),
                              table.optional_number("damping_ratio").value_or(scene.damping_ratio)});
+}
+
+void read_field(Document& document, Findings& findings, Case& scene) {
+  read_free_field(document, findings, scene);
 
   const auto column = document.table("column");
   scene.column.integrator =
