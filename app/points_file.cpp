@@ -1,0 +1,130 @@
+#include "app/points_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace tremolo::app {
+namespace {
+
+/// More times than this are a slip of the pen in DT.
+constexpr double most_times = 1e7;
+
+/// A time that falls short of T1 by less than this part of DT is T1: decimal fractions are not exact.
+constexpr double rounding = 1e-6;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const auto first = text.find_first_not_of(blanks);
+  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto at = text.find(separator);
+    parts.push_back(trimmed(text.substr(0, at)));
+    if (at == std::string_view::npos)
+      return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+std::optional<double> finite_number(std::string_view text) {
+  if (text.starts_with('+'))
+    text.remove_prefix(1);
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, trouble] = std::from_chars(text.data(), end, value);
+  if (trouble != std::errc{} || stop != end || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+bool is_header(std::string_view line) {
+  return split(line, ',') == std::vector<std::string_view>{"x", "y"};
+}
+
+/// @throws std::invalid_argument saying what is wrong with the line
+wavefield::Point parse_point(std::string_view line, double surface_level) {
+  const auto cells = split(line, ',');
+  if (cells.size() != 2)
+    throw std::invalid_argument(fmt::format("2 values x,y are needed, found {}", cells.size()));
+  std::array<double, 2> xy{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto value = finite_number(cells[i]);
+    if (!value)
+      throw std::invalid_argument(fmt::format("{} is '{}', must be a finite number", "xy"[i], cells[i]));
+    xy[i] = *value;
+  }
+  if (xy[1] > surface_level)
+    throw std::invalid_argument(
+        fmt::format("y = {} m lies above the free surface at y = {} m", xy[1], surface_level));
+  return {xy[0], xy[1]};
+}
+
+} // namespace
+
+std::vector<wavefield::Point> read_points(const std::filesystem::path& file, double surface_level) {
+  std::ifstream stream(file);
+  if (!stream || !std::filesystem::is_regular_file(file))
+    throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
+  std::vector<wavefield::Point> points;
+  std::string line;
+  std::size_t number = 0;
+  const auto at = [&] { return fmt::format("{}:{}", file.string(), number); };
+  for (bool header_seen = false; std::getline(stream, line);) {
+    ++number;
+    if (trimmed(line).empty())
+      continue;
+    if (!header_seen) {
+      if (!is_header(line))
+        throw std::runtime_error(
+            fmt::format("{}: the header must be 'x,y', found '{}'", at(), trimmed(line)));
+      header_seen = true;
+      continue;
+    }
+    try {
+      points.push_back(parse_point(line, surface_level));
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(fmt::format("{}: {}", at(), error.what()));
+    }
+  }
+  if (points.empty())
+    throw std::runtime_error(
+        fmt::format("{}: holds no point; a header 'x,y' and one point a line are needed", file.string()));
+  return points;
+}
+
+wavefield::TimeGrid parse_times(std::string_view text) {
+  const auto refuse = [&](std::string_view why) {
+    return std::invalid_argument(fmt::format("times '{}': {}", text, why));
+  };
+  const auto parts = split(text, ':');
+  if (parts.size() != 3)
+    throw refuse("must be T0:T1:DT in s, e.g. 0:3:0.02");
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = finite_number(parts[i]);
+    if (!value)
+      throw refuse(fmt::format("'{}' is not a finite number", parts[i]));
+    values[i] = *value;
+  }
+  const auto [start, end, dt] = values;
+  if (dt <= 0.0)
+    throw refuse(fmt::format("DT is {} s, must be > 0", dt));
+  if (end < start)
+    throw refuse(fmt::format("T1 = {} s lies before T0 = {} s", end, start));
+  const double steps = std::floor((end - start) / dt + rounding);
+  if (steps >= most_times)
+    throw refuse(fmt::format("{:.3g} times, at most {:.0e} are written", steps + 1.0, most_times));
+  return {start, dt, static_cast<std::size_t>(steps) + 1};
+}
+
+} // namespace tremolo::app
