@@ -38,7 +38,7 @@ void require_finite(const PointStress& s) {
 
 } // namespace
 
-PointTest::PointTest(Law law, const PointStress& initial) : law_(std::move(law)), stress_(initial) {
+PointTest::PointTest(const Law& law, const PointStress& initial) : law_(law), stress_(initial) {
   validate(law_);
   require_finite(initial);
   for (const StateVariable& variable : state_variables(law_)) {

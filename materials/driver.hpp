@@ -51,7 +51,7 @@ class PointTest {
 public:
   /// Starts from a given stress with the law's initial state and zero strain.
   /// @throws std::invalid_argument for parameters or stresses that are not physical
-  PointTest(Law law, const PointStress& initial);
+  PointTest(const Law& law, const PointStress& initial);
 
   /// Takes one step.
   /// @throws std::runtime_error if no strain gives the prescribed stresses, e.g. beyond a peak load
