@@ -2,11 +2,16 @@
 # Set-up, Release build, the slope under an SV wave that comes in at 15 degrees, and its pictures.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-out=runs/slope_15
+
+out=runs/demo # a run does not overwrite another one: demo-2, demo-3, ...
+for ((n = 2; ; n++)); do
+  [ -e "$out" ] || break
+  out=runs/demo-$n
+done
 
 scripts/setup.sh
 scripts/build.sh release
-build/release/bin/tremolo run cases/slope_oblique/case.toml --out "$out"
+build/release/bin/tremolo run cases/slope_oblique/case.toml --angle 15 --threads "$(nproc)" --out "$out"
 build/release/bin/tremolo plot "$out"
-echo "demo: results in $out/run.h5 (run.xdmf for ParaView), pictures in $out/pictures:"
-ls "$out"/pictures/*.png
+echo "demo: results in $PWD/$out (run.h5; run.xdmf opens in ParaView), pictures:"
+ls "$PWD/$out"/pictures/*.png
