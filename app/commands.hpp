@@ -19,5 +19,7 @@ void add_check(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_docs(CLI::App& app);
 void add_plot(CLI::App& app);
+void add_wave(CLI::App& app);
+void add_run(CLI::App& app);
 
 } // namespace tremolo::app

@@ -17,6 +17,8 @@ int run(int argc, char** argv) {
   tremolo::app::add_explain(app);
   tremolo::app::add_docs(app);
   tremolo::app::add_plot(app);
+  tremolo::app::add_wave(app);
+  tremolo::app::add_run(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
