@@ -50,7 +50,7 @@ std::string allowed(const Key& key) {
 std::string presence(const Key& key) {
   if (key.required)
     return "**required**";
-  return key.fallback.empty() ? std::string(key.otherwise) : fmt::format("`{}`", key.fallback);
+  return key.fallback.empty() ? fmt::format("else {}", key.otherwise) : fmt::format("`{}`", key.fallback);
 }
 
 std::string meaning(const Key& key) {
