@@ -47,8 +47,14 @@ function(tremolo_test name)
   target_link_libraries(test_${name} PRIVATE tremolo_options ${ARG_DEPENDS} GTest::gmock GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE
     TREMOLO_SOURCE_DIR="${PROJECT_SOURCE_DIR}" TREMOLO_BIN_DIR="${PROJECT_BINARY_DIR}/bin")
-  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 TEST_LIST test_${name}_names)
+  # gtest_discover_tests flattens lists in PROPERTIES, which would lose every label but the first.
+  set(properties ${CMAKE_CURRENT_BINARY_DIR}/test_${name}_properties.cmake)
+  file(WRITE ${properties} "if(test_${name}_names)
+  set_tests_properties(\${test_${name}_names} PROPERTIES
+    LABELS \"${ARG_LABELS}\" TIMEOUT ${ARG_TIMEOUT} SKIP_REGULAR_EXPRESSION [=[\\[  SKIPPED \\]]=])
+endif()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${properties})
 endfunction()
 
 # The system's own interpreter: the one that has the Debian packages python3-numpy, python3-h5py, ...
