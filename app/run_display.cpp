@@ -73,15 +73,15 @@ std::string progress_text(const coupler::Progress& progress, std::uint64_t steps
 
 std::string summary_text(const std::vector<coupler::ProcessSummary>& processes) {
   std::string text =
-      fmt::format("{:<24} {:>10} {:>10} {:>8}\n", "process / pass", "wall s", "cpu s", "share");
+      fmt::format("{:<34} {:>10} {:>10} {:>8}\n", "process / pass", "wall s", "cpu s", "share");
   for (const auto& process : processes) {
     const auto share = [&](double seconds) { return 100.0 * seconds / process.wall_seconds; };
     text +=
-        fmt::format("{:<24} {:>10.2f} {:>10.2f}\n", process.name, process.wall_seconds, process.cpu_seconds);
+        fmt::format("{:<34} {:>10.2f} {:>10.2f}\n", process.name, process.wall_seconds, process.cpu_seconds);
     for (const auto& pass : process.report.passes)
-      text += fmt::format("  {:<22} {:>10.2f} {:>10} {:>6.1f} %\n", pass.name, pass.seconds, "",
+      text += fmt::format("  {:<32} {:>10.2f} {:>10} {:>6.1f} %\n", pass.name, pass.seconds, "",
                           share(pass.seconds));
-    text += fmt::format("  {:<22} {:>10.2f} {:>10} {:>6.1f} %\n", "waiting for exchange",
+    text += fmt::format("  {:<32} {:>10.2f} {:>10} {:>6.1f} %\n", "waiting for exchange",
                         process.report.waiting, "", share(process.report.waiting));
     if (process.report.particle_updates > 0.0)
       text += fmt::format("  {:.3g} particle updates, {:.3g} per second of wall time\n",
