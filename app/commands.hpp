@@ -20,6 +20,7 @@ void add_explain(CLI::App& app);
 void add_docs(CLI::App& app);
 void add_plot(CLI::App& app);
 void add_wave(CLI::App& app);
+void add_verify(CLI::App& app);
 void add_run(CLI::App& app);
 
 } // namespace tremolo::app

@@ -18,6 +18,7 @@ int run(int argc, char** argv) {
   tremolo::app::add_docs(app);
   tremolo::app::add_plot(app);
   tremolo::app::add_wave(app);
+  tremolo::app::add_verify(app);
   tremolo::app::add_run(app);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,76 @@
+#include "app/python.hpp"
+
+#include <fmt/format.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+namespace tremolo::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The Python package: where it was installed beside this program, otherwise in the source tree it was built
+/// from.
+fs::path python_package() {
+  const fs::path installed = fs::canonical("/proc/self/exe").parent_path() / "../share/tremolo/python";
+  return fs::exists(installed / "tremolo") ? installed.lexically_normal() : fs::path(TREMOLO_PYTHON_SOURCE);
+}
+
+/// Debian's interpreter has the packaged numpy, h5py and matplotlib; another one on the PATH need not.
+std::string python() {
+  constexpr const char* packaged = "/usr/bin/python3";
+  return fs::exists(packaged) ? packaged : "python3";
+}
+
+std::runtime_error cannot_start(const std::string& program) {
+  return std::runtime_error(
+      fmt::format("cannot start {}: {}", program, std::generic_category().message(errno)));
+}
+
+} // namespace
+
+void become_python(const std::string& command, const std::vector<std::string>& arguments) {
+  const char* inherited = std::getenv("PYTHONPATH");
+  const std::string path =
+      python_package().string() + (inherited != nullptr ? fmt::format(":{}", inherited) : "");
+  setenv("PYTHONPATH", path.c_str(), 1);
+  std::vector<std::string> words{python(), "-m", "tremolo", command};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (auto& word : words) {
+    argv.push_back(word.data());
+  }
+  argv.push_back(nullptr);
+  execvp(argv.front(), argv.data());
+  throw cannot_start(words.front());
+}
+
+int run_python(const std::string& command, const std::vector<std::string>& arguments) {
+  std::fflush(nullptr); // else the child would write what is still waiting here
+  const pid_t child = fork();
+  if (child < 0)
+    throw cannot_start("python3");
+  if (child == 0) {
+    try {
+      become_python(command, arguments);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "tremolo: %s\n", error.what());
+      _exit(EXIT_FAILURE);
+    }
+  }
+  int ended = 0;
+  while (waitpid(child, &ended, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(ended) ? WEXITSTATUS(ended) : EXIT_FAILURE;
+}
+
+} // namespace tremolo::app

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tremolo::app {
+
+/// Becomes `python3 -m tremolo COMMAND ARGUMENTS...`, the Python package of this installation or source tree.
+/// @throws std::runtime_error where the interpreter cannot be started
+[[noreturn]] void become_python(const std::string& command, const std::vector<std::string>& arguments);
+
+/// Runs the same beside this process and returns its exit status when it has ended.
+/// @throws std::runtime_error where no process can be started
+int run_python(const std::string& command, const std::vector<std::string>& arguments);
+
+} // namespace tremolo::app
