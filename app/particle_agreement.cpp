@@ -21,6 +21,9 @@ constexpr double row_tolerance = 1e-3;
 constexpr int most_steps = 10;
 constexpr double lag_tolerance = 1e-7;
 
+/// A field below this part of the incident wave's peak is rounding.
+constexpr double at_rest = 1e-6;
+
 enum Region : std::size_t { whole, interior, near_sides, near_base, region_count };
 constexpr std::array<const char*, region_count> region_names{"whole", "interior", "near sides", "near base"};
 
@@ -129,11 +132,22 @@ Lags best_lags(const results::RunReader& run, const Particles& particles, const 
   return lags;
 }
 
-Agreement agreement(std::size_t region, const Sums& sums, double lag, std::size_t frames) {
-  if (sums.exact2 == 0.0)
-    throw std::runtime_error(fmt::format(
-        "the exact field is at rest in the region '{}' at all {} frames: there is nothing to compare",
-        region_names[region], frames));
+double peak_velocity(const scene::Motion& motion) {
+  const double dt = 1.0 / (samples_per_period * motion.highest_frequency());
+  double peak = 0.0;
+  for (double t = motion.begin(); t <= motion.end(); t += dt)
+    peak = std::max(peak, std::abs(motion.velocity(t)));
+  return peak;
+}
+
+Agreement agreement(std::size_t region, const Sums& sums, double lag, std::size_t frames,
+                    double incident_peak) {
+  const double exact_peak = std::sqrt(sums.largest_exact2);
+  if (exact_peak <= at_rest * incident_peak)
+    throw std::runtime_error(
+        fmt::format("the exact velocity in the region '{}' never exceeds {:.2g} m/s at the {} frames: the "
+                    "wave has not arrived, there is nothing to compare",
+                    region_names[region], exact_peak, frames));
   return {region_names[region], sums.count / frames, std::sqrt(sums.error2 / sums.exact2),
           std::sqrt(sums.largest_error2 / sums.largest_exact2), lag};
 }
@@ -174,17 +188,19 @@ ParticleAgreement compare_particles(const results::RunReader& run, const scene::
   const double width = 0.25 * std::min(box.width(), scene.surface_level - box.y_min);
   const Particles particles = place_particles(run, scene, width);
   const std::vector<double>& times = run.frame_times();
+  const scene::Motion motion = scene::motion(scene.motion);
   const ExactVelocity exact(field, particles.levels, {box.x_min, box.x_max, times.front(), times.back()},
-                            scene::motion(scene.motion).highest_frequency());
+                            motion.highest_frequency());
 
   std::vector<double> error2(particles.all.size());
   const auto sums = compare(run, particles, exact, Lags{}, &error2);
   const Lags lags = best_lags(run, particles, exact, sums);
 
   ParticleAgreement result{.boundary_width = width, .regions = {}, .x = {}, .y = {}, .relative_error = {}};
+  const double incident_peak = peak_velocity(motion);
   for (std::size_t r = 0; r < region_count; ++r)
     if (sums[r].count > 0)
-      result.regions.push_back(agreement(r, sums[r], lags[r], times.size()));
+      result.regions.push_back(agreement(r, sums[r], lags[r], times.size(), incident_peak));
   const double mean_exact2 = sums[whole].exact2 / static_cast<double>(sums[whole].count);
   for (std::size_t i = 0; i < particles.all.size(); ++i) {
     result.x.push_back(particles.all[i].x);

@@ -1,36 +1,17 @@
 // `tremolo check`, `explain` and `docs` as a user calls them: what they print and how they end.
 
+#include "tests/support/command.hpp"
+
 #include <gmock/gmock.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <sys/wait.h>
 
 namespace {
 
 using ::testing::HasSubstr;
-
-struct Outcome {
-  int status;
-  std::string output; ///< stdout and stderr
-};
-
-Outcome tremolo(const std::string& arguments) {
-  const std::string command = TREMOLO_BIN_DIR "/tremolo " + arguments + " 2>&1";
-  Outcome outcome{-1, ""};
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr)
-    return outcome;
-  std::array<char, 4096> buffer{};
-  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    outcome.output.append(buffer.data(), n);
-  const int ended = pclose(pipe);
-  outcome.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
-  return outcome;
-}
+using tremolo::testing::run_tremolo;
 
 const std::string box = TREMOLO_SOURCE_DIR "/cases/halfspace_box/case.toml";
 
@@ -39,7 +20,7 @@ std::filesystem::path scratch(const std::string& name) {
 }
 
 TEST(Commands, CheckAcceptsAShippedCase) {
-  const auto [status, output] = tremolo("check " + box);
+  const auto [status, output] = run_tremolo("check " + box);
   EXPECT_EQ(status, 0);
   EXPECT_THAT(output, HasSubstr(box + ": ok, 64000 particles"));
 }
@@ -47,7 +28,7 @@ TEST(Commands, CheckAcceptsAShippedCase) {
 TEST(Commands, CheckPrintsEveryErrorAndEndsWithTwo) {
   const auto file = scratch("wrong_case.toml");
   std::ofstream(file) << "title = 1\n[mesh]\nsiz = 2.0\n";
-  const auto [status, output] = tremolo("check " + file.string());
+  const auto [status, output] = run_tremolo("check " + file.string());
   EXPECT_EQ(status, 2);
   EXPECT_THAT(output, HasSubstr(file.string() + ":1:9: 'title' must be a string, found an integer\n"));
   EXPECT_THAT(output, HasSubstr(file.string() + ":3:1: [mesh] unknown key 'siz', did you mean 'size'?\n"));
@@ -56,24 +37,24 @@ TEST(Commands, CheckPrintsEveryErrorAndEndsWithTwo) {
 }
 
 TEST(Commands, MissingFileEndsWithTwo) {
-  const auto [status, output] = tremolo("check /nowhere/case.toml");
+  const auto [status, output] = run_tremolo("check /nowhere/case.toml");
   EXPECT_EQ(status, 2);
   EXPECT_EQ(output, "/nowhere/case.toml:1:1: there is no such file\n");
 }
 
 TEST(Commands, WrongCommandLineEndsWithTwo) {
-  EXPECT_EQ(tremolo("chek").status, 2);
-  EXPECT_EQ(tremolo("check").status, 2);
-  EXPECT_EQ(tremolo("").status, 2);
+  EXPECT_EQ(run_tremolo("chek").status, 2);
+  EXPECT_EQ(run_tremolo("check").status, 2);
+  EXPECT_EQ(run_tremolo("").status, 2);
 }
 
 TEST(Commands, VersionAndHelpEndWithZero) {
-  EXPECT_EQ(tremolo("--version").status, 0);
-  EXPECT_THAT(tremolo("--help").output, HasSubstr("explain"));
+  EXPECT_EQ(run_tremolo("--version").status, 0);
+  EXPECT_THAT(run_tremolo("--help").output, HasSubstr("explain"));
 }
 
 TEST(Commands, ExplainNamesProcessesAndOffersValues) {
-  const auto [status, output] = tremolo("explain --values " + box);
+  const auto [status, output] = run_tremolo("explain --values " + box);
   EXPECT_EQ(status, 0);
   EXPECT_THAT(output, HasSubstr("tremolo-wave"));
   EXPECT_THAT(output, HasSubstr("mesh.size = 0.5  # " + box));
@@ -83,11 +64,11 @@ TEST(Commands, ExplainNamesProcessesAndOffersValues) {
 TEST(Commands, DocsWritesBothFilesOrSaysWhyNot) {
   const auto folder = scratch("generated_docs");
   std::filesystem::create_directories(folder);
-  EXPECT_EQ(tremolo("docs " + folder.string()).status, 0);
+  EXPECT_EQ(run_tremolo("docs " + folder.string()).status, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "case-file.md"));
   EXPECT_TRUE(std::filesystem::exists(folder / "case.schema.json"));
   std::filesystem::remove_all(folder);
-  const auto [status, output] = tremolo("docs /nowhere");
+  const auto [status, output] = run_tremolo("docs /nowhere");
   EXPECT_EQ(status, 1);
   EXPECT_EQ(output, "tremolo: /nowhere/case-file.md: cannot be written\n");
 }
