@@ -46,9 +46,9 @@ void become_python(const std::string& command, const std::vector<std::string>& a
   std::vector<std::string> words{python(), "-m", "tremolo", command};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
-  for (auto& word : words) {
+  argv.reserve(words.size() + 1);
+  for (auto& word : words)
     argv.push_back(word.data());
-  }
   argv.push_back(nullptr);
   execvp(argv.front(), argv.data());
   throw cannot_start(words.front());
