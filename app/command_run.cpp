@@ -4,12 +4,14 @@
 #include "app/commands.hpp"
 #include "app/run_display.hpp"
 #include "coupler/launcher.hpp"
+#include "results/run_file.hpp"
 #include "scene/case.hpp"
 #include "scene/override.hpp"
 #include "scene/plan.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +19,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace tremolo::app {
 
@@ -29,7 +33,7 @@ struct RunArguments {
   fs::path out;
   std::optional<std::string> mode;
   std::string transport = "ipc";
-  int threads = 1;
+  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
 };
@@ -93,6 +97,28 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const RunArgumen
   return options;
 }
 
+/// /processes of the run file: what each process of the run took.
+results::Table process_table(const std::vector<coupler::ProcessSummary>& summaries) {
+  std::vector<std::string> names;
+  std::vector<double> wall;
+  std::vector<double> cpu;
+  std::vector<double> waiting;
+  for (const auto& summary : summaries) {
+    names.push_back(summary.name);
+    wall.push_back(summary.wall_seconds);
+    cpu.push_back(summary.cpu_seconds);
+    waiting.push_back(summary.report.waiting);
+  }
+  return {
+      {{"process", "1", names}, {"wall_time", "s", wall}, {"cpu_time", "s", cpu}, {"waiting", "s", waiting}}};
+}
+
+/// A domain that was killed could not say so in its file; the launcher does it for it.
+void mark_aborted(const fs::path& file, const std::string& reason) {
+  if (fs::exists(file) && results::RunReader(file).status() == "running")
+    results::mark_aborted(file, reason);
+}
+
 void run(const RunArguments& arguments) {
   const auto given = scene::load(arguments.case_file);
   std::optional<fs::path> record = arguments.motion;
@@ -116,10 +142,12 @@ void run(const RunArguments& arguments) {
   std::fflush(stdout);
   try {
     const auto summaries = coupler::launch(options);
+    results::append_table(folder / "run.h5", "/processes", process_table(summaries));
     line.note("finished");
     fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
   } catch (const coupler::RunFailed& failure) {
     line.note(failure.what());
+    mark_aborted(folder / "run.h5", failure.what());
     throw Exit{failure.exit_status()};
   }
 }
@@ -138,7 +166,9 @@ void add_run(CLI::App& app) {
       ->check(CLI::IsMember({"window", "lockstep"}));
   command->add_option("--transport", arguments->transport, "ipc (default) or tcp on the loopback interface")
       ->check(CLI::IsMember({"ipc", "tcp"}));
-  command->add_option("--threads", arguments->threads, "Threads of the domain")->check(CLI::PositiveNumber);
+  command->add_option("--threads", arguments->threads, "Threads of the domain; results do not depend on it")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->add_option("--motion", arguments->motion, "Record to use instead of the case's")
       ->check(CLI::ExistingFile);
   command->add_option("--angle", arguments->angle_deg, "Angle of incidence instead of the case's, degrees");

@@ -6,6 +6,8 @@
 #include <exception>
 #include <fmt/format.h>
 
+#include <csignal>
+
 namespace tremolo::coupler {
 
 std::vector<std::string> command_line(const ParticipantOptions& options) {
@@ -46,6 +48,8 @@ int participant_main(const std::string& program, const std::string& description,
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  // A file that reaches its size limit shall be an error with a message, not a death by signal.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     options.session = session_from(session);
     body(options);

@@ -43,7 +43,7 @@ enum class StepOrder { usl, usf, musl };
 /// The numerical scheme of the domain.
 struct Scheme {
   Transfer transfer = Transfer::apic;
-  StepOrder order = StepOrder::usl;
+  StepOrder order = StepOrder::musl;
   double blend_time = 0.0;  ///< time constant of pic_blend, s
   double fraction = 0.5;    ///< of the critical time step, in (0, 1]
   std::optional<double> dt; ///< a fixed time step instead, s

@@ -93,7 +93,7 @@ struct TimeStepping {
   std::optional<double> dt; ///< a fixed step instead, s
   Transfer transfer = Transfer::apic;
   double blend_time = 0.0; ///< tau of pic_blend, s
-  StepOrder order = StepOrder::usl;
+  StepOrder order = StepOrder::musl;
 };
 
 enum class Side { left, right, base };
@@ -123,7 +123,7 @@ struct Boundary {
 /// [[stage]] kind = "gravity": base fixed, sides on rollers, damped relaxation to rest.
 struct GravityStage {
   double acceleration = 9.81; ///< m/s2, downwards
-  double residual = 1e-6;     ///< largest unbalanced nodal force over the largest nodal weight
+  double residual = 1e-9;     ///< 2-norm of the unbalanced nodal forces over that of the nodal weights
   double max_time = 0.0;      ///< simulated time within which it must be reached, s
 };
 

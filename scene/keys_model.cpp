@@ -90,7 +90,7 @@ Table time() {
           choice("order", {"usl", "usf", "musl"},
                  "When stress is updated in a step: last, first, or last with "
                  "remapped velocity.",
-                 "usl")}};
+                 "musl")}};
 }
 
 Table stage() {
@@ -114,8 +114,8 @@ Table stage() {
            .when = {"kind", {"gravity"}}},
           {.name = "residual",
            .unit = "1",
-           .meaning = "Largest unbalanced nodal force at rest, relative to the largest nodal weight.",
-           .fallback = "1e-6",
+           .meaning = "Unbalanced nodal forces at rest, relative to the nodal weights (2-norms).",
+           .fallback = "1e-9",
            .range = {.low = 1e-12, .high = 0.1},
            .when = {"kind", {"gravity"}}},
           {.name = "max_time_s",

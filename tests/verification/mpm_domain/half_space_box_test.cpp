@@ -86,7 +86,7 @@ TEST_P(EveryScheme, ObliqueWave) {
 INSTANTIATE_TEST_SUITE_P(
     Schemes, EveryScheme,
     testing::Values(mpm_domain::Scheme{.transfer = Transfer::apic, .order = StepOrder::usf},
-                    mpm_domain::Scheme{.transfer = Transfer::apic, .order = StepOrder::musl},
+                    mpm_domain::Scheme{.transfer = Transfer::apic, .order = StepOrder::usl},
                     mpm_domain::Scheme{.transfer = Transfer::flip, .order = StepOrder::usl},
                     mpm_domain::Scheme{.transfer = Transfer::flip, .order = StepOrder::musl},
                     mpm_domain::Scheme{

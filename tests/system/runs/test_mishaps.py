@@ -1,0 +1,128 @@
+"""What goes wrong in the hands of a user: each mishap ends soon, with a message that names it.
+
+    usage: test_mishaps.py TREMOLO PYTHON_PACKAGE_DIR
+"""
+
+import os
+import resource
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
+sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
+
+from small_case import Workspace
+from tremolo import Run
+
+LONG = {"duration": 60.0, "every": 0.01}
+
+
+def start(work, **options):
+    return subprocess.Popen([TREMOLO, "run", str(work.case), "--out", str(work.path / "run")], text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+
+
+def children(pid):
+    return [int(p) for p in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+
+
+def program(pid):
+    return Path(f"/proc/{pid}/comm").read_text().strip()
+
+
+def wait_for_frames(work, count=3):
+    """Until the run has written some frames."""
+    deadline = time.monotonic() + 60.0
+    while time.monotonic() < deadline:
+        try:
+            if len(Run(work.path / "run").times) >= count:
+                return
+        except (OSError, KeyError):
+            pass
+        time.sleep(0.05)
+    raise AssertionError("the run wrote no frames within 60 s")
+
+
+class Mishaps(unittest.TestCase):
+    def test_ctrl_c_ends_all_processes_and_leaves_a_readable_file(self):
+        with Workspace(TREMOLO, **LONG) as work:
+            run = start(work)
+            wait_for_frames(work)
+            started = children(run.pid)
+            self.assertEqual(2, len(started))
+            run.send_signal(signal.SIGINT)
+            before = time.monotonic()
+            run.communicate(timeout=20)
+            self.assertLess(time.monotonic() - before, 10.0)
+            self.assertEqual(130, run.returncode)
+            self.assertEqual([], [pid for pid in started if Path(f"/proc/{pid}").exists()])
+            result = Run(work.path / "run")
+            self.assertTrue(result.status.startswith("aborted"), result.status)
+            self.assertGreaterEqual(len(result.times), 3)
+
+    def killed(self, victim):
+        with Workspace(TREMOLO, **LONG) as work:
+            run = start(work)
+            wait_for_frames(work)
+            pid = next(p for p in children(run.pid) if program(p) == victim)
+            os.kill(pid, signal.SIGKILL)
+            output, _ = run.communicate(timeout=20)
+            self.assertNotIn(run.returncode, (0, None))
+            result = Run(work.path / "run")
+            self.assertTrue(result.status.startswith("aborted"), result.status)
+            self.assertGreaterEqual(len(result.times), 3)
+            return output
+
+    def test_a_killed_source_is_named(self):
+        self.assertRegex(self.killed("tremolo-wave"), "left-right-base.*(killed|signal 9|SIGKILL)")
+
+    def test_a_killed_domain_is_named(self):
+        self.assertRegex(self.killed("tremolo-domain"), "domain.*(killed|signal 9|SIGKILL)")
+
+    def test_a_full_disk_is_said(self):
+        limit = 200_000  # bytes a file may have: a few frames
+
+        def small_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+        with Workspace(TREMOLO, **LONG) as work:
+            run = start(work, preexec_fn=small_files)
+            output, _ = run.communicate(timeout=60)
+            self.assertNotEqual(0, run.returncode)
+            self.assertIn("run.h5", output)
+            self.assertIn("File too large", output)
+
+    def test_a_wrong_key_is_refused_with_its_place_and_the_nearest_key(self):
+        with Workspace(TREMOLO) as work:
+            work.case.write_text(work.case.read_text().replace("size = 1.0", "siz = 1.0"))
+            result = work.command("run", work.case, "--out", work.path / "run")
+            self.assertEqual(2, result.returncode)
+            self.assertRegex(result.stderr, r"case\.toml:\d+:\d+: \[mesh\] unknown key 'siz', did you mean 'size'\?")
+            self.assertFalse((work.path / "run").exists())
+
+    def test_a_missing_motion_file_is_refused(self):
+        with Workspace(TREMOLO) as work:
+            result = work.command("run", work.case, "--motion", work.path / "none.AT2", "--out", work.path / "run")
+            self.assertEqual(2, result.returncode, result.stderr)
+            self.assertIn("none.AT2", result.stderr)
+
+    def test_a_missing_case_is_refused(self):
+        with Workspace(TREMOLO) as work:
+            result = work.command("run", work.path / "none.toml")
+            self.assertEqual(2, result.returncode, result.stderr)
+            self.assertIn("none.toml", result.stderr)
+
+    def test_a_run_does_not_overwrite_another(self):
+        with Workspace(TREMOLO, duration=0.1) as work:
+            folder = work.run("run")
+            result = work.command("run", work.case, "--out", folder)
+            self.assertNotEqual(0, result.returncode)
+            self.assertIn("not an empty folder", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

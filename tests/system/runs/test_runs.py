@@ -1,0 +1,94 @@
+"""Whole runs through the `tremolo` command: modes, free fields, energy, verification.
+
+    usage: test_runs.py TREMOLO PYTHON_PACKAGE_DIR
+"""
+
+import json
+import sys
+import unittest
+from pathlib import Path
+
+TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
+sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
+
+import h5py
+import numpy as np
+from small_case import Workspace
+from tremolo import Run
+
+
+def arrays(path):
+    """Every dataset of a run but its timings, as bytes."""
+    found = {}
+
+    def visit(name, item):
+        if isinstance(item, h5py.Dataset) and not name.startswith(("timings", "processes")):
+            found[name] = item[()].tobytes() if item.shape != () else item[()]
+
+    with h5py.File(path / "run.h5") as file:
+        file.visititems(visit)
+    return found
+
+
+class Modes(unittest.TestCase):
+    def test_window_and_lockstep_write_the_same_bits(self):
+        with Workspace(TREMOLO) as work:
+            window = arrays(work.run("window", "--mode", "window"))
+            lockstep = arrays(work.run("lockstep", "--mode", "lockstep"))
+        self.assertEqual(window.keys(), lockstep.keys())
+        self.assertGreater(len(window), 50)
+        self.assertEqual([], [name for name in window if window[name] != lockstep[name]])
+
+    def test_thread_count_does_not_change_a_bit(self):
+        with Workspace(TREMOLO) as work:
+            one = arrays(work.run("one", "--threads", "1"))
+            two = arrays(work.run("two", "--threads", "2"))
+        self.assertEqual([], [name for name in one if one[name] != two[name]])
+
+
+class Physics(unittest.TestCase):
+    def test_a_run_agrees_with_the_exact_wave_and_says_so(self):
+        with Workspace(TREMOLO) as work:
+            run = work.run("run")
+            verified = work.command("verify", run)
+            self.assertEqual(0, verified.returncode, verified.stdout + verified.stderr)
+            self.assertTrue((run / "verify.json").exists())
+
+    def test_verify_fails_above_the_tolerance_of_the_case(self):
+        with Workspace(TREMOLO, tolerance=1e-4) as work:
+            verified = work.command("verify", work.run("run"))
+            self.assertEqual(1, verified.returncode, verified.stdout + verified.stderr)
+
+    def test_the_error_falls_at_second_order(self):
+        errors = []
+        for size in (1.0, 0.5):
+            with Workspace(TREMOLO, size=size, tolerance=1.0) as work:
+                run = work.run("run")
+                work.command("verify", run)
+                report = json.loads((run / "verify.json").read_text())
+                errors.append(next(r["relative_l2"] for r in report["regions"] if r["name"] == "whole"))
+        self.assertGreater(np.log2(errors[0] / errors[1]), 1.8, errors)
+
+    def test_energy_closes(self):
+        with Workspace(TREMOLO) as work:
+            energy = Run(work.run("run")).energy
+            self.assertLess(np.max(np.abs(energy["residual"])), 0.02 * np.max(energy["kinetic"]))
+            self.assertLessEqual(np.max(np.diff(energy["dashpots"])), 0.0)
+
+    def test_column_and_wave_are_interchangeable_at_vertical_incidence(self):
+        """What is left between them is the column's own error, of second order in its elements."""
+
+        def history(**changes):
+            with Workspace(TREMOLO, angle=0.0, **changes) as work:
+                return Run(work.run("run")).monitor("surface")["vx"]
+
+        exact = history(side="wave")
+        self.assertGreater(np.max(np.abs(exact)), 0.19)
+        differences = [np.linalg.norm(history(side="column", element=size) - exact) / np.linalg.norm(exact)
+                       for size in (0.25, 0.125)]
+        self.assertLess(differences[0], 1e-3)
+        self.assertGreater(np.log2(differences[0] / differences[1]), 1.8, differences)
+
+
+if __name__ == "__main__":
+    unittest.main()
