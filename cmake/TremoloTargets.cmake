@@ -23,7 +23,7 @@ function(tremolo_library name)
   install(TARGETS ${target} EXPORT tremoloTargets)
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION include/tremolo/${folder}
-          FILES_MATCHING PATTERN "*.hpp")
+          FILES_MATCHING PATTERN "*.hpp" PATTERN process EXCLUDE)
 endfunction()
 
 # tremolo_program(name SOURCES main.cpp ... DEPENDS tremolo::x ...): an installed executable in <build>/bin.
