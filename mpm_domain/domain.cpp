@@ -28,6 +28,7 @@ Grid make_grid(const Spec& spec) {
   const std::size_t count = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
   grid.sums.resize(count);
   grid.motion.resize(count);
+  grid.acceleration.resize(count);
   return grid;
 }
 

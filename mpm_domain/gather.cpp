@@ -170,10 +170,10 @@ GatherSums gather_blocks(Domain& domain, const Settings& settings) {
 
 } // namespace
 
-GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_old) {
+GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first) {
   const Scheme& scheme = domain.spec.scheme;
   const double flip_share = scheme.transfer == Transfer::pic_blend ? std::exp(-dt / scheme.blend_time) : 1.0;
-  const Settings settings{dt, flip_share, strain_of_old ? 0 : 2};
+  const Settings settings{dt, flip_share, strain_of_first ? 0 : 2};
   if (parts.velocity && parts.position && parts.strain)
     return gather_blocks<true, true, true>(domain, settings);
   if (parts.velocity && parts.position)
@@ -185,10 +185,17 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_o
   return gather_blocks<false, false, true>(domain, settings);
 }
 
-Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k, double dt) {
-  const Sample q = sample<true, false, false>(domain.grid, particles.x[k], particles.y[k], domain.x_axis(),
-                                              domain.y_axis());
-  return {(q.v[2] - q.v[0]) / dt, (q.v[3] - q.v[1]) / dt};
+Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {
+  const Weights wx = gimp_weights(particles.x[k], domain.x_axis());
+  const Weights wy = gimp_weights(particles.y[k], domain.y_axis());
+  Vector a;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) {
+      const Vector node = domain.grid.acceleration[domain.grid.index(wx.base + i, wy.base + j)];
+      a.x += wx.s[i] * wy.s[j] * node.x;
+      a.y += wx.s[i] * wy.s[j] * node.y;
+    }
+  return a;
 }
 
 } // namespace tremolo::mpm_domain

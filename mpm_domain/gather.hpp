@@ -24,11 +24,12 @@ struct GatherSums {
 ///   flip:       v_p += sum_i S (v+ - v-)
 ///   pic_blend:  a flip + (1 - a) pic with a = exp(-dt/tau), so that the loss does not depend on the step
 ///
-/// The strain increment is dt sym(sum_i u_i grad S) and the rotation dt skew of the same, with u = v- if
-/// `strain_of_old` (update stress first), else v+. Volumes grow by tr(de).
-GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_old = false);
+/// The strain increment is dt sym(sum_i u_i grad S) and the rotation dt skew of the same, with u = v+, or, if
+/// `strain_of_first`, the first velocity of NodeMotion: v- (usf) or the remapped one (musl). Volumes grow by
+/// tr(de).
+GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first = false);
 
-/// The grid's acceleration (v+ - v-)/dt at particle k of one soil, m/s2, for output.
-Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k, double dt);
+/// The grid's acceleration of the last update at particle k of one soil, m/s2, for output.
+Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k);
 
 } // namespace tremolo::mpm_domain

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coupler/eq6/boundary_traction.hpp"
+
 #include <cstddef>
 #include <vector>
 
@@ -16,7 +18,7 @@ struct NodeSum {
 
 /// Velocities of a node in one step, m/s.
 struct NodeMotion {
-  Lanes velocity; ///< before the update x, y; after the update x, y
+  Lanes velocity; ///< before the update (or remapped after it) x, y; after the update x, y
 };
 
 /// The uniform background grid. Node (i, j) lies at (x0 + i h, y0 + j h).
@@ -28,6 +30,7 @@ struct Grid {
   int ny = 0; ///< rows
   std::vector<NodeSum> sums;
   std::vector<NodeMotion> motion;
+  std::vector<eq6::Vector> acceleration; ///< of the last update, m/s2
 
   std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);

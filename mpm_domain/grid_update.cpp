@@ -49,6 +49,20 @@ double grid_velocities(Domain& domain) {
   return kinetic;
 }
 
+void remap_velocities(Domain& domain) {
+  Grid& grid = domain.grid;
+  const double empty = empty_mass(domain);
+  const auto width = static_cast<std::size_t>(grid.nx);
+  domain.workers.run(static_cast<std::size_t>(grid.ny), [&](std::size_t row) {
+    for (std::size_t n = row * width; n < (row + 1) * width; ++n) {
+      const Lanes m = grid.sums[n].motion;
+      const Lanes v = grid.motion[n].velocity;
+      const bool full = m[0] > empty;
+      grid.motion[n].velocity = Lanes{full ? m[1] / m[0] : 0.0, full ? m[2] / m[0] : 0.0, v[2], v[3]};
+    }
+  });
+}
+
 GridUpdate update_grid(Domain& domain, double dt) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
@@ -58,12 +72,14 @@ GridUpdate update_grid(Domain& domain, double dt) {
     GridUpdate sum;
     for (std::size_t n = row * width; n < (row + 1) * width; ++n) {
       const double m = grid.sums[n].motion[0];
+      grid.acceleration[n] = {};
       if (m <= empty)
         continue;
       const Lanes f = grid.sums[n].force;
       const Lanes v = grid.motion[n].velocity;
       const double ax = f[0] / (m + 0.5 * dt * f[2]);
       const double ay = f[1] / (m + 0.5 * dt * f[3]);
+      grid.acceleration[n] = {ax, ay};
       const double ux = v[0] + dt * ax;
       const double uy = v[1] + dt * ay;
       grid.motion[n].velocity = Lanes{v[0], v[1], ux, uy};

@@ -10,6 +10,9 @@ namespace tremolo::mpm_domain {
 /// @returns the grid's kinetic energy, J/m
 double grid_velocities(Domain& domain);
 
+/// Replaces v- by the velocity that the particles' new momenta give the node; v+ stays. For musl.
+void remap_velocities(Domain& domain);
+
 /// What the grid update adds up, J/m.
 struct GridUpdate {
   double kinetic = 0.0; ///< K(v+)

@@ -25,8 +25,8 @@ Stepper::Stepper(Domain& domain, double start_time, TractionSource source)
 }
 
 std::vector<Pass> Stepper::assemble() {
-  const auto gather_pass = [this](GatherParts parts, bool of_old) {
-    return [this, parts, of_old] { book(gather(domain_, dt_, parts, of_old)); };
+  const auto gather_pass = [this](GatherParts parts, bool of_first) {
+    return [this, parts, of_first] { book(gather(domain_, dt_, parts, of_first)); };
   };
   const GatherParts all{.velocity = true, .position = true, .strain = true};
   const GatherParts strain{.strain = true};
@@ -55,8 +55,8 @@ std::vector<Pass> Stepper::assemble() {
   case StepOrder::musl:
     add("grid to particles", gather_pass({.velocity = true}, false));
     add("velocities to grid again", [this] { scatter(domain_, ScatterPart::motion); });
-    add("remapped velocities", [this] { grid_velocities(domain_); });
-    add("strain and stress", gather_pass({.position = true, .strain = true}, false));
+    add("remapped velocities", [this] { remap_velocities(domain_); });
+    add("strain and stress", gather_pass({.position = true, .strain = true}, true));
     break;
   }
   return passes;

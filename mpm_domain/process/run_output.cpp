@@ -58,7 +58,7 @@ Frame collect(const Domain& domain, double dt) {
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     const Particles& set = domain.sets[s];
     for (const std::uint32_t k : set.index_of) {
-      const Vector acceleration = particle_acceleration(domain, set, k, dt);
+      const Vector acceleration = particle_acceleration(domain, set, k);
       const double x = set.x[k] - 0.5 * dt * set.vx[k];
       const double y = set.y[k] - 0.5 * dt * set.vy[k];
       frame.position.insert(frame.position.end(), {x, y});
@@ -160,7 +160,7 @@ void RunOutput::write_history(const Stepper& stepper) {
   for (const Follower& follower : followers_) {
     const Particles& set = domain_.sets[follower.set];
     const std::size_t k = set.index_of[follower.id];
-    const Vector a = particle_acceleration(domain_, set, k, dt);
+    const Vector a = particle_acceleration(domain_, set, k);
     const double x = set.x[k] - 0.5 * dt * set.vx[k];
     const double y = set.y[k] - 0.5 * dt * set.vy[k];
     follower.series->append(std::array<double, 9>{stepper.velocity_time(), x, y, x - set.x_initial[k],

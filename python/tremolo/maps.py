@@ -78,7 +78,8 @@ def shear_bands(runs, times, folder, name="shear_bands.png"):
     rows = min(len(indices) for indices in frames)
     frames = [indices[-rows:] for indices in frames]
     strains = np.concatenate([run.field(indices[-1], "equivalent_plastic_strain") for run, indices in zip(runs, frames)])
-    top = float(np.percentile(strains, 99.5))
+    # Soil that has strained by 1 has lost what it can lose: a longer scale would only hide the bands.
+    top = min(float(np.percentile(strains, 99.5)), 1.0)
     top = top if top > 0.0 else 1.0
     figure = _panels(
         runs, frames, "equivalent_plastic_strain", 0, dict(cmap=style.SEQUENTIAL, vmin=0.0, vmax=top),

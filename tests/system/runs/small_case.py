@@ -43,6 +43,9 @@ left = {{ model = "{side}" }}
 right = {{ model = "{side}" }}
 base = {{ model = "{side}", form = "{base}" }}
 
+[time]
+order = "{order}"
+
 [[stage]]
 kind = "shaking"
 duration_s = {duration}
@@ -59,7 +62,7 @@ history_every_s = 0.005
 tolerance = {tolerance}
 """
 
-DEFAULTS = {"angle": 15.0, "size": 1.0, "side": "wave", "base": "total", "duration": 1.0, "every": 0.05, "element": 0.25,
+DEFAULTS = {"angle": 15.0, "size": 1.0, "side": "wave", "base": "total", "duration": 1.0, "every": 0.05, "element": 0.25, "order": "musl",
             "tolerance": 0.03}
 
 

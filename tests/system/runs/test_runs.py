@@ -75,6 +75,14 @@ class Physics(unittest.TestCase):
             self.assertLess(np.max(np.abs(energy["residual"])), 0.02 * np.max(energy["kinetic"]))
             self.assertLessEqual(np.max(np.diff(energy["dashpots"])), 0.0)
 
+    def test_a_monitors_acceleration_is_the_derivative_of_its_velocity(self):
+        for order in ("usl", "usf", "musl"):
+            with Workspace(TREMOLO, order=order) as work:
+                surface = Run(work.run("run")).monitor("surface")
+            derivative = np.gradient(surface["vx"], surface["time"])
+            error = np.linalg.norm(surface["ax"] - derivative) / np.linalg.norm(derivative)
+            self.assertLess(error, 0.05, order)
+
     def test_column_and_wave_are_interchangeable_at_vertical_incidence(self):
         """What is left between them is the column's own error, of second order in its elements."""
 
