@@ -141,17 +141,17 @@ void RunOutput::add_monitors() {
 void RunOutput::after_step(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
   const double time = stepper.velocity_time();
   if (time >= next_history_) {
-    write_history(stepper);
+    write_history(stepper, free_field);
     next_history_ += scene_.output.history_every *
                      std::max(1.0, std::ceil((time - next_history_) / scene_.output.history_every));
   }
   if (time >= next_frame_) {
-    write_frame(stepper, free_field);
+    write_frame(stepper);
     next_frame_ += scene_.output.every * std::max(1.0, std::ceil((time - next_frame_) / scene_.output.every));
   }
 }
 
-void RunOutput::write_history(const Stepper& stepper) {
+void RunOutput::write_history(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
   const double dt = stepper.dt();
   std::vector<double> row{stepper.velocity_time()};
   for (const double value : domain_.energy.row())
@@ -166,9 +166,10 @@ void RunOutput::write_history(const Stepper& stepper) {
     follower.series->append(std::array<double, 9>{stepper.velocity_time(), x, y, x - set.x_initial[k],
                                                   y - set.y_initial[k], set.vx[k], set.vy[k], a.x, a.y});
   }
+  write_boundary(stepper, free_field);
 }
 
-void RunOutput::write_frame(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
+void RunOutput::write_frame(const Stepper& stepper) {
   const Frame frame = collect(domain_, stepper.dt());
   std::vector<results::Field> fields{{"position", "m", 2, frame.position}, {"soil", "1", 1, frame.soil}};
   if (wants(scene_, scene::OutputField::displacement))
@@ -184,7 +185,6 @@ void RunOutput::write_frame(const Stepper& stepper, std::span<const eq6::FreeFie
   if (wants(scene_, scene::OutputField::state))
     for (std::size_t v = 0; v < frame.variables.size(); ++v)
       fields.push_back({frame.variables[v].name, frame.variables[v].unit, 1, frame.states[v]});
-  write_boundary(stepper, free_field);
   writer_.write_frame(stepper.velocity_time(), fields);
 }
 
@@ -200,8 +200,8 @@ void RunOutput::write_boundary(const Stepper& stepper, std::span<const eq6::Free
 
 void RunOutput::finish(const Stepper& stepper, std::span<const eq6::FreeField> free_field,
                        double gravity_seconds, double waiting_seconds) {
-  write_history(stepper);
-  write_frame(stepper, free_field);
+  write_history(stepper, free_field);
+  write_frame(stepper);
   std::vector<std::string> names{"gravity stage", "waiting for the exchange"};
   std::vector<double> seconds{gravity_seconds, waiting_seconds};
   for (const Pass& pass : stepper.passes()) {

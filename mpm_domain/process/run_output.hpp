@@ -40,8 +40,8 @@ private:
   };
 
   void add_monitors();
-  void write_history(const Stepper& stepper);
-  void write_frame(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
+  void write_history(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
+  void write_frame(const Stepper& stepper);
   void write_boundary(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
 
   const scene::Case& scene_;

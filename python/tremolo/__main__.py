@@ -1,10 +1,10 @@
-"""Commands: python3 -m tremolo plot RUN | compare RUN_A RUN_B | verify-picture PATH."""
+"""Commands: python3 -m tremolo plot RUN | compare RUN_A RUN_B | failure RUN ... | verify-picture PATH."""
 
 import argparse
 import sys
 from pathlib import Path
 
-from tremolo import fronts, histories, maps, preview, verification
+from tremolo import failure, fronts, histories, maps, preview, verification
 from tremolo.run import Run
 
 
@@ -42,7 +42,7 @@ def plot(arguments):
             yield histories.monitor(run, name, folder)
     if run.energy is not None and len(run.energy) > 1:
         yield histories.energy(run, folder)
-    if len(run.times) > 10 and run.has_field("velocity"):
+    if run.boundary is not None and len(run.boundary["time"]) > 10:
         yield fronts.fronts(run, folder)
 
 
@@ -55,6 +55,15 @@ def compare(arguments):
     yield maps.acceleration(runs, times, folder, "compare_acceleration.png")
     if all(run.has_field("equivalent_plastic_strain") for run in runs):
         yield maps.shear_bands(runs, times, folder, "compare_shear_bands.png")
+
+
+def failure_times(arguments):
+    """Yields a line a run: when its slope failed."""
+    for path in arguments.runs:
+        run = Run(path)
+        time = failure.failure_time(run, arguments.strain)
+        when = f"fails at {time:.2f} s" if time is not None else f"has not failed by {run.times[-1]:.2f} s"
+        yield f"{run.path.parent}: {run.attribute('angle_deg'):g} degrees, {when}"
 
 
 def verify_picture(arguments):
@@ -81,6 +90,9 @@ def _parser():
     pair.add_argument("run")
     pair.add_argument("other")
     add_picture_options(pair)
+    failed = add("failure", failure_times, "When a shear band first connects the toe of a slope with its crest.")
+    failed.add_argument("runs", nargs="+", metavar="RUN")
+    failed.add_argument("--strain", type=float, default=0.1, help="equivalent plastic strain of the band (default 0.1)")
     verified = add("verify-picture", verify_picture, "Picture of a verification: error map and histories.")
     verified.add_argument("path", help="verify.json, or its folder")
     return parser

@@ -12,25 +12,12 @@ STEEPEST = 0.02  # s/m: the largest slowness tried, an apparent velocity of 50 m
 PARALLEL = 1e-5  # s/m: below it (faster than 100 km/s) fronts are called parallel to the base
 
 
-def level_traces(run, height=0.1, component=0, bin_width=None):
-    """Velocity along a level near the base: x [n] (m), t [m] (s), v [m, n] (m/s).
-
-    height: of the level above the base, as a share of the model's height.
-    """
-    start = run.field(0, "position")
-    low, high = start.min(axis=0), start.max(axis=0)
-    width = bin_width or run.attribute("mesh_size") or 2.0 * style.spacing(run)
-    level = low[1] + height * (high[1] - low[1])
-    edges = np.arange(low[0], high[0] + 0.5 * width, width)
-    traces = []
-    for index in range(len(run.times)):
-        position = run.field(index, "position")
-        near = np.abs(position[:, 1] - level) <= width
-        bins = np.clip(np.digitize(position[near, 0], edges) - 1, 0, len(edges) - 2)
-        velocity = run.field(index, "velocity")[near, component]
-        count = np.bincount(bins, minlength=len(edges) - 1)
-        traces.append(np.bincount(bins, velocity, minlength=len(edges) - 1) / np.maximum(count, 1))
-    return 0.5 * (edges[1:] + edges[:-1]), run.times, np.array(traces)
+def base_traces(run, component=0):
+    """The soil's velocity along the base of the model: x [n] (m), t [m] (s), v [m, n] (m/s)."""
+    boundary = run.boundary
+    base = np.flatnonzero(boundary["normal"][:, 1] < -0.5)
+    base = base[np.argsort(boundary["position"][base, 0])]
+    return boundary["position"][base, 0], boundary["time"], boundary["domain_velocity"][:, base, component]
 
 
 def slowness(x, t, v):
@@ -56,7 +43,7 @@ def slowness(x, t, v):
 
 
 def fronts(run, folder):
-    x, t, v = level_traces(run)
+    x, t, v = base_traces(run)
     p = slowness(x, t, v)
     limit = float(np.percentile(np.abs(v), 99.7)) or 1.0
     figure, ax = style.plt.subplots(figsize=(5.6, 4.2), layout="constrained")
@@ -66,5 +53,5 @@ def fronts(run, folder):
     ax.plot(x, peak + p * (x - x[len(x) // 2]), color="black", linestyle="--", linewidth=1.0)
     speed = "fronts parallel to the base" if abs(p) < PARALLEL else f"apparent velocity {1.0 / p:.0f} m/s along x"
     ax.set(xlabel="x (m)", ylabel="t (s)", ylim=(t[0], t[-1]))
-    ax.set_title(f"{speed} (dashed), measured 10 % above the base", loc="left")
+    ax.set_title(f"{speed} (dashed), measured along the base", loc="left")
     return style.save(figure, folder, "fronts.png")

@@ -61,6 +61,7 @@ def write(path, angle_deg=15.0, amplitude=0.1, frame_interval=0.02, frames=100, 
             for name, (values, unit) in fields.items():
                 frame.create_dataset(name, data=values).attrs["unit"] = np.bytes_(unit)
         _write_series(file, "monitors/crest", frame_interval * frames, velocity, np.array([[45.0, 10.0]]), damaged)
+        _write_boundary(file, velocity, frame_interval, frames)
         times = np.arange(frames) * frame_interval
         ledger = np.column_stack([times, 1e3 * times**2, 1e3 * times, -2e3 * times])
         energy = file.create_dataset("energy", data=ledger)
@@ -70,6 +71,20 @@ def write(path, angle_deg=15.0, amplitude=0.1, frame_interval=0.02, frames=100, 
         timings.attrs["columns"] = np.array([b"pass", b"seconds"])
         timings["pass"] = np.array([b"scatter", b"gather"])
         timings["seconds"] = [1.0, 2.0]
+
+
+def _write_boundary(file, velocity, interval, count):
+    """Faces along the base, 0.5 m long."""
+    x = np.arange(0.25, 70.0, 0.5)
+    position = np.column_stack([x, np.full(len(x), -20.0)])
+    times = np.arange(count) * interval
+    group = file.create_group("boundary")
+    group.attrs["source"] = np.array([b"left"] * len(x))
+    group["position"], group["normal"] = position, np.tile([0.0, -1.0], (len(x), 1))
+    group["length"], group["time"] = np.full(len(x), 0.5), times
+    motion = np.array([velocity(position, t) for t in times])
+    group["domain_velocity"] = group["free_field_velocity"] = motion
+    group["traction"] = np.zeros_like(motion)
 
 
 def _write_series(file, path, duration, velocity, point, damaged):

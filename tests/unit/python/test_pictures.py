@@ -69,10 +69,10 @@ class Pictures(unittest.TestCase):
 
     def test_apparent_velocity_of_the_fronts(self):
         with Run(self.folder / "15") as run:
-            p = fronts.slowness(*fronts.level_traces(run))
+            p = fronts.slowness(*fronts.base_traces(run))
         self.assertAlmostEqual(p * synthetic_run.C_S / np.sin(np.radians(15.0)), 1.0, delta=0.01)
         with Run(self.folder / "0") as run:
-            self.assertLess(abs(fronts.slowness(*fronts.level_traces(run))), fronts.PARALLEL)
+            self.assertLess(abs(fronts.slowness(*fronts.base_traces(run))), fronts.PARALLEL)
 
     def test_verification(self):
         folder = self.folder / "verified"

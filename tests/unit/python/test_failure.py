@@ -1,0 +1,67 @@
+"""The time at which a shear band connects toe and crest, on bands drawn by hand."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+from tremolo import Run, failure
+
+SIZE = 1.0
+
+
+def write(path, bands):
+    """A 10 m slope from (20, 0) to (30, 10) with one frame a second; bands[i] are the strained cells of frame i."""
+    x, y = np.meshgrid(np.arange(0.5, 50.0), np.arange(-9.5, 10.0))
+    inside = (y < 0.0) | (x > 20.0 + y)
+    material = np.column_stack([x[inside], y[inside]])
+    cells = {tuple(c): k for k, c in enumerate(np.floor(material).astype(int))}
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"schema_version": np.bytes_("1.0"), "mesh_size": SIZE, "surface_levels": [0.0, 10.0],
+                           "angle_deg": 0.0})
+        frames = file.create_group("frames")
+        for number, band in enumerate(bands):
+            frame = frames.create_group(f"{number:04}")
+            frame.attrs["time"] = float(number)
+            strain = np.zeros(len(material))
+            strain[[cells[cell] for cell in band]] = 0.2
+            # The soil has moved: the band is looked for where the soil lay.
+            displacement = np.full(material.shape, 3.7 * number)
+            frame["position"], frame["displacement"] = material + displacement, displacement
+            frame["equivalent_plastic_strain"] = strain
+        toe = file.create_dataset("monitors/toe", data=np.array([[0.0, 20.0, 0.0]]))
+        toe.attrs["columns"] = np.array([b"time", b"x", b"y"])
+        toe.attrs["units"] = np.array([b"s", b"m", b"m"])
+
+
+def diagonal(first, last):
+    """Cells along a band from the toe, one up and one to the right a step; they touch at corners only."""
+    return [(21 + i, i) for i in range(first, last)]
+
+
+class FailureTime(unittest.TestCase):
+    def failure_time(self, bands, strain=0.1):
+        with tempfile.TemporaryDirectory() as folder:
+            write(Path(folder) / "run.h5", bands)
+            with Run(folder) as run:
+                return failure.failure_time(run, strain)
+
+    def test_the_first_frame_whose_band_connects(self):
+        self.assertEqual(2.0, self.failure_time([[], diagonal(0, 6), diagonal(0, 10), diagonal(0, 10)]))
+
+    def test_a_gap_in_the_band_does_not_connect(self):
+        self.assertIsNone(self.failure_time([diagonal(0, 5) + diagonal(6, 10)]))
+
+    def test_a_band_that_does_not_reach_the_toe_does_not_connect(self):
+        self.assertIsNone(self.failure_time([diagonal(3, 10)]))
+
+    def test_a_band_below_the_crest_does_not_connect(self):
+        self.assertIsNone(self.failure_time([diagonal(0, 7)]))
+
+    def test_weaker_strain_is_no_band(self):
+        self.assertIsNone(self.failure_time([diagonal(0, 10)], strain=0.3))
+
+
+if __name__ == "__main__":
+    unittest.main()
