@@ -23,10 +23,13 @@ def base_traces(run, component=0):
 def slowness(x, t, v):
     """Horizontal slowness (s/m) of v(x, t) = f(t - p x): a slant stack over trial values, refined three times.
 
-    The shift by p x is a phase exp(i w p x) of the padded spectrum, exact for what the sampling resolves.
+    The shift by p x is a phase exp(i w p x) of the padded spectrum, exact for what the sampling resolves. A run writes
+    at the first step after each interval, so its times are uniform only to a step: they are made so first.
     """
+    uniform = np.linspace(t[0], t[-1], len(t))
+    v = np.column_stack([np.interp(uniform, t, trace) for trace in v.T])
     spectrum = np.fft.rfft(v, 2 * len(t), axis=0)
-    omega = 2.0 * np.pi * np.fft.rfftfreq(2 * len(t), t[1] - t[0])
+    omega = 2.0 * np.pi * np.fft.rfftfreq(2 * len(t), uniform[1] - uniform[0])
     strong = np.sum(np.abs(spectrum), axis=1) > 1e-3 * np.sum(np.abs(spectrum), axis=1).max()
     offset = x - 0.5 * (x[0] + x[-1])
 
