@@ -11,7 +11,7 @@ packages=(
   libeigen3-dev libfftw3-dev libgsl-dev                              # mathematics
   libzmq3-dev cppzmq-dev nlohmann-json3-dev zlib1g-dev               # exchange between processes
   libhdf5-dev                                                        # results
-  libtomlplusplus-dev libcli11-dev libfmt-dev          # case file, command line, messages
+  libtomlplusplus-dev libcli11-dev libfmt-dev                        # case file, command line, messages
   python3 python3-numpy python3-h5py python3-matplotlib              # plots
   libgtest-dev libgmock-dev python3-vtk9                             # tests
 )
