@@ -98,7 +98,7 @@ GatherSums strain_chunk(Particles& p, std::size_t begin, std::size_t count, Incr
 struct Settings {
   double dt;
   double flip_share; ///< exp(-dt/tau); 1 for pure FLIP
-  int strain_lane;   ///< 0: v-, 2: v+
+  int strain_lane;   ///< of NodeMotion: 0 the first velocity, 2 v+
 };
 
 template <bool velocity, bool position, bool strain, bool affine>

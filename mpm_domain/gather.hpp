@@ -4,7 +4,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// What a gather pass brings to the particles; any may be combined.
+/// What a gather pass brings to the particles: all, velocity with or without position, or strain with or
+/// without position.
 struct GatherParts {
   bool velocity = false; ///< v_p (and C_p with APIC)
   bool position = false; ///< x_p += dt sum_i S_ip v+_i

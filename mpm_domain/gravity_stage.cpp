@@ -51,7 +51,8 @@ Supports find_supports(const Domain& domain, Reactions& reactions) {
   return supports;
 }
 
-/// One relaxation step on the grid; returns the residual ||f||/||m g|| over free directions.
+/// One relaxation step on the grid; returns the residual: ||f|| over free directions by ||m g|| over all
+/// nodes.
 double relax_grid(Domain& domain, const Supports& supports, double dt, double alpha) {
   Grid& grid = domain.grid;
   const double keep = (1.0 - 0.5 * alpha * dt) / (1.0 + 0.5 * alpha * dt);

@@ -27,10 +27,10 @@ struct Pass {
 ///
 ///   usl:   scatter | velocities | boundary | grid | gather all
 ///   usf:   scatter | velocities | strain | scatter force | boundary | grid | gather velocity
-///   musl:  scatter | velocities | boundary | grid | gather velocity | scatter again | gather strain
+///   musl:  scatter | velocities | boundary | grid | gather velocity | scatter motion | remap | gather rest
 ///
-/// Time levels are those of leapfrog: at time() places and stresses are known; particle velocities belong to
-/// velocity_time() = time() - dt/2.
+/// Time levels are those of leapfrog: at time() places and stresses are known (with usf, stresses of one step
+/// before); particle velocities belong to velocity_time() = time() - dt/2.
 class Stepper {
 public:
   /// @throws std::invalid_argument if the spec's fixed time step is over the critical one

@@ -14,7 +14,8 @@ namespace tremolo::mpm_domain {
 /// Writes a run's file as the case asks: monitors, energy, particle frames, boundary exchange, timings.
 ///
 /// Everything written belongs to the time of the particle velocities, Stepper::velocity_time(): displacements
-/// are taken back by v dt/2 to it; accelerations and stresses lie half a step before and after it.
+/// are taken back by v dt/2 to it; accelerations lie half a step before it, stresses half a step after (with
+/// usf, before).
 class RunOutput {
 public:
   /// Creates DIR/run.h5 for a domain at the start of shaking.
