@@ -57,7 +57,8 @@ std::vector<Table> run_keys() {
        .meaning = "What is written to the run file.",
        .keys =
            {interval("every_s", "Interval of particle frames.", "0.1"),
-            interval("history_every_s", "Interval of monitor histories and of the energy balance.", "0.01"),
+            interval("history_every_s",
+                     "Interval of monitor histories, energy balance and boundary exchange.", "0.01"),
             {.name = "fields",
              .type = Type::choices,
              .meaning =
