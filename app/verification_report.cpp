@@ -5,7 +5,6 @@
 
 #include <fstream>
 #include <stdexcept>
-#include <utility>
 
 namespace tremolo::app {
 namespace {

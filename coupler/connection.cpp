@@ -4,8 +4,6 @@
 #include "coupler/messages.hpp"
 #include "coupler/sockets.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <fmt/format.h>
 #include <zmq.hpp>
 

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <exception>
 #include <fmt/format.h>
-#include <stdexcept>
 
 namespace tremolo::coupler {
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <type_traits>
 
 namespace tremolo::freefield {
 

@@ -3,7 +3,6 @@
 // coupler brings.
 
 #include "coupler/domain_client.hpp"
-#include "coupler/error.hpp"
 #include "coupler/timing.hpp"
 #include "mpm_domain/gravity_stage.hpp"
 #include "mpm_domain/process/run_output.hpp"
