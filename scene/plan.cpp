@@ -22,8 +22,8 @@ constexpr int padding = 6;            // cells around the box
 
 // CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
 // plasticity where the soil yields.
-constexpr double base_cost_ns = 120.0;
-constexpr double plasticity_cost_ns = 150.0;
+constexpr double base_cost_ns = 200.0;
+constexpr double plasticity_cost_ns = 60.0;
 
 template <class Predicate>
 bool any_soil(const Case& scene, Predicate predicate) {
