@@ -19,6 +19,7 @@ void add_plot(CLI::App& app) {
   add_python_command(app, "plot",
                      "Pictures of a run: model, accelerations, shear bands, histories, energy, fronts");
   add_python_command(app, "compare", "Pictures of two runs side by side");
+  add_python_command(app, "failure", "When a shear band first connects the toe of a slope with its crest");
 }
 
 } // namespace tremolo::app

@@ -48,7 +48,6 @@ public:
     std::uint64_t announced_credit = 0; ///< the last one told to the source
   };
   /// Only fields that a face takes are here: the others are never asked for.
-  [[nodiscard]] std::span<Inlet> inlets() { return inlets_; }
   [[nodiscard]] Inlet* find(FieldAddress address);
 
   /// A field's source may send its steps below this one.

@@ -42,6 +42,9 @@ const Spec& checked(const Spec& spec) {
   refuse_unless(spec.cell_size > 0.0 && std::isfinite(spec.cell_size), "the cell size (m)", spec.cell_size,
                 "> 0");
   refuse_unless(width >= spec.cell_size, "the width of the model box (m)", width, "at least one cell");
+  refuse_unless(std::abs(width / spec.cell_size - std::round(width / spec.cell_size)) < 1e-6,
+                "the width of the model box (m)", width,
+                "a multiple of the cell size, so that both sides lie on nodes");
   refuse_unless(height >= spec.cell_size, "the height of the model box (m)", height, "at least one cell");
   refuse_unless(spec.particles_per_cell >= 1 && spec.particles_per_cell <= 4,
                 "particles per cell and direction", spec.particles_per_cell, "1 to 4");
@@ -82,6 +85,14 @@ double Domain::fastest_wave() const {
   for (const Particles& set : sets)
     fastest = std::max(fastest, materials::elasticity(set.law).p_wave_speed());
   return fastest;
+}
+
+double empty_mass(const Domain& domain) {
+  constexpr double share_of_full_cell = 1e-14;
+  double density = 0.0;
+  for (const Particles& set : domain.sets)
+    density = std::max(density, materials::elasticity(set.law).density);
+  return share_of_full_cell * density * domain.grid.h * domain.grid.h;
 }
 
 double critical_time_step(const Domain& domain, double max_speed) {

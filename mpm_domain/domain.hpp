@@ -34,6 +34,9 @@ struct Domain {
   double fastest_wave() const; ///< largest c_p of all soils, m/s
 };
 
+/// A node with less mass (kg/m) is empty: rounding of weights, not soil.
+double empty_mass(const Domain& domain);
+
 /// The critical time step, s: 0.65 h / (c_p + |v|).
 ///
 /// 0.746 h/c_p is what two-dimensional uGIMP with two particles a cell and direction allows inside; dashpots

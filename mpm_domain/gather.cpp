@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace tremolo::mpm_domain {
 
@@ -180,9 +181,11 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_f
     return gather_blocks<true, true, false>(domain, settings);
   if (parts.position && parts.strain)
     return gather_blocks<false, true, true>(domain, settings);
-  if (parts.velocity)
+  if (parts.velocity && !parts.strain)
     return gather_blocks<true, false, false>(domain, settings);
-  return gather_blocks<false, false, true>(domain, settings);
+  if (parts.strain && !parts.velocity && !parts.position)
+    return gather_blocks<false, false, true>(domain, settings);
+  throw std::logic_error("gather: no scheme asks for this combination of parts");
 }
 
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {

@@ -32,10 +32,11 @@ Supports find_supports(const Domain& domain, Reactions& reactions) {
   const Box& box = domain.spec.box;
   Supports supports{std::vector<unsigned char>(grid.size(), 0), std::vector<unsigned char>(grid.size(), 0),
                     std::vector<unsigned char>(grid.size(), 0)};
+  const double empty = empty_mass(domain);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       const std::size_t n = grid.index(i, j);
-      if (grid.sums[n].motion[0] <= 0.0)
+      if (grid.sums[n].motion[0] <= empty)
         continue;
       supports.full[n] = 1;
       const bool base = on_line(grid.y0 + j * grid.h, box.y_min, grid.h);

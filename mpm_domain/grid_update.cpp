@@ -6,16 +6,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Below this share of a full cell's mass a node is empty: rounding of weights, not soil.
-constexpr double empty_share = 1e-14;
-
-double empty_mass(const Domain& domain) {
-  double density = 0.0;
-  for (const Particles& set : domain.sets)
-    density = std::max(density, materials::elasticity(set.law).density);
-  return empty_share * density * domain.grid.h * domain.grid.h;
-}
-
 /// Runs `row_sum(row)` for all rows and adds the results in order of the rows, for the same bits with any
 /// thread count.
 template <typename Sum, typename RowSum>

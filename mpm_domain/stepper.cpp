@@ -89,7 +89,7 @@ void Stepper::choose_dt() {
   }
   // Leapfrog is second order only while dt stays the same, so small changes of the limit are let pass.
   const double wanted = scheme.fraction * critical;
-  if (dt_ == 0.0 || dt_ > 1.02 * wanted || dt_ < 0.8 * wanted)
+  if (dt_ == 0.0 || dt_ > std::min(1.02 * wanted, critical) || dt_ < 0.8 * wanted)
     dt_ = wanted;
 }
 

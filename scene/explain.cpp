@@ -65,7 +65,7 @@ std::string explain(const Case& scene, const Plan& plan) {
       fmt::format("\nSize\n"
                   "  particles  {}, in a grid of {} cells of {} m\n"
                   "  time step  {:.4g} s ({:.2f} of the critical {:.4g} s), {} steps for {} s of shaking\n"
-                  "  memory     {}\n"
+                  "  memory     {} of arrays in the domain\n"
                   "  output     at most {}, {} particle frames\n"
                   "  time       about {} on one thread for the shaking, of the order of magnitude\n",
                   plan.particles, plan.cells, scene.mesh.size, plan.dt, plan.dt / plan.critical_dt,

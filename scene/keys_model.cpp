@@ -154,9 +154,9 @@ std::vector<Table> model_keys() {
                 {.name = "box",
                  .type = Type::numbers,
                  .unit = "m",
-                 .meaning = "The model; its left, right and lower edges are the boundaries. Width and height "
-                            "are multiples "
-                            "of the particle spacing. The grid is padded beyond it by itself.",
+                 .meaning =
+                     "The model; its left, right and lower edges are the boundaries. Its width is a multiple "
+                     "of `size`, its height of the particle spacing. The grid is padded beyond it by itself.",
                  .required = true,
                  .count = 4,
                  .form = "[x_min, y_min, x_max, y_max]"},

@@ -1,11 +1,14 @@
 #include "scene/plan.hpp"
 
+#include "scene/motion.hpp"
+
 #include "scene/sources.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tremolo::scene {
 
@@ -74,6 +77,16 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   };
 }
 
+/// When the incident wave first reaches the model: at its lower left corner, s.
+double first_arrival(const Case& scene) {
+  const double speed =
+      scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
+  const double angle = scene.motion.angle_deg * std::numbers::pi / 180.0;
+  const double dx = scene.mesh.box.x_min - scene.motion.reference.x;
+  const double dy = scene.mesh.box.y_min - scene.motion.reference.y;
+  return motion(scene.motion).begin() + (dx * std::sin(angle) + dy * std::cos(angle)) / speed;
+}
+
 std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
   double slowest = highest_speed;
   for (const Soil& soil : scene.soils)
@@ -88,6 +101,11 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
       pulse && 2.5 * pulse->frequency > resolved)
     notes.push_back(fmt::format("the pulse reaches up to about {:.3g} Hz: the mesh is coarse for it",
                                 2.5 * pulse->frequency));
+  if (const double arrival = first_arrival(scene); arrival < 0.0)
+    notes.push_back(fmt::format(
+        "the wave reaches the model {:.3g} s before the shaking starts and finds it at rest: what "
+        "came earlier is missing; a later pulse or a deeper [motion] reference avoids it",
+        -arrival));
   for (const Soil& soil : scene.soils) {
     const auto& elastic = materials::elasticity(soil.law);
     const auto& half = scene.halfspace;

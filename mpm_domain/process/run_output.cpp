@@ -153,7 +153,8 @@ void RunOutput::after_step(const Stepper& stepper, std::span<const eq6::FreeFiel
 
 void RunOutput::write_history(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
   const double dt = stepper.dt();
-  std::vector<double> row{stepper.velocity_time()};
+  last_history_ = stepper.velocity_time();
+  std::vector<double> row{last_history_};
   for (const double value : domain_.energy.row())
     row.push_back(value);
   energy_->append(row);
@@ -185,7 +186,8 @@ void RunOutput::write_frame(const Stepper& stepper) {
   if (wants(scene_, scene::OutputField::state))
     for (std::size_t v = 0; v < frame.variables.size(); ++v)
       fields.push_back({frame.variables[v].name, frame.variables[v].unit, 1, frame.states[v]});
-  writer_.write_frame(stepper.velocity_time(), fields);
+  last_frame_ = stepper.velocity_time();
+  writer_.write_frame(last_frame_, fields);
 }
 
 void RunOutput::write_boundary(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
@@ -200,8 +202,10 @@ void RunOutput::write_boundary(const Stepper& stepper, std::span<const eq6::Free
 
 void RunOutput::finish(const Stepper& stepper, std::span<const eq6::FreeField> free_field,
                        double gravity_seconds, double waiting_seconds) {
-  write_history(stepper, free_field);
-  write_frame(stepper);
+  if (stepper.velocity_time() > last_history_)
+    write_history(stepper, free_field);
+  if (stepper.velocity_time() > last_frame_)
+    write_frame(stepper);
   std::vector<std::string> names{"gravity stage", "waiting for the exchange"};
   std::vector<double> seconds{gravity_seconds, waiting_seconds};
   for (const Pass& pass : stepper.passes()) {

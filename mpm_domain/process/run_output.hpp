@@ -52,6 +52,8 @@ private:
   std::vector<Follower> followers_;
   double next_history_ = 0.0;
   double next_frame_ = 0.0;
+  double last_history_ = 0.0; ///< times of what was written last
+  double last_frame_ = 0.0;
 };
 
 } // namespace tremolo::mpm_domain

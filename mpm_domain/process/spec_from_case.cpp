@@ -18,14 +18,14 @@ Transfer transfer(scene::Transfer choice) {
 
 StepOrder order(scene::StepOrder choice) {
   switch (choice) {
+  case scene::StepOrder::usl:
+    return StepOrder::usl;
   case scene::StepOrder::usf:
     return StepOrder::usf;
   case scene::StepOrder::musl:
-    return StepOrder::musl;
-  case scene::StepOrder::usl:
     break;
   }
-  return StepOrder::usl;
+  return StepOrder::musl;
 }
 
 } // namespace

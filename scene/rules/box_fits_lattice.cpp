@@ -26,13 +26,15 @@ void box_fits_lattice(const Case& scene, Findings& findings) {
                              scene.mesh.size, count, most_particles));
     return;
   }
-  for (const auto& [what, length] : {std::pair("width", box.width()), std::pair("height", box.height())}) {
-    const double count = length / spacing;
+  const auto check_multiple = [&](const char* what, double length, const char* of, double size) {
+    const double count = length / size;
     if (std::abs(count - std::round(count)) > 1e-6)
-      findings.add("mesh.box",
-                   fmt::format("the {} of 'box', {} m, must be a multiple of the particle spacing, {} m",
-                               what, length, spacing));
-  }
+      findings.add("mesh.box", fmt::format("the {} of 'box', {} m, must be a multiple of the {}, {} m", what,
+                                           length, of, size));
+  };
+  // Supports of the gravity stage and their tractions act at nodes: both sides must lie on a column of nodes.
+  check_multiple("width", box.width(), "cell size", scene.mesh.size);
+  check_multiple("height", box.height(), "particle spacing", spacing);
 }
 
 } // namespace tremolo::scene

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -17,6 +18,9 @@ using namespace tremolo;
 /// Samples per period of the highest frequency. The Hermite interpolation between them errs by (omega
 /// dt)^4/384: at a third of that frequency, where motions end in practice, by 3e-7.
 constexpr double samples_per_period = 20.0;
+
+/// Levels computed between two signs of life.
+constexpr std::size_t levels_per_beat = 32;
 
 std::vector<coupler::FieldDescription> descriptions(const scene::Service& service, double slowness_x,
                                                     double dt) {
@@ -34,14 +38,26 @@ std::vector<coupler::FieldDescription> descriptions(const scene::Service& servic
   return fields;
 }
 
+/// The field at all its levels, some at a time, with a sign of life after each lot: a long record takes a
+/// while.
 std::vector<wavefield::History> histories(const wavefield::HalfSpaceField& field,
-                                          const coupler::FieldDescription& served) {
-  std::vector<wavefield::Point> points;
-  for (const double y : served.y)
-    points.push_back({served.x_reference, y});
+                                          const coupler::FieldDescription& served,
+                                          coupler::SourceClient& client) {
   const bool incident = served.name == scene::name(scene::BaseForm::incident);
-  return field.sample(points, {served.start_time, served.time_step, served.step_count},
-                      incident ? wavefield::Part::incident : wavefield::Part::total);
+  const wavefield::Part part = incident ? wavefield::Part::incident : wavefield::Part::total;
+  std::vector<wavefield::History> all;
+  std::vector<wavefield::Point> lot;
+  for (const double y : served.y) {
+    lot.push_back({served.x_reference, y});
+    if (lot.size() < levels_per_beat && y != served.y.back())
+      continue;
+    for (wavefield::History& history :
+         field.sample(lot, {served.start_time, served.time_step, served.step_count}, part))
+      all.push_back(std::move(history));
+    lot.clear();
+    client.beat();
+  }
+  return all;
 }
 
 void run(const coupler::ParticipantOptions& options) {
@@ -54,9 +70,13 @@ void run(const coupler::ParticipantOptions& options) {
       descriptions(scene::service(scene, source, field.slowness_x()), field.slowness_x(), dt);
 
   coupler::SourceClient client(options, fields);
+  coupler::Stopwatch synthesis;
+  synthesis.start();
   std::vector<std::vector<wavefield::History>> computed;
   for (const coupler::FieldDescription& served : fields)
-    computed.push_back(histories(field, served));
+    computed.push_back(histories(field, served, client));
+  synthesis.stop();
+  client.report({{"Fourier synthesis", synthesis.seconds()}});
 
   client.serve([&](std::size_t f, std::uint64_t step, std::span<double> values) {
     std::size_t at = 0;

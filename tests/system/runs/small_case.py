@@ -92,3 +92,69 @@ class Workspace:
         result = self.command("run", self.case, "--out", self.path / name, *arguments)
         assert result.returncode == 0, result.stdout + result.stderr
         return self.path / name
+
+
+SLOPE = """
+title = "small slope"
+
+[motion]
+pulse = {{ shape = "ricker", frequency = 2.0, time = 0.7, velocity = {velocity} }}
+wave = "SV"
+angle_deg = 15.0
+reference = [0.0, -6.0]
+
+[surface]
+level = 0.0
+
+[halfspace]
+density = 1700.0
+young = 40e6
+poisson = 0.28
+
+[soil.slope]
+model = "mohr_coulomb"
+density = 1700.0
+young = 40e6
+poisson = 0.28
+cohesion_peak = 4e3
+cohesion_residual = 0.0
+friction_peak_deg = 45.0
+friction_residual_deg = 28.0
+softening = 15.0
+
+[[region]]
+soil = "slope"
+polygon = [[0.0, -6.0], [40.0, -6.0], [40.0, 8.0], [20.0, 8.0], [12.0, 0.0], [0.0, 0.0]]
+
+[mesh]
+size = 1.0
+box = [0.0, -6.0, 40.0, 8.0]
+
+[boundary]
+left = {{ model = "wave", surface = 0.0 }}
+right = {{ model = "wave", surface = 8.0 }}
+base = {{ model = "wave", form = "incident" }}
+
+[[stage]]
+kind = "gravity"
+
+[[stage]]
+kind = "shaking"
+duration_s = {duration}
+
+[[monitor]]
+name = "toe"
+point = [12.0, 0.0]
+
+[output]
+every_s = 0.1
+history_every_s = 0.01
+"""
+
+
+class SlopeWorkspace(Workspace):
+    """An 8 m slope with all that the oblique slope has: gravity, softening, two wave fields, incident base."""
+
+    def __init__(self, tremolo, velocity=0.5, duration=1.5):
+        super().__init__(tremolo)
+        self.case.write_text(SLOPE.format(velocity=velocity, duration=duration))

@@ -51,7 +51,7 @@ class ReadsARun(unittest.TestCase):
             self.assertEqual(run.table("timings")["pass"], ["scatter", "gather"])
             self.assertIsNone(run.table("processes"))
             np.testing.assert_allclose(run.energy["elastic"], 1e3 * run.energy["time"])
-            self.assertIsNone(run.boundary)
+            self.assertEqual(run.boundary["traction"].shape, (len(run.boundary["time"]), len(run.boundary["length"]), 2))
 
 
 class RefusesWhatIsNoRun(unittest.TestCase):

@@ -62,10 +62,14 @@ TEST(Rules, BoxFitsLattice) {
   EXPECT_THAT(errors_of(with("size = 1.0", "size = 0.8\nparticles_per_cell = 4")), IsEmpty());
   EXPECT_THAT(errors_of(with("size = 1.0", "size = 0.75")),
               ElementsAre("case.toml:23:7: [mesh] the width of 'box', 20 m, must be a multiple of the "
-                          "particle spacing, 0.375 m",
+                          "cell size, 0.75 m",
                           "case.toml:23:7: [mesh] the height of 'box', 10 m, must be a multiple of the "
                           "particle spacing, 0.375 "
                           "m"));
+  // A multiple of the particle spacing is not enough: the sides must lie on nodes.
+  EXPECT_THAT(errors_of(with("size = 1.0", "size = 8.0\nparticles_per_cell = 4")),
+              ElementsAre("case.toml:24:7: [mesh] the width of 'box', 20 m, must be a multiple of the "
+                          "cell size, 8 m"));
   EXPECT_THAT(
       errors_of(with("size = 1.0", "size = 1e-5")),
       ElementsAre(
