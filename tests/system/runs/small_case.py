@@ -4,6 +4,16 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+GROUND = """
+[surface]
+level = 0.0
+
+[halfspace]
+density = 1700.0
+young = 40e6
+poisson = 0.28
+"""
+
 CASE = """
 title = "small box"
 
@@ -12,15 +22,7 @@ pulse = {{ shape = "ricker", frequency = 3.0, time = 0.5, velocity = 0.1 }}
 wave = "SV"
 angle_deg = {angle}
 reference = [0.0, -10.0]
-
-[surface]
-level = 0.0
-
-[halfspace]
-density = 1700.0
-young = 40e6
-poisson = 0.28
-
+""" + GROUND + """
 [soil.box]
 model = "linear_elastic"
 density = 1700.0
@@ -69,12 +71,14 @@ DEFAULTS = {"angle": 15.0, "size": 1.0, "side": "wave", "base": "total", "durati
 class Workspace:
     """A temporary folder with a case in it."""
 
+    template, defaults = CASE, DEFAULTS
+
     def __init__(self, tremolo, **changes):
         self._folder = tempfile.TemporaryDirectory(prefix="tremolo_test_")
         self.tremolo = tremolo
         self.path = Path(self._folder.name)
         self.case = self.path / "case.toml"
-        self.case.write_text(CASE.format(**{**DEFAULTS, **changes}))
+        self.case.write_text(self.template.format(**{**self.defaults, **changes}))
 
     def __enter__(self):
         return self
@@ -102,15 +106,7 @@ pulse = {{ shape = "ricker", frequency = 2.0, time = 0.7, velocity = {velocity} 
 wave = "SV"
 angle_deg = 15.0
 reference = [0.0, -6.0]
-
-[surface]
-level = 0.0
-
-[halfspace]
-density = 1700.0
-young = 40e6
-poisson = 0.28
-
+""" + GROUND + """
 [soil.slope]
 model = "mohr_coulomb"
 density = 1700.0
@@ -155,6 +151,4 @@ history_every_s = 0.01
 class SlopeWorkspace(Workspace):
     """An 8 m slope with all that the oblique slope has: gravity, softening, two wave fields, incident base."""
 
-    def __init__(self, tremolo, velocity=0.5, duration=1.5):
-        super().__init__(tremolo)
-        self.case.write_text(SLOPE.format(velocity=velocity, duration=duration))
+    template, defaults = SLOPE, {"velocity": 0.5, "duration": 1.5}
