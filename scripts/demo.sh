@@ -10,7 +10,7 @@ for ((n = 2; ; n++)); do
 done
 
 scripts/setup.sh
-scripts/build.sh release
+scripts/build.sh release tremolo tremolo-wave tremolo-column tremolo-domain
 build/release/bin/tremolo run cases/slope_oblique/case.toml --angle 15 --threads "$(nproc)" --out "$out"
 build/release/bin/tremolo plot "$out"
 echo "demo: results in $PWD/$out (run.h5; run.xdmf opens in ParaView), pictures:"
