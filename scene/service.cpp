@@ -16,6 +16,7 @@ std::vector<double> levels(const Mesh& mesh, double surface) {
   const double spacing = mesh.size / mesh.particles_per_cell;
   const auto intervals = static_cast<int>(std::max(1.0, std::ceil(depth / spacing - 1e-9)));
   std::vector<double> y;
+  y.reserve(static_cast<std::size_t>(intervals) + 1);
   for (int i = 0; i < intervals; ++i)
     y.push_back(mesh.box.y_min + depth * i / intervals);
   y.push_back(surface);

@@ -8,12 +8,12 @@
 //     f^dyn = sigma^ff,dyn n                                               free-field dynamic stress
 //     f^st                                                                 what held the model at rest
 //
-// with n the outward unit normal and t = (-n_y, n_x). Eqs. (2) to (5) are special cases: a side takes v^ff and
-// sigma^ff from its free field; a transmitting base takes them from the incident wave alone, which at vertical
-// incidence is -rho c (v^m - 2 v^inp).
+// with n the outward unit normal and t = (-n_y, n_x). Eqs. (2) to (5) are special cases: a side takes v^ff
+// and sigma^ff from its free field; a transmitting base takes them from the incident wave alone, which at
+// vertical incidence is -rho c (v^m - 2 v^inp).
 //
-// Every product that is added goes through std::fma: the result is then the same bits wherever the function is
-// inlined, so the coupler (lockstep) and the domain (window) cannot differ.
+// Every product that is added goes through std::fma: the result is then the same bits wherever the function
+// is inlined, so the coupler (lockstep) and the domain (window) cannot differ.
 
 #include <cmath>
 
@@ -34,9 +34,9 @@ struct Stress {
 
 /// What a dashpot needs to know of a boundary face.
 struct Face {
-  Vector normal;             ///< outward unit normal
-  double impedance_p = 0.0;  ///< rho c_p, Pa s/m
-  double impedance_s = 0.0;  ///< rho c_s, Pa s/m
+  Vector normal;            ///< outward unit normal
+  double impedance_p = 0.0; ///< rho c_p, Pa s/m
+  double impedance_s = 0.0; ///< rho c_s, Pa s/m
 };
 
 /// Free-field motion at a face: particle velocity (m/s) and dynamic stress (Pa).
@@ -55,8 +55,10 @@ inline Vector viscous_traction(const Face& face, Vector dv) {
   return {std::fma(p, n.x, -(s * n.y)), std::fma(p, n.y, s * n.x)};
 }
 
-/// Eq. (6): traction on a face (Pa) from the domain's velocity there (m/s), the free field, and the static part.
-inline Vector boundary_traction(const Face& face, Vector v_domain, const FreeField& ff, Vector static_traction) {
+/// Eq. (6): traction on a face (Pa) from the domain's velocity there (m/s), the free field, and the static
+/// part.
+inline Vector boundary_traction(const Face& face, Vector v_domain, const FreeField& ff,
+                                Vector static_traction) {
   const Vector vis = viscous_traction(face, {v_domain.x - ff.velocity.x, v_domain.y - ff.velocity.y});
   const Vector n = face.normal;
   const double dyn_x = std::fma(ff.stress.xx, n.x, std::fma(ff.stress.xy, n.y, static_traction.x));

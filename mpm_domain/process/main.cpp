@@ -63,6 +63,7 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
     client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
   });
   std::vector<std::string> sources;
+  sources.reserve(faces.size());
   for (const coupler::BoundaryFace& face : faces)
     sources.push_back(face.source);
   mpm_domain::RunOutput output(options.out, scene, scene::to_json(plan), domain, sources);

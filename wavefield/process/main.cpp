@@ -73,6 +73,7 @@ void run(const coupler::ParticipantOptions& options) {
   coupler::Stopwatch synthesis;
   synthesis.start();
   std::vector<std::vector<wavefield::History>> computed;
+  computed.reserve(fields.size());
   for (const coupler::FieldDescription& served : fields)
     computed.push_back(histories(field, served, client));
   synthesis.stop();

@@ -209,7 +209,8 @@ TEST(HalfSpaceField, DisplacementKeepsTheOffsetThatTheSignalLeaves) {
   const Point point{0.0, -30.0};
   const History h = vertical.sample({&point, 1}, {0.0, 0.01, 400})[0];
   EXPECT_NEAR(h.ux.front(), 0.0, 1e-14);
-  EXPECT_NEAR(h.ux[134], std::sqrt(std::numbers::pi) / k, 1e-13); // 1.34 s: the first has passed, the second is to come
+  EXPECT_NEAR(h.ux[134], std::sqrt(std::numbers::pi) / k,
+              1e-13); // 1.34 s: the first has passed, the second is to come
   EXPECT_NEAR(h.ux.back(), 2.0 * std::sqrt(std::numbers::pi) / k, 1e-13);
 }
 

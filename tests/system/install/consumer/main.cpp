@@ -1,4 +1,5 @@
-// Somebody else's program: the motion of the ground above a vertically incident SV wave, which a free surface doubles.
+// Somebody else's program: the motion of the ground above a vertically incident SV wave, which a free surface
+// doubles.
 
 #include "materials/law.hpp"
 #include "wavefield/half_space_field.hpp"
