@@ -68,6 +68,7 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
 
   std::vector<std::string> words = command;
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (auto& word : words)
     argv.push_back(word.data());
   argv.push_back(nullptr);

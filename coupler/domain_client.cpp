@@ -16,7 +16,7 @@ namespace {
 constexpr double beat_interval_s = 0.2;
 
 /// Velocities flow back in batches of about this size.
-constexpr std::size_t batch_values = 32 * 1024;
+constexpr std::size_t batch_values = std::size_t{32} * 1024;
 constexpr std::uint64_t batch_steps = 64;
 
 } // namespace

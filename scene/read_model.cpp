@@ -40,6 +40,7 @@ Region read_region(const TableReader& table, const std::vector<Soil>& soils, Fin
   const auto found = std::ranges::find(soils, soil, &Soil::name);
   if (found == soils.end() && !soil.empty() && findings.sound("soil")) {
     std::vector<std::string_view> known;
+    known.reserve(soils.size());
     for (const Soil& one : soils)
       known.push_back(one.name);
     findings.add(table.path("soil"),
