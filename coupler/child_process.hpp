@@ -34,7 +34,6 @@ public:
   void kill();
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] pid_t pid() const { return pid_; }
   /// After the end: whether it was exit code 0.
   [[nodiscard]] bool succeeded() const;
   /// How it ended: "exited with code 3", "was killed by signal 9 (Killed)", or by kill().

@@ -51,6 +51,11 @@ double state_value(const Particles& set, std::size_t k, std::string_view name) {
   return 0.0;
 }
 
+/// Where a particle was at the time of its velocity, half a step before the present, m.
+Vector place(const Particles& set, std::size_t k, double dt) {
+  return {set.x[k] - 0.5 * dt * set.vx[k], set.y[k] - 0.5 * dt * set.vy[k]};
+}
+
 Frame collect(const Domain& domain, double dt) {
   Frame frame;
   frame.variables = all_state_variables(domain);
@@ -59,8 +64,7 @@ Frame collect(const Domain& domain, double dt) {
     const Particles& set = domain.sets[s];
     for (const std::uint32_t k : set.index_of) {
       const Vector acceleration = particle_acceleration(domain, set, k);
-      const double x = set.x[k] - 0.5 * dt * set.vx[k];
-      const double y = set.y[k] - 0.5 * dt * set.vy[k];
+      const auto [x, y] = place(set, k, dt);
       frame.position.insert(frame.position.end(), {x, y});
       frame.displacement.insert(frame.displacement.end(), {x - set.x_initial[k], y - set.y_initial[k]});
       frame.velocity.insert(frame.velocity.end(), {set.vx[k], set.vy[k]});
@@ -162,8 +166,7 @@ void RunOutput::write_history(const Stepper& stepper, std::span<const eq6::FreeF
     const Particles& set = domain_.sets[follower.set];
     const std::size_t k = set.index_of[follower.id];
     const Vector a = particle_acceleration(domain_, set, k);
-    const double x = set.x[k] - 0.5 * dt * set.vx[k];
-    const double y = set.y[k] - 0.5 * dt * set.vy[k];
+    const auto [x, y] = place(set, k, dt);
     follower.series->append(std::array<double, 9>{stepper.velocity_time(), x, y, x - set.x_initial[k],
                                                   y - set.y_initial[k], set.vx[k], set.vy[k], a.x, a.y});
   }

@@ -3,32 +3,17 @@
 // A small run whose every number follows from its position, so that a test can say what it should read.
 
 #include "results/run_file.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
 namespace sample_run {
 
 using namespace tremolo::results;
 
-/// A folder that disappears with the test.
-class Folder {
-public:
-  Folder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "tremolo-results-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-private:
-  std::filesystem::path path_;
-};
+using Folder = tremolo::testing::TemporaryFolder;
 
 inline const RunDescription description{.title = "sample",
                                         .case_text = "title = \"sample\"\n",
