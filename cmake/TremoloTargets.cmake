@@ -57,6 +57,16 @@ endif()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${properties})
 endfunction()
 
+# tremolo_benchmark(name SOURCES a.cpp ... DEPENDS tremolo::x ...): a Google Benchmark program in <build>/bin/cost.
+# Built with everything else so that it cannot rot; run by hand, never by ctest.
+function(tremolo_benchmark name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(cost_${name} ${ARG_SOURCES})
+  target_link_libraries(cost_${name} PRIVATE tremolo_options ${ARG_DEPENDS} benchmark::benchmark_main)
+  target_compile_definitions(cost_${name} PRIVATE TREMOLO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  set_target_properties(cost_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin/cost)
+endfunction()
+
 # The system's own interpreter: the one that has the Debian packages python3-numpy, python3-h5py, ...
 set(TREMOLO_PYTHON /usr/bin/python3)
 

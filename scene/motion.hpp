@@ -50,7 +50,7 @@ private:
 };
 
 /// The motion of a case; reads the record if there is one.
-/// @throws RecordError (scene/record.hpp) for a record that cannot be read
+/// @throws motion::RecordError (motion/record.hpp) for a record that cannot be read
 Motion motion(const MotionInput& input);
 
 } // namespace tremolo::scene

@@ -8,12 +8,12 @@ set -euo pipefail
 
 packages=(
   build-essential cmake ninja-build pkg-config git
-  libeigen3-dev libfftw3-dev libgsl-dev                              # mathematics
+  libeigen3-dev libfftw3-dev libgsl-dev libsundials-dev              # mathematics
   libzmq3-dev cppzmq-dev nlohmann-json3-dev zlib1g-dev               # exchange between processes
   libhdf5-dev                                                        # results
   libtomlplusplus-dev libcli11-dev libfmt-dev                        # case file, command line, messages
   python3 python3-numpy python3-h5py python3-matplotlib              # plots
-  libgtest-dev libgmock-dev python3-vtk9                             # tests
+  libgtest-dev libgmock-dev libbenchmark-dev python3-vtk9            # tests
 )
 case "${1:-}" in
   "") ;;

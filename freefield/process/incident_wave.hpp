@@ -14,7 +14,7 @@ namespace tremolo::freefield {
 
 class IncidentWave {
 public:
-  /// @throws scene::RecordError for a motion that cannot be read
+  /// @throws motion::RecordError for a motion that cannot be read
   explicit IncidentWave(const scene::Case& scene);
 
   /// Velocity at a level y (m) of the half-space and a time (s).

@@ -1,4 +1,4 @@
-#include "scene/record.hpp"
+#include "motion/record.hpp"
 #include "scene/rules/rules.hpp"
 
 namespace tremolo::scene {
@@ -8,8 +8,8 @@ void record_is_readable(const Case& scene, Findings& findings) {
   if (input == nullptr || !findings.sound("motion.file"))
     return;
   try {
-    read_record(input->path);
-  } catch (const RecordError& error) {
+    motion::read_record(input->path);
+  } catch (const motion::RecordError& error) {
     findings.add("motion.file", error.what());
   }
 }

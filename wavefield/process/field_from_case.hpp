@@ -16,7 +16,7 @@ inline Signal signal_from_case(const scene::Case& scene) {
 }
 
 /// The exact field of a case's incident wave under a free surface at the given level, m.
-/// @throws scene::RecordError for a motion that cannot be read, std::invalid_argument for values out of range
+/// @throws motion::RecordError for a motion that cannot be read, std::invalid_argument for values out of range
 inline HalfSpaceField field_from_case(const scene::Case& scene, double surface_level) {
   const HalfSpace half_space{scene.halfspace.density, scene.halfspace.s_wave_speed(),
                              scene.halfspace.p_wave_speed()};

@@ -2,10 +2,10 @@
 // errors: it never crashes, hangs or lets another exception out. Mutations are drawn from a seeded generator;
 // a failure prints the text.
 
+#include "motion/record.hpp"
 #include "scene/case.hpp"
 #include "scene/errors.hpp"
 #include "scene/plan.hpp"
-#include "scene/record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -142,10 +142,10 @@ TEST(RecordFuzz, MutationsAreReadOrRefused) {
   for (int i = 0; i < 5000; ++i) {
     const std::string text = mutate(original);
     try {
-      const auto record = parse_record(text, "x.AT2");
+      const auto record = motion::parse_record(text, "x.AT2");
       EXPECT_GE(record.samples.size(), 2U);
       EXPECT_GT(record.dt, 0.0);
-    } catch (const RecordError&) {
+    } catch (const motion::RecordError&) {
     } catch (const std::exception& error) {
       FAIL() << error.what() << "\n" << text;
     }

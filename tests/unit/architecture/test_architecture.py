@@ -15,19 +15,20 @@ LONGEST_FILE = 500  # lines
 LIBRARIES = {
     "wavefield": set(),
     "materials": set(),
+    "motion": set(),
     "results": set(),
     "coupler/eq6": set(),
     "freefield": {"materials"},
     "mpm_domain": {"materials", "results", "coupler/eq6"},
-    "scene": {"materials"},
+    "scene": {"materials", "motion"},
     "coupler": {"results", "coupler/eq6"},
-    "app": {"scene", "coupler", "results", "wavefield"},
+    "app": {"scene", "coupler", "results", "materials", "motion", "wavefield", "freefield"},
 }
 
 # Mains of processes, in <library>/process/ or <library>/main.cpp: their library's folders and these.
 PROCESSES = {
-    "wavefield": {"scene", "coupler"},
-    "freefield": {"materials", "scene", "coupler"},
+    "wavefield": {"materials", "motion", "scene", "coupler"},
+    "freefield": {"materials", "motion", "scene", "coupler"},
     "mpm_domain": {"materials", "results", "coupler/eq6", "scene", "coupler"},
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tremolo::scene {
+namespace tremolo::motion {
 
 /// Standard gravity, the g of PEER records, m/s2.
 inline constexpr double standard_gravity = 9.80665;
@@ -52,4 +52,4 @@ struct RecordMeasures {
 /// @throws std::invalid_argument for fewer than two samples or dt <= 0
 RecordMeasures measures(std::span<const double> acceleration, double dt);
 
-} // namespace tremolo::scene
+} // namespace tremolo::motion

@@ -2,7 +2,7 @@
 // (Trifunac & Brady 1975); mean period T_m = sum(C_i^2 / f_i) / sum(C_i^2) with the Fourier amplitudes C_i at
 // 0.25 <= f_i <= 20 Hz (Rathje, Abrahamson & Bray 1998).
 
-#include "scene/record.hpp"
+#include "motion/record.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_fft_real.h>
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tremolo::scene {
+namespace tremolo::motion {
 
 namespace {
 
@@ -70,4 +70,4 @@ RecordMeasures measures(std::span<const double> acceleration, double dt) {
           .mean_period = mean_period(acceleration, dt)};
 }
 
-} // namespace tremolo::scene
+} // namespace tremolo::motion

@@ -1,4 +1,4 @@
-#include "scene/record.hpp"
+#include "motion/record.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string_view>
 
-namespace tremolo::scene {
+namespace tremolo::motion {
 
 namespace {
 
@@ -155,4 +155,4 @@ std::vector<double> integrate(std::span<const double> samples, double dt) {
   return integral;
 }
 
-} // namespace tremolo::scene
+} // namespace tremolo::motion

@@ -1,4 +1,4 @@
-#include "scene/record.hpp"
+#include "motion/record.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <numbers>
 
-namespace tremolo::scene {
+namespace tremolo::motion {
 namespace {
 
 std::string error_of(const std::string& text) {
@@ -92,4 +92,4 @@ TEST(RecordMeasures, BaldwinHillsOfNorthridge) {
 }
 
 } // namespace
-} // namespace tremolo::scene
+} // namespace tremolo::motion
