@@ -1,17 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <span>
 
 namespace tremolo::freefield {
 
-/// Particle velocity of the incident (upgoing) wave at the level of the column's base, m/s: half of what the
-/// outcrop of the half-space would show.
+/// How a column stands on the half-space below it, and so what the word for its input motion is.
+enum class BaseKind {
+  compliant, ///< elastic half-space: takes the incident (upgoing) wave at the base, half the outcrop motion
+  rigid      ///< the motion at the base is prescribed: takes the within (borehole) motion, whole
+};
+
+/// Particle velocity, m/s.
 struct Velocity {
   double x = 0.0;
   double y = 0.0;
 };
-using IncidentVelocity = std::function<Velocity(double time)>;
+
+/// The input motion at the level of the column's base: the velocity of the incident wave under a compliant
+/// base, that of the base itself if rigid. Zero before the column's start.
+using InputVelocity = std::function<Velocity(double time)>;
 
 /// The column at one depth and the present time. Stresses are the dynamic part, tension positive.
 struct ColumnSample {
@@ -19,7 +28,16 @@ struct ColumnSample {
   double sxx = 0.0, syy = 0.0, sxy = 0.0;                ///< stress, Pa
   double vx_rate = 0.0, vy_rate = 0.0;                   ///< time derivatives of velocity, m/s2
   double sxx_rate = 0.0, syy_rate = 0.0, sxy_rate = 0.0; ///< and of stress, Pa/s
+  double ux = 0.0, uy = 0.0;                             ///< displacement since the start, m
+  double eyy = 0.0, gxy = 0.0;                           ///< strain: duy/dy, dux/dy (engineering)
 };
+
+/// Of the levels y of a request to sample, whether entry i asks for the limit from below. sxx and the strains
+/// jump at a layer interface: a level that stands twice in a row is asked for from below and then from above,
+/// a level that stands once from above.
+inline bool from_below(std::span<const double> y, std::size_t i) {
+  return i + 1 < y.size() && y[i] == y[i + 1];
+}
 
 /// A laterally uniform (1D) free field that is marched in time: what a source process asks of any column,
 /// whatever its discretisation, integrator or soil law.
@@ -41,7 +59,8 @@ public:
   virtual double base_level() const = 0;
   virtual double surface_level() const = 0;
 
-  /// The present state at the levels y (m), each within [base_level(), surface_level()].
+  /// The present state at the levels y (m), each within [base_level(), surface_level()]; at an interface the
+  /// limit from below or above as from_below() says.
   /// @throws std::invalid_argument for a level outside, or if the spans differ in size
   virtual void sample(std::span<const double> y, std::span<ColumnSample> samples) const = 0;
 

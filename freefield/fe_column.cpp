@@ -57,17 +57,17 @@ double central_difference_limit(const Profile& profile, double max_element_size,
                   central_difference_limit(elements(profile, mesh, damping, Polarisation::dilation)));
 }
 
-FeColumn::FeColumn(const Profile& profile, const FeColumnSettings& settings, IncidentVelocity incident)
+FeColumn::FeColumn(const Profile& profile, const FeColumnSettings& settings, InputVelocity input)
     : settings_(checked(settings)),
       mesh_(mesh_profile(checked(profile, settings.damping), settings.max_element_size)),
-      incident_(std::move(incident)),
+      input_(std::move(input)),
       shear_(elements(profile, mesh_, settings.damping, Polarisation::shear),
              impedance(profile.half_space, Polarisation::shear), settings.time_step, settings.integrator),
       dilation_(elements(profile, mesh_, settings.damping, Polarisation::dilation),
                 impedance(profile.half_space, Polarisation::dilation), settings.time_step,
                 settings.integrator) {
-  if (!incident_) {
-    throw std::invalid_argument("the column has no incident motion");
+  if (!input_) {
+    throw std::invalid_argument("the column has no input motion");
   }
   lateral_ratio_.reserve(mesh_.elements());
   for (const std::size_t layer : mesh_.element_layer) {
@@ -81,7 +81,7 @@ double FeColumn::time() const {
 
 void FeColumn::step() {
   ++steps_;
-  const Velocity incident = incident_(time());
+  const Velocity incident = input_(time());
   shear_.step(incident.x);
   dilation_.step(incident.y);
 }

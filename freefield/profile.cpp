@@ -28,7 +28,28 @@ void validate_soil(const materials::Elasticity& soil, const std::string& place) 
           "in (-1, 0.5)");
 }
 
+void validate_law(const Layer& layer, const std::string& place) {
+  if (!layer.law) {
+    return;
+  }
+  try {
+    materials::validate(*layer.law);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(place + ": " + error.what());
+  }
+  const materials::Elasticity& elastic = materials::elasticity(*layer.law);
+  if (elastic.density != layer.soil.density || elastic.young != layer.soil.young ||
+      elastic.poisson != layer.soil.poisson) {
+    throw std::invalid_argument(place + ": the elastic constants of the layer are not those of its law");
+  }
+}
+
 } // namespace
+
+Layer layer_of(double thickness, const materials::Law& law, double damping_ratio) {
+  return {
+      .thickness = thickness, .soil = materials::elasticity(law), .damping_ratio = damping_ratio, .law = law};
+}
 
 double Profile::base_level() const {
   double level = surface_level;
@@ -63,7 +84,14 @@ void validate(const Profile& profile) {
     require(layer.damping_ratio >= 0.0 && layer.damping_ratio < 1.0, place + ": damping ratio",
             layer.damping_ratio, "in [0, 1)");
     validate_soil(layer.soil, place);
+    validate_law(layer, place);
+    if (layer.rest_coefficient) {
+      require(*layer.rest_coefficient >= 0.0 && std::isfinite(*layer.rest_coefficient),
+              place + ": coefficient of earth pressure at rest", *layer.rest_coefficient, "at least 0");
+    }
   }
+  require(profile.gravity >= 0.0 && std::isfinite(profile.gravity), "gravity", profile.gravity,
+          "at least 0, in m/s2");
   validate_soil(profile.half_space, "half-space");
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "materials/elasticity.hpp"
+#include "materials/law.hpp"
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,16 +11,22 @@
 namespace tremolo::freefield {
 
 struct Layer {
-  double thickness = 0.0; ///< m
-  materials::Elasticity soil;
+  double thickness = 0.0;     ///< m
+  materials::Elasticity soil; ///< at small strain
   double damping_ratio = 0.0; ///< of critical, [0, 1); what it means at which frequency is the Damping's
+  std::optional<materials::Law> law = std::nullopt;      ///< absent: linear elastic; its constants are `soil`
+  std::optional<double> rest_coefficient = std::nullopt; ///< K0, 1; absent: nu/(1-nu)
 };
+
+/// A layer of soil that follows a law, whose elastic constants become the layer's.
+Layer layer_of(double thickness, const materials::Law& law, double damping_ratio = 0.0);
 
 /// Soil layers from top to bottom on an elastic half-space.
 struct Profile {
   double surface_level = 0.0; ///< y of the free surface, m
   std::vector<Layer> layers;
   materials::Elasticity half_space;
+  double gravity = 0.0; ///< m/s2, downwards: laws start from syy = -rho g depth, sxx = szz = K0 syy
 
   /// y of the base, m: where the layers end and the half-space begins.
   double base_level() const;
