@@ -17,9 +17,14 @@ void validate(const FieldDescription& field) {
   for (std::size_t i = 0; i < field.y.size(); ++i) {
     if (!std::isfinite(field.y[i]))
       refuse(fmt::format("y[{}] is {}, expected a finite elevation (m)", i, field.y[i]));
-    if (i > 0 && field.y[i] <= field.y[i - 1])
-      refuse(fmt::format("y[{}] = {} m does not lie above y[{}] = {} m, expected ascending elevations", i,
-                         field.y[i], i - 1, field.y[i - 1]));
+    if (i > 0 && field.y[i] < field.y[i - 1])
+      refuse(fmt::format("y[{}] = {} m lies below y[{}] = {} m, expected ascending elevations", i, field.y[i],
+                         i - 1, field.y[i - 1]));
+    if (i > 1 && field.y[i] == field.y[i - 2])
+      refuse(
+          fmt::format("the elevation {} m stands three times, expected twice at most: its values from below "
+                      "and from above",
+                      field.y[i]));
   }
   if (!std::isfinite(field.x_reference) || !std::isfinite(field.slowness_x) ||
       !std::isfinite(field.start_time))

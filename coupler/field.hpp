@@ -24,7 +24,9 @@ inline constexpr std::size_t values_per_point = 10;
 /// One free field that a source serves.
 struct FieldDescription {
   std::string name; ///< "total" (free field with its free surface) or "incident" (the upgoing wave alone)
-  std::vector<double> y;        ///< elevations of the points served, strictly ascending, m
+  /// Elevations of the points served, ascending, m. Where materials meet, a level may stand twice: the first
+  /// point holds the limit from below, the second the one from above.
+  std::vector<double> y;
   double x_reference = 0.0;     ///< x of the profile, m
   double slowness_x = 0.0;      ///< horizontal slowness p, s/m; 0 for a column
   double start_time = 0.0;      ///< time of step 0, s
@@ -38,7 +40,8 @@ struct FieldDescription {
   [[nodiscard]] double end_time() const { return time(step_count - 1); }
 };
 
-/// Refuses a description that cannot be served: no points, elevations not ascending, fewer than two steps,
+/// Refuses a description that cannot be served: no points, elevations that descend or stand more than
+/// twice, fewer than two steps,
 /// anything not finite.
 /// @throws std::invalid_argument naming the field, the key and its value
 void validate(const FieldDescription& field);

@@ -69,14 +69,15 @@ public:
 private:
   std::vector<std::string> command(const ProcessSpec& process) const {
     std::vector<std::string> words{process.program.string()};
-    const auto arguments = command_line({.case_file = options_.case_file,
-                                         .name = process.name,
-                                         .endpoint = hub_.endpoint(),
-                                         .session = hub_options_.session,
-                                         .threads = process.threads,
-                                         .out = options_.out,
-                                         .deadlines = options_.deadlines});
-    words.insert(words.end(), arguments.begin(), arguments.end());
+    words.insert(words.end(), process.arguments.begin(), process.arguments.end());
+    const auto common = command_line({.case_file = options_.case_file,
+                                      .name = process.name,
+                                      .endpoint = hub_.endpoint(),
+                                      .session = hub_options_.session,
+                                      .threads = process.threads,
+                                      .out = options_.out,
+                                      .deadlines = options_.deadlines});
+    words.insert(words.end(), common.begin(), common.end());
     return words;
   }
 

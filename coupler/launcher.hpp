@@ -19,12 +19,13 @@
 
 namespace tremolo::coupler {
 
-/// A process to start. It gets the command line of ParticipantOptions.
+/// A process to start. It gets its own arguments, then the command line of ParticipantOptions.
 struct ProcessSpec {
   std::string name;
   Role role = Role::source;
   std::filesystem::path program;
   int threads = 1;
+  std::vector<std::string> arguments{};
 };
 
 struct LaunchOptions {

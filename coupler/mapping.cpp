@@ -21,7 +21,7 @@ struct Hermite {
 };
 
 /// Weights of the derivative at y[at] of the parabola through the three points y[first .. first+2].
-std::array<double, 3> parabola_slope(const std::vector<double>& y, std::size_t first, std::size_t at) {
+std::array<double, 3> parabola_slope(std::span<const double> y, std::size_t first, std::size_t at) {
   std::array<double, 3> weights{};
   for (std::size_t k = 0; k < 3; ++k) {
     const double a = y[first + (k + 1) % 3];
@@ -32,12 +32,34 @@ std::array<double, 3> parabola_slope(const std::vector<double>& y, std::size_t f
   return weights;
 }
 
-/// Adds scale times the slope at point j, whose stencil is centred where there is a point on either side.
-void add_slope(FaceMap& map, const std::vector<double>& y, std::size_t j, double scale) {
+/// Adds scale times the slope at point j of a layer, whose stencil is centred where there is a point on
+/// either side. weights[0] belongs to the layer's point first_weight.
+void add_slope(std::span<double> weights, std::size_t first_weight, std::span<const double> y, std::size_t j,
+               double scale) {
   const std::size_t first = std::clamp<std::size_t>(j, 1, y.size() - 2) - 1;
-  const auto weights = parabola_slope(y, first, j);
+  const auto slope = parabola_slope(y, first, j);
   for (std::size_t k = 0; k < 3; ++k)
-    map.weights[first - map.first_point + k] += scale * weights[k];
+    weights[first - first_weight + k] += scale * slope[k];
+}
+
+/// The points of one layer: between two levels that are listed twice, or an end.
+struct LayerPoints {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+/// The layer at an elevation; on an interface, up to rounding, the one above.
+LayerPoints layer_at(const std::vector<double>& y, double elevation) {
+  const double hair = 1e-9 * (y.back() - y.front());
+  const auto above = std::upper_bound(y.begin(), y.end(), elevation + hair) - y.begin();
+  const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - 1, 0));
+  std::size_t first = at;
+  while (first > 0 && y[first - 1] < y[first])
+    --first;
+  std::size_t end = at + 1;
+  while (end < y.size() && y[end] > y[end - 1])
+    ++end;
+  return {first, end - first};
 }
 
 void check_elevation(const FieldDescription& field, eq6::Vector position) {
@@ -52,8 +74,10 @@ void check_elevation(const FieldDescription& field, eq6::Vector position) {
 
 FaceMap map_face(const FieldDescription& field, eq6::Vector position) {
   check_elevation(field, position);
-  const auto& y = field.y;
+  const LayerPoints layer = layer_at(field.y, position.y);
+  const auto y = std::span(field.y).subspan(layer.first, layer.count);
   FaceMap map;
+  map.first_point = layer.first;
   map.delay = field.slowness_x * (position.x - field.x_reference);
   if (y.size() == 1) {
     map.points = 1;
@@ -69,13 +93,14 @@ FaceMap map_face(const FieldDescription& field, eq6::Vector position) {
     map.weights = {1.0 - s, s};
     return map;
   }
-  map.first_point = j > 0 ? j - 1 : 0;
-  map.points = std::min(j + 3, y.size()) - map.first_point;
+  const std::size_t lowest = j > 0 ? j - 1 : 0;
+  map.first_point += lowest;
+  map.points = std::min(j + 3, y.size()) - lowest;
   const Hermite hermite(s);
-  map.weights[j - map.first_point] += hermite.value0;
-  map.weights[j + 1 - map.first_point] += hermite.value1;
-  add_slope(map, y, j, hermite.slope0 * interval);
-  add_slope(map, y, j + 1, hermite.slope1 * interval);
+  map.weights[j - lowest] += hermite.value0;
+  map.weights[j + 1 - lowest] += hermite.value1;
+  add_slope(map.weights, lowest, y, j, hermite.slope0 * interval);
+  add_slope(map.weights, lowest, y, j + 1, hermite.slope1 * interval);
   return map;
 }
 

@@ -8,6 +8,10 @@
 //
 //     f(y, t) = sum_k w_k f(y_k, t),     exact for polynomials of degree 2 in y, third order otherwise.
 //
+// Where materials meet, s_xx and the gradients of the velocity jump. A source lists such a level twice, and
+// the mapping never reaches across: points and slopes are those of the face's own layer. A face exactly on an
+// interface takes the limit from above: the faces of a base that lies on one belong to the soil above it.
+//
 // In time: cubic Hermite from the values and time derivatives that sources send, on [t_i, t_i+1] with s = (t
 // - t_i)/dt,
 //

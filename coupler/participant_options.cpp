@@ -31,7 +31,8 @@ std::vector<std::string> command_line(const ParticipantOptions& options) {
 }
 
 int participant_main(const std::string& program, const std::string& description, int argc, char** argv,
-                     const std::function<void(const ParticipantOptions&)>& body) {
+                     const std::function<void(const ParticipantOptions&)>& body,
+                     const std::vector<OwnOption>& own_options) {
   CLI::App app(description, program);
   ParticipantOptions options;
   std::string session;
@@ -43,6 +44,8 @@ int participant_main(const std::string& program, const std::string& description,
   app.add_option("--out", options.out, "folder of the run");
   app.add_option("--connect-deadline", options.deadlines.connect, "s")->check(CLI::PositiveNumber);
   app.add_option("--step-deadline", options.deadlines.step, "s")->check(CLI::PositiveNumber);
+  for (const auto& own : own_options)
+    app.add_option(own.flag, own.value, own.help);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -30,6 +30,13 @@ struct ParticipantOptions {
   Deadlines deadlines;
 };
 
+/// An option that a participant has beside the common ones, e.g. a source's file.
+struct OwnOption {
+  std::string flag; ///< "--file"
+  std::string help;
+  std::string& value; ///< holds the default, receives what was given
+};
+
 /// The command line for options, without the program itself.
 std::vector<std::string> command_line(const ParticipantOptions& options);
 
@@ -37,6 +44,7 @@ std::vector<std::string> command_line(const ParticipantOptions& options);
 /// "program: message" on stderr.
 /// @returns the process's exit status: 0, 1 for a failure, 2 for a wrong command line
 int participant_main(const std::string& program, const std::string& description, int argc, char** argv,
-                     const std::function<void(const ParticipantOptions&)>& body);
+                     const std::function<void(const ParticipantOptions&)>& body,
+                     const std::vector<OwnOption>& own_options = {});
 
 } // namespace tremolo::coupler
