@@ -6,6 +6,7 @@
 #include "materials/law.hpp"
 #include "scene/geometry.hpp"
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -34,10 +35,18 @@ struct MotionFile {
 
 enum class Wave { sv, p };
 
-/// The incident plane wave. Its motion along the polarisation, SV (cos, -sin) and P (sin, cos) of the angle,
-/// is given at the reference point; scene::Motion evaluates it.
+/// What a motion is the motion of (docs/free-fields/motions.md).
+enum class MotionKind {
+  incident, ///< of the upgoing wave alone, along its polarisation
+  outcrop,  ///< of the surface of the bare half-space: horizontal for SV, vertical for P
+  within,   ///< of the top of the half-space under the profile, as a downhole sensor records it
+};
+
+/// The incident plane wave. An incident motion is along the polarisation, SV (cos, -sin) and P (sin, cos) of
+/// the angle, at the reference point; scene::Motion evaluates it.
 struct MotionInput {
   std::variant<RickerPulse, MotionFile> source;
+  MotionKind kind = MotionKind::incident;
   Wave wave = Wave::sv;
   double angle_deg = 0.0; ///< from the vertical, travelling to +x, +y; in [0, 90)
   Point reference;
@@ -53,30 +62,55 @@ struct Region {
   Polygon polygon;
 };
 
-/// A layer of the free-field profile.
+/// A layer of a free-field profile.
 struct Layer {
   double thickness = 0.0; ///< m
   materials::Elasticity elastic;
-  double damping_ratio = 0.0; ///< of critical
+  double damping = 0.0;            ///< ratio, of critical
+  std::optional<std::size_t> soil; ///< index into Case::soils; without one the layer is linear elastic
 };
 
-/// c = alpha rho + beta E per layer, exact at the two frequencies.
-struct RayleighDamping {
-  double first_frequency = 0.0;  ///< Hz
-  double second_frequency = 0.0; ///< Hz
-};
-/// The layer's damping ratio at the reference frequency, proportional to frequency.
-struct KelvinVoigtDamping {
-  double reference_frequency = 0.0; ///< Hz
-};
-using Damping = std::variant<std::monostate, RayleighDamping, KelvinVoigtDamping>;
+/// How the damping ratios of layers and half-space depend on frequency.
+enum class DampingModel { none, rayleigh, kelvin_voigt, hysteretic, shake, kjartansson };
 
-enum class Integrator { central_difference, newmark };
+struct Damping {
+  DampingModel model = DampingModel::none;
+  double ratio = 0.0;                  ///< of layers that have none of their own
+  std::array<double, 2> frequencies{}; ///< Hz; of rayleigh
+  /// Hz; of kelvin_voigt and kjartansson, and where columns marched in time, which cannot have a ratio that
+  /// is the same at all frequencies, have that of hysteretic and shake.
+  std::optional<double> reference_hz;
+};
 
-struct Column {
+enum class Integrator { central_difference, newmark, hht };
+enum class NewtonTangent { consistent, initial };
+
+/// Numerics of the free-field models, one table each.
+struct FeNumerics {
   Integrator integrator = Integrator::central_difference;
+  double alpha = 0.0; ///< of hht, in [-1/3, 0]
+  NewtonTangent tangent = NewtonTangent::consistent;
   double element_size = 0.0; ///< m
   std::optional<double> dt;  ///< s; otherwise the column chooses its own
+};
+
+enum class OdeMethod { adams, bdf, erk, imex };
+struct OdeNumerics {
+  OdeMethod method = OdeMethod::adams;
+  double relative_tolerance = 0.0;
+  double absolute_tolerance = 0.0; ///< of particle velocity, m/s; of stress, times the impedance
+  double cell_size = 0.0;          ///< m
+};
+
+struct ObliqueNumerics {
+  double cell_size = 0.0; ///< m
+};
+
+struct EquivalentLinearNumerics {
+  double strain_ratio = 0.0; ///< effective over largest shear strain
+  double tolerance = 0.0;    ///< relative change of modulus and damping
+  int iterations = 0;        ///< at most
+  bool allow_unconverged = false;
 };
 
 struct Mesh {
@@ -97,20 +131,38 @@ struct TimeStepping {
 };
 
 enum class Side { left, right, base };
-enum class SourceModel { wave, column };
+enum class SourceModel {
+  wave,      ///< plane waves in layers, frequency domain
+  fe,        ///< finite-element column
+  ode,       ///< column by the method of lines, SUNDIALS
+  oblique,   ///< column of oblique waves, time domain
+  eql,       ///< equivalent-linear layers
+  mpm,       ///< a domain of one periodic column
+  recording, ///< a free field recorded earlier
+  external   ///< a program of the user
+};
 enum class BaseForm {
   total, ///< free-field velocity and stress of the whole (incident and reflected) field: exact at any angle
   incident, ///< the incident wave alone: Eqs. (4) and (5) of the method, dashpots take up the reflected waves
 };
 
+/// Who computes a free field.
+struct FreeFieldModel {
+  SourceModel model = SourceModel::wave;
+  std::filesystem::path file; ///< of recording: the recording; of external: the program
+
+  bool operator==(const FreeFieldModel&) const = default;
+};
+
 /// A lateral free field.
 struct LateralBoundary {
-  SourceModel model = SourceModel::wave;
-  double surface = 0.0; ///< y of its free surface, m
+  FreeFieldModel field;
+  double surface = 0.0;           ///< y of its free surface, m
+  std::vector<Layer> own_profile; ///< its own layers; empty: Case::profile
 };
 
 struct BaseBoundary {
-  SourceModel model = SourceModel::wave;
+  FreeFieldModel field;
   BaseForm form = BaseForm::total;
 };
 
@@ -173,10 +225,13 @@ struct Case {
   materials::Elasticity halfspace;
   std::vector<Soil> soils;
   std::vector<Region> regions;
-  std::vector<Layer> profile; ///< from the surface down; empty: the half-space reaches the surface
-  Damping damping;            ///< of the columns
-  double damping_ratio = 0.0; ///< of the half-space within a column
-  Column column;
+  double halfspace_damping = 0.0; ///< ratio, of critical
+  std::vector<Layer> profile;     ///< from the surface down; empty: the half-space reaches the surface
+  Damping damping;
+  FeNumerics fe;
+  OdeNumerics ode;
+  ObliqueNumerics oblique;
+  EquivalentLinearNumerics eql;
   Mesh mesh;
   TimeStepping time;
   Boundary boundary;
@@ -202,10 +257,20 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
 /// @throws CaseErrors with every error of these tables
 Case load_free_field(const std::filesystem::path& file);
 
+/// The layers under a side's surface.
+const std::vector<Layer>& layers(const Case& scene, const LateralBoundary& side);
+
+/// y of the top of the half-space, m.
+double base_level(double surface, const std::vector<Layer>& layers);
+
 /// The name that a case file uses for a value, e.g. "pic_blend".
 std::string_view name(Wave);
 std::string_view name(Quantity);
+std::string_view name(MotionKind);
+std::string_view name(DampingModel);
 std::string_view name(Integrator);
+std::string_view name(NewtonTangent);
+std::string_view name(OdeMethod);
 std::string_view name(Transfer);
 std::string_view name(StepOrder);
 std::string_view name(Side);

@@ -31,7 +31,7 @@ TableReader Document::table(std::string_view name) {
 std::vector<TableReader> Document::array(std::string_view name) {
   const Table& spec = table_spec(name);
   std::vector<TableReader> readers;
-  const toml::node* node = root_.get(name);
+  const toml::node* node = root_.at_path(name).node();
   const std::string shown = fmt::format("[{}]", name);
   const toml::array* array = node != nullptr ? node->as_array() : nullptr;
   if (node == nullptr || (array != nullptr && array->empty())) {

@@ -37,8 +37,9 @@ std::string motion_text(const Case& scene) {
         fmt::format("Ricker pulse of {} Hz, {} m/s at {} s", pulse->frequency, pulse->velocity, pulse->time);
   else
     source = std::get<MotionFile>(motion.source).path.filename().string();
-  return fmt::format("{}, {} wave at {} degrees, given at ({}, {})", source, name(motion.wave),
-                     motion.angle_deg, motion.reference.x, motion.reference.y);
+  return fmt::format("{}, {} motion of the {} wave at {} degrees, given at ({}, {})", source,
+                     name(motion.kind), name(motion.wave), motion.angle_deg, motion.reference.x,
+                     motion.reference.y);
 }
 
 std::string sides_text(const SourceProcess& source) {
@@ -46,6 +47,11 @@ std::string sides_text(const SourceProcess& source) {
   for (const Served& served : source.serves)
     text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", name(served.side), name(served.field));
   return text;
+}
+
+std::string layers_text(const std::vector<Layer>& layers) {
+  return layers.empty() ? "no layers"
+                        : fmt::format("{} layer{}", layers.size(), layers.size() == 1 ? "" : "s");
 }
 
 } // namespace
@@ -58,8 +64,9 @@ std::string explain(const Case& scene, const Plan& plan) {
                         cost_text(effect));
   text += fmt::format("\nProcesses\n  {:<16}{:<18}particles, boundary faces\n", "tremolo-domain", "domain");
   for (const SourceProcess& source : plan.sources)
-    text += fmt::format("  {:<16}{:<18}surface at y = {} m; serves {}\n", program(source.model), source.name,
-                        source.surface, sides_text(source));
+    text += fmt::format("  {:<16}{:<18}model {}, surface at y = {} m, {}; serves {}\n", program(source.field),
+                        source.name, name(source.field.model), source.surface,
+                        layers_text(layers(scene, source)), sides_text(source));
   text += fmt::format("  base       {}\n", plan.base);
   text +=
       fmt::format("\nSize\n"
@@ -90,7 +97,8 @@ std::string to_json(const Plan& plan) {
     ordered_json serves;
     for (const Served& served : source.serves)
       serves[std::string(name(served.side))] = name(served.field);
-    json["sources"].push_back({{"program", program(source.model)},
+    json["sources"].push_back({{"program", program(source.field)},
+                               {"model", name(source.field.model)},
                                {"name", source.name},
                                {"surface_m", source.surface},
                                {"serves", serves}});

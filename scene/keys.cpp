@@ -43,7 +43,7 @@ std::span<const Table> key_table() {
                                          .type = Type::text,
                                          .meaning = "One line that names the case.",
                                          .required = true}}}};
-    for (const auto& group : {field_keys(), model_keys(), run_keys()})
+    for (const auto& group : {field_keys(), boundary_keys(), numerics_keys(), model_keys(), run_keys()})
       all.insert(all.end(), group.begin(), group.end());
     return all;
   }();

@@ -31,6 +31,14 @@ Table motion() {
            .unit = "1",
            .meaning = "Factor on the record; only with `file`.",
            .fallback = "1"},
+          choice("kind", {"incident", "outcrop", "within"},
+                 "Whose motion it is. `incident`: of the upgoing wave alone, along its polarisation. "
+                 "`outcrop`: of the "
+                 "surface of the bare half-space, horizontal for SV and vertical for P; vertically twice the "
+                 "incident "
+                 "wave. `within`: of the top of the half-space under the `[[profile]]`, as a downhole sensor "
+                 "records it.",
+                 "incident"),
           choice("wave", {"SV", "P"}, "Type of the incident wave."),
           {.name = "angle_deg",
            .unit = "degrees",
@@ -40,9 +48,9 @@ Table motion() {
           {.name = "reference",
            .type = Type::numbers,
            .unit = "m",
-           .meaning = "Where the incident wave alone has exactly this motion along its polarisation: SV "
-                      "(cos, -sin), P "
-                      "(sin, cos) of the angle.",
+           .meaning =
+               "Where the incident wave has exactly this motion: of its polarisation SV (cos, -sin), P (sin, "
+               "cos) of the angle for `incident`; `outcrop` and `within` at the top of the half-space.",
            .required = true,
            .count = 2,
            .form = "[x, y]"},
@@ -64,39 +72,84 @@ Table pulse() {
           }};
 }
 
-Table lateral(std::string_view name, std::string_view meaning) {
-  return {.name = name,
-          .required = true,
-          .meaning = meaning,
-          .keys = {
-              choice("model", {"wave", "column"},
-                     "Free-field model: exact plane waves in the half-space (any angle), or a "
-                     "one-dimensional column "
-                     "(vertical incidence, layers)."),
-              {.name = "surface",
-               .unit = "m",
-               .meaning = "y of the free surface on this side; the soil of the model must reach up to it.",
-               .otherwise = "`[surface] level`"},
-          }};
+Key damping_ratio() {
+  return {.name = "damping",
+          .unit = "1",
+          .meaning = "Fraction of critical damping; [damping] says what it is at which frequency.",
+          .otherwise = "`[damping] ratio`",
+          .range = {.low = 0.0, .high = 1.0, .high_open = true}};
 }
 
-Table base() {
-  return {.name = "boundary.base",
-          .required = true,
-          .meaning = "What enters through the base.",
-          .keys = {
-              choice("model", {"wave", "column"}, "Free-field model, as for the sides."),
-              choice("form", {"total", "incident"},
-                     "`total`: velocity and stress of the whole free field, exact at any angle; needs the "
-                     "same surface "
-                     "level on both sides. `incident`: the incident wave alone, dashpots take up what comes "
-                     "down again; "
-                     "exact at vertical incidence, about 3 % off at 15 degrees and 16 % at 30 degrees.",
-                     "total"),
-          }};
+Key half_space_damping() {
+  auto key = damping_ratio();
+  key.otherwise = {};
+  key.fallback = "0";
+  key.meaning =
+      "Fraction of critical damping, for `wave` and `eql`; columns stand on an undamped half-space.";
+  return key;
+}
+
+Table damping() {
+  return {
+      .name = "damping",
+      .meaning = "Material damping of the free field.",
+      .keys = {
+          choice("model", {"none", "rayleigh", "kelvin_voigt", "hysteretic", "shake", "kjartansson"},
+                 "How damping depends on frequency. `kelvin_voigt`: proportional to it, all models. "
+                 "`rayleigh`: the "
+                 "ratio at two frequencies, columns only. `hysteretic` G (1 + 2 i xi), `shake` G (1 - 2 xi^2 "
+                 "+ 2 i xi "
+                 "sqrt(1 - xi^2)) and `kjartansson`: the same or nearly so at all frequencies, `wave` and "
+                 "`eql`; "
+                 "columns then take Kelvin-Voigt damping with the ratio at `reference_hz`.",
+                 "none"),
+          {.name = "ratio",
+           .unit = "1",
+           .meaning = "Fraction of critical damping of layers that have none of their own.",
+           .fallback = "0",
+           .range = {.low = 0.0, .high = 1.0, .high_open = true},
+           .when = {"model", {"rayleigh", "kelvin_voigt", "hysteretic", "shake", "kjartansson"}}},
+          {.name = "frequencies",
+           .type = Type::numbers,
+           .unit = "Hz",
+           .meaning = "The two frequencies at which Rayleigh damping has the ratio.",
+           .required = true,
+           .range = positive,
+           .count = 2,
+           .form = "[f1, f2]",
+           .when = {"model", {"rayleigh"}}},
+          {.name = "reference_hz",
+           .unit = "Hz",
+           .meaning =
+               "The frequency at which the damping of `kelvin_voigt`, `kjartansson` and of columns has the "
+               "ratio.",
+           .otherwise = "none; needed by `kelvin_voigt`, `kjartansson` and damped columns",
+           .range = positive,
+           .when = {"model", {"kelvin_voigt", "hysteretic", "shake", "kjartansson"}}}}};
 }
 
 } // namespace
+
+std::vector<Key> layer_keys() {
+  auto keys = elastic_keys();
+  for (Key& key : keys)
+    if (key.name == "density") {
+      key.required = false;
+      key.otherwise = "of the `soil`";
+    }
+  keys.insert(keys.begin(), {.name = "thickness",
+                             .unit = "m",
+                             .meaning = "Thickness of the layer.",
+                             .required = true,
+                             .range = positive});
+  keys.push_back(
+      {.name = "soil",
+       .type = Type::text,
+       .meaning = "Name of a `[soil]`: the layer has its elastic constants and, in columns, its law.",
+       .otherwise = "linear elastic, with constants of its own"});
+  keys.push_back(damping_ratio());
+  return keys;
+}
 
 std::vector<Table> field_keys() {
   return {
@@ -111,74 +164,13 @@ std::vector<Table> field_keys() {
        .meaning =
            "The homogeneous half-space below the profile, up to the surface where there is no `[[profile]]`. "
            "Either `young` and `poisson`, or `vs` and `vp`.",
-       .keys = elastic_keys()},
+       .keys = with_elastic_keys({half_space_damping()})},
       {.name = "profile",
        .kind = Kind::array,
-       .meaning = "Layers of the columns from the surface down; the half-space continues below the last one. "
-                  "Only where "
-                  "every side and the base have `model = \"column\"`.",
-       .keys = with_elastic_keys({
-           {.name = "thickness",
-            .unit = "m",
-            .meaning = "Thickness of the layer.",
-            .required = true,
-            .range = positive},
-           {.name = "damping_ratio",
-            .unit = "1",
-            .meaning = "Fraction of critical damping.",
-            .otherwise = "`[damping] ratio`",
-            .range = {.low = 0.0, .high = 1.0, .high_open = true}},
-       })},
-      {.name = "damping",
-       .meaning = "Material damping of the columns.",
-       .keys =
-           {choice(
-                "model", {"none", "rayleigh", "kelvin_voigt"},
-                "`rayleigh`: the ratio at two frequencies; `kelvin_voigt`: the ratio at one, proportional to "
-                "frequency.",
-                "none"),
-            {.name = "ratio",
-             .unit = "1",
-             .meaning = "Fraction of critical damping of layers that have none of their own.",
-             .fallback = "0",
-             .range = {.low = 0.0, .high = 1.0, .high_open = true},
-             .when = {"model", {"rayleigh", "kelvin_voigt"}}},
-            {.name = "frequencies",
-             .type = Type::numbers,
-             .unit = "Hz",
-             .meaning = "The two frequencies at which Rayleigh damping has the ratio.",
-             .required = true,
-             .range = positive,
-             .count = 2,
-             .form = "[f1, f2]",
-             .when = {"model", {"rayleigh"}}},
-            {.name = "reference_frequency",
-             .unit = "Hz",
-             .meaning = "The frequency at which Kelvin-Voigt damping has the ratio.",
-             .required = true,
-             .range = positive,
-             .when = {"model", {"kelvin_voigt"}}}}},
-      {.name = "column",
-       .meaning = "Numerics of the columns.",
-       .keys = {choice("integrator", {"central_difference", "newmark"},
-                       "Explicit central differences, or implicit Newmark (1/4, 1/2).", "central_difference"),
-                {.name = "element_size",
-                 .unit = "m",
-                 .meaning = "Largest finite element.",
-                 .otherwise = "`[mesh] size`",
-                 .range = positive},
-                {.name = "dt",
-                 .unit = "s",
-                 .meaning = "Time step of the column.",
-                 .otherwise = "chosen by the column",
-                 .range = positive}}},
-      {.name = "boundary",
-       .required = true,
-       .meaning = "Which free field drives each side, and how.",
-       .keys = {}},
-      lateral("boundary.left", "Free field at the left side."),
-      lateral("boundary.right", "Free field at the right side."),
-      base(),
+       .meaning =
+           "Layers of the free field from the surface down; the half-space continues below the last one.",
+       .keys = layer_keys()},
+      damping(),
   };
 }
 

@@ -10,8 +10,64 @@ std::string_view name(Quantity quantity) {
   return quantity == Quantity::acceleration ? "acceleration" : "velocity";
 }
 
+std::string_view name(MotionKind kind) {
+  switch (kind) {
+  case MotionKind::incident:
+    return "incident";
+  case MotionKind::outcrop:
+    return "outcrop";
+  case MotionKind::within:
+    return "within";
+  }
+  return {};
+}
+
+std::string_view name(DampingModel model) {
+  switch (model) {
+  case DampingModel::none:
+    return "none";
+  case DampingModel::rayleigh:
+    return "rayleigh";
+  case DampingModel::kelvin_voigt:
+    return "kelvin_voigt";
+  case DampingModel::hysteretic:
+    return "hysteretic";
+  case DampingModel::shake:
+    return "shake";
+  case DampingModel::kjartansson:
+    return "kjartansson";
+  }
+  return {};
+}
+
 std::string_view name(Integrator integrator) {
-  return integrator == Integrator::central_difference ? "central_difference" : "newmark";
+  switch (integrator) {
+  case Integrator::central_difference:
+    return "central_difference";
+  case Integrator::newmark:
+    return "newmark";
+  case Integrator::hht:
+    return "hht";
+  }
+  return {};
+}
+
+std::string_view name(NewtonTangent tangent) {
+  return tangent == NewtonTangent::consistent ? "consistent" : "initial";
+}
+
+std::string_view name(OdeMethod method) {
+  switch (method) {
+  case OdeMethod::adams:
+    return "adams";
+  case OdeMethod::bdf:
+    return "bdf";
+  case OdeMethod::erk:
+    return "erk";
+  case OdeMethod::imex:
+    return "imex";
+  }
+  return {};
 }
 
 std::string_view name(Transfer transfer) {
@@ -51,7 +107,25 @@ std::string_view name(Side side) {
 }
 
 std::string_view name(SourceModel model) {
-  return model == SourceModel::wave ? "wave" : "column";
+  switch (model) {
+  case SourceModel::wave:
+    return "wave";
+  case SourceModel::fe:
+    return "fe";
+  case SourceModel::ode:
+    return "ode";
+  case SourceModel::oblique:
+    return "oblique";
+  case SourceModel::eql:
+    return "eql";
+  case SourceModel::mpm:
+    return "mpm";
+  case SourceModel::recording:
+    return "recording";
+  case SourceModel::external:
+    return "external";
+  }
+  return {};
 }
 
 std::string_view name(BaseForm form) {

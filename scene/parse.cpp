@@ -49,7 +49,11 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
   const toml::table root = parse_toml(text, findings);
   Document document(root, findings, scene.values);
   scene.title = document.table("").text("title");
-  read_field(document, findings, scene);
+  read_mesh(document, scene);
+  if (!document.has("soil"))
+    document.named("soil"); // reports that there is none
+  read_free_field(document, findings, scene);
+  read_boundary(document, findings, scene);
   read_model(document, findings, scene);
   read_run(document, scene);
   for (const Rule rule : rules())
@@ -72,6 +76,8 @@ Case load_free_field(const std::filesystem::path& file) {
 
   const toml::table root = parse_toml(scene.text, findings);
   Document document(root, findings, scene.values);
+  if (document.has("mesh"))
+    read_mesh(document, scene);
   read_free_field(document, findings, scene);
   record_is_readable(scene, findings);
 

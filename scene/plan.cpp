@@ -46,7 +46,7 @@ double state_size(const Case& scene) {
 std::string listed(const std::vector<SourceProcess>& sources) {
   std::string text;
   for (const SourceProcess& source : sources)
-    text += fmt::format("{}{} '{}'", text.empty() ? "" : ", ", program(source.model), source.name);
+    text += fmt::format("{}{} '{}'", text.empty() ? "" : ", ", program(source.field), source.name);
   return text;
 }
 
@@ -54,7 +54,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const bool apic = scene.time.transfer == Transfer::apic;
   const bool plastic = any_soil(scene, [](const MohrCoulomb&) { return true; });
   const bool softening = any_soil(scene, [](const MohrCoulomb& law) { return law.softening > 0.0; });
-  const bool damped = !std::holds_alternative<std::monostate>(scene.damping);
+  const bool damped = scene.damping.model != DampingModel::none;
   return {
       {"soil skeleton", true, "always: uGIMP particles, plane strain", particle_bytes, base_cost_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
@@ -71,7 +71,8 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"oblique incidence", scene.motion.angle_deg > 0.0,
        fmt::format("[motion] angle_deg = {}", scene.motion.angle_deg)},
       {"free field", true, "[boundary]: " + listed(sources)},
-      {"column damping", damped, damped ? "[damping] model" : "[damping] model is \"none\""},
+      {"material damping", damped,
+       fmt::format("[damping] model = \"{}\", of the free field", name(scene.damping.model))},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
   };

@@ -28,13 +28,17 @@ struct Served {
 /// A free-field process. Equal free fields share one.
 struct SourceProcess {
   std::string name; ///< the sides it serves, e.g. "left-base"
-  SourceModel model = SourceModel::wave;
-  double surface = 0.0; ///< y of the free surface, m
+  FreeFieldModel field;
+  double surface = 0.0;        ///< y of the free surface, m
+  std::optional<Side> profile; ///< whose own layers lie under it; without one, Case::profile
   std::vector<Served> serves;
 };
 
-/// "tremolo-wave" or "tremolo-column".
-std::string program(SourceModel model);
+/// The layers of a source.
+const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source);
+
+/// "tremolo-wave", "tremolo-column", ...; a program of the user by its path.
+std::string program(const FreeFieldModel& field);
 
 struct Plan {
   std::vector<Effect> effects;

@@ -8,11 +8,22 @@
 
 namespace tremolo::scene {
 
-/// Motion, surface, half-space, profile and damping.
+/// Motion, surface, half-space, soils, profile, damping and the numerics of free-field models.
 void read_free_field(Document& document, Findings& findings, Case& scene);
-/// The free field, columns and boundary.
-void read_field(Document& document, Findings& findings, Case& scene);
-/// Soils, regions, mesh, time stepping and stages; after read_field.
+/// The sides and the base; after read_free_field.
+void read_boundary(Document& document, Findings& findings, Case& scene);
+/// Numerics of the free-field models; after read_mesh, whose size is the default of element sizes.
+void read_numerics(Document& document, Case& scene);
+/// Soils; their softening holds for cells of [mesh] size where the mesh has been read.
+void read_soils(Document& document, Findings& findings, Case& scene);
+/// Layers of an array of tables, "profile" or that of a side; after read_soils.
+std::vector<Layer> read_layers(Document& document, const char* name, Findings& findings, const Case& scene);
+/// The soil that a table's key `soil` names.
+std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,
+                                      Findings& findings);
+/// Mesh; before read_free_field.
+void read_mesh(Document& document, Case& scene);
+/// Regions, time stepping and stages; after read_free_field.
 void read_model(Document& document, Findings& findings, Case& scene);
 /// Coupling, monitors, output and verification.
 void read_run(Document& document, Case& scene);

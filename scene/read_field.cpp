@@ -14,6 +14,8 @@ RickerPulse read_pulse(Document& document) {
 
 void read_motion(Document& document, Findings& findings, Case& scene) {
   const auto table = document.table("motion");
+  using enum MotionKind;
+  scene.motion.kind = from_name(table.text("kind"), std::array{incident, outcrop, within});
   scene.motion.wave = from_name(table.text("wave"), std::array{Wave::sv, Wave::p});
   scene.motion.angle_deg = table.number("angle_deg");
   scene.motion.reference = table.point("reference");
@@ -41,51 +43,60 @@ void read_motion(Document& document, Findings& findings, Case& scene) {
 
 void read_damping(Document& document, Case& scene) {
   const auto table = document.table("damping");
-  scene.damping_ratio = table.number("ratio");
-  const auto frequencies = table.numbers("frequencies");
-  if (table.text("model") == "rayleigh" && frequencies.size() == 2)
-    scene.damping = RayleighDamping{frequencies[0], frequencies[1]};
-  if (table.text("model") == "kelvin_voigt")
-    scene.damping = KelvinVoigtDamping{table.number("reference_frequency")};
+  using enum DampingModel;
+  scene.damping.model = from_name(table.text("model"),
+                                  std::array{none, rayleigh, kelvin_voigt, hysteretic, shake, kjartansson});
+  scene.damping.ratio = table.number("ratio");
+  if (const auto f = table.numbers("frequencies"); f.size() == 2)
+    scene.damping.frequencies = {f[0], f[1]};
+  scene.damping.reference_hz = table.optional_number("reference_hz");
 }
 
-SourceModel read_model(const TableReader& table) {
-  return from_name(table.text("model"), std::array{SourceModel::wave, SourceModel::column});
-}
-
-LateralBoundary read_side(Document& document, const char* name, double surface_level) {
-  const auto table = document.table(name);
-  return {read_model(table), table.optional_number("surface").value_or(surface_level)};
+/// Constants of the named soil, or of the layer itself.
+void read_layer_soil(const TableReader& table, Findings& findings, const Case& scene, Layer& layer) {
+  const auto soil = table.text("soil");
+  if (soil.empty()) {
+    if (!table.given("density"))
+      findings.add(table.path("density"),
+                   "missing 'density': a layer without 'soil' has constants of its own");
+    layer.elastic = read_elasticity(table, findings);
+    return;
+  }
+  for (const char* key : {"density", "young", "poisson", "vs", "vp"})
+    if (table.given(key))
+      findings.add(table.path(key), fmt::format("'{}' and 'soil' exclude each other: remove one", key));
+  layer.soil = soil_index(table, scene.soils, findings);
+  if (layer.soil)
+    layer.elastic = materials::elasticity(scene.soils[*layer.soil].law);
 }
 
 } // namespace
 
+std::vector<Layer> read_layers(Document& document, const char* name, Findings& findings, const Case& scene) {
+  std::vector<Layer> layers;
+  for (const auto& table : document.array(name)) {
+    Layer layer{table.number("thickness"),
+                {},
+                table.optional_number("damping").value_or(scene.damping.ratio),
+                std::nullopt};
+    read_layer_soil(table, findings, scene, layer);
+    layers.push_back(layer);
+  }
+  return layers;
+}
+
 void read_free_field(Document& document, Findings& findings, Case& scene) {
   read_motion(document, findings, scene);
   scene.surface_level = document.table("surface").number("level");
-  scene.halfspace = read_elasticity(document.table("halfspace"), findings);
+  const auto half_space = document.table("halfspace");
+  scene.halfspace = read_elasticity(half_space, findings);
+  scene.halfspace_damping = half_space.number("damping");
 
+  if (document.has("soil"))
+    read_soils(document, findings, scene);
   read_damping(document, scene);
-  for (const auto& table : document.array("profile"))
-    scene.profile.push_back({table.number("thickness"), read_elasticity(table, findings),
-                             table.optional_number("damping_ratio").value_or(scene.damping_ratio)});
-}
-
-void read_field(Document& document, Findings& findings, Case& scene) {
-  read_free_field(document, findings, scene);
-
-  const auto column = document.table("column");
-  scene.column.integrator =
-      from_name(column.text("integrator"), std::array{Integrator::central_difference, Integrator::newmark});
-  scene.column.element_size = column.number("element_size");
-  scene.column.dt = column.optional_number("dt");
-
-  document.table("boundary");
-  scene.boundary.left = read_side(document, "boundary.left", scene.surface_level);
-  scene.boundary.right = read_side(document, "boundary.right", scene.surface_level);
-  const auto base = document.table("boundary.base");
-  scene.boundary.base = {read_model(base),
-                         from_name(base.text("form"), std::array{BaseForm::total, BaseForm::incident})};
+  scene.profile = read_layers(document, "profile", findings, scene);
+  read_numerics(document, scene);
 }
 
 } // namespace tremolo::scene

@@ -14,13 +14,14 @@ namespace tremolo::scene {
 
 namespace {
 
-void serve(std::vector<SourceProcess>& sources, SourceModel model, double surface, Served served) {
-  const bool any_surface = served.field == BaseForm::incident;
+void serve(std::vector<SourceProcess>& sources, const FreeFieldModel& field, double surface,
+           std::optional<Side> profile, Served served) {
+  const bool any_ground = served.field == BaseForm::incident;
   const auto equal = std::ranges::find_if(sources, [&](const SourceProcess& source) {
-    return source.model == model && (any_surface || source.surface == surface);
+    return source.field == field && (any_ground || (source.surface == surface && source.profile == profile));
   });
   SourceProcess& source =
-      equal != sources.end() ? *equal : sources.emplace_back(SourceProcess{"", model, surface, {}});
+      equal != sources.end() ? *equal : sources.emplace_back(SourceProcess{"", field, surface, profile, {}});
   source.serves.push_back(served);
   source.name += fmt::format("{}{}", source.name.empty() ? "" : "-", name(served.side));
 }
@@ -30,9 +31,12 @@ void serve(std::vector<SourceProcess>& sources, SourceModel model, double surfac
 std::vector<SourceProcess> plan_sources(const Case& scene) {
   const auto& [left, right, base] = scene.boundary;
   std::vector<SourceProcess> sources;
-  serve(sources, left.model, left.surface, {Side::left, BaseForm::total});
-  serve(sources, right.model, right.surface, {Side::right, BaseForm::total});
-  serve(sources, base.model, left.surface, {Side::base, base.form});
+  const auto own = [](const LateralBoundary& boundary, Side side) {
+    return boundary.own_profile.empty() ? std::nullopt : std::optional(side);
+  };
+  serve(sources, left.field, left.surface, own(left, Side::left), {Side::left, BaseForm::total});
+  serve(sources, right.field, right.surface, own(right, Side::right), {Side::right, BaseForm::total});
+  serve(sources, base.field, left.surface, own(left, Side::left), {Side::base, base.form});
   return sources;
 }
 
@@ -63,8 +67,29 @@ std::size_t source_index(const std::vector<SourceProcess>& sources, Side side) {
   throw std::logic_error(fmt::format("the plan has no source for the {} side", name(side)));
 }
 
-std::string program(SourceModel model) {
-  return fmt::format("tremolo-{}", name(model));
+const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source) {
+  if (!source.profile)
+    return scene.profile;
+  return *source.profile == Side::left ? scene.boundary.left.own_profile : scene.boundary.right.own_profile;
+}
+
+std::string program(const FreeFieldModel& field) {
+  switch (field.model) {
+  case SourceModel::wave:
+  case SourceModel::eql:
+    return "tremolo-wave";
+  case SourceModel::fe:
+  case SourceModel::ode:
+  case SourceModel::oblique:
+    return "tremolo-column";
+  case SourceModel::mpm:
+    return "tremolo-domain";
+  case SourceModel::recording:
+    return "tremolo-recording";
+  case SourceModel::external:
+    return field.file.string();
+  }
+  return {};
 }
 
 const SourceProcess& source_of(const Plan& plan, Side side) {

@@ -2,23 +2,36 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace tremolo::scene {
 
 void reference_lies_in_halfspace(const Case& scene, Findings& findings) {
-  if (scene.profile.empty() || !findings.sound("motion.reference") || !findings.sound("surface.level"))
+  if (!findings.sound("motion.reference") || !findings.sound("surface.level"))
     return;
-  double depth = 0.0;
-  for (const Layer& layer : scene.profile)
-    depth += layer.thickness;
-  const double highest = std::min(scene.boundary.left.surface, scene.boundary.right.surface) - depth;
-  if (scene.motion.reference.y > highest)
-    findings.add(
-        "motion.reference",
-        fmt::format(
-            "'reference' at y = {} lies in the layers of [[profile]], must be in the half-space, y <= {}",
-            scene.motion.reference.y, highest));
+  const double y = scene.motion.reference.y;
+  const auto check = [&](const LateralBoundary& side, const char* where) {
+    const auto& below = layers(scene, side);
+    const double top = base_level(side.surface, below);
+    constexpr double same_level = 1e-6; // m
+    if (!below.empty() && y > top + same_level)
+      findings.add(
+          "motion.reference",
+          fmt::format("'reference' at y = {} lies in the layers of the {} side, must be in the half-space, y "
+                      "<= {}",
+                      y, where, top));
+    else if (scene.motion.kind == MotionKind::within && (below.empty() || std::abs(y - top) > same_level))
+      findings.add(
+          "motion.reference",
+          fmt::format("'reference' at y = {} of a motion within the ground must be at the top of the "
+                      "half-space, which on the {} side is y = {}",
+                      y, where, top));
+  };
+  const auto& [left, right, base] = scene.boundary;
+  check(left, "left");
+  if (right.surface != left.surface || !right.own_profile.empty() || !left.own_profile.empty())
+    check(right, "right");
 }
 
 } // namespace tremolo::scene

@@ -30,16 +30,18 @@ void regions_lie_in_mesh(const Case& scene, Findings& findings);
 void regions_are_apart(const Case& scene, Findings& findings);
 /// Soil reaches along both sides up to the free field's surface, and along the whole base.
 void soil_reaches_boundaries(const Case& scene, Findings& findings);
-/// A total base field needs one surface level.
+/// A total base field needs one surface level and one profile.
 void total_base_has_one_surface(const Case& scene, Findings& findings);
-/// Columns know vertical incidence only.
-void columns_are_shaken_vertically(const Case& scene, Findings& findings);
-/// The wave model is homogeneous.
-void profile_goes_with_columns(const Case& scene, Findings& findings);
-/// A layer's damping ratio needs a damping model.
-void layer_damping_has_model(const Case& scene, Findings& findings);
-/// The reference point of a layered column lies in its half-space.
+/// Each free-field model can compute this wave, given as this kind of motion.
+void models_take_the_wave(const Case& scene, Findings& findings);
+/// A recording or a program that a side names is there.
+void model_files_exist(const Case& scene, Findings& findings);
+/// Damping ratios have a law of frequency, and one that the models know.
+void damping_suits_models(const Case& scene, Findings& findings);
+/// The reference point lies in the half-space of both sides; a `within` motion is that of its top.
 void reference_lies_in_halfspace(const Case& scene, Findings& findings);
+/// A base that takes the incident wave alone lies in the half-space.
+void incident_base_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A fixed time step does not exceed the critical one.
 void time_step_is_stable(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.

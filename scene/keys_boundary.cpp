@@ -1,0 +1,79 @@
+#include "scene/keys_field.hpp"
+
+#include "scene/keys_elastic.hpp"
+
+namespace tremolo::scene {
+
+namespace {
+
+constexpr std::string_view models = "Who computes the free field. `wave`: plane waves in layers, exact, any "
+                                    "angle. `fe`: finite-element column. `ode`: "
+                                    "column by the method of lines with error control. `oblique`: column of "
+                                    "oblique waves in the time domain. `eql`: "
+                                    "equivalent-linear layers. `recording`: served again from a `file`. "
+                                    "`external`: a program of your own. `mpm`: a "
+                                    "domain of one periodic column, not available yet.";
+
+std::vector<Key> field_model() {
+  return {choice("model", {"wave", "fe", "ode", "oblique", "eql", "mpm", "recording", "external"}, models),
+          {.name = "file",
+           .type = Type::text,
+           .meaning = "The recorded free field, relative to the case file.",
+           .required = true,
+           .when = {"model", {"recording"}}},
+          {.name = "program",
+           .type = Type::text,
+           .meaning = "The program that serves the free field, relative to the case file.",
+           .required = true,
+           .when = {"model", {"external"}}}};
+}
+
+Table lateral(std::string_view name, std::string_view meaning) {
+  auto keys = field_model();
+  keys.push_back({.name = "surface",
+                  .unit = "m",
+                  .meaning = "y of the free surface on this side; the soil of the model must reach up to it.",
+                  .otherwise = "`[surface] level`"});
+  return {.name = name, .required = true, .meaning = meaning, .keys = std::move(keys)};
+}
+
+Table own_profile(std::string_view name) {
+  return {.name = name,
+          .kind = Kind::array,
+          .meaning =
+              "Layers of this side alone, from its surface down, instead of `[[profile]]`; the same keys.",
+          .keys = layer_keys()};
+}
+
+Table base() {
+  auto keys = field_model();
+  keys.push_back(
+      choice("form", {"total", "incident"},
+             "`total`: velocity and stress of the whole free field, exact at any angle; needs the same "
+             "surface level and layers on both sides. `incident`: the incident wave alone, dashpots take up "
+             "what comes down again; exact at vertical incidence, about 3 % off at 15 degrees and 16 % at 30 "
+             "degrees.",
+             "total"));
+  return {.name = "boundary.base",
+          .required = true,
+          .meaning = "What enters through the base.",
+          .keys = std::move(keys)};
+}
+
+} // namespace
+
+std::vector<Table> boundary_keys() {
+  return {
+      {.name = "boundary",
+       .required = true,
+       .meaning = "Which free field drives each side, and how.",
+       .keys = {}},
+      lateral("boundary.left", "Free field at the left side."),
+      own_profile("boundary.left.profile"),
+      lateral("boundary.right", "Free field at the right side."),
+      own_profile("boundary.right.profile"),
+      base(),
+  };
+}
+
+} // namespace tremolo::scene

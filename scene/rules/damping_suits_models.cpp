@@ -1,0 +1,73 @@
+#include "scene/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace tremolo::scene {
+
+namespace {
+
+bool in_frequency_domain(SourceModel model) {
+  return model == SourceModel::wave || model == SourceModel::eql;
+}
+
+bool marched_in_time(SourceModel model) {
+  return model == SourceModel::fe || model == SourceModel::ode || model == SourceModel::oblique;
+}
+
+bool damped(const std::vector<Layer>& layers) {
+  return std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; });
+}
+
+/// A ratio that stands in the file but has no law of frequency.
+void ratios_have_model(const Case& scene, Findings& findings) {
+  const auto check = [&](const std::vector<Layer>& layers, const std::string& name) {
+    for (std::size_t i = 0; i < layers.size(); ++i)
+      if (const auto path = fmt::format("{}[{}].damping", name, i);
+          layers[i].damping > 0.0 && findings.sound(path))
+        findings.add(path,
+                     fmt::format("'damping' = {} has no effect without a damping model; set [damping] model, "
+                                 "e.g. to \"kelvin_voigt\"",
+                                 layers[i].damping));
+  };
+  check(scene.profile, "profile");
+  check(scene.boundary.left.own_profile, "boundary.left.profile");
+  check(scene.boundary.right.own_profile, "boundary.right.profile");
+  if (scene.halfspace_damping > 0.0 && findings.sound("halfspace.damping"))
+    findings.add("halfspace.damping", fmt::format("'damping' = {} has no effect without a damping model; set "
+                                                  "[damping] model, e.g. to \"hysteretic\"",
+                                                  scene.halfspace_damping));
+}
+
+} // namespace
+
+void damping_suits_models(const Case& scene, Findings& findings) {
+  if (!findings.sound("damping") || !findings.sound("damping.model"))
+    return;
+  const DampingModel model = scene.damping.model;
+  if (model == DampingModel::none)
+    return ratios_have_model(scene, findings);
+
+  const auto& [left, right, base] = scene.boundary;
+  const std::array sources = {left.field.model, right.field.model, base.field.model};
+  const bool any_damped = damped(layers(scene, left)) || damped(layers(scene, right));
+  if (model == DampingModel::rayleigh) {
+    if (any_damped && std::ranges::any_of(sources, in_frequency_domain))
+      findings.add("damping.model", "model = \"rayleigh\" is for columns; models \"wave\" and \"eql\" know "
+                                    "\"kelvin_voigt\", \"hysteretic\", \"shake\" and \"kjartansson\"");
+    return;
+  }
+  const bool needed = model == DampingModel::kelvin_voigt || model == DampingModel::kjartansson ||
+                      (any_damped && std::ranges::any_of(sources, marched_in_time));
+  if (needed && !scene.damping.reference_hz && findings.sound("damping.reference_hz"))
+    findings.add("damping.reference_hz",
+                 fmt::format("missing 'reference_hz': at which frequency {} has its ratio",
+                             model == DampingModel::kelvin_voigt || model == DampingModel::kjartansson
+                                 ? fmt::format("\"{}\" damping", name(model))
+                                 : "the Kelvin-Voigt damping of a column, which has no other here,"));
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,78 @@
+#include "scene/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace tremolo::scene {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+/// The largest P-wave speed that an oblique column meets, m/s. At a horizontal slowness of 1/c_p or more the
+/// column's initial-value problem is ill posed.
+double fastest(const Case& scene, const std::vector<Layer>& layers) {
+  double speed = scene.halfspace.p_wave_speed();
+  for (const Layer& layer : layers)
+    speed = std::max(speed, layer.elastic.p_wave_speed());
+  return speed;
+}
+
+std::string refused_angle(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
+  const double angle = scene.motion.angle_deg;
+  if ((model == SourceModel::fe || model == SourceModel::ode) && angle != 0.0)
+    return fmt::format(
+        "model = \"{}\" knows vertical incidence only, but [motion] angle_deg = {}; use model = "
+        "\"wave\", \"oblique\" or \"eql\", or angle_deg = 0",
+        name(model), angle);
+  if (model != SourceModel::oblique)
+    return {};
+  const double incident =
+      scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
+  const double speed = fastest(scene, layers);
+  if (std::sin(angle * degree) * speed < incident)
+    return {};
+  return fmt::format(
+      "model = \"oblique\" is possible below {:.2f} degrees only, where no P wave of this profile is "
+      "beyond its critical angle, but [motion] angle_deg = {}; use model = \"wave\"",
+      std::asin(incident / speed) / degree, angle);
+}
+
+std::string refused_kind(const Case& scene, SourceModel model) {
+  if (scene.motion.kind != MotionKind::within)
+    return {};
+  if (model == SourceModel::eql || model == SourceModel::oblique)
+    return fmt::format(
+        "model = \"{}\" takes an incident or outcrop motion, not one within the ground; use model = "
+        "\"fe\", \"ode\" or \"wave\"",
+        name(model));
+  return {};
+}
+
+} // namespace
+
+void models_take_the_wave(const Case& scene, Findings& findings) {
+  if (!findings.sound("motion.angle_deg") || !findings.sound("halfspace"))
+    return;
+  const auto check = [&](SourceModel model, const std::vector<Layer>& layers, const std::string& path) {
+    if (!findings.sound(path))
+      return;
+    if (model == SourceModel::mpm)
+      findings.add(path,
+                   "model = \"mpm\" needs a domain with periodic sides, which this version of tremolo does "
+                   "not have; use model = \"fe\"");
+    for (const std::string& why : {refused_angle(scene, model, layers), refused_kind(scene, model)})
+      if (!why.empty())
+        findings.add(path, why);
+  };
+  const auto& [left, right, base] = scene.boundary;
+  check(left.field.model, layers(scene, left), "boundary.left.model");
+  check(right.field.model, layers(scene, right), "boundary.right.model");
+  check(base.field.model, layers(scene, left), "boundary.base.model");
+}
+
+} // namespace tremolo::scene
