@@ -1,0 +1,39 @@
+#pragma once
+
+#include "wavefield/layered_half_space.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tremolo::wavefield {
+
+// Recorded motions as incident waves. A motion is the horizontal component for SV and the vertical one for P,
+// at the top of the half-space, x = 0, of any kind (acceleration, velocity, displacement: the answer is the
+// same kind), samples at 0, dt, 2 dt, ...
+
+/// Incident motion along the polarisation whose wave moves the bare outcrop of the undamped half-space as
+/// given: division by a real factor, 2 at vertical incidence.
+/// @throws std::invalid_argument beyond the critical angle, where the factor is complex, and where the
+/// outcrop
+///         hardly moves in that component
+std::vector<double> incident_from_outcrop(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
+                                          std::span<const double> outcrop);
+
+/// What dividing by a transfer function does to the noise of a record.
+struct Deconvolution {
+  std::vector<double> incident;
+  double largest_amplification = 0.0; ///< of any frequency of the record: largest |incident / within|
+  double at_hz = 0.0;                 ///< the frequency where it is
+};
+
+/// Incident motion along the polarisation whose wave moves the top of the half-space, under the profile, as
+/// given: spectral division by the within transfer function.
+/// @param largest_amplification  that is allowed at any frequency up to 1/(2 dt)
+/// @throws std::invalid_argument for layers without damping, whose within motion vanishes at the frequencies
+/// at
+///         which they resonate on a rigid base, and where noise would be amplified more than is allowed
+Deconvolution incident_from_within(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
+                                   std::span<const double> within, double dt,
+                                   double largest_amplification = 100.0);
+
+} // namespace tremolo::wavefield
