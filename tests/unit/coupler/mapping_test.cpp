@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <utility>
+#include <vector>
 
 namespace tremolo::coupler {
 namespace {
@@ -96,6 +98,85 @@ TEST(Mapping, ThirdOrderInDepth) {
   const double coarse = largest_error(field_on(elevations(40), 0.5, 5), f, zero, -1.0, 1.0);
   const double fine = largest_error(field_on(elevations(80), 0.5, 5), f, zero, -1.0, 1.0);
   EXPECT_GT(std::log2(coarse / fine), 2.8);
+}
+
+/// Cubics that jump at two interfaces, as s_xx does, below, between and above them.
+double layered(double y) {
+  if (y < -25.0)
+    return 1.0 + 0.05 * y * y + 1e-3 * y * y * y;
+  if (y < -10.0)
+    return -4.0 + 0.3 * y - 2e-3 * y * y * y;
+  return 20.0 + 3.0 * y + 4e-3 * y * y * y;
+}
+
+/// Levels of which the interfaces stand twice, in uneven layers of `intervals` intervals each.
+std::vector<double> layered_levels(int intervals) {
+  std::vector<double> y;
+  for (const auto& [bottom, top] : {std::pair{-40.0, -25.0}, {-25.0, -10.0}, {-10.0, 0.0}})
+    for (int i = 0; i <= intervals; ++i) {
+      const double s = static_cast<double>(i) / intervals;
+      y.push_back(i == intervals ? top : bottom + (top - bottom) * (s + 0.1 * s * (1.0 - s)));
+    }
+  return y;
+}
+
+/// The largest error of the mapping of values that are given at the levels, against layered(); an interface
+/// itself has its value from above.
+double layered_error(const std::vector<double>& y, const std::vector<double>& values) {
+  const auto field = field_on(y, 1.0, 2);
+  double error = 0.0;
+  for (int i = 0; i <= 4000; ++i) {
+    const double at = -40.0 + 0.01 * i;
+    const auto map = map_face(field, {0.0, at});
+    double found = 0.0;
+    for (std::size_t k = 0; k < map.points; ++k)
+      found += map.weights[k] * values[map.first_point + k];
+    error = std::max(error, std::abs(found - layered(at)));
+  }
+  return error;
+}
+
+/// Values at levels, of which the first of two equal ones takes the limit from below.
+std::vector<double> two_sided_values(const std::vector<double>& y) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < y.size(); ++i)
+    values.push_back(layered(i + 1 < y.size() && y[i + 1] == y[i] ? std::nextafter(y[i], -100.0) : y[i]));
+  return values;
+}
+
+TEST(Mapping, LayersKeepTheOrderWhereInterfacesStandTwice) {
+  const auto error = [](int intervals) {
+    return layered_error(layered_levels(intervals), two_sided_values(layered_levels(intervals)));
+  };
+  EXPECT_GT(std::log2(error(10) / error(20)), 2.8);
+  EXPECT_GT(std::log2(error(20) / error(40)), 2.8);
+}
+
+TEST(Mapping, JumpIsSmearedWhereInterfacesStandOnce) {
+  for (const int intervals : {10, 40}) {
+    auto y = layered_levels(intervals);
+    y.erase(std::unique(y.begin(), y.end()), y.end());
+    std::vector<double> values;
+    for (const double level : y)
+      values.push_back(layered(level));
+    // Half the jump of 9 at -10 m at least, however fine the levels.
+    EXPECT_GT(layered_error(y, values), 4.5) << intervals;
+  }
+}
+
+TEST(Mapping, ReachesAcrossNoInterface) {
+  const auto field = field_on({-3.0, -2.0, -2.0, -1.0, -1.0, 0.0, 1.0}, 1.0, 2);
+  const auto expect_points = [&](double y, std::size_t first, std::size_t count) {
+    const auto map = map_face(field, {0.0, y});
+    EXPECT_EQ(map.first_point, first) << y;
+    EXPECT_EQ(map.points, count) << y;
+  };
+  expect_points(-2.5, 0, 2);
+  expect_points(-2.0 - 1e-6, 0, 2);
+  expect_points(-2.0 - 1e-12, 2, 2); // on the interface but for rounding
+  expect_points(-2.0, 2, 2);
+  expect_points(-1.0, 4, 3);
+  expect_points(1.0, 4, 3);
 }
 
 TEST(Mapping, FaceAheadOfTheProfileIsLaterByTheSlowness) {

@@ -45,7 +45,11 @@ TEST(Messages, FieldsThatCannotBeServedAreRefused) {
   const FieldDescription good{.name = "total", .y = {-1.0, 0.0}, .time_step = 0.1, .step_count = 2};
   EXPECT_NO_THROW(field_from(to_json(good)));
   auto bad = good;
-  bad.y = {0.0, 0.0};
+  bad.y = {0.0, -1.0};
+  EXPECT_THROW(field_from(to_json(bad)), Error);
+  bad.y = {-1.0, 0.0, 0.0, 1.0}; // an interface
+  EXPECT_NO_THROW(field_from(to_json(bad)));
+  bad.y = {-1.0, 0.0, 0.0, 0.0};
   EXPECT_THROW(field_from(to_json(bad)), Error);
   bad = good;
   bad.time_step = 0.0;
