@@ -75,9 +75,17 @@ void write_text(const fs::path& file, const std::string& text) {
     throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
 }
 
-/// The programs of the processes lie beside this one.
-fs::path sibling(const std::string& program) {
-  return fs::read_symlink("/proc/self/exe").parent_path() / program;
+/// Our programs lie beside this one; that of a user has a path of its own.
+fs::path located(const std::string& program) {
+  const bool ours = program.find('/') == std::string::npos;
+  return ours ? fs::read_symlink("/proc/self/exe").parent_path() / program : fs::absolute(program);
+}
+
+/// What a source is told besides the options that all participants have.
+std::vector<std::string> own_arguments(const scene::FreeFieldModel& field) {
+  if (field.model == scene::SourceModel::recording)
+    return {"--file", fs::absolute(field.file).string()};
+  return {};
 }
 
 coupler::LaunchOptions launch_options(const scene::Case& scene, const RunArguments& arguments,
@@ -91,9 +99,12 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const RunArgumen
   options.deadlines = {scene.coupling.connect_deadline, scene.coupling.step_deadline,
                        scene.coupling.shutdown_deadline};
   for (const auto& source : scene::plan(scene).sources)
-    options.processes.push_back({source.name, coupler::Role::source, sibling(scene::program(source.model))});
+    options.processes.push_back({.name = source.name,
+                                 .role = coupler::Role::source,
+                                 .program = located(scene::program(source.field)),
+                                 .arguments = own_arguments(source.field)});
   options.processes.push_back(
-      {"domain", coupler::Role::domain, sibling("tremolo-domain"), arguments.threads});
+      {"domain", coupler::Role::domain, located("tremolo-domain"), arguments.threads});
   return options;
 }
 

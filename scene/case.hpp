@@ -4,6 +4,7 @@
 // defaults stand in keys.cpp; docs/case-file.md is generated from there.
 
 #include "materials/law.hpp"
+#include "motion/read.hpp"
 #include "scene/geometry.hpp"
 
 #include <array>
@@ -24,29 +25,20 @@ struct RickerPulse {
   double velocity = 0.0;  ///< V, m/s
 };
 
-enum class Quantity { acceleration, velocity };
-
-/// [motion] file: a record in PEER format, accelerations in g (AT2) or velocities in cm/s (VT2).
+/// [motion] file: a strong-motion record.
 struct MotionFile {
   std::filesystem::path path; ///< absolute, or relative to the working directory
-  Quantity quantity = Quantity::acceleration;
+  motion::ReadAs as;          ///< what the case says of it
   double scale = 1.0;
 };
 
 enum class Wave { sv, p };
 
-/// What a motion is the motion of (docs/free-fields/motions.md).
-enum class MotionKind {
-  incident, ///< of the upgoing wave alone, along its polarisation
-  outcrop,  ///< of the surface of the bare half-space: horizontal for SV, vertical for P
-  within,   ///< of the top of the half-space under the profile, as a downhole sensor records it
-};
-
 /// The incident plane wave. An incident motion is along the polarisation, SV (cos, -sin) and P (sin, cos) of
 /// the angle, at the reference point; scene::Motion evaluates it.
 struct MotionInput {
   std::variant<RickerPulse, MotionFile> source;
-  MotionKind kind = MotionKind::incident;
+  motion::MotionKind kind = motion::MotionKind::incident;
   Wave wave = Wave::sv;
   double angle_deg = 0.0; ///< from the vertical, travelling to +x, +y; in [0, 90)
   Point reference;
@@ -257,16 +249,8 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
 /// @throws CaseErrors with every error of these tables
 Case load_free_field(const std::filesystem::path& file);
 
-/// The layers under a side's surface.
-const std::vector<Layer>& layers(const Case& scene, const LateralBoundary& side);
-
-/// y of the top of the half-space, m.
-double base_level(double surface, const std::vector<Layer>& layers);
-
 /// The name that a case file uses for a value, e.g. "pic_blend".
 std::string_view name(Wave);
-std::string_view name(Quantity);
-std::string_view name(MotionKind);
 std::string_view name(DampingModel);
 std::string_view name(Integrator);
 std::string_view name(NewtonTangent);

@@ -1,3 +1,4 @@
+#include "scene/layers.hpp"
 #include "scene/plan.hpp"
 
 #include <fmt/format.h>

@@ -15,8 +15,9 @@ Table motion() {
           {.name = "file",
            .type = Type::text,
            .meaning =
-               "Record in PEER format, relative to the case file: accelerations in g (AT2) or velocities in "
-               "cm/s (VT2). Accelerations are integrated by the trapezoidal rule. The velocity rises with a "
+               "Record, relative to the case file: PEER format (AT2, VT2, DT2), a table of time and value, "
+               "or HDF5. "
+               "Accelerations are integrated by the trapezoidal rule. The velocity rises with a "
                "half "
                "cosine over the first 0.1 s, falls with a half cosine to zero within 1 s after the last "
                "sample, "
@@ -25,8 +26,13 @@ Table motion() {
           {.name = "quantity",
            .type = Type::choice,
            .meaning = "What the file holds; only with `file`.",
-           .fallback = "acceleration",
-           .choices = {"acceleration", "velocity"}},
+           .otherwise = "as the file says",
+           .choices = {"acceleration", "velocity", "displacement"}},
+          {.name = "unit",
+           .type = Type::choice,
+           .meaning = "Unit of the file's samples; only with `file`.",
+           .otherwise = "as the file says",
+           .choices = {"g", "m/s2", "cm/s2", "m/s", "cm/s", "m", "cm", "mm"}},
           {.name = "scale",
            .unit = "1",
            .meaning = "Factor on the record; only with `file`.",

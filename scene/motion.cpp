@@ -1,6 +1,6 @@
 #include "scene/motion.hpp"
 
-#include "motion/record.hpp"
+#include "motion/read.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_spline.h>
@@ -105,13 +105,10 @@ Motion motion(const MotionInput& input) {
   if (const auto* pulse = std::get_if<RickerPulse>(&input.source))
     return Motion::ricker(*pulse);
   const auto& file = std::get<MotionFile>(input.source);
-  motion::Record record = motion::read_record(file.path);
-  constexpr double cm = 0.01;
-  const bool acceleration = file.quantity == Quantity::acceleration;
+  auto record = motion::with_unit(motion::read_record(file.path, file.as), motion::Unit::m_s);
   for (double& sample : record.samples)
-    sample *= file.scale * (acceleration ? motion::standard_gravity : cm);
-  return Motion::record(acceleration ? motion::integrate(record.samples, record.dt) : record.samples,
-                        record.dt);
+    sample *= file.scale;
+  return Motion::record(record.samples, record.dt);
 }
 
 } // namespace tremolo::scene

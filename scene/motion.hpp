@@ -4,10 +4,10 @@
 //
 // Ricker: v(t) = V (1 - 2a) exp(-a), a = (pi f (t - t0))^2.
 //
-// Record: accelerations are integrated by the trapezoidal rule to velocities, v_0 = 0; velocities are scaled,
-// multiplied by a half cosine that rises from 0 to 1 over the first 0.1 s, continued after the last sample by
-// a half cosine that falls from there to 0 within 1 s, and joined by a natural cubic spline. Before the first
-// sample (t = 0) and after the continuation the velocity is zero.
+// Record: velocities (accelerations are integrated by the trapezoidal rule, v_0 = 0) are scaled, multiplied
+// by a half cosine that rises from 0 to 1 over the first 0.1 s, continued after the last sample by a half
+// cosine that falls from there to 0 within 1 s, and joined by a natural cubic spline. Before the first sample
+// (t = 0) and after the continuation the velocity is zero.
 
 #include "scene/case.hpp"
 

@@ -6,22 +6,6 @@ std::string_view name(Wave wave) {
   return wave == Wave::sv ? "SV" : "P";
 }
 
-std::string_view name(Quantity quantity) {
-  return quantity == Quantity::acceleration ? "acceleration" : "velocity";
-}
-
-std::string_view name(MotionKind kind) {
-  switch (kind) {
-  case MotionKind::incident:
-    return "incident";
-  case MotionKind::outcrop:
-    return "outcrop";
-  case MotionKind::within:
-    return "within";
-  }
-  return {};
-}
-
 std::string_view name(DampingModel model) {
   switch (model) {
   case DampingModel::none:

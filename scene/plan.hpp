@@ -34,9 +34,6 @@ struct SourceProcess {
   std::vector<Served> serves;
 };
 
-/// The layers of a source.
-const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source);
-
 /// "tremolo-wave", "tremolo-column", ...; a program of the user by its path.
 std::string program(const FreeFieldModel& field);
 

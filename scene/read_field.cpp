@@ -14,7 +14,7 @@ RickerPulse read_pulse(Document& document) {
 
 void read_motion(Document& document, Findings& findings, Case& scene) {
   const auto table = document.table("motion");
-  using enum MotionKind;
+  using enum motion::MotionKind;
   scene.motion.kind = from_name(table.text("kind"), std::array{incident, outcrop, within});
   scene.motion.wave = from_name(table.text("wave"), std::array{Wave::sv, Wave::p});
   scene.motion.angle_deg = table.number("angle_deg");
@@ -30,15 +30,16 @@ void read_motion(Document& document, Findings& findings, Case& scene) {
   }
   if (pulse) {
     scene.motion.source = read_pulse(document);
-    for (const char* key : {"quantity", "scale"})
+    for (const char* key : {"quantity", "unit", "scale"})
       if (table.given(key))
         findings.add(table.path(key), fmt::format("'{}' does not apply to 'pulse', only to 'file'", key));
     return;
   }
-  scene.motion.source =
-      MotionFile{scene.directory / table.text("file"),
-                 from_name(table.text("quantity"), std::array{Quantity::acceleration, Quantity::velocity}),
-                 table.number("scale")};
+  scene.motion.source = MotionFile{scene.directory / table.text("file"),
+                                   {.quantity = motion::quantity_named(table.text("quantity")),
+                                    .unit = motion::unit_named(table.text("unit")),
+                                    .kind = std::nullopt},
+                                   table.number("scale")};
 }
 
 void read_damping(Document& document, Case& scene) {

@@ -1,4 +1,5 @@
 #include "scene/service.hpp"
+#include "scene/layers.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@ namespace tremolo::scene {
 namespace {
 
 /// A level per particle from the base to the surface: finer than anything the domain resolves.
-std::vector<double> levels(const Mesh& mesh, double surface) {
+std::vector<double> even_levels(const Mesh& mesh, double surface) {
   const double depth = surface - mesh.box.y_min;
   const double spacing = mesh.size / mesh.particles_per_cell;
   const auto intervals = static_cast<int>(std::max(1.0, std::ceil(depth / spacing - 1e-9)));
@@ -21,6 +22,11 @@ std::vector<double> levels(const Mesh& mesh, double surface) {
     y.push_back(mesh.box.y_min + depth * i / intervals);
   y.push_back(surface);
   return y;
+}
+
+std::vector<double> levels(const Case& scene, const SourceProcess& source) {
+  return with_interfaces(even_levels(scene.mesh, source.surface), source.surface, layers(scene, source),
+                         1e-3 * scene.mesh.size);
 }
 
 } // namespace
@@ -33,7 +39,7 @@ Service service(const Case& scene, const SourceProcess& source, double slowness_
   const Box& box = scene.mesh.box;
   Service service;
   if (serves(BaseForm::total))
-    service.lines.push_back({BaseForm::total, levels(scene.mesh, source.surface)});
+    service.lines.push_back({BaseForm::total, levels(scene, source)});
   if (serves(BaseForm::incident))
     service.lines.push_back({BaseForm::incident, {box.y_min}});
   service.x_line = box.x_min;

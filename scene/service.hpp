@@ -7,7 +7,7 @@
 
 namespace tremolo::scene {
 
-/// A field that a source serves, and the levels at which it does, ascending, m.
+/// A field that a source serves, and the levels at which it does, ascending, m; interfaces of layers twice.
 struct ServedLine {
   BaseForm field = BaseForm::total;
   std::vector<double> levels;

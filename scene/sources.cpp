@@ -67,12 +67,6 @@ std::size_t source_index(const std::vector<SourceProcess>& sources, Side side) {
   throw std::logic_error(fmt::format("the plan has no source for the {} side", name(side)));
 }
 
-const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source) {
-  if (!source.profile)
-    return scene.profile;
-  return *source.profile == Side::left ? scene.boundary.left.own_profile : scene.boundary.right.own_profile;
-}
-
 std::string program(const FreeFieldModel& field) {
   switch (field.model) {
   case SourceModel::wave:

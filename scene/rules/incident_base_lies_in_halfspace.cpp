@@ -1,3 +1,4 @@
+#include "scene/layers.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ void incident_base_lies_in_halfspace(const Case& scene, Findings& findings) {
         fmt::format("form = \"incident\" needs a base in the half-space, y <= {}, but [mesh] box ends at y = "
                     "{} within the layers; use form = \"total\" or a deeper box",
                     top, level));
-  if (scene.motion.kind == MotionKind::within)
+  if (scene.motion.kind == motion::MotionKind::within)
     findings.add(
         "boundary.base.form",
         "form = \"incident\" needs an incident or outcrop motion; one within the ground does not say which "

@@ -1,3 +1,4 @@
+#include "scene/layers.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +44,7 @@ std::string refused_angle(const Case& scene, SourceModel model, const std::vecto
 }
 
 std::string refused_kind(const Case& scene, SourceModel model) {
-  if (scene.motion.kind != MotionKind::within)
+  if (scene.motion.kind != motion::MotionKind::within)
     return {};
   if (model == SourceModel::eql || model == SourceModel::oblique)
     return fmt::format(

@@ -1,4 +1,4 @@
-#include "motion/record.hpp"
+#include "motion/read.hpp"
 #include "scene/rules/rules.hpp"
 
 namespace tremolo::scene {
@@ -8,7 +8,7 @@ void record_is_readable(const Case& scene, Findings& findings) {
   if (input == nullptr || !findings.sound("motion.file"))
     return;
   try {
-    motion::read_record(input->path);
+    motion::read_record(input->path, input->as);
   } catch (const motion::RecordError& error) {
     findings.add("motion.file", error.what());
   }

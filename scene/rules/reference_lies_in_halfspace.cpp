@@ -1,3 +1,4 @@
+#include "scene/layers.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +22,8 @@ void reference_lies_in_halfspace(const Case& scene, Findings& findings) {
           fmt::format("'reference' at y = {} lies in the layers of the {} side, must be in the half-space, y "
                       "<= {}",
                       y, where, top));
-    else if (scene.motion.kind == MotionKind::within && (below.empty() || std::abs(y - top) > same_level))
+    else if (scene.motion.kind == motion::MotionKind::within &&
+             (below.empty() || std::abs(y - top) > same_level))
       findings.add(
           "motion.reference",
           fmt::format("'reference' at y = {} of a motion within the ground must be at the top of the "

@@ -37,7 +37,7 @@ polygon = [[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]
 size = {size}
 box = [0.0, -10.0, 20.0, 0.0]
 
-[column]
+[fe]
 element_size = {element}
 
 [boundary]

@@ -92,7 +92,7 @@ class Physics(unittest.TestCase):
 
         exact = history(side="wave")
         self.assertGreater(np.max(np.abs(exact)), 0.19)
-        differences = [np.linalg.norm(history(side="column", element=size) - exact) / np.linalg.norm(exact)
+        differences = [np.linalg.norm(history(side="fe", element=size) - exact) / np.linalg.norm(exact)
                        for size in (0.25, 0.125)]
         self.assertLess(differences[0], 1e-3)
         self.assertGreater(np.log2(differences[0] / differences[1]), 1.8, differences)

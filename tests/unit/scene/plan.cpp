@@ -24,7 +24,7 @@ TEST(Plan, EqualFreeFieldsShareOneProcess) {
   const auto flat = plan_of(std::string(flat_case));
   ASSERT_EQ(flat.sources.size(), 1U);
   EXPECT_EQ(flat.sources[0].name, "left-right-base");
-  EXPECT_EQ(program(flat.sources[0].model), "tremolo-wave");
+  EXPECT_EQ(program(flat.sources[0].field), "tremolo-wave");
   EXPECT_EQ(flat.sources[0].serves.at(2).field, BaseForm::total);
 }
 
@@ -41,10 +41,10 @@ TEST(Plan, DifferentSurfacesNeedTwoAndTheBaseTakesTheIncidentWaveOfOne) {
 }
 
 TEST(Plan, BaseOfAnotherModelHasItsOwnProcess) {
-  const auto mixed = plan_of(with("base = { model = \"wave\"", "base = { model = \"column\""));
+  const auto mixed = plan_of(with("base = { model = \"wave\"", "base = { model = \"fe\""));
   ASSERT_EQ(mixed.sources.size(), 2U);
   EXPECT_EQ(mixed.sources[1].name, "base");
-  EXPECT_EQ(program(mixed.sources[1].model), "tremolo-column");
+  EXPECT_EQ(program(mixed.sources[1].field), "tremolo-column");
 }
 
 TEST(Plan, CountsParticlesStepsAndFrames) {
@@ -62,7 +62,8 @@ TEST(Plan, EffectsFollowTheCase) {
     return std::ranges::find(plan.effects, effect, &Effect::name)->on;
   };
   const auto flat = plan_of(std::string(flat_case));
-  for (const auto* off : {"gravity", "plasticity", "strain softening", "oblique incidence", "column damping"})
+  for (const auto* off :
+       {"gravity", "plasticity", "strain softening", "oblique incidence", "material damping"})
     EXPECT_FALSE(is_on(flat, off)) << off;
   const auto heavy = plan_of(with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]"));
   EXPECT_TRUE(is_on(heavy, "gravity"));

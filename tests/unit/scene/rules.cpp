@@ -17,7 +17,7 @@ constexpr std::string_view polygon = "[[0.0, -10.0], [20.0, -10.0], [20.0, 0.0],
 
 std::string with_columns(std::string text = std::string(flat_case)) {
   for (const auto* side : {"left = ", "right = ", "base = "})
-    text = with(std::string(side) + "{ model = \"wave\"", std::string(side) + "{ model = \"column\"", text);
+    text = with(std::string(side) + "{ model = \"wave\"", std::string(side) + "{ model = \"fe\"", text);
   return text;
 }
 
@@ -137,38 +137,111 @@ TEST(Rules, ColumnsAreShakenVertically) {
   EXPECT_THAT(errors_of(with_columns()), IsEmpty());
   EXPECT_THAT(
       errors_of(with("angle_deg = 0.0", "angle_deg = 15.0",
-                     with("left = { model = \"wave\" }", "left = { model = \"column\" }"))),
+                     with("left = { model = \"wave\" }", "left = { model = \"fe\" }"))),
       ElementsAre(
-          "case.toml:25:18: [boundary.left] model = \"column\" knows vertical incidence only, but [motion] "
-          "angle_deg = 15; use model = \"wave\" or angle_deg = 0"));
+          "case.toml:25:18: [boundary.left] model = \"fe\" knows vertical incidence only, but [motion] "
+          "angle_deg = 15; use model = \"wave\", \"oblique\" or \"eql\", or angle_deg = 0"));
 }
 
-TEST(Rules, ProfileGoesWithColumns) {
-  EXPECT_THAT(errors_of(with_columns() + std::string(layer)), IsEmpty());
+TEST(Rules, ObliqueColumnEndsAtTheFirstCriticalAngle) {
+  const auto oblique = [](const std::string& angle) {
+    return errors_of(with("angle_deg = 0.0", "angle_deg = " + angle,
+                          with("left = { model = \"wave\" }", "left = { model = \"oblique\" }")));
+  };
+  // asin(c_s/c_p) = asin(sqrt(0.22/0.72)) for nu = 0.28
+  EXPECT_THAT(oblique("33.5"), IsEmpty());
   EXPECT_THAT(
-      errors_of(with("base = { model = \"column\"", "base = { model = \"wave\"",
-                     with_columns() + std::string(layer))),
+      oblique("33.6"),
       ElementsAre(
-          "case.toml:27:18: [boundary.base] model = \"wave\" is a homogeneous half-space and cannot take the "
-          "layers of [[profile]]; use model = \"column\" or remove [[profile]]"));
+          "case.toml:25:18: [boundary.left] model = \"oblique\" is possible below 33.56 degrees only, "
+          "where no P wave of this profile is beyond its critical angle, but [motion] angle_deg = "
+          "33.6; use model = \"wave\""));
 }
 
-TEST(Rules, LayerDampingHasModel) {
-  const auto damped = with_columns() + std::string(layer) + "damping_ratio = 0.02\n";
+TEST(Rules, ModelMpmIsRefused) {
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }", "left = { model = \"mpm\" }")),
+              ElementsAre(::testing::HasSubstr("needs a domain with periodic sides")));
+}
+
+TEST(Rules, AMotionWithinTheGroundIsThatOfTheTopOfTheHalfSpace) {
+  const auto within = [](std::string text) {
+    return with("[motion]\n", "[motion]\nkind = \"within\"\n", text);
+  };
+  const auto layered = with_columns() + std::string(layer);
+  EXPECT_THAT(errors_of(within(with("reference = [0.0, -10.0]", "reference = [0.0, -4.0]", layered))),
+              IsEmpty());
+  EXPECT_THAT(
+      errors_of(within(layered)),
+      ElementsAre(
+          "case.toml:7:13: [motion] 'reference' at y = -10 of a motion within the ground must be at the "
+          "top of the half-space, which on the left side is y = -4"));
+  EXPECT_THAT(errors_of(within(with("left = { model = \"fe\" }", "left = { model = \"eql\" }",
+                                    with("reference = [0.0, -10.0]", "reference = [0.0, -4.0]", layered)))),
+              ElementsAre(::testing::HasSubstr("takes an incident or outcrop motion")));
+}
+
+TEST(Rules, FilesOfModelsExist) {
+  EXPECT_THAT(
+      errors_of(with("left = { model = \"wave\" }", "left = { model = \"recording\", file = \"none.h5\" }")),
+      ElementsAre("case.toml:25:39: [boundary.left] './none.h5': there is no such file"));
+  EXPECT_THAT(
+      errors_of(with("left = { model = \"wave\" }", "left = { model = \"external\", program = \"/dev\" }")),
+      ElementsAre("case.toml:25:41: [boundary.left] '/dev': there is no such file"));
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }",
+                             "left = { model = \"external\", program = \"/etc/passwd\" }")),
+              ElementsAre("case.toml:25:41: [boundary.left] '/etc/passwd' is not a program that may be run"));
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }",
+                             "left = { model = \"external\", program = \"/bin/true\" }")),
+              IsEmpty());
+}
+
+TEST(Rules, DampingSuitsModels) {
+  const auto damped = with_columns() + std::string(layer) + "damping = 0.02\n";
   EXPECT_THAT(
       errors_of(damped),
-      ElementsAre("case.toml:36:17: [[profile]] 'damping_ratio' = 0.02 has no effect without a damping "
-                  "model; set [damping] model to \"rayleigh\" or \"kelvin_voigt\""));
+      ElementsAre("case.toml:36:11: [[profile]] 'damping' = 0.02 has no effect without a damping model; set "
+                  "[damping] model, e.g. to \"kelvin_voigt\""));
   EXPECT_THAT(errors_of(damped + "[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n"), IsEmpty());
+  EXPECT_THAT(errors_of(damped + "[damping]\nmodel = \"hysteretic\"\n"),
+              ElementsAre(::testing::HasSubstr(
+                  "missing 'reference_hz': at which frequency the Kelvin-Voigt damping of a "
+                  "column")));
+  EXPECT_THAT(errors_of(damped + "[damping]\nmodel = \"hysteretic\"\nreference_hz = 3.0\n"), IsEmpty());
+  const auto waves = std::string(flat_case) + std::string(layer) + "damping = 0.02\n";
+  EXPECT_THAT(errors_of(waves + "[damping]\nmodel = \"hysteretic\"\n"), IsEmpty());
+  EXPECT_THAT(errors_of(waves + "[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n"),
+              ElementsAre(::testing::HasSubstr("model = \"rayleigh\" is for columns")));
+}
+
+TEST(Rules, IncidentBaseLiesInHalfspace) {
+  const auto deep =
+      std::string("[[profile]]\nthickness = 12.0\ndensity = 1600.0\nyoung = 20e6\npoisson = 0.3\n");
+  const auto incident = with("reference = [0.0, -10.0]", "reference = [0.0, -12.0]",
+                             with("form = \"total\"", "form = \"incident\"", with_columns())) +
+                        deep;
+  EXPECT_THAT(
+      errors_of(incident),
+      ElementsAre("case.toml:27:30: [boundary.base] form = \"incident\" needs a base in the half-space, y <= "
+                  "-12, but [mesh] box ends at y = -10 within the layers; use form = \"total\" or a deeper "
+                  "box"));
+}
+
+TEST(Rules, LayersOfOneSideNeedAnIncidentBase) {
+  const std::string own = "[[boundary.left.profile]]\nthickness = 4.0\nsoil = \"sand\"\n";
+  EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"incident\"") + own), IsEmpty());
+  EXPECT_THAT(errors_of(std::string(flat_case) + own),
+              ElementsAre(::testing::HasSubstr("but a side has layers of its own")));
+  EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"incident\"") +
+                        "[[boundary.left.profile]]\nthickness = 4.0\nsoil = \"snad\"\n"),
+              ElementsAre(::testing::HasSubstr("soil 'snad' is not defined, did you mean 'sand'")));
 }
 
 TEST(Rules, ReferenceLiesInHalfspace) {
   const auto layered = with_columns() + std::string(layer);
-  EXPECT_THAT(
-      errors_of(with("reference = [0.0, -10.0]", "reference = [0.0, -3.0]", layered)),
-      ElementsAre(
-          "case.toml:6:13: [motion] 'reference' at y = -3 lies in the layers of [[profile]], must be in the "
-          "half-space, y <= -4"));
+  EXPECT_THAT(errors_of(with("reference = [0.0, -10.0]", "reference = [0.0, -3.0]", layered)),
+              ElementsAre("case.toml:6:13: [motion] 'reference' at y = -3 lies in the layers of the left "
+                          "side, must be in the "
+                          "half-space, y <= -4"));
 }
 
 TEST(Rules, TimeStepIsStable) {
