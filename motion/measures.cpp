@@ -1,27 +1,23 @@
 // Arias intensity I(t) = pi/(2 g) int_0^t a^2 dt (Arias 1970); significant duration between 5 and 95 % of it
-// (Trifunac & Brady 1975); mean period T_m = sum(C_i^2 / f_i) / sum(C_i^2) with the Fourier amplitudes C_i at
-// 0.25 <= f_i <= 20 Hz (Rathje, Abrahamson & Bray 1998).
+// (Trifunac & Brady 1975); CAV = int |a| dt (EPRI 1988); mean period T_m = sum(C_i^2 / f_i) / sum(C_i^2) with
+// the Fourier amplitudes C_i at 0.25 <= f_i <= 20 Hz (Rathje, Abrahamson & Bray 1998).
 
+#include "motion/measures.hpp"
+
+#include "motion/peak.hpp"
 #include "motion/record.hpp"
+#include "motion/spectra.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_fft_real.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace tremolo::motion {
 
 namespace {
-
-double peak(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double value : values)
-    largest = std::max(largest, std::abs(value));
-  return largest;
-}
 
 /// Time at which a growing integral first reaches the given value, linear between samples.
 double time_of(std::span<const double> integral, double dt, double value) {
@@ -34,40 +30,52 @@ double time_of(std::span<const double> integral, double dt, double value) {
 }
 
 double mean_period(std::span<const double> acceleration, double dt) {
-  // Zero padding to a power of two only samples the same spectrum more finely.
-  const std::size_t n = std::bit_ceil(acceleration.size());
-  std::vector<double> spectrum(acceleration.begin(), acceleration.end());
-  spectrum.resize(n, 0.0);
-  gsl_fft_real_radix2_transform(spectrum.data(), 1, n);
   double power = 0.0;
   double power_over_frequency = 0.0;
-  for (std::size_t i = 1; 2 * i < n; ++i) {
-    const double frequency = static_cast<double>(i) / (static_cast<double>(n) * dt);
+  for (const auto& [frequency, amplitude] : fourier_spectrum(acceleration, dt)) {
     if (frequency < 0.25 || frequency > 20.0)
       continue;
-    const double square = spectrum[i] * spectrum[i] + spectrum[n - i] * spectrum[n - i];
-    power += square;
-    power_over_frequency += square / frequency;
+    power += amplitude * amplitude;
+    power_over_frequency += amplitude * amplitude / frequency;
   }
   return power > 0.0 ? power_over_frequency / power : 0.0;
 }
 
 } // namespace
 
-RecordMeasures measures(std::span<const double> acceleration, double dt) {
+Measures measures(std::span<const double> acceleration, double dt) {
   if (acceleration.size() < 2 || !(dt > 0.0))
     throw std::invalid_argument(fmt::format(
         "a record needs at least 2 samples and dt > 0, has {} and dt = {}", acceleration.size(), dt));
   std::vector<double> squares(acceleration.begin(), acceleration.end());
   for (double& a : squares)
     a *= std::numbers::pi / (2.0 * standard_gravity) * a;
+  std::vector<double> absolute(acceleration.begin(), acceleration.end());
+  for (double& a : absolute)
+    a = std::abs(a);
   const auto intensity = integrate(squares, dt);
   const double arias = intensity.back();
+  const auto velocity = integrate(acceleration, dt);
+  const auto displacement = integrate(velocity, dt);
   return {.pga = peak(acceleration),
-          .pgv = peak(integrate(acceleration, dt)),
+          .pgv = peak(velocity),
+          .pgd = peak(displacement),
           .arias = arias,
           .significant_duration = time_of(intensity, dt, 0.95 * arias) - time_of(intensity, dt, 0.05 * arias),
-          .mean_period = mean_period(acceleration, dt)};
+          .cav = integrate(absolute, dt).back(),
+          .mean_period = mean_period(acceleration, dt),
+          .residual_velocity = velocity.back(),
+          .residual_displacement = displacement.back()};
+}
+
+std::optional<std::string> residual_warning(const Measures& measures) {
+  const double residual = std::abs(measures.residual_velocity);
+  if (residual <= tolerated_residual * measures.pgv)
+    return std::nullopt;
+  return fmt::format(
+      "residual velocity {:.4g} m/s, {:.3g} % of PGV: the motion does not end at rest; correct "
+      "its baseline or filter it",
+      measures.residual_velocity, 100.0 * residual / measures.pgv);
 }
 
 } // namespace tremolo::motion

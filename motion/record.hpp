@@ -1,55 +1,90 @@
 #pragma once
 
-// Records in PEER text format: header lines, one of them with NPTS and DT ("NPTS= 2000, DT= .0200 SEC" or
-// "4096 0.0100 NPTS, DT", in any spelling), then the samples, in fixed or free columns. AT2 holds
-// accelerations in g, VT2 velocities in cm/s.
+// A motion as a record: samples of one quantity at equal steps, in one unit, and the word that says what it
+// is the motion of. Nothing is converted on the side: a unit changes by converted(), a quantity by
+// with_unit(), the word by as_kind(), and each refuses what cannot be done.
+//
+//        surface of the bare rock          surface of the soil
+//     ------------ o outcrop = 2 x incident   -------------
+//                 / \                          soil
+//        rock    /   \                      ----- w within: incident + everything that comes back down
+//               i incident                     rock
 
-#include <filesystem>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tremolo::motion {
 
-/// Standard gravity, the g of PEER records, m/s2.
+/// Standard gravity, the g of PEER records and of this library, m/s2.
 inline constexpr double standard_gravity = 9.80665;
+
+enum class Quantity { acceleration, velocity, displacement };
+
+enum class Unit { g, m_s2, cm_s2, m_s, cm_s, m, cm, mm };
+
+enum class MotionKind {
+  incident, ///< of the upgoing wave alone
+  outcrop,  ///< of the free surface of the bare half-space
+  within,   ///< at depth, upgoing and downgoing waves together: what a downhole sensor records
+};
+
+std::string_view name(Quantity quantity);
+std::string_view name(Unit unit); ///< "g", "m/s2", "cm/s2", ...
+std::string_view name(MotionKind kind);
+
+/// The inverse of name(); a unit in any usual spelling ("cm/s/s", "CM/SEC**2", "gal"). Nothing if unknown.
+std::optional<Quantity> quantity_named(std::string_view text);
+std::optional<Unit> unit_named(std::string_view text);
+std::optional<MotionKind> kind_named(std::string_view text);
+
+Quantity quantity_of(Unit unit);
+
+/// What one of the unit is in m/s2, m/s or m.
+double in_si(Unit unit);
+
+/// m/s2, m/s or m.
+Unit si_unit(Quantity quantity);
 
 /// Samples at 0, dt, 2 dt, ...
 struct Record {
-  double dt = 0.0;             ///< s
-  std::vector<double> samples; ///< in the unit of the file
+  Unit unit = Unit::m_s2;
+  std::optional<MotionKind> kind; ///< nothing where nobody has said
+  double dt = 0.0;                ///< s
+  std::vector<double> samples;    ///< in `unit`
+
+  Quantity quantity() const { return quantity_of(unit); }
 };
 
-/// What is wrong with a record, as "file:line: text".
+/// What is wrong with a file, as "file:line: text" ("file: text" where a file has no lines).
 class RecordError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// @throws RecordError if the file cannot be read, has no NPTS and DT, holds something that is not a number,
-/// or another
-///         number of samples than it says
-Record read_record(const std::filesystem::path& file);
+/// @throws std::invalid_argument for fewer than two samples, dt <= 0, or values that are not finite
+void require_sound(const Record& record);
 
-/// The same from text; `file` names it in messages.
-Record parse_record(const std::string& text, const std::filesystem::path& file);
+/// The same quantity in another unit.
+/// @throws std::invalid_argument for the unit of another quantity
+Record converted(Record record, Unit unit);
+
+/// The motion in any unit: integrated (trapezoidal rule, from rest) or differentiated (slope of the natural
+/// cubic spline) where the unit is that of another quantity.
+Record with_unit(const Record& record, Unit unit);
+
+/// Incident from outcrop or the reverse, at vertical incidence: outcrop = 2 x incident.
+/// @throws std::invalid_argument where the record's kind is not known, and for `within`, which needs the
+///         profile above
+Record as_kind(Record record, MotionKind kind);
 
 /// Time integral by the trapezoidal rule, zero at the first sample.
 std::vector<double> integrate(std::span<const double> samples, double dt);
 
-/// Intensity measures of a strong motion.
-struct RecordMeasures {
-  double pga = 0.0;                  ///< max |a|, m/s2
-  double pgv = 0.0;                  ///< max |v|, m/s
-  double arias = 0.0;                ///< pi/(2 g) int a^2 dt, m/s
-  double significant_duration = 0.0; ///< between 5 and 95 % of the Arias intensity, s
-  double mean_period = 0.0; ///< sum C_i^2/f_i / sum C_i^2 over Fourier amplitudes C_i, 0.25 to 20 Hz (Rathje
-                            ///< et al. 1998), s
-};
-
-/// @param acceleration m/s2
-/// @throws std::invalid_argument for fewer than two samples or dt <= 0
-RecordMeasures measures(std::span<const double> acceleration, double dt);
+/// Slope of the natural cubic spline through at least three samples; of the straight line through two.
+std::vector<double> differentiate(std::span<const double> samples, double dt);
 
 } // namespace tremolo::motion

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tremolo::motion {
+
+/// sum_k x_k exp(-2 pi i j k / n) for j = 0 .. n/2, any n >= 1.
+std::vector<std::complex<double>> transform(std::span<const double> samples);
+
+/// The n real samples of which the bins are the transform.
+std::vector<double> inverse_transform(std::span<const std::complex<double>> bins, std::size_t n);
+
+} // namespace tremolo::motion
