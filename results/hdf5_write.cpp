@@ -219,7 +219,7 @@ Handle write_unlinked_table(Place place, const Table& table) {
 
 Handle open_for_writing(const std::filesystem::path& file) {
   silence_hdf5();
-  return {checked(H5Fopen(file.c_str(), H5F_ACC_RDWR, access_properties().get()), file, "open the run file"),
+  return {checked(H5Fopen(file.c_str(), H5F_ACC_RDWR, access_properties().get()), file, "open the file"),
           H5Fclose};
 }
 
@@ -229,7 +229,7 @@ Handle create_file(const std::filesystem::path& file) {
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   reserve_links(creation.get(), expected_root_links);
   return {checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.get(), access_properties().get()), file,
-                  "create the run file"),
+                  "create the file"),
           H5Fclose};
 }
 
