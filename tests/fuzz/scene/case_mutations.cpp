@@ -1,8 +1,7 @@
-// Whatever is done to the text of a case or of a record, reading it gives a case or refuses it with located
-// errors: it never crashes, hangs or lets another exception out. Mutations are drawn from a seeded generator;
-// a failure prints the text.
+// Whatever is done to the text of a case, reading it gives a case or refuses it with located errors: it never
+// crashes, hangs or lets another exception out. Mutations are drawn from a seeded generator; a failure prints the
+// text.
 
-#include "motion/record.hpp"
 #include "scene/case.hpp"
 #include "scene/errors.hpp"
 #include "scene/plan.hpp"
@@ -134,23 +133,6 @@ TEST_P(CaseFuzz, MutationsAreReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, CaseFuzz, ::testing::Values("halfspace_box", "slope_oblique"));
-
-TEST(RecordFuzz, MutationsAreReadOrRefused) {
-  const std::string original =
-      "A RECORD\nUNITS OF G\nNPTS=   8, DT=   .0200 SEC\n .1E-01 -.2 0.3 .4\n .1E-01 -.2 0.3 .4\n";
-  Mutator mutate(42);
-  for (int i = 0; i < 5000; ++i) {
-    const std::string text = mutate(original);
-    try {
-      const auto record = motion::parse_record(text, "x.AT2");
-      EXPECT_GE(record.samples.size(), 2U);
-      EXPECT_GT(record.dt, 0.0);
-    } catch (const motion::RecordError&) {
-    } catch (const std::exception& error) {
-      FAIL() << error.what() << "\n" << text;
-    }
-  }
-}
 
 } // namespace
 } // namespace tremolo::scene

@@ -1,94 +1,104 @@
 #include "motion/record.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
+#include <limits>
 #include <numbers>
 
 namespace tremolo::motion {
 namespace {
 
-std::string error_of(const std::string& text) {
+template <class Call>
+std::string error_of(Call&& call) {
   try {
-    parse_record(text, "x.AT2");
-  } catch (const RecordError& error) {
+    call();
+  } catch (const std::invalid_argument& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(Record, ReadsHeadersInAnySpelling) {
-  for (const char* header :
-       {"NPTS=   4, DT=   .0200 SEC   ", "4    0.0200    NPTS, DT", "npts = 4 , dt = 0.02", "NPTS=4,DT=.02D0",
-        "0.0200 4 DT, NPTS", "NPTS= 4, DT= .02000 SEC\r"}) {
-    const auto record = parse_record(
-        fmt::format("A TITLE OF 1994\nACCELERATION IN UNITS OF G\n{}\n .1E-01 -.2 0.3\n +4.D-1\n", header),
-        "x");
-    EXPECT_DOUBLE_EQ(record.dt, 0.02) << header;
-    ASSERT_EQ(record.samples.size(), 4U) << header;
-    EXPECT_DOUBLE_EQ(record.samples[1], -0.2) << header;
-    EXPECT_DOUBLE_EQ(record.samples[3], 0.4) << header;
+TEST(Units, InEverySpelling) {
+  for (const char* text :
+       {"cm/s2", "CM/S/S", "cm/sec2", "CM/SEC/SEC", "cm/s**2", "cm/s^2", "gal", "cm/s\u00b2"})
+    EXPECT_EQ(unit_named(text), Unit::cm_s2) << text;
+  EXPECT_EQ(unit_named("G"), Unit::g);
+  EXPECT_EQ(unit_named("m/sec"), Unit::m_s);
+  EXPECT_FALSE(unit_named("furlong"));
+  EXPECT_FALSE(unit_named(""));
+}
+
+TEST(Units, ConvertWithinTheirQuantityOnly) {
+  const Record record{.unit = Unit::g, .dt = 0.1, .samples = {0.0, 1.0, -2.0}};
+  EXPECT_DOUBLE_EQ(converted(record, Unit::m_s2).samples[1], 9.80665);
+  EXPECT_DOUBLE_EQ(converted(record, Unit::cm_s2).samples[2], -1961.33);
+  EXPECT_EQ(converted(record, Unit::cm_s2).unit, Unit::cm_s2);
+  EXPECT_EQ(error_of([&] { converted(record, Unit::cm_s); }),
+            "cm/s is a unit of velocity, the motion is acceleration in g");
+}
+
+TEST(Units, BecomeThoseOfAnotherQuantityByIntegrationAndSlope) {
+  // d = sin^4(pi t / T) is at rest at both ends.
+  const double dt = 0.005;
+  const double period = 4.0;
+  Record displacement{.unit = Unit::mm, .kind = MotionKind::outcrop, .dt = dt};
+  std::vector<double> velocity;
+  for (int i = 0; i <= 800; ++i) {
+    const double phase = std::numbers::pi * i * dt / period;
+    displacement.samples.push_back(1e3 * std::pow(std::sin(phase), 4));
+    velocity.push_back(4.0 * std::numbers::pi / period * std::pow(std::sin(phase), 3) * std::cos(phase));
   }
+  const Record slope = with_unit(displacement, Unit::m_s);
+  ASSERT_EQ(slope.quantity(), Quantity::velocity);
+  EXPECT_EQ(slope.kind, MotionKind::outcrop);
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    ASSERT_NEAR(slope.samples[i], velocity[i], 1e-7) << i;
+  const Record again = with_unit(with_unit(displacement, Unit::g), Unit::mm);
+  for (std::size_t i = 0; i < velocity.size(); ++i) // trapezoidal: dt^2/12 of the second derivative, twice
+    ASSERT_NEAR(again.samples[i], displacement.samples[i], 0.02) << i;
 }
 
-TEST(Record, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(error_of("title\n0.1 0.2\n"), "x.AT2:2: no header line with NPTS and DT");
-  EXPECT_EQ(error_of("NPTS= 2, DT= .01\n0.1\nabc\n"), "x.AT2:3: 'abc' is not a finite number");
-  EXPECT_EQ(error_of("NPTS= 2, DT= .01\n0.1 nan\n"), "x.AT2:2: 'nan' is not a finite number");
-  EXPECT_EQ(error_of("NPTS= 3, DT= .01\n0.1 0.2\n"),
-            "x.AT2:2: the header says NPTS = 3 but there are 2 samples");
-  EXPECT_EQ(error_of("NPTS= 3, DT= 0\n0.1 0.2 0.3\n"), "x.AT2:1: DT = 0 s, must be > 0");
-  EXPECT_EQ(error_of("NPTS= 1, DT= .01\n0.1\n"), "x.AT2:1: NPTS = 1, must be a whole number from 2 to 1e+08");
-  EXPECT_EQ(error_of(""), "x.AT2:1: no header line with NPTS and DT");
+TEST(Calculus, StraightLines) {
+  EXPECT_EQ(differentiate(std::vector{1.0, 3.0}, 0.5), (std::vector{4.0, 4.0}));
+  for (const double slope : differentiate(std::vector{0.0, 1.0, 2.0, 3.0}, 0.25))
+    EXPECT_NEAR(slope, 4.0, 1e-14);
+  EXPECT_EQ(integrate(std::vector{1.0, 3.0, 5.0}, 0.5), (std::vector{0.0, 1.0, 3.0}));
+  EXPECT_THROW(differentiate(std::vector{1.0}, 0.5), std::invalid_argument);
 }
 
-TEST(RecordMeasures, HarmonicMotion) {
-  // a = A sin(w t) for 40 s of 2 Hz: Arias = pi/(2g) A^2 T/2; 5 and 95 % are reached after whole periods, at
-  // 2 s and 38 s; v = A/w (1 - cos(w t)) with peak 2A/w.
-  const double amplitude = 2.0;
-  const double frequency = 2.0;
-  const double duration = 40.0;
-  const double dt = 1e-3;
-  std::vector<double> a(40001);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] = amplitude * std::sin(2.0 * std::numbers::pi * frequency * static_cast<double>(i) * dt);
-  const auto m = measures(a, dt);
-  EXPECT_NEAR(m.pga, amplitude, 1e-4);
-  EXPECT_NEAR(m.pgv, amplitude / (std::numbers::pi * frequency), 1e-4);
-  EXPECT_NEAR(m.arias, std::numbers::pi / (2.0 * standard_gravity) * amplitude * amplitude * duration / 2.0,
-              1e-4);
-  EXPECT_NEAR(m.significant_duration, 36.0, 5e-3);
-  EXPECT_NEAR(m.mean_period, 1.0 / frequency, 5e-3); // leakage of the finite record
-  EXPECT_THROW(measures(std::vector<double>{1.0}, dt), std::invalid_argument);
+TEST(Kinds, OutcropIsTwiceTheIncidentMotion) {
+  const Record incident{.kind = MotionKind::incident, .dt = 0.1, .samples = {1.0, 3.0}};
+  const Record outcrop = as_kind(incident, MotionKind::outcrop);
+  EXPECT_EQ(outcrop.samples, (std::vector{2.0, 6.0}));
+  EXPECT_EQ(outcrop.kind, MotionKind::outcrop);
+  EXPECT_EQ(as_kind(outcrop, MotionKind::incident).samples, incident.samples);
+  EXPECT_EQ(as_kind(outcrop, MotionKind::outcrop).samples, outcrop.samples);
 }
 
-TEST(RecordMeasures, BaldwinHillsOfNorthridge) {
-  const char* set = std::getenv("TREMOLO_REFERENCE");
-  const auto folder =
-      std::filesystem::path(set != nullptr ? set : TREMOLO_SOURCE_DIR "/../shared/reference") / "records";
-  const auto file = folder / "RSN985_NORTHR_BLD090.AT2";
-  if (!std::filesystem::exists(file))
-    GTEST_SKIP() << file << " is absent; set TREMOLO_REFERENCE to the folder with the reference data";
-  auto record = read_record(file);
-  ASSERT_EQ(record.samples.size(), 2000U);
-  for (double& a : record.samples)
-    a *= standard_gravity;
-  const auto m = measures(record.samples, record.dt);
-  EXPECT_NEAR(m.pga / standard_gravity, 0.238859, 1e-6);
-  const double rounded = 9.81 / standard_gravity; // the g of the published measures
-  EXPECT_NEAR(m.pgv * rounded, 0.148742, 1e-6);
-  EXPECT_NEAR(m.arias * rounded, 0.670262, 1e-6);
-  EXPECT_NEAR(m.significant_duration, 16.563, record.dt);
+TEST(Kinds, WithinNeedsTheProfileAndTheUnsaidAWord) {
+  Record record{.kind = MotionKind::within, .dt = 0.1, .samples = {1.0, 3.0}};
+  EXPECT_EQ(as_kind(record, MotionKind::within).samples, record.samples);
+  EXPECT_EQ(
+      error_of([&] { as_kind(record, MotionKind::outcrop); }),
+      "from within to outcrop the layers above the place are needed: multiply by the transfer function of "
+      "the profile (tremolo wave --transfer, or a column with that base motion)");
+  record.kind = MotionKind::incident;
+  EXPECT_NE(error_of([&] { as_kind(record, MotionKind::within); }), "");
+  record.kind.reset();
+  EXPECT_EQ(error_of([&] { as_kind(record, MotionKind::incident); }),
+            "the motion does not say whether it is incident, outcrop or within: say which before it is made "
+            "incident");
+}
 
-  // The same record's velocities, integrated by those who processed it, in cm/s.
-  const auto velocity = read_record(folder / "RSN985_NORTHR_BLD090.VT2");
-  const auto ours = integrate(record.samples, record.dt);
-  ASSERT_EQ(velocity.samples.size(), ours.size());
-  for (std::size_t i = 0; i < ours.size(); ++i)
-    ASSERT_NEAR(ours[i], 0.01 * velocity.samples[i], 2e-3 * m.pgv) << i;
+TEST(Soundness, RefusesWhatIsNoMotion) {
+  Record record{.dt = 0.1, .samples = {1.0, 2.0}};
+  EXPECT_NO_THROW(require_sound(record));
+  record.samples[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(require_sound(record), std::invalid_argument);
+  record.samples = {1.0};
+  EXPECT_EQ(error_of([&] { require_sound(record); }),
+            "a motion needs at least 2 samples, all finite, and dt > 0, has 1 and dt = 0.1 s");
 }
 
 } // namespace
