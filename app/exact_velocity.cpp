@@ -1,4 +1,5 @@
 #include "app/exact_velocity.hpp"
+#include "app/hermite.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,17 +9,7 @@
 namespace tremolo::app {
 namespace {
 
-/// Cubic Hermite interpolation of f on [0, dt] from values and rates at both ends, s = t/dt in [0, 1].
-struct Hermite {
-  double f, rate;
-};
-
-Hermite hermite(double s, double dt, double f0, double r0, double f1, double r1) {
-  const double rise = f1 - f0;
-  const double u = 1.0 - s;
-  return {.f = f0 + s * s * (3.0 - 2.0 * s) * rise + dt * s * u * (u * r0 - s * r1),
-          .rate = 6.0 * s * u * rise / dt + u * (1.0 - 3.0 * s) * r0 + s * (3.0 * s - 2.0) * r1};
-}
+constexpr wavefield::Quantities velocity_and_rate{.displacement = false, .stress = false, .strain = false};
 
 wavefield::TimeGrid time_grid(const ExactVelocity::Range& range, double slowness, double dt) {
   const double first = range.t_min - slowness * (range.x_max - range.x_min);
@@ -27,14 +18,15 @@ wavefield::TimeGrid time_grid(const ExactVelocity::Range& range, double slowness
 
 } // namespace
 
-ExactVelocity::ExactVelocity(const wavefield::HalfSpaceField& field, std::span<const double> levels,
+ExactVelocity::ExactVelocity(const wavefield::LayeredField& field, std::span<const double> levels,
                              const Range& range, double highest_frequency)
     : grid_(time_grid(range, field.slowness_x(), 1.0 / (samples_per_period * highest_frequency))),
       x_min_(range.x_min), slowness_(field.slowness_x()) {
   samples_.reserve(levels.size() * grid_.count);
   for (const double y : levels) {
     const std::array<wavefield::Point, 1> point{{{x_min_, y}}};
-    const wavefield::History history = field.sample(point, grid_).front();
+    const wavefield::History history =
+        field.sample(point, grid_, wavefield::Part::total, velocity_and_rate).front();
     for (std::size_t i = 0; i < grid_.count; ++i)
       samples_.push_back({history.vx[i], history.vy[i], history.vx_rate[i], history.vy_rate[i]});
   }
@@ -47,9 +39,9 @@ ExactVelocity::Value ExactVelocity::at(std::size_t level, double x, double t) co
   const Sample& a = samples_[level * grid_.count + step];
   const Sample& b = samples_[level * grid_.count + step + 1];
   const double s = place - static_cast<double>(step);
-  const Hermite x_part = hermite(s, grid_.dt, a.vx, a.ax, b.vx, b.ax);
-  const Hermite y_part = hermite(s, grid_.dt, a.vy, a.ay, b.vy, b.ay);
-  return {x_part.f, y_part.f, x_part.rate, y_part.rate};
+  const Jet x_part = hermite({a.vx, a.ax}, {b.vx, b.ax}, grid_.dt, s);
+  const Jet y_part = hermite({a.vy, a.ay}, {b.vy, b.ay}, grid_.dt, s);
+  return {x_part.value, y_part.value, x_part.rate, y_part.rate};
 }
 
 } // namespace tremolo::app

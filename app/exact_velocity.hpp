@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wavefield/half_space_field.hpp"
+#include "wavefield/layered_field.hpp"
 
 #include <span>
 #include <vector>
@@ -31,7 +31,7 @@ public:
 
   /// @param highest_frequency  of the signal, Hz
   /// @throws std::invalid_argument for a level above the surface
-  ExactVelocity(const wavefield::HalfSpaceField& field, std::span<const double> levels, const Range& range,
+  ExactVelocity(const wavefield::LayeredField& field, std::span<const double> levels, const Range& range,
                 double highest_frequency);
 
   /// At y = levels[level]. Times outside the range are taken at its ends.

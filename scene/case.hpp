@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,9 +45,20 @@ struct MotionInput {
   Point reference;
 };
 
+/// Modulus reduction and damping against shear strain (engineering, 1).
+struct StrainCurves {
+  std::function<double(double)> modulus_reduction; ///< G/G0, in (0, 1]
+  std::function<double(double)> damping;           ///< ratio of critical
+  bool whole = false; ///< damping is all there is; otherwise the layer's own, at small strain, comes on top
+};
+
 struct Soil {
   std::string name;
-  materials::Law law; ///< eta already scaled to the mesh size where the soil has a reference_size
+  materials::Law law;        ///< in the domain; eta already scaled to `softening_size`
+  materials::Law column_law; ///< in columns: the same soil; hysteretic soil by the exact Masing rules
+  /// Cell size for which the softening holds, m, where the soil has a reference_size.
+  std::optional<double> softening_size;
+  std::optional<StrainCurves> curves; ///< of hysteretic soils
 };
 
 struct Region {

@@ -6,6 +6,29 @@ namespace tremolo::scene {
 
 namespace {
 
+/// Of soils with a backbone.
+Key backbone(std::string_view name, std::vector<std::string_view> models, std::string_view meaning,
+             Range range) {
+  return {.name = name,
+          .unit = "1",
+          .meaning = meaning,
+          .otherwise = "fitted to `curve`",
+          .range = range,
+          .when = {"model", std::move(models)}};
+}
+
+/// Of the built-in curves.
+Key darendeli(std::string_view name, std::string_view unit, std::string_view meaning,
+              std::string_view fallback, Range range) {
+  return {.name = name,
+          .unit = unit,
+          .meaning = meaning,
+          .required = fallback.empty(),
+          .fallback = fallback,
+          .range = range,
+          .when = {"curve", {"darendeli"}}};
+}
+
 Condition mohr_coulomb() {
   return {"model", {"mohr_coulomb"}};
 }
@@ -19,6 +42,29 @@ Key strength(std::string_view name, std::string_view unit, std::string_view mean
           .fallback = fallback,
           .range = range,
           .when = mohr_coulomb()};
+}
+
+std::vector<Key> hysteretic_keys() {
+  const std::vector<std::string_view> both = {"hyperbolic", "mkz"};
+  return {
+      {.name = "curve",
+       .type = Type::text,
+       .meaning = "G/G0 and damping against shear strain, to which the backbone is fitted and which `eql` "
+                  "takes as they "
+                  "are: `darendeli` (2001), or the name of a table `strain,modulus_reduction,damping`, "
+                  "relative to the "
+                  "case file.",
+       .otherwise = "the backbone given",
+       .when = {"model", both}},
+      backbone("reference_strain", both, "Shear strain of the backbone, engineering.", positive),
+      backbone("beta", {"mkz"}, "Factor of the backbone.", positive),
+      backbone("exponent", {"mkz"}, "Exponent of the backbone.", {.low = 0.1, .high = 1.0}),
+      darendeli("plasticity_index", "%", "Plasticity index.", "", not_negative),
+      darendeli("overconsolidation_ratio", "1", "Overconsolidation ratio.", "1", {.low = 1.0}),
+      darendeli("mean_stress", "Pa", "Mean effective confining stress.", "", positive),
+      darendeli("excitation_hz", "Hz", "Frequency of loading.", "1", positive),
+      darendeli("cycles", "1", "Number of cycles of loading.", "10", {.low = 1.0}),
+  };
 }
 
 Table soil() {
@@ -52,7 +98,12 @@ Table soil() {
        .range = positive,
        .when = mohr_coulomb()},
   });
-  keys.insert(keys.begin(), choice("model", {"linear_elastic", "mohr_coulomb"}, "Constitutive law."));
+  for (Key& key : hysteretic_keys())
+    keys.push_back(std::move(key));
+  keys.insert(keys.begin(),
+              choice("model", {"linear_elastic", "mohr_coulomb", "hyperbolic", "mkz"},
+                     "Constitutive law. `hyperbolic` and `mkz`: hysteretic soil by the extended Masing "
+                     "rules, G/G0 = 1/(1 + beta (gamma/reference_strain)^exponent)."));
   return {.name = "soil",
           .kind = Kind::named,
           .required = true,

@@ -79,6 +79,8 @@ Case load_free_field(const std::filesystem::path& file) {
   if (document.has("mesh"))
     read_mesh(document, scene);
   read_free_field(document, findings, scene);
+  if (document.has("stage"))
+    read_stages(document, findings, scene);
   record_is_readable(scene, findings);
 
   findings.throw_if_any();

@@ -19,6 +19,8 @@ TimeStepping read_time(Document& document, Findings& findings) {
           from_name(table.text("order"), std::array{StepOrder::usl, StepOrder::usf, StepOrder::musl})};
 }
 
+} // namespace
+
 void read_stages(Document& document, Findings& findings, Case& scene) {
   bool shaken = false;
   bool legible = true;
@@ -43,8 +45,6 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
   if (!shaken && legible && findings.sound("stage"))
     findings.add("stage", "missing [[stage]] of kind = \"shaking\": how long the motion acts");
 }
-
-} // namespace
 
 void read_mesh(Document& document, Case& scene) {
   const auto table = document.table("mesh");

@@ -23,15 +23,53 @@ materials::MohrCoulomb read_mohr_coulomb(const TableReader& table, const materia
           .tension_cutoff = table.optional_number("tension_cutoff")};
 }
 
-Soil read_soil(const NamedTable& soil, double mesh_size, Findings& findings) {
+Soil read_softening(const NamedTable& soil, const materials::Elasticity& elastic, double mesh_size) {
+  auto law = read_mohr_coulomb(soil.reader, elastic);
+  const auto reference = soil.reader.optional_number("reference_size");
+  if (!reference || !(mesh_size > 0.0))
+    return {soil.name, law, law, reference, std::nullopt};
+  law = materials::regularised(law, mesh_size, *reference);
+  return {soil.name, law, law, mesh_size, std::nullopt};
+}
+
+StrainCurves curves_of(const materials::Backbone& backbone) {
+  return {[backbone](double strain) { return backbone.secant(strain) / backbone.shear_modulus; },
+          [backbone](double strain) { return materials::masing_damping(backbone, strain); }, false};
+}
+
+/// Reports what is missing of a backbone that is not fitted.
+bool complete(const TableReader& table, bool mkz, Findings& findings) {
+  for (const char* key : {"reference_strain", "beta", "exponent"})
+    if ((mkz || std::string_view(key) == "reference_strain") && !table.given(key)) {
+      findings.add(table.path(key), fmt::format("missing '{}': without 'curve' the backbone is given", key));
+      return false;
+    }
+  return findings.sound(table.path());
+}
+
+Soil read_hysteretic(const NamedTable& soil, const materials::Elasticity& elastic, Findings& findings) {
   const auto& table = soil.reader;
-  const auto elastic = read_elasticity(table, findings);
-  if (table.text("model") != "mohr_coulomb")
-    return {soil.name, materials::LinearElastic{elastic}};
-  auto law = read_mohr_coulomb(table, elastic);
-  if (const auto reference = table.optional_number("reference_size"); reference && mesh_size > 0.0)
-    law = materials::regularised(law, mesh_size, *reference);
-  return {soil.name, law};
+  const Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
+  const bool mkz = table.text("model") == "mkz";
+  if (!complete(table, mkz, findings) || !(elastic.density > 0.0))
+    return linear;
+  const materials::MasingShear law{elastic, table.number("reference_strain"),
+                                   mkz ? table.number("beta") : 1.0, mkz ? table.number("exponent") : 1.0};
+  return {soil.name,
+          materials::iwan_shear(elastic, law.reference_strain, law.beta, law.exponent),
+          law,
+          {},
+          curves_of(law.backbone())};
+}
+
+Soil read_soil(const NamedTable& soil, double mesh_size, Findings& findings) {
+  const auto elastic = read_elasticity(soil.reader, findings);
+  const auto model = soil.reader.text("model");
+  if (model == "mohr_coulomb")
+    return read_softening(soil, elastic, mesh_size);
+  if (model == "hyperbolic" || model == "mkz")
+    return read_hysteretic(soil, elastic, findings);
+  return {soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
 }
 
 } // namespace

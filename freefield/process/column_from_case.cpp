@@ -1,9 +1,15 @@
 #include "freefield/process/column_from_case.hpp"
-#include "scene/layers.hpp"
 
 #include "freefield/fe_column.hpp"
+#include "scene/layers.hpp"
+#include "scene/motion.hpp"
+#include "wavefield/process/ground_from_case.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 namespace tremolo::freefield {
 
@@ -12,12 +18,32 @@ namespace {
 /// Share of central differences' stability limit that a column takes if the case names no step.
 constexpr double fraction_of_limit = 0.8;
 
-Profile profile_from_case(const scene::Case& scene, const scene::SourceProcess& source) {
+/// The law of a layer in elements of a size; nothing for a linear elastic one.
+std::optional<materials::Law> law_of(const scene::Case& scene, const scene::Layer& layer,
+                                     double element_size) {
+  if (!layer.soil)
+    return std::nullopt;
+  const scene::Soil& soil = scene.soils[*layer.soil];
+  if (std::holds_alternative<materials::LinearElastic>(soil.column_law))
+    return std::nullopt;
+  const auto* softening = std::get_if<materials::MohrCoulomb>(&soil.column_law);
+  if (softening == nullptr || !soil.softening_size)
+    return soil.column_law;
+  return materials::regularised(*softening, element_size, *soil.softening_size);
+}
+
+/// The base of the column: that of the model where it lies below the layers, unless the motion is that of the
+/// top of the half-space.
+Profile profile_from_case(const scene::Case& scene, const scene::SourceProcess& source, double element_size) {
   Profile profile{source.surface, {}, scene.halfspace};
-  for (const scene::Layer& layer : scene::layers(scene, source))
+  profile.gravity = scene.gravity ? scene.gravity->acceleration : 0.0;
+  for (const scene::Layer& layer : scene::layers(scene, source)) {
     profile.layers.push_back({layer.thickness, layer.elastic, layer.damping});
-  const double missing = profile.base_level() - scene.mesh.box.y_min;
-  if (missing > 0.0)
+    profile.layers.back().law = law_of(scene, layer, element_size);
+  }
+  const bool has_model = scene.mesh.size > 0.0;
+  const double missing = has_model ? profile.base_level() - scene.mesh.box.y_min : 0.0;
+  if (missing > 0.0 && scene.motion.kind != motion::MotionKind::within)
     profile.layers.push_back({missing, scene.halfspace, 0.0});
   return profile;
 }
@@ -28,25 +54,90 @@ Damping damping_from_case(const scene::Case& scene) {
   return KelvinVoigtDamping{scene.damping.reference_hz.value_or(1.0)}; // without it no layer has a ratio
 }
 
-} // namespace
+/// What shakes the base of a column.
+struct Input {
+  BaseKind base = BaseKind::compliant;
+  InputVelocity velocity;
+  double begin = 0.0;             ///< s; zero before
+  double highest_frequency = 0.0; ///< Hz
+};
 
-std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::SourceProcess& source,
-                                         const IncidentWave& incident) {
-  const Profile profile = profile_from_case(scene, source);
-  const double base = profile.base_level();
+Input rigid_input(const scene::Case& scene) {
+  const scene::Motion motion = scene::motion(scene.motion);
+  const bool shear = scene.motion.wave == scene::Wave::sv;
+  return {BaseKind::rigid,
+          [motion, shear](double time) {
+            const double v = motion.velocity(time);
+            return shear ? Velocity{v, 0.0} : Velocity{0.0, v};
+          },
+          motion.begin(), motion.highest_frequency()};
+}
+
+/// The incident wave where it passes a point of the half-space.
+Input compliant_input(const scene::Case& scene, const scene::SourceProcess& source, double x, double y) {
+  const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, source));
+  const auto incidence = wavefield::incidence_from_case(scene);
+  const auto signal = wavefield::incident_signal(scene, ground);
+  const bool shear = incidence.wave == wavefield::WaveType::SV;
+  const double speed = shear ? ground.half_space.vs : ground.half_space.vp;
+  const double sine = std::sin(incidence.angle_rad);
+  const double cosine = std::cos(incidence.angle_rad);
+  const double delay = ((x - incidence.x_reference) * sine + (y - incidence.y_reference) * cosine) / speed;
+  return {BaseKind::compliant,
+          [signal, delay, shear, sine, cosine](double time) {
+            const double v = signal.velocity(time - delay);
+            return shear ? Velocity{v * cosine, -v * sine} : Velocity{v * sine, v * cosine};
+          },
+          signal.begin + delay, signal.highest_frequency};
+}
+
+Input input_from_case(const scene::Case& scene, const scene::SourceProcess& source, double x, double base) {
+  return scene.motion.kind == motion::MotionKind::within ? rigid_input(scene)
+                                                         : compliant_input(scene, source, x, base);
+}
+
+Integrator integrator_of(scene::Integrator integrator) {
+  return integrator == scene::Integrator::central_difference ? Integrator::central_difference
+                                                             : Integrator::newmark;
+}
+
+std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profile, const Input& input,
+                                  double start) {
   FeColumnSettings settings;
   settings.max_element_size = scene.fe.element_size;
   settings.damping = damping_from_case(scene);
-  settings.integrator = scene.fe.integrator == scene::Integrator::newmark ? Integrator::newmark
-                                                                          : Integrator::central_difference;
-  settings.time_step = scene.fe.dt
-                           ? *scene.fe.dt
-                           : fraction_of_limit * central_difference_limit(profile, settings.max_element_size,
-                                                                          settings.damping);
-  // At rest before the motion begins, and two steps before the shaking for the exchange to interpolate.
-  settings.start_time = std::min(0.0, incident.begin(base)) - 2.0 * settings.time_step;
-  return std::make_unique<FeColumn>(profile, settings,
-                                    [&incident, base](double time) { return incident.velocity(base, time); });
+  settings.integrator = integrator_of(scene.fe.integrator);
+  settings.hht_alpha = scene.fe.integrator == scene::Integrator::hht ? scene.fe.alpha : 0.0;
+  settings.tangent =
+      scene.fe.tangent == scene::NewtonTangent::consistent ? Tangent::consistent : Tangent::initial;
+  settings.base = input.base;
+  settings.time_step = scene.fe.dt.value_or(
+      fraction_of_limit * central_difference_limit(profile, settings.max_element_size, settings.damping));
+  // Two steps ahead for the exchange to interpolate.
+  settings.start_time = start - 2.0 * settings.time_step;
+  return std::make_unique<FeColumn>(profile, settings, input.velocity);
+}
+
+void require_size(const scene::Case& scene, double size, const char* table, const char* key) {
+  if (!(size > 0.0))
+    throw std::invalid_argument(
+        fmt::format("{}: [{}] {} is needed where there is no [mesh]", scene.file.string(), table, key));
+}
+
+} // namespace
+
+std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::SourceProcess& source,
+                                         double x_line, double needed_from) {
+  require_size(scene, scene.fe.element_size, "fe", "element_size");
+  const Profile profile = profile_from_case(scene, source, scene.fe.element_size);
+  const Input input = input_from_case(scene, source, x_line, profile.base_level());
+  return fe_column(scene, profile, input, std::min(needed_from, input.begin));
+}
+
+double slowness_from_case(const scene::Case& scene) {
+  const bool shear = scene.motion.wave == scene::Wave::sv;
+  const double speed = shear ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
+  return std::sin(wavefield::incidence_from_case(scene).angle_rad) / speed;
 }
 
 } // namespace tremolo::freefield

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "freefield/column.hpp"
-#include "freefield/process/incident_wave.hpp"
 #include "scene/case.hpp"
 #include "scene/plan.hpp"
 
@@ -9,10 +8,16 @@
 
 namespace tremolo::freefield {
 
-/// The column of a source: the layers of the case under the source's surface, and soil of the half-space
-/// below them where they end above the base of the model.
-/// @param incident must outlive the column
+/// The column of a source, at rest before the motion begins: the layers under the source's surface, and soil
+/// of the half-space below them down to the base of the model. Under a motion within the ground it ends at
+/// the top of the half-space, which moves as given.
+/// @param x_line  where the column stands, m: an oblique wave passes it earlier or later
+/// @param needed_from  when its motion is first asked for, s; it starts two steps before
+/// @throws std::invalid_argument for values out of range, motion::RecordError for an unreadable motion
 std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::SourceProcess& source,
-                                         const IncidentWave& incident);
+                                         double x_line, double needed_from);
+
+/// Horizontal slowness of a source's field, s/m.
+double slowness_from_case(const scene::Case& scene);
 
 } // namespace tremolo::freefield

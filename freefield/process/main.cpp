@@ -2,11 +2,15 @@
 
 #include "coupler/source_client.hpp"
 #include "freefield/process/column_from_case.hpp"
+#include "scene/layers.hpp"
 #include "scene/service.hpp"
+#include "wavefield/process/field_from_case.hpp"
+#include "wavefield/process/ground_from_case.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,32 +44,68 @@ private:
   std::uint64_t at_ = 0;
 };
 
+/// The incident wave alone, which no layer has met: exact, and known for all times.
+class IncidentField {
+public:
+  IncidentField(const scene::Case& scene, const scene::SourceProcess& source,
+                const coupler::FieldDescription& field)
+      : histories_(wavefield::elastic_field(scene, scene::layers(scene, source), source.surface)
+                       .sample(wavefield::points_on_line(field.x_reference, field.y),
+                               {field.start_time, field.time_step, field.step_count},
+                               wavefield::Part::incident, {.displacement = false, .strain = false})) {}
+
+  void fill(std::uint64_t step, std::span<double> values) const {
+    for (std::size_t i = 0; i < histories_.size(); ++i) {
+      const wavefield::History& h = histories_[i];
+      write({.vx = h.vx[step],
+             .vy = h.vy[step],
+             .sxx = h.sxx[step],
+             .syy = h.syy[step],
+             .sxy = h.sxy[step],
+             .vx_rate = h.vx_rate[step],
+             .vy_rate = h.vy_rate[step],
+             .sxx_rate = h.sxx_rate[step],
+             .syy_rate = h.syy_rate[step],
+             .sxy_rate = h.sxy_rate[step]},
+            values.subspan(i * coupler::values_per_point, coupler::values_per_point));
+    }
+  }
+
+private:
+  std::vector<wavefield::History> histories_;
+};
+
 void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
-  const freefield::IncidentWave incident(scene);
-  const std::unique_ptr<freefield::Column> column = freefield::column_from_case(scene, source, incident);
-  const scene::Service service = scene::service(scene, source, 0.0);
-
+  const double slowness = freefield::slowness_from_case(scene);
+  const scene::Service service = scene::service(scene, source, slowness);
+  const auto column = freefield::column_from_case(scene, source, service.x_line, service.start_time);
   const double dt = column->time_step();
+
   const auto steps = static_cast<std::uint64_t>(std::ceil((service.end_time - column->time()) / dt)) + 4;
   std::vector<coupler::FieldDescription> fields;
   for (const scene::ServedLine& line : service.lines)
     fields.push_back({.name = std::string(scene::name(line.field)),
                       .y = line.levels,
                       .x_reference = service.x_line,
+                      .slowness_x = slowness,
                       .start_time = column->time(),
                       .time_step = dt,
                       .step_count = steps});
 
   coupler::SourceClient client(options, fields);
   TotalField total(*column);
+  std::vector<std::optional<IncidentField>> incident(fields.size());
+  for (std::size_t f = 0; f < fields.size(); ++f)
+    if (service.lines[f].field == scene::BaseForm::incident)
+      incident[f].emplace(scene, source, fields[f]);
   client.serve([&](std::size_t f, std::uint64_t step, std::span<double> values) {
-    if (service.lines[f].field == scene::BaseForm::total)
-      total.fill(step, fields[f].y, values);
+    if (incident[f])
+      incident[f]->fill(step, values);
     else
-      write(incident.sample(fields[f].y.front(), fields[f].time(step)), values);
+      total.fill(step, fields[f].y, values);
   });
 }
 

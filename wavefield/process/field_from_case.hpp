@@ -1,29 +1,24 @@
 #pragma once
 
 #include "scene/case.hpp"
-#include "scene/motion.hpp"
-#include "wavefield/half_space_field.hpp"
+#include "scene/plan.hpp"
+#include "wavefield/equivalent_linear.hpp"
+#include "wavefield/layered_field.hpp"
 
-#include <numbers>
+#include <span>
+#include <vector>
 
 namespace tremolo::wavefield {
 
-/// The incident signal of a case at its reference point.
-inline Signal signal_from_case(const scene::Case& scene) {
-  const scene::Motion motion = scene::motion(scene.motion);
-  return {[motion](double t) { return motion.velocity(t); }, motion.begin(), motion.end(),
-          motion.highest_frequency()};
-}
+/// The field of a source: elastic layers for model "wave", strain-compatible ones for "eql".
+/// @throws as incident_signal(); std::runtime_error for an equivalent-linear iteration that does not converge
+LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source);
 
-/// The exact field of a case's incident wave under a free surface at the given level, m.
-/// @throws motion::RecordError for a motion that cannot be read, std::invalid_argument for values out of range
-inline HalfSpaceField field_from_case(const scene::Case& scene, double surface_level) {
-  const HalfSpace half_space{scene.halfspace.density, scene.halfspace.s_wave_speed(),
-                             scene.halfspace.p_wave_speed()};
-  const Incidence incidence{scene.motion.wave == scene::Wave::sv ? WaveType::SV : WaveType::P,
-                            scene.motion.angle_deg * std::numbers::pi / 180.0, scene.motion.reference.x,
-                            scene.motion.reference.y};
-  return {half_space, incidence, surface_level, signal_from_case(scene)};
-}
+/// The equivalent-linear iteration of a source.
+EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
+                                                   const scene::SourceProcess& source);
+
+/// The levels on the vertical line at x; of a level that stands twice, the first from below.
+std::vector<Point> points_on_line(double x, std::span<const double> levels);
 
 } // namespace tremolo::wavefield

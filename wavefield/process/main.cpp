@@ -1,12 +1,16 @@
-// tremolo-wave: serves the exact free field of an oblique P or SV wave in a half-space, computed at once for
-// the whole run on a vertical line; along x it is the same, delayed by the horizontal slowness.
+// tremolo-wave: serves the free field of an oblique P or SV wave in elastic or equivalent-linear layers,
+// computed at once for the whole run on a vertical line; along x it is the same, delayed by the horizontal
+// slowness.
 
 #include "coupler/source_client.hpp"
 #include "scene/case.hpp"
+#include "scene/motion.hpp"
 #include "scene/service.hpp"
 #include "wavefield/process/field_from_case.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +25,9 @@ constexpr double samples_per_period = 20.0;
 
 /// Levels computed between two signs of life.
 constexpr std::size_t levels_per_beat = 32;
+
+/// Velocity, stress and their rates; nothing else is sent.
+constexpr wavefield::Quantities served_quantities{.displacement = false, .strain = false};
 
 std::vector<coupler::FieldDescription> descriptions(const scene::Service& service, double slowness_x,
                                                     double dt) {
@@ -40,21 +47,18 @@ std::vector<coupler::FieldDescription> descriptions(const scene::Service& servic
 
 /// The field at all its levels, some at a time, with a sign of life after each lot: a long record takes a
 /// while.
-std::vector<wavefield::History> histories(const wavefield::HalfSpaceField& field,
+std::vector<wavefield::History> histories(const wavefield::LayeredField& field,
                                           const coupler::FieldDescription& served,
                                           coupler::SourceClient& client) {
   const bool incident = served.name == scene::name(scene::BaseForm::incident);
   const wavefield::Part part = incident ? wavefield::Part::incident : wavefield::Part::total;
   std::vector<wavefield::History> all;
-  std::vector<wavefield::Point> lot;
-  for (const double y : served.y) {
-    lot.push_back({served.x_reference, y});
-    if (lot.size() < levels_per_beat && y != served.y.back())
-      continue;
-    for (wavefield::History& history :
-         field.sample(lot, {served.start_time, served.time_step, served.step_count}, part))
+  const auto points = wavefield::points_on_line(served.x_reference, served.y);
+  const wavefield::TimeGrid times{served.start_time, served.time_step, served.step_count};
+  for (std::size_t begin = 0; begin < points.size(); begin += levels_per_beat) {
+    const auto lot = std::span(points).subspan(begin, std::min(levels_per_beat, points.size() - begin));
+    for (wavefield::History& history : field.sample(lot, times, part, served_quantities))
       all.push_back(std::move(history));
-    lot.clear();
     client.beat();
   }
   return all;
@@ -64,7 +68,7 @@ void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
-  const wavefield::HalfSpaceField field = wavefield::field_from_case(scene, source.surface);
+  const wavefield::LayeredField field = wavefield::field_from_case(scene, source);
   const double dt = 1.0 / (samples_per_period * scene::motion(scene.motion).highest_frequency());
   const std::vector<coupler::FieldDescription> fields =
       descriptions(scene::service(scene, source, field.slowness_x()), field.slowness_x(), dt);

@@ -183,13 +183,13 @@ TEST(Rules, AMotionWithinTheGroundIsThatOfTheTopOfTheHalfSpace) {
 TEST(Rules, FilesOfModelsExist) {
   EXPECT_THAT(
       errors_of(with("left = { model = \"wave\" }", "left = { model = \"recording\", file = \"none.h5\" }")),
-      ElementsAre("case.toml:25:39: [boundary.left] './none.h5': there is no such file"));
+      ElementsAre("case.toml:25:38: [boundary.left] './none.h5': there is no such file"));
   EXPECT_THAT(
       errors_of(with("left = { model = \"wave\" }", "left = { model = \"external\", program = \"/dev\" }")),
-      ElementsAre("case.toml:25:41: [boundary.left] '/dev': there is no such file"));
+      ElementsAre("case.toml:25:40: [boundary.left] '/dev': there is no such file"));
   EXPECT_THAT(errors_of(with("left = { model = \"wave\" }",
                              "left = { model = \"external\", program = \"/etc/passwd\" }")),
-              ElementsAre("case.toml:25:41: [boundary.left] '/etc/passwd' is not a program that may be run"));
+              ElementsAre("case.toml:25:40: [boundary.left] '/etc/passwd' is not a program that may be run"));
   EXPECT_THAT(errors_of(with("left = { model = \"wave\" }",
                              "left = { model = \"external\", program = \"/bin/true\" }")),
               IsEmpty());
@@ -221,18 +221,22 @@ TEST(Rules, IncidentBaseLiesInHalfspace) {
                         deep;
   EXPECT_THAT(
       errors_of(incident),
-      ElementsAre("case.toml:27:30: [boundary.base] form = \"incident\" needs a base in the half-space, y <= "
+      ElementsAre("case.toml:27:31: [boundary.base] form = \"incident\" needs a base in the half-space, y <= "
                   "-12, but [mesh] box ends at y = -10 within the layers; use form = \"total\" or a deeper "
                   "box"));
 }
 
 TEST(Rules, LayersOfOneSideNeedAnIncidentBase) {
-  const std::string own = "[[boundary.left.profile]]\nthickness = 4.0\nsoil = \"sand\"\n";
-  EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"incident\"") + own), IsEmpty());
-  EXPECT_THAT(errors_of(std::string(flat_case) + own),
+  const auto own = [](const std::string& soil, const std::string& text) {
+    return with("left = { model = \"wave\" }",
+                "left = { model = \"wave\", profile = [{ thickness = 4.0, soil = \"" + soil + "\" }] }",
+                text);
+  };
+  const auto incident = with("form = \"total\"", "form = \"incident\"");
+  EXPECT_THAT(errors_of(own("sand", incident)), IsEmpty());
+  EXPECT_THAT(errors_of(own("sand", std::string(flat_case))),
               ElementsAre(::testing::HasSubstr("but a side has layers of its own")));
-  EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"incident\"") +
-                        "[[boundary.left.profile]]\nthickness = 4.0\nsoil = \"snad\"\n"),
+  EXPECT_THAT(errors_of(own("snad", incident)),
               ElementsAre(::testing::HasSubstr("soil 'snad' is not defined, did you mean 'sand'")));
 }
 

@@ -1,0 +1,170 @@
+// tremolo column: the free field of a case alone, by any model, as engineers look at it.
+
+#include "app/column_report.hpp"
+#include "app/commands.hpp"
+#include "app/free_field_series.hpp"
+#include "app/python.hpp"
+#include "results/run_file.hpp"
+#include "scene/layers.hpp"
+#include "scene/motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tremolo::app {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string model;
+  std::string out;
+  std::vector<double> depths;
+  std::optional<double> duration;
+  double every = 0.0;
+  bool plot = false;
+};
+
+constexpr std::array models = {scene::SourceModel::wave, scene::SourceModel::fe, scene::SourceModel::ode,
+                               scene::SourceModel::oblique, scene::SourceModel::eql};
+
+scene::SourceProcess source_of(const scene::Case& scene, const std::string& model) {
+  const auto found = std::ranges::find(models, model, [](scene::SourceModel m) { return scene::name(m); });
+  return {.name = "column", .field = {*found, {}}, .surface = scene.surface_level};
+}
+
+double deepest(const scene::Case& scene, const scene::SourceProcess& source) {
+  const double base = scene::base_level(source.surface, scene::layers(scene, source));
+  if (base < source.surface)
+    return base;
+  throw std::runtime_error(
+      fmt::format("{}: without [[profile]] there are no layers, and no column", scene.file.string()));
+}
+
+/// Even levels for the peak profiles, interfaces twice, and those asked for.
+std::vector<double> all_levels(const scene::Case& scene, const scene::SourceProcess& source,
+                               const std::vector<double>& depths) {
+  constexpr int intervals = 100;
+  const double base = deepest(scene, source);
+  std::vector<double> levels;
+  for (int i = 0; i < intervals; ++i)
+    levels.push_back(base + (source.surface - base) * i / intervals);
+  levels.push_back(source.surface);
+  for (const double depth : depths) {
+    const double y = source.surface - depth;
+    if (!(y >= base && y <= source.surface))
+      throw std::runtime_error(fmt::format("--depths: {} m is outside the column, allowed are 0 to {} m",
+                                           depth, source.surface - base));
+    if (std::ranges::find(levels, y) == levels.end())
+      levels.insert(std::ranges::lower_bound(levels, y), y);
+  }
+  return scene::with_interfaces(std::move(levels), source.surface, scene::layers(scene, source), 0.0);
+}
+
+/// Depths of the histories: those asked for, otherwise surface, interfaces and base.
+std::vector<double> depths_of(const scene::Case& scene, const scene::SourceProcess& source,
+                              const Options& options) {
+  if (!options.depths.empty())
+    return options.depths;
+  std::vector<double> depths{0.0};
+  for (const scene::Layer& layer : scene::layers(scene, source))
+    depths.push_back(depths.back() + layer.thickness);
+  return depths;
+}
+
+wavefield::TimeGrid times_of(const scene::Case& scene, const scene::SourceProcess& source,
+                             const Options& options) {
+  const auto motion = scene::motion(scene.motion);
+  const double start = std::min(0.0, motion.begin());
+  // A wave that has gone up and down the column four times has left it for practical purposes.
+  double crossing = 0.0;
+  for (const scene::Layer& layer : scene::layers(scene, source))
+    crossing += layer.thickness / layer.elastic.s_wave_speed();
+  const double end = options.duration.value_or(motion.end() + 8.0 * crossing);
+  if (!(end > start))
+    throw std::runtime_error(fmt::format("--duration: {} s, must be > {} s", end, start));
+  const double dt = options.every > 0.0 ? options.every : std::min(0.005, 0.25 / motion.highest_frequency());
+  return {start, dt, static_cast<std::size_t>(std::floor((end - start) / dt + 1e-9)) + 1};
+}
+
+void print_summary(const FreeFieldSeries& series, const scene::Case& scene, const Options& options) {
+  using freefield::ColumnSample;
+  const bool shear = scene.motion.wave == scene::Wave::sv;
+  const auto along = shear ? &ColumnSample::vx_rate : &ColumnSample::vy_rate;
+  const auto strain = shear ? &ColumnSample::gxy : &ColumnSample::eyy;
+  const auto largest = [&](std::size_t k, double ColumnSample::*member) {
+    double value = 0.0;
+    for (const ColumnSample& sample : series.at(k))
+      value = std::max(value, std::abs(sample.*member));
+    return value;
+  };
+  std::size_t weakest = 0;
+  for (std::size_t k = 0; k < series.levels.size(); ++k)
+    if (largest(k, strain) > largest(weakest, strain))
+      weakest = k;
+  fmt::print("{}: model {}, {:.2f} s CPU\n  peak acceleration  surface {:.4g} m/s2, base {:.4g} m/s2\n"
+             "  largest strain     {:.3g} at {:.4g} m below the surface\n",
+             options.out, options.model, series.cpu_seconds, largest(series.levels.size() - 1, along),
+             largest(0, along), largest(weakest, strain), series.levels.back() - series.levels[weakest]);
+}
+
+void compute(const Options& options) {
+  const scene::Case scene = scene::load_free_field(options.scene);
+  const scene::SourceProcess source = source_of(scene, options.model);
+  const auto depths = depths_of(scene, source, options);
+  const auto series =
+      free_field_series(scene, source, all_levels(scene, source, depths), times_of(scene, source, options));
+  std::vector<std::size_t> shown;
+  for (const double depth : depths) {
+    // The last of equal levels: above an interface.
+    const auto above = std::ranges::upper_bound(series.levels, source.surface - depth);
+    shown.push_back(static_cast<std::size_t>(above - series.levels.begin()) - 1);
+  }
+  const auto tables = column_tables(scene, source, series, shown);
+  results::write_tables(options.out, tables);
+  print_summary(series, scene, options);
+  if (options.plot && run_python("column", {options.out}) != 0)
+    throw Exit{1};
+}
+
+} // namespace
+
+void add_column(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "column",
+      "The free field of a case alone: histories, peak profiles, spectra, transfer functions, loops");
+  const auto options = std::make_shared<Options>();
+  std::vector<std::string> names;
+  for (const auto model : models)
+    names.emplace_back(scene::name(model));
+  command
+      ->add_option("CASE", options->scene,
+                   "Case file; needs [motion], [surface], [halfspace] and [[profile]]")
+      ->required();
+  command->add_option("--model", options->model, "Free-field model: wave, fe, ode, oblique or eql")
+      ->required()
+      ->check(CLI::IsMember(names));
+  command->add_option("--out", options->out, "Written: HDF5 tables, see docs/output-format.md")->required();
+  command
+      ->add_option("--depths", options->depths,
+                   "Depths of the histories, m, separated by commas (default: surface, interfaces, base)")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--duration", options->duration,
+                      "End of the histories, s (default: the motion's end and the ringing of the column)");
+  command
+      ->add_option("--every", options->every,
+                   "Time step of the histories, s (default: a quarter of the shortest period, at most 5 ms)")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--plot", options->plot, "Draw OUT.png beside the file");
+  command->callback([options] { compute(*options); });
+}
+
+} // namespace tremolo::app

@@ -1,0 +1,116 @@
+#include "app/free_field_series.hpp"
+
+#include "app/hermite.hpp"
+#include "freefield/process/column_from_case.hpp"
+#include "wavefield/process/field_from_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <stdexcept>
+#include <utility>
+
+namespace tremolo::app {
+
+namespace {
+
+using freefield::ColumnSample;
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+ColumnSample between(const ColumnSample& a, const ColumnSample& b, double dt, double s) {
+  ColumnSample c;
+  const auto join = [&](double ColumnSample::*value, double ColumnSample::*rate) {
+    const Jet jet = hermite({a.*value, a.*rate}, {b.*value, b.*rate}, dt, s);
+    c.*value = jet.value;
+    c.*rate = jet.rate;
+  };
+  join(&ColumnSample::vx, &ColumnSample::vx_rate);
+  join(&ColumnSample::vy, &ColumnSample::vy_rate);
+  join(&ColumnSample::sxx, &ColumnSample::sxx_rate);
+  join(&ColumnSample::syy, &ColumnSample::syy_rate);
+  join(&ColumnSample::sxy, &ColumnSample::sxy_rate);
+  c.ux = hermite({a.ux, a.vx}, {b.ux, b.vx}, dt, s).value;
+  c.uy = hermite({a.uy, a.vy}, {b.uy, b.vy}, dt, s).value;
+  c.eyy = a.eyy + s * (b.eyy - a.eyy);
+  c.gxy = a.gxy + s * (b.gxy - a.gxy);
+  return c;
+}
+
+/// A column, marched; before its start it is at rest.
+void march(freefield::Column& column, FreeFieldSeries& series) {
+  const std::size_t levels = series.levels.size();
+  const double dt = column.time_step();
+  std::vector<ColumnSample> before(levels);
+  std::vector<ColumnSample> after(levels);
+  column.sample(series.levels, after);
+  double end = column.time();
+  for (std::size_t i = 0; i < series.times.count; ++i) {
+    const double time = series.times.start + static_cast<double>(i) * series.times.dt;
+    for (; end < time; end = column.time()) {
+      std::swap(before, after);
+      column.step();
+      column.sample(series.levels, after);
+    }
+    const double s = std::max(0.0, 1.0 - (end - time) / dt);
+    for (std::size_t k = 0; k < levels; ++k)
+      series.samples[k * series.times.count + i] = between(before[k], after[k], dt, s);
+  }
+}
+
+ColumnSample at_time(const wavefield::History& h, std::size_t i) {
+  return {.vx = h.vx[i],
+          .vy = h.vy[i],
+          .sxx = h.sxx[i],
+          .syy = h.syy[i],
+          .sxy = h.sxy[i],
+          .vx_rate = h.vx_rate[i],
+          .vy_rate = h.vy_rate[i],
+          .sxx_rate = h.sxx_rate[i],
+          .syy_rate = h.syy_rate[i],
+          .sxy_rate = h.sxy_rate[i],
+          .ux = h.ux[i],
+          .uy = h.uy[i],
+          .eyy = h.eyy[i],
+          .gxy = h.gxy[i]};
+}
+
+void synthesise(const wavefield::LayeredField& field, double x, FreeFieldSeries& series) {
+  const auto points = wavefield::points_on_line(x, series.levels);
+  const auto histories = field.sample(points, series.times);
+  for (std::size_t k = 0; k < histories.size(); ++k)
+    for (std::size_t i = 0; i < series.times.count; ++i)
+      series.samples[k * series.times.count + i] = at_time(histories[k], i);
+}
+
+} // namespace
+
+FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceProcess& source,
+                                  std::vector<double> levels, const wavefield::TimeGrid& times) {
+  FreeFieldSeries series{std::move(levels), times, {}};
+  series.samples.resize(series.levels.size() * times.count);
+  const double x = scene.motion.reference.x;
+  const double before = cpu_seconds();
+  switch (source.field.model) {
+  case scene::SourceModel::wave:
+  case scene::SourceModel::eql:
+    synthesise(wavefield::field_from_case(scene, source), x, series);
+    break;
+  case scene::SourceModel::fe:
+  case scene::SourceModel::ode:
+  case scene::SourceModel::oblique:
+    march(*freefield::column_from_case(scene, source, x, times.start), series);
+    break;
+  default:
+    throw std::invalid_argument(
+        fmt::format("model \"{}\" is not computed here; wave, fe, ode, oblique and eql are",
+                    scene::name(source.field.model)));
+  }
+  series.cpu_seconds = cpu_seconds() - before;
+  return series;
+}
+
+} // namespace tremolo::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "freefield/column.hpp"
+#include "scene/case.hpp"
+#include "scene/plan.hpp"
+#include "wavefield/history.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tremolo::app {
+
+/// A free field on its vertical line, at levels and even times: the same for every model.
+struct FreeFieldSeries {
+  std::vector<double> levels; ///< m, ascending; an interface twice, from below and from above
+  wavefield::TimeGrid times;
+  std::vector<freefield::ColumnSample> samples; ///< [level][time]
+  double cpu_seconds = 0.0;                     ///< that computing it took
+
+  std::span<const freefield::ColumnSample> at(std::size_t level) const {
+    return std::span(samples).subspan(level * times.count, times.count);
+  }
+};
+
+/// Computes a free field in this process with the model of the source: wave, fe, ode, oblique or eql. Between
+/// the steps of a column, velocity, displacement and stress are cubic Hermite, strain is linear.
+/// @throws std::invalid_argument for another model, or values out of range
+FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceProcess& source,
+                                  std::vector<double> levels, const wavefield::TimeGrid& times);
+
+} // namespace tremolo::app

@@ -1,0 +1,72 @@
+#include "wavefield/process/field_from_case.hpp"
+
+#include "motion/record.hpp"
+#include "scene/layers.hpp"
+#include "wavefield/process/ground_from_case.hpp"
+
+#include <cmath>
+
+namespace tremolo::wavefield {
+
+namespace {
+
+/// What the iteration takes for a layer: the curves of its soil, or a linear layer's constants.
+StrainCurves curves_of(const scene::Case& scene, const scene::Layer& layer) {
+  const double damping = layer.damping;
+  if (!layer.soil || !scene.soils[*layer.soil].curves)
+    return {[](double) { return 1.0; }, [damping](double) { return damping; }};
+  const scene::StrainCurves& curves = *scene.soils[*layer.soil].curves;
+  if (curves.whole)
+    return {curves.modulus_reduction, curves.damping};
+  return {curves.modulus_reduction,
+          [damping, masing = curves.damping](double strain) { return damping + masing(strain); }};
+}
+
+/// Incident acceleration, sampled finely enough for all its frequencies.
+std::vector<double> acceleration_of(const Signal& signal, double dt) {
+  const auto count = static_cast<std::size_t>(std::ceil((signal.end - signal.begin) / dt)) + 1;
+  std::vector<double> velocity;
+  for (std::size_t i = 0; i < count; ++i)
+    velocity.push_back(signal.velocity(std::min(signal.begin + static_cast<double>(i) * dt, signal.end)));
+  return motion::differentiate(velocity, dt);
+}
+
+} // namespace
+
+EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
+                                                   const scene::SourceProcess& source) {
+  const auto& layers = scene::layers(scene, source);
+  const LayeredHalfSpace ground = ground_from_case(scene, layers);
+  const Incidence incidence = incidence_from_case(scene);
+  const Signal signal = incident_signal(scene, ground);
+  const double dt = 0.5 / signal.highest_frequency;
+  std::vector<StrainCurves> curves;
+  for (const scene::Layer& layer : layers)
+    curves.push_back(curves_of(scene, layer));
+  return equivalent_linear(ground, curves, incidence.wave, incidence.angle_rad,
+                           {acceleration_of(signal, dt), dt},
+                           {.strain_ratio = scene.eql.strain_ratio,
+                            .tolerance = scene.eql.tolerance,
+                            .max_iterations = scene.eql.iterations,
+                            .allow_non_convergence = scene.eql.allow_unconverged});
+}
+
+LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source) {
+  const auto& layers = scene::layers(scene, source);
+  if (source.field.model != scene::SourceModel::eql)
+    return elastic_field(scene, layers, source.surface);
+  return {equivalent_linear_from_case(scene, source).profile, incidence_from_case(scene), source.surface,
+          incident_signal(scene, ground_from_case(scene, layers))};
+}
+
+std::vector<Point> points_on_line(double x, std::span<const double> levels) {
+  std::vector<Point> points;
+  points.reserve(levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const bool below = i + 1 < levels.size() && levels[i] == levels[i + 1];
+    points.push_back({x, levels[i], below ? Side::below : Side::above});
+  }
+  return points;
+}
+
+} // namespace tremolo::wavefield

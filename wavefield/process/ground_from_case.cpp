@@ -1,0 +1,114 @@
+#include "wavefield/process/ground_from_case.hpp"
+
+#include "scene/motion.hpp"
+#include "wavefield/incident_motion.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+
+namespace tremolo::wavefield {
+
+namespace {
+
+DampingModel damping_model(const scene::Damping& damping) {
+  switch (damping.model) {
+  case scene::DampingModel::kelvin_voigt:
+    return DampingModel::kelvin_voigt;
+  case scene::DampingModel::hysteretic:
+    return DampingModel::hysteretic;
+  case scene::DampingModel::shake:
+    return DampingModel::shake;
+  case scene::DampingModel::kjartansson:
+    return DampingModel::kjartansson;
+  case scene::DampingModel::none:
+  case scene::DampingModel::rayleigh: // refused by the case's rules wherever a layer is damped
+    return DampingModel::none;
+  }
+  throw std::logic_error("a damping model without a name");
+}
+
+Signal signal_of(const scene::Motion& motion) {
+  return {[motion](double t) { return motion.velocity(t); }, motion.begin(), motion.end(),
+          motion.highest_frequency()};
+}
+
+/// Outcrop motion over incident motion: a real number below the critical angle.
+double outcrop_factor(const LayeredHalfSpace& ground, const Incidence& incidence) {
+  constexpr double unit = 1.0;
+  return 1.0 /
+         incident_from_outcrop(ground, incidence.wave, incidence.angle_rad, std::span(&unit, 1)).front();
+}
+
+/// Samples of a velocity fine enough for a cubic spline between them.
+struct Sampled {
+  std::vector<double> velocity;
+  double dt = 0.0;
+};
+
+Sampled sampled(const scene::Motion& motion) {
+  constexpr double samples_per_period = 10.0;
+  Sampled samples{{}, 1.0 / (samples_per_period * motion.highest_frequency())};
+  const auto count = static_cast<std::size_t>(std::ceil((motion.end() - motion.begin()) / samples.dt)) + 1;
+  for (std::size_t i = 0; i < count; ++i)
+    samples.velocity.push_back(motion.velocity(motion.begin() + static_cast<double>(i) * samples.dt));
+  return samples;
+}
+
+} // namespace
+
+LayeredHalfSpace ground_from_case(const scene::Case& scene, const std::vector<scene::Layer>& layers) {
+  const auto& deep = scene.halfspace;
+  LayeredHalfSpace ground;
+  ground.half_space = {deep.density, deep.s_wave_speed(), deep.p_wave_speed()};
+  ground.half_space_damping = scene.halfspace_damping;
+  ground.damping = {damping_model(scene.damping), scene.damping.reference_hz.value_or(0.0)};
+  for (const scene::Layer& layer : layers)
+    ground.layers.push_back({.thickness = layer.thickness,
+                             .density = layer.elastic.density,
+                             .vs = layer.elastic.s_wave_speed(),
+                             .vp = layer.elastic.p_wave_speed(),
+                             .damping = layer.damping});
+  return ground;
+}
+
+Incidence incidence_from_case(const scene::Case& scene) {
+  return {scene.motion.wave == scene::Wave::sv ? WaveType::SV : WaveType::P,
+          scene.motion.angle_deg * std::numbers::pi / 180.0, scene.motion.reference.x,
+          scene.motion.reference.y};
+}
+
+Signal incident_signal(const scene::Case& scene, const LayeredHalfSpace& ground) {
+  const scene::Motion motion = scene::motion(scene.motion);
+  const Incidence incidence = incidence_from_case(scene);
+  switch (scene.motion.kind) {
+  case motion::MotionKind::incident:
+    return signal_of(motion);
+  case motion::MotionKind::outcrop: {
+    Signal signal = signal_of(motion);
+    signal.velocity = [motion, factor = outcrop_factor(ground, incidence)](double t) {
+      return motion.velocity(t) / factor;
+    };
+    return signal;
+  }
+  case motion::MotionKind::within: {
+    const Sampled samples = sampled(motion);
+    const auto incident =
+        incident_from_within(ground, incidence.wave, incidence.angle_rad, samples.velocity, samples.dt)
+            .incident;
+    const auto shape = scene::Motion::record(incident, samples.dt);
+    return {[shape, begin = motion.begin()](double t) { return shape.velocity(t - begin); },
+            motion.begin() + shape.begin(), motion.begin() + shape.end(), motion.highest_frequency()};
+  }
+  }
+  throw std::logic_error("a kind of motion without a name");
+}
+
+LayeredField elastic_field(const scene::Case& scene, const std::vector<scene::Layer>& layers,
+                           double surface_level) {
+  const LayeredHalfSpace ground = ground_from_case(scene, layers);
+  return {ground, incidence_from_case(scene), surface_level, incident_signal(scene, ground)};
+}
+
+} // namespace tremolo::wavefield
