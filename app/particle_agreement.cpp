@@ -184,7 +184,7 @@ std::vector<double> velocities(const results::RunReader& run, std::size_t frame,
 }
 
 ParticleAgreement compare_particles(const results::RunReader& run, const scene::Case& scene,
-                                    const wavefield::HalfSpaceField& field) {
+                                    const wavefield::LayeredField& field) {
   const scene::Box& box = scene.mesh.box;
   const double width = 0.25 * std::min(box.width(), scene.surface_level - box.y_min);
   const Particles particles = place_particles(run, scene, width);

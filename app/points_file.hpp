@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wavefield/half_space_field.hpp"
+#include "wavefield/layered_field.hpp"
 
 #include <filesystem>
 #include <string_view>

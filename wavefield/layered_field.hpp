@@ -11,6 +11,8 @@
 
 namespace tremolo::wavefield {
 
+struct FieldSetup;
+
 /// How the periodic window of the Fourier synthesis is chosen.
 struct SynthesisOptions {
   /// Length of the window over that of signal and requested times together, at least 1. Without it the window
@@ -67,6 +69,8 @@ public:
   const LayeredHalfSpace& profile() const { return profile_; }
 
 private:
+  FieldSetup setup(Part part) const;
+
   LayeredHalfSpace profile_;
   Incidence incidence_;
   double surface_level_;

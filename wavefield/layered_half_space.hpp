@@ -63,6 +63,9 @@ bool is_frequency_independent(DampingModel model);
 /// is not causal, and has tails before the arrival.
 bool is_constant_damping(DampingModel model);
 
+/// Whether any damping ratio is above zero.
+bool is_damped(const LayeredHalfSpace& profile);
+
 std::string_view name(DampingModel model);
 
 /// @throws std::invalid_argument naming layer, quantity, value and the allowed range; also where layers are

@@ -1,68 +1,46 @@
 #pragma once
 
+#include "wavefield/field_spectra.hpp"
 #include "wavefield/fourier.hpp"
-#include "wavefield/half_space_field.hpp"
-#include "wavefield/plane_waves.hpp"
-#include "wavefield/signal.hpp"
+#include "wavefield/history.hpp"
+#include "wavefield/window.hpp"
 
 #include <complex>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace tremolo::wavefield {
 
-/// The periodic time window of the Fourier synthesis: samples start + j dt. Time i of the requested grid is
-/// sample offset + i stride.
-struct Window {
-  double start = 0.0; ///< s
-  double dt = 0.0;    ///< s
-  std::size_t length = 0;
-  std::size_t offset = 0;
-  std::size_t stride = 1;
-};
-
-/// A window around the interval [begin, end] (s) with two-sided zero padding to `padding` times its length,
-/// aligned with the grid and fine enough for a signal up to the highest frequency (Hz).
-/// @throws std::invalid_argument if that needs more samples than fit in memory
-Window make_window(const TimeGrid& grid, double begin, double end, double padding, double highest_frequency);
-
-/// Fourier synthesis of histories from plane waves: what HalfSpaceField::sample does once it has chosen
-/// window and waves.
+/// Fourier synthesis of histories on one window: what LayeredField::sample does once it has chosen the
+/// window.
 class Synthesis {
 public:
-  using Spectrum = std::vector<std::complex<double>>;
+  /// @throws std::invalid_argument for a signal that is not finite
+  Synthesis(const FieldSetup& setup, const Window& window);
 
-  /// Spectra at one depth, without the delay along x. Frequency k is k / (length dt).
-  struct DepthSpectra {
-    Spectrum ux, uy, vx, vy, sxx, syy, sxy;
-  };
-
-  /// `one_sided` tells that the waves' coefficients jump to their conjugates across zero frequency, as
-  /// post-critical ones do.
-  /// @throws std::invalid_argument for a one-sided synthesis of a signal that leaves an offset of
-  /// displacement
-  Synthesis(const Signal& signal, const Window& window, std::vector<PlaneWave> waves, bool one_sided);
-
-  /// At y below the surface (y <= 0, m), all waves ahead of the signal by `advance` (s).
-  DepthSpectra at_depth(double y, double advance) const;
-
-  /// Histories at `count` times of the grid where the field is `delay` (s) behind that of the spectra.
-  History history(const DepthSpectra& spectra, double delay, std::size_t count);
+  /// Histories at the points, `count` times of the grid that the window is aligned with.
+  /// @throws std::invalid_argument if displacement is asked for and would grow without end
+  std::vector<History> sample(std::span<const Point> points, std::size_t count, const Quantities& quantities);
 
 private:
-  /// factors_k spectrum_k to samples on the whole window, left in fourier_.samples().
-  void to_time(const Spectrum& spectrum, const Spectrum& factors);
-  std::vector<double> on_grid(std::size_t count);
-  std::vector<double> displacement(const Spectrum& spectrum, const Spectrum& shift, double mean_velocity,
-                                   std::size_t count);
-  double omega(std::size_t bin) const;
+  void require_finite_displacement(const FieldSpectra& field) const;
+  History history(const FieldSpectra& field, const DepthSpectra& spectra, double delay, std::size_t count,
+                  const Quantities& quantities);
 
+  /// factors_k spectrum_k as samples at the grid's times.
+  std::vector<double> series(const Spectrum& spectrum, const Spectrum& factors, std::size_t count);
+  std::vector<double> displacement(const Spectrum& velocity, const Spectrum& shift, double delay,
+                                   double static_response, std::size_t count);
+
+  /// Bins to samples at the grid's times.
+  std::vector<double> on_grid(std::size_t count);
+
+  FieldSetup setup_;
   Window window_;
-  std::vector<PlaneWave> waves_;
-  bool one_sided_;
+  bool has_kink_;
   RealFourier fourier_;
-  Spectrum velocity_;     ///< of the signal, m/s, up to the last bin that matters
-  Spectrum displacement_; ///< of its integral, m
+  SignalSpectrum signal_;
 };
 
 } // namespace tremolo::wavefield

@@ -1,6 +1,6 @@
 #include "app/exact_velocity.hpp"
 
-#include "wavefield/half_space_field.hpp"
+#include "wavefield/layered_field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ constexpr double peak = 0.1;
 /// times, over the peak of the incident pulse.
 double largest_difference(const wavefield::Incidence& incidence) {
   const auto signal = wavefield::ricker(frequency, 0.6, peak);
-  const wavefield::HalfSpaceField field({1700.0, 95.87, 173.44}, incidence, 0.0, signal);
+  const wavefield::LayeredField field({.half_space = {1700.0, 95.87, 173.44}}, incidence, 0.0, signal);
   const std::array<double, 3> levels{-10.0, -3.3, 0.0};
   const app::ExactVelocity exact(field, levels, {-5.0, 30.0, 0.0, 1.6}, signal.highest_frequency);
 

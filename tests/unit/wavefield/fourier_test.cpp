@@ -1,5 +1,5 @@
 #include "wavefield/fourier.hpp"
-#include "wavefield/synthesis.hpp"
+#include "wavefield/window.hpp"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST(FastLength, IsTheNextEvenNumberOfSmallPrimes) {
 
 TEST(Window, HoldsGridAndSignalOnItsOwnSamples) {
   const TimeGrid grid{0.37, 0.02, 101};
-  const Window window = make_window(grid, -1.0, 3.0, 4.0, 24.0);
+  const Window window = make_window(grid, {-1.0, 3.0}, 4.0, 24.0);
   EXPECT_LE(window.dt, 1.0 / (4.0 * 24.0));
   EXPECT_NEAR(window.dt * static_cast<double>(window.stride), grid.dt, 1e-15);
   EXPECT_NEAR(window.start + static_cast<double>(window.offset) * window.dt, grid.start, 1e-12);

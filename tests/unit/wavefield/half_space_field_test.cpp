@@ -1,4 +1,4 @@
-#include "wavefield/half_space_field.hpp"
+#include "wavefield/layered_field.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ double radians(double degrees) {
   return degrees * std::numbers::pi / 180.0;
 }
 
-HalfSpaceField field(WaveType wave, double degrees) {
-  return {soil, {wave, radians(degrees), 5.0, -30.0}, surface, ricker(3.0, 0.8, 0.1)};
+LayeredField field(WaveType wave, double degrees) {
+  return {{.half_space = soil}, {wave, radians(degrees), 5.0, -30.0}, surface, ricker(3.0, 0.8, 0.1)};
 }
 
 double pulse(double t) {
@@ -39,7 +39,7 @@ double pulse_rate(double t) {
   return 0.1 * k * (4.0 * z * z * z - 6.0 * z) * std::exp(-z * z);
 }
 
-TEST(HalfSpaceField, BelowCriticalIsThreeDelayedPulses) {
+TEST(LayeredField, BelowCriticalIsThreeDelayedPulses) {
   const double degrees = 20.0;
   const Point point{31.7, -12.9};
   const TimeGrid grid{0.3, 0.013, 180};
@@ -74,7 +74,7 @@ TEST(HalfSpaceField, BelowCriticalIsThreeDelayedPulses) {
   }
 }
 
-TEST(HalfSpaceField, OfTheIncidentPartIsTheSignalAtTheReferencePoint) {
+TEST(LayeredField, OfTheIncidentPartIsTheSignalAtTheReferencePoint) {
   const Point reference{5.0, -30.0};
   const TimeGrid grid{0.0, 0.01, 160};
   for (const double degrees :
@@ -123,7 +123,7 @@ TEST_P(AnyAngle, TractionVanishesAtTheSurface) {
 }
 
 TEST_P(AnyAngle, TheFieldAtXIsTheDelayedFieldAtTheReference) {
-  const HalfSpaceField sv = field(WaveType::SV, GetParam());
+  const LayeredField sv = field(WaveType::SV, GetParam());
   const double dt = 0.01;
   // As far along x as the wave runs in 12 steps.
   const double distance = GetParam() > 0.0 ? 12.0 * dt / sv.slowness_x() : 40.0;
@@ -201,11 +201,11 @@ TEST_P(AnyAngle, SatisfiesMomentumBalanceAndHookesLaw) {
 // 33.49 degrees is the critical angle of this soil.
 INSTANTIATE_TEST_SUITE_P(Degrees, AnyAngle, ::testing::Values(0.0, 15.0, 33.0, 34.0, 40.0, 75.0));
 
-TEST(HalfSpaceField, DisplacementKeepsTheOffsetThatTheSignalLeaves) {
+TEST(LayeredField, DisplacementKeepsTheOffsetThatTheSignalLeaves) {
   // A velocity that leaves sqrt(pi)/k = 0.0886 m behind, once up and once back from the surface.
   const double k = 20.0;
   const Signal bump{[=](double t) { return std::exp(-k * k * (t - 1.0) * (t - 1.0)); }, 0.6, 1.4, 30.0};
-  const HalfSpaceField vertical(soil, {WaveType::SV, 0.0, 0.0, -30.0}, surface, bump);
+  const LayeredField vertical({.half_space = soil}, {WaveType::SV, 0.0, 0.0, -30.0}, surface, bump);
   const Point point{0.0, -30.0};
   const History h = vertical.sample({&point, 1}, {0.0, 0.01, 400})[0];
   EXPECT_NEAR(h.ux.front(), 0.0, 1e-14);
@@ -214,10 +214,10 @@ TEST(HalfSpaceField, DisplacementKeepsTheOffsetThatTheSignalLeaves) {
   EXPECT_NEAR(h.ux.back(), 2.0 * std::sqrt(std::numbers::pi) / k, 1e-13);
 }
 
-TEST(HalfSpaceField, DoesNotDependOnTheGridItIsAskedFor) {
+TEST(LayeredField, DoesNotDependOnTheGridItIsAskedFor) {
   const Point point{-8.0, -11.0};
   for (const double degrees : {15.0, 40.0}) {
-    const HalfSpaceField sv = field(WaveType::SV, degrees);
+    const LayeredField sv = field(WaveType::SV, degrees);
     const History coarse = sv.sample({&point, 1}, {0.5, 0.07, 20})[0];
     const History fine = sv.sample({&point, 1}, {-3.0, 0.0035, 1400})[0];
     for (std::size_t i = 0; i < 20; ++i) {
@@ -232,8 +232,8 @@ void expect_refused(Call call, const std::string& words) {
   EXPECT_THAT(call, ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr(words)));
 }
 
-TEST(HalfSpaceField, RefusesWhatHasNoField) {
-  const HalfSpaceField sv = field(WaveType::SV, 15.0);
+TEST(LayeredField, RefusesWhatHasNoField) {
+  const LayeredField sv = field(WaveType::SV, 15.0);
   const Point above{0.0, surface + 0.1};
   const Point below{0.0, -1.0};
   const Point nowhere{std::nan(""), -1.0};
@@ -246,33 +246,34 @@ TEST(HalfSpaceField, RefusesWhatHasNoField) {
   EXPECT_TRUE(sv.sample({}, grid).empty());
 }
 
-TEST(HalfSpaceField, RefusesSignalsItCannotCarry) {
+TEST(LayeredField, RefusesSignalsItCannotCarry) {
   const Point below{0.0, -1.0};
   const TimeGrid grid{0.0, 0.01, 10};
   const Incidence steep{WaveType::SV, radians(15.0), 0.0, 0.0};
   const Incidence shallow{WaveType::SV, radians(50.0), 0.0, 0.0};
   const Signal offset{[](double t) { return std::exp(-400.0 * (t - 1.0) * (t - 1.0)); }, 0.6, 1.4, 30.0};
   const Signal broken{[](double) { return std::nan(""); }, 0.0, 1.0, 10.0};
-  EXPECT_NO_THROW(HalfSpaceField(soil, steep, surface, offset).sample({&below, 1}, grid));
+  EXPECT_NO_THROW(LayeredField({.half_space = soil}, steep, surface, offset).sample({&below, 1}, grid));
   expect_refused(
       [&] {
-        HalfSpaceField(soil, shallow, surface, offset).sample({&below, 1}, grid);
+        LayeredField({.half_space = soil}, shallow, surface, offset).sample({&below, 1}, grid);
       },
       "remove the offset of the motion");
   expect_refused(
       [&] {
-        HalfSpaceField(soil, steep, surface, broken).sample({&below, 1}, grid);
+        LayeredField({.half_space = soil}, steep, surface, broken).sample({&below, 1}, grid);
       },
       "velocity of the signal at t = ");
-  expect_refused([&] { HalfSpaceField(soil, steep, surface, Signal{}); }, "no velocity function");
+  expect_refused([&] { LayeredField({.half_space = soil}, steep, surface, Signal{}); },
+                 "no velocity function");
   expect_refused(
       [&] {
-        HalfSpaceField(soil, steep, surface, {offset.velocity, 1.0, 1.0, 30.0});
+        LayeredField({.half_space = soil}, steep, surface, {offset.velocity, 1.0, 1.0, 30.0});
       },
       "end of the signal is 1");
   expect_refused(
       [&] {
-        HalfSpaceField(soil, steep, surface, {offset.velocity, 0.0, 1.0, 0.0});
+        LayeredField({.half_space = soil}, steep, surface, {offset.velocity, 0.0, 1.0, 0.0});
       },
       "highest frequency of the signal is 0");
   expect_refused([&] { ricker(-3.0, 1.0, 0.1); }, "Ricker frequency is -3");

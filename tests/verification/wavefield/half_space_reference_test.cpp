@@ -2,7 +2,7 @@
 // angle) against the Fourier synthesis: 7 points, 151 times, all seven quantities.
 
 #include "tests/support/reference_table.hpp"
-#include "wavefield/half_space_field.hpp"
+#include "wavefield/layered_field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST_P(HalfSpaceReference, AgreesWithTheClosedForm) {
     points.push_back({rows[row][1], rows[row][2]});
   }
   const Incidence incidence{GetParam().wave, GetParam().angle_deg * std::numbers::pi / 180.0, 0.0, -40.0};
-  const HalfSpaceField field(table_1_soil(), incidence, 0.0, ricker(3.0, 1.0, 0.1));
+  const LayeredField field({.half_space = table_1_soil()}, incidence, 0.0, ricker(3.0, 1.0, 0.1));
   const TimeGrid grid{rows[0][0], (rows[times - 1][0] - rows[0][0]) / (times - 1), times};
   const auto histories = field.sample(points, grid);
 
