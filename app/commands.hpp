@@ -16,8 +16,10 @@ struct Exit {
 inline constexpr int refused = 2;
 
 void add_check(CLI::App& app);
+void add_conform(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_docs(CLI::App& app);
+void add_motion(CLI::App& app);
 void add_plot(CLI::App& app);
 void add_wave(CLI::App& app);
 void add_verify(CLI::App& app);

@@ -14,8 +14,10 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "tremolo " TREMOLO_VERSION);
   app.require_subcommand(1);
   tremolo::app::add_check(app);
+  tremolo::app::add_conform(app);
   tremolo::app::add_explain(app);
   tremolo::app::add_docs(app);
+  tremolo::app::add_motion(app);
   tremolo::app::add_plot(app);
   tremolo::app::add_wave(app);
   tremolo::app::add_verify(app);
