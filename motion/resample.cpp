@@ -85,14 +85,14 @@ std::vector<double> resampled(std::span<const double> samples, double dt, double
 std::vector<double> shifted(std::span<const double> samples, double dt, double delay) {
   const double steps = delay / dt;
   const auto size = static_cast<double>(samples.size());
-  if (!(steps > 2.0 - size) || !(steps + size <= most_samples))
+  constexpr double rounding = 1e-6;
+  if (!(steps + size >= 2.0 - rounding) || !(steps + size <= most_samples))
     throw std::invalid_argument(
         fmt::format("a shift by {} s leaves no motion, or more than {:g} samples", delay, most_samples));
-  // Whole steps move samples as they are; a part of a step looks that far back between them.
-  constexpr double rounding = 1e-6;
+  // Whole steps move samples as they are; a part of a step looks that far on between them.
   const bool whole = std::abs(steps - std::round(steps)) < rounding;
   const double moved = whole ? std::round(steps) : std::ceil(steps);
-  const double back = whole ? 0.0 : moved - steps;
+  const double ahead = whole ? 0.0 : moved - steps;
   const auto offset = static_cast<std::ptrdiff_t>(moved);
   const auto count = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(samples.size()) + offset);
   std::vector<double> result(count, 0.0);
@@ -100,7 +100,7 @@ std::vector<double> shifted(std::span<const double> samples, double dt, double d
     const std::ptrdiff_t k = static_cast<std::ptrdiff_t>(i) - offset;
     if (k >= 0)
       result[i] = whole ? samples[static_cast<std::size_t>(k)]
-                        : interpolated(samples, std::min(static_cast<double>(k) + back, size - 1.0), 1.0);
+                        : interpolated(samples, std::min(static_cast<double>(k) + ahead, size - 1.0), 1.0);
   }
   return result;
 }

@@ -1,0 +1,29 @@
+#pragma once
+
+// What `tremolo motion` says of a motion: its measures as text, its histories and spectra as tables.
+
+#include "motion/record.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace tremolo::app {
+
+/// Quantity, unit, step and kind, then a measure a line.
+std::string motion_report(const motion::Record& record, const std::string& name);
+
+/// The warning that belongs to it, empty where the motion ends at rest.
+std::string motion_warning(const motion::Record& record);
+
+/// Columns t (s), a (m/s2), v (m/s), d (m). Every table @throws std::runtime_error where it cannot be
+/// written.
+void write_histories(const motion::Record& record, const std::filesystem::path& file);
+
+/// period (s), displacement (m), pseudo-velocity (m/s) and pseudo-acceleration (m/s2) of 200 periods from
+/// 0.01 to 10 s.
+void write_response_spectrum(const motion::Record& record, double damping, const std::filesystem::path& file);
+
+/// frequency (Hz), amplitude (m/s) of the acceleration.
+void write_fourier_spectrum(const motion::Record& record, const std::filesystem::path& file);
+
+} // namespace tremolo::app
