@@ -1,6 +1,9 @@
 #include "materials/law.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <vector>
 
 namespace tremolo::materials {
 namespace {
@@ -15,18 +18,76 @@ Overloaded(Functions...) -> Overloaded<Functions...>; // clang 14 does not deduc
 constexpr std::array mohr_coulomb_state = {StateVariable{
     "equivalent_plastic_strain", "1", "int sqrt(2/3 de:de) of the deviatoric plastic strain", 0.0}};
 
+constexpr std::size_t most_names = masing_history_size + 3 * most_iwan_elements;
+
+/// Numbered names need a place to stay.
+using Names = std::vector<std::string>;
+
+std::vector<StateVariable> masing_variables(Names& names) {
+  std::vector<StateVariable> variables = {
+      {"shear_strain", "1", "engineering shear strain since the initial state", 0.0},
+      {"dynamic_shear_stress", "Pa", "shear stress since the initial state", 0.0},
+      {"open_reversals", "1", "reversal points of loops that are still open", 0.0},
+      {"merged_innermost", "1", "1 while the innermost reversal point stands for forgotten ones", 0.0, true},
+      {"merged_loops", "1", "how often the innermost loops became one because the memory was full", 0.0}};
+  for (std::size_t i = 0; i < masing_capacity; ++i) {
+    names.push_back(fmt::format("reversal_{:02}_strain", i + 1));
+    variables.push_back({names.back(), "1", "shear strain at a reversal", 0.0, true});
+    names.push_back(fmt::format("reversal_{:02}_stress", i + 1));
+    variables.push_back({names.back(), "Pa", "dynamic shear stress at a reversal", 0.0, true});
+  }
+  return variables;
+}
+
+std::vector<StateVariable> iwan_variables(Names& names) {
+  std::vector<StateVariable> variables;
+  for (std::size_t first = 1; first <= most_iwan_elements; first += iwan_group) {
+    for (const char* component : {"xx", "yy", "xy"}) {
+      for (std::size_t k = 0; k < iwan_group; ++k) {
+        names.push_back(fmt::format("element_{:02}_s{}", first + k, component));
+        variables.push_back({names.back(), "Pa", "deviatoric stress of an Iwan element", 0.0, true});
+      }
+    }
+  }
+  return variables;
+}
+
+/// Tables made once and never changed.
+struct Tables {
+  Names names;
+  std::vector<StateVariable> masing;
+  std::vector<StateVariable> iwan;
+  Tables() {
+    names.reserve(most_names); // the views stay valid
+    masing = masing_variables(names);
+    iwan = iwan_variables(names);
+  }
+};
+
+const Tables& tables() {
+  static const Tables made;
+  return made;
+}
+
 } // namespace
 
 std::string_view name(const Law& law) {
-  return std::visit(Overloaded{[](const LinearElastic&) { return std::string_view("linear_elastic"); },
-                               [](const MohrCoulomb&) { return std::string_view("mohr_coulomb"); }},
+  using Name = std::string_view;
+  return std::visit(Overloaded{[](const LinearElastic&) { return Name("linear_elastic"); },
+                               [](const MohrCoulomb&) { return Name("mohr_coulomb"); },
+                               [](const MasingShear&) { return Name("masing_shear"); },
+                               [](const IwanShear&) { return Name("iwan_shear"); }},
                     law);
 }
 
 std::span<const StateVariable> state_variables(const Law& law) {
   using Variables = std::span<const StateVariable>;
   return std::visit(Overloaded{[](const LinearElastic&) { return Variables(); },
-                               [](const MohrCoulomb&) { return Variables(mohr_coulomb_state); }},
+                               [](const MohrCoulomb&) { return Variables(mohr_coulomb_state); },
+                               [](const MasingShear&) { return Variables(tables().masing); },
+                               [](const IwanShear& one) {
+                                 return Variables(tables().iwan).first(3 * one.elements.size());
+                               }},
                     law);
 }
 
@@ -40,7 +101,9 @@ const Elasticity& elasticity(const Law& law) {
 
 Law without_softening(const Law& law) {
   return std::visit(Overloaded{[](const LinearElastic& one) -> Law { return one; },
-                               [](const MohrCoulomb& one) -> Law { return without_softening(one); }},
+                               [](const MohrCoulomb& one) -> Law { return without_softening(one); },
+                               [](const MasingShear& one) -> Law { return LinearElastic{one.elastic}; },
+                               [](const IwanShear& one) -> Law { return LinearElastic{one.elastic}; }},
                     law);
 }
 

@@ -4,7 +4,9 @@
 // parameters; what it does are free functions on blocks of points. Choosing the law costs one branch per
 // block, not per point.
 
+#include "materials/iwan_shear.hpp"
 #include "materials/linear_elastic.hpp"
+#include "materials/masing_shear.hpp"
 #include "materials/mohr_coulomb.hpp"
 #include "materials/points.hpp"
 #include "materials/state_variable.hpp"
@@ -16,7 +18,7 @@
 
 namespace tremolo::materials {
 
-using Law = std::variant<LinearElastic, MohrCoulomb>;
+using Law = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear>;
 
 /// The name a case file uses for the law, e.g. "linear_elastic".
 std::string_view name(const Law& law);
@@ -30,7 +32,8 @@ void update(const Law& law, const Points& points);
 /// The law's elastic constants.
 const Elasticity& elasticity(const Law& law);
 
-/// The law held at its peak strength: itself if it does not soften.
+/// The law to make an initial stress with, e.g. by gravity: held at its peak strength; elastic for the
+/// hysteretic laws, whose strain is measured from the initial state; itself if it does not soften.
 Law without_softening(const Law& law);
 
 /// Refuses parameters outside their physical range.

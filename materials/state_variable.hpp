@@ -10,6 +10,8 @@ struct StateVariable {
   std::string_view unit; ///< SI, "1" for none
   std::string_view meaning;
   double initial = 0.0;
+  /// What the law remembers for itself: checkpoints keep it, frames and plots leave it out.
+  bool internal = false;
 };
 
 } // namespace tremolo::materials

@@ -37,8 +37,8 @@ std::vector<materials::StateVariable> all_state_variables(const Domain& domain) 
   std::vector<materials::StateVariable> all;
   for (const Particles& set : domain.sets)
     for (const materials::StateVariable& variable : materials::state_variables(set.law))
-      if (std::none_of(all.begin(), all.end(),
-                       [&](const auto& known) { return known.name == variable.name; }))
+      if (!variable.internal && std::none_of(all.begin(), all.end(),
+                                             [&](const auto& known) { return known.name == variable.name; }))
         all.push_back(variable);
   return all;
 }

@@ -1,0 +1,71 @@
+#pragma once
+
+// Hysteretic soil in plane strain and large deformation: Iwan's (1967, J. Appl. Mech. 34, 612-617) parallel
+// elastoplastic elements, each a von Mises body on its share of the deviatoric strain (Prevost 1977; Joyner &
+// Chen 1975, Bull. Seism. Soc. Am. 65, 1315-1336 for soil columns),
+//
+//     sigma = sigma_0 + K tr(eps) I + sum_i s_i,     s_i = 2 G_i dev(eps - eps_p,i),     sqrt(s_i : s_i / 2)
+//     <= tau_i.
+//
+// In simple shear the elements give a polygon through the backbone and obey all four extended Masing rules
+// without keeping any reversal point; in other directions they generalise both. Each s_i is rotated with the
+// material (objective_rate.hpp), then the elastic trial s_i + 2 G_i d_dev is scaled back to its radius.
+//
+// Polygon: the vertices lie a factor 1 + e above the backbone, spaced such that the sides sag as far below
+// it; the first side ends where the backbone has lost the fraction e of G0, so that sum G_i = G0 exactly.
+// With q = gamma^2 |F''|/F the sag of a side of length h in ln(gamma) is q h^2/8, hence h = sqrt(16 e/q), and
+// e follows from the number of elements. Beyond the largest strain the polygon is level: a finite strength
+// for any exponent.
+//
+// sigma_0 is the stress in which the law is started. The elements start unloaded there: an initial static
+// shear has no history, and the strength bounds the dynamic part of the stress alone.
+
+#include "materials/backbone.hpp"
+#include "materials/elasticity.hpp"
+#include "materials/points.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace tremolo::materials {
+
+/// One elastoplastic element.
+struct IwanElement {
+  double shear_modulus = 0.0; ///< G_i, Pa
+  double strength = 0.0;      ///< tau_i, largest sqrt(s:s/2), Pa
+};
+
+/// Elements come in groups of this size, which a processor moves at once.
+inline constexpr std::size_t iwan_group = 4;
+
+/// Largest number of elements that a law may have.
+inline constexpr std::size_t most_iwan_elements = 60;
+
+/// Parallel elastoplastic elements. State of a point, Pa: group after group of elements the four s_xx, the
+/// four s_yy, the four s_xy.
+struct IwanShear {
+  Elasticity elastic;                ///< at small strain; its shear modulus is the sum of the elements'
+  std::vector<IwanElement> elements; ///< in order of growing yield strain
+};
+
+/// How finely and how far the elements follow the backbone.
+struct IwanFit {
+  std::size_t elements = 20;   ///< a multiple of iwan_group
+  double largest_strain = 0.1; ///< engineering shear strain beyond which the stress stays the same
+};
+
+/// The elements that follow an MKZ backbone of modulus G0 = elastic.shear_modulus().
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+IwanShear iwan_shear(const Elasticity& elastic, double reference_strain, double beta, double exponent,
+                     const IwanFit& fit = {});
+
+/// Shear stress under monotonic simple shear from the unloaded state, Pa.
+double monotonic_stress(const IwanShear& law, double strain);
+
+/// Advances stress, element stresses and plastic work of all points by one step.
+void update(const IwanShear& law, const Points& points);
+
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+void validate(const IwanShear& law);
+
+} // namespace tremolo::materials
