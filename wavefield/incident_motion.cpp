@@ -24,9 +24,8 @@ constexpr double least_outcrop_factor = 1e-3;
 constexpr std::size_t deconvolution_padding = 4;
 
 void require_finite(std::span<const double> motion) {
-  if (motion.size() < 2) {
-    throw std::invalid_argument("a motion of " + std::to_string(motion.size()) +
-                                " samples, must be at least 2");
+  if (motion.empty()) {
+    throw std::invalid_argument("a motion without samples");
   }
   for (const double value : motion) {
     require(std::isfinite(value), "a sample of the motion", value, "finite");
@@ -50,9 +49,7 @@ void require_damped_layers(const LayeredHalfSpace& profile) {
 
 } // namespace
 
-std::vector<double> incident_from_outcrop(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
-                                          std::span<const double> motion) {
-  require_finite(motion);
+double outcrop_factor(const LayeredHalfSpace& profile, WaveType wave, double angle_rad) {
   validate(profile);
   const Incidence incidence{.wave = wave, .angle_rad = angle_rad};
   validate(incidence);
@@ -67,6 +64,13 @@ std::vector<double> incident_from_outcrop(const LayeredHalfSpace& profile, WaveT
   const double factor = wave == WaveType::SV ? bare.ux.real() : bare.uy.real();
   require(std::abs(factor) > least_outcrop_factor, component(wave) + " outcrop motion per incident motion",
           factor, "above 0.001 in magnitude, to be divided by");
+  return factor;
+}
+
+std::vector<double> incident_from_outcrop(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
+                                          std::span<const double> motion) {
+  require_finite(motion);
+  const double factor = outcrop_factor(profile, wave, angle_rad);
   std::vector<double> incident(motion.begin(), motion.end());
   for (double& value : incident) {
     value /= factor;

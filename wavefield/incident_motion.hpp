@@ -11,11 +11,14 @@ namespace tremolo::wavefield {
 // at the top of the half-space, x = 0, of any kind (acceleration, velocity, displacement: the answer is the
 // same kind), samples at 0, dt, 2 dt, ...
 
-/// Incident motion along the polarisation whose wave moves the bare outcrop of the undamped half-space as
-/// given: division by a real factor, 2 at vertical incidence.
+/// Outcrop over incident motion, a real factor: of the surface of the half-space alone, undamped; 2 at
+/// vertical incidence.
 /// @throws std::invalid_argument beyond the critical angle, where the factor is complex, and where the
 /// outcrop
 ///         hardly moves in that component
+double outcrop_factor(const LayeredHalfSpace& profile, WaveType wave, double angle_rad);
+
+/// Incident motion along the polarisation whose wave moves the outcrop as given: outcrop / outcrop_factor.
 std::vector<double> incident_from_outcrop(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
                                           std::span<const double> outcrop);
 
