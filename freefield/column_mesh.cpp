@@ -21,16 +21,30 @@ std::size_t elements_of(const Layer& layer, double max_element_size) {
 
 } // namespace
 
-ColumnMesh::Place ColumnMesh::at(double y) const {
+ColumnMesh::Place ColumnMesh::at(double y, Side side) const {
   const double base = node_y.front();
   const double surface = node_y.back();
   const double rounding = 1e-9 * (surface - base);
   require(y >= base - rounding && y <= surface + rounding, "level to sample", y,
           "within the column, " + shortest(base) + " to " + shortest(surface) + " m");
-  const double level = std::clamp(y, base, surface);
+  const double level = side == Side::above ? y + rounding : y - rounding;
   const auto above = std::upper_bound(node_y.begin() + 1, node_y.end() - 1, level);
   const auto element = static_cast<std::size_t>(above - node_y.begin()) - 1;
-  return {element, (level - node_y[element]) / length(element)};
+  return {element, std::clamp((y - node_y[element]) / length(element), 0.0, 1.0)};
+}
+
+ColumnMesh::Centres ColumnMesh::centres(const Place& place) const {
+  const std::size_t e = place.element;
+  const auto in_layer = [&](std::size_t other) {
+    return other < elements() && element_layer[other] == element_layer[e];
+  };
+  if ((place.fraction < 0.5 || !in_layer(e + 1)) && in_layer(e - 1)) {
+    return {e - 1, e, place.fraction + 0.5};
+  }
+  if (in_layer(e + 1)) {
+    return {e, e + 1, place.fraction - 0.5};
+  }
+  return {e, e, 0.0};
 }
 
 ColumnMesh mesh_profile(const Profile& profile, double max_element_size) {

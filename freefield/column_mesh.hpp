@@ -21,9 +21,22 @@ struct ColumnMesh {
     double fraction = 0.0;
   };
 
-  /// Where level y lies; a node belongs to the element above it, the surface to the last one.
-  /// @throws std::invalid_argument if y lies outside the mesh by more than rounding, 1e-9 of its height
-  Place at(double y) const;
+  enum class Side { below, above };
+
+  /// Where level y lies. A node belongs to the element on the side asked for, the surface to the last one and
+  /// the base to the first. A level within rounding of a node, 1e-9 of the height, is that node.
+  /// @throws std::invalid_argument if y lies outside the mesh by more than rounding
+  Place at(double y, Side side = Side::above) const;
+
+  /// The element centres of one layer around a place: a quantity known at centres and smooth within a layer
+  /// is (1 - weight) lower + weight upper there, to second order. Weights beyond [0, 1] extrapolate to the
+  /// layer's edges; both are the same in a layer of one element.
+  struct Centres {
+    std::size_t lower = 0;
+    std::size_t upper = 0;
+    double weight = 0.0;
+  };
+  Centres centres(const Place& place) const;
 };
 
 /// @throws std::invalid_argument if the element size is not positive or asks for more than a million elements

@@ -9,30 +9,7 @@
 namespace tremolo::freefield {
 namespace {
 
-enum class Polarisation { shear, dilation };
-
-double modulus(const materials::Elasticity& soil, Polarisation polarisation) {
-  return polarisation == Polarisation::shear ? soil.shear_modulus() : soil.p_modulus();
-}
-
-double impedance(const materials::Elasticity& soil, Polarisation polarisation) {
-  return std::sqrt(soil.density * modulus(soil, polarisation));
-}
-
-std::vector<ScalarElement> elements(const Profile& profile, const ColumnMesh& mesh, const Damping& damping,
-                                    Polarisation polarisation) {
-  std::vector<ScalarElement> elements;
-  elements.reserve(mesh.elements());
-  for (std::size_t e = 0; e < mesh.elements(); ++e) {
-    const Layer& layer = profile.layers[mesh.element_layer[e]];
-    const DampingCoefficients c = coefficients(damping, layer.damping_ratio);
-    elements.push_back(
-        {mesh.length(e), layer.soil.density, modulus(layer.soil, polarisation), c.alpha, c.beta});
-  }
-  return elements;
-}
-
-/// Checks what the mesh and the scalar columns are about to be built from.
+/// Checks what the mesh and the column are about to be built from.
 const Profile& checked(const Profile& profile, const Damping& damping) {
   validate(profile);
   const auto is_damped = [](const Layer& layer) { return layer.damping_ratio > 0.0; };
@@ -46,32 +23,37 @@ const FeColumnSettings& checked(const FeColumnSettings& settings) {
   require(settings.time_step > 0.0 && std::isfinite(settings.time_step), "time step of the column",
           settings.time_step, "positive, in s");
   require(std::isfinite(settings.start_time), "start time of the column", settings.start_time, "finite");
+  require(settings.hht_alpha >= -1.0 / 3.0 && settings.hht_alpha <= 0.0, "alpha of Hilber, Hughes and Taylor",
+          settings.hht_alpha, "in [-1/3, 0]");
+  require(settings.integrator == Integrator::newmark || settings.hht_alpha == 0.0,
+          "alpha of Hilber, Hughes and Taylor", settings.hht_alpha, "0 with central differences");
+  require(settings.newton_tolerance >= 1e-14 && settings.newton_tolerance <= 1e-2,
+          "tolerance of Newton's method", settings.newton_tolerance, "in [1e-14, 0.01]");
   return settings;
+}
+
+std::variant<LinearColumn, NonlinearColumn> march(const Profile& profile, const ColumnMesh& mesh,
+                                                  const FeColumnSettings& settings) {
+  const auto has_law = [](const Layer& layer) { return layer.law.has_value(); };
+  if (std::any_of(profile.layers.begin(), profile.layers.end(), has_law)) {
+    return NonlinearColumn(profile, mesh, settings);
+  }
+  return LinearColumn(profile, mesh, settings);
 }
 
 } // namespace
 
 double central_difference_limit(const Profile& profile, double max_element_size, const Damping& damping) {
-  const ColumnMesh mesh = mesh_profile(checked(profile, damping), max_element_size);
-  return std::min(central_difference_limit(elements(profile, mesh, damping, Polarisation::shear)),
-                  central_difference_limit(elements(profile, mesh, damping, Polarisation::dilation)));
+  return central_difference_limit(profile, mesh_profile(checked(profile, damping), max_element_size),
+                                  damping);
 }
 
 FeColumn::FeColumn(const Profile& profile, const FeColumnSettings& settings, InputVelocity input)
     : settings_(checked(settings)),
       mesh_(mesh_profile(checked(profile, settings.damping), settings.max_element_size)),
-      input_(std::move(input)),
-      shear_(elements(profile, mesh_, settings.damping, Polarisation::shear),
-             impedance(profile.half_space, Polarisation::shear), settings.time_step, settings.integrator),
-      dilation_(elements(profile, mesh_, settings.damping, Polarisation::dilation),
-                impedance(profile.half_space, Polarisation::dilation), settings.time_step,
-                settings.integrator) {
+      input_(std::move(input)), soil_(march(profile, mesh_, settings)) {
   if (!input_) {
     throw std::invalid_argument("the column has no input motion");
-  }
-  lateral_ratio_.reserve(mesh_.elements());
-  for (const std::size_t layer : mesh_.element_layer) {
-    lateral_ratio_.push_back(profile.layers[layer].soil.lame() / profile.layers[layer].soil.p_modulus());
   }
 }
 
@@ -80,10 +62,8 @@ double FeColumn::time() const {
 }
 
 void FeColumn::step() {
+  std::visit([&](auto& soil) { soil.step(input_, time()); }, soil_);
   ++steps_;
-  const Velocity incident = input_(time());
-  shear_.step(incident.x);
-  dilation_.step(incident.y);
 }
 
 void FeColumn::sample(std::span<const double> y, std::span<ColumnSample> samples) const {
@@ -92,26 +72,18 @@ void FeColumn::sample(std::span<const double> y, std::span<ColumnSample> samples
                                 ", must be that of the levels, " + std::to_string(y.size()));
   }
   for (std::size_t i = 0; i < y.size(); ++i) {
-    const auto [element, fraction] = mesh_.at(y[i]);
-    const ScalarSample x = shear_.sample(element, fraction);
-    const ScalarSample v = dilation_.sample(element, fraction);
-    samples[i] = {.vx = x.velocity,
-                  .vy = v.velocity,
-                  .sxx = lateral_ratio_[element] * v.traction,
-                  .syy = v.traction,
-                  .sxy = x.traction,
-                  .vx_rate = x.acceleration,
-                  .vy_rate = v.acceleration,
-                  .sxx_rate = lateral_ratio_[element] * v.traction_rate,
-                  .syy_rate = v.traction_rate,
-                  .sxy_rate = x.traction_rate};
+    const auto side = from_below(y, i) ? ColumnMesh::Side::below : ColumnMesh::Side::above;
+    const ColumnMesh::Place place = mesh_.at(y[i], side);
+    samples[i] = std::visit([&](const auto& soil) { return soil.sample(place); }, soil_);
   }
 }
 
 ColumnEnergy FeColumn::energy() const {
-  const ColumnEnergy x = shear_.energy();
-  const ColumnEnergy y = dilation_.energy();
-  return {x.kinetic + y.kinetic, x.strain + y.strain, x.damping + y.damping, x.base_work + y.base_work};
+  return std::visit([](const auto& soil) { return soil.energy(); }, soil_);
+}
+
+NewtonCounts FeColumn::counts() const {
+  return std::visit([](const auto& soil) { return soil.counts(); }, soil_);
 }
 
 } // namespace tremolo::freefield

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "freefield/base_motion.hpp"
+
 #include <cstddef>
 #include <vector>
 
@@ -7,15 +9,30 @@ namespace tremolo::freefield {
 
 enum class Integrator {
   central_difference, ///< explicit; refuses a step over the stability limit
-  newmark             ///< average acceleration (1/4, 1/2): implicit, unconditionally stable, factored once
+  newmark             ///< average acceleration (1/4, 1/2) or its form with numerical damping: implicit,
+                      ///< unconditionally stable for linear soil
+};
+
+/// The parameters of Newmark's family after Hilber, Hughes and Taylor (1977), Earthq. Eng. Struct. Dyn. 5,
+/// 283-292; alpha = 0 is average acceleration.
+struct HhtParameters {
+  double alpha = 0.0; ///< in [-1/3, 0]
+  double beta = 0.25;
+  double gamma = 0.5;
+
+  static HhtParameters from_alpha(double alpha) {
+    return {alpha, 0.25 * (1.0 - alpha) * (1.0 - alpha), 0.5 - alpha};
+  }
 };
 
 /// Energies of a column since the start, J per m2 of plan area. Balance: base_work = kinetic + strain +
-/// damping.
+/// plastic + damping; with Hilber, Hughes and Taylor's alpha below 0 what is missing on the right is the
+/// integrator's own dissipation.
 struct ColumnEnergy {
   double kinetic = 0.0;
-  double strain = 0.0;
-  double damping = 0.0;   ///< dissipated in the soil
+  double strain = 0.0;    ///< elastic
+  double plastic = 0.0;   ///< taken by the soil's hysteresis
+  double damping = 0.0;   ///< dissipated by the soil's small-strain damping
   double base_work = 0.0; ///< work of the traction on the base
 };
 
@@ -34,53 +51,73 @@ struct ScalarSample {
   double acceleration = 0.0;  ///< m/s2
   double traction = 0.0;      ///< Pa, on a face with normal +y
   double traction_rate = 0.0; ///< Pa/s
+  double displacement = 0.0;  ///< m
 };
 
-/// One polarisation of a free-field column in linear elements with lumped mass, free at the top, on a dashpot
-/// at the base that carries the incident wave. Starts at rest.
+/// How a column of scalar waves is marched and held.
+struct ScalarSettings {
+  BaseKind base = BaseKind::compliant;
+  double base_impedance = 0.0; ///< rho c of the half-space, Pa s/m; of a compliant base
+  double time_step = 0.0;      ///< s
+  Integrator integrator = Integrator::newmark;
+  double hht_alpha = 0.0; ///< in [-1/3, 0]
+};
+
+/// One polarisation of a free-field column in linear elements with lumped mass, free at the top, at the base
+/// on a dashpot that carries the incident wave or moved by the motion prescribed. Starts at rest.
 class ScalarColumn {
 public:
-  /// Elements from the base to the surface; `base_impedance` is rho c of the half-space, Pa s/m.
+  /// Elements from the base to the surface.
   /// @throws std::invalid_argument for central differences with a step not below their stability limit
-  ScalarColumn(std::vector<ScalarElement> elements, double base_impedance, double time_step,
-               Integrator integrator);
+  ScalarColumn(std::vector<ScalarElement> elements, const ScalarSettings& settings);
 
-  /// Advances one step; `incident_velocity` (m/s) is that of the upgoing wave at the base at the step's end.
+  /// Advances one step; `base` is the input motion at the step's end.
   /// @throws std::runtime_error if the motion is no longer finite
-  void step(double incident_velocity);
+  void step(const BaseComponent& base);
 
   /// The element's state at a fraction in [0, 1] of its length from its lower node.
   ScalarSample sample(std::size_t element, double fraction) const;
+
+  /// Strain at an element's centre.
+  double strain(std::size_t element) const;
 
   ColumnEnergy energy() const;
 
 private:
   using Vector = std::vector<double>; ///< one value a node, from the base up
 
-  void step_central_difference(double incident_velocity);
-  void step_newmark(double incident_velocity);
+  void step_central_difference();
+  void step_newmark();
   void factor_newmark();
   void solve_newmark(Vector& right_hand_side) const;
-  /// K u + beta K v, with which the elements resist at the nodes, Pa.
-  Vector internal_forces(const Vector& u, const Vector& v) const;
-  double base_traction() const { return impedance_ * (2.0 * incident_ - v_[0]); }
-  void account(const Vector& v_before, double base_traction_before);
+  /// K u + beta K v + c v - f: what the soil, the dashpots and the half-space resist with, Pa.
+  Vector resistance(const Vector& u, const Vector& v, const Vector& dashpot_velocity) const;
+  double element_stress(std::size_t element, const Vector& u, const Vector& v) const;
+  bool rigid() const { return settings_.base == BaseKind::rigid; }
+  void hold_base();
+  double base_traction() const { return settings_.base_impedance * (2.0 * base_.velocity - v_[0]); }
+  void account(const Vector& u_before, const Vector& v_before, double resistance_before);
 
   std::vector<ScalarElement> elements_;
-  double impedance_;
-  double dt_;
-  Integrator integrator_;
+  ScalarSettings settings_;
+  HhtParameters hht_;
   Vector mass_;                           ///< kg/m2
   Vector dashpots_;                       ///< mass-proportional damping, and the base's impedance, Pa s/m
   Vector factor_below_, factor_diagonal_; ///< L D L^T of the Newmark matrix: L's subdiagonal, D
   Vector u_, v_, a_;                      ///< m, m/s, m/s2
-  Vector jerk_;                           ///< backward difference of a_, m/s3
+  Vector motion_acceleration_;            ///< of the equation of motion at the step's end, m/s2
+  Vector jerk_;                           ///< backward difference of it, m/s3
+  Vector resistance_;                     ///< at the step's end, Pa
   Vector stress_velocity_; ///< that the damping stress of the elements takes: v_, or its extrapolation, m/s
-  double incident_ = 0.0;  ///< m/s
-  ColumnEnergy spent_;     ///< work and dissipation so far
+  BaseComponent base_;
+  double base_traction_ = 0.0; ///< of the half-space at the step's end, Pa
+  ColumnEnergy spent_;         ///< work and dissipation so far
 };
 
 /// The largest stable step of central differences, s (derived in scalar_column.cpp).
 double central_difference_limit(const std::vector<ScalarElement>& elements);
+
+/// @throws std::invalid_argument stating the limit unless the step is below it
+void require_stable(double time_step, double limit);
 
 } // namespace tremolo::freefield
