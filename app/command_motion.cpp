@@ -67,15 +67,16 @@ Named made(const motion::SynthesisRecipe& recipe, const std::string& name, const
   auto result = motion::synthesise(recipe);
   const auto& m = result.measures;
   const auto& [filter, envelope] = std::pair(result.recipe.filter, result.recipe.envelope);
-  fmt::print(
-      "{}: {} steps; filter frequency {:.4f} Hz, high_pass {:.4f} Hz, envelope time {:.4f} s, burst {:.4f}\n",
-      name, result.iterations, filter.frequency, filter.high_pass, envelope.time, envelope.burst);
+  fmt::print("{}: seed {}, {} steps; filter frequency {:.4f} Hz, high_pass {:.4f} Hz, envelope time {:.4f} "
+             "s, burst {:.4f}\n",
+             name, result.recipe.seed, result.steps, filter.frequency, filter.high_pass, envelope.time,
+             envelope.burst);
   return {std::move(result.record),
           name,
           {title.empty() ? "SYNTHETIC MOTION" : title,
            fmt::format("Seed {}: PGA {:.4f} g, PGV {:.4f} m/s, Arias {:.4f} m/s, D5-95 {:.2f} s, Tm {:.4f} s",
-                       recipe.seed, m.pga / motion::standard_gravity, m.pgv, m.arias, m.significant_duration,
-                       m.mean_period)}};
+                       result.recipe.seed, m.pga / motion::standard_gravity, m.pgv, m.arias,
+                       m.significant_duration, m.mean_period)}};
 }
 
 Named made(const motion::PulseRecipe& recipe, const std::string& name, const std::string& title) {

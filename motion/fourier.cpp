@@ -19,6 +19,18 @@ std::unique_ptr<T, void (*)(T*)> owned(T* pointer, void (*release)(T*)) {
 
 } // namespace
 
+std::size_t fast_length(std::size_t n) {
+  const auto is_fast = [](std::size_t length) {
+    for (const std::size_t factor : {2U, 3U, 5U})
+      while (length % factor == 0)
+        length /= factor;
+    return length == 1;
+  };
+  while (!is_fast(n))
+    ++n;
+  return n;
+}
+
 // GSL packs the transform of a real sequence as r0, r1, i1, r2, i2, ...; even lengths end with r(n/2).
 std::vector<std::complex<double>> transform(std::span<const double> samples) {
   const std::size_t n = samples.size();

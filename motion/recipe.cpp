@@ -39,6 +39,10 @@ public:
     return *value;
   }
 
+  std::int64_t whole(const char* key, std::int64_t most, std::int64_t otherwise) {
+    return has(key) ? whole(key, most) : otherwise;
+  }
+
   std::string text(const char* key) {
     const auto value = node(key).value_exact<std::string>();
     if (!value)
@@ -183,12 +187,15 @@ Recipe recipe(Keys keys) {
     result.what = made;
   } else {
     constexpr std::int64_t most_seed = 4294967295;
-    result.what = SynthesisRecipe{.seed = static_cast<std::uint32_t>(keys.whole("seed", most_seed)),
-                                  .dt = dt,
-                                  .count = count,
-                                  .target = target(keys.table("target")),
-                                  .filter = filter(keys.table("filter")),
-                                  .envelope = envelope(keys.table("envelope"))};
+    constexpr std::int64_t most_seeds = 100000;
+    result.what =
+        SynthesisRecipe{.seed = static_cast<std::uint32_t>(keys.whole("seed", most_seed)),
+                        .seeds = static_cast<int>(keys.whole("seeds", most_seeds, SynthesisRecipe{}.seeds)),
+                        .dt = dt,
+                        .count = count,
+                        .target = target(keys.table("target")),
+                        .filter = filter(keys.table("filter")),
+                        .envelope = envelope(keys.table("envelope"))};
   }
   keys.finish();
   return result;

@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -94,7 +93,7 @@ std::vector<double> spaced_periods(double first, double last, std::size_t count)
 }
 
 std::vector<FourierAmplitude> fourier_spectrum(std::span<const double> samples, double dt) {
-  const std::size_t n = std::bit_ceil(samples.size());
+  const std::size_t n = fast_length(samples.size());
   std::vector<double> padded(samples.begin(), samples.end());
   padded.resize(n, 0.0);
   const auto bins = transform(padded);

@@ -32,8 +32,8 @@ struct FourierAmplitude {
   double amplitude = 0.0; ///< |int a exp(-i w t) dt|, in the unit of the samples times s
 };
 
-/// From 0 to the Nyquist frequency; the samples are padded with zeros to a power of two, which only samples
-/// the same spectrum more finely.
+/// From 0 to the Nyquist frequency; the samples are padded with zeros to the next length of which 2, 3 and
+/// 5 are the only factors.
 std::vector<FourierAmplitude> fourier_spectrum(std::span<const double> samples, double dt);
 
 } // namespace tremolo::motion

@@ -54,8 +54,9 @@ struct SynthesisEnvelope {
 };
 
 struct SynthesisRecipe {
-  std::uint32_t seed = 0;
-  double dt = 0.0; ///< s
+  std::uint32_t seed = 0; ///< the first that is tried
+  int seeds = 100;        ///< that are tried
+  double dt = 0.0;        ///< s
   std::size_t count = 0;
   SynthesisTarget target;
   SynthesisFilter filter;
@@ -64,9 +65,9 @@ struct SynthesisRecipe {
 
 struct Synthesised {
   Record record;          ///< acceleration in g, rounded to 1e-10
-  SynthesisRecipe recipe; ///< with the filter and envelope that were found
+  SynthesisRecipe recipe; ///< with the seed, filter and envelope that were found
   Measures measures;
-  int iterations = 0;
+  int steps = 0; ///< of the search, 0 where the recipe itself meets the target
 };
 
 /// @throws std::invalid_argument for a recipe out of range, std::runtime_error naming the measure that cannot

@@ -26,8 +26,6 @@ def _draw_histories(axes, series):
         ax.axhline(0.0, color="0.6", linewidth=0.5, zorder=0)
         ax.set_ylabel(label)
         ax.set_xlim(series["t"][0], series["t"][-1])
-        if quantity != "d":
-            ax.tick_params(labelbottom=False)
     axes["d"].set_xlabel("t (s)")
 
 
@@ -48,13 +46,13 @@ def _draw_fourier(ax, spectrum):
 def picture(folder, path, title, damping):
     """Draws histories.csv, response.csv and fourier.csv of the folder; returns the path of the picture."""
     folder = Path(folder)
-    figure, axes = style.plt.subplot_mosaic(
-        [["a", "response"]] * 3 + [["v", "response"]] * 1 + [["v", "fourier"]] * 2 + [["d", "fourier"]] * 2,
-        figsize=(9.0, 5.0), layout="constrained", width_ratios=[1.7, 1.0],
-    )
+    figure = style.plt.figure(figsize=(9.0, 5.0), layout="constrained")
+    left, right = figure.subfigures(1, 2, width_ratios=[1.6, 1.0])
+    axes = dict(zip(HISTORIES, left.subplots(len(HISTORIES), 1, sharex=True)))
+    response, fourier = right.subplots(2, 1)
     _draw_histories(axes, _table(folder / "histories.csv"))
-    _draw_response(axes["response"], _table(folder / "response.csv"), damping)
-    _draw_fourier(axes["fourier"], _table(folder / "fourier.csv"))
+    _draw_response(response, _table(folder / "response.csv"), damping)
+    _draw_fourier(fourier, _table(folder / "fourier.csv"))
     figure.suptitle(title, fontsize=10)
     path = Path(path)
     return style.save(figure, path.parent, path.name)

@@ -143,6 +143,12 @@ TEST(FourierSpectrum, OfARickerPulseIsTheClosedForm) {
         << f;
 }
 
+TEST(Fourier, FastLengthsHaveSmallFactors) {
+  EXPECT_EQ(fast_length(2000), 2000U);
+  EXPECT_EQ(fast_length(2001), 2025U);
+  EXPECT_EQ(fast_length(7), 8U);
+}
+
 TEST(Fourier, TransformOfAnyLengthAndBack) {
   for (const std::size_t n : {1U, 2U, 7U, 12U, 125U}) {
     std::vector<double> x(n);
