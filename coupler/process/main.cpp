@@ -55,11 +55,13 @@ void require_cover(const coupler::FieldDescription& field, const scene::Case& sc
   const Range recorded_times{field.start_time, field.end_time()};
   if (covers(recorded_levels, levels, 1e-6) && covers(recorded_times, times, 1e-6 * field.time_step))
     return;
-  throw std::invalid_argument(fmt::format(
-      "{}: field '{}' is recorded from y = {} to {} m and from {} to {} s, but the case asks for y "
-      "= {} to {} m and {} to {} s",
-      file, field.name, recorded_levels.first, recorded_levels.last, recorded_times.first,
-      recorded_times.last, levels.first, levels.last, times.first, times.last));
+  const auto text = [](const Range& y, const Range& t) {
+    return fmt::format("from y = {:.9g} to {:.9g} m and from {:.9g} to {:.9g} s", y.first, y.last, t.first,
+                       t.last);
+  };
+  throw std::invalid_argument(fmt::format("{}: field '{}' is recorded {}, but the case asks for it {}", file,
+                                          field.name, text(recorded_levels, recorded_times),
+                                          text(levels, times)));
 }
 
 void run(const coupler::ParticipantOptions& options, const std::string& file) {

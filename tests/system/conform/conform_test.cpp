@@ -36,15 +36,16 @@ TEST(Conform, TemplatePassesEveryCheck) {
   const auto [status, text] = conform(MY_FIELD);
   EXPECT_EQ(status, 0) << text;
   EXPECT_THAT(text, HasSubstr("14 passed, 0 warned, 0 failed, 0 not reached"));
-  EXPECT_THAT(text, HasSubstr("rho = 17")); // 1700 kg/m3, found from its values alone, to the levels' spacing
+  // The case's density, found from the values alone, but for central differences over levels 0.5 m apart: (k
+  // h)^2/6 is 1 % at 8 Hz.
+  const std::string before = "rho = ";
+  EXPECT_NEAR(std::stod(text.substr(text.find(before) + before.size())), 1700.0, 17.0);
 }
 
-TEST(Conform, ProgramsOfTremoloPass) {
-  for (const char* program : {"tremolo-wave"}) {
-    const auto [status, text] = conform(fmt::format("{}/{}", TREMOLO_BIN_DIR, program));
-    EXPECT_EQ(status, 0) << text;
-    EXPECT_THAT(text, HasSubstr("14 passed")) << text;
-  }
+TEST(Conform, TremoloWavePasses) {
+  const auto [status, text] = conform(TREMOLO_BIN_DIR "/tremolo-wave");
+  EXPECT_EQ(status, 0) << text;
+  EXPECT_THAT(text, HasSubstr("14 passed"));
 }
 
 class Fault : public testing::TestWithParam<std::pair<std::string, std::string>> {};
@@ -65,6 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Faults, Fault,
                                          std::pair("late", "quiet start"), std::pair("shallow", "points"),
                                          std::pair("short", "times"), std::pair("role", "handshake"),
                                          std::pair("deaf", "ends after BYE"),
+                                         std::pair("stubborn", "ends on ABORT"),
                                          std::pair("orphan", "ends without hub")),
                          [](const auto& fault) {
                            std::string name = fault.param.first;

@@ -11,7 +11,9 @@
 //     shallow        levels that end above the base
 //     short          a time grid that ends too early
 //     role           says that it is a domain
-//     deaf           stays when it is told to end
+//     deaf           stays after BYE
+//     stubborn       stays on ABORT
+//     stubborn       stays on ABORT
 //     orphan         stays when the hub is gone
 //
 // It speaks the protocol by hand, since SourceClient would not let most of this out of the house.
@@ -156,8 +158,13 @@ int main(int argc, char** argv) {
                             try {
                               Source(options, misdeed).serve();
                             } catch (const Aborted&) {
-                              if (misdeed == "deaf")
+                              if (misdeed == "stubborn")
                                 stay();
+                              throw;
+                            } catch (const Error&) {
+                              if (misdeed == "orphan")
+                                stay();
+                              throw;
                             }
                           },
                           {{"misdeed", "what is wrong", misdeed}});

@@ -164,12 +164,14 @@ TEST_F(Recording, TooShallowOrTooShortIsRefusedWithBothRanges) {
   write({field("total", {-9.0, 0.0}), field("incident", {-10.0})});
   EXPECT_THAT(refusal(),
               AllOf(HasSubstr("field 'total' is recorded from y = -9 to 0 m and from -0.013 to 0.587 s"),
-                    HasSubstr("the case asks for y = -10 to 0 m and 0 to 0.5 s")));
+                    HasSubstr("the case asks for it from y = -10 to 0 m and from 0 to 0.5 s")));
   auto late = field("total", {-10.0, 0.0});
   late.start_time = 0.1;
   values_.clear();
   write({late, field("incident", {-10.0})});
-  EXPECT_THAT(refusal(), HasSubstr("from 0.1 to 0.7 s, but the case asks for y = -10 to 0 m and 0 to 0.5 s"));
+  EXPECT_THAT(
+      refusal(),
+      HasSubstr("from 0.1 to 0.7 s, but the case asks for it from y = -10 to 0 m and from 0 to 0.5 s"));
 }
 
 TEST_F(Recording, MissingFieldIsNamed) {
