@@ -1,0 +1,169 @@
+// Whatever is done to a file of a motion, reading it gives a sound motion or refuses it in one line that
+// names the file: it never crashes, hangs, lets another exception out or takes memory without bound.
+// Mutations are drawn from a seeded generator; a failure prints the text.
+
+#include "motion/read.hpp"
+#include "motion/recipe.hpp"
+#include "motion/write.hpp"
+#include "tests/support/hdf5_motion.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+namespace tremolo::motion {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::array tokens = {
+    "nan"sv,   "-inf"sv, "1e308"sv, "-1"sv,       "0"sv,         "1e-300"sv,  "99999999999999999999"sv,
+    "NPTS="sv, "DT="sv,  "UNITS"sv, "CM/S/S"sv,   "VELOCITY"sv,  "within"sv,  "1.0D+5"sv,
+    ","sv,     ";"sv,    "\n"sv,    "\r\r\n"sv,   "#"sv,         "\xff"sv,    "\0"sv,
+    "\t"sv,    "t,a"sv,  "0.02"sv,  "20000000"sv, "[pulse]\n"sv, "= [1, 2"sv, "\""sv};
+
+class Mutator {
+public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::string operator()(std::string text) {
+    for (std::size_t n = 1 + below(4); n > 0; --n)
+      mutate(text);
+    return text;
+  }
+
+  /// Bytes changed, cut or repeated: what happens to binary files.
+  std::string binary(std::string bytes) {
+    for (std::size_t n = 1 + below(8); n > 0; --n)
+      bytes[below(bytes.size())] = static_cast<char>(below(256));
+    if (below(8) == 0)
+      bytes.resize(below(bytes.size()));
+    return bytes;
+  }
+
+private:
+  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+
+  void mutate(std::string& text) {
+    const std::size_t at = below(text.size() + 1);
+    const std::size_t length = std::min(text.size() - at, below(30));
+    switch (below(5)) {
+    case 0:
+      text.erase(at, length);
+      break;
+    case 1:
+      text.insert(at, tokens[below(tokens.size())]);
+      break;
+    case 2:
+      text.insert(below(text.size() + 1), text.substr(at, length));
+      break;
+    case 3:
+      if (at < text.size())
+        text[at] = static_cast<char>(below(256));
+      break;
+    default:
+      text.replace(at, length, tokens[below(tokens.size())]);
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+struct Tally {
+  std::size_t read = 0;
+  std::size_t refused = 0;
+};
+
+/// One reading; `input` is printed where anything but a motion or a clear refusal comes out.
+template <class Read>
+void attempt(Read&& read, const std::string& input, Tally& tally) {
+  try {
+    read();
+    ++tally.read;
+  } catch (const RecordError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("x."), std::string::npos) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    ++tally.refused;
+  } catch (const std::exception& error) {
+    FAIL() << error.what() << "\n" << input;
+  }
+}
+
+struct Format {
+  const char* file;
+  const char* text;
+};
+
+class TextFuzz : public ::testing::TestWithParam<Format> {};
+
+TEST_P(TextFuzz, MutationsAreReadOrRefused) {
+  Mutator mutate(42);
+  Tally tally;
+  for (int i = 0; i < 10000; ++i) {
+    const std::string text = mutate(GetParam().text);
+    attempt(
+        [&] {
+          std::istringstream stream(text);
+          require_sound(parse_record(stream, GetParam().file));
+        },
+        text, tally);
+  }
+  EXPECT_GT(tally.read, 300U); // the generator reaches both outcomes
+  EXPECT_GT(tally.refused, 300U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Formats, TextFuzz,
+    ::testing::Values(
+        Format{"x.AT2", "A RECORD\nACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.2 Hz\n"
+                        "NPTS=   8, DT=   .0200 SEC\n .1E-01 -.2 0.3 .4\n .1E-01 -.2 0.3 .4\n"},
+        Format{"x.txt", "A RECORD\nVELOCITY TIME SERIES IN UNITS OF CM/S, OUTCROP\n"
+                        "8    0.0100    NPTS, DT\n .1E-01 -.2 0.3 .4\n .1E-01 -.2 0.3 .4\n"},
+        Format{"x.csv",
+               "# made by hand\ntime (s),acceleration (m/s2) within\n0,1e-3\n0.01,-2\n0.02,3\n0.03,4\n"}));
+
+TEST(RecipeFuzz, MutationsAreReadOrRefused) {
+  const std::string original =
+      "title = \"a\"\nkind = \"incident\"\ndt = 0.01\nsamples = 400\n[pulse]\nshape = "
+      "\"ormsby\"\nunit = \"g\"\namplitude = 1\ntime = 1\ncorners = [1, 2, 3, 4.0]\n";
+  const testing::TemporaryFolder folder;
+  Mutator mutate(7);
+  Tally tally;
+  for (int i = 0; i < 3000; ++i) {
+    const std::string text = mutate(original);
+    const auto file = folder.write("x.toml", text);
+    attempt([&] { read_recipe(file); }, text, tally);
+  }
+  EXPECT_GT(tally.read, 100U);
+  EXPECT_GT(tally.refused, 100U);
+}
+
+TEST(Hdf5Fuzz, MutationsAreReadOrRefused) {
+  const testing::TemporaryFolder folder;
+  const auto original_file = folder / "original.h5";
+  testing::write_hdf5(original_file, {.samples = std::vector<double>(20, 0.25),
+                                      .dt = 0.01,
+                                      .texts = {{"unit", "g"}, {"kind", "within"}},
+                                      .variable_length = false});
+  std::ifstream stream(original_file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  Mutator mutate(3);
+  Tally tally;
+  for (int i = 0; i < 3000; ++i) {
+    const auto file = folder.write("x.h5", mutate.binary(bytes.str()));
+    attempt([&] { require_sound(read_record(file)); }, "mutation " + std::to_string(i), tally);
+  }
+  EXPECT_GT(tally.read, 100U);
+  EXPECT_GT(tally.refused, 100U);
+}
+
+} // namespace
+} // namespace tremolo::motion
