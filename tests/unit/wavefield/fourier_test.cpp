@@ -1,5 +1,4 @@
 #include "wavefield/fourier.hpp"
-#include "wavefield/window.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,18 +42,6 @@ TEST(FastLength, IsTheNextEvenNumberOfSmallPrimes) {
   EXPECT_EQ(fast_length(1000), 1000U);
   EXPECT_EQ(fast_length(1001), 1024U);
   EXPECT_EQ(fast_length(15), 16U); // 15 itself is odd
-}
-
-TEST(Window, HoldsGridAndSignalOnItsOwnSamples) {
-  const TimeGrid grid{0.37, 0.02, 101};
-  const Window window = make_window(grid, {-1.0, 3.0}, 4.0, 24.0);
-  EXPECT_LE(window.dt, 1.0 / (4.0 * 24.0));
-  EXPECT_NEAR(window.dt * static_cast<double>(window.stride), grid.dt, 1e-15);
-  EXPECT_NEAR(window.start + static_cast<double>(window.offset) * window.dt, grid.start, 1e-12);
-  EXPECT_LT(window.offset + 100 * window.stride, window.length);
-  EXPECT_GE(static_cast<double>(window.length) * window.dt, 16.0);
-  EXPECT_LT(window.start, -1.0 - 5.9); // padding on both sides
-  EXPECT_GT(window.start + static_cast<double>(window.length) * window.dt, 3.0 + 5.9);
 }
 
 } // namespace
