@@ -4,13 +4,16 @@
 #include "freefield/profile.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace tremolo::freefield {
 
+class OdePolarisation;
+
 /// What integrates the column's ordinary differential equations in time (SUNDIALS).
 enum class OdeMethod {
-  adams,                ///< CVODE, Adams-Moulton of order 1 to 12 with functional iteration: not stiff
-  bdf,                  ///< CVODE, backward differentiation of order 1 to 5, Newton with banded matrices: stiff
+  adams, ///< CVODE, Adams-Moulton of order 1 to 12 with functional iteration: not stiff
+  bdf,   ///< CVODE, backward differentiation of order 1 to 5, Newton with banded matrices: stiff
   explicit_runge_kutta, ///< ARKODE, explicit, order 4: not stiff
   imex                  ///< ARKODE, additive Runge-Kutta of order 4: stiffness-proportional damping implicit
 };
@@ -61,11 +64,9 @@ public:
   OdeStatistics statistics() const;
 
 private:
-  class Polarisation;
-
   OdeColumnSettings settings_;
-  std::unique_ptr<Polarisation> shear_;
-  std::unique_ptr<Polarisation> dilation_;
+  std::unique_ptr<OdePolarisation> shear_;
+  std::unique_ptr<OdePolarisation> dilation_;
   std::vector<double> lateral_ratio_; ///< lambda/M, one a layer
   long steps_ = 0;
 };
