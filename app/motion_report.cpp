@@ -21,10 +21,6 @@ motion::Record acceleration_of(const motion::Record& record) {
   return motion::with_unit(record, motion::Unit::m_s2);
 }
 
-motion::Measures measures_of(const motion::Record& record) {
-  return motion::measures(acceleration_of(record).samples, record.dt);
-}
-
 void write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
   stream << text;
@@ -36,7 +32,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 } // namespace
 
 std::string motion_report(const motion::Record& record, const std::string& name) {
-  const auto m = measures_of(record);
+  const auto m = motion::measures(record);
   const std::size_t count = record.samples.size();
   std::string text =
       fmt::format("{}: {} in {}, {} samples every {} s ({:g} s), {}\n", name, motion::name(record.quantity()),
@@ -59,7 +55,7 @@ std::string motion_report(const motion::Record& record, const std::string& name)
 }
 
 std::string motion_warning(const motion::Record& record) {
-  return motion::residual_warning(measures_of(record)).value_or("");
+  return motion::residual_warning(motion::measures(record)).value_or("");
 }
 
 void write_histories(const motion::Record& record, const std::filesystem::path& file) {

@@ -41,31 +41,40 @@ double mean_period(std::span<const double> acceleration, double dt) {
   return power > 0.0 ? power_over_frequency / power : 0.0;
 }
 
+Measures measures_of(std::span<const double> a, std::span<const double> v, std::span<const double> d,
+                     double dt) {
+  std::vector<double> squares(a.begin(), a.end());
+  for (double& square : squares)
+    square *= std::numbers::pi / (2.0 * standard_gravity) * square;
+  std::vector<double> absolute(a.begin(), a.end());
+  for (double& value : absolute)
+    value = std::abs(value);
+  const auto intensity = integrate(squares, dt);
+  const double arias = intensity.back();
+  return {.pga = peak(a),
+          .pgv = peak(v),
+          .pgd = peak(d),
+          .arias = arias,
+          .significant_duration = time_of(intensity, dt, 0.95 * arias) - time_of(intensity, dt, 0.05 * arias),
+          .cav = integrate(absolute, dt).back(),
+          .mean_period = mean_period(a, dt),
+          .residual_velocity = v.back(),
+          .residual_displacement = d.back()};
+}
+
 } // namespace
 
 Measures measures(std::span<const double> acceleration, double dt) {
   if (acceleration.size() < 2 || !(dt > 0.0))
     throw std::invalid_argument(fmt::format(
         "a record needs at least 2 samples and dt > 0, has {} and dt = {}", acceleration.size(), dt));
-  std::vector<double> squares(acceleration.begin(), acceleration.end());
-  for (double& a : squares)
-    a *= std::numbers::pi / (2.0 * standard_gravity) * a;
-  std::vector<double> absolute(acceleration.begin(), acceleration.end());
-  for (double& a : absolute)
-    a = std::abs(a);
-  const auto intensity = integrate(squares, dt);
-  const double arias = intensity.back();
   const auto velocity = integrate(acceleration, dt);
-  const auto displacement = integrate(velocity, dt);
-  return {.pga = peak(acceleration),
-          .pgv = peak(velocity),
-          .pgd = peak(displacement),
-          .arias = arias,
-          .significant_duration = time_of(intensity, dt, 0.95 * arias) - time_of(intensity, dt, 0.05 * arias),
-          .cav = integrate(absolute, dt).back(),
-          .mean_period = mean_period(acceleration, dt),
-          .residual_velocity = velocity.back(),
-          .residual_displacement = displacement.back()};
+  return measures_of(acceleration, velocity, integrate(velocity, dt), dt);
+}
+
+Measures measures(const Record& record) {
+  return measures_of(with_unit(record, Unit::m_s2).samples, with_unit(record, Unit::m_s).samples,
+                     with_unit(record, Unit::m).samples, record.dt);
 }
 
 std::optional<std::string> residual_warning(const Measures& measures) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "motion/record.hpp"
+
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +20,9 @@ struct Measures {
   double residual_velocity = 0.0; ///< at the last sample, m/s
   double residual_displacement = 0.0; ///< m
 };
+
+/// Of a record of any quantity; the others follow by integration or slope (with_unit).
+Measures measures(const Record& record);
 
 /// Velocity and displacement are the trapezoidal integrals from rest.
 /// @param acceleration m/s2

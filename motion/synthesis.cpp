@@ -130,12 +130,6 @@ std::array<Misfit, unknowns + 1> misfits(const Measures& found, const SynthesisT
            {"Arias intensity", found.arias / target.arias - 1.0}}};
 }
 
-Measures measures_of(std::vector<double> acceleration, double dt) {
-  for (double& a : acceleration)
-    a *= standard_gravity;
-  return measures(acceleration, dt);
-}
-
 Misfit worst(const std::array<Misfit, unknowns + 1>& all) {
   return *std::ranges::max_element(all, {}, [](const Misfit& one) { return std::abs(one.relative); });
 }
@@ -171,9 +165,9 @@ public:
 
 private:
   Synthesised realisation(const SynthesisRecipe& recipe) const {
-    auto a = realised(recipe, noise_);
-    const Measures found = measures_of(a, recipe.dt);
-    return {{.unit = Unit::g, .dt = recipe.dt, .samples = std::move(a)}, recipe, found, 0};
+    Record record{.unit = Unit::g, .dt = recipe.dt, .samples = realised(recipe, noise_)};
+    const Measures found = measures(record);
+    return {std::move(record), recipe, found, 0};
   }
 
   Parameters residual(const Synthesised& motion) const {

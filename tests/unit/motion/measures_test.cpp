@@ -39,6 +39,16 @@ TEST(Measures, HarmonicMotion) {
   EXPECT_THROW(measures(std::vector<double>{1.0}, dt), std::invalid_argument);
 }
 
+TEST(Measures, OfAVelocityKeepItsPeak) {
+  const auto record = sampled({.amplitude = 0.3, .time = 2.0, .frequency = 2.0}, Unit::m_s, 0.01, 500);
+  const auto m = measures(record);
+  EXPECT_EQ(m.pgv, 0.3);
+  // v = V (1 - 2 a) exp(-a): its slope is largest where (3 - 12 a + 4 a^2) = 0, a = (3 - sqrt(6))/2.
+  const double a = 0.5 * (3.0 - std::sqrt(6.0));
+  const double slope = 0.3 * 2.0 * pi * std::sqrt(a) * 2.0 * (3.0 - 2.0 * a) * std::exp(-a);
+  EXPECT_NEAR(m.pga, slope, 0.005 * slope); // the peak falls between samples
+}
+
 TEST(Measures, ResidualVelocityIsWorthAWarning) {
   EXPECT_EQ(
       residual_warning({.pgv = 0.2, .residual_velocity = -0.05}),

@@ -1,0 +1,128 @@
+// `tremolo motion` as a user calls it.
+
+#include "motion/measures.hpp"
+#include "motion/pulses.hpp"
+#include "motion/read.hpp"
+#include "motion/write.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/reference_table.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace tremolo::motion {
+namespace {
+
+using ::testing::HasSubstr;
+using ::tremolo::testing::run_tremolo;
+
+class MotionCommand : public ::testing::Test {
+protected:
+  MotionCommand() {
+    Record pulse = sampled({.amplitude = 0.3, .time = 2.0, .frequency = 2.0}, Unit::m_s, 0.01, 500);
+    pulse.kind = MotionKind::outcrop;
+    write_record(pulse, file, {});
+  }
+
+  std::string path(const char* name) const { return (folder / name).string(); }
+
+  testing::TemporaryFolder folder;
+  std::filesystem::path file = folder / "pulse.csv";
+};
+
+TEST_F(MotionCommand, PrintsTheMeasures) {
+  const auto outcome = run_tremolo("motion " + file.string());
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("velocity in m/s, 500 samples every 0.01 s (4.99 s), outcrop\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("  PGV                            0.3 m/s\n"));
+  EXPECT_EQ(outcome.output.find("warning"), std::string::npos) << outcome.output;
+}
+
+TEST_F(MotionCommand, ProcessesAndWrites) {
+  const auto outcome = run_tremolo("motion " + file.string() +
+                                   " --taper 0.5 --resample 0.005 --pga 2 --shift 1 "
+                                   "--as incident --out " +
+                                   path("out.AT2"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  const auto record = read_record(folder / "out.AT2");
+  EXPECT_EQ(record.dt, 0.005);
+  EXPECT_EQ(record.kind, MotionKind::incident);
+  const auto m = measures(with_unit(record, Unit::m_s2).samples, record.dt);
+  EXPECT_NEAR(m.pga, 1.0, 1e-6); // half of the outcrop's 2 m/s2
+  EXPECT_NEAR(record.samples[199], 0.0, 1e-12);
+  EXPECT_EQ(record.samples.size(), 999U + 200U);
+}
+
+TEST_F(MotionCommand, WritesSpectraAndAPicture) {
+  const auto outcome = run_tremolo("motion " + file.string() + " --damping 0.1 --response " + path("r.csv") +
+                                   " --fourier " + path("f.csv") + " --plot " + path("m.png"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_EQ(testing::read_table(folder / "r.csv").size(), 200U);
+  EXPECT_EQ(testing::read_table(folder / "f.csv").size(), 251U);
+  EXPECT_GT(std::filesystem::file_size(folder / "m.png"), 10000U);
+}
+
+TEST_F(MotionCommand, WarnsOfAResidualVelocityAndCorrectsIt) {
+  const auto drifting = folder.write("d.csv", "t,a (m/s2)\n0,1\n0.1,-0.9\n0.2,1\n0.3,0.5\n0.4,0\n");
+  const auto outcome = run_tremolo("motion " + drifting.string());
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.output,
+              HasSubstr("warning: " + drifting.string() + ": residual velocity 0.11 m/s, 100 % of PGV"));
+  const auto corrected = run_tremolo("motion " + drifting.string() + " --baseline 1");
+  EXPECT_EQ(corrected.output.find("warning"), std::string::npos) << corrected.output;
+}
+
+TEST_F(MotionCommand, RotatesTwoComponents) {
+  const auto outcome = run_tremolo("motion " + file.string() + " --with " + file.string() +
+                                   " --rotate 45 --out " + path("r.csv"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  const auto before = read_record(file);
+  const auto after = read_record(folder / "r.csv");
+  EXPECT_NEAR(after.samples[200], std::sqrt(2.0) * before.samples[200], 1e-12);
+}
+
+TEST_F(MotionCommand, MakesPulsesAndTheMotionOfTheSlope) {
+  const auto recipe =
+      folder.write("p.toml", "title = \"shaker\"\nkind = \"within\"\ndt = 0.01\nsamples = 2000\n"
+                             "[pulse]\nshape = \"centrifuge\"\nunit = \"g\"\namplitude = 0.2\n"
+                             "time = 1.0\nfrequency = 1.0\ncycles = 16\nramp_cycles = 4\n");
+  const auto pulse = run_tremolo("motion --synthesise " + recipe.string() + " --out " + path("p.AT2"));
+  EXPECT_EQ(pulse.status, 0) << pulse.output;
+  EXPECT_EQ(read_record(folder / "p.AT2").kind, MotionKind::within);
+
+  const auto slope = run_tremolo(
+      "motion --synthesise " TREMOLO_SOURCE_DIR "/cases/slope_oblique/motion.toml --out " + path("s.AT2"));
+  EXPECT_EQ(slope.status, 0) << slope.output;
+  EXPECT_EQ(read_record(folder / "s.AT2").samples,
+            read_record(TREMOLO_SOURCE_DIR "/cases/slope_oblique/motion.AT2").samples);
+}
+
+TEST_F(MotionCommand, RefusesInOneLine) {
+  const auto error_of = [](const std::string& arguments) {
+    const auto outcome = run_tremolo("motion " + arguments);
+    EXPECT_NE(outcome.status, 0);
+    return outcome.output;
+  };
+  EXPECT_EQ(error_of(""), "tremolo: motion: a FILE or --synthesise RECIPE is needed, and not both\n");
+  EXPECT_EQ(error_of("absent.AT2"), "tremolo: absent.AT2: there is no such file\n");
+  EXPECT_EQ(error_of(file.string() + " --kind free"), "tremolo: --kind 'free' is not known\n");
+  EXPECT_EQ(error_of(file.string() + " --band 1,80"), "tremolo: band from 1 to 80 Hz: the corners must rise "
+                                                      "and lie below the Nyquist frequency, 50 Hz (0 leaves "
+                                                      "a side open)\n");
+  EXPECT_THAT(error_of(file.string() + " --as within"), HasSubstr("from outcrop to within the layers above"));
+}
+
+TEST_F(MotionCommand, AGigabyteOnOneLineIsRefusedAtOnce) {
+  const auto giant = folder / "giant.AT2";
+  std::ofstream(giant) << "NPTS= 2, DT= .01\n1";
+  std::filesystem::resize_file(giant, 1000000000); // sparse, zeros
+  EXPECT_THAT(run_tremolo("motion " + giant.string()).output,
+              HasSubstr("giant.AT2:2: binary data, not text"));
+}
+
+} // namespace
+} // namespace tremolo::motion
