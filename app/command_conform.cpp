@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -114,6 +115,16 @@ coupler::BoundaryFace face(const std::string& source, scene::BaseForm field, dou
   return {.position = {x, y}, .source = source, .field = std::string(scene::name(field))};
 }
 
+/// The middles of intervals of about this spacing.
+std::vector<double> middles(double from, double to, double spacing) {
+  const auto count = static_cast<int>(std::max(1.0, std::round((to - from) / spacing)));
+  std::vector<double> at;
+  at.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
+    at.push_back(from + (to - from) * (i + 0.5) / count);
+  return at;
+}
+
 /// Faces half way between the points of the boundary, as those of particles are.
 std::vector<coupler::BoundaryFace> faces(const scene::Case& scene, const scene::SourceProcess& source) {
   const scene::Box& box = scene.mesh.box;
@@ -121,12 +132,12 @@ std::vector<coupler::BoundaryFace> faces(const scene::Case& scene, const scene::
   std::vector<coupler::BoundaryFace> list;
   for (const scene::Served& served : source.serves) {
     if (served.side == scene::Side::base) {
-      for (double x = box.x_min + 0.5 * spacing; x < box.x_max; x += spacing)
+      for (const double x : middles(box.x_min, box.x_max, spacing))
         list.push_back(face(source.name, served.field, x, box.y_min));
       continue;
     }
     const double x = served.side == scene::Side::left ? box.x_min : box.x_max;
-    for (double y = box.y_min + 0.5 * spacing; y < source.surface; y += spacing)
+    for (const double y : middles(box.y_min, source.surface, spacing))
       list.push_back(face(source.name, served.field, x, y));
   }
   return list;

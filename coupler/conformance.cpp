@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <fmt/format.h>
 #include <utility>
 
@@ -85,7 +86,7 @@ void check_repetition(const std::vector<ServedSeries>& first, const std::vector<
                         fmt::format("the second run describes '{}' otherwise than the first", a.field.name));
     const std::size_t common = std::min(a.values.size(), b.values.size());
     for (std::size_t i = 0; i < common; ++i)
-      if (std::memcmp(&a.values[i], &b.values[i], sizeof(double)) != 0)
+      if (std::bit_cast<std::uint64_t>(a.values[i]) != std::bit_cast<std::uint64_t>(b.values[i]))
         return report.set(repeats, Verdict::failure,
                           fmt::format("'{}', step {}: {:.17g} in the first run, {:.17g} in the second",
                                       a.field.name, i / a.field.values_per_step(), a.values[i], b.values[i]));

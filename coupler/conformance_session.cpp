@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <set>
 #include <string_view>
@@ -69,8 +71,9 @@ void Session::exchange(double end_time) {
   std::vector<eq6::FreeField> free_field(demand_.faces.size());
   std::vector<eq6::Vector> tractions(demand_.faces.size());
   const double step = std::ranges::min(source_.fields, {}, &FieldDescription::time_step).time_step;
-  for (double time = demand_.start_time; time < end_time + step; time += step) {
-    const double now = std::min(time, end_time);
+  const auto count = static_cast<std::uint64_t>(std::ceil((end_time - demand_.start_time) / step));
+  for (std::uint64_t n = 0; n <= count; ++n) {
+    const double now = std::min(demand_.start_time + static_cast<double>(n) * step, end_time);
     grant_credits();
     while (const auto missing = exchange_->missing(now))
       wait_for(*missing);
