@@ -48,7 +48,7 @@ double loop_integrand(double w, void* shape) {
 }
 
 double mkz_damping(LoopShape shape) {
-  constexpr std::size_t points = 128;
+  constexpr std::size_t points = 256;
   const std::unique_ptr<gsl_integration_glfixed_table, decltype(&gsl_integration_glfixed_table_free)> table(
       gsl_integration_glfixed_table_alloc(points), gsl_integration_glfixed_table_free);
   if (!table) {

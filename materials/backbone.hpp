@@ -33,16 +33,17 @@ struct Backbone {
     return beta * (exponent == 1.0 ? x : std::pow(x, exponent));
   }
   /// tau, Pa, odd in the strain
-  double stress(double strain) const { return shear_modulus * strain / (1.0 + reduction(strain)); }
+  double stress(double strain) const { return secant(strain) * strain; }
   /// tau/gamma, Pa
-  double secant(double strain) const { return shear_modulus / (1.0 + reduction(strain)); }
+  double secant(double strain) const { return shear_modulus * (1.0 / (1.0 + reduction(strain))); }
   /// d tau/d gamma, Pa
   double tangent(double strain) const { return response(strain).tangent; }
   /// Both from one power
   ShearResponse response(double strain) const {
     const double r = reduction(strain);
     const double left = 1.0 / (1.0 + r);
-    return {shear_modulus * strain * left, shear_modulus * (1.0 + (1.0 - exponent) * r) * left * left};
+    const double secant = shear_modulus * left;
+    return {secant * strain, secant * left * (1.0 + (1.0 - exponent) * r)};
   }
   /// Largest shear stress, Pa; infinite for s < 1
   double strength() const;

@@ -50,7 +50,7 @@ struct IwanShear {
 
 /// How finely and how far the elements follow the backbone.
 struct IwanFit {
-  std::size_t elements = 20;   ///< a multiple of iwan_group
+  std::size_t elements = 32;   ///< a multiple of iwan_group
   double largest_strain = 0.1; ///< engineering shear strain beyond which the stress stays the same
 };
 
