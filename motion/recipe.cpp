@@ -214,6 +214,10 @@ Recipe read_recipe(const std::filesystem::path& file) {
   if (std::filesystem::file_size(file) > longest_recipe)
     throw RecordError(
         fmt::format("{}: more than {} bytes, no recipe of a motion", file.string(), longest_recipe));
+  return parse_recipe(stream, file);
+}
+
+Recipe parse_recipe(std::istream& stream, const std::filesystem::path& file) {
   try {
     const toml::table table = toml::parse(stream, file.string());
     return recipe({table, "the file", file});

@@ -4,6 +4,7 @@
 #include "motion/synthesis.hpp"
 
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <variant>
@@ -28,5 +29,8 @@ struct Recipe {
 /// of
 ///         another type
 Recipe read_recipe(const std::filesystem::path& file);
+
+/// The same from a stream; `file` names it in messages.
+Recipe parse_recipe(std::istream& stream, const std::filesystem::path& file);
 
 } // namespace tremolo::motion

@@ -131,15 +131,20 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(RecipeFuzz, MutationsAreReadOrRefused) {
   const std::string original =
+      "# A pulse between four corner frequencies; what happens to this line, or to the\n"
+      "# next, is of no consequence, so that some of the mutations leave a good recipe\n"
       "title = \"a\"\nkind = \"incident\"\ndt = 0.01\nsamples = 400\n[pulse]\nshape = "
       "\"ormsby\"\nunit = \"g\"\namplitude = 1\ntime = 1\ncorners = [1, 2, 3, 4.0]\n";
-  const testing::TemporaryFolder folder;
   Mutator mutate(7);
   Tally tally;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 5000; ++i) {
     const std::string text = mutate(original);
-    const auto file = folder.write("x.toml", text);
-    attempt([&] { read_recipe(file); }, text, tally);
+    attempt(
+        [&] {
+          std::istringstream stream(text);
+          parse_recipe(stream, "x.toml");
+        },
+        text, tally);
   }
   EXPECT_GT(tally.read, 100U);
   EXPECT_GT(tally.refused, 100U);
@@ -157,7 +162,7 @@ TEST(Hdf5Fuzz, MutationsAreReadOrRefused) {
   bytes << stream.rdbuf();
   Mutator mutate(3);
   Tally tally;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const auto file = folder.write("x.h5", mutate.binary(bytes.str()));
     attempt([&] { require_sound(read_record(file)); }, "mutation " + std::to_string(i), tally);
   }
