@@ -34,7 +34,7 @@ class Install(unittest.TestCase):
         cls.folder.cleanup()
 
     def test_programs_start(self):
-        for name in ("tremolo", "tremolo-domain", "tremolo-column", "tremolo-wave"):
+        for name in ("tremolo", "tremolo-domain", "tremolo-column", "tremolo-recording", "tremolo-wave"):
             with self.subTest(name):
                 self.assertTrue(run(self.prefix / "bin" / name, "--help").strip())
 
@@ -43,6 +43,13 @@ class Install(unittest.TestCase):
         run("cmake", "-S", CONSUMER, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release")
         run("cmake", "--build", build)
         self.assertEqual(run(build / "consumer").strip(), "peak 0.200000 m/s")
+
+    def test_template_of_an_own_free_field_builds_and_conforms(self):
+        template = CONSUMER.parents[3] / "docs/examples/own_free_field"
+        build = Path(self.folder.name) / "own_free_field"
+        run("cmake", "-S", template, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release")
+        run("cmake", "--build", build)
+        self.assertIn("14 passed", run(self.prefix / "bin/tremolo", "conform", build / "my_field"))
 
     def test_headers_lie_below_one_folder(self):
         self.assertEqual([path.name for path in (self.prefix / "include").iterdir()], ["tremolo"])
