@@ -119,6 +119,13 @@ results::Table spectra(const std::vector<double>& surface, const std::vector<dou
   return table;
 }
 
+/// Fourier amplitudes, on a grid of frequencies finer than the record's own: zeros follow it.
+std::vector<motion::FourierAmplitude> amplitudes(std::vector<double> samples, double dt) {
+  constexpr double finest = 0.05; // Hz
+  samples.resize(std::max(samples.size(), static_cast<std::size_t>(1.0 / (finest * dt))), 0.0);
+  return motion::fourier_spectrum(samples, dt);
+}
+
 /// Ratios of Fourier amplitudes; 0 where the denominator is below 1e-3 of its largest value, which says
 /// nothing.
 std::vector<double> ratio(const std::vector<motion::FourierAmplitude>& above,
@@ -132,14 +139,14 @@ std::vector<double> ratio(const std::vector<motion::FourierAmplitude>& above,
 
 results::Table transfer(const std::vector<double>& surface, const std::vector<double>& base,
                         const std::vector<double>& outcrop, double dt) {
-  const auto top = motion::fourier_spectrum(surface, dt);
+  const auto top = amplitudes(surface, dt);
   std::vector<double> frequencies;
   for (const auto& bin : top)
     frequencies.push_back(bin.frequency);
-  results::Table table{{{"frequency", "Hz", frequencies},
-                        {"surface_to_base", "1", ratio(top, motion::fourier_spectrum(base, dt))}}};
+  results::Table table{
+      {{"frequency", "Hz", frequencies}, {"surface_to_base", "1", ratio(top, amplitudes(base, dt))}}};
   if (!outcrop.empty())
-    table.columns.push_back({"surface_to_outcrop", "1", ratio(top, motion::fourier_spectrum(outcrop, dt))});
+    table.columns.push_back({"surface_to_outcrop", "1", ratio(top, amplitudes(outcrop, dt))});
   return table;
 }
 

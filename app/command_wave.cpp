@@ -3,7 +3,7 @@
 #include "app/commands.hpp"
 #include "app/points_file.hpp"
 #include "scene/case.hpp"
-#include "wavefield/process/field_from_case.hpp"
+#include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +47,7 @@ void write_field(const Options& options) {
   require_homogeneous(scene);
   const auto points = read_points(options.points, scene.surface_level);
   const auto times = parse_times(options.times);
-  const auto field = wavefield::field_from_case(scene, scene.surface_level);
+  const auto field = wavefield::elastic_field(scene, scene.profile, scene.surface_level);
 
   std::ofstream stream(options.out);
   stream << "t,x,y,ux,uy,vx,vy,sxx,syy,sxy\n";

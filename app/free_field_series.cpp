@@ -40,22 +40,23 @@ ColumnSample between(const ColumnSample& a, const ColumnSample& b, double dt, do
   return c;
 }
 
-/// A column, marched; before its start it is at rest.
+/// A column, marched; before its start it is at rest. States are sampled only at the ends of steps in which a
+/// time is asked for.
 void march(freefield::Column& column, FreeFieldSeries& series) {
   const std::size_t levels = series.levels.size();
   const double dt = column.time_step();
   std::vector<ColumnSample> before(levels);
   std::vector<ColumnSample> after(levels);
-  column.sample(series.levels, after);
-  double end = column.time();
   for (std::size_t i = 0; i < series.times.count; ++i) {
     const double time = series.times.start + static_cast<double>(i) * series.times.dt;
-    for (; end < time; end = column.time()) {
-      std::swap(before, after);
+    if (column.time() < time) {
+      while (column.time() + dt < time)
+        column.step();
+      column.sample(series.levels, before);
       column.step();
       column.sample(series.levels, after);
     }
-    const double s = std::max(0.0, 1.0 - (end - time) / dt);
+    const double s = std::clamp(1.0 - (column.time() - time) / dt, 0.0, 1.0);
     for (std::size_t k = 0; k < levels; ++k)
       series.samples[k * series.times.count + i] = between(before[k], after[k], dt, s);
   }

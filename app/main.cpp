@@ -22,6 +22,8 @@ int run(int argc, char** argv) {
   tremolo::app::add_wave(app);
   tremolo::app::add_verify(app);
   tremolo::app::add_run(app);
+  tremolo::app::add_swap(app);
+  tremolo::app::add_column(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -3,7 +3,7 @@
 #include "app/exact_field.hpp"
 #include "app/exact_velocity.hpp"
 #include "scene/motion.hpp"
-#include "wavefield/process/field_from_case.hpp"
+#include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>
 
@@ -99,7 +99,7 @@ std::vector<PointHistory> particle_histories(const results::RunReader& run, cons
   return points;
 }
 
-void add_exact(PointHistory& point, const scene::Case& scene, const wavefield::HalfSpaceField& field) {
+void add_exact(PointHistory& point, const scene::Case& scene, const wavefield::LayeredField& field) {
   const std::array<double, 1> level{point.y};
   const ExactVelocity exact(field, level, {point.x, point.x, point.time.front(), point.time.back()},
                             scene::motion(scene.motion).highest_frequency());
@@ -128,7 +128,7 @@ Verification verify(const results::RunReader& run, const scene::Case& scene) {
         fmt::format("only a complete run can be verified, this one is {}", run.status()));
   if (const auto why = why_not_exact(scene))
     throw std::runtime_error(fmt::format("the exact field of this case is not known: {}", *why));
-  const auto field = wavefield::field_from_case(scene, scene.surface_level);
+  const auto field = wavefield::elastic_field(scene, scene.profile, scene.surface_level);
 
   Verification result;
   result.particles = compare_particles(run, scene, field);

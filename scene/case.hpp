@@ -52,6 +52,9 @@ struct StrainCurves {
   bool whole = false; ///< damping is all there is; otherwise the layer's own, at small strain, comes on top
 };
 
+/// The name that a soil's `curve` has for the built-in curves of Darendeli (2001).
+inline constexpr std::string_view built_in_curve = "darendeli";
+
 struct Soil {
   std::string name;
   materials::Law law;        ///< in the domain; eta already scaled to `softening_size`

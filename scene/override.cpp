@@ -39,32 +39,70 @@ std::string quoted(const std::filesystem::path& path) {
   return fmt::format("\"{}\"", escaped);
 }
 
+/// All replacements of a text that is being overridden.
+class Replacements {
+public:
+  explicit Replacements(const Case& scene) : scene_(scene), root_(toml::parse(scene.text)) {}
+
+  void put(const std::string& key, std::string value) {
+    replacements_.push_back({root_.at_path(key).node()->source(), std::move(value)});
+  }
+
+  /// The file name under a key, where the case has one, made absolute.
+  void put_absolute(const std::string& key) {
+    if (const auto* name = root_.at_path(key).as_string())
+      put(key, quoted(scene_.directory / name->get()));
+  }
+
+  /// Fitted curves are tables in files, or built in.
+  void put_absolute_curves() {
+    for (const Soil& soil : scene_.soils) {
+      const auto key = fmt::format("soil.{}.curve", soil.name);
+      if (const auto* name = root_.at_path(key).as_string(); name != nullptr && name->get() != built_in_curve)
+        put_absolute(key);
+    }
+  }
+
+  std::string text() && {
+    // From the end, so that earlier positions stay where they are.
+    std::ranges::sort(replacements_, std::greater{},
+                      [&](const Replacement& r) { return offset(scene_.text, r.where.begin); });
+    std::string text = scene_.text;
+    for (const auto& [where, value] : replacements_) {
+      const auto begin = offset(scene_.text, where.begin);
+      text.replace(begin, offset(scene_.text, where.end) - begin, value);
+    }
+    return text;
+  }
+
+private:
+  const Case& scene_;
+  toml::table root_;
+  std::vector<Replacement> replacements_;
+};
+
 } // namespace
 
-std::string overridden_text(const Case& scene, const MotionOverride& values) {
-  const toml::table root = toml::parse(scene.text);
-  std::vector<Replacement> replacements;
+std::string overridden_text(const Case& scene, const CaseOverride& values) {
+  Replacements replacements(scene);
   const auto* file = std::get_if<MotionFile>(&scene.motion.source);
   if (values.record && file == nullptr)
     throw std::invalid_argument(
         fmt::format("{}: the motion is a pulse; only the record of a case with [motion] file can be replaced",
                     scene.file.string()));
   if (file != nullptr)
-    replacements.push_back(
-        {root.at_path("motion.file").node()->source(), quoted(values.record.value_or(file->path))});
+    replacements.put("motion.file", quoted(values.record.value_or(file->path)));
   if (values.angle_deg)
-    replacements.push_back(
-        {root.at_path("motion.angle_deg").node()->source(), fmt::format("{}", *values.angle_deg)});
-
-  // From the end, so that earlier positions stay where they are.
-  std::ranges::sort(replacements, std::greater{},
-                    [&](const Replacement& r) { return offset(scene.text, r.where.begin); });
-  std::string text = scene.text;
-  for (const auto& [where, value] : replacements) {
-    const auto begin = offset(scene.text, where.begin);
-    text.replace(begin, offset(scene.text, where.end) - begin, value);
+    replacements.put("motion.angle_deg", fmt::format("{}", *values.angle_deg));
+  for (const Side side : {Side::left, Side::right, Side::base}) {
+    const auto boundary = fmt::format("boundary.{}", name(side));
+    if (values.model)
+      replacements.put(boundary + ".model", fmt::format("\"{}\"", name(*values.model)));
+    replacements.put_absolute(boundary + ".file");
+    replacements.put_absolute(boundary + ".program");
   }
-  return text;
+  replacements.put_absolute_curves();
+  return std::move(replacements).text();
 }
 
 } // namespace tremolo::scene

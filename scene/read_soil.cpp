@@ -1,9 +1,12 @@
+#include "materials/curve_fit.hpp"
+#include "scene/curve_table.hpp"
 #include "scene/nearest.hpp"
 #include "scene/read.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <numbers>
 
 namespace tremolo::scene {
@@ -37,38 +40,86 @@ StrainCurves curves_of(const materials::Backbone& backbone) {
           [backbone](double strain) { return materials::masing_damping(backbone, strain); }, false};
 }
 
-/// Reports what is missing of a backbone that is not fitted.
-bool complete(const TableReader& table, bool mkz, Findings& findings) {
+StrainCurves curves_of(const materials::SoilCurves& curves) {
+  return {[curves](double strain) { return curves.modulus_ratio_at(strain); },
+          [curves](double strain) { return curves.damping_ratio_at(strain); }, true};
+}
+
+/// G/Gmax and damping that a soil's `curve` names.
+/// @throws std::invalid_argument or motion::RecordError, saying what is wrong
+materials::SoilCurves read_curve(const TableReader& table, const std::filesystem::path& directory) {
+  if (table.text("curve") != built_in_curve)
+    return read_curve_table(directory / table.text("curve"));
+  return materials::darendeli_curves({.plasticity_index = table.number("plasticity_index"),
+                                      .overconsolidation_ratio = table.number("overconsolidation_ratio"),
+                                      .mean_effective_stress = table.number("mean_stress"),
+                                      .frequency = table.number("excitation_hz"),
+                                      .cycles = table.number("cycles")});
+}
+
+/// Backbone as given or fitted, and the curves that the equivalent-linear iteration takes.
+struct Hysteresis {
+  double reference_strain = 0.0;
+  double beta = 1.0;
+  double exponent = 1.0;
+  std::optional<StrainCurves> curves;
+};
+
+/// From the curve that the soil names; what is given of the backbone is held.
+std::optional<Hysteresis> fitted(const TableReader& table, const std::filesystem::path& directory,
+                                 Findings& findings) {
+  for (const char* key : {"beta", "exponent"})
+    if (table.given(key)) {
+      findings.add(table.path(key), fmt::format("'{}' and 'curve' exclude each other: remove one", key));
+      return std::nullopt;
+    }
+  try {
+    const auto curve = read_curve(table, directory);
+    const auto fit = materials::fit_mkz(curve, table.optional_number("reference_strain"));
+    return Hysteresis{fit.reference_strain, fit.beta, fit.exponent, curves_of(curve)};
+  } catch (const std::exception& error) {
+    findings.add(table.path("curve"), error.what());
+    return std::nullopt;
+  }
+}
+
+/// As the soil gives it.
+std::optional<Hysteresis> given(const TableReader& table, bool mkz, Findings& findings) {
   for (const char* key : {"reference_strain", "beta", "exponent"})
     if ((mkz || std::string_view(key) == "reference_strain") && !table.given(key)) {
       findings.add(table.path(key), fmt::format("missing '{}': without 'curve' the backbone is given", key));
-      return false;
+      return std::nullopt;
     }
-  return findings.sound(table.path());
+  return Hysteresis{table.number("reference_strain"), mkz ? table.number("beta") : 1.0,
+                    mkz ? table.number("exponent") : 1.0, std::nullopt};
 }
 
-Soil read_hysteretic(const NamedTable& soil, const materials::Elasticity& elastic, Findings& findings) {
+Soil read_hysteretic(const NamedTable& soil, const materials::Elasticity& elastic,
+                     const std::filesystem::path& directory, Findings& findings) {
   const auto& table = soil.reader;
   const Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
-  const bool mkz = table.text("model") == "mkz";
-  if (!complete(table, mkz, findings) || !(elastic.density > 0.0))
+  if (!findings.sound(table.path()) || !(elastic.density > 0.0))
     return linear;
-  const materials::MasingShear law{elastic, table.number("reference_strain"),
-                                   mkz ? table.number("beta") : 1.0, mkz ? table.number("exponent") : 1.0};
+  const auto hysteresis = table.given("curve") ? fitted(table, directory, findings)
+                                               : given(table, table.text("model") == "mkz", findings);
+  if (!hysteresis)
+    return linear;
+  const auto& [reference_strain, beta, exponent, curves] = *hysteresis;
+  const materials::MasingShear law{elastic, reference_strain, beta, exponent};
   return {soil.name,
-          materials::iwan_shear(elastic, law.reference_strain, law.beta, law.exponent),
+          materials::iwan_shear(elastic, reference_strain, beta, exponent),
           law,
           {},
-          curves_of(law.backbone())};
+          curves ? curves : curves_of(law.backbone())};
 }
 
-Soil read_soil(const NamedTable& soil, double mesh_size, Findings& findings) {
+Soil read_soil(const NamedTable& soil, const Case& scene, Findings& findings) {
   const auto elastic = read_elasticity(soil.reader, findings);
   const auto model = soil.reader.text("model");
   if (model == "mohr_coulomb")
-    return read_softening(soil, elastic, mesh_size);
+    return read_softening(soil, elastic, scene.mesh.size);
   if (model == "hyperbolic" || model == "mkz")
-    return read_hysteretic(soil, elastic, findings);
+    return read_hysteretic(soil, elastic, scene.directory, findings);
   return {soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
 }
 
@@ -76,7 +127,7 @@ Soil read_soil(const NamedTable& soil, double mesh_size, Findings& findings) {
 
 void read_soils(Document& document, Findings& findings, Case& scene) {
   for (const auto& soil : document.named("soil"))
-    scene.soils.push_back(read_soil(soil, scene.mesh.size, findings));
+    scene.soils.push_back(read_soil(soil, scene, findings));
 }
 
 std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,

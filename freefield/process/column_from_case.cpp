@@ -118,20 +118,28 @@ std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profi
   return std::make_unique<FeColumn>(profile, settings, input.velocity);
 }
 
-void require_size(const scene::Case& scene, double size, const char* table, const char* key) {
+void require_size(const scene::Case& scene, double size, const char* key) {
   if (!(size > 0.0))
     throw std::invalid_argument(
-        fmt::format("{}: [{}] {} is needed where there is no [mesh]", scene.file.string(), table, key));
+        fmt::format("{}: {} is needed where there is no [mesh]", scene.file.string(), key));
 }
 
 } // namespace
 
 std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::SourceProcess& source,
                                          double x_line, double needed_from) {
-  require_size(scene, scene.fe.element_size, "fe", "element_size");
-  const Profile profile = profile_from_case(scene, source, scene.fe.element_size);
-  const Input input = input_from_case(scene, source, x_line, profile.base_level());
-  return fe_column(scene, profile, input, std::min(needed_from, input.begin));
+  const auto made = [&](double size, const char* key, auto make) {
+    require_size(scene, size, key);
+    const Profile profile = profile_from_case(scene, source, size);
+    const Input input = input_from_case(scene, source, x_line, profile.base_level());
+    return make(scene, profile, input, std::min(needed_from, input.begin));
+  };
+  switch (source.field.model) {
+  case scene::SourceModel::fe:
+    return made(scene.fe.element_size, "[fe] element_size", fe_column);
+  default:
+    throw std::invalid_argument(fmt::format("model \"{}\" is not a column", scene::name(source.field.model)));
+  }
 }
 
 double slowness_from_case(const scene::Case& scene) {

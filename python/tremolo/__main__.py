@@ -1,10 +1,11 @@
-"""Commands: python3 -m tremolo plot RUN | compare RUN_A RUN_B | failure RUN ... | verify-picture PATH."""
+"""Commands: python3 -m tremolo plot RUN | compare RUN_A RUN_B | failure RUN ... | column OUT.h5 | verify-picture PATH
+| motion-picture FOLDER OUT."""
 
 import argparse
 import sys
 from pathlib import Path
 
-from tremolo import failure, fronts, histories, maps, preview, verification
+from tremolo import column, failure, fronts, histories, maps, motion, preview, swap, verification
 from tremolo.run import Run
 
 
@@ -70,6 +71,18 @@ def verify_picture(arguments):
     yield verification.picture(arguments.path)
 
 
+def column_picture(arguments):
+    yield column.picture(arguments.path)
+
+
+def motion_picture(arguments):
+    yield motion.picture(arguments.folder, arguments.out, arguments.title, arguments.damping)
+
+
+def swap_picture(arguments):
+    yield swap.picture(arguments.path)
+
+
 def _parser():
     parser = argparse.ArgumentParser(prog="python3 -m tremolo", description="Pictures of tremolo runs.")
     commands = parser.add_subparsers(required=True)
@@ -93,8 +106,17 @@ def _parser():
     failed = add("failure", failure_times, "When a shear band first connects the toe of a slope with its crest.")
     failed.add_argument("runs", nargs="+", metavar="RUN")
     failed.add_argument("--strain", type=float, default=0.1, help="equivalent plastic strain of the band (default 0.1)")
+    alone = add("column", column_picture, "Picture of a free field alone: OUT.png beside OUT.h5.")
+    alone.add_argument("path", help="the file that `tremolo column` wrote")
+    swapped = add("swap", swap_picture, "Picture of one case under several free-field models.")
+    swapped.add_argument("path", help="the folder that `tremolo swap` wrote")
     verified = add("verify-picture", verify_picture, "Picture of a verification: error map and histories.")
     verified.add_argument("path", help="verify.json, or its folder")
+    shaken = add("motion-picture", motion_picture, "Picture of a motion, from the tables of `tremolo motion`.")
+    shaken.add_argument("folder", help="holds histories.csv, response.csv and fourier.csv")
+    shaken.add_argument("out", help="the picture")
+    shaken.add_argument("--title", default="")
+    shaken.add_argument("--damping", type=float, default=0.05, help="of the response spectrum")
     return parser
 
 

@@ -5,7 +5,7 @@
 namespace tremolo::scene {
 
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 15> all = {
+  static constexpr std::array<Rule, 16> all = {
       record_is_readable,
       strength_is_ordered,
       box_fits_lattice,
@@ -17,6 +17,7 @@ std::span<const Rule> rules() {
       models_take_the_wave,
       model_files_exist,
       damping_suits_models,
+      soils_suit_models,
       reference_lies_in_halfspace,
       incident_base_lies_in_halfspace,
       time_step_is_stable,

@@ -38,6 +38,8 @@ void models_take_the_wave(const Case& scene, Findings& findings);
 void model_files_exist(const Case& scene, Findings& findings);
 /// Damping ratios have a law of frequency, and one that the models know.
 void damping_suits_models(const Case& scene, Findings& findings);
+/// The models know the laws of their layers.
+void soils_suit_models(const Case& scene, Findings& findings);
 /// The reference point lies in the half-space of both sides; a `within` motion is that of its top.
 void reference_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A base that takes the incident wave alone lies in the half-space.

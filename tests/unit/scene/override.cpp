@@ -12,18 +12,37 @@ using ::testing::HasSubstr;
 TEST(Override, AngleAloneChangesNothingElse) {
   const auto scene = parse_case(std::string(flat_case));
   EXPECT_EQ(overridden_text(scene, {}), flat_case);
-  EXPECT_EQ(overridden_text(scene, {.record = {}, .angle_deg = 15.0}),
+  EXPECT_EQ(overridden_text(scene, {.record = {}, .angle_deg = 15.0, .model = {}}),
             with("angle_deg = 0.0", "angle_deg = 15"));
+}
+
+TEST(Override, ModelOfAllSides) {
+  const auto scene = parse_case(std::string(flat_case));
+  const auto swapped =
+      parse_case(overridden_text(scene, {.record = {}, .angle_deg = {}, .model = SourceModel::ode}));
+  EXPECT_EQ(swapped.boundary.left.field.model, SourceModel::ode);
+  EXPECT_EQ(swapped.boundary.right.field.model, SourceModel::ode);
+  EXPECT_EQ(swapped.boundary.base.field.model, SourceModel::ode);
+}
+
+TEST(Override, ProgramsOfSidesBecomeAbsolute) {
+  auto scene = parse_case(std::string(flat_case));
+  scene.text =
+      with("left = { model = \"wave\" }", "left = { model = \"external\", program = \"mine/field\" }");
+  scene.directory = "/cases";
+  EXPECT_THAT(overridden_text(scene, {}), HasSubstr("program = \"/cases/mine/field\""));
 }
 
 TEST(Override, RecordOfAPulseIsRefused) {
   const auto scene = parse_case(std::string(flat_case));
-  EXPECT_THROW(overridden_text(scene, {.record = "x.AT2", .angle_deg = {}}), std::invalid_argument);
+  EXPECT_THROW(overridden_text(scene, {.record = "x.AT2", .angle_deg = {}, .model = {}}),
+               std::invalid_argument);
 }
 
 TEST(Override, TextMeansTheSameInAnotherFolder) {
   const auto scene = load(TREMOLO_SOURCE_DIR "/cases/slope_oblique/case.toml");
-  const auto moved = parse(overridden_text(scene, {.record = {}, .angle_deg = 0.0}), "case.toml", "/nowhere");
+  const auto moved =
+      parse(overridden_text(scene, {.record = {}, .angle_deg = 0.0, .model = {}}), "case.toml", "/nowhere");
   EXPECT_EQ(moved.motion.angle_deg, 0.0);
   EXPECT_EQ(std::get<MotionFile>(moved.motion.source).path,
             TREMOLO_SOURCE_DIR "/cases/slope_oblique/motion.AT2");
@@ -38,8 +57,8 @@ TEST(Override, RecordIsReplacedInInlineTablesAndBehindUmlauts) {
       "f\u00fcr\n");
   auto scene = parse_case(std::string(flat_case));
   scene.text = text; // the record itself is not needed for the text
-  scene.motion.source = MotionFile{"b\u00f6schung.AT2"};
-  EXPECT_THAT(overridden_text(scene, {.record = "/a \"b\".AT2", .angle_deg = 5.0}),
+  scene.motion.source = MotionFile{"b\u00f6schung.AT2", {}, 1.0};
+  EXPECT_THAT(overridden_text(scene, {.record = "/a \"b\".AT2", .angle_deg = 5.0, .model = {}}),
               HasSubstr("motion = { wave = \"SV\", angle_deg = 5, reference = [0.0, -10.0], file = \"/a "
                         "\\\"b\\\".AT2\" } # "
                         "f\u00fcr\n"));

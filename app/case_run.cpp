@@ -1,0 +1,109 @@
+#include "app/case_run.hpp"
+
+#include "app/commands.hpp"
+#include "app/run_display.hpp"
+#include "results/run_file.hpp"
+#include "scene/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+namespace tremolo::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out)
+    throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
+}
+
+/// Our programs lie beside this one; that of a user has a path of its own.
+fs::path located(const std::string& program) {
+  const bool ours = program.find('/') == std::string::npos;
+  return ours ? fs::read_symlink("/proc/self/exe").parent_path() / program : fs::absolute(program);
+}
+
+/// What a source is told besides the options that all participants have.
+std::vector<std::string> own_arguments(const scene::FreeFieldModel& field) {
+  if (field.model == scene::SourceModel::recording)
+    return {"--file", fs::absolute(field.file).string()};
+  return {};
+}
+
+coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run) {
+  coupler::LaunchOptions options;
+  options.case_file = scene.file;
+  options.out = run.folder;
+  options.mode = coupler::mode_from(run.mode.value_or(std::string(scene::name(scene.coupling.mode))));
+  options.window_steps = static_cast<std::uint32_t>(scene.coupling.window_steps);
+  options.transport = coupler::transport_from(run.transport);
+  options.deadlines = {scene.coupling.connect_deadline, scene.coupling.step_deadline,
+                       scene.coupling.shutdown_deadline};
+  for (const auto& source : scene::plan(scene).sources)
+    options.processes.push_back({.name = source.name,
+                                 .role = coupler::Role::source,
+                                 .program = located(scene::program(source.field)),
+                                 .arguments = own_arguments(source.field)});
+  options.processes.push_back({"domain", coupler::Role::domain, located("tremolo-domain"), run.threads});
+  return options;
+}
+
+/// /processes of the run file: what each process of the run took.
+results::Table process_table(const std::vector<coupler::ProcessSummary>& summaries) {
+  std::vector<std::string> names;
+  std::vector<double> wall;
+  std::vector<double> cpu;
+  std::vector<double> waiting;
+  for (const auto& summary : summaries) {
+    names.push_back(summary.name);
+    wall.push_back(summary.wall_seconds);
+    cpu.push_back(summary.cpu_seconds);
+    waiting.push_back(summary.report.waiting);
+  }
+  return {
+      {{"process", "1", names}, {"wall_time", "s", wall}, {"cpu_time", "s", cpu}, {"waiting", "s", waiting}}};
+}
+
+/// A domain that was killed could not say so in its file; the launcher does it for it.
+void mark_aborted(const fs::path& file, const std::string& reason) {
+  if (fs::exists(file) && results::RunReader(file).status() == "running")
+    results::mark_aborted(file, reason);
+}
+
+} // namespace
+
+std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& run) {
+  fs::create_directories(run.folder);
+  scene.file = run.folder / "case.toml";
+  write_text(scene.file, scene.text);
+  auto options = launch_options(scene, run);
+  ProgressLine line;
+  options.on_progress = [&](const coupler::Progress& progress) { line.show(progress); };
+  options.note = [&](const std::string& note) { line.note(note); };
+  fmt::print("{}\n", scene.title);
+  for (const auto& process : options.processes)
+    fmt::print("  {:<12} {}\n", process.name, process.program.filename().string());
+  fmt::print("results in {}, mode {}\n", run.folder.string(), coupler::name(options.mode));
+  std::fflush(stdout);
+  const fs::path file = run.folder / "run.h5";
+  try {
+    auto summaries = coupler::launch(options);
+    results::append_table(file, "/processes", process_table(summaries));
+    line.note("finished");
+    return summaries;
+  } catch (const coupler::RunFailed& failure) {
+    line.note(failure.what());
+    mark_aborted(file, failure.what());
+    throw Exit{failure.exit_status()};
+  }
+}
+
+} // namespace tremolo::app

@@ -1,0 +1,29 @@
+#pragma once
+
+// One run of a case: its text is written into the run's folder, so that the folder says what was computed;
+// then the processes of its plan are started and watched to their end.
+
+#include "coupler/launcher.hpp"
+#include "scene/case.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tremolo::app {
+
+struct CaseRun {
+  std::filesystem::path folder;    ///< empty, or not there yet
+  std::optional<std::string> mode; ///< of the exchange, instead of the case's
+  std::string transport = "ipc";
+  int threads = 1; ///< of the domain
+};
+
+/// Runs a case in its folder.
+/// @param scene  its relative file names have been made absolute (scene/override.hpp)
+/// @returns what each process took
+/// @throws Exit where a participant failed; it has been said
+std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& run);
+
+} // namespace tremolo::app

@@ -1,0 +1,49 @@
+#pragma once
+
+// The same case under several free-field models: what the choice of the model changes, and what it costs.
+
+#include "app/case_run.hpp"
+#include "app/free_field_series.hpp"
+#include "results/run_file.hpp"
+#include "scene/case.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tremolo::app {
+
+/// How two motions differ, sqrt(sum |v - r|^2 / sum |r|^2) over both components and all times, v the particle
+/// velocity, r that of the reference.
+struct Difference {
+  std::string where; ///< monitor
+  double relative_l2 = 0.0;
+};
+
+/// One model's run.
+struct SwappedRun {
+  scene::SourceModel model = scene::SourceModel::wave;
+  std::string refused;              ///< why the case cannot take this model; empty if it ran
+  std::vector<Difference> monitors; ///< to the first model that ran
+  std::optional<double> free_field; ///< relative L2 of the left free field to that of the first model
+  std::optional<double> free_field_to_exact; ///< and to plane waves in the layers, where all are linear
+  double source_cpu_seconds = 0.0;
+  double domain_cpu_seconds = 0.0;
+  double wall_seconds = 0.0;
+};
+
+/// Runs the case with each model for both sides and the base, each in a folder of its name.
+/// @param given   the case as read
+/// @param run     how; its folder takes one folder a model
+/// @throws Exit where a run fails
+std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<scene::SourceModel>& models,
+                                    const CaseRun& run);
+
+/// The table for people.
+std::string swap_text(const std::vector<SwappedRun>& runs);
+
+/// The same as JSON, for the picture.
+std::string swap_json(const std::vector<SwappedRun>& runs);
+
+} // namespace tremolo::app

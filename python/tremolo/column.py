@@ -1,0 +1,80 @@
+"""The picture of a free field alone: what `tremolo column` writes."""
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from tremolo import style
+
+SHEAR = {"acceleration": "ax", "strain": "gxy", "stress": "sxy"}
+DILATION = {"acceleration": "ay", "strain": "eyy", "stress": "syy"}
+
+
+def table(group):
+    """Columns of a table by name."""
+    return {name: group[name][()] for name in group if isinstance(group[name], h5py.Dataset)}
+
+
+def components(histories):
+    """The names of the wave's own component: horizontal for SV, vertical for P."""
+    peaks = [max(np.abs(history[name]).max() for history in histories) for name in ("ax", "ay")]
+    return SHEAR if peaks[0] >= peaks[1] else DILATION
+
+
+def read(path):
+    with h5py.File(path, "r") as file:
+        levels = file["levels/y"][()]
+        histories = [table(file[f"histories/{number:03}"]) for number in range(len(levels))]
+        return levels, histories, table(file["profile"]), table(file["spectra"]), table(file["transfer"])
+
+
+def draw_profile(ax, profile, column, label, scale=1.0):
+    depth = profile["y"].max() - profile["y"]
+    ax.plot(scale * profile[column], depth)
+    ax.set(xlabel=label, xlim=(0, None))
+    ax.invert_yaxis()
+
+
+def picture(path):
+    """Histories, profiles of peak values, spectra, transfer functions and stress-strain loops; OUT.png beside OUT.h5."""
+    path = Path(path)
+    levels, histories, profile, spectra, transfer = read(path)
+    names = components(histories)
+    surface = levels.max()
+    figure, axes = style.plt.subplot_mosaic(
+        [["time", "time", "time", "loops"], ["pa", "pu", "pg", "ratio"], ["sa", "sa", "tf", "tf"]],
+        figsize=(10.0, 8.4),
+        layout="constrained",
+    )
+    for y, history in zip(levels, histories):
+        axes["time"].plot(history["time"], history[names["acceleration"]], linewidth=0.7, label=f"{surface - y:.4g} m")
+    axes["time"].set(xlabel="t (s)", ylabel="acceleration (m/s²)")
+    axes["time"].set_xlim(histories[0]["time"][0], histories[0]["time"][-1])
+    axes["time"].legend(title="depth", loc="upper right", ncols=2)
+    deformed = max(range(len(histories)), key=lambda k: np.abs(histories[k][names["strain"]]).max())
+    loop = histories[deformed]
+    axes["loops"].plot(100 * loop[names["strain"]], loop[names["stress"]] / 1e3, linewidth=0.6)
+    axes["loops"].set(xlabel="strain (%)", ylabel="stress (kPa)", title=f"{surface - levels[deformed]:.4g} m deep")
+
+    direction = names["acceleration"][1]
+    draw_profile(axes["pa"], profile, "peak_a" + direction, "peak acceleration (m/s²)")
+    draw_profile(axes["pu"], profile, "peak_u" + direction, "peak displacement (cm)", 100.0)
+    draw_profile(axes["pg"], profile, "peak_" + names["strain"], "peak strain (%)", 100.0)
+    draw_profile(axes["ratio"], profile, "stress_ratio", "peak shear / overburden stress")
+    axes["pa"].set_ylabel("depth (m)")
+
+    for name in ("surface", "outcrop"):
+        if name in spectra:
+            axes["sa"].semilogx(spectra["period"], spectra[name], label=name)
+    axes["sa"].set(xlabel="period (s)", ylabel="spectral acceleration, 5 % (m/s²)", ylim=(0, None))
+    axes["sa"].legend()
+    for name, text in (("surface_to_outcrop", "surface / outcrop"), ("surface_to_base", "surface / base")):
+        if name in transfer:
+            known = transfer[name] > 0
+            axes["tf"].plot(transfer["frequency"][known], transfer[name][known], label=text, linewidth=0.8)
+    axes["tf"].set(xlabel="frequency (Hz)", ylabel="Fourier amplitude ratio", ylim=(0, None))
+    shown = transfer["frequency"][transfer["surface_to_base"] > 0]
+    axes["tf"].set_xlim(0, min(shown.max(), 25.0) if len(shown) else 25.0)
+    axes["tf"].legend()
+    return style.save(figure, path.parent, path.stem + ".png")

@@ -1,0 +1,41 @@
+"""The picture of one case under several free-field models: what `tremolo swap` compares."""
+
+import json
+from pathlib import Path
+
+
+from tremolo import style
+from tremolo.run import Run
+
+
+def picture(folder):
+    """Velocity at every monitor, one line a model; differences and cost beside them; swap.png in the folder."""
+    folder = Path(folder)
+    entries = [entry for entry in json.loads((folder / "swap.json").read_text()) if not entry["refused"]]
+    if not entries:
+        raise ValueError(f"{folder}: no model ran")
+    runs = [Run(folder / entry["model"]) for entry in entries]
+    monitors = list(entries[0]["monitors"])
+    figure, axes = style.plt.subplots(
+        len(monitors), 2, figsize=(9.6, 0.6 + 2.2 * len(monitors)), squeeze=False, layout="constrained",
+        width_ratios=[2.6, 1.0],
+    )
+    for row, monitor in zip(axes, monitors):
+        for number, (entry, run) in enumerate(zip(entries, runs)):
+            series = run.monitor(monitor)
+            row[0].plot(series["time"], series["vx"], "-" if number == 0 else "--", label=entry["model"], linewidth=0.9)
+        row[0].set(ylabel="$v_x$ (m/s)", title=monitor)
+        row[0].set_xlim(series["time"][0], series["time"][-1])
+        differences = [100 * entry["monitors"][monitor] for entry in entries]
+        names = [entry["model"] for entry in entries]
+        bars = row[1].barh(names, differences, color=style.COLOURS[: len(names)])
+        row[1].bar_label(bars, [f"{value:.3g} %" for value in differences], padding=2, fontsize=7)
+        row[1].invert_yaxis()
+        row[1].set_xlim(0, 1.35 * max([*differences, 1e-12]))
+        row[1].set_title(f"difference to {names[0]}, relative L2")
+    axes[0][0].legend(loc="upper right", ncols=len(entries))
+    axes[-1][0].set_xlabel("t (s)")
+    axes[-1][1].set_xlabel("%")
+    cost = ", ".join(f"{entry['model']} {entry['source_cpu_s']:.2g} s" for entry in entries)
+    figure.suptitle(f"CPU time of the free fields: {cost}", fontsize=9)
+    return style.save(figure, folder, "swap.png")
