@@ -14,8 +14,8 @@ class OdePolarisation;
 enum class OdeMethod {
   adams, ///< CVODE, Adams-Moulton of order 1 to 12 with functional iteration: not stiff
   bdf,   ///< CVODE, backward differentiation of order 1 to 5, Newton with banded matrices: stiff
-  explicit_runge_kutta, ///< ARKODE, explicit, order 4: not stiff
-  imex                  ///< ARKODE, additive Runge-Kutta of order 4: stiffness-proportional damping implicit
+  explicit_runge_kutta, ///< ARKODE, explicit, order 3 or 5 by tolerance: not stiff
+  imex ///< ARKODE, additive Runge-Kutta, order 3 or 4: stiffness-proportional damping implicit
 };
 
 struct OdeColumnSettings {
