@@ -22,20 +22,31 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Factors exp(s_k c_k), k = 0 .. count-1, multiplied into `values`; c_k = slowness(k) distance.
-template <class Slowness>
-void advance(Spectrum& values, const Window& window, bool constant, double distance, Slowness slowness) {
-  if (constant) {
-    const Complex delay = slowness(0) * distance;
-    PhaseTrain phase(window.s(0) * delay, (window.s(1) - window.s(0)) * delay);
-    for (Complex& value : values) {
-      value = times(value, phase.next());
-    }
-    return;
+/// Factors that bring the waves of a medium, P and SV, up and down, from the faces where they enter to a
+/// level.
+struct Propagation {
+  std::array<Complex, 2> up, down;
+};
+
+/// Propagation at bins 0, 1, 2, ...: geometric sequences where the slownesses do not depend on frequency.
+class PropagationTrain {
+public:
+  PropagationTrain(const Window& window, const WaveBasis& basis, double up, double down)
+      : p_up_(train(window, basis.q[0] * up)), s_up_(train(window, basis.q[1] * up)),
+        p_down_(train(window, basis.q[0] * down)), s_down_(train(window, basis.q[1] * down)) {}
+
+  Propagation next() { return {{p_up_.next(), s_up_.next()}, {p_down_.next(), s_down_.next()}}; }
+
+private:
+  static PhaseTrain train(const Window& window, Complex delay) {
+    return {-window.s(0) * delay, (window.s(0) - window.s(1)) * delay};
   }
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    values[k] = times(values[k], std::exp(window.s(k) * slowness(k) * distance));
-  }
+  PhaseTrain p_up_, s_up_, p_down_, s_down_;
+};
+
+Propagation propagation(Complex s, const WaveBasis& basis, double up, double down) {
+  return {{std::exp(-s * basis.q[0] * up), std::exp(-s * basis.q[1] * up)},
+          {std::exp(-s * basis.q[0] * down), std::exp(-s * basis.q[1] * down)}};
 }
 
 } // namespace
@@ -151,62 +162,50 @@ void FieldSpectra::fill(MediumWaves& waves, std::size_t medium, const LayerAmpli
   }
 }
 
-void FieldSpectra::propagate(const MediumWaves& waves, double y, std::array<Spectrum, 2>& up,
-                             std::array<Spectrum, 2>& down) const {
-  up = waves.up;
-  down = waves.down;
-  const bool constant = waves.bases.size() == 1;
-  for (std::size_t wave = 0; wave < 2; ++wave) {
-    const auto slowness = [&](std::size_t k) { return waves.bases[constant ? 0 : k].q[wave]; };
-    advance(up[wave], window_, constant, waves.bottom - y, slowness);
-    if (part_ == Part::total) {
-      advance(down[wave], window_, constant, y - waves.top, slowness);
-    }
-  }
-}
-
-DepthSpectra FieldSpectra::at(double y, std::size_t medium, const Quantities& quantities) const {
+void FieldSpectra::at(double y, std::size_t medium, const Quantities& quantities,
+                      DepthSpectra& spectra) const {
   const MediumWaves& waves = media_.at(medium);
-  std::array<Spectrum, 2> up;
-  std::array<Spectrum, 2> down;
-  propagate(waves, y, up, down);
-  const std::size_t bins = up[0].size();
+  const std::size_t bins = waves.up[0].size();
   const bool constant = waves.bases.size() == 1;
+  const double from_bottom = y - waves.bottom;
+  const double from_top = waves.top - y;
   const double z = reflectivity_.impedance();
   const double p = slowness_x();
-
-  DepthSpectra spectra;
-  spectra.vx.resize(bins);
-  spectra.vy.resize(bins);
+  for (Spectrum* velocity : {&spectra.vx, &spectra.vy}) {
+    velocity->resize(bins);
+  }
   for (Spectrum* stress : {&spectra.sxx, &spectra.syy, &spectra.sxy}) {
     stress->resize(quantities.stress ? bins : 0);
   }
   for (Spectrum* strain : {&spectra.eyy, &spectra.gxy}) {
     strain->resize(quantities.strain ? bins : 0);
   }
+  PropagationTrain train(window_, waves.bases.front(), from_bottom, from_top);
   WaveBasis::Columns m;
-  Complex g, per_g, per_m, lambda, modulus;
+  Complex per_g, per_m, lambda, modulus;
   for (std::size_t k = 0; k < bins; ++k) {
     if (k == 0 || !constant) {
       m = waves.bases[k].up;
-      g = waves.moduli[k].shear;
       modulus = waves.moduli[k].p_wave;
-      lambda = modulus - 2.0 * g;
-      per_g = 1.0 / g;
+      lambda = modulus - 2.0 * waves.moduli[k].shear;
+      per_g = 1.0 / waves.moduli[k].shear;
       per_m = 1.0 / modulus;
     }
-    const Complex p_sum = up[0][k] + down[0][k];
-    const Complex p_difference = up[0][k] - down[0][k];
-    const Complex s_sum = up[1][k] + down[1][k];
-    const Complex s_difference = up[1][k] - down[1][k];
-    const Complex vx = times(m(0, 0), p_sum) + times(m(0, 1), s_sum);
+    const Propagation to =
+        constant ? train.next() : propagation(window_.s(k), waves.bases[k], from_bottom, from_top);
+    const Complex p_up = times(to.up[0], waves.up[0][k]);
+    const Complex s_up = times(to.up[1], waves.up[1][k]);
+    const bool total = part_ == Part::total;
+    const Complex p_down = total ? times(to.down[0], waves.down[0][k]) : Complex();
+    const Complex s_down = total ? times(to.down[1], waves.down[1][k]) : Complex();
+    const Complex vx = times(m(0, 0), p_up + p_down) + times(m(0, 1), s_up + s_down);
     spectra.vx[k] = vx;
-    spectra.vy[k] = times(m(1, 0), p_difference) + times(m(1, 1), s_difference);
+    spectra.vy[k] = times(m(1, 0), p_up - p_down) + times(m(1, 1), s_up - s_down);
     if (!quantities.stress && !quantities.strain) {
       continue;
     }
-    const Complex sxy = -z * (times(m(2, 0), p_difference) + times(m(2, 1), s_difference));
-    const Complex syy = -z * (times(m(3, 0), p_sum) + times(m(3, 1), s_sum));
+    const Complex sxy = -z * (times(m(2, 0), p_up - p_down) + times(m(2, 1), s_up - s_down));
+    const Complex syy = -z * (times(m(3, 0), p_up + p_down) + times(m(3, 1), s_up + s_down));
     const Complex exx = -p * vx;
     const Complex eyy = times(syy - times(lambda, exx), per_m);
     if (quantities.stress) {
@@ -219,7 +218,6 @@ DepthSpectra FieldSpectra::at(double y, std::size_t medium, const Quantities& qu
       spectra.gxy[k] = times(sxy, per_g);
     }
   }
-  return spectra;
 }
 
 } // namespace tremolo::wavefield

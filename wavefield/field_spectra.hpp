@@ -58,8 +58,8 @@ public:
   /// @param media  indices in which spectra will be asked for
   FieldSpectra(const FieldSetup& setup, const SignalSpectrum& signal, std::span<const std::size_t> media);
 
-  /// At level y (m) in a medium; velocity always, stress and strain where asked for.
-  DepthSpectra at(double y, std::size_t medium, const Quantities& quantities) const;
+  /// At level y (m) in a medium; velocity always, stress and strain where asked for. Overwrites `spectra`.
+  void at(double y, std::size_t medium, const Quantities& quantities, DepthSpectra& spectra) const;
 
   double slowness_x() const { return reflectivity_.slowness_x(); }
 
@@ -78,8 +78,6 @@ private:
 
   void fill(MediumWaves& waves, std::size_t medium, const LayerAmplitudes& amplitudes,
             std::complex<double> incident, std::size_t bin) const;
-  void propagate(const MediumWaves& waves, double y, std::array<Spectrum, 2>& up,
-                 std::array<Spectrum, 2>& down) const;
 
   Window window_;
   Part part_;

@@ -14,8 +14,9 @@
 //
 // Displacement has the spectrum V / (i w). The pole at w = 0, of a signal that leaves an offset, belongs to
 // the displacement c U_inc that the static response c makes of the incident one, which is integrated from the
-// window's start; what is left, (V - c V_inc) / (i w), has no pole, and its value at w = 0 is extrapolated
-// from six bins.
+// window's start; what is left, (V - c V_inc) / (i w), has no pole. Its value at w = 0 is extrapolated from
+// six bins where there is a kink; else it is 0 without an offset, and with one such that the window starts at
+// rest.
 //
 // With an exponential window (Kausel and Roesset 1992, J. Eng. Mech. 118) all this is done at s = i w +
 // epsilon for exp(-epsilon t) g(t), and s has no zero.
@@ -94,8 +95,9 @@ std::vector<History> Synthesis::sample(std::span<const Point> points, std::size_
     require_finite_displacement(field);
   }
   std::vector<History> histories(points.size());
+  DepthSpectra spectra;
   for (const auto& [place, at_place] : points_at) {
-    const DepthSpectra spectra = field.at(place.second, place.first, quantities);
+    field.at(place.second, place.first, quantities, spectra);
     for (const std::size_t i : at_place) {
       const double delay = field.slowness_x() * (points[i].x - setup_.incidence.x_reference);
       histories[i] = history(field, spectra, delay, count, quantities);
@@ -147,33 +149,31 @@ std::vector<double> Synthesis::displacement(const Spectrum& velocity, const Spec
     return on_grid(count);
   }
 
-  double at_start = 0.0; // of the part that is integrated from there
+  const bool rest_from_start = !has_kink_ && std::abs(signal_.offset) > 1e-9 * signal_.absolute_area;
+  double at_start = 0.0; // of the parts that are integrated from there
   const auto weights = gregory_weights();
   const std::size_t corrected = has_kink_ ? std::min(weights.size() + 1, velocity.size()) : 0;
-  std::array<Complex, 7> rest{};
+  std::array<Complex, 7> low_rest{};
   for (std::size_t k = 1; k < velocity.size(); ++k) {
-    const Complex per_s = 1.0 / window_.s(k);
-    Complex integrated = times(times(shift[k], velocity[k]), per_s);
-    bins[k] = integrated;
-    if (has_kink_) {
-      integrated = times(times(shift[k], static_response * signal_.velocity[k]), per_s);
-    }
+    const Complex factor = times(shift[k], 1.0 / window_.s(k));
+    const Complex of_incident = times(factor, static_response * signal_.velocity[k]);
+    bins[k] = times(factor, velocity[k]);
+    const Complex rest = bins[k] - of_incident;
     if (k < corrected) {
-      rest[k] = bins[k] - integrated;
-      bins[k] = integrated + (k < weights.size() ? weights[k] : 1.0) * rest[k];
+      low_rest[k] = rest;
+      bins[k] = of_incident + (k < weights.size() ? weights[k] : 1.0) * rest;
     }
-    at_start += 2.0 * integrated.real();
+    at_start += 2.0 * (of_incident.real() + (rest_from_start ? rest.real() : 0.0));
   }
-  if (corrected == rest.size()) {
+  if (corrected == low_rest.size()) {
     // Seen from the signal's own time the spectrum turns slowly.
     const double centre = 0.5 * (setup_.signal.begin + setup_.signal.end) + delay - window_.start;
     bins[0] = 2.0 * weights[0] * extrapolate_to_zero([&](std::size_t k) {
-                return rest[k] * std::polar(1.0, window_.omega(k) * centre);
+                return low_rest[k] * std::polar(1.0, window_.omega(k) * centre);
               });
   }
   std::vector<double> values = on_grid(count);
-  // At the window's start nothing has arrived yet; the window's mean velocity, which a periodic function
-  // cannot integrate, is a ramp from there.
+  // The window's mean velocity, which a periodic function cannot integrate, is a ramp from its start.
   const double mean_velocity = static_response * signal_.velocity[0].real();
   for (std::size_t i = 0; i < count; ++i) {
     const double since_start = static_cast<double>(window_.offset + i * window_.stride) * window_.dt;
@@ -185,7 +185,8 @@ std::vector<double> Synthesis::displacement(const Spectrum& velocity, const Spec
 History Synthesis::history(const FieldSpectra& field, const DepthSpectra& spectra, double delay,
                            std::size_t count, const Quantities& quantities) {
   const std::size_t bins = spectra.vx.size();
-  Spectrum shift(bins);
+  Spectrum& shift = shift_;
+  shift.resize(bins);
   PhaseTrain train(-window_.s(0) * delay, (window_.s(0) - window_.s(1)) * delay);
   for (Complex& factor : shift) {
     factor = train.next();

@@ -41,6 +41,7 @@ private:
   bool has_kink_;
   RealFourier fourier_;
   SignalSpectrum signal_;
+  Spectrum shift_; ///< delay of a point along x, as factors of the bins
 };
 
 } // namespace tremolo::wavefield
