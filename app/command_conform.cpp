@@ -102,7 +102,7 @@ private:
 };
 
 fs::path written_built_in_case(const fs::path& folder) {
-  const fs::path file = folder / "case.toml";
+  fs::path file = folder / "case.toml";
   std::ofstream out(file);
   out << built_in_case;
   out.close();
