@@ -107,13 +107,16 @@ bool FeNewton::step(const FeElements& elements, const FeSoil& soil, const FeStat
     soil.update(end.soil, deyy, dgxy);
     elements.resistance(soil, end.soil, end.v, end.v, end.base, end.r);
     const double error = residual(elements, begin, end, g);
+    if (!std::isfinite(error)) {
+      return false;
+    }
     const double scale = std::max(traction_scale, largest(end.r));
     const double rounding = stress_rounding * std::max(largest(end.soil.syy), largest(end.soil.sxy));
     if (error <= tolerance_ * scale + rounding) {
       end.stress_velocity = end.v;
       return true;
     }
-    if (iteration == most || !std::isfinite(error)) {
+    if (iteration == most) {
       return false;
     }
     ++iterations_;

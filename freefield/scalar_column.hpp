@@ -31,7 +31,7 @@ struct HhtParameters {
 struct ColumnEnergy {
   double kinetic = 0.0;
   double strain = 0.0;    ///< elastic
-  double plastic = 0.0;   ///< taken by the soil's hysteresis
+  double plastic = 0.0;   ///< taken by the soil's hysteresis, of which Masing loops give some back
   double damping = 0.0;   ///< dissipated by the soil's small-strain damping
   double base_work = 0.0; ///< work of the traction on the base
 };

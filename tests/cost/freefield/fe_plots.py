@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Draws the FE column's studies into a folder.
+
+    cost_fe_work_precision > wp.csv
+    cost_fe_prenolin $TREMOLO_REFERENCE/records/prenolin_P1_sem2dpack/inputp1 > p1.csv
+    fe_plots.py docs/free-fields/pictures --work-precision wp.csv --prenolin p1.csv
+"""
+
+import argparse
+import csv
+import pathlib
+from collections import defaultdict
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+MARKS = {"central differences": "o-", "Newmark": "s", "HHT -0.1": "^", "Newmark (initial tangent)": "x"}
+
+
+def work_precision(path, folder):
+    runs = defaultdict(lambda: defaultdict(list))
+    with open(path, encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            runs[row["problem"]][row["scheme"]].append((float(row["cpu_s"]), float(row["relative_error"])))
+    figure, axes = plt.subplots(1, len(runs), figsize=(9.5, 4.0), sharey=True)
+    for axis, (problem, schemes) in zip(axes, runs.items()):
+        for scheme, points in schemes.items():
+            cost, error = zip(*sorted(points))
+            axis.loglog(cost, error, MARKS[scheme], label=scheme, markersize=5, alpha=0.8)
+        axis.set_title({"linear": "damped layer on rock", "simple wave": "hyperbolic simple wave"}[problem])
+        axis.set_xlabel("CPU time (s)")
+        axis.grid(True, which="major", alpha=0.4)
+    axes[0].set_ylabel("RMS error of velocity / peak")
+    axes[1].legend(fontsize=8)
+    figure.tight_layout()
+    figure.savefig(folder / "fe-work-precision.png", dpi=110)
+
+
+def prenolin(path, folder):
+    history = defaultdict(list)
+    peak = defaultdict(list)
+    with open(path, encoding="utf-8") as file:
+        for kind, name, *numbers in csv.reader(file):
+            (history if kind == "history" else peak)[name].append([float(x) for x in numbers])
+    figure, axes = plt.subplots(1, 3, figsize=(11.0, 3.8), width_ratios=[1.7, 0.8, 1.2])
+    for name, style in (("linear", "C7-"), ("hyperbolic", "C3-")):
+        rows = list(zip(*history[name]))
+        axes[0].plot(rows[0], rows[2], style, label=f"surface, {name}", linewidth=0.9)
+        depth, strain = zip(*peak[name])
+        axes[1].plot([100.0 * s for s in strain], depth, style, label=name)
+    rows = list(zip(*history["hyperbolic"]))
+    axes[0].plot(rows[0], rows[1], "k:", label="base", linewidth=0.9)
+    axes[0].set(xlabel="time (s)", ylabel="acceleration (m/s²)", xlim=(0.0, 3.0))
+    axes[0].legend(fontsize=8)
+    axes[1].set(xlabel="peak shear strain (%)", ylabel="depth (m)", ylim=(20.0, 0.0), xlim=(0.0, None))
+    axes[1].legend(fontsize=8)
+    axes[2].plot([100.0 * g for g in rows[4]], [s / 1e3 for s in rows[5]], "C3-", linewidth=0.9)
+    axes[2].set(xlabel="shear strain (%)", ylabel="shear stress (kPa)")
+    for axis in axes:
+        axis.grid(True, alpha=0.4)
+    figure.tight_layout()
+    figure.savefig(folder / "fe-prenolin-p1.png", dpi=110)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--work-precision", type=pathlib.Path)
+    parser.add_argument("--prenolin", type=pathlib.Path)
+    arguments = parser.parse_args()
+    if arguments.work_precision:
+        work_precision(arguments.work_precision, arguments.folder)
+    if arguments.prenolin:
+        prenolin(arguments.prenolin, arguments.folder)
+
+
+if __name__ == "__main__":
+    main()
