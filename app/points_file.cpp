@@ -69,6 +69,46 @@ wavefield::Point parse_point(std::string_view line, double surface_level) {
   return {xy[0], xy[1]};
 }
 
+/// What a range of numbers is of, for messages.
+struct RangeWords {
+  std::string_view what; ///< e.g. times
+  char letter;
+  std::string_view unit;
+  std::string_view example;
+};
+
+struct Range {
+  double start, step;
+  std::size_t count;
+};
+
+/// "A0:A1:DA", both ends included where DA divides A1 - A0.
+Range parse_range(std::string_view text, const RangeWords& words) {
+  const auto refuse = [&](std::string_view why) {
+    return std::invalid_argument(fmt::format("{} '{}': {}", words.what, text, why));
+  };
+  const char a = words.letter;
+  const auto parts = split(text, ':');
+  if (parts.size() != 3)
+    throw refuse(fmt::format("must be {0}0:{0}1:D{0} in {1}, e.g. {2}", a, words.unit, words.example));
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = finite_number(parts[i]);
+    if (!value)
+      throw refuse(fmt::format("'{}' is not a finite number", parts[i]));
+    values[i] = *value;
+  }
+  const auto [start, end, step] = values;
+  if (step <= 0.0)
+    throw refuse(fmt::format("D{} is {} {}, must be > 0", a, step, words.unit));
+  if (end < start)
+    throw refuse(fmt::format("{0}1 = {1} {3} lies before {0}0 = {2} {3}", a, end, start, words.unit));
+  const double steps = std::floor((end - start) / step + rounding);
+  if (steps >= most_times)
+    throw refuse(fmt::format("{:.3g} {}, at most {:.0e} are written", steps + 1.0, words.what, most_times));
+  return {start, step, static_cast<std::size_t>(steps) + 1};
+}
+
 } // namespace
 
 std::vector<wavefield::Point> read_points(const std::filesystem::path& file, double surface_level) {
@@ -103,28 +143,18 @@ std::vector<wavefield::Point> read_points(const std::filesystem::path& file, dou
 }
 
 wavefield::TimeGrid parse_times(std::string_view text) {
-  const auto refuse = [&](std::string_view why) {
-    return std::invalid_argument(fmt::format("times '{}': {}", text, why));
-  };
-  const auto parts = split(text, ':');
-  if (parts.size() != 3)
-    throw refuse("must be T0:T1:DT in s, e.g. 0:3:0.02");
-  std::array<double, 3> values{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto value = finite_number(parts[i]);
-    if (!value)
-      throw refuse(fmt::format("'{}' is not a finite number", parts[i]));
-    values[i] = *value;
-  }
-  const auto [start, end, dt] = values;
-  if (dt <= 0.0)
-    throw refuse(fmt::format("DT is {} s, must be > 0", dt));
-  if (end < start)
-    throw refuse(fmt::format("T1 = {} s lies before T0 = {} s", end, start));
-  const double steps = std::floor((end - start) / dt + rounding);
-  if (steps >= most_times)
-    throw refuse(fmt::format("{:.3g} times, at most {:.0e} are written", steps + 1.0, most_times));
-  return {start, dt, static_cast<std::size_t>(steps) + 1};
+  const Range range = parse_range(text, {"times", 'T', "s", "0:3:0.02"});
+  return {range.start, range.step, range.count};
+}
+
+std::vector<double> parse_frequencies(std::string_view text) {
+  const Range range = parse_range(text, {"frequencies", 'F', "Hz", "0.05:25:0.05"});
+  if (range.start <= 0.0)
+    throw std::invalid_argument(fmt::format("frequencies '{}': F0 is {} Hz, must be > 0", text, range.start));
+  std::vector<double> frequencies;
+  for (std::size_t i = 0; i < range.count; ++i)
+    frequencies.push_back(range.start + static_cast<double>(i) * range.step);
+  return frequencies;
 }
 
 } // namespace tremolo::app

@@ -18,4 +18,8 @@ std::vector<wavefield::Point> read_points(const std::filesystem::path& file, dou
 /// @throws std::invalid_argument with the text and what is wrong with it
 wavefield::TimeGrid parse_times(std::string_view text);
 
+/// Frequencies from "F0:F1:DF" (Hz), as parse_times() reads times; F0 > 0.
+/// @throws std::invalid_argument with the text and what is wrong with it
+std::vector<double> parse_frequencies(std::string_view text);
+
 } // namespace tremolo::app

@@ -12,7 +12,7 @@ namespace tremolo::wavefield {
 namespace {
 
 constexpr double first_padding = 1.25;
-constexpr double first_padding_with_tails = 4.0;
+constexpr double first_padding_with_tails = 2.0;
 constexpr std::size_t largest_chosen_window = std::size_t{1} << 23;
 
 /// Vertical slowness of a wave that propagates, s/m; 0 of one that is evanescent.
