@@ -137,13 +137,16 @@ std::string swap_text(const std::vector<SwappedRun>& runs) {
   const auto percent = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.3f} %", 100.0 * *value) : std::string("-");
   };
+  const auto width = [](const Difference& monitor) {
+    return std::max<std::size_t>(14, monitor.where.size() + 3);
+  };
   const auto first = std::ranges::find_if(runs, [](const SwappedRun& run) { return run.refused.empty(); });
   if (first == runs.end())
     return "no model can compute this case\n";
   std::string text = fmt::format("{:<10}{:>12}{:>12}{:>12}{:>14}{:>14}", "model", "source CPU", "domain CPU",
                                  "wall", "free field", "to exact");
   for (const Difference& monitor : first->monitors)
-    text += fmt::format("{:>14}", monitor.where);
+    text += fmt::format("{:>{}}", monitor.where, width(monitor));
   text += '\n';
   for (const SwappedRun& run : runs) {
     text += fmt::format("{:<10}", scene::name(run.model));
@@ -155,7 +158,7 @@ std::string swap_text(const std::vector<SwappedRun>& runs) {
                         run.domain_cpu_seconds, run.wall_seconds, percent(run.free_field),
                         percent(run.free_field_to_exact));
     for (const Difference& monitor : run.monitors)
-      text += fmt::format("{:>14}", percent(monitor.relative_l2));
+      text += fmt::format("{:>{}}", percent(monitor.relative_l2), width(monitor));
     text += '\n';
   }
   return text +

@@ -83,7 +83,8 @@ std::size_t Domain::particle_count() const {
 double Domain::fastest_wave() const {
   double fastest = 0.0;
   for (const Particles& set : sets)
-    fastest = std::max(fastest, materials::elasticity(set.law).p_wave_speed());
+    if (set.size() > 0)
+      fastest = std::max(fastest, materials::elasticity(set.law).p_wave_speed());
   return fastest;
 }
 

@@ -31,7 +31,7 @@ struct Domain {
   Axis y_axis() const { return {grid.y0, grid.h, half_size()}; }
   std::size_t particle_count() const;
   std::size_t block_count() const { return sets.front().block_start.size() - 1; }
-  double fastest_wave() const; ///< largest c_p of all soils, m/s
+  double fastest_wave() const; ///< largest c_p of the soils that have particles, m/s
 };
 
 /// A node with less mass (kg/m) is empty: rounding of weights, not soil.

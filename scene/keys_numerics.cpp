@@ -31,7 +31,7 @@ Table fe() {
           {.name = "element_size",
            .unit = "m",
            .meaning = "Largest finite element.",
-           .otherwise = "`[mesh] size`",
+           .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
            .range = positive},
           {.name = "dt",
            .unit = "s",
@@ -63,7 +63,7 @@ Table ode() {
           {.name = "cell_size",
            .unit = "m",
            .meaning = "Largest cell.",
-           .otherwise = "`[mesh] size`",
+           .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
            .range = positive}}};
 }
 
@@ -73,7 +73,7 @@ Table oblique() {
           .keys = {{.name = "cell_size",
                     .unit = "m",
                     .meaning = "Largest cell.",
-                    .otherwise = "`[mesh] size`",
+                    .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
                     .range = positive}}};
 }
 

@@ -27,19 +27,43 @@ constexpr int padding = 6;            // cells around the box
 // plasticity where the soil yields.
 constexpr double base_cost_ns = 200.0;
 constexpr double plasticity_cost_ns = 60.0;
+constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
+
+/// Soils that lie in the domain; others belong to layers of the free field alone.
+std::vector<Soil> domain_soils(const Case& scene) {
+  std::vector<Soil> soils;
+  for (std::size_t i = 0; i < scene.soils.size(); ++i)
+    if (std::ranges::find(scene.regions, i, &Region::soil) != scene.regions.end())
+      soils.push_back(scene.soils[i]);
+  return soils;
+}
 
 template <class Predicate>
 bool any_soil(const Case& scene, Predicate predicate) {
-  return std::ranges::any_of(scene.soils, [&](const Soil& soil) {
-    const auto* law = std::get_if<MohrCoulomb>(&soil.law);
-    return law != nullptr && predicate(*law);
-  });
+  return std::ranges::any_of(domain_soils(scene), predicate, &Soil::law);
 }
 
-double state_size(const Case& scene) {
-  std::size_t largest = 0;
-  for (const Soil& soil : scene.soils)
-    largest = std::max(largest, materials::state_variables(soil.law).size());
+bool is_plastic(const materials::Law& law) {
+  return std::holds_alternative<MohrCoulomb>(law);
+}
+
+bool is_hysteretic(const materials::Law& law) {
+  return std::holds_alternative<materials::IwanShear>(law);
+}
+
+bool softens(const materials::Law& law) {
+  const auto* plastic = std::get_if<MohrCoulomb>(&law);
+  return plastic != nullptr && plastic->softening > 0.0;
+}
+
+/// Largest number of state variables of a soil, all or those that are written.
+double state_size(const Case& scene, bool written) {
+  std::ptrdiff_t largest = 0;
+  for (const Soil& soil : domain_soils(scene))
+    largest = std::max(largest, std::ranges::count_if(materials::state_variables(soil.law),
+                                                      [written](const materials::StateVariable& variable) {
+                                                        return !written || !variable.internal;
+                                                      }));
   return static_cast<double>(largest);
 }
 
@@ -52,8 +76,9 @@ std::string listed(const std::vector<SourceProcess>& sources) {
 
 std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources) {
   const bool apic = scene.time.transfer == Transfer::apic;
-  const bool plastic = any_soil(scene, [](const MohrCoulomb&) { return true; });
-  const bool softening = any_soil(scene, [](const MohrCoulomb& law) { return law.softening > 0.0; });
+  const bool plastic = any_soil(scene, is_plastic);
+  const bool softening = any_soil(scene, softens);
+  const bool hysteretic = any_soil(scene, is_hysteretic);
   const bool damped = scene.damping.model != DampingModel::none;
   return {
       {"soil skeleton", true, "always: uGIMP particles, plane strain", particle_bytes, base_cost_ns},
@@ -63,9 +88,11 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        scene.gravity ? fmt::format("[[stage]] gravity, {} m/s2, then static tractions on the boundary faces",
                                    scene.gravity->acceleration)
                      : "no [[stage]] of kind gravity"},
-      {"plasticity", plastic,
-       plastic ? "a [soil] with model = \"mohr_coulomb\"" : "every soil is linear elastic",
-       plastic ? 8.0 * state_size(scene) : 0.0, plastic ? plasticity_cost_ns : 0.0},
+      {"plasticity", plastic, plastic ? "a [soil] with model = \"mohr_coulomb\"" : "no soil is mohr_coulomb",
+       plastic && !hysteretic ? 8.0 * state_size(scene, false) : 0.0, plastic ? plasticity_cost_ns : 0.0},
+      {"hysteresis", hysteretic,
+       hysteretic ? "a [soil] with model = \"hyperbolic\" or \"mkz\"" : "no soil is hyperbolic or mkz",
+       hysteretic ? 8.0 * state_size(scene, false) : 0.0, hysteretic ? hysteresis_cost_ns : 0.0},
       {"strain softening", softening,
        softening ? "a [soil] with softening > 0" : "no soil has softening > 0"},
       {"oblique incidence", scene.motion.angle_deg > 0.0,
@@ -90,7 +117,7 @@ double first_arrival(const Case& scene) {
 
 std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
   double slowest = highest_speed;
-  for (const Soil& soil : scene.soils)
+  for (const Soil& soil : domain_soils(scene))
     slowest = std::min(slowest, materials::elasticity(soil.law).s_wave_speed());
   constexpr double cells_per_wavelength = 15.0;
   const double resolved = slowest / (cells_per_wavelength * scene.mesh.size);
@@ -107,7 +134,7 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
         "the wave reaches the model {:.3g} s before the shaking starts and finds it at rest: what "
         "came earlier is missing; a later pulse or a deeper [motion] reference avoids it",
         -arrival));
-  for (const Soil& soil : scene.soils) {
+  for (const Soil& soil : domain_soils(scene)) {
     const auto& elastic = materials::elasticity(soil.law);
     const auto& half = scene.halfspace;
     if (scene.profile.empty() &&
@@ -123,7 +150,7 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
 double output_doubles_per_particle(const Case& scene) {
   double count = 2.0; // place
   for (const OutputField field : scene.output.fields)
-    count += field == OutputField::stress ? 4.0 : field == OutputField::state ? state_size(scene) : 2.0;
+    count += field == OutputField::stress ? 4.0 : field == OutputField::state ? state_size(scene, true) : 2.0;
   return count;
 }
 
@@ -131,7 +158,7 @@ double output_doubles_per_particle(const Case& scene) {
 
 double critical_time_step(const Case& scene) {
   double fastest = 0.0;
-  for (const Soil& soil : scene.soils)
+  for (const Soil& soil : domain_soils(scene))
     if (const auto& elastic = materials::elasticity(soil.law); elastic.density > 0.0 && elastic.young > 0.0)
       fastest = std::max(fastest, elastic.p_wave_speed());
   constexpr double largest_courant_number = 0.65;

@@ -12,7 +12,7 @@ namespace tremolo::scene {
 void read_free_field(Document& document, Findings& findings, Case& scene);
 /// The sides and the base; after read_free_field.
 void read_boundary(Document& document, Findings& findings, Case& scene);
-/// Numerics of the free-field models; after read_mesh, whose size is the default of element sizes.
+/// Numerics of the free-field models; after read_mesh, half of whose size is the default of element sizes.
 void read_numerics(Document& document, Case& scene);
 /// Soils; their softening holds for cells of [mesh] size where the mesh has been read.
 void read_soils(Document& document, Findings& findings, Case& scene);

@@ -10,16 +10,17 @@ void read_numerics(Document& document, Case& scene) {
   scene.fe.alpha = fe.number("alpha");
   scene.fe.tangent =
       from_name(fe.text("tangent"), std::array{NewtonTangent::consistent, NewtonTangent::initial});
-  scene.fe.element_size = fe.optional_number("element_size").value_or(scene.mesh.size);
+  scene.fe.element_size = fe.optional_number("element_size").value_or(0.5 * scene.mesh.size);
   scene.fe.dt = fe.optional_number("dt");
 
   const auto ode = document.table("ode");
   using enum OdeMethod;
   scene.ode = {from_name(ode.text("method"), std::array{adams, bdf, erk, imex}),
                ode.number("relative_tolerance"), ode.number("absolute_tolerance"),
-               ode.optional_number("cell_size").value_or(scene.mesh.size)};
+               ode.optional_number("cell_size").value_or(0.5 * scene.mesh.size)};
 
-  scene.oblique.cell_size = document.table("oblique").optional_number("cell_size").value_or(scene.mesh.size);
+  scene.oblique.cell_size =
+      document.table("oblique").optional_number("cell_size").value_or(0.5 * scene.mesh.size);
 
   const auto eql = document.table("eql");
   scene.eql = {eql.number("strain_ratio"), eql.number("tolerance"), eql.integer("iterations"),

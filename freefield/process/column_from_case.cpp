@@ -1,6 +1,8 @@
 #include "freefield/process/column_from_case.hpp"
 
 #include "freefield/fe_column.hpp"
+#include "freefield/oblique_column.hpp"
+#include "freefield/ode_column.hpp"
 #include "scene/layers.hpp"
 #include "scene/motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
@@ -118,6 +120,49 @@ std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profi
   return std::make_unique<FeColumn>(profile, settings, input.velocity);
 }
 
+OdeMethod method_of(scene::OdeMethod method) {
+  switch (method) {
+  case scene::OdeMethod::adams:
+    return OdeMethod::adams;
+  case scene::OdeMethod::bdf:
+    return OdeMethod::bdf;
+  case scene::OdeMethod::erk:
+    return OdeMethod::explicit_runge_kutta;
+  case scene::OdeMethod::imex:
+    return OdeMethod::imex;
+  }
+  throw std::logic_error("an integration method without a name");
+}
+
+std::unique_ptr<Column> ode_column(const scene::Case& scene, const Profile& profile, const Input& input,
+                                   double start) {
+  OdeColumnSettings settings;
+  settings.max_cell_size = scene.ode.cell_size;
+  settings.method = method_of(scene.ode.method);
+  settings.relative_tolerance = scene.ode.relative_tolerance;
+  settings.absolute_tolerance = scene.ode.absolute_tolerance;
+  settings.damping = damping_from_case(scene);
+  settings.base = input.base;
+  // Motions end in practice at a third of their highest frequency: cubic interpolation between the states
+  // then errs by 5e-6.
+  constexpr double states_per_period = 10.0;
+  settings.time_step = 1.0 / (states_per_period * input.highest_frequency);
+  settings.max_step = 1.0 / input.highest_frequency;
+  settings.start_time = start - 2.0 * settings.time_step;
+  return std::make_unique<OdeColumn>(profile, settings, input.velocity);
+}
+
+std::unique_ptr<Column> oblique_column(const scene::Case& scene, const Profile& profile, const Input& input,
+                                       double start) {
+  ObliqueColumnSettings settings;
+  settings.max_cell_size = scene.oblique.cell_size;
+  settings.slowness_x = slowness_from_case(scene);
+  constexpr double fraction = 0.9;
+  settings.time_step = fraction * oblique_step_limit(profile, settings.max_cell_size, settings.slowness_x);
+  settings.start_time = start - 2.0 * settings.time_step;
+  return std::make_unique<ObliqueColumn>(profile, settings, input.velocity);
+}
+
 void require_size(const scene::Case& scene, double size, const char* key) {
   if (!(size > 0.0))
     throw std::invalid_argument(
@@ -137,6 +182,10 @@ std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::
   switch (source.field.model) {
   case scene::SourceModel::fe:
     return made(scene.fe.element_size, "[fe] element_size", fe_column);
+  case scene::SourceModel::ode:
+    return made(scene.ode.cell_size, "[ode] cell_size", ode_column);
+  case scene::SourceModel::oblique:
+    return made(scene.oblique.cell_size, "[oblique] cell_size", oblique_column);
   default:
     throw std::invalid_argument(fmt::format("model \"{}\" is not a column", scene::name(source.field.model)));
   }

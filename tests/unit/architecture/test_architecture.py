@@ -27,6 +27,7 @@ LIBRARIES = {
 
 # Mains of processes, in <library>/process/ or <library>/main.cpp: their library's folders and these.
 PROCESSES = {
+    "coupler": {"results", "coupler/eq6", "scene"},
     "wavefield": {"materials", "motion", "scene", "coupler"},
     "freefield": {"materials", "motion", "wavefield", "scene", "coupler"},
     "mpm_domain": {"materials", "results", "coupler/eq6", "scene", "coupler"},
