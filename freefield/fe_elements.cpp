@@ -21,6 +21,10 @@ FeElements::FeElements(const Profile& profile, const ColumnMesh& mesh, const Dam
       dashpots_[freedom] += c.alpha * half_mass;
     }
   }
+  inverse_mass_.reserve(mass_.size());
+  for (const double mass : mass_) {
+    inverse_mass_.push_back(1.0 / mass);
+  }
   if (base_ == BaseKind::compliant) {
     dashpots_[0] += impedance_x_;
     dashpots_[1] += impedance_y_;

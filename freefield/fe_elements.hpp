@@ -42,7 +42,8 @@ public:
   /// Degrees of freedom that are prescribed: the first two, or none.
   std::size_t prescribed() const { return base_ == BaseKind::rigid ? 2 : 0; }
   const FeElement& operator[](std::size_t element) const { return elements_[element]; }
-  const Vector& mass() const { return mass_; }         ///< kg/m2
+  const Vector& mass() const { return mass_; } ///< kg/m2
+  const Vector& inverse_mass() const { return inverse_mass_; }
   const Vector& dashpots() const { return dashpots_; } ///< Pa s/m
 
   /// Strain increments of a displacement increment.
@@ -61,6 +62,7 @@ private:
   double impedance_x_;
   double impedance_y_;
   Vector mass_;
+  Vector inverse_mass_;
   Vector dashpots_;
 };
 

@@ -41,17 +41,20 @@ NonlinearColumn::NonlinearColumn(const Profile& profile, const ColumnMesh& mesh,
 }
 
 void NonlinearColumn::step(const InputVelocity& input, double time) {
-  jerk_ = acceleration_;
   if (settings_.integrator == Integrator::newmark) {
     step_implicit(input, time, settings_.time_step, 0);
   } else {
     step_explicit(input, time);
   }
+  const double per_step = 1.0 / settings_.time_step;
+  double finite = 0.0; // a sum that is not finite if one of its terms is not
   for (std::size_t i = 0; i < acceleration_.size(); ++i) {
-    acceleration_[i] = i < elements_.prescribed() ? state_.a[i] : -state_.r[i] / elements_.mass()[i];
-    jerk_[i] = (acceleration_[i] - jerk_[i]) / settings_.time_step;
+    const double before = acceleration_[i];
+    acceleration_[i] = i < elements_.prescribed() ? state_.a[i] : -state_.r[i] * elements_.inverse_mass()[i];
+    jerk_[i] = (acceleration_[i] - before) * per_step;
+    finite += acceleration_[i];
   }
-  if (!std::all_of(state_.r.begin(), state_.r.end(), [](double r) { return std::isfinite(r); })) {
+  if (!std::isfinite(finite)) {
     throw std::runtime_error("the motion of the free-field column is no longer finite; input velocity " +
                              shortest(state_.base.x.velocity) + ", " + shortest(state_.base.y.velocity) +
                              " m/s");
@@ -121,6 +124,9 @@ void NonlinearColumn::account(const FeMotion& before, double dt) {
   }
   for (std::size_t e = 0; e < elements_.count(); ++e) {
     const FeElement& element = elements_[e];
+    if (element.alpha == 0.0 && element.damping_time == 0.0) {
+      continue;
+    }
     const double half_mass = 0.5 * element.density * element.length;
     for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
       const double below = mean_velocity(2 * e + c);

@@ -51,7 +51,7 @@ FeColumn column(bool linear, const InputVelocity& motion) {
   const Layer layer = linear ? Layer{height, soil}
                              : layer_of(height, MasingShear{.elastic = soil, .reference_strain = 3.65e-4});
   return {{.layers = {layer}, .half_space = soil},
-          {.max_element_size = element, .time_step = 2.5e-4, .base = BaseKind::rigid},
+          {.max_element_size = element, .time_step = 2.5e-4, .base = BaseKind::rigid, .hht_alpha = -0.1},
           motion};
 }
 
