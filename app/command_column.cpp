@@ -1,5 +1,6 @@
 // tremolo column: the free field of a case alone, by any model, as engineers look at it.
 
+#include "app/column_recording.hpp"
 #include "app/column_report.hpp"
 #include "app/commands.hpp"
 #include "app/free_field_series.hpp"
@@ -26,6 +27,7 @@ struct Options {
   std::string scene;
   std::string model;
   std::string out;
+  std::string record;
   std::vector<double> depths;
   std::optional<double> duration;
   double every = 0.0;
@@ -115,12 +117,18 @@ void print_summary(const FreeFieldSeries& series, const scene::Case& scene, cons
              largest(0, along), largest(weakest, strain), series.levels.back() - series.levels[weakest]);
 }
 
+void record(const Options& options) {
+  const scene::Case scene = scene::load(options.scene);
+  record_column(scene, source_of(scene, options.model).field.model, options.record);
+  fmt::print("{}: the left free field, model {}\n", options.record, options.model);
+}
+
 void compute(const Options& options) {
   const scene::Case scene = scene::load_free_field(options.scene);
   const scene::SourceProcess source = source_of(scene, options.model);
   const auto depths = depths_of(scene, source, options);
-  const auto series =
-      free_field_series(scene, source, all_levels(scene, source, depths), times_of(scene, source, options));
+  const auto series = free_field_series(scene, source, all_levels(scene, source, depths),
+                                        times_of(scene, source, options), scene.motion.reference.x);
   std::vector<std::size_t> shown;
   for (const double depth : depths) {
     // The last of equal levels: above an interface.
@@ -151,7 +159,11 @@ void add_column(CLI::App& app) {
   command->add_option("--model", options->model, "Free-field model: wave, fe, ode, oblique or eql")
       ->required()
       ->check(CLI::IsMember(names));
-  command->add_option("--out", options->out, "Written: HDF5 tables, see docs/output-format.md")->required();
+  auto* out = command->add_option("--out", options->out, "Written: HDF5 tables, see docs/output-format.md");
+  command
+      ->add_option("--record", options->record,
+                   "Written: the left free field of a complete case, for model = \"recording\"")
+      ->excludes(out);
   command
       ->add_option("--depths", options->depths,
                    "Depths of the histories, m, separated by commas (default: surface, interfaces, base)")
@@ -164,7 +176,14 @@ void add_column(CLI::App& app) {
                    "Time step of the histories, s (default: a quarter of the shortest period, at most 5 ms)")
       ->check(CLI::PositiveNumber);
   command->add_flag("--plot", options->plot, "Draw OUT.png beside the file");
-  command->callback([options] { compute(*options); });
+  command->callback([options] {
+    if (options->out.empty() && options->record.empty())
+      throw CLI::RequiredError("--out or --record");
+    if (options->record.empty())
+      compute(*options);
+    else
+      record(*options);
+  });
 }
 
 } // namespace tremolo::app

@@ -2,7 +2,9 @@
 
 #include "app/hermite.hpp"
 #include "freefield/process/column_from_case.hpp"
+#include "scene/layers.hpp"
 #include "wavefield/process/field_from_case.hpp"
+#include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>
 
@@ -79,9 +81,16 @@ ColumnSample at_time(const wavefield::History& h, std::size_t i) {
           .gxy = h.gxy[i]};
 }
 
-void synthesise(const wavefield::LayeredField& field, double x, FreeFieldSeries& series) {
+FreeFieldSeries empty_series(std::vector<double> levels, const wavefield::TimeGrid& times) {
+  FreeFieldSeries series{std::move(levels), times, {}};
+  series.samples.resize(series.levels.size() * times.count);
+  return series;
+}
+
+void synthesise(const wavefield::LayeredField& field, double x, wavefield::Part part,
+                FreeFieldSeries& series) {
   const auto points = wavefield::points_on_line(x, series.levels);
-  const auto histories = field.sample(points, series.times);
+  const auto histories = field.sample(points, series.times, part);
   for (std::size_t k = 0; k < histories.size(); ++k)
     for (std::size_t i = 0; i < series.times.count; ++i)
       series.samples[k * series.times.count + i] = at_time(histories[k], i);
@@ -90,20 +99,19 @@ void synthesise(const wavefield::LayeredField& field, double x, FreeFieldSeries&
 } // namespace
 
 FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceProcess& source,
-                                  std::vector<double> levels, const wavefield::TimeGrid& times) {
-  FreeFieldSeries series{std::move(levels), times, {}};
-  series.samples.resize(series.levels.size() * times.count);
-  const double x = scene.motion.reference.x;
+                                  std::vector<double> levels, const wavefield::TimeGrid& times,
+                                  double x_line) {
+  FreeFieldSeries series = empty_series(std::move(levels), times);
   const double before = cpu_seconds();
   switch (source.field.model) {
   case scene::SourceModel::wave:
   case scene::SourceModel::eql:
-    synthesise(wavefield::field_from_case(scene, source), x, series);
+    synthesise(wavefield::field_from_case(scene, source), x_line, wavefield::Part::total, series);
     break;
   case scene::SourceModel::fe:
   case scene::SourceModel::ode:
   case scene::SourceModel::oblique:
-    march(*freefield::column_from_case(scene, source, x, times.start), series);
+    march(*freefield::column_from_case(scene, source, x_line, times.start), series);
     break;
   default:
     throw std::invalid_argument(
@@ -111,6 +119,14 @@ FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceP
                     scene::name(source.field.model)));
   }
   series.cpu_seconds = cpu_seconds() - before;
+  return series;
+}
+
+FreeFieldSeries incident_series(const scene::Case& scene, const scene::SourceProcess& source,
+                                std::vector<double> levels, const wavefield::TimeGrid& times, double x_line) {
+  FreeFieldSeries series = empty_series(std::move(levels), times);
+  synthesise(wavefield::elastic_field(scene, scene::layers(scene, source), source.surface), x_line,
+             wavefield::Part::incident, series);
   return series;
 }
 

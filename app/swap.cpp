@@ -70,7 +70,7 @@ FreeFieldSeries left_field(const scene::Case& scene, const scene::FreeFieldModel
   if (!scene.boundary.left.own_profile.empty())
     source.profile = scene::Side::left;
   const auto count = static_cast<std::size_t>(scene.shaking.duration / dt) + 1;
-  return free_field_series(scene, source, std::move(levels), {0.0, dt, count});
+  return free_field_series(scene, source, std::move(levels), {0.0, dt, count}, scene.mesh.box.x_min);
 }
 
 bool is_linear(const scene::Case& scene) {
