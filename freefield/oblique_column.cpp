@@ -166,7 +166,7 @@ void ObliqueColumn::advance_soil(std::size_t e, const Eigen::Vector2d& change) {
     const auto [value, tangent] = materials::masing_response(soil.backbone, soil.history, strain + increment);
     stress_change = value - stress;
     const double residual = increment - p * p / density * stress_change - target;
-    if (std::abs(residual) <= tolerance * (std::abs(target) + soil.backbone.reference_strain)) {
+    if (std::abs(residual) <= tolerance * (std::abs(target) + std::abs(strain))) {
       break;
     }
     if (i == most_iterations) {
