@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <tuple>
 
 namespace tremolo::freefield {
 namespace {
@@ -64,7 +63,7 @@ void NonlinearColumn::step(const InputVelocity& input, double time) {
 
 void NonlinearColumn::step_explicit(const InputVelocity& input, double time) {
   const double dt = settings_.time_step;
-  before_ = state_;
+  before_ = static_cast<const FeMotion&>(state_);
   state_.base = advanced(settings_.base, input, before_.base, time, dt);
   for (std::size_t i = 0; i < du_.size(); ++i) {
     state_.u[i] += dt * before_.v[i] + 0.5 * dt * dt * before_.a[i];
@@ -163,37 +162,27 @@ void NonlinearColumn::remember() {
   }
 }
 
+double NonlinearColumn::stress_rate(std::vector<double> CentreStress::*component, std::size_t e) const {
+  const auto [now, before, long_before] =
+      std::array{(centre_stress_[0].*component)[e], (centre_stress_[1].*component)[e],
+                 (centre_stress_[2].*component)[e]};
+  return (3.0 * now - 4.0 * before + long_before) / (2.0 * settings_.time_step);
+}
+
+double NonlinearColumn::gradient(const std::vector<double>& nodal, std::size_t e,
+                                 std::size_t component) const {
+  return (nodal[2 * e + 2 + component] - nodal[2 * e + component]) / elements_[e].length;
+}
+
 ColumnSample NonlinearColumn::sample(const ColumnMesh::Place& place) const {
-  const std::size_t e = place.element;
-  const FeElement& element = elements_[e];
-  const std::size_t nearer = 2 * (place.fraction < 0.5 ? e : e + 1);
-  const double mass_from_centre = element.density * element.length * (place.fraction - 0.5);
   const ColumnMesh::Centres centres = mesh_.centres(place);
-  const auto [now, before, long_before] = std::tie(centre_stress_[0], centre_stress_[1], centre_stress_[2]);
-  const double rate_scale = 0.5 / settings_.time_step;
-  const auto rate = [&](const std::vector<double> CentreStress::*s, std::size_t i) {
-    return rate_scale * (3.0 * (now.*s)[i] - 4.0 * (before.*s)[i] + (long_before.*s)[i]);
+  const auto interpolated = [&](const std::vector<double>& nodal, std::size_t component) {
+    const std::size_t first = 2 * place.element + component;
+    return std::lerp(nodal[first], nodal[first + 2], place.fraction);
   };
-  const auto interpolated = [&](const std::vector<double>& nodal, std::size_t c) {
-    return std::lerp(nodal[2 * e + c], nodal[2 * e + 2 + c], place.fraction);
-  };
-  const auto gradient = [&](const std::vector<double>& nodal, std::size_t i, std::size_t c) {
-    return (nodal[2 * i + 2 + c] - nodal[2 * i + c]) / elements_[i].length;
-  };
-  const auto traction = [&](double at_centre, double viscosity, std::size_t c) {
-    return at_centre + viscosity * gradient(state_.stress_velocity, e, c) +
-           mass_from_centre * (acceleration_[nearer + c] + element.alpha * state_.v[nearer + c]);
-  };
-  const auto traction_rate = [&](double at_centre, double viscosity, std::size_t c) {
-    return at_centre + viscosity * gradient(acceleration_, e, c) +
-           mass_from_centre * (jerk_[nearer + c] + element.alpha * acceleration_[nearer + c]);
-  };
-  const auto strain = [&](std::size_t c) {
-    return at_centres(centres, gradient(state_.u, centres.lower, c), gradient(state_.u, centres.upper, c));
-  };
-  const auto lateral = [&](std::size_t i) { return now.sxx[i] - elements_[i].lateral_ratio * now.syy[i]; };
-  const auto lateral_rate = [&](std::size_t i) {
-    return rate(&CentreStress::sxx, i) - elements_[i].lateral_ratio * rate(&CentreStress::syy, i);
+  const auto strain = [&](std::size_t component) {
+    return at_centres(centres, gradient(state_.u, centres.lower, component),
+                      gradient(state_.u, centres.upper, component));
   };
   ColumnSample sample;
   sample.vx = interpolated(state_.v, 0);
@@ -204,15 +193,38 @@ ColumnSample NonlinearColumn::sample(const ColumnMesh::Place& place) const {
   sample.uy = interpolated(state_.u, 1);
   sample.gxy = strain(0);
   sample.eyy = strain(1);
+  sample_stress(place, centres, sample);
+  return sample;
+}
+
+void NonlinearColumn::sample_stress(const ColumnMesh::Place& place, const ColumnMesh::Centres& centres,
+                                    ColumnSample& sample) const {
+  const std::size_t e = place.element;
+  const FeElement& element = elements_[e];
+  const CentreStress& now = centre_stress_[0];
+  const std::size_t nearer = 2 * (place.fraction < 0.5 ? e : e + 1);
+  const double mass_from_centre = element.density * element.length * (place.fraction - 0.5);
+  const auto traction = [&](double soil, double viscosity, std::size_t c) {
+    return soil + viscosity * gradient(state_.stress_velocity, e, c) +
+           mass_from_centre * (acceleration_[nearer + c] + element.alpha * state_.v[nearer + c]);
+  };
+  const auto traction_rate = [&](double soil, double viscosity, std::size_t c) {
+    return soil + viscosity * gradient(acceleration_, e, c) +
+           mass_from_centre * (jerk_[nearer + c] + element.alpha * acceleration_[nearer + c]);
+  };
+  const auto yielded = [&](std::size_t i) { return now.sxx[i] - elements_[i].lateral_ratio * now.syy[i]; };
+  const auto yielded_rate = [&](std::size_t i) {
+    return stress_rate(&CentreStress::sxx, i) -
+           elements_[i].lateral_ratio * stress_rate(&CentreStress::syy, i);
+  };
   sample.sxy = traction(now.sxy[e], element.shear_viscosity, 0);
   sample.syy = traction(now.syy[e], element.dilation_viscosity, 1);
   sample.sxx = element.lateral_ratio * sample.syy +
-               at_centres(centres, lateral(centres.lower), lateral(centres.upper));
-  sample.sxy_rate = traction_rate(rate(&CentreStress::sxy, e), element.shear_viscosity, 0);
-  sample.syy_rate = traction_rate(rate(&CentreStress::syy, e), element.dilation_viscosity, 1);
+               at_centres(centres, yielded(centres.lower), yielded(centres.upper));
+  sample.sxy_rate = traction_rate(stress_rate(&CentreStress::sxy, e), element.shear_viscosity, 0);
+  sample.syy_rate = traction_rate(stress_rate(&CentreStress::syy, e), element.dilation_viscosity, 1);
   sample.sxx_rate = element.lateral_ratio * sample.syy_rate +
-                    at_centres(centres, lateral_rate(centres.lower), lateral_rate(centres.upper));
-  return sample;
+                    at_centres(centres, yielded_rate(centres.lower), yielded_rate(centres.upper));
 }
 
 ColumnEnergy NonlinearColumn::energy() const {

@@ -36,6 +36,11 @@ private:
   void step_explicit(const InputVelocity& input, double time);
   void step_implicit(const InputVelocity& input, double time, double dt, int halvings);
   void account(const FeMotion& before, double dt);
+  void sample_stress(const ColumnMesh::Place& place, const ColumnMesh::Centres& centres,
+                     ColumnSample& sample) const;
+  double stress_rate(std::vector<double> CentreStress::*component, std::size_t element) const;
+  /// Difference of a component of a nodal quantity over an element, by its length.
+  double gradient(const std::vector<double>& nodal, std::size_t element, std::size_t component) const;
   CentreStress centre_stress() const;
   void remember();
 

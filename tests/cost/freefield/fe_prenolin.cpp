@@ -57,8 +57,8 @@ FeColumn column(bool linear, const InputVelocity& motion) {
 
 void respond(const char* name, FeColumn soil) {
   std::vector<double> levels;
-  for (double y = -height + 0.5 * element; y < 0.0; y += element) {
-    levels.push_back(y);
+  for (int i = 0; i < static_cast<int>(height / element); ++i) {
+    levels.push_back(-height + (i + 0.5) * element);
   }
   levels.push_back(-height);
   levels.push_back(0.0);
