@@ -58,13 +58,14 @@ bool is_cvode(OdeMethod method) {
   return method == OdeMethod::adams || method == OdeMethod::bdf;
 }
 
-/// Tells the integrator to try a smaller step where the equations have no finite value.
-int finite_or_retry(N_Vector rate) {
+/// Tells the integrator to give up where the equations have no finite value: no smaller step would mend an
+/// input that is not a number.
+int finite_or_stop(N_Vector rate) {
   double sum = 0.0;
   for (const double r : values(rate)) {
     sum += r;
   }
-  return std::isfinite(sum) ? 0 : 1;
+  return std::isfinite(sum) ? 0 : -1;
 }
 
 } // namespace
@@ -187,15 +188,15 @@ struct OdeIntegrator::Sundials {
 
   static int derivative(realtype t, N_Vector y, N_Vector rate, void* data) {
     self(data).system.derivative(t, values(y), values(rate));
-    return finite_or_retry(rate);
+    return finite_or_stop(rate);
   }
   static int wave_part(realtype t, N_Vector y, N_Vector rate, void* data) {
     self(data).system.wave_part(t, values(y), values(rate));
-    return finite_or_retry(rate);
+    return finite_or_stop(rate);
   }
   static int damping_part(realtype, N_Vector y, N_Vector rate, void* data) {
     self(data).system.damping_part(values(y), values(rate));
-    return finite_or_retry(rate);
+    return finite_or_stop(rate);
   }
   static OdeSystem::Entry adder(SUNMatrix matrix) {
     return [matrix](std::size_t row, std::size_t column, double value) {

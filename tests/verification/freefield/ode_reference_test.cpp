@@ -90,7 +90,7 @@ TEST(OdeColumnReference, KelvinVoigtLayerAtSecondOrderByEveryMethod) {
   }
 }
 
-constexpr double front = 0.06; ///< s around the wave's front and its ripples: no second derivative there
+constexpr double front = 0.03; ///< s around the wave's front and its ripples: no second derivative there
 
 /// Root-mean-square errors of velocity, strain and stress at 5, 10 and 20 m from the driven face.
 std::array<double, 3> simple_wave_errors(const Rows& rows, double exponent, double face, double cell) {
@@ -132,7 +132,7 @@ std::array<double, 3> simple_wave_errors(const Rows& rows, double exponent, doub
   return squares;
 }
 
-void expect_simple_wave(const std::string& file, double exponent, double face) {
+void expect_simple_wave(const std::string& file, double exponent, double face, double least_order) {
   const auto rows = rows_of(file);
   if (rows.empty()) {
     GTEST_SKIP() << "no reference data";
@@ -142,17 +142,17 @@ void expect_simple_wave(const std::string& file, double exponent, double face) {
   for (std::size_t q = 0; q < 3; ++q) {
     std::printf("%s %zu: %.2e %.2e order %.2f\n", file.c_str(), q, coarse[q], fine[q],
                 std::log2(coarse[q] / fine[q]));
-    EXPECT_GT(std::log2(coarse[q] / fine[q]), 1.8);
-    EXPECT_LT(fine[q], 2e-3);
+    EXPECT_GT(std::log2(coarse[q] / fine[q]), least_order);
+    EXPECT_LT(fine[q], 3e-4);
   }
 }
 
 TEST(OdeColumnReference, SimpleWaveInHyperbolicSoil) {
-  expect_simple_wave("nonlinear_simple_wave.csv", 1.0, 0.8);
+  expect_simple_wave("nonlinear_simple_wave.csv", 1.0, 0.8, 1.8);
 }
 
 TEST(OdeColumnReference, SimpleWaveInMkzSoil) {
-  expect_simple_wave("nonlinear_simple_wave_mkz.csv", 0.919, 0.5);
+  expect_simple_wave("nonlinear_simple_wave_mkz.csv", 0.919, 0.5, 1.6);
 }
 
 // u(surface)/u(base) = 1/cos(k* H), k* = w/sqrt(G (1 + i w beta)/rho), both polarisations in quadrature. The
