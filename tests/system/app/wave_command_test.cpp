@@ -137,8 +137,52 @@ TEST(WaveCommand, SaysWhatIsWrong) {
   refuses(good, "x,y\n0,0\n", "0:1", 1, "times '0:1': must be T0:T1:DT in s");
   refuses(case_text("SV", "95"), "x,y\n0,0\n", "0:1:0.1", 2,
           "case.toml:4:13: [motion] 'angle_deg' = 95 is out of range");
-  refuses(good + "[[profile]]\nthickness = 3.0\ndensity = 1700.0\nyoung = 40e6\npoisson = 0.28\n",
-          "x,y\n0,0\n", "0:1:0.1", 1, "the free field has a [[profile]] of 1 layers");
+}
+
+/// The three layers of the reference files layered3_*, undamped.
+const std::string layers = "[motion]\n"
+                           "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }\n"
+                           "wave = \"SV\"\nangle_deg = 20\nreference = [0.0, -20.0]\n"
+                           "[surface]\nlevel = 0.0\n"
+                           "[[profile]]\nthickness = 6.0\ndensity = 1700.0\nvs = 120.0\nvp = 300.0\n"
+                           "[[profile]]\nthickness = 14.0\ndensity = 1850.0\nvs = 220.0\nvp = 500.0\n"
+                           "[halfspace]\ndensity = 2100.0\nvs = 500.0\nvp = 1000.0\n";
+
+TEST(WaveCommand, GoesThroughLayers) {
+  const auto file = reference_folder() / "waves" / "layered3_SV_20deg_elastic.csv";
+  if (!std::filesystem::exists(file))
+    GTEST_SKIP() << "no reference data at " << file;
+  const auto expected = read_table(file);
+  const Command command;
+  const auto [status, output] = command(layers, points_of(expected), "0:3:0.02 --wrap-around");
+  ASSERT_EQ(status, 0) << output;
+  EXPECT_THAT(output, HasSubstr("doubled, it changes displacement by "));
+  const auto rows = read_table(command.out);
+  ASSERT_EQ(rows.size(), expected.size());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    EXPECT_NEAR(rows[row][5], expected[row][5], 1e-9);                  // vx, of 0.3 m/s
+    EXPECT_NEAR(rows[row][9], expected[row][9], 1e-9 * 1700.0 * 120.0); // sxy
+  }
+}
+
+TEST(WaveCommand, WritesTransferFunctions) {
+  const TemporaryFolder folder;
+  const auto out = folder / "tf.csv";
+  const std::string call =
+      "wave " + folder.write("case.toml", layers).string() + " --transfer --out " + out.string();
+  const auto [status, output] = run_tremolo(call + " --frequencies 0.1:0.2:0.1");
+  ASSERT_EQ(status, 0) << output;
+  EXPECT_THAT(text_of(out), ::testing::StartsWith("frequency_hz,re_ux,im_ux,re_uy,im_uy,re_within_ux"));
+  const auto rows = read_table(out);
+  ASSERT_EQ(rows.size(), 2);
+  // layered3_tf_surface.csv, SV, 20 degrees, undamped, 0.2 Hz
+  EXPECT_NEAR(rows[1][1], 1.935444059441, 1e-11);
+  EXPECT_NEAR(rows[1][2], -0.1112540423438, 1e-11);
+  EXPECT_NEAR(rows[1][3], -0.6273146934042, 1e-11);
+  EXPECT_NEAR(rows[1][4], 0.03137919849227, 1e-11);
+  EXPECT_THAT(run_tremolo(call + " --frequencies 0:1:0.1").output, HasSubstr("F0 is 0 Hz, must be > 0"));
+  EXPECT_THAT(run_tremolo("wave " + (folder / "case.toml").string() + " --out " + out.string()).output,
+              HasSubstr("needs --points and --times, or --transfer"));
 }
 
 TEST(WaveCommand, SaysThatTheDiskIsFull) {

@@ -79,4 +79,12 @@ TEST(Times, AreRefusedWithTheReason) {
   refuses("0:1:1e-9", "times '0:1:1e-9': 1e+09 times, at most 1e+07 are written");
 }
 
+TEST(Frequencies, AreAboveZeroAndHoldBothEnds) {
+  const auto frequencies = parse_frequencies("0.5:2:0.5");
+  EXPECT_THAT(frequencies, ::testing::ElementsAre(0.5, 1.0, 1.5, 2.0));
+  EXPECT_THAT(
+      [] { parse_frequencies("1:0.5:0.1"); },
+      ThrowsMessage<std::invalid_argument>("frequencies '1:0.5:0.1': F1 = 0.5 Hz lies before F0 = 1 Hz"));
+}
+
 } // namespace
