@@ -73,8 +73,9 @@ struct Region {
 struct Layer {
   double thickness = 0.0; ///< m
   materials::Elasticity elastic;
-  double damping = 0.0;            ///< ratio, of critical
-  std::optional<std::size_t> soil; ///< index into Case::soils; without one the layer is linear elastic
+  double damping = 0.0;                   ///< ratio, of critical
+  std::optional<double> rest_coefficient; ///< K0 of nonlinear soil before shaking; nu/(1-nu) without one
+  std::optional<std::size_t> soil;        ///< index into Case::soils; without one the layer is linear elastic
 };
 
 /// How the damping ratios of layers and half-space depend on frequency.
@@ -103,9 +104,9 @@ struct FeNumerics {
 
 enum class OdeMethod { adams, bdf, erk, imex };
 struct OdeNumerics {
-  OdeMethod method = OdeMethod::adams;
+  OdeMethod method = OdeMethod::erk;
   double relative_tolerance = 0.0;
-  double absolute_tolerance = 0.0; ///< of particle velocity, m/s; of stress, times the impedance
+  double absolute_tolerance = 0.0; ///< of particle velocity, m/s; of strain, over the wave speed
   double cell_size = 0.0;          ///< m
 };
 
@@ -114,6 +115,7 @@ struct ObliqueNumerics {
 };
 
 struct EquivalentLinearNumerics {
+  double sublayer = 0.0;     ///< layers of soil with curves are cut into equal ones no thicker than this, m
   double strain_ratio = 0.0; ///< effective over largest shear strain
   double tolerance = 0.0;    ///< relative change of modulus and damping
   int iterations = 0;        ///< at most

@@ -107,7 +107,8 @@ Table damping() {
                  "+ 2 i xi "
                  "sqrt(1 - xi^2)) and `kjartansson`: the same or nearly so at all frequencies, `wave` and "
                  "`eql`; "
-                 "columns then take Kelvin-Voigt damping with the ratio at `reference_hz`.",
+                 "columns then take Kelvin-Voigt damping with the ratio at `reference_hz`. Under `none` the "
+                 "curves of `eql` damp as `hysteretic`.",
                  "none"),
           {.name = "ratio",
            .unit = "1",
@@ -154,6 +155,12 @@ std::vector<Key> layer_keys() {
        .meaning = "Name of a `[soil]`: the layer has its elastic constants and, in columns, its law.",
        .otherwise = "linear elastic, with constants of its own"});
   keys.push_back(damping_ratio());
+  keys.push_back(
+      {.name = "rest_coefficient",
+       .unit = "1",
+       .meaning = "Horizontal over vertical stress before shaking, K0, of nonlinear soil in the column `fe`.",
+       .otherwise = "poisson/(1 - poisson)",
+       .range = positive});
   return keys;
 }
 

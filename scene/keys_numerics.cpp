@@ -49,7 +49,7 @@ Table ode() {
               "method", {"adams", "bdf", "erk", "imex"},
               "CVODE Adams or BDF; ARKODE explicit Runge-Kutta, or implicit in the damping and explicit in "
               "the rest.",
-              "adams"),
+              "erk"),
           {.name = "relative_tolerance",
            .unit = "1",
            .meaning = "Of the local error.",
@@ -78,27 +78,35 @@ Table oblique() {
 }
 
 Table eql() {
-  return {.name = "eql",
-          .meaning = "The equivalent-linear iteration (`model = \"eql\"`).",
-          .keys = {{.name = "strain_ratio",
-                    .unit = "1",
-                    .meaning = "Effective over largest shear strain.",
-                    .fallback = "0.65",
-                    .range = {.low = 0.0, .high = 1.0, .low_open = true}},
-                   {.name = "tolerance",
-                    .unit = "1",
-                    .meaning = "Relative change of modulus and damping below which the iteration ends.",
-                    .fallback = "1e-3",
-                    .range = positive},
-                   {.name = "iterations",
-                    .type = Type::integer,
-                    .unit = "1",
-                    .meaning = "At most so many.",
-                    .fallback = "50",
-                    .range = {.low = 1.0}},
-                   choice("unconverged", {"refuse", "allow"},
-                          "What an iteration that has not converged is: an error, or served with a warning.",
-                          "refuse")}};
+  return {
+      .name = "eql",
+      .meaning = "The equivalent-linear iteration (`model = \"eql\"`).",
+      .keys = {{.name = "sublayer",
+                .unit = "m",
+                .meaning =
+                    "Layers whose soil has curves are cut into equal ones no thicker than this: each has the "
+                    "stiffness and damping of the strain at its middle.",
+                .fallback = "1",
+                .range = positive},
+               {.name = "strain_ratio",
+                .unit = "1",
+                .meaning = "Effective over largest shear strain.",
+                .fallback = "0.65",
+                .range = {.low = 0.0, .high = 1.0, .low_open = true}},
+               {.name = "tolerance",
+                .unit = "1",
+                .meaning = "Relative change of modulus and damping below which the iteration ends.",
+                .fallback = "1e-3",
+                .range = positive},
+               {.name = "iterations",
+                .type = Type::integer,
+                .unit = "1",
+                .meaning = "At most so many.",
+                .fallback = "50",
+                .range = {.low = 1.0}},
+               choice("unconverged", {"refuse", "allow"},
+                      "What an iteration that has not converged is: an error, or served with a warning.",
+                      "refuse")}};
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #include "scene/plan.hpp"
 
+#include "motion/measures.hpp"
 #include "scene/motion.hpp"
-
 #include "scene/sources.hpp"
 
 #include <fmt/format.h>
@@ -115,6 +115,31 @@ double first_arrival(const Case& scene) {
   return motion(scene.motion).begin() + (dx * std::sin(angle) + dy * std::cos(angle)) / speed;
 }
 
+/// Says so where a record does not end at rest.
+std::optional<std::string> residual_motion(const Case& scene) {
+  const auto* file = std::get_if<MotionFile>(&scene.motion.source);
+  if (file == nullptr)
+    return std::nullopt;
+  const auto warning = motion::residual_warning(motion::measures(motion::read_record(file->path, file->as)));
+  return warning ? std::optional(fmt::format("{}: {}", file->path.filename().string(), *warning))
+                 : std::nullopt;
+}
+
+/// What became of a soil's curve: the backbone, and how far the Masing rules are from the damping asked for.
+std::optional<std::string> fitted_soil(const Soil& soil) {
+  const auto* law = std::get_if<materials::MasingShear>(&soil.column_law);
+  if (law == nullptr || !soil.curves || !soil.curves->whole)
+    return std::nullopt;
+  constexpr double strain = 1e-3;
+  return fmt::format(
+      "soil '{}': backbone fitted to its curve, reference_strain = {:.4g}, beta = {:.4g}, exponent = "
+      "{:.4g}; at {} % strain G/G0 is {:.3f} (curve {:.3f}) and the damping of the Masing rules {:.1f} % "
+      "(curve {:.1f} %)",
+      soil.name, law->reference_strain, law->beta, law->exponent, 100.0 * strain,
+      law->backbone().secant(strain) / law->elastic.shear_modulus(), soil.curves->modulus_reduction(strain),
+      100.0 * materials::masing_damping(law->backbone(), strain), 100.0 * soil.curves->damping(strain));
+}
+
 std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
   double slowest = highest_speed;
   for (const Soil& soil : domain_soils(scene))
@@ -134,6 +159,11 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
         "the wave reaches the model {:.3g} s before the shaking starts and finds it at rest: what "
         "came earlier is missing; a later pulse or a deeper [motion] reference avoids it",
         -arrival));
+  for (const Soil& soil : scene.soils)
+    if (const auto fit = fitted_soil(soil))
+      notes.push_back(*fit);
+  if (const auto warning = residual_motion(scene))
+    notes.push_back(*warning);
   for (const Soil& soil : domain_soils(scene)) {
     const auto& elastic = materials::elasticity(soil.law);
     const auto& half = scene.halfspace;

@@ -76,10 +76,10 @@ void read_layer_soil(const TableReader& table, Findings& findings, const Case& s
 std::vector<Layer> read_layers(Document& document, const char* name, Findings& findings, const Case& scene) {
   std::vector<Layer> layers;
   for (const auto& table : document.array(name)) {
-    Layer layer{table.number("thickness"),
-                {},
-                table.optional_number("damping").value_or(scene.damping.ratio),
-                std::nullopt};
+    Layer layer;
+    layer.thickness = table.number("thickness");
+    layer.damping = table.optional_number("damping").value_or(scene.damping.ratio);
+    layer.rest_coefficient = table.optional_number("rest_coefficient");
     read_layer_soil(table, findings, scene, layer);
     layers.push_back(layer);
   }

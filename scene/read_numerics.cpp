@@ -23,8 +23,8 @@ void read_numerics(Document& document, Case& scene) {
       document.table("oblique").optional_number("cell_size").value_or(0.5 * scene.mesh.size);
 
   const auto eql = document.table("eql");
-  scene.eql = {eql.number("strain_ratio"), eql.number("tolerance"), eql.integer("iterations"),
-               eql.text("unconverged") == "allow"};
+  scene.eql = {eql.number("sublayer"), eql.number("strain_ratio"), eql.number("tolerance"),
+               eql.integer("iterations"), eql.text("unconverged") == "allow"};
 }
 
 } // namespace tremolo::scene

@@ -22,6 +22,19 @@ StrainCurves curves_of(const scene::Case& scene, const scene::Layer& layer) {
           [damping, masing = curves.damping](double strain) { return damping + masing(strain); }};
 }
 
+/// Layers of soil with curves, cut: the strain at mid-depth stands for a layer.
+std::vector<scene::Layer> cut(const scene::Case& scene, const std::vector<scene::Layer>& layers) {
+  std::vector<scene::Layer> thin;
+  for (scene::Layer layer : layers) {
+    const bool varies = layer.soil && scene.soils[*layer.soil].curves;
+    const auto parts =
+        varies ? static_cast<std::size_t>(std::ceil(layer.thickness / scene.eql.sublayer - 1e-9)) : 1;
+    layer.thickness /= static_cast<double>(parts);
+    thin.insert(thin.end(), parts, layer);
+  }
+  return thin;
+}
+
 /// Incident acceleration, sampled finely enough for all its frequencies.
 std::vector<double> acceleration_of(const Signal& signal, double dt) {
   const auto count = static_cast<std::size_t>(std::ceil((signal.end - signal.begin) / dt)) + 1;
@@ -35,10 +48,13 @@ std::vector<double> acceleration_of(const Signal& signal, double dt) {
 
 EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
                                                    const scene::SourceProcess& source) {
-  const auto& layers = scene::layers(scene, source);
-  const LayeredHalfSpace ground = ground_from_case(scene, layers);
+  const auto layers = cut(scene, scene::layers(scene, source));
+  LayeredHalfSpace ground = ground_from_case(scene, layers);
   const Incidence incidence = incidence_from_case(scene);
   const Signal signal = incident_signal(scene, ground);
+  // The damping of a strain curve knows no frequency.
+  if (ground.damping.model == DampingModel::none)
+    ground.damping.model = DampingModel::hysteretic;
   const double dt = 0.5 / signal.highest_frequency;
   std::vector<StrainCurves> curves;
   for (const scene::Layer& layer : layers)
@@ -53,7 +69,8 @@ EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
 
 LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source) {
   const auto& layers = scene::layers(scene, source);
-  if (source.field.model != scene::SourceModel::eql)
+  // Without layers there is nothing whose stiffness could follow the strain.
+  if (source.field.model != scene::SourceModel::eql || layers.empty())
     return elastic_field(scene, layers, source.surface);
   return {equivalent_linear_from_case(scene, source).profile, incidence_from_case(scene), source.surface,
           incident_signal(scene, ground_from_case(scene, layers))};
