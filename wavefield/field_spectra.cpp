@@ -60,11 +60,13 @@ double FieldSetup::top_of(std::size_t medium) const {
 }
 
 std::size_t FieldSetup::medium_at(const Point& point) const {
+  // The incident wave is known in the half-space alone, whose top belongs to it then.
+  const Side side = part == Part::incident ? Side::below : point.side;
   for (std::size_t j = 0; j < profile.layers.size(); ++j) {
     const double bottom = top_of(j + 1);
     // Levels are sums of thicknesses: an interface is met up to rounding.
     const bool on_it = std::abs(point.y - bottom) <= 1e-9 * profile.layers[j].thickness;
-    if (on_it ? point.side == Side::above : point.y > bottom) {
+    if (on_it ? side == Side::above : point.y > bottom) {
       return j;
     }
   }

@@ -165,6 +165,18 @@ TEST(LayeredField, SidesOfDifferentHeightSeeOneIncidentWave) {
   EXPECT_LT(largest_difference(a.sxy, b.sxy), 1e-12 * 2100.0 * 500.0);
 }
 
+// A base at the top of the half-space takes the incident wave there, whichever side of the interface it
+// names.
+TEST(LayeredField, TopOfTheHalfSpaceHasAnIncidentWave) {
+  const TimeGrid grid{0.5, 0.01, 150};
+  const std::array<Point, 3> points{
+      {{0.0, -20.0, Side::above}, {0.0, -20.0, Side::below}, {0.0, -20.001, Side::above}}};
+  const auto histories = field(layered3({}), WaveType::SV, 0.0).sample(points, grid, Part::incident);
+  EXPECT_GT(largest(histories[0].vx), 0.09);
+  EXPECT_EQ(histories[0].vx, histories[1].vx);
+  EXPECT_LT(largest_difference(histories[0].vx, histories[2].vx), 1e-4);
+}
+
 TEST(LayeredField, GivesOnlyWhatIsAskedFor) {
   const Point point{0.0, -3.0};
   const TimeGrid grid{0.0, 0.01, 100};
