@@ -90,31 +90,44 @@ TEST(OdeColumnReference, KelvinVoigtLayerAtSecondOrderByEveryMethod) {
   }
 }
 
-constexpr double front = 0.03; ///< s around the wave's front and its ripples: no second derivative there
+// The face's velocity has a second derivative that jumps where the ramp begins and where it ends. Both jumps
+// travel with the wave, at the speed of unloaded soil and at that of soil as soft as it gets. A scheme of
+// second order without dissipation spreads such a jump over a length of h^(2/3) with errors of h^(4/3): order
+// 5/3 in the root mean square. Between the two the solution is smooth, and that is what is compared.
+constexpr double around_jump = 0.01; ///< s, left out beside a jump
+constexpr double end = 0.49;         ///< s; hyperbolic soil at the face is 30 times as soft by then
+constexpr double ramp = 0.2;         ///< s
 
 /// Root-mean-square errors of velocity, strain and stress at 5, 10 and 20 m from the driven face.
-std::array<double, 3> simple_wave_errors(const Rows& rows, double exponent, double face, double cell) {
-  const auto soil = Elasticity::from_wave_speeds(1800.0, 200.0, 300.0);
-  const Profile profile{.surface_level = 80.0,
-                        .layers = {layer_of(80.0, MasingShear{soil, 1e-3, 1.0, exponent})},
-                        .half_space = soil};
+std::array<double, 3> simple_wave_errors(const Rows& rows, const MasingShear& law, double face, double cell) {
+  constexpr double speed = 200.0;
+  const Profile profile{.surface_level = 80.0, .layers = {layer_of(80.0, law)}, .half_space = law.elastic};
   auto settings = tight(OdeMethod::explicit_runge_kutta, cell);
   settings.base = BaseKind::rigid;
   OdeColumn column(profile, settings, [face](double t) {
-    const double share = t <= 0.0 ? 0.0 : t >= 0.2 ? 1.0 : 0.5 * (1.0 - std::cos(std::numbers::pi * t / 0.2));
+    const double share = t <= 0.0    ? 0.0
+                         : t >= ramp ? 1.0
+                                     : 0.5 * (1.0 - std::cos(std::numbers::pi * t / ramp));
     return Velocity{face * share, 0.0};
   });
+  const auto backbone = law.backbone();
+  const double largest_strain = rows.back()[2]; // at the face
+  const double slowest = speed * std::sqrt(backbone.tangent(largest_strain) / backbone.shear_modulus);
   constexpr std::array<double, 3> levels = {5.0, 10.0, 20.0};
   std::array<ColumnSample, 3> samples;
   std::array<double, 3> squares{}, peak{};
   int count = 0;
   for (const auto& row : rows) {
+    if (row[0] > end) {
+      break;
+    }
     while (column.time() < row[0] - 1e-4) {
       column.step();
     }
     column.sample(levels, samples);
     for (std::size_t level = 0; level < levels.size(); ++level) {
-      if (std::abs(row[0] - levels[level] / 200.0) < front) {
+      if (std::abs(row[0] - levels[level] / speed) < around_jump ||
+          row[0] > ramp + levels[level] / slowest - around_jump) {
         continue;
       }
       ++count;
@@ -126,33 +139,35 @@ std::array<double, 3> simple_wave_errors(const Rows& rows, double exponent, doub
       }
     }
   }
+  EXPECT_GT(count, 300);
   for (std::size_t q = 0; q < 3; ++q) {
     squares[q] = std::sqrt(squares[q] / count) / peak[q];
   }
   return squares;
 }
 
-void expect_simple_wave(const std::string& file, double exponent, double face, double least_order) {
+void expect_simple_wave(const std::string& file, double exponent, double face) {
   const auto rows = rows_of(file);
   if (rows.empty()) {
     GTEST_SKIP() << "no reference data";
   }
-  const auto coarse = simple_wave_errors(rows, exponent, face, 0.25);
-  const auto fine = simple_wave_errors(rows, exponent, face, 0.125);
+  const MasingShear law{Elasticity::from_wave_speeds(1800.0, 200.0, 300.0), 1e-3, 1.0, exponent};
+  const auto coarse = simple_wave_errors(rows, law, face, 0.2);
+  const auto fine = simple_wave_errors(rows, law, face, 0.1);
   for (std::size_t q = 0; q < 3; ++q) {
     std::printf("%s %zu: %.2e %.2e order %.2f\n", file.c_str(), q, coarse[q], fine[q],
                 std::log2(coarse[q] / fine[q]));
-    EXPECT_GT(std::log2(coarse[q] / fine[q]), least_order);
-    EXPECT_LT(fine[q], 3e-4);
+    EXPECT_GT(std::log2(coarse[q] / fine[q]), 1.9);
+    EXPECT_LT(fine[q], 2e-4);
   }
 }
 
-TEST(OdeColumnReference, SimpleWaveInHyperbolicSoil) {
-  expect_simple_wave("nonlinear_simple_wave.csv", 1.0, 0.8, 1.8);
+TEST(OdeColumnReference, SimpleWaveInHyperbolicSoilAtSecondOrder) {
+  expect_simple_wave("nonlinear_simple_wave.csv", 1.0, 0.8);
 }
 
-TEST(OdeColumnReference, SimpleWaveInMkzSoil) {
-  expect_simple_wave("nonlinear_simple_wave_mkz.csv", 0.919, 0.5, 1.6);
+TEST(OdeColumnReference, SimpleWaveInMkzSoilAtSecondOrder) {
+  expect_simple_wave("nonlinear_simple_wave_mkz.csv", 0.919, 0.5);
 }
 
 // u(surface)/u(base) = 1/cos(k* H), k* = w/sqrt(G (1 + i w beta)/rho), both polarisations in quadrature. The
