@@ -59,10 +59,9 @@ std::string ground_text(const scene::Case& scene, const scene::SourceProcess& so
 
 } // namespace
 
-void record_column(const scene::Case& scene, scene::SourceModel model, const std::filesystem::path& file) {
+void record_column(const scene::Case& scene, const std::filesystem::path& file) {
   const scene::Plan plan = scene::plan(scene);
-  scene::SourceProcess source = scene::source_of(plan, scene::Side::left);
-  source.field = {model, {}};
+  const scene::SourceProcess& source = scene::source_of(plan, scene::Side::left);
   const double slowness = freefield::slowness_from_case(scene);
   const scene::Service service = scene::service(scene, source, slowness);
   const wavefield::TimeGrid times = times_of(scene, service);
@@ -84,8 +83,9 @@ void record_column(const scene::Case& scene, scene::SourceModel model, const std
                        .step_count = times.count},
                       values.back()});
   }
-  results::write_free_field_recording(file, fmt::format("{}, model {}", scene.title, scene::name(model)),
-                                      ground_text(scene, source), fields);
+  results::write_free_field_recording(
+      file, fmt::format("{}, model {}", scene.title, scene::name(source.field.model)),
+      ground_text(scene, source), fields);
 }
 
 } // namespace tremolo::app

@@ -8,6 +8,7 @@
 #include "results/run_file.hpp"
 #include "scene/layers.hpp"
 #include "scene/motion.hpp"
+#include "scene/override.hpp"
 
 #include <fmt/format.h>
 
@@ -37,9 +38,8 @@ struct Options {
 constexpr std::array models = {scene::SourceModel::wave, scene::SourceModel::fe, scene::SourceModel::ode,
                                scene::SourceModel::oblique, scene::SourceModel::eql};
 
-scene::SourceProcess source_of(const scene::Case& scene, const std::string& model) {
-  const auto found = std::ranges::find(models, model, [](scene::SourceModel m) { return scene::name(m); });
-  return {.name = "column", .field = {*found, {}}, .surface = scene.surface_level};
+scene::SourceModel model_of(const Options& options) {
+  return *std::ranges::find(models, options.model, [](scene::SourceModel m) { return scene::name(m); });
 }
 
 double deepest(const scene::Case& scene, const scene::SourceProcess& source) {
@@ -56,6 +56,7 @@ std::vector<double> all_levels(const scene::Case& scene, const scene::SourceProc
   constexpr int intervals = 100;
   const double base = deepest(scene, source);
   std::vector<double> levels;
+  levels.reserve(intervals + 1 + depths.size());
   for (int i = 0; i < intervals; ++i)
     levels.push_back(base + (source.surface - base) * i / intervals);
   levels.push_back(source.surface);
@@ -118,14 +119,17 @@ void print_summary(const FreeFieldSeries& series, const scene::Case& scene, cons
 }
 
 void record(const Options& options) {
-  const scene::Case scene = scene::load(options.scene);
-  record_column(scene, source_of(scene, options.model).field.model, options.record);
+  const scene::SourceModel model = model_of(options);
+  const scene::Case given = scene::load(options.scene);
+  const auto text = scene::overridden_text(given, {.record = {}, .angle_deg = {}, .model = model});
+  record_column(scene::parse(text, given.file, given.directory), options.record);
   fmt::print("{}: the left free field, model {}\n", options.record, options.model);
 }
 
 void compute(const Options& options) {
-  const scene::Case scene = scene::load_free_field(options.scene);
-  const scene::SourceProcess source = source_of(scene, options.model);
+  const scene::SourceModel model = model_of(options);
+  const scene::Case scene = scene::load_free_field(options.scene, model);
+  const scene::SourceProcess source{.name = "column", .field = {model, {}}, .surface = scene.surface_level};
   const auto depths = depths_of(scene, source, options);
   const auto series = free_field_series(scene, source, all_levels(scene, source, depths),
                                         times_of(scene, source, options), scene.motion.reference.x);
@@ -150,6 +154,7 @@ void add_column(CLI::App& app) {
       "The free field of a case alone: histories, peak profiles, spectra, transfer functions, loops");
   const auto options = std::make_shared<Options>();
   std::vector<std::string> names;
+  names.reserve(models.size());
   for (const auto model : models)
     names.emplace_back(scene::name(model));
   command

@@ -52,12 +52,15 @@ void swap(const Options& options) {
 
   const auto runs =
       swap_models(scene, models, {.folder = options.out, .mode = {}, .threads = options.threads});
+  fs::create_directories(options.out);
   std::ofstream file(options.out / "swap.json");
   file << swap_json(runs) << '\n';
   file.close();
   if (!file)
     throw std::runtime_error(fmt::format("cannot write {}", (options.out / "swap.json").string()));
   fmt::print("\n{}", swap_text(runs));
+  if (std::ranges::none_of(runs, [](const SwappedRun& run) { return run.refused.empty(); }))
+    throw Exit{1};
   if (run_python("swap", {options.out.string()}) != 0)
     throw Exit{1};
 }

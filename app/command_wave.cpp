@@ -112,7 +112,7 @@ void write_transfer(const Options& options, const scene::Case& scene) {
 void run(const Options& options) {
   if (!options.transfer && (options.points.empty() || options.times.empty()))
     throw std::invalid_argument("tremolo wave needs --points and --times, or --transfer");
-  const scene::Case scene = scene::load_free_field(options.scene);
+  const scene::Case scene = scene::load_free_field(options.scene, scene::SourceModel::wave);
   if (options.transfer)
     write_transfer(options, scene);
   else

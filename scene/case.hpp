@@ -261,10 +261,11 @@ Case load(const std::filesystem::path& file);
 /// The same from text. `file` names it in messages, `directory` is where relative file names start.
 Case parse(std::string_view text, const std::filesystem::path& file, const std::filesystem::path& directory);
 
-/// The free field alone: a case of which only motion, surface level, half-space, profile and damping are
-/// filled. Their tables are read and checked as by load(); others may be missing and are not looked at.
+/// The free field alone, by a model: a case of which only motion, surface level, half-space, profile and
+/// damping are filled. Their tables are read and checked as by load(), with this model on both sides; others
+/// may be missing and are not looked at.
 /// @throws CaseErrors with every error of these tables
-Case load_free_field(const std::filesystem::path& file);
+Case load_free_field(const std::filesystem::path& file, SourceModel model);
 
 /// The name that a case file uses for a value, e.g. "pic_blend".
 std::string_view name(Wave);

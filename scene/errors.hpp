@@ -17,6 +17,8 @@ struct CaseError {
 
   /// "file:line:column: [table] text"
   std::string message() const;
+
+  bool operator==(const CaseError&) const = default;
 };
 
 /// Every error of one case file, in the order of the file; what() holds one message a line.

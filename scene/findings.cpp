@@ -27,8 +27,10 @@ void Findings::add(const std::string& path, std::string text) {
 }
 
 void Findings::add(const std::string& path, const Place& place, std::string text) {
-  errors_.push_back({file_, place.line, place.column, place.table, std::move(text)});
   unsound_.insert(path);
+  CaseError error{file_, place.line, place.column, place.table, std::move(text)};
+  if (std::ranges::find(errors_, error) == errors_.end())
+    errors_.push_back(std::move(error));
 }
 
 bool Findings::sound(std::string path) const {

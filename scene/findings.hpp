@@ -33,7 +33,7 @@ public:
   /// The place of the path, or of the nearest table above it that is in the file.
   Place place(std::string path) const;
 
-  /// Records an error at the place of the path and makes the path unsound.
+  /// Records an error at the place of the path, once, and makes the path unsound.
   void add(const std::string& path, std::string text);
   /// The same at a place of its own.
   void add(const std::string& path, const Place& place, std::string text);

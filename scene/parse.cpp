@@ -67,7 +67,7 @@ Case load(const std::filesystem::path& file) {
   return parse(read_text(file), file, file.parent_path());
 }
 
-Case load_free_field(const std::filesystem::path& file) {
+Case load_free_field(const std::filesystem::path& file, SourceModel model) {
   Findings findings(file.string());
   Case scene;
   scene.file = file;
@@ -81,7 +81,10 @@ Case load_free_field(const std::filesystem::path& file) {
   read_free_field(document, findings, scene);
   if (document.has("stage"))
     read_stages(document, findings, scene);
-  record_is_readable(scene, findings);
+  auto& [left, right, base] = scene.boundary;
+  left.field.model = right.field.model = base.field.model = model;
+  for (const Rule rule : {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models})
+    rule(scene, findings);
 
   findings.throw_if_any();
   return scene;
