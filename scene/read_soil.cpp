@@ -85,11 +85,14 @@ std::optional<Hysteresis> fitted(const TableReader& table, const std::filesystem
 
 /// As the soil gives it.
 std::optional<Hysteresis> given(const TableReader& table, bool mkz, Findings& findings) {
-  for (const char* key : {"reference_strain", "beta", "exponent"})
-    if ((mkz || std::string_view(key) == "reference_strain") && !table.given(key)) {
+  for (const char* key : {"reference_strain", "beta", "exponent"}) {
+    if (!mkz && std::string_view(key) != "reference_strain")
+      continue;
+    if (!table.given(key))
       findings.add(table.path(key), fmt::format("missing '{}': without 'curve' the backbone is given", key));
+    if (!findings.sound(table.path(key)))
       return std::nullopt;
-    }
+  }
   return Hysteresis{table.number("reference_strain"), mkz ? table.number("beta") : 1.0,
                     mkz ? table.number("exponent") : 1.0, std::nullopt};
 }
@@ -97,7 +100,7 @@ std::optional<Hysteresis> given(const TableReader& table, bool mkz, Findings& fi
 Soil read_hysteretic(const NamedTable& soil, const materials::Elasticity& elastic,
                      const std::filesystem::path& directory, Findings& findings) {
   const auto& table = soil.reader;
-  const Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
+  Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
   if (!findings.sound(table.path()) || !(elastic.density > 0.0))
     return linear;
   const auto hysteresis = table.given("curve") ? fitted(table, directory, findings)
