@@ -141,6 +141,7 @@ results::Table transfer(const std::vector<double>& surface, const std::vector<do
                         const std::vector<double>& outcrop, double dt) {
   const auto top = amplitudes(surface, dt);
   std::vector<double> frequencies;
+  frequencies.reserve(top.size());
   for (const auto& bin : top)
     frequencies.push_back(bin.frequency);
   results::Table table{

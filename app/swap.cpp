@@ -63,6 +63,7 @@ FreeFieldSeries left_field(const scene::Case& scene, const scene::FreeFieldModel
   const double surface = scene.boundary.left.surface;
   const double base = scene.mesh.box.y_min;
   std::vector<double> levels;
+  levels.reserve(intervals + 1);
   for (int i = 0; i < intervals; ++i)
     levels.push_back(base + (surface - base) * i / intervals);
   levels.push_back(surface);

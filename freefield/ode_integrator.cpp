@@ -3,9 +3,11 @@
 
 #include "freefield/ode_integrator.hpp"
 
+#include "freefield/ode_runge_kutta.hpp"
 #include "freefield/require.hpp"
 
 #include <arkode/arkode_arkstep.h>
+#include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_band.h>
@@ -30,12 +32,6 @@ struct Free {
 struct FreeContext {
   void operator()(SUNContext context) const { SUNContext_Free(&context); }
 };
-struct FreeCvode {
-  void operator()(void* memory) const { CVodeFree(&memory); }
-};
-struct FreeArkode {
-  void operator()(void* memory) const { ARKStepFree(&memory); }
-};
 using Context = std::unique_ptr<std::remove_pointer_t<SUNContext>, FreeContext>;
 using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, Free<N_VDestroy>>;
 using Matrix = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, Free<SUNMatDestroy>>;
@@ -54,9 +50,48 @@ std::span<double> values(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
 }
 
-bool is_cvode(OdeMethod method) {
-  return method == OdeMethod::adams || method == OdeMethod::bdf;
+/// What CVODE and the two modules of ARKODE have in common.
+struct Module {
+  int (*evolve)(void*, realtype, N_Vector, realtype*, int);
+  int (*state)(void*, realtype, int, N_Vector);
+  int (*local_errors)(void*, N_Vector);
+  int (*error_weights)(void*, N_Vector);
+  int (*steps)(void*, long*);
+  int (*rejections)(void*, long*);
+  void (*destroy)(void**);
+};
+constexpr Module multistep = {CVode,
+                              CVodeGetDky,
+                              CVodeGetEstLocalErrors,
+                              CVodeGetErrWeights,
+                              CVodeGetNumSteps,
+                              CVodeGetNumErrTestFails,
+                              CVodeFree};
+constexpr Module additive_runge_kutta = {ARKStepEvolve,        ARKStepGetDky,      ARKStepGetEstLocalErrors,
+                                         ARKStepGetErrWeights, ARKStepGetNumSteps, ARKStepGetNumErrTestFails,
+                                         ARKStepFree};
+constexpr Module explicit_runge_kutta = {ERKStepEvolve,        ERKStepGetDky,      ERKStepGetEstLocalErrors,
+                                         ERKStepGetErrWeights, ERKStepGetNumSteps, ERKStepGetNumErrTestFails,
+                                         ERKStepFree};
+constexpr int one_step = CV_ONE_STEP;
+static_assert(one_step == ARK_ONE_STEP);
+
+const Module& module_of(OdeMethod method) {
+  switch (method) {
+  case OdeMethod::explicit_runge_kutta:
+    return explicit_runge_kutta;
+  case OdeMethod::imex:
+    return additive_runge_kutta;
+  default:
+    return multistep;
+  }
 }
+
+struct FreeMemory {
+  const Module* module;
+  void operator()(void* memory) const { module->destroy(&memory); }
+};
+using Memory = std::unique_ptr<void, FreeMemory>;
 
 /// Tells the integrator to give up where the equations have no finite value: no smaller step would mend an
 /// input that is not a number.
@@ -81,14 +116,14 @@ struct OdeIntegrator::Sundials {
   Matrix matrix;
   LinearSolver linear;
   NonlinearSolver nonlinear;
-  std::unique_ptr<void, FreeCvode> cvode;
-  std::unique_ptr<void, FreeArkode> arkode;
+  const Module& module;
+  Memory memory;
 
   Sundials(OdeSystem& equations, const OdeColumnSettings& how, std::vector<double> absolute_tolerance,
            std::vector<double> levels)
       : system(equations), settings(how), level(std::move(levels)), time(how.start_time),
         y(N_VNew_Serial(static_cast<sunindextype>(system.size()), context.get())),
-        tolerance(N_VClone(y.get())) {
+        tolerance(N_VClone(y.get())), module(module_of(how.method)), memory(nullptr, FreeMemory{&module}) {
     N_VConst(0.0, y.get());
     std::copy(absolute_tolerance.begin(), absolute_tolerance.end(), values(tolerance.get()).begin());
     if (settings.method == OdeMethod::bdf || settings.method == OdeMethod::imex) {
@@ -96,10 +131,15 @@ struct OdeIntegrator::Sundials {
                                  OdeSystem::bandwidth, context.get()));
       linear.reset(SUNLinSol_Band(y.get(), matrix.get(), context.get()));
     }
-    if (is_cvode(settings.method)) {
-      start_cvode();
-    } else {
-      start_arkode();
+    switch (settings.method) {
+    case OdeMethod::explicit_runge_kutta:
+      start_explicit();
+      break;
+    case OdeMethod::imex:
+      start_imex();
+      break;
+    default:
+      start_multistep();
     }
   }
 
@@ -109,60 +149,60 @@ struct OdeIntegrator::Sundials {
     }
   }
 
-  void start_cvode() {
+  void start_multistep() {
     const bool stiff = settings.method == OdeMethod::bdf;
-    cvode.reset(CVodeCreate(stiff ? CV_BDF : CV_ADAMS, context.get()));
-    void* memory = cvode.get();
-    check(CVodeSetErrHandlerFn(memory, keep_message, this));
-    check(CVodeInit(memory, derivative, time, y.get()));
-    check(CVodeSVtolerances(memory, settings.relative_tolerance, tolerance.get()));
-    check(CVodeSetUserData(memory, this));
-    check(CVodeSetMaxStep(memory, settings.max_step));
+    memory.reset(CVodeCreate(stiff ? CV_BDF : CV_ADAMS, context.get()));
+    check(CVodeSetErrHandlerFn(memory.get(), keep_message, this));
+    check(CVodeInit(memory.get(), derivative, time, y.get()));
+    check(CVodeSVtolerances(memory.get(), settings.relative_tolerance, tolerance.get()));
+    check(CVodeSetUserData(memory.get(), this));
+    check(CVodeSetMaxStep(memory.get(), settings.max_step));
     if (stiff) {
-      check(CVodeSetLinearSolver(memory, linear.get(), matrix.get()));
-      check(CVodeSetJacFn(memory, jacobian));
+      check(CVodeSetLinearSolver(memory.get(), linear.get(), matrix.get()));
+      check(CVodeSetJacFn(memory.get(), jacobian));
     } else {
       nonlinear.reset(SUNNonlinSol_FixedPoint(y.get(), 0, context.get()));
-      check(CVodeSetNonlinearSolver(memory, nonlinear.get()));
+      check(CVodeSetNonlinearSolver(memory.get(), nonlinear.get()));
     }
   }
 
-  void start_arkode() {
-    const bool imex = settings.method == OdeMethod::imex;
-    arkode.reset(ARKStepCreate(imex ? wave_part : derivative, imex ? damping_part : nullptr, time, y.get(),
-                               context.get()));
-    void* memory = arkode.get();
-    check(ARKStepSetErrHandlerFn(memory, keep_message, this));
-    check(ARKStepSVtolerances(memory, settings.relative_tolerance, tolerance.get()));
-    check(ARKStepSetUserData(memory, this));
-    check(ARKStepSetMaxStep(memory, settings.max_step));
-    check(ARKStepSetOrder(memory, order(imex)));
-    check(ARKStepSetInterpolantDegree(memory, 3));
-    if (imex) {
-      check(ARKStepSetLinearSolver(memory, linear.get(), matrix.get()));
-      check(ARKStepSetJacFn(memory, damping_jacobian));
-      check(ARKStepSetLinear(memory, 0));
+  void start_explicit() {
+    memory.reset(ERKStepCreate(derivative, time, y.get(), context.get()));
+    check(ERKStepSetErrHandlerFn(memory.get(), keep_message, this));
+    check(ERKStepSVtolerances(memory.get(), settings.relative_tolerance, tolerance.get()));
+    check(ERKStepSetUserData(memory.get(), this));
+    check(ERKStepSetMaxStep(memory.get(), settings.max_step));
+    if (is_loose()) {
+      check(ERKStepSetTable(memory.get(), wide_runge_kutta().get()));
+    } else {
+      check(ERKStepSetOrder(memory.get(), 5));
     }
+    check(ERKStepSetInterpolantDegree(memory.get(), 3));
   }
 
-  /// The cheapest orders as measured: three where stability rather than accuracy sets the step.
-  int order(bool imex) const {
-    constexpr double loose = 1e-5;
-    return settings.relative_tolerance >= loose ? 3 : imex ? 4 : 5;
+  void start_imex() {
+    memory.reset(ARKStepCreate(wave_part, damping_part, time, y.get(), context.get()));
+    check(ARKStepSetErrHandlerFn(memory.get(), keep_message, this));
+    check(ARKStepSVtolerances(memory.get(), settings.relative_tolerance, tolerance.get()));
+    check(ARKStepSetUserData(memory.get(), this));
+    check(ARKStepSetMaxStep(memory.get(), settings.max_step));
+    check(ARKStepSetOrder(memory.get(), is_loose() ? 3 : 4));
+    check(ARKStepSetInterpolantDegree(memory.get(), 3));
+    check(ARKStepSetLinearSolver(memory.get(), linear.get(), matrix.get()));
+    check(ARKStepSetJacFn(memory.get(), damping_jacobian));
+    check(ARKStepSetLinear(memory.get(), 0));
   }
+
+  /// Whether stability rather than accuracy is likely to set the step, as measured.
+  bool is_loose() const { return settings.relative_tolerance >= 1e-5; }
 
   [[noreturn]] void give_up(int flag) const {
     const Vector error(N_VClone(y.get()));
     const Vector weight(N_VClone(y.get()));
     N_VConst(0.0, error.get());
     N_VConst(0.0, weight.get());
-    if (cvode) {
-      CVodeGetEstLocalErrors(cvode.get(), error.get());
-      CVodeGetErrWeights(cvode.get(), weight.get());
-    } else {
-      ARKStepGetEstLocalErrors(arkode.get(), error.get());
-      ARKStepGetErrWeights(arkode.get(), weight.get());
-    }
+    module.local_errors(memory.get(), error.get());
+    module.error_weights(memory.get(), weight.get());
     N_VProd(error.get(), weight.get(), error.get());
     const auto errors = values(error.get());
     const auto largest = std::max_element(errors.begin(), errors.end(), [](double a, double b) {
@@ -177,8 +217,7 @@ struct OdeIntegrator::Sundials {
   void step() {
     system.accept(time, values(y.get()));
     const double ahead = time + settings.max_step;
-    const int flag = cvode ? CVode(cvode.get(), ahead, y.get(), &time, CV_ONE_STEP)
-                           : ARKStepEvolve(arkode.get(), ahead, y.get(), &time, ARK_ONE_STEP);
+    const int flag = module.evolve(memory.get(), ahead, y.get(), &time, one_step);
     if (flag < 0) {
       give_up(flag);
     }
@@ -238,8 +277,7 @@ double OdeIntegrator::time() const {
 void OdeIntegrator::state(double time, int order, std::span<double> y) const {
   Sundials& s = *sundials_;
   const Vector out(N_VMake_Serial(static_cast<sunindextype>(y.size()), y.data(), s.context.get()));
-  const int flag = s.cvode ? CVodeGetDky(s.cvode.get(), time, order, out.get())
-                           : ARKStepGetDky(s.arkode.get(), time, order, out.get());
+  const int flag = s.module.state(s.memory.get(), time, order, out.get());
   if (flag < 0) {
     throw std::runtime_error("no state of the column at t = " + shortest(time) + " s: " + s.message);
   }
@@ -247,22 +285,24 @@ void OdeIntegrator::state(double time, int order, std::span<double> y) const {
 
 OdeStatistics OdeIntegrator::statistics() const {
   OdeStatistics s;
-  if (void* cvode = sundials_->cvode.get()) {
-    CVodeGetNumSteps(cvode, &s.steps);
-    CVodeGetNumErrTestFails(cvode, &s.rejections);
-    CVodeGetNumStepSolveFails(cvode, &s.convergence_failures);
-    CVodeGetNumRhsEvals(cvode, &s.right_hand_sides);
-    CVodeGetNumJacEvals(cvode, &s.jacobians);
-    s.jacobians = std::max(s.jacobians, 0L);
-    return s;
-  }
-  void* arkode = sundials_->arkode.get();
-  ARKStepGetNumSteps(arkode, &s.steps);
-  ARKStepGetNumErrTestFails(arkode, &s.rejections);
-  ARKStepGetNumStepSolveFails(arkode, &s.convergence_failures);
-  ARKStepGetNumRhsEvals(arkode, &s.right_hand_sides, &s.implicit_sides);
-  if (sundials_->linear) {
-    ARKStepGetNumJacEvals(arkode, &s.jacobians);
+  void* memory = sundials_->memory.get();
+  sundials_->module.steps(memory, &s.steps);
+  sundials_->module.rejections(memory, &s.rejections);
+  switch (sundials_->settings.method) {
+  case OdeMethod::explicit_runge_kutta:
+    ERKStepGetNumRhsEvals(memory, &s.right_hand_sides);
+    break;
+  case OdeMethod::imex:
+    ARKStepGetNumStepSolveFails(memory, &s.convergence_failures);
+    ARKStepGetNumRhsEvals(memory, &s.right_hand_sides, &s.implicit_sides);
+    ARKStepGetNumJacEvals(memory, &s.jacobians);
+    break;
+  default:
+    CVodeGetNumStepSolveFails(memory, &s.convergence_failures);
+    CVodeGetNumRhsEvals(memory, &s.right_hand_sides);
+    if (sundials_->linear) {
+      CVodeGetNumJacEvals(memory, &s.jacobians);
+    }
   }
   return s;
 }
