@@ -1,6 +1,8 @@
 #include "app/swap.hpp"
 
+#include "app/commands.hpp"
 #include "scene/errors.hpp"
+#include "scene/layers.hpp"
 #include "scene/override.hpp"
 
 #include <fmt/format.h>
@@ -75,11 +77,9 @@ FreeFieldSeries left_field(const scene::Case& scene, const scene::FreeFieldModel
 }
 
 bool is_linear(const scene::Case& scene) {
-  return std::ranges::all_of(scene.soils, [](const scene::Soil& soil) { return !soil.curves; }) &&
-         std::ranges::none_of(scene.profile, [&](const scene::Layer& layer) {
-           return layer.soil &&
-                  !std::holds_alternative<materials::LinearElastic>(scene.soils[*layer.soil].law);
-         });
+  return std::ranges::none_of(scene::layers(scene, scene.boundary.left), [&](const scene::Layer& layer) {
+    return layer.soil && !std::holds_alternative<materials::LinearElastic>(scene.soils[*layer.soil].law);
+  });
 }
 
 /// Where the case can be computed by plane waves.
@@ -87,6 +87,16 @@ std::optional<FreeFieldSeries> exact_field(const scene::Case& scene) {
   if (!is_linear(scene) || scene.damping.model == scene::DampingModel::rayleigh)
     return std::nullopt;
   return left_field(scene, {scene::SourceModel::wave, {}});
+}
+
+/// Exit statuses above this one are 128 + the signal by which the user ended the run.
+constexpr int interrupted = 128;
+
+void add_costs(const std::vector<coupler::ProcessSummary>& processes, SwappedRun& entry) {
+  for (const auto& process : processes) {
+    (process.name == "domain" ? entry.domain_cpu_seconds : entry.source_cpu_seconds) += process.cpu_seconds;
+    entry.wall_seconds = std::max(entry.wall_seconds, process.wall_seconds);
+  }
 }
 
 std::string first_line(const std::string& text) {
@@ -114,9 +124,14 @@ std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<
     }
     CaseRun one = run;
     one.folder = run.folder / std::string(scene::name(model));
-    for (const auto& process : run_case(*scene, one)) {
-      (process.name == "domain" ? entry.domain_cpu_seconds : entry.source_cpu_seconds) += process.cpu_seconds;
-      entry.wall_seconds = std::max(entry.wall_seconds, process.wall_seconds);
+    try {
+      add_costs(run_case(*scene, one), entry);
+    } catch (const Exit& exit) {
+      if (exit.status > interrupted)
+        throw;
+      entry.refused = fmt::format("the run in {} failed, as said above", one.folder.string());
+      entry.failed = true;
+      continue;
     }
     const results::RunReader reader(one.folder / "run.h5");
     auto field = left_field(*scene, scene->boundary.left.field);
@@ -152,7 +167,7 @@ std::string swap_text(const std::vector<SwappedRun>& runs) {
   for (const SwappedRun& run : runs) {
     text += fmt::format("{:<10}", scene::name(run.model));
     if (!run.refused.empty()) {
-      text += fmt::format("  refused: {}\n", first_line(run.refused));
+      text += fmt::format("  {}: {}\n", run.failed ? "failed" : "refused", first_line(run.refused));
       continue;
     }
     text += fmt::format("{:>10.2f} s{:>10.2f} s{:>10.2f} s{:>14}{:>14}", run.source_cpu_seconds,

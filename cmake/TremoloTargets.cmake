@@ -67,6 +67,15 @@ function(tremolo_benchmark name)
   set_target_properties(cost_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin/cost)
 endfunction()
 
+# tremolo_study(name SOURCES a.cpp ... DEPENDS tremolo::x ...): a program in <build>/bin/cost that prints a study of work
+# against precision as CSV.
+function(tremolo_study name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(cost_${name} ${ARG_SOURCES})
+  target_link_libraries(cost_${name} PRIVATE tremolo_options ${ARG_DEPENDS})
+  set_target_properties(cost_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin/cost)
+endfunction()
+
 # The system's own interpreter: the one that has the Debian packages python3-numpy, python3-h5py, ...
 set(TREMOLO_PYTHON /usr/bin/python3)
 

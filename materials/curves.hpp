@@ -5,10 +5,10 @@
 // normalized modulus reduction and material damping curves", PhD thesis, University of Texas at Austin,
 // chapter 9, with gamma in per cent, sigma' in atm, D in per cent:
 //
-//     G/Gmax  = 1 / (1 + (gamma/gamma_r)^a),        gamma_r = (phi1 + phi2 PI OCR^phi3) sigma'^phi4,  a =
-//     phi5 D       = b (G/Gmax)^0.1 D_masing + D_min,    b = phi11 + phi12 ln N D_min   = (phi6 + phi7 PI
-//     OCR^phi8) sigma'^phi9 (1 + phi10 ln f) D_masing = c1 D1 + c2 D1^2 + c3 D1^3,  D1 the Masing damping of
-//     the hyperbola (a = 1)
+//     G/Gmax   = 1 / (1 + (gamma/gamma_r)^a),   gamma_r = (phi1 + phi2 PI OCR^phi3) sigma'^phi4,   a = phi5
+//     D        = b (G/Gmax)^0.1 D_masing + D_min,   b = phi11 + phi12 ln N
+//     D_min    = (phi6 + phi7 PI OCR^phi8) sigma'^phi9 (1 + phi10 ln f)
+//     D_masing = c1 D1 + c2 D1^2 + c3 D1^3,   D1 the Masing damping of the hyperbola (a = 1)
 
 #include <span>
 #include <vector>
