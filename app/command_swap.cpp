@@ -61,7 +61,7 @@ void swap(const Options& options) {
   fmt::print("\n{}", swap_text(runs));
   if (std::ranges::none_of(runs, [](const SwappedRun& run) { return run.refused.empty(); }))
     throw Exit{1};
-  if (run_python("swap", {options.out.string()}) != 0)
+  if (run_python("swap", {options.out.string()}) != 0 || std::ranges::any_of(runs, &SwappedRun::failed))
     throw Exit{1};
 }
 

@@ -24,7 +24,8 @@ struct Difference {
 /// One model's run.
 struct SwappedRun {
   scene::SourceModel model = scene::SourceModel::wave;
-  std::string refused;              ///< why the case cannot take this model; empty if it ran
+  std::string refused;              ///< why the case cannot take this model; empty if it ran to its end
+  bool failed = false;              ///< it was taken, but its run failed
   std::vector<Difference> monitors; ///< to the first model that ran
   std::optional<double> free_field; ///< relative L2 of the left free field to that of the first model
   std::optional<double> free_field_to_exact; ///< and to plane waves in the layers, where all are linear
@@ -36,7 +37,8 @@ struct SwappedRun {
 /// Runs the case with each model for both sides and the base, each in a folder of its name.
 /// @param given   the case as read
 /// @param run     how; its folder takes one folder a model
-/// @throws Exit where a run fails
+/// A run that fails is said in its entry, and the others go on.
+/// @throws Exit where the user interrupts a run
 std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<scene::SourceModel>& models,
                                     const CaseRun& run);
 

@@ -11,7 +11,7 @@ import unittest
 TREMOLO, PACKAGE, _ = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 sys.path.insert(0, PACKAGE)
 
-from free_field_cases import LAYERED, STIFF, BoxWorkspace
+from free_field_cases import FLAT, LAYERED, STIFF, BoxWorkspace
 from tremolo import Run
 
 ALL = ["wave", "fe", "ode", "eql", "oblique"]
@@ -87,6 +87,34 @@ class Swap(unittest.TestCase):
     def test_oblique_models_agree_over_layers_at_15_degrees(self):
         with BoxWorkspace(TREMOLO, ground=LAYERED, halfspace=STIFF, angle=15.0) as work:
             self.assert_agree(self.swapped(work, ["wave", "oblique", "eql"]))
+
+    def test_a_model_whose_run_fails_does_not_take_the_others_with_it(self):
+        """`eql` may not converge, which shows only when it runs."""
+        yielding = """
+[[profile]]
+thickness = 10.0
+soil = "clay"
+
+[soil.clay]
+model = "hyperbolic"
+density = 1700.0
+young = 40e6
+poisson = 0.28
+reference_strain = 1e-3
+
+[eql]
+iterations = 1
+"""
+        with BoxWorkspace(TREMOLO, ground=yielding + FLAT, duration=0.3) as work:
+            folder = work.path / "swapped"
+            result = work.command("swap", work.case, "--models", "wave,eql,fe", "--out", folder)
+            entries = json.loads((folder / "swap.json").read_text())
+            self.assertTrue((folder / "swap.png").exists())
+        self.assertEqual(1, result.returncode)
+        self.assertEqual(["wave", "eql", "fe"], [entry["model"] for entry in entries])
+        self.assertIn("failed", entries[1]["refused"])
+        self.assertFalse(entries[0]["refused"] or entries[2]["refused"])
+        self.assertRegex(result.stdout + result.stderr, "tremolo-wave: .*equivalent linear")
 
     def test_a_case_that_no_model_takes_is_said(self):
         with BoxWorkspace(TREMOLO, angle=15.0) as work:
