@@ -16,6 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -93,14 +96,26 @@ struct FreeMemory {
 };
 using Memory = std::unique_ptr<void, FreeMemory>;
 
-/// Tells the integrator to give up where the equations have no finite value: no smaller step would mend an
-/// input that is not a number.
-int finite_or_stop(N_Vector rate) {
-  double sum = 0.0;
-  for (const double r : values(rate)) {
-    sum += r;
+/// z = sum of c_k x_k, where z may be x_0. SUNDIALS' own reads the vectors whose coefficient is zero too, and
+/// those are most of a Runge-Kutta table.
+int linear_combination(int terms, realtype* c, N_Vector* x, N_Vector z) {
+  const auto out = values(z);
+  bool is_first = true;
+  for (int k = 0; k < terms; ++k) {
+    if (c[k] == 0.0) {
+      continue;
+    }
+    const auto in = values(x[k]);
+    const double factor = c[k];
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i] = is_first ? factor * in[i] : out[i] + factor * in[i];
+    }
+    is_first = false;
   }
-  return std::isfinite(sum) ? 0 : -1;
+  if (is_first) {
+    N_VConst(0.0, z);
+  }
+  return 0;
 }
 
 } // namespace
@@ -111,6 +126,11 @@ struct OdeIntegrator::Sundials {
   std::vector<double> level;
   double time;
   std::string message; ///< of the last error
+  struct NotFinite {
+    double time = 0.0;
+    std::size_t variable = 0;
+  };
+  std::optional<NotFinite> not_finite; ///< where a derivative was first
   Context context = make_context();
   Vector y, tolerance;
   Matrix matrix;
@@ -124,6 +144,7 @@ struct OdeIntegrator::Sundials {
       : system(equations), settings(how), level(std::move(levels)), time(how.start_time),
         y(N_VNew_Serial(static_cast<sunindextype>(system.size()), context.get())),
         tolerance(N_VClone(y.get())), module(module_of(how.method)), memory(nullptr, FreeMemory{&module}) {
+    y->ops->nvlinearcombination = linear_combination; // clones inherit it
     N_VConst(0.0, y.get());
     std::copy(absolute_tolerance.begin(), absolute_tolerance.end(), values(tolerance.get()).begin());
     if (settings.method == OdeMethod::bdf || settings.method == OdeMethod::imex) {
@@ -197,6 +218,13 @@ struct OdeIntegrator::Sundials {
   bool is_loose() const { return settings.relative_tolerance >= 1e-5; }
 
   [[noreturn]] void give_up(int flag) const {
+    const std::string beginning = "the column could not be integrated beyond t = " + shortest(time) + " s; ";
+    if (not_finite) {
+      throw std::runtime_error(
+          beginning + "at t = " + shortest(not_finite->time) +
+          " s its equations have no finite value at y = " + shortest(level[not_finite->variable]) +
+          " m: is the input motion finite there?");
+    }
     const Vector error(N_VClone(y.get()));
     const Vector weight(N_VClone(y.get()));
     N_VConst(0.0, error.get());
@@ -208,8 +236,7 @@ struct OdeIntegrator::Sundials {
     const auto largest = std::max_element(errors.begin(), errors.end(), [](double a, double b) {
       return std::abs(a) < std::abs(b) || (!std::isfinite(b) && std::isfinite(a));
     });
-    throw std::runtime_error("the column could not be integrated beyond t = " + shortest(time) +
-                             " s; its error is largest at y = " +
+    throw std::runtime_error(beginning + "its error is largest at y = " +
                              shortest(level[static_cast<std::size_t>(largest - errors.begin())]) +
                              " m. SUNDIALS (" + std::to_string(flag) + "): " + message);
   }
@@ -218,24 +245,38 @@ struct OdeIntegrator::Sundials {
     system.accept(time, values(y.get()));
     const double ahead = time + settings.max_step;
     const int flag = module.evolve(memory.get(), ahead, y.get(), &time, one_step);
-    if (flag < 0) {
+    if (flag < 0 || not_finite) {
       give_up(flag);
     }
+  }
+
+  /// Tells the integrator to give up where the equations have no finite value: no smaller step would mend an
+  /// input that is not a number. Adams' functional iteration would try them nevertheless.
+  int finite_or_stop(double t, N_Vector rate) {
+    const auto rates = values(rate);
+    if (std::isfinite(std::accumulate(rates.begin(), rates.end(), 0.0))) {
+      return 0;
+    }
+    const auto bad = std::find_if_not(rates.begin(), rates.end(), [](double r) { return std::isfinite(r); });
+    if (!not_finite) {
+      not_finite = {t, static_cast<std::size_t>(std::distance(rates.begin(), bad)) % rates.size()};
+    }
+    return -1;
   }
 
   static Sundials& self(void* data) { return *static_cast<Sundials*>(data); }
 
   static int derivative(realtype t, N_Vector y, N_Vector rate, void* data) {
     self(data).system.derivative(t, values(y), values(rate));
-    return finite_or_stop(rate);
+    return self(data).finite_or_stop(t, rate);
   }
   static int wave_part(realtype t, N_Vector y, N_Vector rate, void* data) {
     self(data).system.wave_part(t, values(y), values(rate));
-    return finite_or_stop(rate);
+    return self(data).finite_or_stop(t, rate);
   }
-  static int damping_part(realtype, N_Vector y, N_Vector rate, void* data) {
+  static int damping_part(realtype t, N_Vector y, N_Vector rate, void* data) {
     self(data).system.damping_part(values(y), values(rate));
-    return finite_or_stop(rate);
+    return self(data).finite_or_stop(t, rate);
   }
   static OdeSystem::Entry adder(SUNMatrix matrix) {
     return [matrix](std::size_t row, std::size_t column, double value) {

@@ -40,23 +40,42 @@ std::vector<double> levels(const StaggeredGrid& grid) {
 OdePolarisation::OdePolarisation(StaggeredGrid grid, std::vector<OdeCell> cells, OdeBase base, OdeSoil soil,
                                  const OdeColumnSettings& settings)
     : grid_(std::move(grid)), cells_(std::move(cells)), system_(cells_, std::move(base), std::move(soil)),
-      integrator_(system_, settings, tolerances(cells_, settings.absolute_tolerance), levels(grid_)),
-      time_(settings.start_time), state_(system_.size()), rate_(system_.size()),
+      settings_(settings), time_(settings.start_time), state_(system_.size()), rate_(system_.size()),
       displacement_(grid_.mesh.node_y.size()) {}
 
+/// The input is looked at in a quarter of the longest step, at times that do not depend on those served.
+bool OdePolarisation::is_at_rest_until(double time) {
+  const double interval = 0.25 * settings_.max_step;
+  const auto look = [&](long i) { return settings_.start_time + static_cast<double>(i) * interval; };
+  while (!integrator_ && look(quiet_) < time) {
+    if (system_.input_velocity(look(quiet_ + 1)) == 0.0) {
+      ++quiet_;
+      continue;
+    }
+    settings_.start_time = look(quiet_);
+    integrator_ = std::make_unique<OdeIntegrator>(
+        system_, settings_, tolerances(cells_, settings_.absolute_tolerance), levels(grid_));
+  }
+  return !integrator_;
+}
+
 void OdePolarisation::serve(double time) {
-  for (int steps = 0; integrator_.time() < time; ++steps) {
+  if (is_at_rest_until(time)) {
+    time_ = time;
+    return;
+  }
+  for (int steps = 0; integrator_->time() < time; ++steps) {
     if (steps == most_steps) {
       throw std::runtime_error("the column needs more than " + std::to_string(most_steps) +
                                " steps to get from t = " + shortest(time_) + " to " + shortest(time) +
                                " s: it is too stiff for its method (bdf suits any stiff column, imex stiff "
                                "damping) or the tolerance too tight");
     }
-    integrator_.step();
+    integrator_->step();
   }
   time_ = time;
-  integrator_.state(time, 0, state_);
-  integrator_.state(time, 1, rate_);
+  integrator_->state(time, 0, state_);
+  integrator_->state(time, 1, rate_);
   displacement_[0] = state_[0];
   for (std::size_t e = 0; e < cells_.size(); ++e) {
     displacement_[e + 1] = displacement_[e] + cells_[e].length * state_[OdeSystem::strain_index(e)];

@@ -6,11 +6,13 @@
 #include "freefield/ode_system.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace tremolo::freefield {
 
-/// One polarisation of the column: its equations, what integrates them, and the state that is served.
+/// One polarisation of the column: its equations, what integrates them, and the state that is served. Nothing
+/// is integrated before its input is first other than zero.
 class OdePolarisation {
 public:
   /// @param impedance  rho c of the half-space, Pa s/m
@@ -32,15 +34,18 @@ public:
   Sample at(double y, ColumnMesh::Side side) const;
 
   const ColumnMesh& mesh() const { return grid_.mesh; }
-  OdeStatistics statistics() const { return integrator_.statistics(); }
+  OdeStatistics statistics() const { return integrator_ ? integrator_->statistics() : OdeStatistics{}; }
 
 private:
+  bool is_at_rest_until(double time);
   double strain_at(const ColumnMesh::Place& place, double y) const;
 
   StaggeredGrid grid_;
   std::vector<OdeCell> cells_;
   OdeSystem system_;
-  OdeIntegrator integrator_;
+  OdeColumnSettings settings_;
+  std::unique_ptr<OdeIntegrator> integrator_; ///< nothing while at rest
+  long quiet_ = 0;                            ///< looks at the input that found it zero
   double time_;
   std::vector<double> state_, rate_;
   std::vector<double> displacement_; ///< of the nodes, m

@@ -72,6 +72,7 @@ public:
   };
   Motion motion(double time, State y, State y_rate, std::size_t node) const;
 
+  double input_velocity(double time) const { return base_.velocity(time); } ///< m/s
   double mass(std::size_t node) const { return mass_[node]; } ///< of a node above the base, kg/m2
 
 private:

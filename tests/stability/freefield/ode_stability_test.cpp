@@ -38,10 +38,13 @@ OdeColumnSettings settings_of(OdeMethod method, double cell, double interval = 0
 struct Peaks {
   double vx = 0.0, vy = 0.0, strain = 0.0;
 };
-Peaks march(OdeColumn& column, int intervals) {
+Peaks march(OdeColumn& column, int intervals, int looked_at_each = 1) {
   Peaks peaks;
   for (int i = 0; i < intervals; ++i) {
     column.step();
+    if (i % looked_at_each != 0) {
+      continue;
+    }
     std::array<double, 5> levels{};
     for (std::size_t k = 0; k < levels.size(); ++k) {
       levels[k] = std::lerp(column.surface_level(), column.base_level(), 0.25 * static_cast<double>(k));
@@ -92,9 +95,12 @@ TEST(OdeColumnStability, UndampedColumnStaysBoundedForAHundredThousandIntervals)
     settings.base = BaseKind::rigid;
     settings.relative_tolerance = tolerance;
     settings.absolute_tolerance = 0.1 * tolerance;
-    OdeColumn column({.layers = {{20.0, soil}}, .half_space = soil}, settings, pulse(0.1, 2.5));
-    const double early = march(column, 4'000).vx;
-    const double late = march(column, 96'000).vx;
+    OdeColumn column({.layers = {{20.0, soil}}, .half_space = soil}, settings,
+                     [shear = pulse(0.1, 2.5)](double t) {
+                       return Velocity{shear(t).x, 0.0};
+                     });
+    const double early = march(column, 4'000, 4).vx;
+    const double late = march(column, 96'000, 4).vx;
     std::printf("method %d at %.0e: %.3e then %.3e m/s, %ld steps\n", static_cast<int>(method), tolerance,
                 early, late, column.statistics().steps);
     return late / early;

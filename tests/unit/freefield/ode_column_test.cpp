@@ -56,8 +56,8 @@ TEST(OdeColumn, NamesTheModelThatTakesALawItDoesNot) {
 }
 
 TEST(OdeColumn, SaysWhenAndWhereItStopped) {
-  // Functional iteration (Adams) creeps up to the bad time in ever smaller steps and ends by their number.
-  for (const OdeMethod method : {OdeMethod::bdf, OdeMethod::explicit_runge_kutta, OdeMethod::imex}) {
+  for (const OdeMethod method :
+       {OdeMethod::adams, OdeMethod::bdf, OdeMethod::explicit_runge_kutta, OdeMethod::imex}) {
     auto s = settings();
     s.method = method;
     OdeColumn column({.layers = {{10.0, soil}}, .half_space = soil}, s, [](double t) {
@@ -69,7 +69,8 @@ TEST(OdeColumn, SaysWhenAndWhereItStopped) {
       }
       ADD_FAILURE() << "no exception";
     } catch (const std::runtime_error& error) {
-      EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("beyond t = 0."), HasSubstr(" m. SUNDIALS")))
+      EXPECT_THAT(error.what(),
+                  testing::AllOf(HasSubstr("beyond t = 0."), HasSubstr("no finite value at y = -10 m")))
           << static_cast<int>(method);
     }
   }
