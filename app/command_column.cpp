@@ -142,6 +142,8 @@ void compute(const Options& options) {
   const auto tables = column_tables(scene, source, series, shown);
   results::write_tables(options.out, tables);
   print_summary(series, scene, options);
+  if (!series.report.empty())
+    fmt::print("  {:<18} {}\n", options.model, series.report);
   if (options.plot && run_python("column", {options.out}) != 0)
     throw Exit{1};
 }

@@ -33,12 +33,13 @@ constexpr std::array known = {scene::SourceModel::wave, scene::SourceModel::fe, 
 
 std::vector<std::string> names() {
   std::vector<std::string> all;
+  all.reserve(known.size());
   for (const auto model : known)
     all.emplace_back(scene::name(model));
   return all;
 }
 
-void swap(const Options& options) {
+void compare(const Options& options) {
   const auto scene = scene::load(options.case_file);
   if (scene.monitors.empty())
     throw std::runtime_error(
@@ -47,6 +48,7 @@ void swap(const Options& options) {
     throw std::runtime_error(
         fmt::format("{} is not an empty folder; choose another --out", options.out.string()));
   std::vector<scene::SourceModel> models;
+  models.reserve(options.models.size());
   for (const std::string& model : options.models)
     models.push_back(*std::ranges::find(known, model, [](scene::SourceModel m) { return scene::name(m); }));
 
@@ -83,7 +85,7 @@ void add_swap(CLI::App& app) {
   command->add_option("--threads", options->threads, "Threads of the domain")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->callback([options] { swap(*options); });
+  command->callback([options] { compare(*options); });
 }
 
 } // namespace tremolo::app

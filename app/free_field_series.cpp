@@ -105,14 +105,22 @@ FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceP
   const double before = cpu_seconds();
   switch (source.field.model) {
   case scene::SourceModel::wave:
-  case scene::SourceModel::eql:
     synthesise(wavefield::field_from_case(scene, source), x_line, wavefield::Part::total, series);
     break;
+  case scene::SourceModel::eql: {
+    const auto result = wavefield::equivalent_linear_from_case(scene, source);
+    series.report = wavefield::summary(result);
+    synthesise(wavefield::field_from_case(scene, source, result), x_line, wavefield::Part::total, series);
+    break;
+  }
   case scene::SourceModel::fe:
   case scene::SourceModel::ode:
-  case scene::SourceModel::oblique:
-    march(*freefield::column_from_case(scene, source, x_line, times.start), series);
+  case scene::SourceModel::oblique: {
+    const auto column = freefield::column_from_case(scene, source, x_line, times.start);
+    march(*column, series);
+    series.report = column->report();
     break;
+  }
   default:
     throw std::invalid_argument(
         fmt::format("model \"{}\" is not computed here; wave, fe, ode, oblique and eql are",

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tremolo::app {
@@ -17,6 +18,7 @@ struct FreeFieldSeries {
   wavefield::TimeGrid times;
   std::vector<freefield::ColumnSample> samples; ///< [level][time]
   double cpu_seconds = 0.0;                     ///< that computing it took
+  std::string report;                           ///< what integrator or iteration did, in words; may be empty
 
   std::span<const freefield::ColumnSample> at(std::size_t level) const {
     return std::span(samples).subspan(level * times.count, times.count);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string>
 
 namespace tremolo::freefield {
 
@@ -63,6 +64,9 @@ public:
   /// limit from below or above as from_below() says.
   /// @throws std::invalid_argument for a level outside, or if the spans differ in size
   virtual void sample(std::span<const double> y, std::span<ColumnSample> samples) const = 0;
+
+  /// What the integrator did so far, in words; empty where there is nothing to say.
+  virtual std::string report() const { return {}; }
 
 protected:
   Column() = default;

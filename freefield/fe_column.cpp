@@ -2,6 +2,8 @@
 
 #include "freefield/require.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -84,6 +86,14 @@ ColumnEnergy FeColumn::energy() const {
 
 NewtonCounts FeColumn::counts() const {
   return std::visit([](const auto& soil) { return soil.counts(); }, soil_);
+}
+
+std::string FeColumn::report() const {
+  const NewtonCounts done = counts();
+  const auto steps = fmt::format("{} steps of {:.4g} s", steps_, settings_.time_step);
+  if (done.iterations == 0)
+    return steps;
+  return fmt::format("{}, {} Newton iterations, {} steps halved", steps, done.iterations, done.halved_steps);
 }
 
 } // namespace tremolo::freefield

@@ -33,6 +33,7 @@ public:
 
   /// Work of Newton's method; none in a linear column.
   NewtonCounts counts() const;
+  std::string report() const override;
 
 private:
   FeColumnSettings settings_;

@@ -4,6 +4,8 @@
 #include "freefield/ode_polarisation.hpp"
 #include "freefield/require.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -127,6 +129,13 @@ OdeStatistics OdeColumn::statistics() const {
           x.right_hand_sides + y.right_hand_sides,
           x.implicit_sides + y.implicit_sides,
           x.jacobians + y.jacobians};
+}
+
+std::string OdeColumn::report() const {
+  const OdeStatistics s = statistics();
+  return fmt::format("{} steps, {} rejected, {} without convergence, {} + {} right-hand sides, {} Jacobians",
+                     s.steps, s.rejections, s.convergence_failures, s.right_hand_sides, s.implicit_sides,
+                     s.jacobians);
 }
 
 } // namespace tremolo::freefield

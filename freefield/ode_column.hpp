@@ -62,6 +62,7 @@ public:
   void sample(std::span<const double> y, std::span<ColumnSample> samples) const override;
 
   OdeStatistics statistics() const;
+  std::string report() const override;
 
 private:
   OdeColumnSettings settings_;

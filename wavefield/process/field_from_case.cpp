@@ -4,6 +4,9 @@
 #include "scene/layers.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace tremolo::wavefield {
@@ -57,6 +60,7 @@ EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
     ground.damping.model = DampingModel::hysteretic;
   const double dt = 0.5 / signal.highest_frequency;
   std::vector<StrainCurves> curves;
+  curves.reserve(layers.size());
   for (const scene::Layer& layer : layers)
     curves.push_back(curves_of(scene, layer));
   return equivalent_linear(ground, curves, incidence.wave, incidence.angle_rad,
@@ -68,12 +72,25 @@ EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
 }
 
 LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source) {
-  const auto& layers = scene::layers(scene, source);
-  // Without layers there is nothing whose stiffness could follow the strain.
-  if (source.field.model != scene::SourceModel::eql || layers.empty())
-    return elastic_field(scene, layers, source.surface);
-  return {equivalent_linear_from_case(scene, source).profile, incidence_from_case(scene), source.surface,
-          incident_signal(scene, ground_from_case(scene, layers))};
+  if (source.field.model == scene::SourceModel::eql)
+    return field_from_case(scene, source, equivalent_linear_from_case(scene, source));
+  return elastic_field(scene, scene::layers(scene, source), source.surface);
+}
+
+LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source,
+                             const EquivalentLinearResult& result) {
+  return {result.profile, incidence_from_case(scene), source.surface,
+          incident_signal(scene, ground_from_case(scene, scene::layers(scene, source)))};
+}
+
+std::string summary(const EquivalentLinearResult& result) {
+  const auto& last = result.iterations.back();
+  const double strain = last.largest_strain.empty() ? 0.0 : std::ranges::max(last.largest_strain);
+  return fmt::format(
+      "{} after {} iterations, last changes {:.2g} % of modulus and {:.2g} % of damping, largest "
+      "strain {:.3g}",
+      result.converged ? "converged" : "NOT converged", result.iterations.size(), 100.0 * last.modulus_change,
+      100.0 * last.damping_change, strain);
 }
 
 std::vector<Point> points_on_line(double x, std::span<const double> levels) {

@@ -6,6 +6,7 @@
 #include "wavefield/layered_field.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tremolo::wavefield {
@@ -17,6 +18,13 @@ LayeredField field_from_case(const scene::Case& scene, const scene::SourceProces
 /// The equivalent-linear iteration of a source.
 EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
                                                    const scene::SourceProcess& source);
+
+/// The field in the layers of an iteration's result.
+LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source,
+                             const EquivalentLinearResult& result);
+
+/// In words: whether the iteration converged, in how many steps, and the softest layer.
+std::string summary(const EquivalentLinearResult& result);
 
 /// The levels on the vertical line at x; of a level that stands twice, the first from below.
 std::vector<Point> points_on_line(double x, std::span<const double> levels);

@@ -8,6 +8,8 @@
 #include "scene/service.hpp"
 #include "wavefield/process/field_from_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -64,11 +66,20 @@ std::vector<wavefield::History> histories(const wavefield::LayeredField& field,
   return all;
 }
 
+/// Says in the log what an equivalent-linear iteration did.
+wavefield::LayeredField field_of(const scene::Case& scene, const scene::SourceProcess& source) {
+  if (source.field.model != scene::SourceModel::eql)
+    return wavefield::field_from_case(scene, source);
+  const auto result = wavefield::equivalent_linear_from_case(scene, source);
+  fmt::print("equivalent linear: {}\n", wavefield::summary(result));
+  return wavefield::field_from_case(scene, source, result);
+}
+
 void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
-  const wavefield::LayeredField field = wavefield::field_from_case(scene, source);
+  const wavefield::LayeredField field = field_of(scene, source);
   const double dt = 1.0 / (samples_per_period * scene::motion(scene.motion).highest_frequency());
   const std::vector<coupler::FieldDescription> fields =
       descriptions(scene::service(scene, source, field.slowness_x()), field.slowness_x(), dt);
