@@ -53,6 +53,9 @@ EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
                                                    const scene::SourceProcess& source) {
   const auto layers = cut(scene, scene::layers(scene, source));
   LayeredHalfSpace ground = ground_from_case(scene, layers);
+  // Without layers there is nothing whose stiffness could follow the strain: one pass, no change.
+  if (layers.empty())
+    return {.profile = ground, .iterations = {EquivalentLinearIteration{}}, .converged = true};
   const Incidence incidence = incidence_from_case(scene);
   const Signal signal = incident_signal(scene, ground);
   // The damping of a strain curve knows no frequency.
