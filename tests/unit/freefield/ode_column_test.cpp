@@ -76,6 +76,35 @@ TEST(OdeColumn, SaysWhenAndWhereItStopped) {
   }
 }
 
+TEST(OdeColumn, AtRestCostsNothingAndTheFirstInputIsNotMissed) {
+  const Profile profile{.layers = {{10.0, soil}}, .half_space = soil};
+  auto s = settings();
+  const OdeStatistics idle = [&] {
+    OdeColumn column(profile, s, [](double) { return Velocity{}; });
+    while (column.time() < 1.0) {
+      column.step();
+    }
+    return column.statistics();
+  }();
+  EXPECT_EQ(idle.right_hand_sides, 0);
+
+  // Shear from 0.513 s on, no dilation: the surface doubles the incident wave 10 m / 200 m/s later.
+  constexpr double start = 0.513, travel = 0.05;
+  s.max_cell_size = 0.1;
+  OdeColumn column(profile, s, [](double t) {
+    return Velocity{t < start ? 0.0 : 1.0 - std::cos(10.0 * (t - start)), 0.0};
+  });
+  while (column.time() < 0.8) {
+    column.step();
+    const double surface = 0.0;
+    ColumnSample sample;
+    column.sample({&surface, 1}, {&sample, 1});
+    const double arrived = column.time() - start - travel;
+    EXPECT_NEAR(sample.vx, arrived < 0.0 ? 0.0 : 2.0 * (1.0 - std::cos(10.0 * arrived)), 1e-3);
+    EXPECT_EQ(sample.vy, 0.0);
+  }
+}
+
 // gamma = a sin(w t) turns at w t = pi/2; a step from w t = 1.4 to 1.7 has it inside.
 TEST(OdeSoil, FindsTheReversalWithinAStepAndTrialsChangeNothing) {
   const Backbone backbone{1e7, 1e-3, 1.0, 1.0};
