@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace tremolo::app {
 
@@ -78,6 +79,17 @@ void mark_aborted(const fs::path& file, const std::string& reason) {
     results::mark_aborted(file, reason);
 }
 
+/// What a process warned of in its log.
+std::vector<std::string> warnings_of(const std::string& process, const fs::path& folder) {
+  constexpr std::string_view mark = "warning: ";
+  std::vector<std::string> warnings;
+  std::ifstream log(folder / "log" / (process + ".log"));
+  for (std::string text; std::getline(log, text);)
+    if (text.starts_with(mark))
+      warnings.push_back(fmt::format("{}: {}", process, text));
+  return warnings;
+}
+
 } // namespace
 
 std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& run) {
@@ -98,6 +110,9 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
     auto summaries = coupler::launch(options);
     results::append_table(file, "/processes", process_table(summaries));
     line.note("finished");
+    for (const auto& process : options.processes)
+      for (const auto& warning : warnings_of(process.name, run.folder))
+        line.note(warning);
     return summaries;
   } catch (const coupler::RunFailed& failure) {
     line.note(failure.what());

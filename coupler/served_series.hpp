@@ -5,8 +5,7 @@
 //  - rates belong to the values. By Simpson's rule, exact for cubics in time, error (w dt)^4/180,
 //        f_(n+1) - f_(n-1) = dt/3 (f'_(n-1) + 4 f'_n + f'_(n+1));
 //  - values obey the balance of momentum, whatever the soil. On a vertical line of a field that is the same
-//  along
-//    x, later by p (x - x_ref), d/dx = -p d/dt, so
+//    along x, later by p (x - x_ref), d/dx = -p d/dt, so
 //        rho vx' = -p sxx' + dsxy/dy,     rho vy' = -p sxy' + dsyy/dy,
 //    which gives the density: a stress in kPa, a velocity in cm/s or a wrong sign shows in it at once.
 

@@ -25,8 +25,11 @@ ColumnMesh::Place ColumnMesh::at(double y, Side side) const {
   const double base = node_y.front();
   const double surface = node_y.back();
   const double rounding = 1e-9 * (surface - base);
-  require(y >= base - rounding && y <= surface + rounding, "level to sample", y,
-          "within the column, " + shortest(base) + " to " + shortest(surface) + " m");
+  // Levels are asked for at every step: the message is made only where it is needed.
+  const bool within = y >= base - rounding && y <= surface + rounding;
+  if (!within)
+    require(within, "level to sample", y,
+            "within the column, " + shortest(base) + " to " + shortest(surface) + " m");
   const double level = side == Side::above ? y + rounding : y - rounding;
   const auto above = std::upper_bound(node_y.begin() + 1, node_y.end() - 1, level);
   const auto element = static_cast<std::size_t>(above - node_y.begin()) - 1;

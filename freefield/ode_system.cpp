@@ -12,8 +12,8 @@
 // that of the incident and the outgoing wave, tau_0 = Z (v_b - 2 v_inc) (Joyner and Chen 1975, BSSA 65(5),
 // 1315-1336). With tau_0 = sigma_0 + (E beta/l)_0 (v_1 - v_b) and r = (E beta/l)_0 / Z,
 //
-//     v_b = (w + r v_1)/(1 + r),   w = 2 v_inc + sigma_0/Z,   tau_0 = sigma_0 + (E beta/l)_0 (v_1 - w)/(1 +
-//     r);
+//     v_b = (w + r v_1)/(1 + r),   w = 2 v_inc + sigma_0/Z,
+//     tau_0 = sigma_0 + (E beta/l)_0 (v_1 - w)/(1 + r);
 //
 // rigid: r = 0 and w = v_inc in the same formulas.
 

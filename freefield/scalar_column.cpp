@@ -1,15 +1,13 @@
-// Semi-discrete form, per m2 of plan area: nodes i from the base up, elements e with strain eps = (u_{i+1} -
-// u_i)/h,
+// Semi-discrete form, per m2 of plan area: nodes i from the base up, elements e with strain
+// eps = (u_{i+1} - u_i)/h; m_i and the alpha part of c_i are lumped,
 //
-//     m_i a_i + c_i v_i = tau_above - tau_below,   tau_e = E (eps + beta deps/dt),   m_i, alpha part of c_i
-//     lumped
+//     m_i a_i + c_i v_i = tau_above - tau_below,   tau_e = E (eps + beta deps/dt),
 //
 // and at the base node the traction of the half-space (Joyner and Chen 1975, BSSA 65(5), 1315-1336)
 //
 //     t = -rho c (v_0 - 2 v_incident).
 //
-// or a prescribed motion, u_0(t). With r = K u + beta K v + c v - f, what everything but inertia resists
-// with:
+// or a prescribed motion, u_0(t). With r = K u + beta K v + c v - f, which is all but inertia:
 //
 // Hilber, Hughes and Taylor, beta_N = (1 - alpha)^2/4, gamma = 1/2 - alpha (alpha = 0: average acceleration):
 //     u' = u + dt v + dt^2 ((1/2 - beta_N) a + beta_N a'),   v' = v + dt ((1 - gamma) a + gamma a')

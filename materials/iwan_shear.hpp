@@ -4,8 +4,8 @@
 // elastoplastic elements, each a von Mises body on its share of the deviatoric strain (Prevost 1977; Joyner &
 // Chen 1975, Bull. Seism. Soc. Am. 65, 1315-1336 for soil columns),
 //
-//     sigma = sigma_0 + K tr(eps) I + sum_i s_i,     s_i = 2 G_i dev(eps - eps_p,i),     sqrt(s_i : s_i / 2)
-//     <= tau_i.
+//     sigma = sigma_0 + K tr(eps) I + sum_i s_i,   s_i = 2 G_i dev(eps - eps_p,i),
+//     sqrt(s_i : s_i / 2) <= tau_i.
 //
 // In simple shear the elements give a polygon through the backbone and obey all four extended Masing rules
 // without keeping any reversal point; in other directions they generalise both. Each s_i is rotated with the

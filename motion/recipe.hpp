@@ -25,9 +25,8 @@ struct Recipe {
   std::variant<PulseRecipe, SynthesisRecipe> what;
 };
 
-/// @throws RecordError "file:line: text" for a file that cannot be read, an unknown or missing key, a value
-/// of
-///         another type
+/// @throws RecordError "file:line: text" for a file that cannot be read, an unknown or missing key, or a
+///         value of another type
 Recipe read_recipe(const std::filesystem::path& file);
 
 /// The same from a stream; `file` names it in messages.

@@ -8,14 +8,13 @@
 // h  amplitude of the filter of Clough & Penzien (1975), Dynamics of Structures: a soil column (frequency,
 //    damping) after a high-pass (high_pass, high_pass_damping), under a cosine taper from taper_start to
 //    last_frequency, above which there is nothing
-// w  the gamma envelope of Saragoni & Hart (1974), Earthq. Eng. Struct. Dyn. 2, and one burst of strong
-// shaking:
+// w  the gamma envelope of Saragoni & Hart (1974), Earthq. Eng. Struct. Dyn. 2, and one strong burst:
 //    w^2 = x^(shape-1) exp(-x) + burst exp(-((t - burst_time)/burst_width)^2),  x = (t - start)/time
 // p, q bring final velocity and displacement to zero
 // s  the scale that gives the Arias intensity
 //
-// The filter's two frequencies, the envelope's time and the burst's strength are found by Gauss-Newton steps
-// on mean period, PGV, duration and PGA; those of the recipe are where the search starts.
+// The filter's two frequencies, the envelope's time and the burst's strength are found by Levenberg-Marquardt
+// steps on mean period, PGV, duration and PGA; those of the recipe are where the search starts.
 
 #include "motion/measures.hpp"
 #include "motion/record.hpp"

@@ -101,7 +101,8 @@ Table damping() {
       .meaning = "Material damping of the free field.",
       .keys = {
           choice("model", {"none", "rayleigh", "kelvin_voigt", "hysteretic", "shake", "kjartansson"},
-                 "How damping depends on frequency. `kelvin_voigt`: proportional to it, all models. "
+                 "How damping depends on frequency. `kelvin_voigt`: proportional to it, all models but "
+                 "`oblique`. "
                  "`rayleigh`: the "
                  "ratio at two frequencies, columns only. `hysteretic` G (1 + 2 i xi), `shake` G (1 - 2 xi^2 "
                  "+ 2 i xi "

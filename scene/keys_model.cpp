@@ -55,13 +55,13 @@ std::vector<Key> hysteretic_keys() {
                   "relative to the "
                   "case file.",
        .otherwise = "the backbone given",
-       .when = {"model", both}},
+       .when = {"model", {"mkz"}}},
       backbone("reference_strain", both, "Shear strain of the backbone, engineering.", positive),
       backbone("beta", {"mkz"}, "Factor of the backbone.", positive),
       backbone("exponent", {"mkz"}, "Exponent of the backbone.", {.low = 0.1, .high = 1.0}),
       darendeli("plasticity_index", "%", "Plasticity index.", "", not_negative),
       darendeli("overconsolidation_ratio", "1", "Overconsolidation ratio.", "1", {.low = 1.0}),
-      darendeli("mean_stress", "Pa", "Mean effective confining stress.", "", positive),
+      darendeli("mean_stress", "Pa", "Mean effective confining stress.", "", {.low = 100.0, .high = 1e8}),
       darendeli("excitation_hz", "Hz", "Frequency of loading.", "1", positive),
       darendeli("cycles", "1", "Number of cycles of loading.", "10", {.low = 1.0}),
   };

@@ -97,7 +97,7 @@ Table eql() {
                 .unit = "1",
                 .meaning = "Relative change of modulus and damping below which the iteration ends.",
                 .fallback = "1e-3",
-                .range = positive},
+                .range = {.low = 0.0, .high = 1.0, .low_open = true, .high_open = true}},
                {.name = "iterations",
                 .type = Type::integer,
                 .unit = "1",

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace tremolo::freefield {
@@ -104,6 +105,19 @@ Integrator integrator_of(scene::Integrator integrator) {
                                                              : Integrator::newmark;
 }
 
+/// The step of a column if the case names none: under the limit of central differences; for implicit
+/// integrators one crossing time of P waves, which damping does not shrink.
+double default_step(const scene::Case& scene, const Profile& profile, const FeColumnSettings& settings) {
+  if (scene.fe.integrator == scene::Integrator::central_difference)
+    return fraction_of_limit * central_difference_limit(profile, settings.max_element_size, settings.damping);
+  double crossing = std::numeric_limits<double>::infinity();
+  for (const Layer& layer : profile.layers) {
+    const double elements = std::ceil(layer.thickness / settings.max_element_size - 1e-9);
+    crossing = std::min(crossing, layer.thickness / std::max(elements, 1.0) / layer.soil.p_wave_speed());
+  }
+  return crossing;
+}
+
 std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profile, const Input& input,
                                   double start) {
   FeColumnSettings settings;
@@ -114,8 +128,7 @@ std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profi
   settings.tangent =
       scene.fe.tangent == scene::NewtonTangent::consistent ? Tangent::consistent : Tangent::initial;
   settings.base = input.base;
-  settings.time_step = scene.fe.dt.value_or(
-      fraction_of_limit * central_difference_limit(profile, settings.max_element_size, settings.damping));
+  settings.time_step = scene.fe.dt ? *scene.fe.dt : default_step(scene, profile, settings);
   // Two steps ahead for the exchange to interpolate.
   settings.start_time = start - 2.0 * settings.time_step;
   return std::make_unique<FeColumn>(profile, settings, input.velocity);

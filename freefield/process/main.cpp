@@ -7,6 +7,8 @@
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -107,6 +109,8 @@ void run(const coupler::ParticipantOptions& options) {
     else
       total.fill(step, fields[f].y, values);
   });
+  if (const std::string report = column->report(); !report.empty())
+    fmt::print("column: {}\n", report);
 }
 
 } // namespace

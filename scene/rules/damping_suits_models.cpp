@@ -54,6 +54,13 @@ void damping_suits_models(const Case& scene, Findings& findings) {
 
   const auto& [left, right, base] = scene.boundary;
   const std::array sources = {left.field.model, right.field.model, base.field.model};
+  if (scene.halfspace_damping > 0.0 && std::ranges::any_of(sources, marched_in_time) &&
+      findings.sound("halfspace.damping"))
+    findings.add(
+        "halfspace.damping",
+        fmt::format("'damping' = {} of the half-space is known to models \"wave\" and \"eql\" only: a column "
+                    "stands on an undamped one; remove it",
+                    scene.halfspace_damping));
   const bool any_damped = damped(layers(scene, left)) || damped(layers(scene, right));
   if (model == DampingModel::rayleigh) {
     if (any_damped && std::ranges::any_of(sources, in_frequency_domain))

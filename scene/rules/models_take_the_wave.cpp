@@ -54,26 +54,41 @@ std::string refused_kind(const Case& scene, SourceModel model) {
   return {};
 }
 
+/// A column under a motion within the ground ends where that motion is: at the top of the half-space.
+bool ends_above_the_base(const Case& scene, SourceModel model, double surface,
+                         const std::vector<Layer>& layers) {
+  const bool column = model == SourceModel::fe || model == SourceModel::ode;
+  return scene.motion.kind == motion::MotionKind::within && column && scene.mesh.size > 0.0 &&
+         scene.mesh.box.y_min < base_level(surface, layers) - 1e-6;
+}
+
 } // namespace
 
 void models_take_the_wave(const Case& scene, Findings& findings) {
   if (!findings.sound("motion.angle_deg") || !findings.sound("halfspace"))
     return;
-  const auto check = [&](SourceModel model, const std::vector<Layer>& layers, const std::string& path) {
+  const auto check = [&](SourceModel model, double surface, const std::vector<Layer>& layers,
+                         const std::string& path) {
     if (!findings.sound(path))
       return;
     if (model == SourceModel::mpm)
       findings.add(path,
                    "model = \"mpm\" needs a domain with periodic sides, which this version of tremolo does "
                    "not have; use model = \"fe\"");
+    if (findings.sound("mesh.box") && ends_above_the_base(scene, model, surface, layers))
+      findings.add(
+          path,
+          fmt::format("model = \"{}\" under a motion within the ground ends at the top of the half-space, "
+                      "y = {}, but [mesh] box reaches down to y = {}; both must agree",
+                      name(model), base_level(surface, layers), scene.mesh.box.y_min));
     for (const std::string& why : {refused_angle(scene, model, layers), refused_kind(scene, model)})
       if (!why.empty())
         findings.add(path, why);
   };
   const auto& [left, right, base] = scene.boundary;
-  check(left.field.model, layers(scene, left), "boundary.left.model");
-  check(right.field.model, layers(scene, right), "boundary.right.model");
-  check(base.field.model, layers(scene, left), "boundary.base.model");
+  check(left.field.model, left.surface, layers(scene, left), "boundary.left.model");
+  check(right.field.model, right.surface, layers(scene, right), "boundary.right.model");
+  check(base.field.model, left.surface, layers(scene, left), "boundary.base.model");
 }
 
 } // namespace tremolo::scene

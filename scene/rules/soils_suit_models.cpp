@@ -15,8 +15,7 @@ std::string refused(const Case& scene, SourceModel model, const std::vector<Laye
   if (model == SourceModel::oblique &&
       std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; }))
     return "model = \"oblique\" takes layers without viscous damping, with which waves of one slowness have "
-           "no "
-           "well-posed column; use model = \"wave\", or hysteretic soil";
+           "no well-posed column; use model = \"wave\", or hysteretic soil";
   for (const Layer& layer : layers)
     if ((model == SourceModel::ode || model == SourceModel::oblique) && layer.soil &&
         std::holds_alternative<materials::MohrCoulomb>(scene.soils[*layer.soil].law))

@@ -71,7 +71,7 @@ wavefield::LayeredField field_of(const scene::Case& scene, const scene::SourcePr
   if (source.field.model != scene::SourceModel::eql)
     return wavefield::field_from_case(scene, source);
   const auto result = wavefield::equivalent_linear_from_case(scene, source);
-  fmt::print("equivalent linear: {}\n", wavefield::summary(result));
+  fmt::print("{}equivalent linear: {}\n", result.converged ? "" : "warning: ", wavefield::summary(result));
   return wavefield::field_from_case(scene, source, result);
 }
 

@@ -62,6 +62,9 @@ TEST(HystereticSoil, SaysWhatIsMissingOrTooMuch) {
       errors_of(with_clay("model = \"mkz\"\ncurve = \"darendeli\"\nplasticity_index = 15\nmean_stress = "
                           "1e5\nbeta = 1.0\n")),
       ElementsAre(HasSubstr("'beta' and 'curve' exclude each other")));
+  EXPECT_THAT(errors_of(with_clay("model = \"hyperbolic\"\nreference_strain = 5e-4\ncurve = \"darendeli\"\n"
+                                  "plasticity_index = 15\nmean_stress = 1e5\n")),
+              ::testing::Contains(HasSubstr("'curve' does not apply to model = \"hyperbolic\"")));
   EXPECT_THAT(errors_of(with_clay("model = \"mkz\"\ncurve = \"none.csv\"\n")),
               ElementsAre(HasSubstr("none.csv: cannot be read")));
   EXPECT_THAT(errors_of(with_clay("model = \"mkz\"\nreference_strain = 5e-4\nbeta = 1.0\nexponent = 1.5\n")),

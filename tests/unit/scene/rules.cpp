@@ -167,16 +167,14 @@ TEST(Rules, AMotionWithinTheGroundIsThatOfTheTopOfTheHalfSpace) {
   const auto within = [](std::string text) {
     return with("[motion]\n", "[motion]\nkind = \"within\"\n", text);
   };
-  const auto layered = with_columns() + std::string(layer);
-  EXPECT_THAT(errors_of(within(with("reference = [0.0, -10.0]", "reference = [0.0, -4.0]", layered))),
-              IsEmpty());
+  const auto to_the_base = with_columns() + with("thickness = 4.0", "thickness = 10.0", std::string(layer));
+  EXPECT_THAT(errors_of(within(to_the_base)), IsEmpty());
   EXPECT_THAT(
-      errors_of(within(layered)),
+      errors_of(within(std::string(flat_case) + std::string(layer))),
       ElementsAre(
           "case.toml:7:13: [motion] 'reference' at y = -10 of a motion within the ground must be at the "
           "top of the half-space, which on the left side is y = -4"));
-  EXPECT_THAT(errors_of(within(with("left = { model = \"fe\" }", "left = { model = \"eql\" }",
-                                    with("reference = [0.0, -10.0]", "reference = [0.0, -4.0]", layered)))),
+  EXPECT_THAT(errors_of(within(with("left = { model = \"fe\" }", "left = { model = \"eql\" }", to_the_base))),
               ElementsAre(::testing::HasSubstr("takes an incident or outcrop motion")));
 }
 
