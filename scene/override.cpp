@@ -24,10 +24,31 @@ std::size_t offset(std::string_view text, toml::source_position position) {
   return at;
 }
 
+/// Bytes of the text, and what stands there instead.
 struct Replacement {
-  toml::source_region where;
+  std::size_t begin = 0;
+  std::size_t end = 0;
   std::string value;
 };
+
+/// A pair of key and value as it stands in the text, with what parted it from its neighbours: the comma
+/// before it, or after it where it opens an inline table; outside of one the line, unless a comment ends it.
+Replacement without_pair(std::string_view text, std::size_t key, std::size_t value_end) {
+  constexpr std::string_view blank = " \t\r";
+  const auto past_blanks = [&](std::size_t at) {
+    return std::min(text.find_first_not_of(blank, at), text.size());
+  };
+  const auto before = text.find_last_of(",{\n", key); // a dotted key may begin before its last part
+  if (before != std::string_view::npos && text[before] == ',')
+    return {before, value_end, ""};
+  const auto begin = before == std::string_view::npos ? 0 : before + 1;
+  auto end = past_blanks(value_end);
+  if (before != std::string_view::npos && text[before] == '{')
+    return {past_blanks(begin), end < text.size() && text[end] == ',' ? past_blanks(end + 1) : value_end, ""};
+  if (end < text.size() && text[end] == '\n')
+    ++end;
+  return {begin, end, ""};
+}
 
 std::string quoted(const std::filesystem::path& path) {
   std::string escaped;
@@ -45,7 +66,17 @@ public:
   explicit Replacements(const Case& scene) : scene_(scene), root_(toml::parse(scene.text)) {}
 
   void put(const std::string& key, std::string value) {
-    replacements_.push_back({root_.at_path(key).node()->source(), std::move(value)});
+    const auto& where = root_.at_path(key).node()->source();
+    replacements_.push_back(
+        {offset(scene_.text, where.begin), offset(scene_.text, where.end), std::move(value)});
+  }
+
+  /// Removes a key of a table, where it has it.
+  void remove(const std::string& table, std::string_view key) {
+    for (auto&& [name, node] : *root_.at_path(table).as_table())
+      if (name == key)
+        replacements_.push_back(without_pair(scene_.text, offset(scene_.text, name.source().begin),
+                                             offset(scene_.text, node.source().end)));
   }
 
   /// The file name under a key, where the case has one, made absolute.
@@ -65,13 +96,10 @@ public:
 
   std::string text() && {
     // From the end, so that earlier positions stay where they are.
-    std::ranges::sort(replacements_, std::greater{},
-                      [&](const Replacement& r) { return offset(scene_.text, r.where.begin); });
+    std::ranges::sort(replacements_, std::greater{}, &Replacement::begin);
     std::string text = scene_.text;
-    for (const auto& [where, value] : replacements_) {
-      const auto begin = offset(scene_.text, where.begin);
-      text.replace(begin, offset(scene_.text, where.end) - begin, value);
-    }
+    for (const auto& [begin, end, value] : replacements_)
+      text.replace(begin, end - begin, value);
     return text;
   }
 
@@ -98,8 +126,12 @@ std::string overridden_text(const Case& scene, const CaseOverride& values) {
     const auto boundary = fmt::format("boundary.{}", name(side));
     if (values.model)
       replacements.put(boundary + ".model", fmt::format("\"{}\"", name(*values.model)));
-    replacements.put_absolute(boundary + ".file");
-    replacements.put_absolute(boundary + ".program");
+    for (const char* key : {"file", "program"}) {
+      if (values.model)
+        replacements.remove(boundary, key);
+      else
+        replacements.put_absolute(fmt::format("{}.{}", boundary, key));
+    }
   }
   replacements.put_absolute_curves();
   return std::move(replacements).text();

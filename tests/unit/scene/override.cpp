@@ -33,6 +33,61 @@ TEST(Override, ProgramsOfSidesBecomeAbsolute) {
   EXPECT_THAT(overridden_text(scene, {}), HasSubstr("program = \"/cases/mine/field\""));
 }
 
+/// The [boundary] of a case after all models became `wave`; only this part of its text is looked at here.
+std::string all_wave(std::string boundary) {
+  auto scene = parse_case(std::string(flat_case));
+  scene.text = std::move(boundary);
+  return overridden_text(scene, {.record = {}, .angle_deg = {}, .model = SourceModel::wave});
+}
+
+TEST(Override, FilesAndProgramsOfInlineTablesGoWithTheirModel) {
+  EXPECT_EQ(all_wave(R"([boundary]
+left = { model = "recording", file = "a, b.h5" } # mine
+right = { program = "field" , model = "external", profile = [
+  { thickness = 2.0, soil = "sand" },
+], surface = 1.0 }
+base = { model = "external", form = "total", program = "field" }
+)"),
+            R"([boundary]
+left = { model = "wave" } # mine
+right = { model = "wave", profile = [
+  { thickness = 2.0, soil = "sand" },
+], surface = 1.0 }
+base = { model = "wave", form = "total" }
+)");
+}
+
+TEST(Override, FilesAndProgramsOfTablesGoWithTheirModel) {
+  EXPECT_EQ(all_wave(R"([boundary.left]
+model = "recording"
+  file = "field.h5"
+surface = 0.0
+[boundary.right]
+program = "field" # mine
+model = "external"
+[boundary]
+base.model = "external"
+base.form = "total"
+base.program = "field")"),
+            R"([boundary.left]
+model = "wave"
+surface = 0.0
+[boundary.right]
+# mine
+model = "wave"
+[boundary]
+base.model = "wave"
+base.form = "total"
+)");
+}
+
+TEST(Override, FilesAndProgramsUnderDottedKeysGoWithTheirModel) {
+  EXPECT_EQ(
+      all_wave("boundary = { left.model = \"external\", left.program = \"b\u00f6\", right.program = \"f\", "
+               "right.model = \"external\", base = { file = \"x\", model = \"recording\" } }"),
+      "boundary = { left.model = \"wave\", right.model = \"wave\", base = { model = \"wave\" } }");
+}
+
 TEST(Override, RecordOfAPulseIsRefused) {
   const auto scene = parse_case(std::string(flat_case));
   EXPECT_THROW(overridden_text(scene, {.record = "x.AT2", .angle_deg = {}, .model = {}}),
