@@ -202,8 +202,10 @@ void add_conform(CLI::App& app) {
       ->add_option("--case", arguments->case_file,
                    "Case that it shall serve; without it a box of 20 m x 10 m under a vertical SV pulse")
       ->check(CLI::ExistingFile);
-  command->add_option("--name", arguments->name,
-                      "Which free field of the case, e.g. left; without it the case's first");
+  command->add_option(
+      "--name", arguments->name,
+      "Which free field of the case, as `tremolo explain` names it, e.g. left-right-base where one "
+      "serves all; without it the case's first");
   command->callback([arguments] { conform(*arguments); });
 }
 

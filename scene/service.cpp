@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace tremolo::scene {
 
@@ -51,8 +52,12 @@ Service service(const Case& scene, const SourceProcess& source, double slowness_
 const SourceProcess& source_named(const Plan& plan, std::string_view name) {
   const auto source = std::find_if(plan.sources.begin(), plan.sources.end(),
                                    [&](const SourceProcess& s) { return s.name == name; });
-  if (source == plan.sources.end())
-    throw std::invalid_argument(fmt::format("the case has no free field named '{}'", name));
+  if (source == plan.sources.end()) {
+    std::string known;
+    for (const SourceProcess& other : plan.sources)
+      known += fmt::format("{}'{}'", known.empty() ? "" : ", ", other.name);
+    throw std::invalid_argument(fmt::format("the case has no free field named '{}'; it has {}", name, known));
+  }
   return *source;
 }
 
