@@ -49,8 +49,11 @@ void compare(const Options& options) {
         fmt::format("{} is not an empty folder; choose another --out", options.out.string()));
   std::vector<scene::SourceModel> models;
   models.reserve(options.models.size());
-  for (const std::string& model : options.models)
+  for (const std::string& model : options.models) {
+    if (std::ranges::count(options.models, model) > 1)
+      throw std::runtime_error(fmt::format("--models: '{}' is named twice", model));
     models.push_back(*std::ranges::find(known, model, [](scene::SourceModel m) { return scene::name(m); }));
+  }
 
   const auto runs =
       swap_models(scene, models, {.folder = options.out, .mode = {}, .threads = options.threads});
