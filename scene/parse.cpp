@@ -83,7 +83,9 @@ Case load_free_field(const std::filesystem::path& file, SourceModel model) {
     read_stages(document, findings, scene);
   auto& [left, right, base] = scene.boundary;
   left.field.model = right.field.model = base.field.model = model;
-  for (const Rule rule : {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models})
+  left.surface = right.surface = scene.surface_level;
+  for (const Rule rule : {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models,
+                          reference_lies_in_halfspace})
     rule(scene, findings);
 
   findings.throw_if_any();

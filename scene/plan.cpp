@@ -141,25 +141,6 @@ std::optional<std::string> fitted_soil(const Soil& soil) {
       100.0 * materials::masing_damping(law->backbone(), strain), 100.0 * soil.curves->damping(strain));
 }
 
-/// Layers of nonlinear soil that a model of a source takes as linear.
-std::vector<std::string> linearised_soils(const Case& scene) {
-  std::vector<std::string> notes;
-  for (const SourceProcess& source : plan_sources(scene))
-    for (std::size_t i = 0; i < scene.soils.size(); ++i) {
-      const Soil& soil = scene.soils[i];
-      const bool linear = std::holds_alternative<materials::LinearElastic>(soil.law);
-      const bool known = source.field.model == SourceModel::eql && soil.curves;
-      const bool frequency_domain =
-          source.field.model == SourceModel::wave || source.field.model == SourceModel::eql;
-      if (frequency_domain && !linear && !known &&
-          std::ranges::find(layers(scene, source), std::optional(i), &Layer::soil) !=
-              layers(scene, source).end())
-        notes.push_back(fmt::format("'{}': model \"{}\" takes layers of soil '{}' as linear elastic",
-                                    source.name, name(source.field.model), soil.name));
-    }
-  return notes;
-}
-
 std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
   double slowest = highest_speed;
   for (const Soil& soil : domain_soils(scene))
@@ -179,8 +160,9 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
         "the wave reaches the model {:.3g} s before the shaking starts and finds it at rest: what "
         "came earlier is missing; a later pulse or a deeper [motion] reference avoids it",
         -arrival));
-  for (std::string& note : linearised_soils(scene))
-    notes.push_back(std::move(note));
+  for (const SourceProcess& source : plan_sources(scene))
+    for (std::string& note : linearised_soils(scene, source))
+      notes.push_back(std::move(note));
   for (const Soil& soil : scene.soils)
     if (const auto fit = fitted_soil(soil))
       notes.push_back(*fit);
@@ -207,6 +189,23 @@ double output_doubles_per_particle(const Case& scene) {
 }
 
 } // namespace
+
+std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess& source) {
+  using enum SourceModel;
+  if (source.field.model != wave && source.field.model != eql)
+    return {};
+  const auto& ground = layers(scene, source);
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < scene.soils.size(); ++i) {
+    const Soil& soil = scene.soils[i];
+    const bool known = std::holds_alternative<materials::LinearElastic>(soil.law) ||
+                       (source.field.model == eql && soil.curves);
+    if (!known && std::ranges::find(ground, std::optional(i), &Layer::soil) != ground.end())
+      notes.push_back(fmt::format("'{}': model \"{}\" takes layers of soil '{}' as linear elastic",
+                                  source.name, name(source.field.model), soil.name));
+  }
+  return notes;
+}
 
 double critical_time_step(const Case& scene) {
   double fastest = 0.0;

@@ -60,6 +60,9 @@ double critical_time_step(const Case& scene);
 
 Plan plan(const Case& scene);
 
+/// Layers of nonlinear soil that the model of a source takes as linear elastic, a sentence for each soil.
+std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess& source);
+
 /// The source that serves a side.
 const SourceProcess& source_of(const Plan& plan, Side side);
 
