@@ -2,6 +2,7 @@
 
 #include "wavefield/layered_half_space.hpp"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -14,27 +15,30 @@ namespace tremolo::wavefield {
 /// Outcrop over incident motion, a real factor: of the surface of the half-space alone, undamped; 2 at
 /// vertical incidence.
 /// @throws std::invalid_argument beyond the critical angle, where the factor is complex, and where the
-/// outcrop
-///         hardly moves in that component
+///         outcrop hardly moves in that component
 double outcrop_factor(const LayeredHalfSpace& profile, WaveType wave, double angle_rad);
 
 /// Incident motion along the polarisation whose wave moves the outcrop as given: outcrop / outcrop_factor.
 std::vector<double> incident_from_outcrop(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
                                           std::span<const double> outcrop);
 
-/// What dividing by a transfer function does to the noise of a record.
+/// An incident motion, and what dividing by a transfer function does to the noise of a record.
 struct Deconvolution {
-  std::vector<double> incident;
+  std::vector<double> incident;       ///< longer than the record, see incident_from_within()
+  std::size_t lead = 0;               ///< samples of it before the record's first one
   double largest_amplification = 0.0; ///< of any frequency of the record: largest |incident / within|
   double at_hz = 0.0;                 ///< the frequency where it is
 };
 
 /// Incident motion along the polarisation whose wave moves the top of the half-space, under the profile, as
-/// given: spectral division by the within transfer function.
+/// given, and not at all before and after: spectral division by the within transfer function. To hold the
+/// base still while the layers ring, the incident wave goes on after the record; with damping models that are
+/// not causal it also begins before it. It is returned from where it rises above to where it falls below
+/// 1e-9 of its peak, and is exact to 1e-7 of it: the window is doubled until that changes less.
 /// @param largest_amplification  that is allowed at any frequency up to 1/(2 dt)
 /// @throws std::invalid_argument for layers without damping, whose within motion vanishes at the frequencies
-/// at
-///         which they resonate on a rigid base, and where noise would be amplified more than is allowed
+///         at which they resonate on a rigid base, and where noise would be amplified more than is allowed
+/// @throws std::runtime_error    if the layers ring longer than the largest window
 Deconvolution incident_from_within(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
                                    std::span<const double> within, double dt,
                                    double largest_amplification = 100.0);

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <stdexcept>
 
 namespace tremolo::wavefield {
@@ -34,13 +33,6 @@ Signal signal_of(const scene::Motion& motion) {
           motion.highest_frequency()};
 }
 
-/// Outcrop motion over incident motion: a real number below the critical angle.
-double outcrop_factor(const LayeredHalfSpace& ground, const Incidence& incidence) {
-  constexpr double unit = 1.0;
-  return 1.0 /
-         incident_from_outcrop(ground, incidence.wave, incidence.angle_rad, std::span(&unit, 1)).front();
-}
-
 /// Samples of a velocity fine enough for a cubic spline between them.
 struct Sampled {
   std::vector<double> velocity;
@@ -54,6 +46,18 @@ Sampled sampled(const scene::Motion& motion) {
   for (std::size_t i = 0; i < count; ++i)
     samples.velocity.push_back(motion.velocity(motion.begin() + static_cast<double>(i) * samples.dt));
   return samples;
+}
+
+/// The incident motion of a record that begins like `within`. A record of the scene rises in its first 0.1 s,
+/// so it is given zeros there.
+Signal smooth(const Deconvolution& deconvolution, double dt, const scene::Motion& within) {
+  constexpr double zeros = 0.2; // s
+  std::vector<double> velocity(static_cast<std::size_t>(std::ceil(zeros / dt)), 0.0);
+  const double begin = within.begin() - dt * static_cast<double>(velocity.size() + deconvolution.lead);
+  velocity.insert(velocity.end(), deconvolution.incident.begin(), deconvolution.incident.end());
+  const auto shape = scene::Motion::record(velocity, dt);
+  return {[shape, begin](double t) { return shape.velocity(t - begin); }, begin, begin + shape.end(),
+          within.highest_frequency()};
 }
 
 } // namespace
@@ -87,19 +91,15 @@ Signal incident_signal(const scene::Case& scene, const LayeredHalfSpace& ground)
     return signal_of(motion);
   case motion::MotionKind::outcrop: {
     Signal signal = signal_of(motion);
-    signal.velocity = [motion, factor = outcrop_factor(ground, incidence)](double t) {
-      return motion.velocity(t) / factor;
-    };
+    signal.velocity = [motion, factor = outcrop_factor(ground, incidence.wave, incidence.angle_rad)](
+                          double t) { return motion.velocity(t) / factor; };
     return signal;
   }
   case motion::MotionKind::within: {
     const Sampled samples = sampled(motion);
-    const auto incident =
-        incident_from_within(ground, incidence.wave, incidence.angle_rad, samples.velocity, samples.dt)
-            .incident;
-    const auto shape = scene::Motion::record(incident, samples.dt);
-    return {[shape, begin = motion.begin()](double t) { return shape.velocity(t - begin); },
-            motion.begin() + shape.begin(), motion.begin() + shape.end(), motion.highest_frequency()};
+    return smooth(
+        incident_from_within(ground, incidence.wave, incidence.angle_rad, samples.velocity, samples.dt),
+        samples.dt, motion);
   }
   }
   throw std::logic_error("a kind of motion without a name");

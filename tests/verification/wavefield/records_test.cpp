@@ -106,9 +106,11 @@ TEST(Record, AsOutcropMotionOfThreeLayers) {
   // And back: from the within motion to the incident one.
   const auto back =
       incident_from_within(profile, WaveType::SV, 0.0, through(profile, 20.0, incident, dt, 16384), dt);
+  const std::vector<double> while_recorded(back.incident.begin() + static_cast<std::ptrdiff_t>(back.lead),
+                                           back.incident.end());
   std::printf("from within: %.1e of the peak, noise amplified %.1f times at %.2f Hz\n",
-              largest_difference(back.incident, incident), back.largest_amplification, back.at_hz);
-  EXPECT_LT(largest_difference(back.incident, incident), 1e-4);
+              largest_difference(while_recorded, incident), back.largest_amplification, back.at_hz);
+  EXPECT_LT(largest_difference(while_recorded, incident), 1e-4);
 }
 
 // DEEPSOIL's soil: 20 m, 20 kN/m3, Vs 500 m/s; rock 25 kN/m3, Vs 760 m/s, 2 %.
