@@ -4,6 +4,7 @@
 #include "scene/errors.hpp"
 #include "scene/layers.hpp"
 #include "scene/override.hpp"
+#include "scene/plan.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 namespace tremolo::app {
 
@@ -49,6 +51,10 @@ Difference at_monitor(const std::string& monitor, const results::RunReader& run,
   return {monitor, squares.ratio()};
 }
 
+/// The free fields of the sides that differ: the left one, and the right one where its ground or surface is
+/// another.
+using SideFields = std::vector<FreeFieldSeries>;
+
 double difference(const FreeFieldSeries& field, const FreeFieldSeries& reference) {
   Squares squares;
   for (std::size_t i = 0; i < field.samples.size(); ++i) {
@@ -58,35 +64,75 @@ double difference(const FreeFieldSeries& field, const FreeFieldSeries& reference
   return squares.ratio();
 }
 
-/// The left free field, from base to surface.
-FreeFieldSeries left_field(const scene::Case& scene, const scene::FreeFieldModel& model) {
+/// Of the worse side.
+double difference(const SideFields& fields, const SideFields& reference) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    worst = std::max(worst, difference(fields[i], reference[i]));
+  return worst;
+}
+
+std::vector<scene::Side> different_sides(const scene::Case& scene) {
+  const auto& [left, right, base] = scene.boundary;
+  if (left.surface == right.surface && left.own_profile.empty() && right.own_profile.empty())
+    return {scene::Side::left};
+  return {scene::Side::left, scene::Side::right};
+}
+
+/// The free field of a side under a model, from base to surface.
+FreeFieldSeries side_field(const scene::Case& scene, scene::SourceProcess source, double x,
+                           scene::SourceModel model) {
   constexpr int intervals = 20;
   constexpr double dt = 0.005; // s
-  const double surface = scene.boundary.left.surface;
+  const double surface = source.surface;
   const double base = scene.mesh.box.y_min;
   std::vector<double> levels;
   levels.reserve(intervals + 1);
   for (int i = 0; i < intervals; ++i)
     levels.push_back(base + (surface - base) * i / intervals);
   levels.push_back(surface);
-  scene::SourceProcess source{.name = "left", .field = model, .surface = surface};
-  if (!scene.boundary.left.own_profile.empty())
-    source.profile = scene::Side::left;
   const auto count = static_cast<std::size_t>(scene.shaking.duration / dt) + 1;
-  return free_field_series(scene, source, std::move(levels), {0.0, dt, count}, scene.mesh.box.x_min);
+  source.field = {model, {}};
+  return free_field_series(scene, source, std::move(levels), {0.0, dt, count}, x);
 }
 
-bool is_linear(const scene::Case& scene) {
-  return std::ranges::none_of(scene::layers(scene, scene.boundary.left), [&](const scene::Layer& layer) {
+/// The free fields under a model; none, and the reason is said, where it cannot compute them.
+std::optional<SideFields> side_fields(const scene::Case& scene, scene::SourceModel model,
+                                      std::string_view what) {
+  const scene::Plan plan = scene::plan(scene);
+  try {
+    SideFields fields;
+    for (const scene::Side side : different_sides(scene)) {
+      const double x = side == scene::Side::left ? scene.mesh.box.x_min : scene.mesh.box.x_max;
+      fields.push_back(side_field(scene, scene::source_of(plan, side), x, model));
+    }
+    return fields;
+  } catch (const std::exception& error) {
+    fmt::print("{}: not known, {}\n", what, error.what());
+    return std::nullopt;
+  }
+}
+
+bool is_linear(const scene::Case& scene, const std::vector<scene::Layer>& layers) {
+  return std::ranges::none_of(layers, [&](const scene::Layer& layer) {
     return layer.soil && !std::holds_alternative<materials::LinearElastic>(scene.soils[*layer.soil].law);
   });
 }
 
 /// Where the case can be computed by plane waves.
-std::optional<FreeFieldSeries> exact_field(const scene::Case& scene) {
-  if (!is_linear(scene) || scene.damping.model == scene::DampingModel::rayleigh)
+std::optional<SideFields> exact_fields(const scene::Case& scene) {
+  const auto& [left, right, base] = scene.boundary;
+  if (!is_linear(scene, scene::layers(scene, left)) || !is_linear(scene, scene::layers(scene, right)) ||
+      scene.damping.model == scene::DampingModel::rayleigh)
     return std::nullopt;
-  return left_field(scene, {scene::SourceModel::wave, {}});
+  return side_fields(scene, scene::SourceModel::wave, "exact free field");
+}
+
+/// Says which soil the model takes as linear elastic.
+void print_linearised(const scene::Case& scene) {
+  for (const scene::SourceProcess& source : scene::plan(scene).sources)
+    for (const std::string& note : scene::linearised_soils(scene, source))
+      fmt::print("{}\n", note);
 }
 
 /// Exit statuses above this one are 128 + the signal by which the user ended the run.
@@ -109,8 +155,8 @@ std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<
                                     const CaseRun& run) {
   std::vector<SwappedRun> swapped;
   std::optional<results::RunReader> first_run;
-  std::optional<FreeFieldSeries> first_field;
-  std::optional<FreeFieldSeries> exact;
+  std::optional<SideFields> first_fields;
+  std::optional<SideFields> exact;
   for (const scene::SourceModel model : models) {
     SwappedRun& entry = swapped.emplace_back(SwappedRun{.model = model});
     std::optional<scene::Case> scene;
@@ -122,6 +168,7 @@ std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<
       fmt::print("{}: {}\n", scene::name(model), entry.refused);
       continue;
     }
+    print_linearised(*scene);
     CaseRun one = run;
     one.folder = run.folder / std::string(scene::name(model));
     try {
@@ -134,17 +181,18 @@ std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<
       continue;
     }
     const results::RunReader reader(one.folder / "run.h5");
-    auto field = left_field(*scene, scene->boundary.left.field);
+    const auto fields = side_fields(*scene, model, fmt::format("free field of {}", scene::name(model)));
     if (!first_run) {
       first_run.emplace(one.folder / "run.h5");
-      first_field = field;
-      exact = exact_field(*scene);
+      first_fields = fields;
+      exact = exact_fields(*scene);
     }
     for (const scene::Monitor& monitor : scene->monitors)
       entry.monitors.push_back(at_monitor(monitor.name, reader, *first_run));
-    entry.free_field = difference(field, *first_field);
-    if (exact)
-      entry.free_field_to_exact = difference(field, *exact);
+    if (fields && first_fields)
+      entry.free_field = difference(*fields, *first_fields);
+    if (fields && exact)
+      entry.free_field_to_exact = difference(*fields, *exact);
   }
   return swapped;
 }
@@ -190,7 +238,8 @@ std::string swap_json(const std::vector<SwappedRun>& runs) {
       entry["source_cpu_s"] = run.source_cpu_seconds;
       entry["domain_cpu_s"] = run.domain_cpu_seconds;
       entry["wall_s"] = run.wall_seconds;
-      entry["free_field"] = *run.free_field;
+      if (run.free_field)
+        entry["free_field"] = *run.free_field;
       if (run.free_field_to_exact)
         entry["free_field_to_exact"] = *run.free_field_to_exact;
       for (const Difference& monitor : run.monitors)

@@ -27,8 +27,11 @@ struct SwappedRun {
   std::string refused;              ///< why the case cannot take this model; empty if it ran to its end
   bool failed = false;              ///< it was taken, but its run failed
   std::vector<Difference> monitors; ///< to the first model that ran
-  std::optional<double> free_field; ///< relative L2 of the left free field to that of the first model
-  std::optional<double> free_field_to_exact; ///< and to plane waves in the layers, where all are linear
+  /// Relative L2 of the free field to that of the first model; of the worse side where the sides differ in
+  /// ground or surface. None where either cannot be computed for itself.
+  std::optional<double> free_field;
+  std::optional<double>
+      free_field_to_exact; ///< and to plane waves in the layers, where these can be computed
   double source_cpu_seconds = 0.0;
   double domain_cpu_seconds = 0.0;
   double wall_seconds = 0.0;
