@@ -83,22 +83,32 @@ double relative_change(double before, double after) {
   return before == after ? 0.0 : std::abs(after - before) / std::max(std::abs(after), std::abs(before));
 }
 
-/// Gives a layer the modulus and damping ratio of its effective strain; returns their relative changes.
-std::pair<double, double> soften(Layer& layer, const Layer& at_small_strain, const StrainCurves& curves,
-                                 double strain, const std::string& which) {
+/// What a step does to a layer.
+struct Softening {
+  double modulus_change = 0.0; ///< relative
+  double damping_change = 0.0; ///< relative
+  bool held_damping = false;
+};
+
+/// Gives a layer the modulus and damping ratio of its effective strain.
+Softening soften(Layer& layer, const Layer& at_small_strain, const StrainCurves& curves, double strain,
+                 const std::string& which) {
   const double reduction = curves.modulus_reduction(strain);
-  const double damping = curves.damping(strain);
+  const double wanted = curves.damping(strain);
   require(reduction > 0.0 && reduction <= 1.0, "G/Gmax of " + which + " at a strain of " + shortest(strain),
           reduction, "in (0, 1]");
-  require(damping >= 0.0 && damping < 0.5,
-          "damping ratio of " + which + " at a strain of " + shortest(strain), damping, "in [0, 0.5)");
+  require(wanted >= 0.0 && wanted < 1.0, "damping ratio of " + which + " at a strain of " + shortest(strain),
+          wanted, "in [0, 1)");
+  const double damping = std::min(wanted, largest_damping);
   const double before = std::pow(layer.vs / at_small_strain.vs, 2);
-  const std::pair changes(relative_change(before, reduction), relative_change(layer.damping, damping));
+  const Softening softening{.modulus_change = relative_change(before, reduction),
+                            .damping_change = relative_change(layer.damping, damping),
+                            .held_damping = damping < wanted};
   layer.vs = at_small_strain.vs * std::sqrt(reduction);
   layer.vp = at_small_strain.vp * std::sqrt(reduction);
   layer.damping = damping;
   layer.damping_p.reset();
-  return changes;
+  return softening;
 }
 
 void validate(const LayeredHalfSpace& profile, std::span<const StrainCurves> curves,
@@ -130,6 +140,16 @@ void validate(const LayeredHalfSpace& profile, std::span<const StrainCurves> cur
 
 } // namespace
 
+std::string depth_range(const LayeredHalfSpace& profile, std::size_t layer) {
+  double top = 0.0;
+  for (std::size_t j = 0; j < layer; ++j) {
+    top += profile.layers[j].thickness;
+  }
+  const auto rounded = [](double depth) { return shortest(std::round(1e3 * depth) / 1e3); };
+  return "the soil from " + rounded(top) + " m to " + rounded(top + profile.layers[layer].thickness) +
+         " m below the surface";
+}
+
 EquivalentLinearResult equivalent_linear(const LayeredHalfSpace& profile,
                                          std::span<const StrainCurves> curves, WaveType wave,
                                          double angle_rad, const IncidentAcceleration& motion,
@@ -137,20 +157,25 @@ EquivalentLinearResult equivalent_linear(const LayeredHalfSpace& profile,
   validate(profile, curves, motion, options);
   const IncidentVelocity velocity = incident_velocity(motion);
   EquivalentLinearResult result{.profile = profile, .iterations = {}};
-  std::string slowest;
+  std::size_t slowest = 0;
   for (int i = 0; i < options.max_iterations && !result.converged; ++i) {
     EquivalentLinearIteration iteration;
     iteration.largest_strain = largest_strains(result.profile, wave, angle_rad, velocity);
+    result.held_damping.clear();
     double largest_change = 0.0;
     for (std::size_t j = 0; j < curves.size(); ++j) {
-      const std::string which = "layer " + std::to_string(j + 1) + " from the top";
-      const auto [modulus, damping] = soften(result.profile.layers[j], profile.layers[j], curves[j],
-                                             options.strain_ratio * iteration.largest_strain[j], which);
-      iteration.modulus_change = std::max(iteration.modulus_change, modulus);
-      iteration.damping_change = std::max(iteration.damping_change, damping);
-      if (std::max(modulus, damping) > largest_change) {
-        largest_change = std::max(modulus, damping);
-        slowest = which;
+      const Softening softening =
+          soften(result.profile.layers[j], profile.layers[j], curves[j],
+                 options.strain_ratio * iteration.largest_strain[j], depth_range(profile, j));
+      iteration.modulus_change = std::max(iteration.modulus_change, softening.modulus_change);
+      iteration.damping_change = std::max(iteration.damping_change, softening.damping_change);
+      if (softening.held_damping) {
+        result.held_damping.push_back(j);
+      }
+      const double change = std::max(softening.modulus_change, softening.damping_change);
+      if (change > largest_change) {
+        largest_change = change;
+        slowest = j;
       }
     }
     result.converged = largest_change <= options.tolerance;
@@ -158,11 +183,11 @@ EquivalentLinearResult equivalent_linear(const LayeredHalfSpace& profile,
   }
   if (!result.converged && !options.allow_non_convergence) {
     const EquivalentLinearIteration& last = result.iterations.back();
-    throw std::runtime_error(
+    throw NotConverged(
         "the equivalent linear analysis has not converged after " + std::to_string(options.max_iterations) +
         " iterations: modulus still changes by " + shortest(100.0 * last.modulus_change) + " %, damping by " +
-        shortest(100.0 * last.damping_change) + " %, most in " + slowest + "; allowed is " +
-        shortest(100.0 * options.tolerance) + " %");
+        shortest(100.0 * last.damping_change) + " %, most in " + depth_range(profile, slowest) +
+        "; allowed is " + shortest(100.0 * options.tolerance) + " %");
   }
   return result;
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace tremolo::wavefield {
 
@@ -66,12 +67,18 @@ EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
   curves.reserve(layers.size());
   for (const scene::Layer& layer : layers)
     curves.push_back(curves_of(scene, layer));
-  return equivalent_linear(ground, curves, incidence.wave, incidence.angle_rad,
-                           {acceleration_of(signal, dt), dt},
-                           {.strain_ratio = scene.eql.strain_ratio,
-                            .tolerance = scene.eql.tolerance,
-                            .max_iterations = scene.eql.iterations,
-                            .allow_non_convergence = scene.eql.allow_unconverged});
+  try {
+    return equivalent_linear(ground, curves, incidence.wave, incidence.angle_rad,
+                             {acceleration_of(signal, dt), dt},
+                             {.strain_ratio = scene.eql.strain_ratio,
+                              .tolerance = scene.eql.tolerance,
+                              .max_iterations = scene.eql.iterations,
+                              .allow_non_convergence = scene.eql.allow_unconverged});
+  } catch (const NotConverged& error) {
+    throw std::runtime_error(
+        fmt::format("{}: {}; `[eql] unconverged = \"allow\"` takes the last step as it is",
+                    scene.file.string(), error.what()));
+  }
 }
 
 LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source) {
@@ -89,11 +96,16 @@ LayeredField field_from_case(const scene::Case& scene, const scene::SourceProces
 std::string summary(const EquivalentLinearResult& result) {
   const auto& last = result.iterations.back();
   const double strain = last.largest_strain.empty() ? 0.0 : std::ranges::max(last.largest_strain);
-  return fmt::format(
-      "{} after {} iterations, last changes {:.2g} % of modulus and {:.2g} % of damping, largest "
-      "strain {:.3g}",
-      result.converged ? "converged" : "NOT converged", result.iterations.size(), 100.0 * last.modulus_change,
-      100.0 * last.damping_change, strain);
+  std::string text =
+      fmt::format("{} after {} iterations, last changes {:.2g} % of modulus and {:.2g} % of damping, largest "
+                  "strain {:.3g}",
+                  result.converged ? "converged" : "NOT converged", result.iterations.size(),
+                  100.0 * last.modulus_change, 100.0 * last.damping_change, strain);
+  if (!result.held_damping.empty())
+    text += fmt::format(", damping held at {} where the curves ask for more in {} of {} layers, first {}",
+                        largest_damping, result.held_damping.size(), result.profile.layers.size(),
+                        depth_range(result.profile, result.held_damping.front()));
+  return text;
 }
 
 std::vector<Point> points_on_line(double x, std::span<const double> levels) {

@@ -23,7 +23,8 @@ EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
 LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source,
                              const EquivalentLinearResult& result);
 
-/// In words: whether the iteration converged, in how many steps, and the softest layer.
+/// In words: whether the iteration converged, in how many steps, its largest strain, and where the damping of
+/// the curves was too large for the complex moduli.
 std::string summary(const EquivalentLinearResult& result);
 
 /// The levels on the vertical line at x; of a level that stands twice, the first from below.

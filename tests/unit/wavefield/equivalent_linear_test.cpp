@@ -166,13 +166,38 @@ TEST(EquivalentLinear, TakesNonConvergenceForAnErrorUnlessItIsAllowed) {
       [&] {
         equivalent_linear(soft_ground(), curves(), WaveType::SV, 0.0, {acceleration, dt}, options);
       },
-      ::testing::ThrowsMessage<std::runtime_error>(
-          ::testing::HasSubstr("has not converged after 2 iterations: modulus still changes by ")));
+      ::testing::ThrowsMessage<NotConverged>(::testing::AllOf(
+          ::testing::HasSubstr("has not converged after 2 iterations: modulus still changes by "),
+          ::testing::HasSubstr(" m below the surface; allowed is 0.0001 %"))));
   options.allow_non_convergence = true;
   const auto result =
       equivalent_linear(soft_ground(), curves(), WaveType::SV, 0.0, {acceleration, dt}, options);
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.iterations.size(), 2U);
+}
+
+/// A hyperbola under Masing's rule, whose loops end at a damping ratio of 2/pi (Ishihara 1996, ch. 3):
+/// xi = 4/pi (1 + 1/x) (1 - ln(1 + x)/x) - 2/pi,  x = gamma / gamma_ref.
+StrainCurves masing(double reference_strain) {
+  return {[=](double strain) { return 1.0 / (1.0 + strain / reference_strain); },
+          [=](double strain) {
+            const double x = strain / reference_strain;
+            return x < 1e-4 ? 2.0 * x / (3.0 * std::numbers::pi)
+                            : 4.0 / std::numbers::pi * (1.0 + 1.0 / x) * (1.0 - std::log1p(x) / x) -
+                                  2.0 / std::numbers::pi;
+          }};
+}
+
+TEST(EquivalentLinear, HoldsTheDampingOfMasingsRuleAndSaysWhere) {
+  const auto acceleration = shaking(3.0);
+  const std::vector soil{masing(2e-4), masing(2e-3), masing(4e-3)};
+  const auto result = equivalent_linear(soft_ground(), soil, WaveType::SV, 0.0, {acceleration, dt});
+  EXPECT_TRUE(result.converged);
+  const auto& strains = result.iterations.back().largest_strain;
+  EXPECT_GT(soil[0].damping(0.65 * strains[0]), 0.5); // Masing's rule asks for more than a modulus can have
+  EXPECT_EQ(result.held_damping, std::vector<std::size_t>{0});
+  EXPECT_EQ(result.profile.layers[0].damping, largest_damping);
+  EXPECT_NEAR(result.profile.layers[1].damping, soil[1].damping(0.65 * strains[1]), 1e-12);
 }
 
 TEST(EquivalentLinear, RefusesWhatItCannotUse) {
@@ -189,10 +214,10 @@ TEST(EquivalentLinear, RefusesWhatItCannotUse) {
   };
   refused([](auto&, auto& soil) { soil.pop_back(); }, "curves of 2 layers, must be 3");
   refused([](auto& ground, auto&) { ground.layers.clear(); }, "at least one layer");
-  refused([](auto&, auto& soil) { soil[1].damping = [](double) { return 0.6; }; },
-          "damping ratio of layer 2 from the top at a strain of");
+  refused([](auto&, auto& soil) { soil[1].damping = [](double) { return 1.2; }; },
+          "damping ratio of the soil from 4 m to 10 m below the surface at a strain of");
   refused([](auto&, auto& soil) { soil[0].modulus_reduction = [](double) { return std::nan(""); }; },
-          "G/Gmax of layer 1 from the top");
+          "G/Gmax of the soil from 0 m to 4 m below the surface");
   EXPECT_THROW(equivalent_linear(soft_ground(), curves(), WaveType::SV, 0.0, {acceleration, 0.0}),
                std::invalid_argument);
 }
