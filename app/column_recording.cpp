@@ -59,9 +59,9 @@ std::string ground_text(const scene::Case& scene, const scene::SourceProcess& so
 
 } // namespace
 
-void record_column(const scene::Case& scene, const std::filesystem::path& file) {
+void record_column(const scene::Case& scene, scene::Side side, const std::filesystem::path& file) {
   const scene::Plan plan = scene::plan(scene);
-  const scene::SourceProcess& source = scene::source_of(plan, scene::Side::left);
+  const scene::SourceProcess& source = scene::source_of(plan, side);
   const double slowness = freefield::slowness_from_case(scene);
   const scene::Service service = scene::service(scene, source, slowness);
   const wavefield::TimeGrid times = times_of(scene, service);

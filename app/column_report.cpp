@@ -3,8 +3,9 @@
 #include "motion/record.hpp"
 #include "motion/spectra.hpp"
 #include "scene/layers.hpp"
+#include "wavefield/half_space.hpp"
+#include "wavefield/incident_motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
-#include "wavefield/transfer.hpp"
 
 #include <fmt/format.h>
 
@@ -155,12 +156,12 @@ results::Table transfer(const std::vector<double>& surface, const std::vector<do
 
 std::vector<double> outcrop_acceleration(const scene::Case& scene, const scene::SourceProcess& source,
                                          const wavefield::TimeGrid& times) {
-  if (scene.motion.kind == motion::MotionKind::within)
-    return {};
   const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, source));
   const auto incidence = wavefield::incidence_from_case(scene);
-  const auto amplitude = wavefield::outcrop(ground.half_space, incidence.wave, incidence.angle_rad);
-  const double factor = std::abs(incidence.wave == wavefield::WaveType::SV ? amplitude.ux : amplitude.uy);
+  if (scene.motion.kind == motion::MotionKind::within ||
+      wavefield::is_post_critical(ground.half_space, incidence))
+    return {};
+  const double factor = wavefield::outcrop_factor(ground, incidence.wave, incidence.angle_rad);
   const auto signal = wavefield::incident_signal(scene, ground);
   std::vector<double> velocity;
   for (const double time : times_of(times))

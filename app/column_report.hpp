@@ -10,7 +10,7 @@ namespace tremolo::app {
 
 /// Motion of the bare outcrop of the half-space under the same incident wave: acceleration of the horizontal
 /// (SV) or vertical (P) component, m/s2, at the times of the series; empty where the case gives a motion
-/// within the ground, whose outcrop is not known.
+/// within the ground, whose outcrop is not known, and beyond the critical angle, where it is another shape.
 std::vector<double> outcrop_acceleration(const scene::Case& scene, const scene::SourceProcess& source,
                                          const wavefield::TimeGrid& times);
 

@@ -5,6 +5,7 @@
 #include "app/commands.hpp"
 #include "app/free_field_series.hpp"
 #include "app/python.hpp"
+#include "freefield/process/column_from_case.hpp"
 #include "results/run_file.hpp"
 #include "scene/layers.hpp"
 #include "scene/motion.hpp"
@@ -29,6 +30,7 @@ struct Options {
   std::string model;
   std::string out;
   std::string record;
+  std::string side;
   std::vector<double> depths;
   std::optional<double> duration;
   double every = 0.0;
@@ -42,12 +44,48 @@ scene::SourceModel model_of(const Options& options) {
   return *std::ranges::find(models, options.model, [](scene::SourceModel m) { return scene::name(m); });
 }
 
+/// A free field to compute, and where it stands.
+struct Ground {
+  scene::Case scene;
+  scene::SourceProcess source;
+  double x = 0.0; ///< m
+};
+
+scene::Side side_of(const Options& options) {
+  return options.side == "right" ? scene::Side::right : scene::Side::left;
+}
+
+/// The complete case, with the model on both sides and at the base.
+scene::Case with_model(const Options& options) {
+  const scene::Case given = scene::load(options.scene);
+  const auto text =
+      scene::overridden_text(given, {.record = {}, .angle_deg = {}, .model = model_of(options)});
+  return scene::parse(text, given.file, given.directory);
+}
+
+/// The profile of the case, for which only its tables are needed; or that of a side.
+Ground ground_of(const Options& options) {
+  if (options.side.empty()) {
+    auto scene = scene::load_free_field(options.scene, model_of(options));
+    const scene::SourceProcess source{
+        .name = "column", .field = {model_of(options), {}}, .surface = scene.surface_level};
+    const double x = scene.motion.reference.x;
+    return {std::move(scene), source, x};
+  }
+  auto scene = with_model(options);
+  const auto source = scene::source_of(scene::plan(scene), side_of(options));
+  const double x = side_of(options) == scene::Side::left ? scene.mesh.box.x_min : scene.mesh.box.x_max;
+  return {std::move(scene), source, x};
+}
+
 double deepest(const scene::Case& scene, const scene::SourceProcess& source) {
   const double base = scene::base_level(source.surface, scene::layers(scene, source));
   if (base < source.surface)
     return base;
   throw std::runtime_error(
-      fmt::format("{}: without [[profile]] there are no layers, and no column", scene.file.string()));
+      fmt::format("{}: without [[profile]] there are no layers, and no column; layers of a side's own are "
+                  "computed with --side left or --side right",
+                  scene.file.string()));
 }
 
 /// Even levels for the peak profiles, interfaces twice, and those asked for.
@@ -82,19 +120,29 @@ std::vector<double> depths_of(const scene::Case& scene, const scene::SourceProce
   return depths;
 }
 
-wavefield::TimeGrid times_of(const scene::Case& scene, const scene::SourceProcess& source,
-                             const Options& options) {
+/// Histories of this many times at all levels take some 3 GB.
+constexpr double most_times = 2e5;
+
+wavefield::TimeGrid times_of(const Ground& ground, const Options& options) {
+  const auto& [scene, source, x] = ground;
   const auto motion = scene::motion(scene.motion);
-  const double start = std::min(0.0, motion.begin());
+  const double delay = freefield::slowness_from_case(scene) * (x - scene.motion.reference.x);
+  const double start = std::min(0.0, motion.begin() + delay);
   // A wave that has gone up and down the column four times has left it for practical purposes.
   double crossing = 0.0;
   for (const scene::Layer& layer : scene::layers(scene, source))
     crossing += layer.thickness / layer.elastic.s_wave_speed();
-  const double end = options.duration.value_or(motion.end() + 8.0 * crossing);
-  if (!(end > start))
-    throw std::runtime_error(fmt::format("--duration: {} s, must be > {} s", end, start));
+  const double end = options.duration.value_or(motion.end() + std::max(0.0, delay) + 8.0 * crossing);
+  if (!(end > start && std::isfinite(end)))
+    throw std::runtime_error(fmt::format("--duration: {} s, must be finite and > {:.4g} s", end, start));
   const double dt = options.every > 0.0 ? options.every : std::min(0.005, 0.25 / motion.highest_frequency());
-  return {start, dt, static_cast<std::size_t>(std::floor((end - start) / dt + 1e-9)) + 1};
+  const double steps = std::floor((end - start) / dt + 1e-9);
+  if (!(steps >= 1.0 && steps < most_times))
+    throw std::runtime_error(fmt::format(
+        "--every: {:.4g} s makes {:.3g} times from {:.4g} to {:.4g} s, allowed are 2 to {:.0e}: --every from "
+        "{:.3g} to {:.3g} s, or another --duration",
+        dt, steps + 1.0, start, end, most_times, (end - start) / (most_times - 1.0), end - start));
+  return {start, dt, static_cast<std::size_t>(steps) + 1};
 }
 
 void print_summary(const FreeFieldSeries& series, const scene::Case& scene, const Options& options) {
@@ -118,21 +166,26 @@ void print_summary(const FreeFieldSeries& series, const scene::Case& scene, cons
              largest(0, along), largest(weakest, strain), series.levels.back() - series.levels[weakest]);
 }
 
+void print_linearised(const scene::Case& scene, const scene::SourceProcess& source) {
+  for (const std::string& note : scene::linearised_soils(scene, source))
+    fmt::print("{}\n", note);
+}
+
 void record(const Options& options) {
-  const scene::SourceModel model = model_of(options);
-  const scene::Case given = scene::load(options.scene);
-  const auto text = scene::overridden_text(given, {.record = {}, .angle_deg = {}, .model = model});
-  record_column(scene::parse(text, given.file, given.directory), options.record);
-  fmt::print("{}: the left free field, model {}\n", options.record, options.model);
+  const scene::Case scene = with_model(options);
+  const scene::Side side = side_of(options);
+  print_linearised(scene, scene::source_of(scene::plan(scene), side));
+  record_column(scene, side, options.record);
+  fmt::print("{}: the {} free field, model {}\n", options.record, scene::name(side), options.model);
 }
 
 void compute(const Options& options) {
-  const scene::SourceModel model = model_of(options);
-  const scene::Case scene = scene::load_free_field(options.scene, model);
-  const scene::SourceProcess source{.name = "column", .field = {model, {}}, .surface = scene.surface_level};
+  const Ground ground = ground_of(options);
+  const auto& [scene, source, x] = ground;
   const auto depths = depths_of(scene, source, options);
-  const auto series = free_field_series(scene, source, all_levels(scene, source, depths),
-                                        times_of(scene, source, options), scene.motion.reference.x);
+  print_linearised(scene, source);
+  const auto series =
+      free_field_series(scene, source, all_levels(scene, source, depths), times_of(ground, options), x);
   std::vector<std::size_t> shown;
   for (const double depth : depths) {
     // The last of equal levels: above an interface.
@@ -166,23 +219,34 @@ void add_column(CLI::App& app) {
   command->add_option("--model", options->model, "Free-field model: wave, fe, ode, oblique or eql")
       ->required()
       ->check(CLI::IsMember(names));
-  auto* out = command->add_option("--out", options->out, "Written: HDF5 tables, see docs/output-format.md");
   command
-      ->add_option("--record", options->record,
-                   "Written: the left free field of a complete case, for model = \"recording\"")
-      ->excludes(out);
+      ->add_option(
+          "--side", options->side,
+          "left or right of a complete case: its layers and surface, at its edge of the box (default: "
+          "[[profile]] under [surface], at the reference point; of a recording the left side)")
+      ->check(CLI::IsMember({"left", "right"}));
+  auto* out = command->add_option("--out", options->out, "Written: HDF5 tables, see docs/output-format.md");
+  auto* recording =
+      command
+          ->add_option("--record", options->record,
+                       "Written: the free field of a side of a complete case, for model = \"recording\"")
+          ->excludes(out);
   command
       ->add_option("--depths", options->depths,
                    "Depths of the histories, m, separated by commas (default: surface, interfaces, base)")
       ->delimiter(',')
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--duration", options->duration,
-                      "End of the histories, s (default: the motion's end and the ringing of the column)");
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(recording);
+  command
+      ->add_option("--duration", options->duration,
+                   "End of the histories, s (default: the motion's end and the ringing of the column)")
+      ->excludes(recording);
   command
       ->add_option("--every", options->every,
                    "Time step of the histories, s (default: a quarter of the shortest period, at most 5 ms)")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--plot", options->plot, "Draw OUT.png beside the file");
+      ->check(CLI::PositiveNumber)
+      ->excludes(recording);
+  command->add_flag("--plot", options->plot, "Draw OUT.png beside the file")->excludes(recording);
   command->callback([options] {
     if (options->out.empty() && options->record.empty())
       throw CLI::RequiredError("--out or --record");

@@ -43,8 +43,12 @@ def picture(path):
     names = components(histories)
     surface = levels.max()
     figure, axes = style.plt.subplot_mosaic(
-        [["time", "time", "time", "loops"], ["pa", "pu", "pg", "ratio"], ["sa", "sa", "tf", "tf"]],
-        figsize=(10.0, 8.4),
+        [
+            ["time"] * 14 + ["loops"] * 6,
+            [name for name in ("pa", "pv", "pu", "pg", "ratio") for _ in range(4)],
+            ["sa"] * 10 + ["tf"] * 10,
+        ],
+        figsize=(11.0, 8.4),
         layout="constrained",
     )
     for y, history in zip(levels, histories):
@@ -59,9 +63,10 @@ def picture(path):
 
     direction = names["acceleration"][1]
     draw_profile(axes["pa"], profile, "peak_a" + direction, "peak acceleration (m/s²)")
+    draw_profile(axes["pv"], profile, "peak_v" + direction, "peak velocity (m/s)")
     draw_profile(axes["pu"], profile, "peak_u" + direction, "peak displacement (cm)", 100.0)
     draw_profile(axes["pg"], profile, "peak_" + names["strain"], "peak strain (%)", 100.0)
-    draw_profile(axes["ratio"], profile, "stress_ratio", "peak shear / overburden stress")
+    draw_profile(axes["ratio"], profile, "stress_ratio", "peak shear / overburden")
     axes["pa"].set_ylabel("depth (m)")
 
     for name in ("surface", "outcrop"):

@@ -3,9 +3,16 @@
 import json
 from pathlib import Path
 
+import numpy as np
 
 from tremolo import style
 from tremolo.run import Run
+
+
+def moving_component(run, monitors):
+    """The component of velocity that is larger: horizontal under SV waves, vertical under P waves."""
+    series = [run.monitor(monitor) for monitor in monitors]
+    return max(("vx", "vy"), key=lambda name: max(np.abs(one[name]).max() for one in series))
 
 
 def picture(folder):
@@ -16,6 +23,7 @@ def picture(folder):
         raise ValueError(f"{folder}: no model ran")
     runs = [Run(folder / entry["model"]) for entry in entries]
     monitors = list(entries[0]["monitors"])
+    moving = moving_component(runs[0], monitors)
     figure, axes = style.plt.subplots(
         len(monitors), 2, figsize=(9.6, 0.6 + 2.2 * len(monitors)), squeeze=False, layout="constrained",
         width_ratios=[2.6, 1.0],
@@ -23,8 +31,8 @@ def picture(folder):
     for row, monitor in zip(axes, monitors):
         for number, (entry, run) in enumerate(zip(entries, runs)):
             series = run.monitor(monitor)
-            row[0].plot(series["time"], series["vx"], "-" if number == 0 else "--", label=entry["model"], linewidth=0.9)
-        row[0].set(ylabel="$v_x$ (m/s)", title=monitor)
+            row[0].plot(series["time"], series[moving], "-" if number == 0 else "--", label=entry["model"], linewidth=0.9)
+        row[0].set(ylabel=f"$v_{moving[1]}$ (m/s)", title=monitor)
         row[0].set_xlim(series["time"][0], series["time"][-1])
         differences = [100 * entry["monitors"][monitor] for entry in entries]
         names = [entry["model"] for entry in entries]
