@@ -1,5 +1,5 @@
-// In every medium, with complex speeds a^2 = M*/rho and b^2 = G*/rho, q_a^2 = 1/a^2 - p^2, q_b^2 = 1/b^2 -
-// p^2 and c_2 = 1 - 2 b^2 p^2, a wave of unit particle velocity has
+// In every medium, with complex speeds a^2 = M*/rho and b^2 = G*/rho, vertical slownesses q_a^2 = 1/a^2 - p^2
+// and q_b^2 = 1/b^2 - p^2, and c_2 = 1 - 2 b^2 p^2, a wave of unit particle velocity has
 //
 //                v_x    v_y     s_xy / -1       s_yy / -1
 //     P  up      a p    a q_a   2 G a p q_a     rho a c_2
@@ -16,8 +16,8 @@
 // in Stratified Media, ch. 6). From the top down, with w = E U of the layer below an interface,
 //
 //     surface            D_1 = R_1 E_1 U_1,             M_down,sigma R_1 = -M_up,sigma
-//     interface j|j+1    M_up,j U_j + M_down,j X_j U_j = M_up,j+1 w + M_down,j+1 D_j+1,     X_j = E_j R_j
-//     E_j,
+//     interface j|j+1    M_up,j U_j + M_down,j X_j U_j = M_up,j+1 w + M_down,j+1 D_j+1,
+//                        X_j = E_j R_j E_j,
 //
 // and with A = [M_up,j, -M_down,j+1] factorised once, [B_1; B_2] = A^-1 M_down,j, [C_1; C_2] = A^-1 M_up,j+1,
 //

@@ -88,8 +88,8 @@ std::vector<double> strains_by_shake(const LayeredHalfSpace& ground,
       wave_number.push_back(kh / layer.thickness);
     }
     for (std::size_t j = 0; j < layers; ++j) {
-      // u = E exp(i k z) + F exp(-i k z), z downwards: strain i k (E exp - F exp) at mid-depth, times u =
-      // -a/w^2.
+      // u = E exp(i k z) + F exp(-i k z), z downwards: strain i k (E exp - F exp) at mid-depth, times
+      // u = -a/w^2.
       const Complex i_kz = Complex(0.0, 0.5) * wave_number[j] * ground.layers[j].thickness;
       strain[j][k] = Complex(0.0, 1.0) * wave_number[j] * (e[j] * std::exp(i_kz) - f[j] * std::exp(-i_kz)) /
                      e.back() * (-input / (w * w));
