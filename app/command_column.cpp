@@ -33,7 +33,7 @@ struct Options {
   std::string side;
   std::vector<double> depths;
   std::optional<double> duration;
-  double every = 0.0;
+  std::optional<double> every;
   bool plot = false;
 };
 
@@ -135,7 +135,7 @@ wavefield::TimeGrid times_of(const Ground& ground, const Options& options) {
   const double end = options.duration.value_or(motion.end() + std::max(0.0, delay) + 8.0 * crossing);
   if (!(end > start && std::isfinite(end)))
     throw std::runtime_error(fmt::format("--duration: {} s, must be finite and > {:.4g} s", end, start));
-  const double dt = options.every > 0.0 ? options.every : std::min(0.005, 0.25 / motion.highest_frequency());
+  const double dt = options.every.value_or(std::min(0.005, 0.25 / motion.highest_frequency()));
   const double steps = std::floor((end - start) / dt + 1e-9);
   if (!(steps >= 1.0 && steps < most_times))
     throw std::runtime_error(fmt::format(
@@ -244,7 +244,6 @@ void add_column(CLI::App& app) {
   command
       ->add_option("--every", options->every,
                    "Time step of the histories, s (default: a quarter of the shortest period, at most 5 ms)")
-      ->check(CLI::PositiveNumber)
       ->excludes(recording);
   command->add_flag("--plot", options->plot, "Draw OUT.png beside the file")->excludes(recording);
   command->callback([options] {

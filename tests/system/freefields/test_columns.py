@@ -11,6 +11,7 @@ sys.path.insert(0, PACKAGE)
 
 import numpy as np
 from free_field_cases import ColumnWorkspace
+from tremolo import column
 
 PULSE = 'pulse = {{ shape = "ricker", frequency = 2.0, time = 1.2, velocity = {} }}'
 
@@ -142,6 +143,26 @@ class Kinds(unittest.TestCase):
                 self.assertLess(difference(again[-1], wave[-1]), 1e-9, model)
 
 
+class Outcrop(unittest.TestCase):
+    def test_is_left_out_beyond_the_critical_angle(self):
+        """Of the half-space here, c_s / c_p = 1/2, it is 30 degrees."""
+        for angle, known in ((29.0, True), (31.0, False)):
+            with ColumnWorkspace(TREMOLO, ground=DAMPED, motion=PULSE.format(0.1), size=0.5) as work:
+                work.case.write_text(work.case.read_text().replace("angle_deg = 0.0", f"angle_deg = {angle}"))
+                work.histories("wave", "--plot")
+                _, _, _, spectra, transfer = column.read(work.path / "wave.h5")
+            self.assertEqual(known, "outcrop" in spectra, angle)
+            self.assertEqual(known, "surface_to_outcrop" in transfer, angle)
+
+
+class Notes(unittest.TestCase):
+    def test_soil_that_a_model_takes_as_linear_is_named(self):
+        with ColumnWorkspace(TREMOLO, ground=CLAY, motion=PULSE.format(0.1), size=0.5) as work:
+            for model, noted in (("wave", True), ("eql", False), ("fe", False)):
+                result = work.command("column", work.case, "--model", model, "--out", f"{model}.h5")
+                self.assertEqual(noted, "takes layers of soil 'clay' as linear elastic" in result.stdout, model)
+
+
 class Refusals(unittest.TestCase):
     """A model that cannot compute a case says so, and writes nothing."""
 
@@ -158,6 +179,27 @@ class Refusals(unittest.TestCase):
         for model in ("fe", "ode"):
             self.refused(model, f'"{model}" knows vertical incidence only', angle=15.0)
         self.refused("oblique", "possible below 30.00 degrees only", angle=31.0)
+
+    def test_a_reference_in_the_layers(self):
+        for model in ("fe", "wave"):
+            self.refused(model, "'reference' at y = -20.* lies in the layers", ground=CLAY.replace("thickness = 20.0", "thickness = 21.0"))
+
+    def test_histories_without_end_or_number(self):
+        with ColumnWorkspace(TREMOLO, ground=CLAY, motion=PULSE.format(0.1), size=0.5) as work:
+            for option, value, why in (("--duration", "inf", "must be finite"), ("--duration", "-1", "must be .* > 0 s"),
+                                       ("--duration", "1e9", "allowed are 2 to 2e\\+05"), ("--every", "1e-9", "--every from .* to .* s"),
+                                       ("--every", "inf", "--every from"), ("--every", "0", "--every from")):
+                result = work.command("column", work.case, "--model", "wave", "--out", "out.h5", f"{option}={value}")
+                self.assertNotEqual(0, result.returncode, (option, value))
+                self.assertRegex(result.stderr, why)
+                self.assertFalse((work.path / "out.h5").exists())
+
+    def test_a_recording_has_its_own_levels_and_times(self):
+        with ColumnWorkspace(TREMOLO, ground=CLAY, motion=PULSE.format(0.1), size=0.5) as work:
+            for others in (["--depths", "1"], ["--duration", "1"], ["--every", "0.01"], ["--plot"]):
+                result = work.command("column", work.case, "--model", "wave", "--record", "out.h5", *others)
+                self.assertEqual(2, result.returncode, others)
+                self.assertIn(f"--record excludes {others[0]}", result.stderr + result.stdout)
 
     def test_motion_within(self):
         for model in ("eql", "oblique"):

@@ -3,6 +3,7 @@
     usage: test_sides.py TREMOLO PYTHON_PACKAGE_DIR MY_FIELD
 """
 
+import json
 import math
 import sys
 import unittest
@@ -12,7 +13,7 @@ sys.path.insert(0, PACKAGE)
 
 import numpy as np
 from free_field_cases import HALFSPACE, BoxWorkspace, model
-from tremolo import Run
+from tremolo import Run, column
 
 SPEED = math.sqrt(40e6 / (2 * 1.28) / 1700.0)  # m/s, of shear waves in HALFSPACE
 FREQUENCY, PEAK_TIME, PEAK = 10.0, 0.25, 0.1  # Hz, s, m/s
@@ -121,6 +122,72 @@ class Sides(unittest.TestCase):
 
     def test_two_columns(self):
         self.sides(0.0, "fe", "ode")
+
+
+class Columns(unittest.TestCase):
+    """`tremolo column --side`."""
+
+    def test_a_side_is_the_column_of_its_layers_and_surface(self):
+        """The same ground as [[profile]], under the pulse that has reached x of the side, gives the same."""
+        for side, thickness, soil, surface, x in (("left", 4.0, "loose", 0.0, 0.0), ("right", 6.0, "fill", 4.0, 20.0)):
+            with workspace(15.0, "wave", "wave") as work:
+                given = work.command("column", work.case, "--model", "oblique", "--side", side, "--out", "side.h5", "--duration", "0.8")
+                self.assertEqual(0, given.returncode, given.stderr)
+                text = work.case.read_text().replace("level = 0.0", f"level = {surface}")
+                text = text.replace("reference = [0.0, -10.0]", f"reference = [{x}, -10.0]")
+                profile = f'\n[[profile]]\nthickness = {thickness}\nsoil = "{soil}"\n'
+                late = x * math.sin(math.radians(15.0)) / SPEED
+                text = text.replace("time = 0.25", f"time = {0.25 + late}")
+                work.case.write_text(text.replace("[mesh]", profile + "[mesh]"))
+                alone = work.command("column", work.case, "--model", "oblique", "--out", "alone.h5", "--duration", "0.8")
+                self.assertEqual(0, alone.returncode, alone.stderr)
+                levels, ours, *_ = column.read(work.path / "side.h5")
+                expected_levels, expected, *_ = column.read(work.path / "alone.h5")
+            np.testing.assert_array_equal(levels, expected_levels)
+            self.assertEqual([surface, surface - thickness], list(levels))
+            for one, other in zip(ours, expected, strict=True):
+                np.testing.assert_allclose(one["time"], other["time"], atol=1e-12)
+                self.assertLess(np.linalg.norm(one["vx"] - other["vx"]) / np.linalg.norm(other["vx"]), 1e-6, side)
+
+    def test_without_profile_the_sides_are_named(self):
+        with workspace(15.0, "wave", "wave") as work:
+            result = work.command("column", work.case, "--model", "wave", "--out", "out.h5")
+        self.assertNotEqual(0, result.returncode)
+        self.assertRegex(result.stderr, r"without \[\[profile\]\] .* --side left or --side right")
+
+    def test_the_right_side_is_recorded(self):
+        with workspace(15.0, "wave", "wave") as work:
+            live = Run(work.run("live"))
+            recorded = work.command("column", work.case, "--model", "wave", "--side", "right", "--record", "right.h5")
+            self.assertEqual(0, recorded.returncode, recorded.stderr)
+            self.assertIn("the right free field", recorded.stdout)
+            text = work.case.read_text()
+            work.case.write_text(text.replace('right = { model = "wave"', 'right = { model = "recording", file = "right.h5"'))
+            again = Run(work.run("again"))
+            for name in live.monitors:
+                # To rounding, of motions of 0.1 m/s.
+                np.testing.assert_allclose(again.monitor(name)["vx"], live.monitor(name)["vx"], rtol=0.0, atol=1e-13)
+
+
+class Swap(unittest.TestCase):
+    def test_the_worse_side_is_told(self):
+        """Against what the domain was given at its faces, which are not the levels that are compared."""
+        with workspace(0.0, "wave", "wave") as work:
+            text = work.case.read_text().replace("vs = 80.0\nvp = 160.0", "vs = 50.0\nvp = 100.0")
+            work.case.write_text(text + "\n[fe]\nelement_size = 0.25\n")
+            folder = work.path / "swapped"
+            result = work.command("swap", work.case, "--models", "wave,fe", "--out", folder)
+            self.assertEqual(0, result.returncode, result.stdout + result.stderr)
+            entry = json.loads((folder / "swap.json").read_text())[1]
+            wave, fe = Run(folder / "wave").boundary, Run(folder / "fe").boundary
+        differences = []
+        for x in (0.0, 20.0):
+            side = np.abs(wave["position"][:, 0] - x) < 1e-6
+            expected, given = wave["free_field_velocity"][:, side], fe["free_field_velocity"][:, side]
+            differences.append(np.linalg.norm(given - expected) / np.linalg.norm(expected))
+        self.assertGreater(abs(differences[1] / differences[0] - 1.0), 0.3, differences)
+        self.assertLess(abs(entry["free_field"] / max(differences) - 1.0), 0.15, (entry, differences))
+        self.assertEqual(entry["free_field"], entry["free_field_to_exact"])
 
 
 if __name__ == "__main__":

@@ -12,14 +12,15 @@ TREMOLO, PACKAGE, _ = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 sys.path.insert(0, PACKAGE)
 
 from free_field_cases import FLAT, LAYERED, STIFF, BoxWorkspace
-from tremolo import Run
+from tremolo import Run, swap
 
 ALL = ["wave", "fe", "ode", "eql", "oblique"]
-COLUMNS = {"fe", "ode", "oblique"}
 
-# Relative L2 of particle velocity. Cells of a column are 0.25 m here, half of the domain's; of its second-order error 0.03 to
-# 0.1 % are seen. The domain's own error, 0.3 % and more, is in every run the same and cancels.
-BOUND = 0.005
+# Relative L2 of particle velocity, twice what is measured: 0.05, 0.055 and 0.06 % in uniform ground, 0.094, 0.099 and 0.097 %
+# in layers. Cells of a column are 0.25 m here, half of the domain's, and of second order. The domain's own error, 0.3 % and
+# more, is in every run the same and cancels.
+UNIFORM = {"fe": 1.0e-3, "ode": 1.1e-3, "oblique": 1.2e-3}
+IN_LAYERS = {"fe": 1.9e-3, "ode": 2.0e-3, "oblique": 1.9e-3}
 
 
 def png_size(path):
@@ -57,20 +58,20 @@ class Swap(unittest.TestCase):
         self.assertGreater(entry["source_cpu_s"], 0.0)
         self.assertGreater(entry["wall_s"], 0.0)
 
-    def assert_agree(self, entries):
+    def assert_agree(self, entries, bounds):
         for name, entry in entries.items():
             differences = [*entry["monitors"].values(), entry["free_field"], entry["free_field_to_exact"]]
             self.assertEqual(4, len(differences))
-            self.assertLessEqual(max(differences), BOUND, (name, differences))
             # Linear ground: `eql` has nothing to iterate. A column that differs by nothing is not a column.
-            if name in COLUMNS:
+            if name in bounds:
+                self.assertLess(max(differences), bounds[name], (name, differences))
                 self.assertGreater(min(differences), 1e-5, (name, differences))
             else:
                 self.assertLess(max(differences), 1e-12, (name, differences))
 
     def test_all_models_agree_at_vertical_incidence(self):
         with BoxWorkspace(TREMOLO) as work:
-            self.assert_agree(self.swapped(work, ALL))
+            self.assert_agree(self.swapped(work, ALL), UNIFORM)
 
     def test_oblique_models_agree_and_vertical_ones_are_refused_at_15_degrees(self):
         with BoxWorkspace(TREMOLO, angle=15.0) as work:
@@ -78,15 +79,15 @@ class Swap(unittest.TestCase):
         for name in ("fe", "ode"):
             refused = entries.pop(name)["refused"]
             self.assertRegex(refused, rf'case\.toml:\d+:\d+: .*"{name}" knows vertical incidence only.* = 15')
-        self.assert_agree(entries)
+        self.assert_agree(entries, UNIFORM)
 
     def test_all_models_agree_over_layers(self):
         with BoxWorkspace(TREMOLO, ground=LAYERED, halfspace=STIFF) as work:
-            self.assert_agree(self.swapped(work, ALL))
+            self.assert_agree(self.swapped(work, ALL), IN_LAYERS)
 
     def test_oblique_models_agree_over_layers_at_15_degrees(self):
         with BoxWorkspace(TREMOLO, ground=LAYERED, halfspace=STIFF, angle=15.0) as work:
-            self.assert_agree(self.swapped(work, ["wave", "oblique", "eql"]))
+            self.assert_agree(self.swapped(work, ["wave", "oblique", "eql"]), IN_LAYERS)
 
     def test_a_model_whose_run_fails_does_not_take_the_others_with_it(self):
         """`eql` may not converge, which shows only when it runs."""
@@ -115,6 +116,34 @@ iterations = 1
         self.assertIn("failed", entries[1]["refused"])
         self.assertFalse(entries[0]["refused"] or entries[2]["refused"])
         self.assertRegex(result.stdout + result.stderr, "tremolo-wave: .*equivalent linear")
+
+    def test_a_case_without_exact_field_is_swapped(self):
+        """Plane waves cannot divide by the spectrum of undamped layers on a rigid base; columns do without."""
+        with BoxWorkspace(TREMOLO, ground=LAYERED, halfspace=STIFF, duration=0.3) as work:
+            text = work.case.read_text().replace('wave = "SV"', 'wave = "SV"\nkind = "within"')
+            work.case.write_text(text)
+            folder = work.path / "swapped"
+            result = work.command("swap", work.case, "--models", "wave,fe,ode", "--out", folder)
+            entries = json.loads((folder / "swap.json").read_text())
+        self.assertEqual([True, False, False], [bool(entry["refused"]) for entry in entries], result.stdout + result.stderr)
+        self.assertIn("exact free field: not known", result.stdout)
+        self.assertNotIn("free_field_to_exact", entries[2])
+        self.assertLess(entries[2]["free_field"], 0.005)
+
+    def test_a_model_named_twice_is_refused(self):
+        with BoxWorkspace(TREMOLO) as work:
+            result = work.command("swap", work.case, "--models", "fe,wave,fe", "--out", work.path / "swapped")
+            self.assertFalse((work.path / "swapped").exists())
+        self.assertNotEqual(0, result.returncode)
+        self.assertIn("'fe' is named twice", result.stderr)
+
+    def test_the_picture_of_a_p_wave(self):
+        """Its vertical motion is drawn, not its horizontal one."""
+        with BoxWorkspace(TREMOLO, duration=0.5) as work:
+            work.case.write_text(work.case.read_text().replace('wave = "SV"', 'wave = "P"'))
+            self.swapped(work, ["wave", "fe"])
+            runs = [Run(work.path / "swapped" / name) for name in ("wave", "fe")]
+            self.assertEqual("vy", swap.moving_component(runs[0], runs[0].monitors))
 
     def test_a_case_that_no_model_takes_is_said(self):
         with BoxWorkspace(TREMOLO, angle=15.0) as work:
