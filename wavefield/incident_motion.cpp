@@ -114,7 +114,7 @@ double change(std::span<const double> shorter, std::span<const double> longer) {
 Deconvolution in_order(Division division, std::size_t record) {
   std::vector<double>& motion = division.incident;
   std::size_t lead = motion.size() / 2;
-  std::ranges::rotate(motion, motion.end() - static_cast<std::ptrdiff_t>(lead));
+  std::rotate(motion.begin(), motion.end() - static_cast<std::ptrdiff_t>(lead), motion.end());
   const double least = negligible * peak(motion);
   const auto matters = [least](double value) { return std::abs(value) > least; };
   const auto first = motion.begin() + static_cast<std::ptrdiff_t>(lead);
