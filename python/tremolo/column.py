@@ -44,9 +44,9 @@ def picture(path):
     surface = levels.max()
     figure, axes = style.plt.subplot_mosaic(
         [
-            ["time"] * 14 + ["loops"] * 6,
-            [name for name in ("pa", "pv", "pu", "pg", "ratio") for _ in range(4)],
-            ["sa"] * 10 + ["tf"] * 10,
+            [[["time", "time", "time", "loops"]]],
+            [[["pa", "pv", "pu", "pg", "ratio"]]],
+            [[["sa", "tf"]]],
         ],
         figsize=(11.0, 8.4),
         layout="constrained",
