@@ -15,10 +15,10 @@ struct CaseOverride {
   std::optional<SourceModel> model;            ///< instead of the model of both sides and the base
 };
 
-/// The text of the case with these values replaced and everything else, comments included, as it stands; a new
-/// model takes the place of the old one's file or program too. The
-/// files it names have absolute names, so that the text may be saved in another folder and means the same
-/// there. The result is not checked: parse() it.
+/// The text of the case with these values replaced and everything else, comments included, as it stands; a
+/// new model takes the place of the old one's file or program too. The files it names have absolute names, so
+/// that the text may be saved in another folder and means the same there. The result is not checked: parse()
+/// it.
 /// @throws std::invalid_argument for a record where the case has a pulse
 std::string overridden_text(const Case& scene, const CaseOverride& values);
 

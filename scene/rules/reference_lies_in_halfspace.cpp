@@ -17,23 +17,24 @@ void reference_lies_in_halfspace(const Case& scene, Findings& findings) {
     const double top = base_level(side.surface, below);
     constexpr double same_level = 1e-6; // m
     if (!below.empty() && y > top + same_level)
-      findings.add(
-          "motion.reference",
-          fmt::format("'reference' at y = {} lies in the layers of the {} side, must be in the half-space, y "
-                      "<= {}",
-                      y, where, top));
+      findings.add("motion.reference",
+                   fmt::format("'reference' at y = {} lies in the layers{}, must be in the half-space, y "
+                               "<= {}",
+                               y, where, top));
     else if (scene.motion.kind == motion::MotionKind::within &&
              (below.empty() || std::abs(y - top) > same_level))
       findings.add(
           "motion.reference",
           fmt::format("'reference' at y = {} of a motion within the ground must be at the top of the "
-                      "half-space, which on the {} side is y = {}",
+                      "half-space{}, y = {}",
                       y, where, top));
   };
   const auto& [left, right, base] = scene.boundary;
-  check(left, "left");
-  if (right.surface != left.surface || !right.own_profile.empty() || !left.own_profile.empty())
-    check(right, "right");
+  const bool differ =
+      right.surface != left.surface || !right.own_profile.empty() || !left.own_profile.empty();
+  check(left, differ ? " of the left side" : "");
+  if (differ)
+    check(right, " of the right side");
 }
 
 } // namespace tremolo::scene

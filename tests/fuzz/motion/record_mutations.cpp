@@ -120,6 +120,11 @@ struct Format {
   const char* text;
 };
 
+/// The name of a case in the list of tests.
+void PrintTo(const Format& format, std::ostream* stream) {
+  *stream << format.file;
+}
+
 class TextFuzz : public ::testing::TestWithParam<Format> {};
 
 TEST_P(TextFuzz, MutationsAreReadOrRefused) {

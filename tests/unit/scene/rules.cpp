@@ -173,7 +173,7 @@ TEST(Rules, AMotionWithinTheGroundIsThatOfTheTopOfTheHalfSpace) {
       errors_of(within(std::string(flat_case) + std::string(layer))),
       ElementsAre(
           "case.toml:7:13: [motion] 'reference' at y = -10 of a motion within the ground must be at the "
-          "top of the half-space, which on the left side is y = -4"));
+          "top of the half-space, y = -4"));
   EXPECT_THAT(errors_of(within(with("left = { model = \"fe\" }", "left = { model = \"eql\" }", to_the_base))),
               ElementsAre(::testing::HasSubstr("takes an incident or outcrop motion")));
 }
@@ -241,8 +241,7 @@ TEST(Rules, LayersOfOneSideNeedAnIncidentBase) {
 TEST(Rules, ReferenceLiesInHalfspace) {
   const auto layered = with_columns() + std::string(layer);
   EXPECT_THAT(errors_of(with("reference = [0.0, -10.0]", "reference = [0.0, -3.0]", layered)),
-              ElementsAre("case.toml:6:13: [motion] 'reference' at y = -3 lies in the layers of the left "
-                          "side, must be in the "
+              ElementsAre("case.toml:6:13: [motion] 'reference' at y = -3 lies in the layers, must be in the "
                           "half-space, y <= -4"));
 }
 
