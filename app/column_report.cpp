@@ -127,14 +127,14 @@ std::vector<motion::FourierAmplitude> amplitudes(std::vector<double> samples, do
   return motion::fourier_spectrum(samples, dt);
 }
 
-/// Ratios of Fourier amplitudes; 0 where the denominator is below 1e-3 of its largest value, which says
+/// Ratios of Fourier amplitudes; 0 where the denominator is below 0.02 of its largest value, which says
 /// nothing.
 std::vector<double> ratio(const std::vector<motion::FourierAmplitude>& above,
                           const std::vector<motion::FourierAmplitude>& below) {
   const double largest = std::ranges::max(below, {}, &motion::FourierAmplitude::amplitude).amplitude;
   std::vector<double> values;
   for (std::size_t i = 0; i < above.size(); ++i)
-    values.push_back(below[i].amplitude > 1e-3 * largest ? above[i].amplitude / below[i].amplitude : 0.0);
+    values.push_back(below[i].amplitude > 0.02 * largest ? above[i].amplitude / below[i].amplitude : 0.0);
   return values;
 }
 
