@@ -2,6 +2,7 @@
 
 #include "app/free_field_series.hpp"
 #include "freefield/process/column_from_case.hpp"
+#include "freefield/process/column_values.hpp"
 #include "results/free_field_recording.hpp"
 #include "scene/layers.hpp"
 #include "scene/motion.hpp"
@@ -11,28 +12,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 
 namespace tremolo::app {
 
 namespace {
 
-using freefield::ColumnSample;
-
 /// In the order of a recording, level after level of one step.
-void append(const ColumnSample& s, std::vector<double>& values) {
-  const std::array<double, results::recorded_values> all{
-      s.vx, s.vy, s.sxx, s.syy, s.sxy, s.vx_rate, s.vy_rate, s.sxx_rate, s.syy_rate, s.sxy_rate};
-  values.insert(values.end(), all.begin(), all.end());
-}
-
 std::vector<double> in_steps(const FreeFieldSeries& series) {
   std::vector<double> values;
   values.reserve(series.samples.size() * results::recorded_values);
   for (std::size_t i = 0; i < series.times.count; ++i)
     for (std::size_t k = 0; k < series.levels.size(); ++k)
-      append(series.at(k)[i], values);
+      std::ranges::copy(freefield::served_values(series.at(k)[i]), std::back_inserter(values));
   return values;
 }
 

@@ -1,6 +1,7 @@
 // tremolo conform: whether a program serves a free field as a run needs it (coupler/conformance.hpp).
 
 #include "app/commands.hpp"
+#include "app/temporary_folder.hpp"
 #include "coupler/conformance.hpp"
 #include "scene/case.hpp"
 #include "scene/layers.hpp"
@@ -9,16 +10,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace tremolo::app {
@@ -77,28 +74,6 @@ struct Arguments {
   std::vector<std::string> command;
   fs::path case_file;
   std::string name;
-};
-
-/// Removed with all that is in it.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "tremolo-conform-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-      throw std::runtime_error(
-          fmt::format("cannot make a folder like {}: {}", pattern, std::strerror(errno)));
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code nothing_to_be_done;
-    fs::remove_all(path_, nothing_to_be_done);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
-private:
-  fs::path path_;
 };
 
 fs::path written_built_in_case(const fs::path& folder) {

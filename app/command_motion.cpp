@@ -4,18 +4,16 @@
 #include "app/motion_report.hpp"
 #include "app/motion_steps.hpp"
 #include "app/python.hpp"
+#include "app/temporary_folder.hpp"
 #include "motion/recipe.hpp"
 #include "motion/write.hpp"
 
 #include <fmt/format.h>
 
-#include <stdlib.h>
-
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 
 namespace tremolo::app {
 namespace {
@@ -98,28 +96,8 @@ Named the_motion(const Options& options, const motion::ReadAs& as) {
   return result;
 }
 
-/// A folder that disappears with the object.
-class Scratch {
-public:
-  Scratch() : path_((fs::temp_directory_path() / "tremolo-motion-XXXXXX").string()) {
-    if (mkdtemp(path_.data()) == nullptr)
-      throw std::runtime_error(
-          fmt::format("no temporary folder: {}", std::generic_category().message(errno)));
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  fs::path path() const { return path_; }
-
-private:
-  std::string path_;
-};
-
 void draw(const Named& named, const Options& options) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   write_histories(named.record, scratch.path() / "histories.csv");
   write_response_spectrum(named.record, options.damping, scratch.path() / "response.csv");
   write_fourier_spectrum(named.record, scratch.path() / "fourier.csv");

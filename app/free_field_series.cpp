@@ -2,6 +2,7 @@
 
 #include "app/hermite.hpp"
 #include "freefield/process/column_from_case.hpp"
+#include "freefield/process/column_values.hpp"
 #include "scene/layers.hpp"
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/ground_from_case.hpp"
@@ -65,20 +66,12 @@ void march(freefield::Column& column, FreeFieldSeries& series) {
 }
 
 ColumnSample at_time(const wavefield::History& h, std::size_t i) {
-  return {.vx = h.vx[i],
-          .vy = h.vy[i],
-          .sxx = h.sxx[i],
-          .syy = h.syy[i],
-          .sxy = h.sxy[i],
-          .vx_rate = h.vx_rate[i],
-          .vy_rate = h.vy_rate[i],
-          .sxx_rate = h.sxx_rate[i],
-          .syy_rate = h.syy_rate[i],
-          .sxy_rate = h.sxy_rate[i],
-          .ux = h.ux[i],
-          .uy = h.uy[i],
-          .eyy = h.eyy[i],
-          .gxy = h.gxy[i]};
+  ColumnSample sample = freefield::sample_at(h, i);
+  sample.ux = h.ux[i];
+  sample.uy = h.uy[i];
+  sample.eyy = h.eyy[i];
+  sample.gxy = h.gxy[i];
+  return sample;
 }
 
 FreeFieldSeries empty_series(std::vector<double> levels, const wavefield::TimeGrid& times) {

@@ -2,6 +2,7 @@
 
 #include "coupler/source_client.hpp"
 #include "freefield/process/column_from_case.hpp"
+#include "freefield/process/column_values.hpp"
 #include "scene/layers.hpp"
 #include "scene/service.hpp"
 #include "wavefield/process/field_from_case.hpp"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -20,10 +20,8 @@ namespace {
 
 using namespace tremolo;
 
-void write(const freefield::ColumnSample& s, std::span<double> values) {
-  const std::array<double, coupler::values_per_point> all{
-      s.vx, s.vy, s.sxx, s.syy, s.sxy, s.vx_rate, s.vy_rate, s.sxx_rate, s.syy_rate, s.sxy_rate};
-  std::copy(all.begin(), all.end(), values.begin());
+void write(const freefield::ColumnSample& sample, std::span<double> values) {
+  std::ranges::copy(freefield::served_values(sample), values.begin());
 }
 
 /// The column's state at the step that is asked for; steps are asked for in order.
@@ -57,20 +55,9 @@ public:
                                wavefield::Part::incident, {.displacement = false, .strain = false})) {}
 
   void fill(std::uint64_t step, std::span<double> values) const {
-    for (std::size_t i = 0; i < histories_.size(); ++i) {
-      const wavefield::History& h = histories_[i];
-      write({.vx = h.vx[step],
-             .vy = h.vy[step],
-             .sxx = h.sxx[step],
-             .syy = h.syy[step],
-             .sxy = h.sxy[step],
-             .vx_rate = h.vx_rate[step],
-             .vy_rate = h.vy_rate[step],
-             .sxx_rate = h.sxx_rate[step],
-             .syy_rate = h.syy_rate[step],
-             .sxy_rate = h.sxy_rate[step]},
+    for (std::size_t i = 0; i < histories_.size(); ++i)
+      write(freefield::sample_at(histories_[i], step),
             values.subspan(i * coupler::values_per_point, coupler::values_per_point));
-    }
   }
 
 private:
