@@ -29,38 +29,35 @@ Vector3d first_guess(const PointStep& step) {
   return {guess(step.xx), guess(step.yy), guess(step.xy)};
 }
 
-void require_finite(const PointStress& s) {
-  if (!std::isfinite(s.xx) || !std::isfinite(s.yy) || !std::isfinite(s.zz) || !std::isfinite(s.xy)) {
-    throw std::invalid_argument(
-        fmt::format("initial stress ({:g}, {:g}, {:g}, {:g}) Pa is not finite", s.xx, s.yy, s.zz, s.xy));
-  }
-}
-
 } // namespace
 
 PointTest::PointTest(const Law& law, const PointStress& initial) : law_(law), stress_(initial) {
   validate(law_);
-  require_finite(initial);
-  for (const StateVariable& variable : state_variables(law_)) {
-    state_.push_back(variable.initial);
-  }
+  state_.resize(state_variables(law_).size());
+  const PointStrain none;
+  const double still = 0.0;
+  initialise(law_, view(none, still));
 }
 
-PointTest PointTest::after(const PointStrain& increment, double rotation) const {
-  PointTest next = *this;
+Points PointTest::view(const PointStrain& increment, const double& rotation) {
   Points points;
   points.count = 1;
-  points.sxx = &next.stress_.xx;
-  points.syy = &next.stress_.yy;
-  points.szz = &next.stress_.zz;
-  points.sxy = &next.stress_.xy;
-  points.state = next.state_.data();
-  points.plastic_work = &next.plastic_work_;
+  points.sxx = &stress_.xx;
+  points.syy = &stress_.yy;
+  points.szz = &stress_.zz;
+  points.sxy = &stress_.xy;
+  points.state = state_.data();
+  points.plastic_work = &plastic_work_;
   points.dexx = &increment.xx;
   points.deyy = &increment.yy;
   points.dgxy = &increment.xy;
   points.dwxy = &rotation;
-  update(law_, points);
+  return points;
+}
+
+PointTest PointTest::after(const PointStrain& increment, double rotation) const {
+  PointTest next = *this;
+  update(law_, next.view(increment, rotation));
   next.strain_ = {strain_.xx + increment.xx, strain_.yy + increment.yy, strain_.xy + increment.xy};
   return next;
 }

@@ -66,6 +66,8 @@ public:
   const Law& law() const { return law_; }
 
 private:
+  /// This point's arrays; the increments must outlive the view.
+  Points view(const PointStrain& increment, const double& rotation);
   /// The point after a trial strain increment; this point stays as it is.
   PointTest after(const PointStrain& increment, double rotation) const;
 

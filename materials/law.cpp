@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace tremolo::materials {
@@ -91,12 +93,39 @@ std::span<const StateVariable> state_variables(const Law& law) {
                     law);
 }
 
+void initialise(const Law& law, const Points& points) {
+  const auto variables = state_variables(law);
+  for (std::size_t i = 0; i < points.count; ++i) {
+    for (const double stress : {points.sxx[i], points.syy[i], points.szz[i], points.sxy[i]}) {
+      if (!std::isfinite(stress)) {
+        throw std::invalid_argument(
+            fmt::format("initial stress of point {}: {:g} Pa is not finite", i, stress));
+      }
+    }
+    for (std::size_t k = 0; k < variables.size(); ++k) {
+      points.state[i * variables.size() + k] = variables[k].initial;
+    }
+  }
+}
+
 void update(const Law& law, const Points& points) {
   std::visit([&](const auto& one) { update(one, points); }, law);
 }
 
 const Elasticity& elasticity(const Law& law) {
   return std::visit([](const auto& one) -> const Elasticity& { return one.elastic; }, law);
+}
+
+double p_wave_speed_bound(const Law& law, const Points& /*points*/) {
+  return elasticity(law).p_wave_speed();
+}
+
+bool three_dimensional(const Law& law) {
+  return !std::holds_alternative<MasingShear>(law);
+}
+
+std::vector<ParameterValue> parameters(const Law& /*law*/) {
+  return {};
 }
 
 Law without_softening(const Law& law) {

@@ -8,6 +8,7 @@
 #include "materials/linear_elastic.hpp"
 #include "materials/masing_shear.hpp"
 #include "materials/mohr_coulomb.hpp"
+#include "materials/parameter_value.hpp"
 #include "materials/points.hpp"
 #include "materials/state_variable.hpp"
 
@@ -15,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace tremolo::materials {
 
@@ -26,14 +28,35 @@ std::string_view name(const Law& law);
 /// The state variables of one point, in the order of its state block.
 std::span<const StateVariable> state_variables(const Law& law);
 
-/// Advances stress and state of all points by one step of strain and rotation.
+/// Writes the state of points that have never been loaded from the stress they have now, e.g. the geostatic
+/// one. May bring a stress that the law cannot hold back to where it can.
+/// @throws std::invalid_argument for stresses that are not finite
+void initialise(const Law& law, const Points& points);
+
+/// Advances stress and state of all points by one step of strain and rotation. A point's result does not
+/// depend on the others in the call.
+/// @throws std::domain_error for an increment that the law cannot follow; the points of the call are
+/// unchanged
 void update(const Law& law, const Points& points);
 
-/// The law's elastic constants.
+/// The law's elastic constants at small strain; of a law whose stiffness depends on pressure those at its
+/// reference pressure.
 const Elasticity& elasticity(const Law& law);
 
+/// An upper estimate of c_p over the points in their present stress and state, m/s: the elastic one, which
+/// for flow that is not associated is the usual bound, not a proven one.
+double p_wave_speed_bound(const Law& law, const Points& points);
+
+/// Whether the law takes strain out of plane (Points::dezz).
+bool three_dimensional(const Law& law);
+
+/// Every parameter in force and where its value comes from; none for a law whose parameters are all given as
+/// they are.
+std::vector<ParameterValue> parameters(const Law& law);
+
 /// The law to make an initial stress with, e.g. by gravity: held at its peak strength; elastic for the
-/// hysteretic laws, whose strain is measured from the initial state; itself if it does not soften.
+/// hysteretic laws, whose strain is measured from the initial state, and for those whose stiffness depends on
+/// pressure; itself if it does not soften.
 Law without_softening(const Law& law);
 
 /// Refuses parameters outside their physical range.

@@ -4,7 +4,7 @@
 
 namespace tremolo::materials {
 
-/// A view of `count` material points in plane strain, one array a quantity. Tension positive.
+/// A view of `count` material points, one array a quantity. Tension positive.
 ///
 /// A law reads the strain and rotation increments of a step and updates stress and state in place. Arrays
 /// hold `count` values, except `state`, which holds the law's state variables point after point.
@@ -20,6 +20,9 @@ struct Points {
   const double* deyy = nullptr;
   const double* dgxy = nullptr; ///< engineering shear strain increment, dux/dy + duy/dx
   const double* dwxy = nullptr; ///< rotation increment (duy/dx - dux/dy)/2, rad, counter-clockwise positive
+  /// Out-of-plane strain increments, for element tests with axial symmetry; null: plane strain. Only laws
+  /// that are three_dimensional() take them.
+  const double* dezz = nullptr;
 };
 
 } // namespace tremolo::materials

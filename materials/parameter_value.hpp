@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tremolo::materials {
+
+/// What `tremolo explain` and `tremolo soiltest` say of one parameter of a law.
+struct ParameterValue {
+  std::string_view name; ///< as in the case file
+  double value = 0.0;
+  std::string_view unit;    ///< "1" for none
+  std::string_view meaning; ///< a few words
+  std::string origin; ///< "given", or the rule it follows from, e.g. "default: max(0.3, (0.25 + D_R)/2)"
+};
+
+} // namespace tremolo::materials
