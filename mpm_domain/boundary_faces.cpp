@@ -22,22 +22,24 @@ Linear linear_weights(double x, double origin, double h) {
   return {static_cast<int>(cell), {1.0 - xi, xi}};
 }
 
-BoundaryFace make_face(Side side, Vector normal, const Particles& set, std::size_t set_index, std::size_t k,
+BoundaryFace make_face(Side side, Vector normal, Particles& set, std::size_t set_index, std::size_t k,
                        double size) {
   const materials::Elasticity& soil = materials::elasticity(set.law);
+  const double c_p = materials::p_wave_speed_bound(set.law, set.points(k, 1));
+  const double c_s = c_p * soil.s_wave_speed() / soil.p_wave_speed(); // Poisson's ratio stays the same
   BoundaryFace face;
   face.side = side;
   face.set = set_index;
   face.id = set.id[k];
   face.position = {set.x[k] + 0.5 * size * normal.x, set.y[k] + 0.5 * size * normal.y};
   face.length = size;
-  face.face = {normal, soil.density * soil.p_wave_speed(), soil.density * soil.s_wave_speed()};
+  face.face = {normal, soil.density * c_p, soil.density * c_s};
   return face;
 }
 
 } // namespace
 
-std::vector<BoundaryFace> find_faces(const std::vector<Particles>& sets, const Spec& spec) {
+std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec) {
   const double size = particle_size(spec);
   const double near = 0.75 * size; // between the first particle at size/2 and the second at 3/2 size
   std::vector<BoundaryFace> faces;

@@ -42,7 +42,8 @@ struct FaceWeight {
 using FaceWeights = std::array<FaceWeight, 6>;
 
 /// The faces of the model's left, right and lower edge, in this order, each from low to high coordinate.
-std::vector<BoundaryFace> find_faces(const std::vector<Particles>& sets, const Spec& spec);
+/// Their impedances are those of the soil in its present stress.
+std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);
 
 /// Weights of a face at its particle's present place.
 FaceWeights face_weights(const BoundaryFace& face, const Particles& set, const Grid& grid);

@@ -80,11 +80,11 @@ std::size_t Domain::particle_count() const {
   return count;
 }
 
-double Domain::fastest_wave() const {
+double Domain::fastest_wave() {
   double fastest = 0.0;
-  for (const Particles& set : sets)
+  for (Particles& set : sets)
     if (set.size() > 0)
-      fastest = std::max(fastest, materials::elasticity(set.law).p_wave_speed());
+      fastest = std::max(fastest, materials::p_wave_speed_bound(set.law, set.points(0, set.size())));
   return fastest;
 }
 
@@ -96,7 +96,7 @@ double empty_mass(const Domain& domain) {
   return share_of_full_cell * density * domain.grid.h * domain.grid.h;
 }
 
-double critical_time_step(const Domain& domain, double max_speed) {
+double critical_time_step(Domain& domain, double max_speed) {
   return 0.65 * domain.grid.h / (domain.fastest_wave() + max_speed);
 }
 

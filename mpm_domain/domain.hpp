@@ -31,7 +31,7 @@ struct Domain {
   Axis y_axis() const { return {grid.y0, grid.h, half_size()}; }
   std::size_t particle_count() const;
   std::size_t block_count() const { return sets.front().block_start.size() - 1; }
-  double fastest_wave() const; ///< largest c_p of the soils that have particles, m/s
+  double fastest_wave(); ///< largest c_p of the particles in their present stress, m/s
 };
 
 /// A node with less mass (kg/m) is empty: rounding of weights, not soil.
@@ -41,6 +41,6 @@ double empty_mass(const Domain& domain);
 ///
 /// 0.746 h/c_p is what two-dimensional uGIMP with two particles a cell and direction allows inside; dashpots
 /// at a corner, taken centred with lumped damping, allow 0.65 (measured; tests/stability/mpm_domain).
-double critical_time_step(const Domain& domain, double max_speed);
+double critical_time_step(Domain& domain, double max_speed);
 
 } // namespace tremolo::mpm_domain

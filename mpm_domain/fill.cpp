@@ -40,8 +40,6 @@ void add_particle(Particles& set, std::uint32_t id, double x, double y, double s
   set.y.back() = set.y_initial.back() = y;
   set.volume.back() = size * size;
   set.mass.back() = density * size * size;
-  for (const materials::StateVariable& variable : materials::state_variables(set.law))
-    set.state.push_back(variable.initial);
 }
 
 } // namespace
@@ -70,6 +68,10 @@ std::vector<Particles> fill(const Spec& spec) {
     }
   if (std::all_of(sets.begin(), sets.end(), [](const Particles& set) { return set.size() == 0; }))
     throw std::invalid_argument("no particle lies in any region: the domain is empty");
+  for (Particles& set : sets) {
+    set.state.resize(set.size() * set.state_size);
+    materials::initialise(set.law, set.points(0, set.size()));
+  }
   if (spec.scheme.transfer == Transfer::apic)
     for (Particles& set : sets)
       for (std::vector<double>* affine : {&set.cxx, &set.cxy, &set.cyx, &set.cyy})

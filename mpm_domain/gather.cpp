@@ -81,9 +81,13 @@ GatherSums strain_chunk(Particles& p, std::size_t begin, std::size_t count, Incr
     inc.sxy[c] = p.sxy[begin + c];
     inc.plastic[c] = 0.0;
   }
-  materials::update(p.law, {count, &p.sxx[begin], &p.syy[begin], &p.szz[begin], &p.sxy[begin],
-                            p.state.data() + begin * p.state_size, inc.plastic.data(), inc.exx.data(),
-                            inc.eyy.data(), inc.gxy.data(), inc.wxy.data()});
+  materials::Points points = p.points(begin, count);
+  points.plastic_work = inc.plastic.data();
+  points.dexx = inc.exx.data();
+  points.deyy = inc.eyy.data();
+  points.dgxy = inc.gxy.data();
+  points.dwxy = inc.wxy.data();
+  materials::update(p.law, points);
   GatherSums work;
   for (std::size_t c = 0; c < count; ++c) {
     const std::size_t k = begin + c;

@@ -77,13 +77,11 @@ double relax_grid(Domain& domain, const Supports& supports, double dt, double al
   return std::sqrt(unbalanced / applied);
 }
 
-void reset_state(Domain& domain) {
-  for (Particles& set : domain.sets) {
-    const auto variables = materials::state_variables(set.law);
-    for (std::size_t k = 0; k < set.size(); ++k)
-      for (std::size_t s = 0; s < set.state_size; ++s)
-        set.state[k * set.state_size + s] = variables[s].initial;
-  }
+/// The laws' memory begins with the stress under gravity, and with it the stiffness that the dashpots match.
+void begin_history(Domain& domain) {
+  for (Particles& set : domain.sets)
+    materials::initialise(set.law, set.points(0, set.size()));
+  domain.faces = find_faces(domain.sets, domain.spec);
 }
 
 } // namespace
@@ -141,7 +139,7 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
     reactions.force[n] = {-domain.grid.sums[n].force[0], 0.0};
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     domain.sets[s].law = laws[s];
-  reset_state(domain);
+  begin_history(domain);
   return reactions;
 }
 

@@ -7,6 +7,17 @@
 
 namespace tremolo::mpm_domain {
 
+materials::Points Particles::points(std::size_t first, std::size_t count) {
+  materials::Points points;
+  points.count = count;
+  points.sxx = sxx.data() + first;
+  points.syy = syy.data() + first;
+  points.szz = szz.data() + first;
+  points.sxy = sxy.data() + first;
+  points.state = state.data() + first * state_size;
+  return points;
+}
+
 std::vector<std::vector<double>*> Particles::columns() {
   std::vector<std::vector<double>*> all{&x,   &y,   &vx,   &vy,     &sxx,       &syy,
                                         &szz, &sxy, &mass, &volume, &x_initial, &y_initial};

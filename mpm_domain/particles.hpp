@@ -35,6 +35,8 @@ struct Particles {
   std::vector<std::uint32_t> index_of;  ///< place of each id in the arrays
 
   std::size_t size() const { return x.size(); }
+  /// Stress and state of particles [first, first + count), as laws see them; who steps adds the increments.
+  materials::Points points(std::size_t first, std::size_t count);
   /// Every array of one double a particle, for passes that treat all alike.
   std::vector<std::vector<double>*> columns();
 };
