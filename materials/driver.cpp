@@ -1,8 +1,8 @@
 #include "materials/driver.hpp"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -10,88 +10,163 @@
 namespace tremolo::materials {
 namespace {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
+constexpr int deepest_cut = 12; // halvings of one step
 
-/// What one component still lacks, as a strain: stresses are divided by the modulus.
-double missing(const Control& control, double strain_increment, double stress, double modulus) {
-  return control.by_stress() ? (stress - control.value()) / modulus : strain_increment - control.value();
+Components components(const PointStress& stress) {
+  return {stress.xx, stress.yy, stress.xy, stress.zz};
 }
 
-Vector3d missing(const PointStep& step, const Vector3d& strain, const PointStress& stress, double modulus) {
-  return {missing(step.xx, strain[0], stress.xx, modulus), missing(step.yy, strain[1], stress.yy, modulus),
-          missing(step.xy, strain[2], stress.xy, modulus)};
+double largest(const PointStress& stress) {
+  return std::max({std::abs(stress.xx), std::abs(stress.yy), std::abs(stress.zz), std::abs(stress.xy)});
 }
 
-/// The increments that are prescribed, zero where the stress is.
-Vector3d first_guess(const PointStep& step) {
-  const auto guess = [](const Control& control) { return control.by_stress() ? 0.0 : control.value(); };
-  return {guess(step.xx), guess(step.yy), guess(step.xy)};
+bool finite(const PointStress& stress) {
+  return std::isfinite(stress.xx) && std::isfinite(stress.yy) && std::isfinite(stress.zz) &&
+         std::isfinite(stress.xy);
+}
+
+MixedStep mixed(const PointStep& step) {
+  MixedStep all;
+  std::size_t i = 0;
+  for (const Control& control : {step.xx, step.yy, step.xy, step.zz}) {
+    all.by_stress[i] = control.by_stress();
+    all.value[i] = control.value();
+    ++i;
+  }
+  all.pore_stiffness = step.pore_stiffness;
+  return all;
+}
+
+/// The first half of a step from a given stress.
+MixedStep first_half(MixedStep step, const Components& stress) {
+  for (std::size_t i = 0; i < step.value.size(); ++i) {
+    step.value[i] = 0.5 * (step.value[i] + (step.by_stress[i] ? stress[i] : 0.0));
+  }
+  return step;
+}
+
+/// What is left of a step after its first half, whose water has been compressed by `volume`.
+MixedStep second_half(MixedStep step, double volume) {
+  for (std::size_t i = 0; i < step.value.size(); ++i) {
+    if (!step.by_stress[i]) {
+      step.value[i] *= 0.5;
+    } else if (i != 2) {
+      step.value[i] -= step.pore_stiffness * volume;
+    }
+  }
+  return step;
 }
 
 } // namespace
 
-PointTest::PointTest(const Law& law, const PointStress& initial) : law_(law), stress_(initial) {
+PointTest::PointTest(const Law& law, const PointStress& initial, const StressTolerance& tolerance)
+    : law_(law), tolerance_(tolerance), three_dimensional_(materials::three_dimensional(law)) {
   validate(law_);
-  state_.resize(state_variables(law_).size());
-  const PointStrain none;
-  const double still = 0.0;
-  initialise(law_, view(none, still));
-}
-
-Points PointTest::view(const PointStrain& increment, const double& rotation) {
+  now_.stress = initial;
+  now_.variables.resize(state_variables(law_).size());
   Points points;
   points.count = 1;
-  points.sxx = &stress_.xx;
-  points.syy = &stress_.yy;
-  points.szz = &stress_.zz;
-  points.sxy = &stress_.xy;
-  points.state = state_.data();
-  points.plastic_work = &plastic_work_;
-  points.dexx = &increment.xx;
-  points.deyy = &increment.yy;
-  points.dgxy = &increment.xy;
-  points.dwxy = &rotation;
-  return points;
+  points.sxx = &now_.stress.xx;
+  points.syy = &now_.stress.yy;
+  points.szz = &now_.stress.zz;
+  points.sxy = &now_.stress.xy;
+  points.state = now_.variables.data();
+  points.plastic_work = &now_.plastic_work;
+  initialise(law_, points);
 }
 
-PointTest PointTest::after(const PointStrain& increment, double rotation) const {
-  PointTest next = *this;
-  update(law_, next.view(increment, rotation));
-  next.strain_ = {strain_.xx + increment.xx, strain_.yy + increment.yy, strain_.xy + increment.xy};
-  return next;
+void PointTest::advance(PointState& point, const Components& strain, double rotation) {
+  Points points;
+  points.count = 1;
+  points.sxx = &point.stress.xx;
+  points.syy = &point.stress.yy;
+  points.szz = &point.stress.zz;
+  points.sxy = &point.stress.xy;
+  points.state = point.variables.data();
+  points.plastic_work = &point.plastic_work;
+  points.dexx = &strain[0];
+  points.deyy = &strain[1];
+  points.dgxy = &strain[2];
+  points.dwxy = &rotation;
+  points.dezz = strain[3] == 0.0 ? nullptr : &strain[3];
+  ++updates_;
+  update(law_, points);
+  if (!finite(point.stress)) {
+    throw std::runtime_error(
+        fmt::format("{}: the stress after strain increments ({:g}, {:g}, {:g}, {:g}) in xx, "
+                    "yy, xy, zz is not finite",
+                    name(law_), strain[0], strain[1], strain[2], strain[3]));
+  }
+  point.strain.xx += strain[0];
+  point.strain.yy += strain[1];
+  point.strain.xy += strain[2];
+  point.strain.zz += strain[3];
+}
+
+double PointTest::solve(const MixedStep& step, double rotation, double wanted, double accepted) {
+  const StressAfter stress_after = [&](const Components& strain, Components& stress) {
+    trial_ = now_;
+    try {
+      advance(trial_, strain, rotation);
+    } catch (const std::exception& refusal) {
+      refusal_ = refusal.what();
+      return false;
+    }
+    stress = components(trial_.stress);
+    return true;
+  };
+  const MixedControl::Found found = control_.find(step, stress_after, wanted);
+  if (found.missing <= accepted) {
+    Components stress;
+    stress_after(found.strain, stress);
+    std::swap(now_, trial_);
+  }
+  return found.missing;
+}
+
+void PointTest::solve_in_halves(const MixedStep& step, double rotation, int depth) {
+  const bool last = depth == deepest_cut;
+  const double level = largest(now_.stress);
+  const double wanted = std::max(tolerance_.wanted, 1e-13 * level);
+  const double accepted = last ? std::max(wanted, tolerance_.accepted * level) : wanted;
+  const double missing = solve(step, rotation, wanted, accepted);
+  if (missing <= accepted) {
+    return;
+  }
+  if (last) {
+    throw std::runtime_error(fmt::format("no strain gives the prescribed stress: {:.3g} Pa is missing after "
+                                         "the step was cut {} times in halves; the "
+                                         "point may have passed its peak load{}{}",
+                                         missing, deepest_cut,
+                                         refusal_.empty() ? "" : "; the law says: ", refusal_));
+  }
+  const PointStrain before = now_.strain;
+  solve_in_halves(first_half(step, components(now_.stress)), 0.5 * rotation, depth + 1);
+  const double volume =
+      (now_.strain.xx - before.xx) + (now_.strain.yy - before.yy) + (now_.strain.zz - before.zz);
+  solve_in_halves(second_half(step, volume), 0.5 * rotation, depth + 1);
 }
 
 void PointTest::apply(const PointStep& step) {
-  const double modulus = elasticity(law_).p_modulus();
-  const auto taken = [&](const Vector3d& x) { return after({x[0], x[1], x[2]}, step.rotation); };
-  const auto residual = [&](const Vector3d& x, const PointTest& end) {
-    return missing(step, x, end.stress_, modulus);
-  };
-  constexpr double perturbation = 1e-9; // strain
-  constexpr double tolerance = 1e-14;   // strain: 1e-6 Pa in a soil of 100 MPa
-  constexpr int most_iterations = 50;
-
-  Vector3d x = first_guess(step);
-  PointTest end = taken(x);
-  Vector3d r = residual(x, end);
-  for (int iteration = 0; !(r.lpNorm<Eigen::Infinity>() <= tolerance); ++iteration) {
-    if (iteration == most_iterations) {
-      throw std::runtime_error(
-          fmt::format("no strain gives the prescribed stress: {:.3g} Pa is missing after {} "
-                      "iterations; the point may have passed its peak load",
-                      modulus * r.lpNorm<Eigen::Infinity>(), most_iterations));
-    }
-    Matrix3d tangent;
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const Vector3d moved = x + perturbation * Vector3d::Unit(k);
-      tangent.col(k) = (residual(moved, taken(moved)) - r) / perturbation;
-    }
-    x -= tangent.fullPivLu().solve(r);
-    end = taken(x);
-    r = residual(x, end);
+  const MixedStep all = mixed(step);
+  if (!three_dimensional_ && (all.by_stress[3] || all.value[3] != 0.0)) {
+    throw std::invalid_argument(
+        fmt::format("{} is a law of plane strain: it takes no out-of-plane strain", name(law_)));
   }
-  *this = std::move(end);
+  if (std::none_of(all.by_stress.begin(), all.by_stress.end(), [](bool free) { return free; })) {
+    trial_ = now_;
+    advance(trial_, all.value, step.rotation);
+    std::swap(now_, trial_);
+    return;
+  }
+  const PointState start = now_;
+  refusal_.clear();
+  try {
+    solve_in_halves(all, step.rotation, 0);
+  } catch (...) {
+    now_ = start;
+    throw;
+  }
 }
 
 } // namespace tremolo::materials

@@ -1,0 +1,56 @@
+#pragma once
+
+// Mixed control of a point: some components of a step are prescribed as strain increments, the others (free)
+// as stresses at its end. With sigma(x) the stress after the strain increment x, Newton's method finds the
+// free x of
+//
+//     r_i(x) = sigma_i(x) + K tr(x) - target_i = 0      for the free components i,
+//
+// K the stiffness of pore water if the targets are total stresses, else 0. The tangent is made by finite
+// differences over a hundredth of the step, kept from step to step, and corrected after Broyden (1965, Math.
+// Comp. 19, 577-593) as long as the residual halves; a new one is made where it does not, with a line search
+// on top.
+
+#include <array>
+#include <cstddef>
+#include <functional>
+
+namespace tremolo::materials {
+
+/// In the order xx, yy, xy (engineering shear strain; stress), zz.
+using Components = std::array<double, 4>;
+
+/// What a step prescribes.
+struct MixedStep {
+  std::array<bool, 4> by_stress = {};
+  Components value = {};       ///< strain increments, or stresses at the end of the step, Pa
+  double pore_stiffness = 0.0; ///< K, Pa
+};
+
+/// Stress after a strain increment; false where the law refuses it.
+using StressAfter = std::function<bool(const Components& strain, Components& stress)>;
+
+/// Finds strain increments; remembers the tangent and the increments of the last step.
+class MixedControl {
+public:
+  /// What was found.
+  struct Found {
+    Components strain = {};
+    double missing =
+        0.0; ///< largest residual of a free component, Pa; infinite if the law refused every trial
+  };
+
+  /// The best increment found for a step.
+  /// @param wanted  residual to stop at, Pa
+  Found find(const MixedStep& step, const StressAfter& stress_after, double wanted);
+
+private:
+  std::array<bool, 4> by_stress_ = {};
+  std::array<double, 16> tangent_ = {}; ///< d r / d x of the free components, row by row
+  bool has_tangent_ = false;
+  Components value_ = {};
+  Components strain_ = {};
+  bool has_strain_ = false;
+};
+
+} // namespace tremolo::materials
