@@ -1,15 +1,13 @@
 #pragma once
 
-// Hysteretic soil in plane strain and large deformation: Iwan's (1967, J. Appl. Mech. 34, 612-617) parallel
-// elastoplastic elements, each a von Mises body on its share of the deviatoric strain (Prevost 1977; Joyner &
-// Chen 1975, Bull. Seism. Soc. Am. 65, 1315-1336 for soil columns),
+// Hysteretic soil in large deformation: Iwan's parallel elastoplastic elements (iwan_elements.hpp; Joyner &
+// Chen 1975, Bull. Seism. Soc. Am. 65, 1315-1336 for soil columns) on an MKZ backbone,
 //
 //     sigma = sigma_0 + K tr(eps) I + sum_i s_i,   s_i = 2 G_i dev(eps - eps_p,i),
 //     sqrt(s_i : s_i / 2) <= tau_i.
 //
 // In simple shear the elements give a polygon through the backbone and obey all four extended Masing rules
-// without keeping any reversal point; in other directions they generalise both. Each s_i is rotated with the
-// material (objective_rate.hpp), then the elastic trial s_i + 2 G_i d_dev is scaled back to its radius.
+// without keeping any reversal point; in other directions they generalise both.
 //
 // Polygon: the vertices lie a factor 1 + e above the backbone, spaced such that the sides sag as far below
 // it; the first side ends where the backbone has lost the fraction e of G0, so that sum G_i = G0 exactly.
@@ -22,6 +20,7 @@
 
 #include "materials/backbone.hpp"
 #include "materials/elasticity.hpp"
+#include "materials/iwan_elements.hpp"
 #include "materials/points.hpp"
 
 #include <cstddef>
@@ -29,20 +28,7 @@
 
 namespace tremolo::materials {
 
-/// One elastoplastic element.
-struct IwanElement {
-  double shear_modulus = 0.0; ///< G_i, Pa
-  double strength = 0.0;      ///< tau_i, largest sqrt(s:s/2), Pa
-};
-
-/// Elements come in groups of this size, which a processor moves at once.
-inline constexpr std::size_t iwan_group = 4;
-
-/// Largest number of elements that a law may have.
-inline constexpr std::size_t most_iwan_elements = 60;
-
-/// Parallel elastoplastic elements. State of a point, Pa: group after group of elements the four s_xx, the
-/// four s_yy, the four s_xy.
+/// Parallel elastoplastic elements. State of a point: their stresses, as in iwan_elements.hpp.
 struct IwanShear {
   Elasticity elastic;                ///< at small strain; its shear modulus is the sum of the elements'
   std::vector<IwanElement> elements; ///< in order of growing yield strain

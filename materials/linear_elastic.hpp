@@ -1,7 +1,7 @@
 #pragma once
 
 // Linear elasticity in rate form: sigma_{n+1} = Q sigma_n Q^T + C : d_eps, with Q the step's rotation
-// (objective_rate.hpp) and C : d_eps = 2 G dev(d_eps) + K tr(d_eps) I, plane strain (d_eps_zz = 0).
+// (objective_rate.hpp) and C : d_eps = 2 G dev(d_eps) + K tr(d_eps) I; in plane strain d_eps_zz = 0.
 
 #include "materials/elasticity.hpp"
 #include "materials/points.hpp"

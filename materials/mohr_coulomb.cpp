@@ -163,10 +163,11 @@ double plastic_work(const Elasticity& elastic, const Points& points, std::size_t
                     const Stress& last) {
   const double lame = elastic.lame();
   const double shear = elastic.shear_modulus();
-  const double pressure = lame * (points.dexx[i] + points.deyy[i]);
+  const double dezz = out_of_plane_strain(points, i);
+  const double pressure = lame * (points.dexx[i] + points.deyy[i] + dezz);
   const Stress first = {trial.xx - pressure - 2.0 * shear * points.dexx[i],
-                        trial.yy - pressure - 2.0 * shear * points.deyy[i], trial.zz - pressure,
-                        trial.xy - shear * points.dgxy[i]};
+                        trial.yy - pressure - 2.0 * shear * points.deyy[i],
+                        trial.zz - pressure - 2.0 * shear * dezz, trial.xy - shear * points.dgxy[i]};
   const Stress mean = {0.5 * (first.xx + last.xx), 0.5 * (first.yy + last.yy), 0.5 * (first.zz + last.zz),
                        0.5 * (first.xy + last.xy)};
   const Stress relaxed = {trial.xx - last.xx, trial.yy - last.yy, trial.zz - last.zz, trial.xy - last.xy};
