@@ -1,6 +1,7 @@
 // tremolo: free fields and a large-deformation soil domain under seismic waves, coupled as processes.
 
 #include "app/commands.hpp"
+#include "app/python.hpp"
 #include "scene/errors.hpp"
 
 #include <cstdio>
@@ -36,6 +37,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    tremolo::app::share_python_package();
     return run(argc, argv);
   } catch (const tremolo::app::Exit& exit) {
     return exit.status;

@@ -38,11 +38,14 @@ std::runtime_error cannot_start(const std::string& program) {
 
 } // namespace
 
-void become_python(const std::string& command, const std::vector<std::string>& arguments) {
+void share_python_package() {
   const char* inherited = std::getenv("PYTHONPATH");
   const std::string path =
       python_package().string() + (inherited != nullptr ? fmt::format(":{}", inherited) : "");
   setenv("PYTHONPATH", path.c_str(), 1);
+}
+
+void become_python(const std::string& command, const std::vector<std::string>& arguments) {
   std::vector<std::string> words{python(), "-m", "tremolo", command};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;

@@ -5,7 +5,11 @@
 
 namespace tremolo::app {
 
-/// Becomes `python3 -m tremolo COMMAND ARGUMENTS...`, the Python package of this installation or source tree.
+/// Lets Python programs that this process starts from now on `import tremolo`: the package of this
+/// installation or source tree. Called once, at start.
+void share_python_package();
+
+/// Becomes `python3 -m tremolo COMMAND ARGUMENTS...`.
 /// @throws std::runtime_error where the interpreter cannot be started
 [[noreturn]] void become_python(const std::string& command, const std::vector<std::string>& arguments);
 

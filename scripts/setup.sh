@@ -12,7 +12,7 @@ packages=(
   libzmq3-dev cppzmq-dev nlohmann-json3-dev zlib1g-dev               # exchange between processes
   libhdf5-dev                                                        # results
   libtomlplusplus-dev libcli11-dev libfmt-dev                        # case file, command line, messages
-  python3 python3-numpy python3-h5py python3-matplotlib              # plots
+  python3 python3-numpy python3-h5py python3-matplotlib python3-zmq  # plots, free fields in Python
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev python3-vtk9   # tests
 )
 case "${1:-}" in
