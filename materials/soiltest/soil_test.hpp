@@ -1,0 +1,164 @@
+#pragma once
+
+// Element tests as a laboratory knows them, on any law. A test is described by plain structs and runs on a
+// single point (materials/driver.hpp), driven by equal strain increments:
+//
+//     test                       driven by   holds constant   strain that is reported   tau
+//     direct simple shear        gamma_xy    sigma_yy         gamma_xy                  sigma_xy
+//     triaxial, plane strain     eps_yy      sigma_xx (_zz)   eps_a = -eps_yy           (sigma_xx -
+//     sigma_yy)/2 oedometer                  eps_yy      -                eps_a                     (sigma_xx
+//     - sigma_yy)/2 isotropic compression      eps, all    -                eps_a (sigma_xx - sigma_yy)/2
+//
+// y is vertical. Direct simple shear and oedometer have eps_xx = 0; triaxial tests sigma_zz = sigma_xx; all
+// others eps_zz = 0, except that isotropic compression of a three-dimensional law compresses all three
+// directions.
+//
+//     drained          what the apparatus holds constant is an effective stress, u = 0
+//     undrained        it is a total stress, sigma' - u; pore water of stiffness K_w/n: u = -K_w/n tr(eps)
+//     constant volume  tr(eps) = 0; u is by how much the effective stress that a drained test would hold
+//     constant has
+//                      fallen
+//
+// Stresses are tension positive, u is compression positive and r_u = u over the initial effective stress that
+// the apparatus holds constant (vertical in an oedometer and isotropic compression).
+
+#include "materials/driver.hpp"
+#include "materials/soiltest/history.hpp"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tremolo::soiltest {
+
+enum class Kind {
+  direct_simple_shear,
+  triaxial_compression, ///< axisymmetric; only laws that are three_dimensional()
+  triaxial_extension,
+  plane_strain_compression,
+  plane_strain_extension,
+  oedometer,
+  isotropic_compression,
+  path ///< prescribed strains and stresses; loading is a Path
+};
+
+enum class Drainage { drained, undrained, constant_volume };
+
+/// State before loading; strains are counted from here.
+struct InitialState {
+  double vertical_stress = 0.0; ///< effective, Pa, compression positive
+  double k0 = 1.0;              ///< horizontal over vertical effective stress
+  double shear_bias = 0.0;      ///< alpha = tau_0 / vertical_stress; only direct simple shear and paths
+  /// Whether the law starts from a stress that contains tau_0, as the reference curves do; else tau_0 is
+  /// applied by drained simple shear from tau = 0 before the test, and strains are counted from its end.
+  bool bias_in_initial_stress = false;
+};
+
+/// To a strain, positive, in the sense of the test: gamma_xy, or eps_a (compression or extension).
+struct Monotonic {
+  double strain = 0.1;
+};
+
+/// Cycles by stress ratio: reversals exactly at tau = tau_0 +- stress_ratio * vertical_stress, compression or
+/// positive shear first (extension first in an extension test). Ends at the first of the limits.
+struct StressCycles {
+  double stress_ratio = 0.0;    ///< CSR
+  double largest_strain = 0.06; ///< gamma_xy or eps_a, absolute
+  double most_cycles = 100.0;
+  std::optional<double> pore_pressure_ratio = std::nullopt; ///< largest r_u, if that shall end the test
+};
+
+/// Cycles between +-amplitude for each amplitude in turn: 2 * cycles + 1 reversals each, alternating through
+/// the whole test, so that loops close at a reversal.
+struct StrainCycles {
+  std::vector<double> amplitudes; ///< gamma_xy or eps_a
+  int cycles = 2;                 ///< of each amplitude
+};
+
+/// A row of a prescribed path.
+struct PathRow {
+  double step = 0.0;             ///< increments since the start; the path is straight between rows
+  materials::PointStrain strain; ///< since the start
+  materials::PointStress stress; ///< Pa, total if undrained
+};
+
+/// Prescribed strains, or stresses of the components that are controlled by them.
+struct Path {
+  std::array<bool, 4> by_stress = {}; ///< xx, yy, xy, zz
+  std::vector<PathRow> rows;          ///< the first is the start
+};
+
+using Loading = std::variant<Monotonic, StressCycles, StrainCycles, Path>;
+
+/// One test.
+struct SoilTest {
+  Kind kind = Kind::direct_simple_shear;
+  Drainage drainage = Drainage::constant_volume;
+  double pore_stiffness = 0.0; ///< K_w/n, Pa; of undrained tests
+  InitialState initial;
+  Loading loading;
+  double strain_increment = 1e-5; ///< of the driven component; paths bring their own
+  std::size_t every = 1;          ///< increments from one row of the history to the next
+};
+
+/// Cycles at which something was reached for the first time; NaN if it was not.
+struct CyclesTo {
+  static constexpr double never = std::numeric_limits<double>::quiet_NaN();
+  double strain_1pc = never; ///< single amplitude, largest |strain|
+  double strain_3pc = never;
+  double strain_5pc = never;
+  double double_amplitude_5pc = never; ///< largest minus smallest strain so far
+  double ru_98 = never;                ///< r_u = 0.98
+};
+
+/// A closed loop of strain-controlled cycles.
+struct Loop {
+  double amplitude = 0.0;
+  int cycle = 0;                    ///< 1 for the first of its amplitude
+  double modulus = 0.0;             ///< secant from reversal to reversal, Pa: of tau over gamma_xy or eps_a
+  double damping = 0.0;             ///< loop area / (2 pi modulus amplitude^2)
+  double pore_pressure_ratio = 0.0; ///< at its end
+};
+
+/// Why a test ended.
+enum class End { completed, largest_strain, most_cycles, pore_pressure_ratio, refused };
+
+/// What a test returns, however it ended.
+struct Result {
+  History history; ///< columns of history.hpp
+  CyclesTo cycles_to;
+  std::vector<Loop> loops;        ///< of StrainCycles
+  double cycles = 0.0;            ///< at the end
+  double peak_shear_stress = 0.0; ///< largest |tau|, Pa
+  double largest_strain = 0.0;    ///< largest |strain|
+  double largest_pore_pressure_ratio = 0.0;
+  End end = End::completed;
+  std::string end_reason; ///< one clause, e.g. "the strain reached 0.06"
+  std::size_t increments = 0;
+  std::size_t updates = 0; ///< of the law
+  double cpu_seconds = 0.0;
+};
+
+/// Runs a test. A law that refuses to go on, or a load that it cannot carry, ends the test with End::refused
+/// and the reason; the history up to there is returned.
+/// @throws std::invalid_argument for a test that makes no sense, naming what and why
+Result run(const materials::Law& law, const SoilTest& test);
+
+/// Refuses tests that make no sense, or that the law cannot do.
+/// @throws std::invalid_argument naming what and why
+void validate(const materials::Law& law, const SoilTest& test);
+
+/// The name a test file uses, e.g. "direct_simple_shear", "constant_volume".
+std::string_view name(Kind kind);
+std::string_view name(Drainage drainage);
+/// And back.
+/// @throws std::invalid_argument naming the known ones
+Kind kind_named(std::string_view text);
+Drainage drainage_named(std::string_view text);
+
+} // namespace tremolo::soiltest
