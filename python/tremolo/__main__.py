@@ -1,11 +1,11 @@
-"""Commands: python3 -m tremolo plot RUN | compare RUN_A RUN_B | failure RUN ... | column OUT.h5 | verify-picture PATH
-| motion-picture FOLDER OUT."""
+"""Commands: python3 -m tremolo plot RUN | compare RUN_A RUN_B | failure RUN ... | column OUT.h5 | soiltest OUT.h5
+| verify-picture PATH | motion-picture FOLDER OUT."""
 
 import argparse
 import sys
 from pathlib import Path
 
-from tremolo import column, failure, fronts, histories, maps, motion, preview, swap, verification
+from tremolo import column, failure, fronts, histories, maps, motion, preview, soiltest, swap, verification
 from tremolo.run import Run
 
 
@@ -75,6 +75,10 @@ def column_picture(arguments):
     yield column.picture(arguments.path)
 
 
+def soiltest_picture(arguments):
+    yield soiltest.picture(arguments.path, arguments.over)
+
+
 def motion_picture(arguments):
     yield motion.picture(arguments.folder, arguments.out, arguments.title, arguments.damping)
 
@@ -108,6 +112,9 @@ def _parser():
     failed.add_argument("--strain", type=float, default=0.1, help="equivalent plastic strain of the band (default 0.1)")
     alone = add("column", column_picture, "Picture of a free field alone: OUT.png beside OUT.h5.")
     alone.add_argument("path", help="the file that `tremolo column` wrote")
+    tested = add("soiltest", soiltest_picture, "Picture of a soil test: OUT.png beside OUT.h5.")
+    tested.add_argument("path", help="the file that `tremolo soiltest` wrote")
+    tested.add_argument("--over", metavar="REF.csv", help="a reference curve to lie below, stresses in kPa")
     swapped = add("swap", swap_picture, "Picture of one case under several free-field models.")
     swapped.add_argument("path", help="the folder that `tremolo swap` wrote")
     verified = add("verify-picture", verify_picture, "Picture of a verification: error map and histories.")

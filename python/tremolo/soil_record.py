@@ -1,0 +1,104 @@
+"""A soil test as arrays: the file that `tremolo soiltest` writes, or a reference curve in the same form.
+
+    test = read("dss.h5")
+    test.about["law"]                     # words and numbers of /about
+    test.histories["000"]["sig_xy"]       # Pa, tension positive
+    test.lines["critical_state"]["q"]     # Pa, at test.lines["critical_state"]["p"]
+
+    reference = read_reference("dss.csv")  # columns of one history; kPa in the file, Pa here
+"""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+STRESSES = ("sig_xx", "sig_yy", "sig_zz", "sig_xy")
+
+
+@dataclass
+class SoilTest:
+    """The tables of one file; a table that the kind of test does not have is None."""
+
+    path: Path
+    about: dict
+    histories: dict
+    summary: dict
+    parameters: dict = field(default_factory=dict)
+    lines: dict = field(default_factory=dict)
+    strength_curve: dict | None = None
+    strength_target: dict | None = None
+    modulus_curve: dict | None = None
+
+
+def _plain(values):
+    """Columns of text as lists of words."""
+    if values.dtype.kind in "SO":
+        return [(v.rstrip(b"\0").decode("utf-8") if isinstance(v, bytes) else str(v)) for v in values]
+    return values
+
+
+def _table(file, name):
+    """Columns of a table by name, None where the file has no such table."""
+    if name not in file:
+        return None
+    return {column: _plain(data[()]) for column, data in file[name].items() if isinstance(data, h5py.Dataset)}
+
+
+def _required(file, path, name):
+    table = _table(file, name)
+    if not table:
+        raise ValueError(f"{path}: has no table /{name}: not a file that `tremolo soiltest` wrote")
+    return table
+
+
+def read(path):
+    """Reads OUT.h5.
+
+    Raises FileNotFoundError, OSError for what is not HDF5 and ValueError for HDF5 that is no soil test.
+    """
+    path = Path(path)
+    if not path.exists():
+        raise FileNotFoundError(f"{path}: no such soil test")
+    try:
+        file = h5py.File(path, "r")
+    except OSError as error:
+        raise OSError(f"{path}: cannot be read as HDF5: {error}") from error
+    with file:
+        about = {name: column[0] for name, column in _required(file, path, "about").items()}
+        histories = {name: _required(file, path, f"tests/{name}/history") for name in sorted(file.get("tests", ()))}
+        if not histories:
+            raise ValueError(f"{path}: holds no test")
+        for name, history in histories.items():
+            missing = [c for c in ("step", "gamma_xy", "eps_yy", "sig_xy", "p", "q") if c not in history]
+            if missing:
+                raise ValueError(f"{path}: the history of test {name} has no column {', '.join(missing)}")
+        return SoilTest(
+            path=path,
+            about=about,
+            histories=histories,
+            summary=_required(file, path, "summary"),
+            parameters=_table(file, "parameters") or {},
+            lines={name: _table(file, f"lines/{name}") for name in file.get("lines", ())},
+            strength_curve=_table(file, "strength_curve"),
+            strength_target=_table(file, "strength_target"),
+            modulus_curve=_table(file, "modulus_curve"),
+        )
+
+
+def read_reference(path):
+    """Columns of a reference curve by name: strains as they are, stresses from kPa to Pa."""
+    path = Path(path)
+    with open(path, encoding="utf-8") as file:
+        names = file.readline().strip().split(",")
+        rows = np.loadtxt(file, delimiter=",", ndmin=2)
+    missing = [c for c in ("eps_xx", "eps_yy", "gamma_xy", "sig_xx", "sig_yy", "sig_xy") if c not in names]
+    if missing:
+        raise ValueError(f"{path}: is no reference curve, its first line has no column {', '.join(missing)}")
+    columns = dict(zip(names, rows.T))
+    for name in STRESSES:
+        if name in columns:
+            columns[name] = 1e3 * columns[name]
+    columns.setdefault("step", np.arange(float(len(rows))))
+    return columns

@@ -1,0 +1,265 @@
+"""The picture of a soil test: what `tremolo soiltest --plot` writes.
+
+Stress-strain and stress path stand in every picture; what else there is follows from the test: pore pressure and strain
+against cycles, cyclic strength, modulus and damping. Axes in kPa and per cent, compression positive.
+"""
+
+from pathlib import Path
+
+import numpy as np
+
+from matplotlib.ticker import NullFormatter
+
+from tremolo import soil_record, soil_response, style
+
+LINES = {
+    "critical_state": ("critical state", "-", "#000000"),
+    "bounding": ("bounding", "--", "#D55E00"),
+    "dilation": ("dilation", ":", "#009E73"),
+    "phase_transformation": ("phase transformation", ":", "#009E73"),
+    "failure": ("failure", "--", "#D55E00"),
+}
+CRITERIA = {
+    "cycles_1pc": ("1 % strain", "o"),
+    "cycles_3pc": ("3 % strain", "s"),
+    "cycles_5pc": ("5 % strain", "^"),
+    "cycles_ru98": ("$r_u$ = 0.98", "D"),
+}
+REFERENCE = {"color": "0.72", "linewidth": 2.8, "solid_joinstyle": "round", "zorder": 1, "label": "reference"}
+GUIDE = {"color": "0.75", "linewidth": 0.6, "zorder": 0}
+
+
+class View:
+    """One history, ours or a reference, in the quantities of the axes: kPa, per cent, compression positive."""
+
+    def __init__(self, history, kind, in_plane):
+        self.history = history
+        self.cycle = history.get("cycle")
+        self.p = soil_response.mean_stress(history, in_plane) / 1e3
+        if kind == "simple_shear":
+            self.strain, self.strain_label = 100 * history["gamma_xy"], "shear strain (%)"
+            self.stress, self.stress_label = history["sig_xy"] / 1e3, "shear stress (kPa)"
+            # In simple shear towards failure the whole deviator is shear stress: q = 2 tau, in space sqrt(3) tau.
+            self.line_scale = 0.5 if in_plane else 1.0 / np.sqrt(3.0)
+        else:
+            self.strain, self.strain_label = -100 * history["eps_yy"], "axial strain (%)"
+            q = soil_response.deviator_of_plane(history) if in_plane else soil_response.deviator_of_space(history)
+            sign = np.where(history["sig_yy"] > history["sig_xx"], -1.0, 1.0)
+            self.stress, self.stress_label = sign * q / 1e3, "deviator stress q (kPa)"
+            self.line_scale = 1.0
+        self.p_label = f"mean effective stress {'in the plane ' if in_plane else ''}p' (kPa)"
+        self.volume = 100 * soil_response.volumetric_strain(history)
+        self.ru = history.get("ru", soil_response.pore_pressure_ratio(history))
+        self.vertical = -history["sig_yy"] / 1e3
+
+
+def draw_pair(ax, ours, reference, x, y):
+    """Ours over the reference, quantities x and y of the views."""
+    if reference is not None:
+        ax.plot(getattr(reference, x), getattr(reference, y), **REFERENCE)
+    for name, view in ours.items():
+        ax.plot(getattr(view, x), getattr(view, y), linewidth=0.8, zorder=2, label=name)
+
+
+def log_ticks(ax, ticks):
+    """A logarithmic abscissa with those of `ticks` that lie inside, as plain numbers."""
+    low, high = ax.get_xlim()
+    ax.set_xticks([tick for tick in ticks if low <= tick <= high])
+    ax.xaxis.set_major_formatter("{x:g}")
+    ax.xaxis.set_minor_formatter(NullFormatter())
+
+
+def decades(low, high, steps=(1.0,)):
+    return [step * 10.0**power for power in range(low, high) for step in steps]
+
+
+def zero_lines(ax):
+    ax.axhline(0.0, **GUIDE)
+    ax.axvline(0.0, **GUIDE)
+
+
+def first(ours):
+    return next(iter(ours.values()))
+
+
+def draw_stress_strain(ax, ours, reference, _test):
+    draw_pair(ax, ours, reference, "strain", "stress")
+    ax.set(xlabel=first(ours).strain_label, ylabel=first(ours).stress_label)
+    zero_lines(ax)
+    if reference is not None or 1 < len(ours) <= 6:
+        ax.legend(loc="best")
+
+
+def draw_stress_path(ax, ours, reference, test):
+    """Path of the stresses under the lines of the law; in shear the lines bound the shear stress from both sides."""
+    draw_pair(ax, ours, reference, "p", "stress")
+    view = first(ours)
+    views = [*ours.values()] + ([reference] if reference is not None else [])
+    right = 1.06 * max(v.p.max() for v in views)
+    top, bottom = max(v.stress.max() for v in views), min(v.stress.min() for v in views)
+    span = max(abs(top), abs(bottom), 1e-3 * right)
+    sides = (1.0, -1.0) if min(top, -bottom) > 0.05 * span else (1.0 if top >= -bottom else -1.0,)
+    for name, line in test.lines.items():
+        label, stroke, colour = LINES.get(name, (name.replace("_", " "), "-.", style.COLOURS[3]))
+        for side in sides:
+            ax.plot(line["p"] / 1e3, side * view.line_scale * line["q"] / 1e3, stroke, color=colour, linewidth=0.9, zorder=1.5,
+                    label=label if side == sides[0] else None)
+    room = 1.15 if not test.lines else 1.15 + 0.22 * len(test.lines)
+    ax.set(xlabel=view.p_label, ylabel=view.stress_label, xlim=(0.0, right))
+    ax.set_ylim(-1.15 * span if -1.0 in sides else min(0.0, 1.1 * bottom), room * span if 1.0 in sides else 1.1 * span)
+    zero_lines(ax)
+    handles, labels = ax.get_legend_handles_labels()
+    known = [(h, label) for h, label in zip(handles, labels) if label not in ours and label != "reference"]
+    if known:
+        ax.legend(*zip(*known), loc="upper left", handlelength=2.4)
+
+
+def draw_pore_pressure_cycles(ax, ours, reference, _test):
+    draw_pair(ax, ours, reference, "cycle", "ru")
+    ax.axhline(0.98, **GUIDE)
+    ax.set(xlabel="cycles", ylabel="excess pore pressure ratio $r_u$", xlim=(0.0, None))
+
+
+def draw_strain_cycles(ax, ours, reference, _test):
+    draw_pair(ax, ours, reference, "cycle", "strain")
+    for level in (-3.0, 3.0):
+        ax.axhline(level, **GUIDE)
+    ax.set(xlabel="cycles", ylabel=first(ours).strain_label, xlim=(0.0, None))
+
+
+def draw_volume_cycles(ax, ours, reference, _test):
+    draw_pair(ax, ours, reference, "cycle", "volume")
+    ax.set(xlabel="cycles", ylabel="volumetric strain, compression (%)", xlim=(0.0, None))
+
+
+def draw_pore_pressure_strain(ax, ours, reference, _test):
+    draw_pair(ax, ours, reference, "strain", "ru")
+    ax.set(xlabel=first(ours).strain_label, ylabel="excess pore pressure ratio $r_u$")
+    zero_lines(ax)
+
+
+def draw_volume_strain(ax, ours, reference, _test):
+    draw_pair(ax, ours, reference, "strain", "volume")
+    ax.set(xlabel=first(ours).strain_label, ylabel="volumetric strain, compression (%)")
+    zero_lines(ax)
+
+
+def draw_compression(ax, ours, reference, test):
+    stress, label = ("p", "mean effective stress p' (kPa)")
+    if test.about["kind"] == "oedometer":
+        stress, label = ("vertical", "vertical effective stress (kPa)")
+    draw_pair(ax, ours, reference, stress, "volume")
+    ax.set(xlabel=label, ylabel="volumetric strain, compression (%)", xscale="log")
+    log_ticks(ax, decades(-1, 5, (1.0, 2.0, 5.0)))
+    ax.invert_yaxis()
+
+
+def draw_strength_curve(ax, test):
+    """Stress ratio against cycles to each criterion, and the curve that a soil of this density should have."""
+    curve = test.strength_curve
+    for name, (label, marker) in CRITERIA.items():
+        reached = np.isfinite(curve[name])
+        if reached.any():
+            ax.semilogx(curve[name][reached], curve["stress_ratio"][reached], marker + "-", markersize=4, linewidth=0.9, label=label)
+    if test.strength_target is not None:
+        ax.semilogx(test.strength_target["cycles"], test.strength_target["stress_ratio"], "k--", linewidth=1.1,
+                    label="Idriss & Boulanger")
+    ax.set(xlabel="uniform cycles", ylabel="cyclic stress ratio CSR", ylim=(0.0, None))
+    log_ticks(ax, decades(-1, 3, (1.0, 2.0, 5.0)))
+    ax.grid(which="both", color="0.92", linewidth=0.5)
+    ax.legend(loc="best")
+
+
+def draw_modulus(ax, test):
+    curve = test.modulus_curve
+    ax.semilogx(100 * curve["strain_amplitude"], curve["modulus_ratio"], "o-", markersize=3.5)
+    ax.set(xlabel="shear strain amplitude (%)", ylabel="G / Gmax", ylim=(0.0, 1.05))
+    log_ticks(ax, decades(-5, 2))
+    ax.grid(which="both", color="0.92", linewidth=0.5)
+
+
+def draw_damping(ax, test):
+    curve = test.modulus_curve
+    ax.semilogx(100 * curve["strain_amplitude"], 100 * curve["damping"], "s-", markersize=3.5, color=style.COLOURS[1])
+    ax.set(xlabel="shear strain amplitude (%)", ylabel="damping ratio (%)", ylim=(0.0, None))
+    log_ticks(ax, decades(-5, 2))
+    ax.grid(which="both", color="0.92", linewidth=0.5)
+
+
+HISTORY_PANELS = {
+    "loops": draw_stress_strain,
+    "path": draw_stress_path,
+    "ru_cycles": draw_pore_pressure_cycles,
+    "strain_cycles": draw_strain_cycles,
+    "volume_cycles": draw_volume_cycles,
+    "ru_strain": draw_pore_pressure_strain,
+    "volume_strain": draw_volume_strain,
+    "compression": draw_compression,
+}
+CURVE_PANELS = {"strength": draw_strength_curve, "modulus": draw_modulus, "damping": draw_damping}
+
+
+def panels(test):
+    """The rows of the picture, each a list of panels."""
+    drained = test.about["drainage"] == "drained"
+    if test.about["kind"] in ("oedometer", "isotropic"):
+        return [["compression", "path"]]
+    if test.modulus_curve is not None:
+        return [["loops", "path", "volume_strain" if drained else "ru_cycles"], ["modulus", "damping"]]
+    if "cyclic" in test.about["loading"]:
+        below = ["volume_cycles" if drained else "ru_cycles", "strain_cycles"]
+        return [["loops", "path"], below] if test.strength_curve is None else [["loops", "path", "strength"], below]
+    return [["loops", "path", "volume_strain" if drained else "ru_strain"]]
+
+
+def telling_tests(test):
+    """Names of the tests whose histories are drawn: of several stress ratios the one nearest to 15 cycles."""
+    names = list(test.histories)
+    if test.strength_curve is None:
+        return names
+    distance = np.abs(np.log(test.summary["cycles_3pc"] / 15.0))
+    return [names[int(np.nanargmin(distance))]] if np.isfinite(distance).any() else names[-1:]
+
+
+def label_of(test, name):
+    row = list(test.summary["test"]).index(name)
+    ratio, amplitude = test.summary["stress_ratio"][row], test.summary["strain_amplitude"][row]
+    if np.isfinite(ratio) and ratio > 0.0:
+        return f"CSR {ratio:.4g}"
+    return f"strain {100 * amplitude:.3g} %" if np.isfinite(amplitude) and amplitude > 0.0 else test.about["law"]
+
+
+def heading(test):
+    about = test.about
+    state = f"$\\sigma'_v$ = {about['vertical_stress'] / 1e3:.4g} kPa, $K_0$ = {about['k0']:.3g}"
+    words = [about["law"], about["kind"].replace("_", " "), about["drainage"].replace("_", " "), state]
+    return f"{about['title']}\n{', '.join(words)}"
+
+
+def draw(test, reference=None):
+    """The figure of a soil test; a reference curve (read_reference) lies below ours."""
+    names = telling_tests(test)
+    in_plane = soil_response.is_in_plane(test.histories[names[0]])
+    kind = test.about["kind"]
+    below = None if reference is None else View(reference, kind, in_plane)
+    labels = ["tremolo"] if below is not None and len(names) == 1 else [label_of(test, name) for name in names]
+    ours = {label: View(test.histories[name], kind, in_plane) for label, name in zip(labels, names)}
+    rows = panels(test)
+    width = 3.7 * max(map(len, rows))
+    figure, axes = style.plt.subplot_mosaic(
+        [[[row]] for row in rows], figsize=(width, 0.6 + 3.0 * len(rows)), layout="constrained"
+    )
+    for name, ax in axes.items():
+        if name in CURVE_PANELS:
+            CURVE_PANELS[name](ax, test)
+        else:
+            HISTORY_PANELS[name](ax, ours, below, test)
+    figure.suptitle(heading(test), fontsize=9)
+    return figure
+
+
+def picture(path, over=None):
+    """Draws OUT.png beside OUT.h5, over a reference curve where one is given; returns its path."""
+    test = soil_record.read(path)
+    reference = None if over is None else soil_record.read_reference(over)
+    return style.save(draw(test, reference), Path(path).parent, Path(path).stem + ".png")

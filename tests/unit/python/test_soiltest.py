@@ -1,0 +1,138 @@
+"""The picture of every kind of soil test, and what a file that is none is told."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import matplotlib.image
+import numpy as np
+
+import synthetic_soiltest
+from test_pictures import run_command
+from tremolo import soil_record, soiltest
+
+CURVES = {
+    "strength_curve": {
+        "stress_ratio": [0.1, 0.12], "cycles_1pc": [20.0, 8.0], "cycles_3pc": [25.0, 10.0],
+        "cycles_5pc": [np.nan, np.nan], "cycles_ru98": [np.nan, 7.0],
+    },
+    "strength_target": {"cycles": [5.0, 15.0, 30.0], "stress_ratio": [0.15, 0.12, 0.09]},
+}
+MODULUS = {
+    "modulus_curve": {
+        "strain_amplitude": [1e-6, 1e-4, 1e-2], "shear_modulus": [60e6, 45e6, 5e6], "modulus_ratio": [1.0, 0.75, 0.08],
+        "damping": [0.0, 0.05, 0.3],
+    }
+}
+REFERENCE = "step,eps_xx,eps_yy,gamma_xy,sig_xx,sig_yy,sig_zz,sig_xy\n0,0,0,0,-50,-100,-45,0\n9,0,0,0.01,-60,-80,-42,12\n"
+
+
+class Pictures(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.path = Path(self.temporary.name) / "test.h5"
+
+    def expect_panels(self, expected, *options):
+        with_labels = soiltest.draw(soil_record.read(self.path))
+        self.assertEqual([(ax.get_xlabel(), ax.get_ylabel()) for ax in with_labels.axes], expected)
+        soiltest.style.plt.close(with_labels)
+        status, paths, error = run_command("soiltest", self.path, *options)
+        self.assertEqual((status, error), (0, ""))
+        self.assertEqual(paths, [str(self.path.with_suffix(".png"))])
+        pixels = matplotlib.image.imread(paths[0])
+        self.assertGreater(pixels.shape[1], 500)
+        self.assertGreater(pixels[..., :3].std(), 0.02)
+
+    loops = ("shear strain (%)", "shear stress (kPa)")
+    path_in_plane = ("mean effective stress in the plane p' (kPa)", "shear stress (kPa)")
+    pressure = ("cycles", "excess pore pressure ratio $r_u$")
+    strain = ("cycles", "shear strain (%)")
+
+    def test_cyclic_shear(self):
+        synthetic_soiltest.write(self.path, [synthetic_soiltest.history()])
+        self.expect_panels([self.loops, self.path_in_plane, self.pressure, self.strain])
+
+    def test_several_stress_ratios(self):
+        synthetic_soiltest.write(self.path, [synthetic_soiltest.history(), synthetic_soiltest.history(5.0)], tables=CURVES)
+        strength = ("uniform cycles", "cyclic stress ratio CSR")
+        self.expect_panels([self.loops, self.path_in_plane, strength, self.pressure, self.strain])
+
+    def test_strain_controlled_cycles(self):
+        synthetic_soiltest.write(self.path, [synthetic_soiltest.history()], {"loading": "cyclic_strain"}, MODULUS)
+        modulus = ("shear strain amplitude (%)", "G / Gmax")
+        damping = ("shear strain amplitude (%)", "damping ratio (%)")
+        self.expect_panels([self.loops, self.path_in_plane, self.pressure, modulus, damping])
+
+    def test_drained_compression(self):
+        about = {"kind": "plane_strain", "drainage": "drained", "loading": "monotonic"}
+        synthetic_soiltest.write(self.path, [synthetic_soiltest.compression()], about)
+        loading = ("axial strain (%)", "deviator stress q (kPa)")
+        volume = ("axial strain (%)", "volumetric strain, compression (%)")
+        self.expect_panels([loading, ("mean effective stress in the plane p' (kPa)", loading[1]), volume])
+
+    def test_reference_lies_below(self):
+        reference = self.path.with_suffix(".csv")
+        reference.write_text(REFERENCE)
+        synthetic_soiltest.write(self.path, [synthetic_soiltest.history()], {"loading": "monotonic"})
+        pressure = ("shear strain (%)", "excess pore pressure ratio $r_u$")
+        self.expect_panels([self.loops, self.path_in_plane, pressure], "--over", reference)
+        below = soil_record.read_reference(reference)
+        figure = soiltest.draw(soil_record.read(self.path), below)
+        drawn = {line.get_label(): line.get_xydata() for line in figure.axes[0].get_lines()}
+        soiltest.style.plt.close(figure)
+        np.testing.assert_allclose(drawn["reference"], [[0.0, 0.0], [1.0, 12.0]])
+        np.testing.assert_allclose(drawn["tremolo"][:, 1].max(), 10.0)
+
+    def test_bounding_line_in_shear_is_half_the_deviator(self):
+        synthetic_soiltest.write(self.path, [synthetic_soiltest.history()])
+        figure = soiltest.draw(soil_record.read(self.path))
+        lines = {line.get_label(): line.get_xydata() for line in figure.axes[1].get_lines()}
+        soiltest.style.plt.close(figure)
+        p, shear = lines["bounding"][-1]
+        self.assertAlmostEqual(shear / p, 1.2 / 2.0)
+
+
+class Refusals(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.folder = Path(self.temporary.name)
+
+    def expect_refusal(self, message, path, *options):
+        status, paths, error = run_command("soiltest", path, *options)
+        self.assertEqual((status, paths), (1, []))
+        self.assertEqual(error.count("\n"), 1, error)
+        self.assertIn(message, error)
+
+    def test_absent_file(self):
+        self.expect_refusal("nowhere.h5: no such soil test", self.folder / "nowhere.h5")
+
+    def test_no_hdf5(self):
+        path = self.folder / "text.h5"
+        path.write_text("not a file of HDF5")
+        self.expect_refusal("text.h5: cannot be read as HDF5", path)
+
+    def test_other_hdf5(self):
+        path = self.folder / "other.h5"
+        with h5py.File(path, "w") as file:
+            file["x"] = 1.0
+        self.expect_refusal("has no table /about: not a file that `tremolo soiltest` wrote", path)
+
+    def test_history_without_stress(self):
+        path = self.folder / "thin.h5"
+        history = synthetic_soiltest.history()
+        del history["sig_xy"]
+        synthetic_soiltest.write(path, [history])
+        self.expect_refusal("the history of test 000 has no column sig_xy", path)
+
+    def test_reference_of_another_format(self):
+        path, reference = self.folder / "test.h5", self.folder / "r.csv"
+        synthetic_soiltest.write(path, [synthetic_soiltest.history()])
+        reference.write_text("time,acceleration\n0,1\n")
+        self.expect_refusal("is no reference curve, its first line has no column eps_xx", path, "--over", reference)
+
+
+if __name__ == "__main__":
+    unittest.main()
