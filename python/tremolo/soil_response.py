@@ -1,6 +1,6 @@
 """What a history of a soil test says in numbers, and how far two histories are apart.
 
-    r_u = 1 - sigma'_v / sigma'_v0             excess pore pressure ratio of a constant-volume test
+    r_u = 1 - sigma'/sigma'_0                  excess pore pressure ratio of a constant-volume test
     G   = (tau_1 - tau_2) / (gamma_1 - gamma_2)  secant modulus between the two ends of a loop
     D   = dW / (4 pi W),  W = G A^2 / 2          damping ratio; dW area of the loop, A its strain amplitude
 """
@@ -41,8 +41,9 @@ def mean_stress(history, in_plane):
     return -(history["sig_xx"] + history["sig_yy"] + history["sig_zz"]) / 3.0
 
 
-def pore_pressure_ratio(history):
-    return 1.0 - history["sig_yy"] / history["sig_yy"][0]
+def pore_pressure_ratio(history, held="sig_yy"):
+    """r_u of a constant-volume test from the stress that the apparatus would hold constant."""
+    return 1.0 - history[held] / history[held][0]
 
 
 def cycles_to(cycle, measure, level):

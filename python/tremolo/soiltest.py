@@ -25,7 +25,7 @@ CRITERIA = {
     "cycles_5pc": ("5 % strain", "^"),
     "cycles_ru98": ("$r_u$ = 0.98", "D"),
 }
-REFERENCE = {"color": "0.72", "linewidth": 2.8, "solid_joinstyle": "round", "zorder": 1, "label": "reference"}
+REFERENCE = {"color": "0.72", "linewidth": 2.8, "solid_joinstyle": "round", "zorder": 1}
 GUIDE = {"color": "0.75", "linewidth": 0.6, "zorder": 0}
 
 
@@ -33,10 +33,10 @@ class View:
     """One history, ours or a reference, in the quantities of the axes: kPa, per cent, compression positive."""
 
     def __init__(self, history, kind, in_plane):
-        self.history = history
         self.cycle = history.get("cycle")
         self.p = soil_response.mean_stress(history, in_plane) / 1e3
-        if kind == "simple_shear":
+        shear = sheared(history, kind)
+        if shear:
             self.strain, self.strain_label = 100 * history["gamma_xy"], "shear strain (%)"
             self.stress, self.stress_label = history["sig_xy"] / 1e3, "shear stress (kPa)"
             # In simple shear towards failure the whole deviator is shear stress: q = 2 tau, in space sqrt(3) tau.
@@ -49,14 +49,23 @@ class View:
             self.line_scale = 1.0
         self.p_label = f"mean effective stress {'in the plane ' if in_plane else ''}p' (kPa)"
         self.volume = 100 * soil_response.volumetric_strain(history)
-        self.ru = history.get("ru", soil_response.pore_pressure_ratio(history))
+        held = "sig_yy" if shear else "sig_xx"
+        given = "ru" in history and kind != "path"
+        self.ru = history["ru"] if given else soil_response.pore_pressure_ratio(history, held)
         self.vertical = -history["sig_yy"] / 1e3
 
 
-def draw_pair(ax, ours, reference, x, y):
-    """Ours over the reference, quantities x and y of the views."""
-    if reference is not None:
-        ax.plot(getattr(reference, x), getattr(reference, y), **REFERENCE)
+def sheared(history, kind):
+    """Whether a test is looked at in simple shear; a path is where it shears more than it shortens."""
+    if kind == "path":
+        return bool(np.abs(history["gamma_xy"]).max() > np.abs(history["eps_yy"]).max())
+    return kind == "direct_simple_shear"
+
+
+def draw_pair(ax, ours, below, x, y):
+    """Ours over the references, quantities x and y of the views."""
+    for number, view in enumerate(below):
+        ax.plot(getattr(view, x), getattr(view, y), **REFERENCE, label=None if number else "reference")
     for name, view in ours.items():
         ax.plot(getattr(view, x), getattr(view, y), linewidth=0.8, zorder=2, label=name)
 
@@ -82,19 +91,19 @@ def first(ours):
     return next(iter(ours.values()))
 
 
-def draw_stress_strain(ax, ours, reference, _test):
-    draw_pair(ax, ours, reference, "strain", "stress")
+def draw_stress_strain(ax, ours, below, _test):
+    draw_pair(ax, ours, below, "strain", "stress")
     ax.set(xlabel=first(ours).strain_label, ylabel=first(ours).stress_label)
     zero_lines(ax)
-    if reference is not None or 1 < len(ours) <= 6:
+    if below or 1 < len(ours) <= 6:
         ax.legend(loc="best")
 
 
-def draw_stress_path(ax, ours, reference, test):
+def draw_stress_path(ax, ours, below, test):
     """Path of the stresses under the lines of the law; in shear the lines bound the shear stress from both sides."""
-    draw_pair(ax, ours, reference, "p", "stress")
+    draw_pair(ax, ours, below, "p", "stress")
     view = first(ours)
-    views = [*ours.values()] + ([reference] if reference is not None else [])
+    views = [*ours.values(), *below]
     right = 1.06 * max(v.p.max() for v in views)
     top, bottom = max(v.stress.max() for v in views), min(v.stress.min() for v in views)
     span = max(abs(top), abs(bottom), 1e-3 * right)
@@ -114,41 +123,41 @@ def draw_stress_path(ax, ours, reference, test):
         ax.legend(*zip(*known), loc="upper left", handlelength=2.4)
 
 
-def draw_pore_pressure_cycles(ax, ours, reference, _test):
-    draw_pair(ax, ours, reference, "cycle", "ru")
+def draw_pore_pressure_cycles(ax, ours, below, _test):
+    draw_pair(ax, ours, below, "cycle", "ru")
     ax.axhline(0.98, **GUIDE)
     ax.set(xlabel="cycles", ylabel="excess pore pressure ratio $r_u$", xlim=(0.0, None))
 
 
-def draw_strain_cycles(ax, ours, reference, _test):
-    draw_pair(ax, ours, reference, "cycle", "strain")
+def draw_strain_cycles(ax, ours, below, _test):
+    draw_pair(ax, ours, below, "cycle", "strain")
     for level in (-3.0, 3.0):
         ax.axhline(level, **GUIDE)
     ax.set(xlabel="cycles", ylabel=first(ours).strain_label, xlim=(0.0, None))
 
 
-def draw_volume_cycles(ax, ours, reference, _test):
-    draw_pair(ax, ours, reference, "cycle", "volume")
+def draw_volume_cycles(ax, ours, below, _test):
+    draw_pair(ax, ours, below, "cycle", "volume")
     ax.set(xlabel="cycles", ylabel="volumetric strain, compression (%)", xlim=(0.0, None))
 
 
-def draw_pore_pressure_strain(ax, ours, reference, _test):
-    draw_pair(ax, ours, reference, "strain", "ru")
+def draw_pore_pressure_strain(ax, ours, below, _test):
+    draw_pair(ax, ours, below, "strain", "ru")
     ax.set(xlabel=first(ours).strain_label, ylabel="excess pore pressure ratio $r_u$")
     zero_lines(ax)
 
 
-def draw_volume_strain(ax, ours, reference, _test):
-    draw_pair(ax, ours, reference, "strain", "volume")
+def draw_volume_strain(ax, ours, below, _test):
+    draw_pair(ax, ours, below, "strain", "volume")
     ax.set(xlabel=first(ours).strain_label, ylabel="volumetric strain, compression (%)")
     zero_lines(ax)
 
 
-def draw_compression(ax, ours, reference, test):
+def draw_compression(ax, ours, below, test):
     stress, label = ("p", "mean effective stress p' (kPa)")
     if test.about["kind"] == "oedometer":
         stress, label = ("vertical", "vertical effective stress (kPa)")
-    draw_pair(ax, ours, reference, stress, "volume")
+    draw_pair(ax, ours, below, stress, "volume")
     ax.set(xlabel=label, ylabel="volumetric strain, compression (%)", xscale="log")
     log_ticks(ax, decades(-1, 5, (1.0, 2.0, 5.0)))
     ax.invert_yaxis()
@@ -202,7 +211,7 @@ CURVE_PANELS = {"strength": draw_strength_curve, "modulus": draw_modulus, "dampi
 def panels(test):
     """The rows of the picture, each a list of panels."""
     drained = test.about["drainage"] == "drained"
-    if test.about["kind"] in ("oedometer", "isotropic"):
+    if test.about["kind"] in ("oedometer", "isotropic_compression"):
         return [["compression", "path"]]
     if test.modulus_curve is not None:
         return [["loops", "path", "volume_strain" if drained else "ru_cycles"], ["modulus", "damping"]]
@@ -236,14 +245,15 @@ def heading(test):
     return f"{about['title']}\n{', '.join(words)}"
 
 
-def draw(test, reference=None):
-    """The figure of a soil test; a reference curve (read_reference) lies below ours."""
+def draw(test, references=(), labels=None):
+    """The figure of a soil test; reference curves (read_reference) lie below ours. `labels` name its histories."""
     names = telling_tests(test)
     in_plane = soil_response.is_in_plane(test.histories[names[0]])
     kind = test.about["kind"]
-    below = None if reference is None else View(reference, kind, in_plane)
-    labels = ["tremolo"] if below is not None and len(names) == 1 else [label_of(test, name) for name in names]
+    if labels is None:
+        labels = ["tremolo"] if references and len(names) == 1 else [label_of(test, name) for name in names]
     ours = {label: View(test.histories[name], kind, in_plane) for label, name in zip(labels, names)}
+    below = [View(reference, kind, in_plane) for reference in references]
     rows = panels(test)
     width = 3.7 * max(map(len, rows))
     figure, axes = style.plt.subplot_mosaic(
@@ -261,5 +271,5 @@ def draw(test, reference=None):
 def picture(path, over=None):
     """Draws OUT.png beside OUT.h5, over a reference curve where one is given; returns its path."""
     test = soil_record.read(path)
-    reference = None if over is None else soil_record.read_reference(over)
-    return style.save(draw(test, reference), Path(path).parent, Path(path).stem + ".png")
+    references = [] if over is None else [soil_record.read_reference(over)]
+    return style.save(draw(test, references), Path(path).parent, Path(path).stem + ".png")

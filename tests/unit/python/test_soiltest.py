@@ -66,7 +66,7 @@ class Pictures(unittest.TestCase):
         self.expect_panels([self.loops, self.path_in_plane, self.pressure, modulus, damping])
 
     def test_drained_compression(self):
-        about = {"kind": "plane_strain", "drainage": "drained", "loading": "monotonic"}
+        about = {"kind": "plane_strain_compression", "drainage": "drained", "loading": "monotonic"}
         synthetic_soiltest.write(self.path, [synthetic_soiltest.compression()], about)
         loading = ("axial strain (%)", "deviator stress q (kPa)")
         volume = ("axial strain (%)", "volumetric strain, compression (%)")
@@ -79,7 +79,7 @@ class Pictures(unittest.TestCase):
         pressure = ("shear strain (%)", "excess pore pressure ratio $r_u$")
         self.expect_panels([self.loops, self.path_in_plane, pressure], "--over", reference)
         below = soil_record.read_reference(reference)
-        figure = soiltest.draw(soil_record.read(self.path), below)
+        figure = soiltest.draw(soil_record.read(self.path), [below])
         drawn = {line.get_label(): line.get_xydata() for line in figure.axes[0].get_lines()}
         soiltest.style.plt.close(figure)
         np.testing.assert_allclose(drawn["reference"], [[0.0, 0.0], [1.0, 12.0]])
