@@ -6,14 +6,8 @@
 //     sigma = sigma_0 + K tr(eps) I + sum_i s_i,   s_i = 2 G_i dev(eps - eps_p,i),
 //     sqrt(s_i : s_i / 2) <= tau_i.
 //
-// In simple shear the elements give a polygon through the backbone and obey all four extended Masing rules
-// without keeping any reversal point; in other directions they generalise both.
-//
-// Polygon: the vertices lie a factor 1 + e above the backbone, spaced such that the sides sag as far below
-// it; the first side ends where the backbone has lost the fraction e of G0, so that sum G_i = G0 exactly.
-// With q = gamma^2 |F''|/F the sag of a side of length h in ln(gamma) is q h^2/8, hence h = sqrt(16 e/q), and
-// e follows from the number of elements. Beyond the largest strain the polygon is level: a finite strength
-// for any exponent.
+// In simple shear the elements give a polygon through the backbone (backbone_polygon.hpp) and obey all four
+// extended Masing rules without keeping any reversal point; in other directions they generalise both.
 //
 // sigma_0 is the stress in which the law is started. The elements start unloaded there: an initial static
 // shear has no history, and the strength bounds the dynamic part of the stress alone.
@@ -21,6 +15,7 @@
 #include "materials/backbone.hpp"
 #include "materials/elasticity.hpp"
 #include "materials/iwan_elements.hpp"
+#include "materials/parameter_value.hpp"
 #include "materials/points.hpp"
 
 #include <cstddef>
@@ -53,5 +48,7 @@ void update(const IwanShear& law, const Points& points);
 
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 void validate(const IwanShear& law);
+
+std::vector<ParameterValue> parameters(const IwanShear& law);
 
 } // namespace tremolo::materials

@@ -17,7 +17,7 @@ struct Overloaded : Functions... {
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>; // clang 14 does not deduce it by itself
 
-constexpr std::array mohr_coulomb_state = {StateVariable{
+constexpr std::array plastic_strain_state = {StateVariable{
     "equivalent_plastic_strain", "1", "int sqrt(2/3 de:de) of the deviatoric plastic strain", 0.0}};
 
 constexpr std::size_t most_names = masing_history_size + 3 * most_iwan_elements;
@@ -78,19 +78,23 @@ std::string_view name(const Law& law) {
   return std::visit(Overloaded{[](const LinearElastic&) { return Name("linear_elastic"); },
                                [](const MohrCoulomb&) { return Name("mohr_coulomb"); },
                                [](const MasingShear&) { return Name("masing_shear"); },
-                               [](const IwanShear&) { return Name("iwan_shear"); }},
+                               [](const IwanShear&) { return Name("iwan_shear"); },
+                               [](const DruckerPrager&) { return Name("drucker_prager"); },
+                               [](const MultiYieldClay&) { return Name("multi_yield_clay"); }},
                     law);
 }
 
 std::span<const StateVariable> state_variables(const Law& law) {
   using Variables = std::span<const StateVariable>;
-  return std::visit(Overloaded{[](const LinearElastic&) { return Variables(); },
-                               [](const MohrCoulomb&) { return Variables(mohr_coulomb_state); },
-                               [](const MasingShear&) { return Variables(tables().masing); },
-                               [](const IwanShear& one) {
-                                 return Variables(tables().iwan).first(3 * one.elements.size());
-                               }},
-                    law);
+  return std::visit(
+      Overloaded{
+          [](const LinearElastic&) { return Variables(); },
+          [](const MohrCoulomb&) { return Variables(plastic_strain_state); },
+          [](const MasingShear&) { return Variables(tables().masing); },
+          [](const DruckerPrager&) { return Variables(plastic_strain_state); },
+          [](const IwanShear& one) { return Variables(tables().iwan).first(3 * one.elements.size()); },
+          [](const MultiYieldClay& one) { return Variables(tables().iwan).first(3 * one.elements.size()); }},
+      law);
 }
 
 void initialise(const Law& law, const Points& points) {
@@ -105,6 +109,9 @@ void initialise(const Law& law, const Points& points) {
     for (std::size_t k = 0; k < variables.size(); ++k) {
       points.state[i * variables.size() + k] = variables[k].initial;
     }
+  }
+  if (const auto* clay = std::get_if<MultiYieldClay>(&law)) {
+    initialise(*clay, points);
   }
 }
 
@@ -124,15 +131,17 @@ bool three_dimensional(const Law& law) {
   return !std::holds_alternative<MasingShear>(law);
 }
 
-std::vector<ParameterValue> parameters(const Law& /*law*/) {
-  return {};
+std::vector<ParameterValue> parameters(const Law& law) {
+  return std::visit([](const auto& one) { return parameters(one); }, law);
 }
 
 Law without_softening(const Law& law) {
   return std::visit(Overloaded{[](const LinearElastic& one) -> Law { return one; },
                                [](const MohrCoulomb& one) -> Law { return without_softening(one); },
                                [](const MasingShear& one) -> Law { return LinearElastic{one.elastic}; },
-                               [](const IwanShear& one) -> Law { return LinearElastic{one.elastic}; }},
+                               [](const IwanShear& one) -> Law { return LinearElastic{one.elastic}; },
+                               [](const DruckerPrager& one) -> Law { return one; },
+                               [](const MultiYieldClay& one) -> Law { return LinearElastic{one.elastic}; }},
                     law);
 }
 

@@ -4,10 +4,12 @@
 // parameters; what it does are free functions on blocks of points. Choosing the law costs one branch per
 // block, not per point.
 
+#include "materials/drucker_prager.hpp"
 #include "materials/iwan_shear.hpp"
 #include "materials/linear_elastic.hpp"
 #include "materials/masing_shear.hpp"
 #include "materials/mohr_coulomb.hpp"
+#include "materials/multi_yield_clay.hpp"
 #include "materials/parameter_value.hpp"
 #include "materials/points.hpp"
 #include "materials/state_variable.hpp"
@@ -20,7 +22,7 @@
 
 namespace tremolo::materials {
 
-using Law = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear>;
+using Law = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay>;
 
 /// The name a case file uses for the law, e.g. "linear_elastic".
 std::string_view name(const Law& law);
@@ -50,8 +52,7 @@ double p_wave_speed_bound(const Law& law, const Points& points);
 /// Whether the law takes strain out of plane (Points::dezz).
 bool three_dimensional(const Law& law);
 
-/// Every parameter in force and where its value comes from; none for a law whose parameters are all given as
-/// they are.
+/// Every parameter in force and where its value comes from.
 std::vector<ParameterValue> parameters(const Law& law);
 
 /// The law to make an initial stress with, e.g. by gravity: held at its peak strength; elastic for the

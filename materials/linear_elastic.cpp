@@ -1,5 +1,6 @@
 #include "materials/linear_elastic.hpp"
 
+#include "materials/elastic_parameters.hpp"
 #include "materials/elastic_trial.hpp"
 #include "materials/parameter_check.hpp"
 
@@ -11,6 +12,10 @@ void update(const LinearElastic& law, const Points& points) {
 
 void validate(const LinearElastic& law) {
   check(law.elastic);
+}
+
+std::vector<ParameterValue> parameters(const LinearElastic& law) {
+  return elastic_parameters(law.elastic);
 }
 
 } // namespace tremolo::materials

@@ -4,7 +4,10 @@
 // (objective_rate.hpp) and C : d_eps = 2 G dev(d_eps) + K tr(d_eps) I; in plane strain d_eps_zz = 0.
 
 #include "materials/elasticity.hpp"
+#include "materials/parameter_value.hpp"
 #include "materials/points.hpp"
+
+#include <vector>
 
 namespace tremolo::materials {
 
@@ -18,5 +21,7 @@ void update(const LinearElastic& law, const Points& points);
 
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 void validate(const LinearElastic& law);
+
+std::vector<ParameterValue> parameters(const LinearElastic& law);
 
 } // namespace tremolo::materials

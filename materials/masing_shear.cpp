@@ -1,5 +1,6 @@
 #include "materials/masing_shear.hpp"
 
+#include "materials/elastic_parameters.hpp"
 #include "materials/parameter_check.hpp"
 
 namespace tremolo::materials {
@@ -26,6 +27,14 @@ void update(const MasingShear& law, const Points& points) {
 void validate(const MasingShear& law) {
   check(law.elastic);
   validate(law.backbone());
+}
+
+std::vector<ParameterValue> parameters(const MasingShear& law) {
+  std::vector<ParameterValue> values = elastic_parameters(law.elastic);
+  values.push_back({"reference_strain", law.reference_strain, "1", "gamma_r of the backbone", "given"});
+  values.push_back({"beta", law.beta, "1", "beta of the backbone", "given"});
+  values.push_back({"exponent", law.exponent, "1", "s of the backbone; 1 is the hyperbola", "given"});
+  return values;
 }
 
 } // namespace tremolo::materials

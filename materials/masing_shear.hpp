@@ -13,7 +13,10 @@
 #include "materials/backbone.hpp"
 #include "materials/elasticity.hpp"
 #include "materials/masing.hpp"
+#include "materials/parameter_value.hpp"
 #include "materials/points.hpp"
+
+#include <vector>
 
 namespace tremolo::materials {
 
@@ -32,5 +35,7 @@ void update(const MasingShear& law, const Points& points);
 
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 void validate(const MasingShear& law);
+
+std::vector<ParameterValue> parameters(const MasingShear& law);
 
 } // namespace tremolo::materials

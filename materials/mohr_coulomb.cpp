@@ -1,5 +1,6 @@
 #include "materials/mohr_coulomb.hpp"
 
+#include "materials/elastic_parameters.hpp"
 #include "materials/elastic_trial.hpp"
 #include "materials/mohr_coulomb_return.hpp"
 #include "materials/parameter_check.hpp"
@@ -259,6 +260,23 @@ void validate(const MohrCoulomb& law) {
   if (law.tension_cutoff) {
     check_range("tension_cutoff", *law.tension_cutoff, 0.0, std::numeric_limits<double>::max());
   }
+}
+
+std::vector<ParameterValue> parameters(const MohrCoulomb& law) {
+  std::vector<ParameterValue> values = elastic_parameters(law.elastic);
+  values.push_back({"cohesion_peak", law.cohesion_peak, "Pa", "cohesion before softening", "given"});
+  values.push_back({"cohesion_residual", law.cohesion_residual, "Pa", "cohesion after softening", "given"});
+  values.push_back({"friction_peak", law.friction_peak, "rad", "friction angle before softening", "given"});
+  values.push_back(
+      {"friction_residual", law.friction_residual, "rad", "friction angle after softening", "given"});
+  values.push_back({"dilation_peak", law.dilation_peak, "rad", "dilation angle before softening", "given"});
+  values.push_back(
+      {"dilation_residual", law.dilation_residual, "rad", "dilation angle after softening", "given"});
+  values.push_back({"softening", law.softening, "1", "eta: rate of decay with plastic strain", "given"});
+  values.push_back({"tension_cutoff", strength_at(law, 0.0).tension, "Pa",
+                    "largest tensile stress before softening",
+                    law.tension_cutoff ? "given; at most c cot(phi)" : "default: apex c cot(phi)"});
+  return values;
 }
 
 MohrCoulomb without_softening(MohrCoulomb law) {

@@ -14,10 +14,12 @@
 // cot(phi).
 
 #include "materials/elasticity.hpp"
+#include "materials/parameter_value.hpp"
 #include "materials/points.hpp"
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace tremolo::materials {
 
@@ -42,6 +44,8 @@ void update(const MohrCoulomb& law, const Points& points);
 
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 void validate(const MohrCoulomb& law);
+
+std::vector<ParameterValue> parameters(const MohrCoulomb& law);
 
 /// The same soil held at its peak strength, e.g. for a gravity stage. Plastic strain still accumulates in the
 /// state; who softens afterwards from the peak sets it back to zero first.
