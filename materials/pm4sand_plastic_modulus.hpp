@@ -1,0 +1,55 @@
+#pragma once
+
+// Plastic modulus of PM4Sand (Boulanger & Ziotopoulou 2017, section 2.8). With the distances
+//
+//     A_b = (alpha_b - alpha):n,  A_app = <(alpha - alpha_in):n>,  A_true = <(alpha - alpha_in_true):n>
+//
+// to the bounding surface and from the initial back stress ratios, apparent and true,
+//
+//     h = 1.5 G h_o C_ka / {p [exp(A_app) - 1 + C_g1] sqrt|A_b| [1 + 2 (z_peak/z_max) <A_b> sqrt(1 -
+//     C_zpk2)]}, C_ka = 1 + C_kaf C_pzp2 C_zpk1/(1 + (2.5 A_true)^2),  C_g1 = h_o/200,
+//
+// times (A_app + C_g1)/(A_true + C_g1) where loading continues beyond the previous initial ratio's side, and
+// K_p = 2/3 h p A_b: negative outside the bounding surface.
+
+#include "materials/pm4sand_dilatancy.hpp"
+
+namespace tremolo::materials::pm4 {
+
+struct PlasticModulus {
+  double h = 0.0;   ///< rate of alpha towards the bounding surface, 1
+  double K_p = 0.0; ///< Pa
+};
+
+/// C_ka, the stiffening by fabric under static shear stress
+inline double static_shear_factor(const Pm4Sand& law, const State& state, double p, double A_true) {
+  const double below = std::max(state.p_zp - p, 0.0);
+  if (below == 0.0) {
+    return 1.0;
+  }
+  const double C_pzp2 = below / (below + state.p_min);
+  const double C_zpk1 = state.z_peak / (state.z_cum + 0.2 * state.z_max);
+  return 1.0 + law.C_kaf * C_pzp2 * C_zpk1 / (1.0 + 6.25 * A_true * A_true);
+}
+
+/// @param p  Pa, at least p_min
+/// @param G  Pa
+inline PlasticModulus plastic_modulus(const Pm4Sand& law, const State& state, const Surfaces& surface,
+                                      const Direction& to, double p, double G) {
+  const double A_b = (surface.M_b - law.m) / sqrt2 - to.alpha_n;
+  const double A_app = std::max(to.alpha_n - to.alpha_in_n, 0.0);
+  const double A_true = std::max(to.alpha_n - contract(state.alpha_in_true, to.n), 0.0);
+  const double C_g1 = law.h_o / 200.0;
+  const double C_ka = static_shear_factor(law, state, p, A_true);
+  const double fabric =
+      1.0 + 2.0 * (state.z_peak / state.z_max) * std::max(A_b, 0.0) * std::sqrt(1.0 - peak_fabric(state));
+  constexpr double nearest = 1e-10; // on the bounding surface alpha follows at once
+  const double distance = std::sqrt(std::max(std::abs(A_b), nearest));
+  double h = 1.5 * G * law.h_o * C_ka / (p * (std::exp(A_app) - 1.0 + C_g1) * distance * fabric);
+  if (to.alpha_n <= contract(state.alpha_in_p, to.n)) {
+    h *= (A_app + C_g1) / (A_true + C_g1);
+  }
+  return {h, 2.0 / 3.0 * h * p * A_b};
+}
+
+} // namespace tremolo::materials::pm4
