@@ -80,7 +80,8 @@ std::string_view name(const Law& law) {
                                [](const MasingShear&) { return Name("masing_shear"); },
                                [](const IwanShear&) { return Name("iwan_shear"); },
                                [](const DruckerPrager&) { return Name("drucker_prager"); },
-                               [](const MultiYieldClay&) { return Name("multi_yield_clay"); }},
+                               [](const MultiYieldClay&) { return Name("multi_yield_clay"); },
+                               [](const Pm4Sand&) { return Name("pm4sand"); }},
                     law);
 }
 
@@ -93,7 +94,8 @@ std::span<const StateVariable> state_variables(const Law& law) {
           [](const MasingShear&) { return Variables(tables().masing); },
           [](const DruckerPrager&) { return Variables(plastic_strain_state); },
           [](const IwanShear& one) { return Variables(tables().iwan).first(3 * one.elements.size()); },
-          [](const MultiYieldClay& one) { return Variables(tables().iwan).first(3 * one.elements.size()); }},
+          [](const MultiYieldClay& one) { return Variables(tables().iwan).first(3 * one.elements.size()); },
+          [](const Pm4Sand& one) { return state_variables(one); }},
       law);
 }
 
@@ -112,6 +114,8 @@ void initialise(const Law& law, const Points& points) {
   }
   if (const auto* clay = std::get_if<MultiYieldClay>(&law)) {
     initialise(*clay, points);
+  } else if (const auto* pm4 = std::get_if<Pm4Sand>(&law)) {
+    initialise(*pm4, points);
   }
 }
 
@@ -123,12 +127,15 @@ const Elasticity& elasticity(const Law& law) {
   return std::visit([](const auto& one) -> const Elasticity& { return one.elastic; }, law);
 }
 
-double p_wave_speed_bound(const Law& law, const Points& /*points*/) {
+double p_wave_speed_bound(const Law& law, const Points& points) {
+  if (const auto* pm4 = std::get_if<Pm4Sand>(&law)) {
+    return p_wave_speed_bound(*pm4, points);
+  }
   return elasticity(law).p_wave_speed();
 }
 
 bool three_dimensional(const Law& law) {
-  return !std::holds_alternative<MasingShear>(law);
+  return !std::holds_alternative<MasingShear>(law) && !std::holds_alternative<Pm4Sand>(law);
 }
 
 std::vector<ParameterValue> parameters(const Law& law) {
@@ -141,8 +148,16 @@ Law without_softening(const Law& law) {
                                [](const MasingShear& one) -> Law { return LinearElastic{one.elastic}; },
                                [](const IwanShear& one) -> Law { return LinearElastic{one.elastic}; },
                                [](const DruckerPrager& one) -> Law { return one; },
-                               [](const MultiYieldClay& one) -> Law { return LinearElastic{one.elastic}; }},
+                               [](const MultiYieldClay& one) -> Law { return LinearElastic{one.elastic}; },
+                               [](const Pm4Sand& one) -> Law { return LinearElastic{one.elastic}; }},
                     law);
+}
+
+Law after_shaking(const Law& law) {
+  if (const auto* pm4 = std::get_if<Pm4Sand>(&law)) {
+    return after_shaking(*pm4);
+  }
+  return law;
 }
 
 void validate(const Law& law) {

@@ -11,6 +11,7 @@
 #include "materials/mohr_coulomb.hpp"
 #include "materials/multi_yield_clay.hpp"
 #include "materials/parameter_value.hpp"
+#include "materials/pm4sand.hpp"
 #include "materials/points.hpp"
 #include "materials/state_variable.hpp"
 
@@ -22,7 +23,8 @@
 
 namespace tremolo::materials {
 
-using Law = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay>;
+using Law =
+    std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay, Pm4Sand>;
 
 /// The name a case file uses for the law, e.g. "linear_elastic".
 std::string_view name(const Law& law);
@@ -59,6 +61,10 @@ std::vector<ParameterValue> parameters(const Law& law);
 /// hysteretic laws, whose strain is measured from the initial state, and for those whose stiffness depends on
 /// pressure; itself if it does not soften.
 Law without_softening(const Law& law);
+
+/// The law of the same soil once shaking is over and it reconsolidates; itself for laws that know no such
+/// condition.
+Law after_shaking(const Law& law);
 
 /// Refuses parameters outside their physical range.
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
