@@ -36,7 +36,7 @@ struct Calibration {
   double cycles = 0.0;         ///< achieved at the wanted stress ratio
   double strength = 0.0;       ///< CSR that reaches the criterion in the wanted number of cycles
   double strength_error = 0.0; ///< strength / wanted - 1
-  int tests = 0;               ///< the search
+  int tests = 0;               ///< of the search and of the strength
   std::size_t updates = 0;
   double cpu_seconds = 0.0;
 };

@@ -12,11 +12,20 @@
 
 #include "materials/soiltest/soil_test.hpp"
 
+#include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace tremolo::soiltest {
+
+/// b of clean sand
+inline constexpr double sand_exponent = 0.34;
+
+/// Stress ratios outside of these are not looked at.
+inline constexpr double least_stress_ratio = 0.01;
+inline constexpr double largest_stress_ratio = 3.0;
 
 /// What counts as failure in a cyclic test.
 enum class Criterion { strain_1pc, strain_3pc, strain_5pc, double_amplitude_5pc, ru_98 };
@@ -36,12 +45,26 @@ struct StrengthPoint {
   double largest_pore_pressure_ratio = 0.0;
   std::size_t updates = 0;
   double cpu_seconds = 0.0;
+  End end = End::completed;
+  std::string end_reason;
 };
 
 /// One test a stress ratio; `test` has stress cycles.
 /// @throws std::invalid_argument for a test without stress cycles
 std::vector<StrengthPoint> strength_curve(const materials::Law& law, const SoilTest& test,
                                           std::span<const double> stress_ratios);
+
+/// Cycles to the criterion in one test that ends there, and what it cost.
+struct FailureTest {
+  double cycles = 0.0; ///< most_cycles if it was not reached by then
+  std::size_t updates = 0;
+  double cpu_seconds = 0.0;
+};
+
+/// @param test  kind, drainage, initial state, increment; its loading is not used
+/// @throws std::runtime_error if the test ends in another way before, e.g. the law refuses to go on
+FailureTest cycles_to_failure(const materials::Law& law, const SoilTest& test, double stress_ratio,
+                              double most_cycles, Criterion criterion);
 
 /// A stress ratio that was looked for.
 struct CyclicStrength {

@@ -28,8 +28,8 @@ struct Column {
 ///     u, ru         excess pore pressure, Pa, and its ratio
 ///     eps_zz        only in tests with out-of-plane strain
 ///
-/// and the law's state variables by name, those left out that are internal. Reversals and the end are always
-/// kept.
+/// and the law's state variables by name, those left out that are internal. Reversals, rows of a
+/// path and the end are always kept.
 struct History {
   std::vector<Column> columns;
 

@@ -1,0 +1,333 @@
+#include "materials/soiltest/apparatus.hpp"
+#include "materials/soiltest/recorder.hpp"
+#include "materials/soiltest/soil_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <exception>
+#include <numbers>
+#include <stdexcept>
+
+namespace tremolo::soiltest {
+namespace {
+
+using materials::Law;
+using materials::PointState;
+using materials::PointStress;
+using materials::PointTest;
+
+double cpu_seconds() {
+  timespec now = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double least_positive_steps(double distance, double increment) {
+  return std::max(1.0, std::ceil(std::abs(distance) / increment - 1e-9));
+}
+
+/// One straight piece of loading in a cyclic test.
+struct HalfCycle {
+  double begin = 0.0; ///< cycles at its start
+  double share = 0.0; ///< of a cycle: 1/4 for the first, 1/2 for the others
+  double from = 0.0;  ///< tau (Pa) or strain at its start and end
+  double to = 0.0;
+
+  double cycle(double now) const { return begin + share * std::clamp((now - from) / (to - from), 0.0, 1.0); }
+};
+
+/// Brings the specimen from `before` by the part of an increment that ends at a shear stress: false position
+/// with the modification of Illinois.
+void stop_at_stress(PointTest& point, const Apparatus& apparatus, const PointState& before, double increment,
+                    double target, double tolerance) {
+  const auto excess = [&](double part) {
+    point.set(before);
+    if (part > 0.0) {
+      point.apply(apparatus.step(part * increment, point));
+    }
+    return apparatus.shear_stress(point) - target;
+  };
+  double a = 0.0;
+  double b = 1.0;
+  double at_a = excess(a);
+  double at_b = excess(b);
+  int kept = 0; // which end has stayed, and how often
+  while (std::abs(at_b) > tolerance && b - a > 1e-13) {
+    const double part =
+        std::clamp((a * at_b - b * at_a) / (at_b - at_a), a + 1e-3 * (b - a), b - 1e-3 * (b - a));
+    const double at_part = excess(part);
+    if (std::abs(at_part) <= tolerance) {
+      return;
+    }
+    if ((at_part > 0.0) == (at_b > 0.0)) {
+      b = part;
+      at_b = at_part;
+      at_a *= kept > 0 ? 0.5 : 1.0;
+      kept = 1;
+    } else {
+      a = part;
+      at_a = at_part;
+      at_b *= kept < 0 ? 0.5 : 1.0;
+      kept = -1;
+    }
+  }
+  excess(b);
+}
+
+/// The specimen in its initial state.
+PointTest specimen(const Law& law, const SoilTest& test) {
+  const InitialState& initial = test.initial;
+  const double lateral = -initial.k0 * initial.vertical_stress;
+  const double tau = initial.shear_bias * initial.vertical_stress;
+  const bool at_once = initial.bias_in_initial_stress || tau == 0.0;
+  PointTest point(law, {lateral, -initial.vertical_stress, lateral, at_once ? tau : 0.0});
+  if (at_once) {
+    return point;
+  }
+  SoilTest drained = test;
+  drained.kind = Kind::direct_simple_shear;
+  drained.drainage = Drainage::drained;
+  drained.pore_stiffness = 0.0;
+  const Apparatus apparatus(drained, point);
+  const double increment = std::copysign(test.strain_increment, tau);
+  PointState before = point.now();
+  while (std::abs(point.stress().xy) < std::abs(tau)) {
+    if (std::abs(point.strain().xy) > 1.0) {
+      throw std::invalid_argument(
+          fmt::format("shear_bias = {:g} is more than the drained strength: tau is {:g} Pa at "
+                      "100 % shear strain",
+                      initial.shear_bias, point.stress().xy));
+    }
+    before = point.now();
+    point.apply(apparatus.step(increment, point));
+  }
+  stop_at_stress(point, apparatus, before, increment, tau, 1e-9 * initial.vertical_stress);
+  PointState start = point.now();
+  start.strain = {};
+  point.set(start);
+  return point;
+}
+
+/// A test while it runs.
+class Run {
+public:
+  Run(const Law& law, const SoilTest& test)
+      : test_(test), point_(specimen(law, test)), apparatus_(test, point_),
+        recorder_(law, apparatus_, test.every),
+        sense_(test.kind == Kind::triaxial_extension || test.kind == Kind::plane_strain_extension ? -1.0
+                                                                                                  : 1.0) {
+    note(0.0, true);
+  }
+
+  Result result() {
+    try {
+      std::visit([&](const auto& loading) { load(loading); }, test_.loading);
+    } catch (const std::exception& refusal) {
+      point_.set(last_);
+      result_.end = End::refused;
+      result_.end_reason = fmt::format("at strain {:g}, tau = {:g} Pa: {}", apparatus_.strain(point_),
+                                       apparatus_.shear_stress(point_), refusal.what());
+    }
+    recorder_.record(result_.increments, result_.cycles, point_, true);
+    result_.history = recorder_.take();
+    result_.updates = point_.updates();
+    return std::move(result_);
+  }
+
+private:
+  /// Extremes, cycles to them, and a row of the history.
+  void note(double cycle, bool keep) {
+    const double strain = apparatus_.strain(point_);
+    const double before = result_.largest_strain;
+    const double tau = std::abs(apparatus_.shear_stress(point_));
+    const double ratio = apparatus_.pore_pressure_ratio(point_);
+    const double amplitude = most_ - least_;
+    most_ = std::max(most_, strain);
+    least_ = std::min(least_, strain);
+    result_.largest_strain = std::max(before, std::abs(strain));
+    result_.peak_shear_stress = std::max(result_.peak_shear_stress, tau);
+    CyclesTo& to = result_.cycles_to;
+    reach(to.strain_1pc, 0.01, before, result_.largest_strain, cycle);
+    reach(to.strain_3pc, 0.03, before, result_.largest_strain, cycle);
+    reach(to.strain_5pc, 0.05, before, result_.largest_strain, cycle);
+    reach(to.double_amplitude_5pc, 0.05, amplitude, most_ - least_, cycle);
+    reach(to.ru_98, 0.98, result_.largest_pore_pressure_ratio,
+          std::max(ratio, result_.largest_pore_pressure_ratio), cycle);
+    result_.largest_pore_pressure_ratio = std::max(result_.largest_pore_pressure_ratio, ratio);
+    result_.cycles = cycle;
+    recorder_.record(result_.increments, cycle, point_, keep);
+    last_ = point_.now();
+  }
+
+  /// Notes the cycle, interpolated within the increment, at which a value passes a limit.
+  void reach(double& cycles, double limit, double before, double now, double cycle) const {
+    if (before < limit && now >= limit) {
+      cycles = result_.cycles + (cycle - result_.cycles) * (limit - before) / (now - before);
+    }
+  }
+
+  void advance(double increment) {
+    point_.apply(apparatus_.step(increment, point_));
+    ++result_.increments;
+  }
+
+  void end(End how, std::string why) {
+    result_.end = how;
+    result_.end_reason = std::move(why);
+  }
+
+  void load(const Monotonic& loading) {
+    strain_to(sense_ * loading.strain, {});
+    end(End::completed, fmt::format("the strain reached {:g}", loading.strain));
+  }
+
+  /// In equal increments to a strain.
+  void strain_to(double goal, const HalfCycle& half) {
+    const double start = apparatus_.strain(point_);
+    const double steps = least_positive_steps(goal - start, test_.strain_increment);
+    for (double k = 1.0; k <= steps; ++k) {
+      const double tau = apparatus_.shear_stress(point_);
+      const double strain = apparatus_.strain(point_);
+      const double next = k == steps ? goal : start + (goal - start) * k / steps;
+      advance(next - strain);
+      work_ += 0.5 * (tau + apparatus_.shear_stress(point_)) * (apparatus_.strain(point_) - strain);
+      note(half.share > 0.0 ? half.cycle(next) : 0.0, k == steps);
+    }
+  }
+
+  void load(const StrainCycles& loading) {
+    HalfCycle half;
+    half.share = 0.25;
+    double sign = sense_;
+    for (const double amplitude : loading.amplitudes) {
+      double tau_before = 0.0;  // at the last reversal
+      double work_before = 0.0; // at the last reversal on this side
+      for (int reversal = 0; reversal <= 2 * loading.cycles; ++reversal, sign = -sign) {
+        half.from = apparatus_.strain(point_);
+        half.to = sign * amplitude;
+        strain_to(half.to, half);
+        half.begin += half.share;
+        half.share = 0.5;
+        const double tau = apparatus_.shear_stress(point_);
+        if (reversal % 2 == 0) {
+          if (reversal > 0) {
+            close_loop(amplitude, reversal / 2, sign * (tau - tau_before), work_ - work_before);
+          }
+          work_before = work_;
+        }
+        tau_before = tau;
+      }
+    }
+    end(End::completed, "all amplitudes were applied");
+  }
+
+  /// @param range  tau from one reversal to the other
+  void close_loop(double amplitude, int cycle, double range, double area) {
+    const double modulus = range / (2.0 * amplitude);
+    const double damping = area / (2.0 * std::numbers::pi * modulus * amplitude * amplitude);
+    result_.loops.push_back({amplitude, cycle, modulus, damping, apparatus_.pore_pressure_ratio(point_)});
+  }
+
+  void load(const StressCycles& loading) {
+    const double level = test_.initial.vertical_stress;
+    const double middle = apparatus_.shear_stress(point_);
+    double sign = sense_;
+    HalfCycle half;
+    half.share = 0.25;
+    half.from = middle;
+    while (true) {
+      half.to = middle + sign * loading.stress_ratio * level;
+      if (!stress_to(loading, half, sign)) {
+        return;
+      }
+      half.begin += half.share;
+      half.share = 0.5;
+      half.from = half.to;
+      sign = -sign;
+    }
+  }
+
+  /// To the end of a half cycle; false if the test ended on the way.
+  bool stress_to(const StressCycles& loading, const HalfCycle& half, double sign) {
+    bool reversal = false;
+    while (!reversal) {
+      advance(sign * test_.strain_increment);
+      reversal = sign * (apparatus_.shear_stress(point_) - half.to) >= 0.0;
+      if (reversal) {
+        stop_at_stress(point_, apparatus_, last_, sign * test_.strain_increment, half.to,
+                       1e-9 * test_.initial.vertical_stress);
+      }
+      note(reversal ? half.begin + half.share : half.cycle(apparatus_.shear_stress(point_)), reversal);
+      if (over(loading)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool over(const StressCycles& loading) {
+    if (std::abs(apparatus_.strain(point_)) >= loading.largest_strain) {
+      end(End::largest_strain, fmt::format("the strain reached {:g}", loading.largest_strain));
+    } else if (result_.cycles >= loading.most_cycles) {
+      end(End::most_cycles, fmt::format("{:g} cycles were applied", loading.most_cycles));
+    } else if (loading.pore_pressure_ratio &&
+               apparatus_.pore_pressure_ratio(point_) >= *loading.pore_pressure_ratio) {
+      end(End::pore_pressure_ratio, fmt::format("r_u reached {:g}", *loading.pore_pressure_ratio));
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  void load(const Path& path) {
+    for (std::size_t i = 1; i < path.rows.size(); ++i) {
+      const PathRow& a = path.rows[i - 1];
+      const PathRow& b = path.rows[i];
+      const double steps = b.step - a.step;
+      for (double k = 1.0; k <= steps; ++k) {
+        point_.apply(apparatus_.step_to(path, between(a, b, k / steps, path.rows.front()), point_));
+        ++result_.increments;
+        note(0.0, k == steps);
+      }
+    }
+    end(End::completed, "the path was followed to its end");
+  }
+
+  /// A row in between, with strains counted from the first.
+  static PathRow between(const PathRow& a, const PathRow& b, double part, const PathRow& first) {
+    const auto mix = [&](double from, double to) { return part == 1.0 ? to : from + part * (to - from); };
+    PathRow row;
+    row.strain = {
+        mix(a.strain.xx, b.strain.xx) - first.strain.xx, mix(a.strain.yy, b.strain.yy) - first.strain.yy,
+        mix(a.strain.xy, b.strain.xy) - first.strain.xy, mix(a.strain.zz, b.strain.zz) - first.strain.zz};
+    row.stress = {mix(a.stress.xx, b.stress.xx), mix(a.stress.yy, b.stress.yy), mix(a.stress.zz, b.stress.zz),
+                  mix(a.stress.xy, b.stress.xy)};
+    return row;
+  }
+
+  const SoilTest& test_;
+  PointTest point_;
+  Apparatus apparatus_;
+  Recorder recorder_;
+  double sense_;    ///< of the first loading
+  PointState last_; ///< after the last complete increment
+  double most_ = 0.0;
+  double least_ = 0.0;
+  double work_ = 0.0; ///< int tau d strain, J/m3
+  Result result_;
+};
+
+} // namespace
+
+Result run(const Law& law, const SoilTest& test) {
+  validate(law, test);
+  const double start = cpu_seconds();
+  Result result = Run(law, test).result();
+  result.cpu_seconds = cpu_seconds() - start;
+  return result;
+}
+
+} // namespace tremolo::soiltest
