@@ -34,7 +34,9 @@ PointStep step_of(double xx, double yy, double zz, double xy) {
 }
 
 std::vector<Law> laws() {
-  return {LinearElastic{elastic}, friction_soil(), iwan_shear(elastic, 5e-4, 1.0, 0.92)};
+  return {LinearElastic{elastic}, friction_soil(), iwan_shear(elastic, 5e-4, 1.0, 0.92),
+          DruckerPrager{elastic, 5e3, 0.6, 0.1, ConeMatch::triaxial_compression},
+          multi_yield_clay(elastic, 40e3)};
 }
 
 /// E and nu, from the strains: eps_yy = s/E, eps_xx = eps_zz = -nu s/E under a stress s along y alone.

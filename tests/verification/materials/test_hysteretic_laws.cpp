@@ -115,37 +115,6 @@ TEST(MasingShear, IsItsHistoryOnTopOfTheInitialStress) {
   EXPECT_EQ(point.stress().xy, before.xy);
 }
 
-/// The same path twice; the second time the body is turned by 90 degrees half way.
-TEST(IwanShear, DoesNotNoticeARotation) {
-  PointTest still(iwan_law(), {-50e3, -100e3, -60e3, 8e3});
-  PointTest turned(iwan_law(), {-50e3, -100e3, -60e3, 8e3});
-  std::mt19937_64 random(4);
-  for (int k = 0; k < 400; ++k) {
-    const double xx = 1e-3 * between(random, -1.0, 1.0);
-    const double yy = 1e-3 * between(random, -1.0, 1.0);
-    const double xy = 2e-3 * between(random, -1.0, 1.0);
-    const PointStep step = {Control::strain(xx), Control::strain(yy), Control::strain(xy)};
-    still.apply(step);
-    if (k < 200) {
-      turned.apply(step);
-      continue;
-    }
-    if (k == 200) {
-      PointStep quarter = shear(0.0);
-      quarter.rotation = 2.0; // 2 atan(1) = 90 degrees
-      turned.apply(quarter);
-    }
-    turned.apply({Control::strain(yy), Control::strain(xx), Control::strain(-xy)});
-  }
-  const PointStress a = still.stress();
-  const PointStress b = turned.stress();
-  const double scale = 1e-8 * 100e3;
-  EXPECT_NEAR(b.xx, a.yy, scale);
-  EXPECT_NEAR(b.yy, a.xx, scale);
-  EXPECT_NEAR(b.zz, a.zz, scale);
-  EXPECT_NEAR(b.xy, -a.xy, scale);
-}
-
 /// von Mises bodies in parallel: simple shear along any direction of the plane is the same test.
 TEST(IwanShear, IsIsotropicInThePlane) {
   PointTest pure(iwan_law(), {});
