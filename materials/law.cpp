@@ -81,7 +81,8 @@ std::string_view name(const Law& law) {
                                [](const IwanShear&) { return Name("iwan_shear"); },
                                [](const DruckerPrager&) { return Name("drucker_prager"); },
                                [](const MultiYieldClay&) { return Name("multi_yield_clay"); },
-                               [](const Pm4Sand&) { return Name("pm4sand"); }},
+                               [](const Pm4Sand&) { return Name("pm4sand"); },
+                               [](const Pdmy03&) { return Name("pdmy03"); }},
                     law);
 }
 
@@ -95,7 +96,8 @@ std::span<const StateVariable> state_variables(const Law& law) {
           [](const DruckerPrager&) { return Variables(plastic_strain_state); },
           [](const IwanShear& one) { return Variables(tables().iwan).first(3 * one.elements.size()); },
           [](const MultiYieldClay& one) { return Variables(tables().iwan).first(3 * one.elements.size()); },
-          [](const Pm4Sand& one) { return state_variables(one); }},
+          [](const Pm4Sand& one) { return state_variables(one); },
+          [](const Pdmy03& one) { return state_variables(one); }},
       law);
 }
 
@@ -116,6 +118,8 @@ void initialise(const Law& law, const Points& points) {
     initialise(*clay, points);
   } else if (const auto* pm4 = std::get_if<Pm4Sand>(&law)) {
     initialise(*pm4, points);
+  } else if (const auto* pdmy = std::get_if<Pdmy03>(&law)) {
+    initialise(*pdmy, points);
   }
 }
 
@@ -130,6 +134,9 @@ const Elasticity& elasticity(const Law& law) {
 double p_wave_speed_bound(const Law& law, const Points& points) {
   if (const auto* pm4 = std::get_if<Pm4Sand>(&law)) {
     return p_wave_speed_bound(*pm4, points);
+  }
+  if (const auto* pdmy = std::get_if<Pdmy03>(&law)) {
+    return p_wave_speed_bound(*pdmy, points);
   }
   return elasticity(law).p_wave_speed();
 }
@@ -149,7 +156,8 @@ Law without_softening(const Law& law) {
                                [](const IwanShear& one) -> Law { return LinearElastic{one.elastic}; },
                                [](const DruckerPrager& one) -> Law { return one; },
                                [](const MultiYieldClay& one) -> Law { return LinearElastic{one.elastic}; },
-                               [](const Pm4Sand& one) -> Law { return LinearElastic{one.elastic}; }},
+                               [](const Pm4Sand& one) -> Law { return LinearElastic{one.elastic}; },
+                               [](const Pdmy03& one) -> Law { return LinearElastic{one.elastic}; }},
                     law);
 }
 

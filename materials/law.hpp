@@ -11,6 +11,7 @@
 #include "materials/mohr_coulomb.hpp"
 #include "materials/multi_yield_clay.hpp"
 #include "materials/parameter_value.hpp"
+#include "materials/pdmy03.hpp"
 #include "materials/pm4sand.hpp"
 #include "materials/points.hpp"
 #include "materials/state_variable.hpp"
@@ -23,8 +24,8 @@
 
 namespace tremolo::materials {
 
-using Law =
-    std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay, Pm4Sand>;
+using Law = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay,
+                         Pm4Sand, Pdmy03>;
 
 /// The name a case file uses for the law, e.g. "linear_elastic".
 std::string_view name(const Law& law);
