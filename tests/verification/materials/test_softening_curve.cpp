@@ -1,7 +1,12 @@
-// Drained plane-strain compression without dilation from an isotropic stress s3: while s2 stays intermediate,
-// the softening law has the exact solution, with plastic multiplier l as parameter,
+// Two paths on which the softening law has an exact solution, with plastic multiplier l as parameter.
+//
+// Drained plane-strain compression without dilation from an isotropic stress s3, while s2 stays intermediate:
 //
 //     e = 2/sqrt(3) l,   s1 = N(phi(e)) s3 + 2 c(e) sqrt(N(phi(e))),   eps1 = (1 - nu^2)/E (s1 - s3) + l.
+//
+// Simple shear at constant volume without dilation from s_xx = s_yy = -s, s_zz between the others:
+//
+//     e = 2/sqrt(3) l,   tau = s sin(phi(e)) + c(e) cos(phi(e)),   gamma = tau/G + 2 l.
 
 #include "soils.hpp"
 
@@ -63,6 +68,33 @@ TEST(SofteningCurve, IsFollowedInSmallAndLargeSteps) {
   expect_exact_curve(slope_soil(), 50.0 * kPa, 1e-4);
   expect_exact_curve(slope_soil(), 50.0 * kPa, 2e-3);
   expect_exact_curve(slope_soil(), 10.0 * kPa, 5e-4);
+}
+
+CurvePoint exact_undrained(const MohrCoulomb& soil, double mean, double multiplier) {
+  const double e = 2.0 / std::sqrt(3.0) * multiplier;
+  const double decay = std::exp(-soil.softening * e);
+  const double c = soil.cohesion_residual + (soil.cohesion_peak - soil.cohesion_residual) * decay;
+  const double phi = soil.friction_residual + (soil.friction_peak - soil.friction_residual) * decay;
+  const double stress = mean * std::sin(phi) + c * std::cos(phi);
+  return {stress / soil.elastic.shear_modulus() + 2.0 * multiplier, stress};
+}
+
+/// Peak 55.86 kPa, at first yield.
+TEST(SofteningCurve, IsFollowedAtConstantVolume) {
+  const MohrCoulomb soil = slope_soil();
+  EXPECT_NEAR(exact_undrained(soil, 75.0 * kPa, 0.0).stress, 55.86 * kPa, 5.0);
+  for (const double increment : {1e-5, 1e-4, 2e-3}) {
+    PointTest point(soil, {-75.0 * kPa, -75.0 * kPa, -50.0 * kPa, 0.0});
+    for (double multiplier = 0.0; multiplier <= 0.1; multiplier += 0.01) {
+      const CurvePoint target = exact_undrained(soil, 75.0 * kPa, multiplier);
+      const double missing = target.strain - point.strain().xy;
+      const int steps = static_cast<int>(std::ceil(missing / increment));
+      for (int n = 0; n < steps; ++n) {
+        point.apply({Control::strain(0.0), Control::strain(0.0), Control::strain(missing / steps)});
+      }
+      EXPECT_NEAR(point.stress().xy, target.stress, 1e-6 * target.stress);
+    }
+  }
 }
 
 TEST(SofteningCurve, WithoutSofteningStaysAtThePeak) {
