@@ -46,11 +46,12 @@ void advance(const Pm4Sand& law, const Points& points, std::size_t i) {
   const pm4::Strain strain =
       compression_strain(axes.to_material({points.dexx[i], points.deyy[i], 0.5 * points.dgxy[i]}));
 
-  pm4::Stress stress = {reported.p - state.offset.p, reported.s - state.offset.s};
+  pm4::Stress stress = {reported.p - state.start.offset.p, reported.s - state.start.offset.s};
   if (strain.volumetric != 0.0 || strain.e.d != 0.0 || strain.e.s != 0.0) {
     points.plastic_work[i] += pm4::integrate(law, state, stress, strain);
   }
-  report(law, points, i, axes.to_space(tension({stress.p + state.offset.p, stress.s + state.offset.s})));
+  report(law, points, i,
+         axes.to_space(tension({stress.p + state.start.offset.p, stress.s + state.start.offset.s})));
   pm4::store(state, block);
 }
 
@@ -94,6 +95,9 @@ std::span<const StateVariable> state_variables(const Pm4Sand& /*law*/) {
       {"z_max", "1", "largest possible fabric, from the initial stress where not given", 0.0},
       {"A_do", "1", "dilatancy, from the initial stress where not given", 0.0},
       {"p_min", "Pa", "least pressure of the state surfaces, from the initial stress", 0.0},
+      {"offset_p", "Pa", "of the reported stress from the one that the surfaces hold", 0.0, true},
+      {"offset_xx", "Pa", "deviator of that offset", 0.0, true},
+      {"offset_xy", "Pa", "deviator of that offset", 0.0, true},
       {"p_zp", "Pa", "pressure at the reversal with the largest product of fabric and pressure", 0.0, true},
       {"zp_max", "Pa", "that product; negative before the first reversal", -1.0, true},
       {"z_in_xx", "1", "fabric at the last reversal", 0.0, true},
@@ -111,9 +115,6 @@ std::span<const StateVariable> state_variables(const Pm4Sand& /*law*/) {
       {"alpha_min_xx", "1", "smallest back stress ratio at reversals on the positive side", 0.0, true},
       {"alpha_min_yy", "1", "smallest back stress ratio at reversals on the positive side", 0.0, true},
       {"alpha_min_xy", "1", "smallest back stress ratio at reversals on the positive side", 0.0, true},
-      {"offset_p", "Pa", "of the reported stress from the one that the surfaces hold", 0.0, true},
-      {"offset_xx", "Pa", "deviator of that offset", 0.0, true},
-      {"offset_xy", "Pa", "deviator of that offset", 0.0, true},
   }};
   return table;
 }

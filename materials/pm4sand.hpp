@@ -97,6 +97,7 @@ struct Pm4Sand {
   Pm4Integration integration;
   double M = 0.0;            ///< critical state line in M_cur, 2 sin(phi_cv)
   double bulk_ratio = 0.0;   ///< K/G
+  double density_rate = 0.0; ///< of D_R with volumetric strain, (1 + e_0)/(e_max - e_min)
   std::bitset<32> given = 0; ///< which of the optional parameters were given, in the order of the input
 };
 

@@ -22,16 +22,19 @@
 
 namespace tremolo::materials::pm4 {
 
-/// What modulus and dilatancy share: products of state and loading direction at the present stress.
+/// What plastic modulus and dilatancy share: products of the state with the direction of loading.
 struct Direction {
   Deviator n;              ///< unit tensor
   double alpha_n = 0.0;    ///< alpha:n
   double z_n = 0.0;        ///< z:n
   double alpha_in_n = 0.0; ///< alpha_in:n, apparent
+  double C_zpk2 = 0.0;     ///< z_peak/(z_cum + z_max/100), below 1
 };
 
-inline Direction direction(const State& state, Deviator n) {
-  return {n, contract(state.alpha, n), contract(state.z, n), contract(state.alpha_in.deviator(), n)};
+inline Direction direction(const Site& at, Deviator n) {
+  const double C_zpk2 = at.now.z_peak / (at.now.z_cum + 0.01 * at.start.z_max);
+  return {n, contract(at.now.alpha, n), contract(at.now.z, n), contract(at.memory->alpha_in.deviator(), n),
+          std::min(C_zpk2, 1.0 - 1e-12)};
 }
 
 struct Dilatancy {
@@ -39,76 +42,89 @@ struct Dilatancy {
   bool contracts = false;
 };
 
-/// C_zpk2, below 1
-inline double peak_fabric(const State& state) {
-  return std::min(state.z_peak / (state.z_cum + 0.01 * state.z_max), 1.0 - 1e-12);
+/// C_zin1
+inline double fabric_since_reversal(const Site& at, const Direction& to) {
+  const double change = std::abs(contract(at.memory->z_in, to.n) - to.z_n);
+  return change == 0.0 ? 0.0 : 1.0 - elementary::exp(-2.0 * change / at.start.z_max);
 }
 
-/// 1 - exp(-2 |z_in:n - z:n|/z_max)
-inline double fabric_since_reversal(const State& state, const Direction& to) {
-  const double change = contract(state.z_in, to.n) - to.z_n;
-  return change == 0.0 ? 0.0 : 1.0 - std::exp(-2.0 * std::abs(change) / state.z_max);
-}
+/// The rotated dilatancy surface.
+struct RotatedSurface {
+  double a_z = 0.0;
+  double C_zin1 = 0.0;
+  double alpha_n = 0.0; ///< alpha_dR:n
+};
 
-inline double dilation(const Pm4Sand& law, const State& state, const Surfaces& surface, const Direction& to,
-                       double p, double M_cur, double a_z, double C_zin1, double M_dR) {
-  const double ratio = 2.5 * p / state.p_zp;
+inline double dilation(const Site& at, const Direction& to, const RotatedSurface& rotated) {
+  const Initial& start = at.start;
+  const Motion& now = at.now;
+  const double ratio = 2.5 * at.p / at.memory->p_zp;
   const double ratio2 = ratio * ratio;
   const double C_pzp = 1.0 / (1.0 + ratio2 * ratio2 * ratio);
-  const double small = 10.0 * state.p_min / p;
+  const double small = 10.0 * start.p_min / at.p;
   const double C_pmin = 1.0 / (1.0 + small * small);
-  const double u = (state.z_cum - state.z_peak) / (3.0 * state.z_max);
-  const double C_zin2 = (1.0 + C_zin1 * u) / (1.0 + 3.0 * C_zin1 * u);
-  const double unaligned = 1.0 - std::max(-to.z_n, 0.0) / (sqrt2 * state.z_peak);
-  const double strain = state.z_cum * state.z_cum / state.z_max * unaligned * unaligned * unaligned;
-  const double A_d = state.A_do * C_zin2 / (1.0 + strain * law.c_eps * law.c_eps * C_pzp * C_pmin * C_zin1);
+  const double u = (now.z_cum - now.z_peak) / (3.0 * start.z_max);
+  const double C_zin2 = (1.0 + rotated.C_zin1 * u) / (1.0 + 3.0 * rotated.C_zin1 * u);
+  const double unaligned = 1.0 - std::max(-to.z_n, 0.0) / (sqrt2 * now.z_peak);
+  const double strain = now.z_cum * now.z_cum / start.z_max * unaligned * unaligned * unaligned;
+  const double slower = at.law.c_eps * at.law.c_eps * C_pzp * C_pmin * rotated.C_zin1;
+  const double A_d = start.A_do * C_zin2 / (1.0 + strain * slower);
 
-  const double D_nr = A_d * ((surface.M_d - law.m) / sqrt2 - to.alpha_n);
-  const double D_rot = A_d * a_z * ((M_dR - law.m) / sqrt2 - to.alpha_n) / law.C_DR;
+  const double D_nr = A_d * ((at.surface.M_d - at.law.m) / sqrt2 - to.alpha_n);
+  const double D_rot = A_d * rotated.a_z * (rotated.alpha_n - to.alpha_n) / at.law.C_DR;
   double D = D_nr;
   if (D_nr > D_rot) {
-    const double below = std::max(surface.M_b - M_cur, 0.0);
+    const double below = std::max(at.surface.M_b - std::sqrt(at.M_cur2), 0.0);
     D += (D_rot - D_nr) * below / (below + 0.01);
   }
-  if (p <= 2.0 * state.p_min) {
-    const double forced = 3.5 * state.A_do * std::max(surface.M_b - surface.M_d, 0.0);
-    D = std::min(D, -forced * (2.0 * state.p_min - p) / state.p_min);
+  if (at.p <= 2.0 * start.p_min) {
+    const double forced = 3.5 * start.A_do * std::max(at.surface.M_b - at.surface.M_d, 0.0);
+    D = std::min(D, -forced * (2.0 * start.p_min - at.p) / start.p_min);
   }
   return D;
 }
 
-inline double contraction(const Pm4Sand& law, const State& state, const Surfaces& surface,
-                          const Direction& to, double p) {
-  const double fading = std::min((p - 2.0 * state.p_min) / (16.0 * state.p_min), 1.0);
-  if (fading <= 0.0) {
-    return 0.0;
-  }
-  const double dense = std::max(0.5 - surface.xi_R, 0.0);
-  const double h_p = law.h_po * std::exp(-0.7 + 7.0 * dense * dense);
-  const double C_rot2 = 1.0 - peak_fabric(state);
-  const double z_max = state.z_max;
-  const double C_dz =
-      std::max((1.0 - C_rot2 * sqrt2 * state.z_peak / z_max) * z_max / (z_max + C_rot2 * state.z_cum),
-               1.0 / (1.0 + 0.5 * z_max));
-  const double aligned = std::max(to.z_n, 0.0);
-  const double A_dc = state.A_do * (1.0 + aligned) / (h_p * C_dz);
-  const double C_in = sqrt2 * aligned / z_max;
-  const double X = (surface.M_d - law.m) / sqrt2 - to.alpha_n;
-  const double travelled = to.alpha_n - to.alpha_in_n + C_in;
-  return fading * std::min(A_dc * travelled * travelled, 1.5 * state.A_do) * X / (X + 0.16);
+/// C_pmin2, from 0 at 2 p_min to 1 at 18 p_min
+inline double fading(double p, double p_min) {
+  return p >= 18.0 * p_min ? 1.0 : std::max((p - 2.0 * p_min) / (16.0 * p_min), 0.0);
 }
 
-/// @param p  Pa, at least p_min
-inline Dilatancy dilatancy(const Pm4Sand& law, const State& state, const Surfaces& surface,
-                           const Direction& to, double p, double M_cur) {
-  const double a_z = std::max(-to.z_n, 0.0) / (sqrt2 * state.z_max);
-  const double C_zin1 = a_z > 0.0 ? fabric_since_reversal(state, to) : 0.0;
-  const double M_dR = surface.M_d / std::max(1.0, 1.0 + 2.0 * a_z * (1.0 - C_zin1));
-  if ((M_dR - law.m) / sqrt2 > to.alpha_n) {
-    return {contraction(law, state, surface, to, p), true};
+inline double contraction(const Site& at, const Direction& to) {
+  const double C_pmin2 = fading(at.p, at.start.p_min);
+  if (C_pmin2 == 0.0) {
+    return 0.0;
   }
-  const double full_C_zin1 = a_z > 0.0 ? C_zin1 : fabric_since_reversal(state, to);
-  return {dilation(law, state, surface, to, p, M_cur, a_z, full_C_zin1, M_dR), false};
+  const double dense = std::max(0.5 - at.surface.xi_R, 0.0);
+  const double h_p = at.law.h_po * elementary::exp(-0.7 + 7.0 * dense * dense);
+  const double C_rot2 = 1.0 - to.C_zpk2;
+  const double z_max = at.start.z_max;
+  const double C_dz = std::max((z_max - C_rot2 * sqrt2 * at.now.z_peak) / (z_max + C_rot2 * at.now.z_cum),
+                               1.0 / (1.0 + 0.5 * z_max));
+  const double aligned = std::max(to.z_n, 0.0);
+  const double C_in = sqrt2 * aligned / z_max;
+  const double X = (at.surface.M_d - at.law.m) / sqrt2 - to.alpha_n;
+  const double travelled = to.alpha_n - to.alpha_in_n + C_in;
+  const double A_do = at.start.A_do;
+  const double rate = std::min(A_do * (1.0 + aligned) / (h_p * C_dz) * travelled * travelled, 1.5 * A_do);
+  return C_pmin2 * rate * X / (X + 0.16);
+}
+
+inline Dilatancy dilatancy(const Site& at, const Direction& to) {
+  RotatedSurface rotated;
+  double M_dR = at.surface.M_d;
+  if (to.z_n < 0.0) {
+    rotated.a_z = -to.z_n / (sqrt2 * at.start.z_max);
+    rotated.C_zin1 = fabric_since_reversal(at, to);
+    M_dR /= 1.0 + 2.0 * rotated.a_z * (1.0 - rotated.C_zin1);
+  }
+  rotated.alpha_n = (M_dR - at.law.m) / sqrt2;
+  if (rotated.alpha_n > to.alpha_n) {
+    return {contraction(at, to), true};
+  }
+  if (to.z_n >= 0.0) {
+    rotated.C_zin1 = fabric_since_reversal(at, to);
+  }
+  return {dilation(at, to, rotated), false};
 }
 
 } // namespace tremolo::materials::pm4

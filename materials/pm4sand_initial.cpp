@@ -28,30 +28,32 @@ double default_z_max(const Surfaces& surface) {
 
 State initial_state(const Pm4Sand& law, const Stress& stress) {
   State state;
-  state.p_min = std::max(stress.p, law.p_A) / 200.0;
-  const double p = std::max(stress.p, state.p_min);
+  Initial& start = state.start;
+  start.p_min = std::max(stress.p, law.p_A) / 200.0;
+  const double p = std::max(stress.p, start.p_min);
   const Surfaces surface = surfaces(law, p, 0.0);
-  state.z_max = law.z_max.value_or(default_z_max(surface));
-  state.A_do = law.A_do.value_or(default_A_do(law, surface));
-  state.z_peak = 1e-5 * state.z_max;
-  state.p_zp = 0.01 * p;
+  start.z_max = law.z_max.value_or(default_z_max(surface));
+  start.A_do = law.A_do.value_or(default_A_do(law, surface));
+  state.now.z_peak = 1e-5 * start.z_max;
+  state.memory.p_zp = 0.01 * p;
 
   Stress held = stress;
-  if (stress.p < state.p_min) {
-    held = {state.p_min, {}};
+  Deviator& alpha = state.now.alpha;
+  if (stress.p < start.p_min) {
+    held = {start.p_min, {}};
   } else {
-    state.alpha = (1.0 / p) * stress.s;
-    const double M_cur = stress_ratio(stress.s, p);
+    alpha = (1.0 / p) * stress.s;
+    const double M_cur = std::sqrt(stress_ratio2(stress));
     const double M_cut = std::max(surface.M_b, surface.M_d);
     if (M_cur > M_cut) {
       held.s = (M_cut / M_cur) * stress.s;
-      state.alpha = ((M_cut - law.m) / (M_cut * p)) * held.s;
+      alpha = ((M_cut - law.m) / (M_cut * p)) * held.s;
     }
   }
-  state.offset = {stress.p - held.p, stress.s - held.s};
-  state.alpha_in_true = state.alpha;
-  state.alpha_max = Components::of(state.alpha);
-  state.alpha_min = Components::of(state.alpha);
+  start.offset = {stress.p - held.p, stress.s - held.s};
+  state.memory.alpha_in_true = alpha;
+  state.memory.alpha_max = Components::of(alpha);
+  state.memory.alpha_min = Components::of(alpha);
   return state;
 }
 

@@ -16,14 +16,15 @@ double largest_component(const Strain& strain) {
 
 /// The part of an elastic change of stress up to the yield surface |s - p alpha| = m p/sqrt2; 0 if it is
 /// reached and loading goes on, 1 or more if it is not reached.
-double elastic_part(const Pm4Sand& law, const State& state, const Stress& stress, const Stress& elastic) {
+/// @param x  s - p alpha
+double elastic_part(const Site& at, Deviator x, const Stress& elastic) {
   constexpr double reached = 0.99; // of the radius: within 1 per cent of m
   constexpr double never = 2.0;
-  const Deviator x = stress.s - stress.p * state.alpha;
-  const Deviator dx = elastic.s - elastic.p * state.alpha;
-  const double m2 = 0.5 * law.m * law.m;
-  const double b = contract(x, dx) - m2 * stress.p * elastic.p;
-  const double radius2 = m2 * stress.p * stress.p;
+  const double p = at.stress.p;
+  const Deviator dx = elastic.s - elastic.p * at.now.alpha;
+  const double m2 = 0.5 * at.law.m * at.law.m;
+  const double b = contract(x, dx) - m2 * p * elastic.p;
+  const double radius2 = m2 * p * p;
   const double x2 = contract(x, x);
   if (x2 >= reached * reached * radius2 && b >= 0.0) {
     return 0.0;
@@ -35,22 +36,27 @@ double elastic_part(const Pm4Sand& law, const State& state, const Stress& stress
     return never;
   }
   const double root = std::sqrt(discriminant);
-  if (b + root > 0.0 && b >= 0.0) {
+  if (b > 0.0) {
     return -c / (b + root);
   }
   return a > 0.0 ? (root - b) / a : never;
 }
 
-/// The point after a change of its stress and state.
-void add(State& state, Stress& stress, const Change& step) {
-  stress.p += step.stress.p;
-  stress.s = stress.s + step.stress.s;
-  state.alpha = state.alpha + step.alpha;
+/// The motion after a change of it.
+Motion after(const Motion& now, const Change& step, double volumetric_strain) {
+  Motion next = now;
+  next.alpha = now.alpha + step.alpha;
+  next.volumetric_strain += volumetric_strain;
   if (step.z.d != 0.0 || step.z.s != 0.0) {
-    state.z = state.z + step.z;
-    state.z_cum += norm(step.z) / sqrt2;
-    state.z_peak = std::max(state.z_peak, norm(state.z) / sqrt2);
+    next.z = now.z + step.z;
+    next.z_cum += norm(step.z) / sqrt2;
+    next.z_peak = std::max(now.z_peak, norm(next.z) / sqrt2);
   }
+  return next;
+}
+
+Stress after(const Stress& stress, const Change& step) {
+  return {stress.p + step.stress.p, stress.s + step.stress.s};
 }
 
 Change mean(const Change& a, const Change& b) {
@@ -60,100 +66,100 @@ Change mean(const Change& a, const Change& b) {
           0.5 * (a.plastic_work + b.plastic_work)};
 }
 
-/// Relative error of the mean of two changes.
-double error_between(const Pm4Sand& law, const State& state, const Stress& stress, const Change& a,
-                     const Change& b) {
+/// Square of the relative error of the mean of two changes.
+double error2_between(const Site& at, const Change& a, const Change& b) {
   const double dp = b.stress.p - a.stress.p;
   const Deviator ds = b.stress.s - a.stress.s;
-  const double least = law.p_A / 200.0; // stresses below this need not be known to the same digits
-  const double size2 = 2.0 * stress.p * stress.p + contract(stress.s, stress.s);
+  const double least = at.law.p_A / 200.0; // stresses below this need not be known to the same digits
+  const double size2 = 2.0 * at.stress.p * at.stress.p + contract(at.stress.s, at.stress.s);
   const double in_stress = (2.0 * dp * dp + contract(ds, ds)) / std::max(size2, least * least);
   const Deviator dalpha = b.alpha - a.alpha;
   const Deviator dz = b.z - a.z;
-  const double in_fabric = contract(dz, dz) / (state.z_max * state.z_max);
-  return 0.5 * std::sqrt(std::max({in_stress, contract(dalpha, dalpha), in_fabric}));
+  const double in_fabric = contract(dz, dz) / (at.start.z_max * at.start.z_max);
+  return 0.25 * std::max(std::max(in_stress, contract(dalpha, dalpha)), in_fabric);
 }
 
 /// Puts alpha where the stress lies on the yield surface if it lies outside.
-void correct_drift(const Pm4Sand& law, State& state, const Stress& stress) {
-  const Deviator x = stress.s - stress.p * state.alpha;
+void correct_drift(const Pm4Sand& law, Motion& now, const Stress& stress) {
+  const Deviator x = stress.s - stress.p * now.alpha;
   const double radius = law.m * stress.p / sqrt2;
   const double x2 = contract(x, x);
   if (x2 > radius * radius) {
-    state.alpha = (1.0 / stress.p) * (stress.s - (radius / std::sqrt(x2)) * x);
+    now.alpha = (1.0 / stress.p) * (stress.s - (radius / std::sqrt(x2)) * x);
   }
 }
 
 /// Scales a stress ratio outside the bounding surface back to it.
-void hold_bound(const Pm4Sand& law, State& state, Stress& stress, const Surfaces& near) {
-  const double M_cur = stress_ratio(stress.s, stress.p);
-  if (M_cur < 0.99 * near.M_b) { // the surface hardly moves in a sub-step
+/// @param near  the surfaces close by
+void hold_bound(const Pm4Sand& law, const Initial& start, Motion& now, Stress& stress, const Surfaces& near) {
+  constexpr double moves = 0.99; // the surface moves by less in a sub-step
+  const double M_cur2 = stress_ratio2(stress);
+  if (M_cur2 < moves * moves * near.M_b * near.M_b) {
     return;
   }
-  const double M_b = surfaces(law, std::max(stress.p, state.p_min), state.volumetric_strain).M_b;
-  if (M_cur > M_b) {
-    stress.s = (M_b / M_cur) * stress.s;
-    state.alpha = ((M_b - law.m) / (M_b * stress.p)) * stress.s;
+  const double M_b = surfaces(law, std::max(stress.p, start.p_min), now.volumetric_strain).M_b;
+  if (M_cur2 > M_b * M_b) {
+    stress.s = (M_b / std::sqrt(M_cur2)) * stress.s;
+    now.alpha = ((M_b - law.m) / (M_b * stress.p)) * stress.s;
   }
 }
 
 /// One attempt at a sub-step.
 struct Attempt {
-  State state;
+  Motion now;
   Stress stress;
   double plastic_work = 0.0;
-  double part = 1.0;  ///< of the strain that was asked for, up to the yield surface
-  double error = 0.0; ///< relative
+  double part = 1.0;     ///< of the strain that was asked for: up to the yield surface, where that is reached
+  double error2 = 0.0;   ///< square of the relative error
+  bool reverses = false; ///< the memory has changed, to:
+  Memory memory;
 };
 
-Attempt attempt(const Pm4Sand& law, const State& from, const Stress& stress, const Strain& asked) {
-  Attempt result{from, stress};
-  State& state = result.state;
-  Strain strain = skeleton_strain(state, stress, asked);
-  const Site start = site(law, state, stress);
-  const Change trial = elastic_change(start, strain);
-  const Deviator heading =
-      stress.s + trial.stress.s - std::max(stress.p + trial.stress.p, floor_pressure(state)) * state.alpha;
-  if (contract(state.alpha - state.alpha_in_true, heading) < 0.0) {
-    remember_reversal(state, heading, start.p);
+void attempt(const Pm4Sand& law, const State& from, const Stress& stress, const Strain& asked,
+             Attempt& result) {
+  const Initial& start = from.start;
+  double gap = from.now.gap;
+  Strain strain = skeleton_strain(start, stress, asked, gap);
+  Site first = site(law, start, from.memory, from.now, stress);
+  const Change trial = elastic_change(first, strain);
+  const double trial_p = std::max(stress.p + trial.stress.p, floor_pressure(start));
+  const Deviator heading = stress.s + trial.stress.s - trial_p * from.now.alpha;
+  result.reverses = contract(from.now.alpha - from.memory.alpha_in_true, heading) < 0.0;
+  if (result.reverses) {
+    result.memory = from.memory;
+    remember_reversal(result.memory, from.now, heading, first.p);
+    first.memory = &result.memory;
   }
 
-  const double elastic = elastic_part(law, state, stress, trial.stress);
+  const Deviator x = first.stress.s - first.stress.p * from.now.alpha;
+  const double elastic = elastic_part(first, x, trial.stress);
   const bool plastic = elastic == 0.0;
-  const Deviator x = stress.s - stress.p * state.alpha;
+  result.part = plastic ? 1.0 : std::min(elastic, 1.0);
+  if (result.part < 1.0) {
+    gap = from.now.gap;
+    strain = skeleton_strain(start, stress, result.part * asked, gap);
+  }
   const Deviator n = plastic ? (1.0 / norm(x)) * x : Deviator{};
-  if (!plastic && elastic < 1.0) {
-    result.part = elastic;
-    state.gap = from.gap;
-    strain = skeleton_strain(state, stress, elastic * asked);
-  }
-  const Change first = plastic ? change(law, state, start, n, strain) : elastic_change(start, strain);
+  const Change one = plastic ? change(first, n, strain) : elastic_change(first, strain);
 
-  State ahead = state;
-  Stress there = stress;
-  add(ahead, there, first);
-  ahead.volumetric_strain += strain.volumetric;
-  const Site end = site(law, ahead, there);
-  Change second;
-  if (plastic) {
-    const Deviator y = end.stress.s - end.stress.p * ahead.alpha;
-    const double length = norm(y);
-    second = change(law, ahead, end, length > 0.0 ? (1.0 / length) * y : n, strain);
-  } else {
-    second = elastic_change(end, strain);
-  }
+  const Motion ahead = after(from.now, one, strain.volumetric);
+  const Site second = site(law, start, *first.memory, ahead, after(stress, one));
+  const Deviator y = second.stress.s - second.stress.p * ahead.alpha;
+  const double length = norm(y);
+  const Deviator n_ahead = length > 0.0 ? (1.0 / length) * y : n;
+  const Change two = plastic ? change(second, n_ahead, strain) : elastic_change(second, strain);
 
-  const Change step = mean(first, second);
-  add(state, result.stress, step);
-  state.volumetric_strain += strain.volumetric;
+  const Change step = mean(one, two);
+  result.now = after(from.now, step, strain.volumetric);
+  result.stress = after(stress, step);
   result.plastic_work = step.plastic_work;
-  result.error = error_between(law, state, result.stress, first, second);
-  hold_floor(state, result.stress, start.K + start.G / 3.0);
+  result.error2 = error2_between(first, one, two);
+  hold_floor(start, result.stress, gap, first.K + first.G / 3.0);
+  result.now.gap = gap;
   if (plastic) {
-    correct_drift(law, state, result.stress);
+    correct_drift(law, result.now, result.stress);
   }
-  hold_bound(law, state, result.stress, end.surface);
-  return result;
+  hold_bound(law, start, result.now, result.stress, second.surface);
 }
 
 } // namespace
@@ -163,29 +169,36 @@ double integrate(const Pm4Sand& law, State& state, Stress& stress, const Strain&
   constexpr double smallest_strain = 1e-9; // a sub-step of this size is taken whatever its error
   const double size = largest_component(increment);
   const double largest = law.integration.largest_strain / size;
+  const double smallest = smallest_strain / size;
+  const double tolerance2 = law.integration.tolerance * law.integration.tolerance;
   double work = 0.0;
   double done = 0.0;
   double length = std::min(largest, 1.0);
   bool rejected = false;
+  Attempt next;
   while (done < 1.0) {
     const bool last = done + length * (1.0 + 1e-9) >= 1.0;
     const double taken = last ? 1.0 - done : length;
-    const Attempt next = attempt(law, state, stress, taken * increment);
-    const double wanted = safety * std::sqrt(law.integration.tolerance / std::max(next.error, 1e-300));
-    if (next.error > law.integration.tolerance && taken * size > smallest_strain) {
-      length = taken * std::max(wanted, 0.1);
+    attempt(law, state, stress, taken * increment, next);
+    if (next.error2 > tolerance2 && taken > smallest) {
+      length = taken * std::max(safety * std::sqrt(std::sqrt(tolerance2 / next.error2)), 0.1);
       rejected = true;
       continue;
     }
-    state = next.state;
+    state.now = next.now;
+    if (next.reverses) {
+      state.memory = next.memory;
+    }
     stress = next.stress;
     work += next.plastic_work;
-    if (next.part < 1.0) {
-      done += next.part * taken;
-    } else {
-      done = last ? 1.0 : done + taken;
-      length = std::min(taken * std::min(wanted, rejected ? 1.0 : 2.0), largest);
-      length = std::max(length, std::min(smallest_strain / size, largest));
+    if (next.part == 1.0 && last) {
+      break;
+    }
+    done += next.part * taken;
+    if (next.part == 1.0) {
+      const double wanted = safety * std::sqrt(std::sqrt(tolerance2 / std::max(next.error2, 1e-300)));
+      length = taken * std::min(wanted, rejected ? 1.0 : 2.0);
+      length = std::min(std::max(length, smallest), largest);
     }
     rejected = false;
   }

@@ -27,26 +27,26 @@ inline double apparent(double n, double smallest, double largest) {
 
 /// @param n  direction of loading, of any length
 /// @param p  Pa, at least p_min
-inline void remember_reversal(State& state, Deviator n, double p) {
-  state.alpha_in_p = state.alpha_in.deviator();
-  state.alpha_in_true = state.alpha;
-  state.z_in = state.z;
+inline void remember_reversal(Memory& memory, const Motion& now, Deviator n, double p) {
+  memory.alpha_in_p = memory.alpha_in.deviator();
+  memory.alpha_in_true = now.alpha;
+  memory.z_in = now.z;
 
-  const double zp = norm(state.z) * p;
-  if (state.zp_max < 0.0 || (zp > state.zp_max && p > state.p_zp)) {
-    state.zp_max = zp;
-    state.p_zp = p;
+  const double zp = norm(now.z) * p;
+  if (memory.zp_max < 0.0 || (zp > memory.zp_max && p > memory.p_zp)) {
+    memory.zp_max = zp;
+    memory.p_zp = p;
   }
 
-  const Components alpha = Components::of(state.alpha);
-  Components& in = state.alpha_in;
-  extend(in.xx, alpha.xx, state.alpha_min.xx, state.alpha_max.xx);
-  extend(in.yy, alpha.yy, state.alpha_min.yy, state.alpha_max.yy);
-  extend(in.xy, alpha.xy, state.alpha_min.xy, state.alpha_max.xy);
-  if (alpha.xy * state.alpha_in_p.s > 0.0) {
-    in = {apparent(n.d, state.alpha_min.xx, state.alpha_max.xx),
-          apparent(-n.d, state.alpha_min.yy, state.alpha_max.yy),
-          apparent(n.s, state.alpha_min.xy, state.alpha_max.xy)};
+  const Components alpha = Components::of(now.alpha);
+  Components& in = memory.alpha_in;
+  extend(in.xx, alpha.xx, memory.alpha_min.xx, memory.alpha_max.xx);
+  extend(in.yy, alpha.yy, memory.alpha_min.yy, memory.alpha_max.yy);
+  extend(in.xy, alpha.xy, memory.alpha_min.xy, memory.alpha_max.xy);
+  if (alpha.xy * memory.alpha_in_p.s > 0.0) {
+    in = {apparent(n.d, memory.alpha_min.xx, memory.alpha_max.xx),
+          apparent(-n.d, memory.alpha_min.yy, memory.alpha_max.yy),
+          apparent(n.s, memory.alpha_min.xy, memory.alpha_max.xy)};
   } else {
     in = alpha;
   }

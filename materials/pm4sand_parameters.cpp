@@ -141,6 +141,8 @@ Pm4Sand pm4sand(const Pm4SandInput& input) {
   const double nu = law.elastic.poisson;
   law.M = 2.0 * std::sin(law.phi_cv);
   law.bulk_ratio = 2.0 * (1.0 + nu) / (3.0 * (1.0 - 2.0 * nu));
+  const double void_range = law.e_max - law.e_min;
+  law.density_rate = (1.0 + law.e_max - law.relative_density * void_range) / void_range;
   law.elastic = {input.density, 2.0 * (1.0 + nu) * law.G_o * law.p_A, nu};
   validate(law);
   return law;
@@ -162,7 +164,7 @@ std::vector<ParameterValue> parameters(const Pm4Sand& law) {
     const std::string origin = law.given[k] ? "given" : fmt::format("default: {}", parameter.rule);
     list.push_back({parameter.name, value_of(parameter, law), parameter.unit, parameter.meaning, origin});
   }
-  const pm4::State at_p_A = pm4::initial_state(law, {law.p_A, {}});
+  const pm4::Initial at_p_A = pm4::initial_state(law, {law.p_A, {}}).start;
   list.push_back(from_stress("A_do", law.A_do, at_p_A.A_do, "dilatancy",
                              "2.5 (asin(M_b/2) - asin(M/2))/(M_b - M_d), 1.24 if loose of critical"));
   list.push_back(

@@ -22,34 +22,32 @@ struct PlasticModulus {
 };
 
 /// C_ka, the stiffening by fabric under static shear stress
-inline double static_shear_factor(const Pm4Sand& law, const State& state, double p, double A_true) {
-  const double below = std::max(state.p_zp - p, 0.0);
-  if (below == 0.0) {
+inline double static_shear_factor(const Site& at, double A_true) {
+  const double below = at.memory->p_zp - at.p;
+  if (below <= 0.0) {
     return 1.0;
   }
-  const double C_pzp2 = below / (below + state.p_min);
-  const double C_zpk1 = state.z_peak / (state.z_cum + 0.2 * state.z_max);
-  return 1.0 + law.C_kaf * C_pzp2 * C_zpk1 / (1.0 + 6.25 * A_true * A_true);
+  const double C_pzp2 = below / (below + at.start.p_min);
+  const double C_zpk1 = at.now.z_peak / (at.now.z_cum + 0.2 * at.start.z_max);
+  return 1.0 + at.law.C_kaf * C_pzp2 * C_zpk1 / (1.0 + 6.25 * A_true * A_true);
 }
 
-/// @param p  Pa, at least p_min
-/// @param G  Pa
-inline PlasticModulus plastic_modulus(const Pm4Sand& law, const State& state, const Surfaces& surface,
-                                      const Direction& to, double p, double G) {
-  const double A_b = (surface.M_b - law.m) / sqrt2 - to.alpha_n;
+inline PlasticModulus plastic_modulus(const Site& at, const Direction& to) {
+  const double A_b = (at.surface.M_b - at.law.m) / sqrt2 - to.alpha_n;
   const double A_app = std::max(to.alpha_n - to.alpha_in_n, 0.0);
-  const double A_true = std::max(to.alpha_n - contract(state.alpha_in_true, to.n), 0.0);
-  const double C_g1 = law.h_o / 200.0;
-  const double C_ka = static_shear_factor(law, state, p, A_true);
-  const double fabric =
-      1.0 + 2.0 * (state.z_peak / state.z_max) * std::max(A_b, 0.0) * std::sqrt(1.0 - peak_fabric(state));
+  const double A_true = std::max(to.alpha_n - contract(at.memory->alpha_in_true, to.n), 0.0);
+  const double C_g1 = at.law.h_o / 200.0;
   constexpr double nearest = 1e-10; // on the bounding surface alpha follows at once
-  const double distance = std::sqrt(std::max(std::abs(A_b), nearest));
-  double h = 1.5 * G * law.h_o * C_ka / (p * (std::exp(A_app) - 1.0 + C_g1) * distance * fabric);
-  if (to.alpha_n <= contract(state.alpha_in_p, to.n)) {
+  const double distance = std::max(std::abs(A_b), nearest);
+  const double root = std::sqrt(distance);
+  const double fabric =
+      1.0 + 2.0 * (at.now.z_peak / at.start.z_max) * std::max(A_b, 0.0) * std::sqrt(1.0 - to.C_zpk2);
+  double h = 1.5 * at.G * at.law.h_o * static_shear_factor(at, A_true) /
+             (at.p * (elementary::exp(A_app) - 1.0 + C_g1) * root * fabric);
+  if (to.alpha_n <= contract(at.memory->alpha_in_p, to.n)) {
     h *= (A_app + C_g1) / (A_true + C_g1);
   }
-  return {h, 2.0 / 3.0 * h * p * A_b};
+  return {h, 2.0 / 3.0 * h * at.p * A_b};
 }
 
 } // namespace tremolo::materials::pm4

@@ -32,27 +32,6 @@ struct Change {
   double plastic_work = 0.0; ///< L (s:n + p D), J/m3
 };
 
-/// A point's stress with what follows from it.
-struct Site {
-  Stress stress;
-  double p = 0.0; ///< pressure, at least p_min, Pa
-  double M_cur = 0.0;
-  Surfaces surface;
-  double G = 0.0; ///< Pa
-  double K = 0.0; ///< Pa
-};
-
-inline Site site(const Pm4Sand& law, const State& state, const Stress& stress) {
-  Site here;
-  here.stress = {std::max(stress.p, floor_pressure(state)), stress.s};
-  here.p = std::max(stress.p, state.p_min);
-  here.M_cur = stress_ratio(stress.s, here.stress.p);
-  here.surface = surfaces(law, here.p, state.volumetric_strain);
-  here.G = shear_modulus(law, state, here.surface, here.p, here.M_cur);
-  here.K = law.bulk_ratio * here.G;
-  return here;
-}
-
 inline Change elastic_change(const Site& here, const Strain& strain) {
   return {{(here.K + here.G / 3.0) * strain.volumetric, (2.0 * here.G) * strain.e}, {}, {}, 0.0};
 }
@@ -65,26 +44,27 @@ inline double denominator(double K_p, double G, double coupling) {
 }
 
 /// The change under a strain increment if loading goes on in direction n (a unit tensor); elastic if L < 0.
-inline Change change(const Pm4Sand& law, const State& state, const Site& here, Deviator n,
-                     const Strain& strain) {
+inline Change change(const Site& here, Deviator n, const Strain& strain) {
   Change step = elastic_change(here, strain);
   const double n_r = contract(n, here.stress.s) / here.stress.p;
   const double driving = 2.0 * here.G * contract(n, strain.e) - n_r * here.K * strain.volumetric;
   if (driving <= 0.0) {
     return step;
   }
-  const Direction to = direction(state, n);
-  const Dilatancy flow = dilatancy(law, state, here.surface, to, here.p, here.M_cur);
-  const PlasticModulus plastic = plastic_modulus(law, state, here.surface, to, here.p, here.G);
+  const Motion& now = here.now;
+  const double z_max = here.start.z_max;
+  const Direction to = direction(here, n);
+  const Dilatancy flow = dilatancy(here, to);
+  const PlasticModulus plastic = plastic_modulus(here, to);
   const double K_p = flow.contracts ? std::max(plastic.K_p, 0.0) : plastic.K_p;
   const double L = driving / denominator(K_p, here.G, here.K * flow.D * n_r);
 
   step.stress.p -= L * here.K * flow.D;
   step.stress.s = step.stress.s - (2.0 * here.G * L) * n;
-  step.alpha = (2.0 / 3.0 * L * plastic.h) * (((here.surface.M_b - law.m) / sqrt2) * n - state.alpha);
-  if (flow.D < 0.0 && (here.surface.M_d - law.m) / sqrt2 < to.alpha_n) {
-    const double slower = 1.0 + std::max(0.5 * state.z_cum / state.z_max - 1.0, 0.0);
-    step.z = (-law.c_z / slower * L) * (state.z_max * n + state.z);
+  step.alpha = (2.0 / 3.0 * L * plastic.h) * (((here.surface.M_b - here.law.m) / sqrt2) * n - now.alpha);
+  if (flow.D < 0.0 && (here.surface.M_d - here.law.m) / sqrt2 < to.alpha_n) {
+    const double slower = std::max(0.5 * now.z_cum / z_max, 1.0);
+    step.z = (-here.law.c_z / slower * L) * (z_max * n + now.z);
   }
   step.plastic_work = L * here.stress.p * (n_r + flow.D);
   return step;

@@ -27,18 +27,26 @@ struct Stress {
   Deviator s;
 };
 
-/// The state block of a point: doubles only, in the order of state_variables(const Pm4Sand&).
-struct State {
-  double angle = 0.0;             ///< by which the material has turned, rad
+/// What changes at every step.
+struct Motion {
   Deviator alpha;                 ///< back stress ratio
   Deviator z;                     ///< fabric
   double z_cum = 0.0;             ///< cumulated fabric
   double z_peak = 0.0;            ///< largest fabric so far
   double volumetric_strain = 0.0; ///< since the start, compression positive
   double gap = 0.0;               ///< opening since the effective stress vanished, a volumetric strain
+};
+
+/// What follows from the initial stress and stays.
+struct Initial {
   double z_max = 0.0;
   double A_do = 0.0;
-  double p_min = 0.0;     ///< Pa
+  double p_min = 0.0; ///< Pa
+  Stress offset;      ///< of the reported stress from the one that the surfaces can hold, Pa
+};
+
+/// What changes at a reversal only.
+struct Memory {
   double p_zp = 0.0;      ///< p at the reversal with the largest z p, Pa
   double zp_max = -1.0;   ///< the largest |z| p at a reversal, Pa; negative before the first one
   Deviator z_in;          ///< fabric at the last reversal
@@ -47,7 +55,14 @@ struct State {
   Deviator alpha_in_true; ///< true back stress ratio at the last reversal
   Components alpha_max;   ///< largest components at reversals on the negative side
   Components alpha_min;   ///< smallest components at reversals on the positive side
-  Stress offset;          ///< of the reported stress from the one that the surfaces can hold, Pa
+};
+
+/// The state block of a point: doubles only, in the order of state_variables(const Pm4Sand&).
+struct State {
+  double angle = 0.0; ///< by which the material has turned, rad
+  Motion now;
+  Initial start;
+  Memory memory;
 };
 
 inline constexpr std::size_t state_size = 32;
@@ -64,8 +79,8 @@ inline void store(const State& state, double* block) {
 }
 
 /// Stress is kept above this part of p_min.
-inline double floor_pressure(const State& state) {
-  return 0.2 * state.p_min;
+inline double floor_pressure(const Initial& start) {
+  return 0.2 * start.p_min;
 }
 
 } // namespace tremolo::materials::pm4

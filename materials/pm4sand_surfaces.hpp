@@ -12,6 +12,7 @@
 // p_sed = p_sedo z_cum/(z_cum + z_max) <1 - M_cur/M_d>^(1/4). (Boulanger & Ziotopoulou 2017, sections 2.2,
 // 2.5, 2.11; the cap on C_SR is that of later versions.) The pressure is at least p_min everywhere.
 
+#include "materials/elementary.hpp"
 #include "materials/pm4sand.hpp"
 #include "materials/pm4sand_state.hpp"
 
@@ -32,41 +33,66 @@ struct Surfaces {
 /// @param p  Pa, at least p_min
 /// @param volumetric_strain  since the start, compression positive
 inline Surfaces surfaces(const Pm4Sand& law, double p, double volumetric_strain) {
-  const double void_range = law.e_max - law.e_min;
-  const double e_0 = law.e_max - law.relative_density * void_range;
-  const double D_R = law.relative_density + (1.0 + e_0) * volumetric_strain / void_range;
+  const double D_R = law.relative_density + law.density_rate * volumetric_strain;
   // Beyond crushing, where the line has no value, the soil is as loose of critical as a soil can be.
-  const double depth = std::max(law.Q - std::log(100.0 * p / law.p_A), 0.1);
+  const double depth = std::max(law.Q - elementary::log((100.0 / law.p_A) * p), 0.1);
   const double xi_R = law.R / depth - D_R;
   const double b = xi_R > 0.0 ? 0.25 : 1.0;
   const double d = xi_R > 0.0 ? 4.0 : 1.0;
-  return {xi_R, law.M * std::exp(-law.n_b * b * xi_R), law.M * std::exp(law.n_d * d * xi_R)};
+  return {xi_R, law.M * elementary::exp(-law.n_b * b * xi_R), law.M * elementary::exp(law.n_d * d * xi_R)};
 }
 
-/// M_cur of a stress, its ratio with the pressure p (Pa).
-inline double stress_ratio(Deviator s, double p) {
-  return sqrt2 * norm(s) / p;
+/// M_cur squared, of a stress.
+inline double stress_ratio2(const Stress& stress) {
+  return 2.0 * contract(stress.s, stress.s) / (stress.p * stress.p);
 }
 
 /// F_sed, the part of the stiffness that is left after shaking.
-inline double sedimentation(const Pm4Sand& law, const State& state, double p, double M_cur, double M_d) {
+inline double sedimentation(const Pm4Sand& law, double z_cum, double z_max, double p, double M_cur,
+                            double M_d) {
   const double below = 1.0 - M_cur / M_d;
-  if (below <= 0.0) {
+  if (below <= 0.0 || z_cum == 0.0) {
     return 1.0;
   }
-  const double p_sed = law.p_sedo * state.z_cum / (state.z_cum + state.z_max) * std::sqrt(std::sqrt(below));
-  return std::min(1.0, law.F_sed_min + (1.0 - law.F_sed_min) * p / std::max(20.0 * p_sed, 1e-12 * p));
+  const double p_sed = law.p_sedo * z_cum / (z_cum + z_max) * std::sqrt(std::sqrt(below));
+  return std::min(1.0, law.F_sed_min + (1.0 - law.F_sed_min) * p / (20.0 * p_sed));
 }
 
 /// G, Pa.
 /// @param p  Pa, at least p_min
-inline double shear_modulus(const Pm4Sand& law, const State& state, const Surfaces& surface, double p,
-                            double M_cur) {
-  const double ratio2 = (M_cur * M_cur) / (surface.M_b * surface.M_b);
+inline double shear_modulus(const Pm4Sand& law, double z_cum, double z_max, const Surfaces& surface, double p,
+                            double M_cur2) {
+  const double ratio2 = M_cur2 / (surface.M_b * surface.M_b);
   const double C_SR = 1.0 - 0.5 * std::min(1.0, ratio2 * ratio2);
-  const double fabric = (state.z_max + state.z_cum) / (state.z_max + law.C_GD * state.z_cum);
+  const double fabric = (z_max + z_cum) / (z_max + law.C_GD * z_cum);
   const double G = law.G_o * std::sqrt(law.p_A * p) * C_SR * fabric;
-  return law.post_shake ? G * sedimentation(law, state, p, M_cur, surface.M_d) : G;
+  return law.post_shake ? G * sedimentation(law, z_cum, z_max, p, std::sqrt(M_cur2), surface.M_d) : G;
+}
+
+/// A point with its stress and what follows from it.
+struct Site {
+  const Pm4Sand& law;
+  const Initial& start;
+  const Memory* memory = nullptr;
+  const Motion& now;
+  Stress stress;
+  double p = 0.0;      ///< pressure of the state surfaces, at least p_min, Pa
+  double M_cur2 = 0.0; ///< M_cur squared
+  Surfaces surface;
+  double G = 0.0; ///< Pa
+  double K = 0.0; ///< Pa
+};
+
+inline Site site(const Pm4Sand& law, const Initial& start, const Memory& memory, const Motion& now,
+                 const Stress& stress) {
+  Site here{law, start, &memory, now};
+  here.stress = {std::max(stress.p, floor_pressure(start)), stress.s};
+  here.p = std::max(stress.p, start.p_min);
+  here.M_cur2 = stress_ratio2(here.stress);
+  here.surface = surfaces(law, here.p, now.volumetric_strain);
+  here.G = shear_modulus(law, now.z_cum, start.z_max, here.surface, here.p, here.M_cur2);
+  here.K = law.bulk_ratio * here.G;
+  return here;
 }
 
 } // namespace tremolo::materials::pm4
