@@ -13,7 +13,7 @@ namespace {
 
 void check(const StrengthTarget& target, const ParameterRange& range) {
   materials::check_range("stress_ratio", target.stress_ratio, least_stress_ratio, largest_stress_ratio);
-  materials::check_range("cycles", target.cycles, 0.5, 1e5);
+  materials::check_positive("cycles", target.cycles);
   materials::check_positive("least parameter", range.least);
   materials::check_range("largest parameter", range.most, range.least, 1e300);
   materials::check_range("first guess of the parameter", range.guess, range.least, range.most);

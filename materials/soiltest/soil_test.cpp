@@ -35,7 +35,7 @@ void check_loading(Kind kind, const StressCycles& loading) {
   }
   check_range("stress_ratio", loading.stress_ratio, 1e-6, 100.0);
   check_range("largest_strain", loading.largest_strain, 1e-9, 10.0);
-  check_range("most_cycles", loading.most_cycles, 0.25, 1e6);
+  check_range("most_cycles", loading.most_cycles, 0.0, 1e6);
   if (loading.pore_pressure_ratio) {
     check_range("pore_pressure_ratio", *loading.pore_pressure_ratio, 1e-3, 2.0);
   }
