@@ -2,7 +2,7 @@
 // surface, plastic strain only grows, and the stress at the end of a step never does negative work on its
 // plastic strain.
 
-#include "materials/driver.hpp"
+#include "surfaces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,36 +36,6 @@ MohrCoulomb random_soil(Random& random) {
     soil.tension_cutoff = between(random, 0.0, 10e3);
   }
   return soil;
-}
-
-struct Extremes {
-  double largest = 0.0;  ///< s1, Pa
-  double smallest = 0.0; ///< s3, Pa
-};
-
-Extremes principal(const PointStress& s) {
-  const double mean = 0.5 * (s.xx + s.yy);
-  const double radius = std::hypot(0.5 * (s.xx - s.yy), s.xy);
-  return {std::max(mean + radius, s.zz), std::min(mean - radius, s.zz)};
-}
-
-/// How far the stress lies outside the surface of its plastic strain, Pa.
-double excess(const MohrCoulomb& soil, const PointStress& stress, double e) {
-  const double decay = std::exp(-soil.softening * e);
-  const double c = soil.cohesion_residual + (soil.cohesion_peak - soil.cohesion_residual) * decay;
-  const double phi = soil.friction_residual + (soil.friction_peak - soil.friction_residual) * decay;
-  const Extremes s = principal(stress);
-  const double shear =
-      (s.largest - s.smallest) + (s.largest + s.smallest) * std::sin(phi) - 2.0 * c * std::cos(phi);
-  return soil.tension_cutoff ? std::max(shear, s.largest - *soil.tension_cutoff) : shear;
-}
-
-/// Work of the stress at the end of a step on the plastic strain of the step, J/m3.
-double end_work(const Elasticity& elastic, const PointStress& trial, const PointStress& end) {
-  const PointStress d = {trial.xx - end.xx, trial.yy - end.yy, trial.zz - end.zz, trial.xy - end.xy};
-  const double products = end.xx * d.xx + end.yy * d.yy + end.zz * d.zz + 2.0 * end.xy * d.xy;
-  const double traces = (end.xx + end.yy + end.zz) * (d.xx + d.yy + d.zz);
-  return ((1.0 + elastic.poisson) * products - elastic.poisson * traces) / elastic.young;
 }
 
 PointStep random_step(Random& random) {
