@@ -37,7 +37,7 @@ public:
   BoundaryExchange(const std::vector<SourceDescription>& sources, std::vector<BoundaryFace> faces,
                    double start_time, double end_time, std::uint32_t window_steps);
 
-  [[nodiscard]] std::size_t faces() const { return faces_.size(); }
+  [[nodiscard]] const std::vector<BoundaryFace>& faces() const { return faces_; }
 
   /// A field that faces take, and how far its steps have come.
   struct Inlet {
@@ -49,6 +49,7 @@ public:
   };
   /// Only fields that a face takes are here: the others are never asked for.
   [[nodiscard]] Inlet* find(FieldAddress address);
+  [[nodiscard]] const std::vector<Inlet>& inlets() const { return inlets_; }
 
   /// A field's source may send its steps below this one.
   struct Credit {

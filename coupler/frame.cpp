@@ -61,6 +61,15 @@ FrameError mismatch(Code code, std::string_view what, T found, T expected) {
   return {code, fmt::format("{} is {}, expected {}", what, found, expected)};
 }
 
+FrameHeader header_of(std::span<const std::byte> bytes) {
+  return {.session = get<std::uint64_t>(bytes, offset::session),
+          .sender = get<std::uint32_t>(bytes, offset::sender),
+          .field = get<std::uint32_t>(bytes, offset::field),
+          .step = get<std::uint64_t>(bytes, offset::step),
+          .steps = get<std::uint32_t>(bytes, offset::steps),
+          .count = get<std::uint32_t>(bytes, offset::count)};
+}
+
 std::variant<FrameHeader, FrameError> decode_header(std::span<const std::byte> bytes,
                                                     const ExpectedFrame& expected) {
   if (bytes.size() < frame_header_size)
@@ -74,12 +83,7 @@ std::variant<FrameHeader, FrameError> decode_header(std::span<const std::byte> b
   if (units != units_si)
     return mismatch(Code::units, "unit tag", units, units_si);
 
-  const FrameHeader header{.session = get<std::uint64_t>(bytes, offset::session),
-                           .sender = get<std::uint32_t>(bytes, offset::sender),
-                           .field = get<std::uint32_t>(bytes, offset::field),
-                           .step = get<std::uint64_t>(bytes, offset::step),
-                           .steps = get<std::uint32_t>(bytes, offset::steps),
-                           .count = get<std::uint32_t>(bytes, offset::count)};
+  const FrameHeader header = header_of(bytes);
   if (header.session != expected.session)
     return mismatch(Code::session, "session", header.session, expected.session);
   if (header.sender != expected.sender)
@@ -143,6 +147,10 @@ std::variant<Frame, FrameError> decode(std::span<const std::byte> bytes, const E
                                                     header.step + at / header.count, *bad)};
   }
   return frame;
+}
+
+OpenedFrame opened(std::span<const std::byte> bytes) {
+  return {header_of(bytes), get<std::uint32_t>(bytes, offset::crc), bytes.subspan(frame_header_size)};
 }
 
 FrameOrigin claimed_origin(std::span<const std::byte> bytes) {

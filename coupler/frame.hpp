@@ -80,6 +80,14 @@ std::vector<std::byte> encode(const FrameHeader& header, std::span<const double>
 /// Pure: no state, no I/O; never reads outside bytes whatever they hold.
 std::variant<Frame, FrameError> decode(std::span<const std::byte> bytes, const ExpectedFrame& expected);
 
+/// A frame that decode() has accepted or encode() has made, without its values being copied.
+struct OpenedFrame {
+  FrameHeader header;
+  std::uint32_t crc = 0;
+  std::span<const std::byte> body; ///< float64, not aligned
+};
+OpenedFrame opened(std::span<const std::byte> bytes);
+
 /// The sender and field a frame claims, to find out what to expect of it; nothing else of it is to be
 /// believed.
 struct FrameOrigin {

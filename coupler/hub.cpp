@@ -176,7 +176,7 @@ void Hub::take_message(Participant& participant, const Message& message) {
     fail(participant.expected.name, body.value("reason", "no reason given"));
   else if (type == "BEAT")
     take_beat(participant, body);
-  else if (type == "BYE" && (from_domain || domain().left))
+  else if (type == "BYE" && (from_domain || dismissed_))
     take_bye(participant, body);
   else if (type == "READY" && from_domain && welcomed_ && !ready_)
     take_ready(participant, body);
@@ -193,9 +193,8 @@ void Hub::take_bye(Participant& participant, const json& body) {
   if (participant.expected.role != Role::domain)
     return;
   wait_.reset();
-  for (auto& other : participants_)
-    if (!other.left)
-      send(other, {"BYE"});
+  request_needed_steps();
+  dismiss_sources();
 }
 
 bool Hub::finished() const {

@@ -15,6 +15,7 @@
 //       BYE (sources) ----------->   finished
 
 #include "coupler/boundary_exchange.hpp"
+#include "coupler/exchange_observer.hpp"
 #include "coupler/field.hpp"
 #include "coupler/frame.hpp"
 #include "coupler/messages.hpp"
@@ -51,6 +52,7 @@ struct HubOptions {
   std::vector<ExpectedParticipant> participants; ///< one domain and its sources
   Deadlines deadlines;
   std::function<void(const std::string&)> note; ///< told what was refused without ending the run
+  ExchangeObserver* observer = nullptr;         ///< none, or one that outlives the hub
 };
 
 /// Why the run cannot go on.
@@ -119,6 +121,7 @@ private:
     bool left = false;
     std::vector<FieldDescription> fields;
     std::vector<Outlet> outlets;
+    std::vector<std::uint64_t> needed; ///< steps of each field until the end, where somebody looks on
   };
   /// The domain's wait for a source.
   struct Wait {
@@ -144,6 +147,11 @@ private:
   void take_source_frame(Participant& source, std::span<const std::byte> bytes);
   void take_velocities(Participant& domain, std::span<const std::byte> bytes);
   void answer_pending_step();
+  void begin_observation(const BoundaryExchange& exchange, double start_time, double end_time);
+  void observe(std::span<const std::byte> bytes);
+  void request_needed_steps();
+  /// Sends BYE to the sources, once an observer has seen all that the domain needed of them.
+  void dismiss_sources();
   void grant(Participant& source, std::uint32_t field, std::uint64_t steps);
   void note_wait(const std::optional<BoundaryExchange::Missing>& awaited);
 
@@ -174,6 +182,7 @@ private:
   std::uint64_t next_domain_step_ = 0;
   std::optional<BoundaryExchange> exchange_; ///< mode lockstep
   std::optional<PendingStep> pending_;       ///< mode lockstep
+  bool dismissed_ = false;                   ///< the sources have been sent BYE
   std::optional<Wait> wait_;
   std::optional<Failure> failure_;
   Progress progress_;

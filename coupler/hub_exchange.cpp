@@ -20,6 +20,7 @@ void Hub::take_ready(Participant& participant, const json& body) {
   face_count_ = faces.size();
   try {
     BoundaryExchange exchange(sources(), std::move(faces), start_time, end_time, options_.window_steps);
+    begin_observation(exchange, start_time, end_time);
     if (options_.mode == Mode::lockstep)
       exchange_.emplace(std::move(exchange));
   } catch (const std::invalid_argument& error) {
@@ -87,10 +88,14 @@ void Hub::take_source_frame(Participant& source, std::span<const std::byte> byte
   const auto& frame = std::get<Frame>(decoded);
   source.last_heard = Clock::now();
   outlet.next_step += frame.header.steps;
+  observe(bytes);
+  if (domain().left) {
+    dismiss_sources();
+    return;
+  }
   if (!exchange_) {
     // Byte for byte: the source's own checksum is checked again where the numbers are used.
-    if (!domain().left)
-      forward(domain(), bytes);
+    forward(domain(), bytes);
     return;
   }
   exchange_->find({source.number, field})->history.append(frame.values);
@@ -111,6 +116,7 @@ void Hub::take_velocities(Participant& participant, std::span<const std::byte> b
   const auto& frame = std::get<Frame>(decoded);
   participant.last_heard = Clock::now();
   next_domain_step_ += frame.header.steps;
+  observe(bytes);
   wait_.reset();
   if (!exchange_)
     return;
@@ -138,11 +144,13 @@ void Hub::answer_pending_step() {
     const auto& [v, s] = free_field[i];
     values.insert(values.end(), {tractions[i].x, tractions[i].y, v.x, v.y, s.xx, s.yy, s.xy});
   }
-  forward(domain(), encode({.session = options_.session,
-                            .step = pending_->step,
-                            .steps = 1,
-                            .count = static_cast<std::uint32_t>(values.size())},
-                           values));
+  const auto bytes = encode({.session = options_.session,
+                             .step = pending_->step,
+                             .steps = 1,
+                             .count = static_cast<std::uint32_t>(values.size())},
+                            values);
+  observe(bytes);
+  forward(domain(), bytes);
   pending_.reset();
   for (const auto& credit : exchange_->new_credits())
     grant(participants_.at(credit.address.sender - 1), credit.address.field, credit.steps);

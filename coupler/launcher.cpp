@@ -34,7 +34,8 @@ HubOptions hub_options(const LaunchOptions& launch) {
                  .case_crc = file_crc(launch.case_file),
                  .participants = {},
                  .deadlines = launch.deadlines,
-                 .note = launch.note};
+                 .note = launch.note,
+                 .observer = launch.observer};
   for (const auto& process : launch.processes)
     hub.participants.push_back({process.name, process.role});
   return hub;

@@ -38,6 +38,7 @@ struct LaunchOptions {
   Deadlines deadlines;
   std::function<void(const Progress&)> on_progress; ///< called several times a second
   std::function<void(const std::string&)> note;     ///< one line about something that does not end the run
+  ExchangeObserver* observer = nullptr;             ///< none, or one that outlives the run
 };
 
 struct ProcessSummary {

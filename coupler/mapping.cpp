@@ -136,8 +136,7 @@ std::uint64_t FreeFieldHistory::credit() const {
 }
 
 std::optional<std::uint64_t> FreeFieldHistory::missing(double time) const {
-  const std::uint64_t last_needed = interval(time - least_delay_) + 1;
-  if (next_step_ > last_needed)
+  if (next_step_ >= needed_until(time))
     return std::nullopt;
   return next_step_;
 }

@@ -67,6 +67,10 @@ public:
   /// The first step that is still missing to evaluate all faces at a time, if any.
   [[nodiscard]] std::optional<std::uint64_t> missing(double time) const;
 
+  /// Steps that all faces need up to a time: those below this one.
+  /// @throws std::out_of_range for a time outside the field
+  [[nodiscard]] std::uint64_t needed_until(double time) const { return interval(time - least_delay_) + 2; }
+
   /// Free-field velocity and dynamic stress at a face.
   /// @throws std::out_of_range for a local time outside the steps held
   [[nodiscard]] eq6::FreeField evaluate(const FaceMap& face, double time) const;

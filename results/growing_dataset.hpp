@@ -1,8 +1,9 @@
 #pragma once
 
-// A dataset that grows by rows: [rows, ...]. Not compressed, so that a chunk keeps its place in the file when
-// it fills up; rows that the file declares but whose values never arrived (an empty dataset has one) read as
-// NaN.
+// A dataset that grows by rows: [rows, ...]. A plain one is not compressed, so that a chunk keeps its place
+// in the file when it fills up; rows that the file declares but whose values never arrived (an empty dataset
+// has one) read as NaN. A packed one is compressed and checksummed chunk by chunk: it is to be given whole
+// chunks, and declares only rows that were written.
 
 #include "results/hdf5_write.hpp"
 
@@ -12,15 +13,26 @@
 
 namespace tremolo::results {
 
+enum class Storage {
+  plain,
+  packed ///< shuffled, deflated, with a Fletcher-32 checksum
+};
+
 class GrowingDataset {
 public:
   /// Creates an empty dataset whose rows have the shape `row_shape` (empty: one number a row).
-  GrowingDataset(Place place, std::string_view name, std::span<const hsize_t> row_shape);
+  GrowingDataset(Place place, std::string_view name, std::span<const hsize_t> row_shape,
+                 Storage storage = Storage::plain);
 
   /// Writes whole rows at the end.
   void append(std::span<const double> rows);
 
   hid_t id() const { return dataset_.get(); }
+
+  /// Rows of a chunk.
+  hsize_t chunk_rows() const { return chunk_rows_; }
+  /// Numbers of a row.
+  hsize_t row_size() const { return row_size_; }
 
 private:
   const std::filesystem::path& file_;
@@ -28,6 +40,7 @@ private:
   Handle dataset_;
   std::vector<hsize_t> shape_; ///< as declared in the file: at least one row
   hsize_t rows_ = 0;
+  hsize_t chunk_rows_ = 1;
   hsize_t row_size_ = 1;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -249,6 +250,15 @@ void flush_file(const Handle& open_file, const std::filesystem::path& file) {
         fmt::format("{}: cannot extend the file: {}", file.string(), std::generic_category().message(errno)));
   }
   checked(H5Fflush(open_file.get(), H5F_SCOPE_GLOBAL), file, "flush");
+}
+
+void refuse_further_writes(const Handle& open_file) {
+  void* descriptor = nullptr;
+  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (nothing >= 0 && H5Fget_vfd_handle(open_file.get(), H5P_DEFAULT, &descriptor) >= 0) {
+    ::dup2(nothing, *static_cast<int*>(descriptor));
+  }
+  ::close(nothing);
 }
 
 } // namespace tremolo::results

@@ -54,4 +54,8 @@ Handle create_file(const std::filesystem::path& file);
 /// state: first the end of the file, then the metadata, which may refer to anything before it.
 void flush_file(const Handle& open_file, const std::filesystem::path& file);
 
+/// To be called when a write has failed: leaves the file as the last flush made it. Its descriptor is
+/// replaced by one that refuses writes, so that closing cannot add half of what failed.
+void refuse_further_writes(const Handle& open_file);
+
 } // namespace tremolo::results

@@ -4,7 +4,6 @@
 #include "results/run_status.hpp"
 #include "results/xdmf.hpp"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <fmt/chrono.h>
@@ -115,8 +114,7 @@ public:
 
   Place root() const { return {file_.get(), path_}; }
 
-  /// Runs an action that writes. When it fails, the file is left as the last flush made it: its descriptor is
-  /// replaced by one that refuses writes, so that closing cannot add half of what failed.
+  /// Runs an action that writes. When it fails, the file is left as the last flush made it.
   template <class Action>
   void guarded(Action action) {
     if (file_.get() < 0) {
@@ -125,7 +123,7 @@ public:
     try {
       action();
     } catch (const std::runtime_error&) {
-      refuse_further_writes();
+      refuse_further_writes(file_);
       throw;
     }
   }
@@ -268,15 +266,6 @@ private:
     checked(H5Olink(object.get(), parent.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), path_,
             "add " + name);
     flush_file(file_, path_);
-  }
-
-  void refuse_further_writes() const {
-    void* descriptor = nullptr;
-    const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-    if (nothing >= 0 && H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor) >= 0) {
-      ::dup2(nothing, *static_cast<int*>(descriptor));
-    }
-    ::close(nothing);
   }
 
   void close_handles() {
