@@ -26,8 +26,9 @@ Grid make_grid(const Spec& spec) {
   grid.nx = nodes(spec.box.x_max - spec.box.x_min);
   grid.ny = nodes(spec.box.y_max - spec.box.y_min);
   const std::size_t count = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
-  grid.sums.resize(count);
-  grid.motion.resize(count);
+  for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y, &grid.force_x, &grid.force_y,
+                           &grid.dashpot_x, &grid.dashpot_y, &grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new})
+    field->resize(count);
   grid.acceleration.resize(count);
   return grid;
 }

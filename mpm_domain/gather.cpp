@@ -17,60 +17,106 @@ constexpr std::size_t chunk = 128;
 struct Increments {
   std::array<double, chunk> exx, eyy, gxy, wxy;
   std::array<double, chunk> sxx, syy, sxy, plastic; ///< stress before the update; plastic work per volume
+
+  /// @param gradient  { dvx/dx, dvy/dx, dvx/dy, dvy/dy }, 1/s
+  void take(std::size_t c, const Lanes& gradient, double dt) {
+    exx[c] = dt * gradient[0];
+    eyy[c] = dt * gradient[3];
+    gxy[c] = dt * (gradient[2] + gradient[1]);
+    wxy[c] = 0.5 * dt * (gradient[1] - gradient[2]);
+  }
 };
 
-/// Sums over a particle's nine nodes; lanes as in NodeMotion.
+/// What a particle reads off the grid.
 struct Sample {
-  Lanes v{};        ///< sum S v
-  Lanes dx{};       ///< sum dS/dx v
-  Lanes dy{};       ///< sum dS/dy v
-  Lanes moment_x{}; ///< sum S v (x_i - x_p)
-  Lanes moment_y{};
-  double inertia_x = 1.0;
-  double inertia_y = 1.0;
+  Vector v;                 ///< sum S v, before the update
+  Vector v_new;             ///< after it
+  Lanes gradient{};         ///< { dvx/dx, dvy/dx, dvx/dy, dvy/dy } of the velocity that strains
+  Lanes moment{};           ///< sum S v_new (x_i - x): { vx x, vy x, vx y, vy y }
+  Vector inertia{1.0, 1.0}; ///< sum S (x_i - x)^2
 };
 
-template <bool value, bool gradient, bool moment>
-Sample sample(const Grid& grid, double x, double y, const Axis& x_axis, const Axis& y_axis) {
-  const Weights wx = gimp_weights(x, x_axis);
+/// A velocity field's sums over the three rows, with the weights of y, its gradients, its moments.
+struct Columns {
+  Lanes s{}, g{}, d{};
+};
+
+/// @param dy  rows minus particle, m
+template <bool gradient, bool moment>
+inline void add_row(const double* nodes, double s, double g, double dy, Columns& columns) {
+  const Lanes v = load(nodes);
+  columns.s += s * v;
+  if constexpr (gradient)
+    columns.g += g * v;
+  if constexpr (moment)
+    columns.d += s * dy * v;
+}
+
+/// Which velocities a gather samples, and which of them strains.
+struct Wanted {
+  bool v = false;
+  bool v_new = false;
+  bool gradient = false;
+  bool of_v = false; ///< the gradient, not of v_new
+  bool moment = false;
+};
+
+template <Wanted wanted>
+inline Sample sample(const Grid& grid, double x, double y, const Axis& x_axis, const Axis& y_axis) {
+  constexpr bool gradient_of_v = wanted.gradient && wanted.of_v;
+  constexpr bool gradient_of_new = wanted.gradient && !wanted.of_v;
+  constexpr bool reads_v = wanted.v || gradient_of_v;
+  constexpr bool reads_new = wanted.v_new || wanted.moment || gradient_of_new;
+  const Weights wx = cell_weights(x, x_axis);
   const Weights wy = gimp_weights(y, y_axis);
-  Sample q;
-  const NodeMotion* row = &grid.motion[grid.index(wx.base, wy.base)];
-  for (int j = 0; j < 3; ++j, row += grid.nx)
-    for (int i = 0; i < 3; ++i) {
-      const Lanes u = row[i].velocity;
-      if constexpr (value || moment) {
-        const Lanes su = (wx.s[i] * wy.s[j]) * u;
-        q.v += su;
-        if constexpr (moment) {
-          q.moment_x += wx.d[i] * su;
-          q.moment_y += wy.d[j] * su;
-        }
-      }
-      if constexpr (gradient) {
-        q.dx += (wx.g[i] * wy.s[j]) * u;
-        q.dy += (wx.s[i] * wy.g[j]) * u;
-      }
+  [[maybe_unused]] Lanes dy{};
+  if constexpr (wanted.moment)
+    dy = offsets(wy, y, y_axis);
+  Columns vx, vy, vx_new, vy_new;
+  const std::size_t first = grid.index(wx.base, wy.base);
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::size_t n = first + j * static_cast<std::size_t>(grid.nx);
+    if constexpr (reads_v) {
+      add_row<gradient_of_v, false>(&grid.vx[n], wy.s[j], wy.g[j], 0.0, vx);
+      add_row<gradient_of_v, false>(&grid.vy[n], wy.s[j], wy.g[j], 0.0, vy);
     }
-  if constexpr (moment) {
-    q.inertia_x = second_moment(wx);
-    q.inertia_y = second_moment(wy);
+    if constexpr (reads_new) {
+      add_row<gradient_of_new, wanted.moment>(&grid.vx_new[n], wy.s[j], wy.g[j], dy[j], vx_new);
+      add_row<gradient_of_new, wanted.moment>(&grid.vy_new[n], wy.s[j], wy.g[j], dy[j], vy_new);
+    }
+  }
+  Sample q;
+  if constexpr (wanted.v || wanted.v_new) {
+    const Lanes values = sums(wx.s * vx.s, wx.s * vy.s, wx.s * vx_new.s, wx.s * vy_new.s);
+    q.v = {values[0], values[1]};
+    q.v_new = {values[2], values[3]};
+  }
+  if constexpr (wanted.gradient) {
+    const Columns& ux = wanted.of_v ? vx : vx_new;
+    const Columns& uy = wanted.of_v ? vy : vy_new;
+    q.gradient = sums(wx.g * ux.s, wx.g * uy.s, wx.s * ux.g, wx.s * uy.g);
+  }
+  if constexpr (wanted.moment) {
+    const Lanes dx = offsets(wx, x, x_axis);
+    const Lanes s_dx = wx.s * dx;
+    q.moment = sums(s_dx * vx_new.s, s_dx * vy_new.s, wx.s * vx_new.d, wx.s * vy_new.d);
+    q.inertia = {second_moment(wx, dx), second_moment(wy, dy)};
   }
   return q;
 }
 
 void take_affine(Particles& p, std::size_t k, const Sample& q) {
-  p.vx[k] = q.v[2];
-  p.vy[k] = q.v[3];
-  p.cxx[k] = q.moment_x[2] / q.inertia_x;
-  p.cyx[k] = q.moment_x[3] / q.inertia_x;
-  p.cxy[k] = q.moment_y[2] / q.inertia_y;
-  p.cyy[k] = q.moment_y[3] / q.inertia_y;
+  p.vx[k] = q.v_new.x;
+  p.vy[k] = q.v_new.y;
+  p.cxx[k] = q.moment[0] / q.inertia.x;
+  p.cyx[k] = q.moment[1] / q.inertia.x;
+  p.cxy[k] = q.moment[2] / q.inertia.y;
+  p.cyy[k] = q.moment[3] / q.inertia.y;
 }
 
 void take_blend(Particles& p, std::size_t k, const Sample& q, double flip_share) {
-  p.vx[k] = flip_share * (p.vx[k] + q.v[2] - q.v[0]) + (1.0 - flip_share) * q.v[2];
-  p.vy[k] = flip_share * (p.vy[k] + q.v[3] - q.v[1]) + (1.0 - flip_share) * q.v[3];
+  p.vx[k] = flip_share * (p.vx[k] + q.v_new.x - q.v.x) + (1.0 - flip_share) * q.v_new.x;
+  p.vy[k] = flip_share * (p.vy[k] + q.v_new.y - q.v.y) + (1.0 - flip_share) * q.v_new.y;
 }
 
 /// The strain part of a chunk: law, volumes, and the work done.
@@ -103,15 +149,18 @@ GatherSums strain_chunk(Particles& p, std::size_t begin, std::size_t count, Incr
 struct Settings {
   double dt;
   double flip_share; ///< exp(-dt/tau); 1 for pure FLIP
-  int strain_lane;   ///< of NodeMotion: 0 the first velocity, 2 v+
 };
 
-template <bool velocity, bool position, bool strain, bool affine>
+template <GatherParts parts, bool strain_of_first, bool affine>
 GatherSums gather_range(Domain& domain, Particles& p, std::size_t begin, std::size_t end,
                         const Settings& set) {
+  constexpr Wanted wanted{.v = parts.velocity && !affine,
+                          .v_new = parts.velocity || parts.position,
+                          .gradient = parts.strain,
+                          .of_v = strain_of_first,
+                          .moment = parts.velocity && affine};
   const Axis x_axis = domain.x_axis();
   const Axis y_axis = domain.y_axis();
-  const int a = set.strain_lane;
   GatherSums work;
   double max_speed2 = 0.0;
   Increments inc;
@@ -119,27 +168,22 @@ GatherSums gather_range(Domain& domain, Particles& p, std::size_t begin, std::si
     const std::size_t count = std::min(chunk, end - first);
     for (std::size_t c = 0; c < count; ++c) {
       const std::size_t k = first + c;
-      const Sample q = sample < velocity || position, strain,
-                   velocity && affine > (domain.grid, p.x[k], p.y[k], x_axis, y_axis);
-      if constexpr (velocity) {
+      const Sample q = sample<wanted>(domain.grid, p.x[k], p.y[k], x_axis, y_axis);
+      if constexpr (parts.velocity) {
         if constexpr (affine)
           take_affine(p, k, q);
         else
           take_blend(p, k, q, set.flip_share);
       }
-      if constexpr (strain) {
-        inc.exx[c] = set.dt * q.dx[a];
-        inc.eyy[c] = set.dt * q.dy[a + 1];
-        inc.gxy[c] = set.dt * (q.dy[a] + q.dx[a + 1]);
-        inc.wxy[c] = 0.5 * set.dt * (q.dx[a + 1] - q.dy[a]);
-      }
-      if constexpr (position) {
-        p.x[k] += set.dt * q.v[2];
-        p.y[k] += set.dt * q.v[3];
-        max_speed2 = std::max(max_speed2, q.v[2] * q.v[2] + q.v[3] * q.v[3]);
+      if constexpr (parts.strain)
+        inc.take(c, q.gradient, set.dt);
+      if constexpr (parts.position) {
+        p.x[k] += set.dt * q.v_new.x;
+        p.y[k] += set.dt * q.v_new.y;
+        max_speed2 = std::max(max_speed2, q.v_new.x * q.v_new.x + q.v_new.y * q.v_new.y);
       }
     }
-    if constexpr (strain) {
+    if constexpr (parts.strain) {
       const GatherSums part = strain_chunk(p, first, count, inc);
       work.elastic += part.elastic;
       work.plastic += part.plastic;
@@ -149,7 +193,7 @@ GatherSums gather_range(Domain& domain, Particles& p, std::size_t begin, std::si
   return work;
 }
 
-template <bool velocity, bool position, bool strain>
+template <GatherParts parts, bool strain_of_first>
 GatherSums gather_blocks(Domain& domain, const Settings& settings) {
   std::vector<GatherSums> sums(domain.block_count());
   domain.workers.run(sums.size(), [&](std::size_t block) {
@@ -157,8 +201,8 @@ GatherSums gather_blocks(Domain& domain, const Settings& settings) {
       const std::size_t begin = p.block_start[block];
       const std::size_t end = p.block_start[block + 1];
       const GatherSums work =
-          p.cxx.empty() ? gather_range<velocity, position, strain, false>(domain, p, begin, end, settings)
-                        : gather_range<velocity, position, strain, true>(domain, p, begin, end, settings);
+          p.cxx.empty() ? gather_range<parts, strain_of_first, false>(domain, p, begin, end, settings)
+                        : gather_range<parts, strain_of_first, true>(domain, p, begin, end, settings);
       sums[block].elastic += work.elastic;
       sums[block].plastic += work.plastic;
       sums[block].max_speed = std::max(sums[block].max_speed, work.max_speed);
@@ -173,22 +217,29 @@ GatherSums gather_blocks(Domain& domain, const Settings& settings) {
   return total;
 }
 
+constexpr GatherParts all_parts{.velocity = true, .position = true, .strain = true};
+constexpr GatherParts motion_parts{.velocity = true, .position = true};
+constexpr GatherParts velocity_part{.velocity = true};
+constexpr GatherParts rest_parts{.position = true, .strain = true};
+constexpr GatherParts strain_part{.strain = true};
+
 } // namespace
 
 GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first) {
   const Scheme& scheme = domain.spec.scheme;
   const double flip_share = scheme.transfer == Transfer::pic_blend ? std::exp(-dt / scheme.blend_time) : 1.0;
-  const Settings settings{dt, flip_share, strain_of_first ? 0 : 2};
-  if (parts.velocity && parts.position && parts.strain)
-    return gather_blocks<true, true, true>(domain, settings);
-  if (parts.velocity && parts.position)
-    return gather_blocks<true, true, false>(domain, settings);
-  if (parts.position && parts.strain)
-    return gather_blocks<false, true, true>(domain, settings);
-  if (parts.velocity && !parts.strain)
-    return gather_blocks<true, false, false>(domain, settings);
-  if (parts.strain && !parts.velocity && !parts.position)
-    return gather_blocks<false, false, true>(domain, settings);
+  const Settings settings{dt, flip_share};
+  if (parts == all_parts && !strain_of_first)
+    return gather_blocks<all_parts, false>(domain, settings);
+  if (parts == motion_parts)
+    return gather_blocks<motion_parts, false>(domain, settings);
+  if (parts == velocity_part)
+    return gather_blocks<velocity_part, false>(domain, settings);
+  if (parts == rest_parts && strain_of_first)
+    return gather_blocks<rest_parts, true>(domain, settings);
+  if (parts == strain_part)
+    return strain_of_first ? gather_blocks<strain_part, true>(domain, settings)
+                           : gather_blocks<strain_part, false>(domain, settings);
   throw std::logic_error("gather: no scheme asks for this combination of parts");
 }
 

@@ -10,6 +10,8 @@ struct GatherParts {
   bool velocity = false; ///< v_p (and C_p with APIC)
   bool position = false; ///< x_p += dt sum_i S_ip v+_i
   bool strain = false;   ///< strain increment from the grid velocity, then stress, state and volume
+
+  friend constexpr bool operator==(const GatherParts&, const GatherParts&) = default;
 };
 
 /// What a gather adds up.
@@ -26,8 +28,8 @@ struct GatherSums {
 ///   pic_blend:  a flip + (1 - a) pic with a = exp(-dt/tau), so that the loss does not depend on the step
 ///
 /// The strain increment is dt sym(sum_i u_i grad S) and the rotation dt skew of the same, with u = v+, or, if
-/// `strain_of_first`, the first velocity of NodeMotion: v- (usf) or the remapped one (musl). Volumes grow by
-/// tr(de).
+/// `strain_of_first`, the grid's velocity v before the update: v- (usf) or the remapped one (musl). Volumes
+/// grow by tr(de).
 GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first = false);
 
 /// The grid's acceleration of the last update at particle k of one soil, m/s2, for output.

@@ -36,7 +36,7 @@ Supports find_supports(const Domain& domain, Reactions& reactions) {
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       const std::size_t n = grid.index(i, j);
-      if (grid.sums[n].motion[0] <= empty)
+      if (grid.mass[n] <= empty)
         continue;
       supports.full[n] = 1;
       const bool base = on_line(grid.y0 + j * grid.h, box.y_min, grid.h);
@@ -63,14 +63,12 @@ double relax_grid(Domain& domain, const Supports& supports, double dt, double al
   for (std::size_t n = 0; n < grid.size(); ++n) {
     if (!supports.full[n])
       continue;
-    const double m = grid.sums[n].motion[0];
-    const Lanes f = grid.sums[n].force;
-    const Lanes v = grid.motion[n].velocity;
-    const double fx = supports.fixed_x[n] ? 0.0 : f[0];
-    const double fy = supports.fixed_y[n] ? 0.0 : f[1];
-    const double vx = supports.fixed_x[n] ? 0.0 : keep * v[2] + gain * fx / m;
-    const double vy = supports.fixed_y[n] ? 0.0 : keep * v[3] + gain * fy / m;
-    grid.motion[n].velocity = Lanes{v[2], v[3], vx, vy};
+    const double m = grid.mass[n];
+    const Vector v = grid.new_velocity(n);
+    const double fx = supports.fixed_x[n] ? 0.0 : grid.force_x[n];
+    const double fy = supports.fixed_y[n] ? 0.0 : grid.force_y[n];
+    grid.vx_new[n] = supports.fixed_x[n] ? 0.0 : keep * v.x + gain * fx / m;
+    grid.vy_new[n] = supports.fixed_y[n] ? 0.0 : keep * v.y + gain * fy / m;
     unbalanced += fx * fx + fy * fy;
     applied += m * m * domain.spec.gravity * domain.spec.gravity;
   }
@@ -102,8 +100,8 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
     volumes.push_back(set.volume);
 
   scatter(domain, ScatterPart::motion);
-  for (NodeMotion& node : domain.grid.motion)
-    node.velocity = Lanes{};
+  for (NodeField* velocity : {&domain.grid.vx_new, &domain.grid.vy_new})
+    std::fill(velocity->begin(), velocity->end(), 0.0);
   Reactions reactions;
   const Supports supports = find_supports(domain, reactions);
   const double depth = domain.spec.box.y_max - domain.spec.box.y_min;
@@ -134,9 +132,9 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
 
   reactions.force.assign(domain.grid.size(), Vector{});
   for (const std::size_t n : reactions.base)
-    reactions.force[n] = {-domain.grid.sums[n].force[0], -domain.grid.sums[n].force[1]};
+    reactions.force[n] = {-domain.grid.force_x[n], -domain.grid.force_y[n]};
   for (const std::size_t n : reactions.sides)
-    reactions.force[n] = {-domain.grid.sums[n].force[0], 0.0};
+    reactions.force[n] = {-domain.grid.force_x[n], 0.0};
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     domain.sets[s].law = laws[s];
   begin_history(domain);

@@ -7,19 +7,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// Four doubles that are loaded, multiplied and stored together: a node's record is one or two of them.
-using Lanes = double __attribute__((vector_size(32)));
-
-/// What particles and faces add up at a node in one step.
-struct NodeSum {
-  Lanes motion; ///< mass (kg/m), momentum x, y (kg/s), unused
-  Lanes force;  ///< force x, y (N/m); boundary dashpots lumped to the node x, y (Pa s)
-};
-
-/// Velocities of a node in one step, m/s.
-struct NodeMotion {
-  Lanes velocity; ///< before the update (or remapped after it) x, y; after the update x, y
-};
+/// One double a node, row after row.
+using NodeField = std::vector<double>;
 
 /// The uniform background grid. Node (i, j) lies at (x0 + i h, y0 + j h).
 struct Grid {
@@ -28,14 +17,26 @@ struct Grid {
   double y0 = 0.0;
   int nx = 0; ///< nodes per row
   int ny = 0; ///< rows
-  std::vector<NodeSum> sums;
-  std::vector<NodeMotion> motion;
+
+  // What particles and faces add up in one step.
+  NodeField mass;                   ///< kg/m
+  NodeField momentum_x, momentum_y; ///< kg/s
+  NodeField force_x, force_y;       ///< N/m
+  NodeField dashpot_x, dashpot_y;   ///< boundary dashpots lumped to the node, Pa s
+
+  // Velocities, m/s.
+  NodeField vx, vy;         ///< before the update, or remapped after it
+  NodeField vx_new, vy_new; ///< after the update
+
   std::vector<eq6::Vector> acceleration; ///< of the last update, m/s2
 
   std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
   }
-  std::size_t size() const { return sums.size(); }
+  std::size_t size() const { return mass.size(); }
+  /// Velocities before and after the update.
+  eq6::Vector velocity(std::size_t n) const { return {vx[n], vy[n]}; }
+  eq6::Vector new_velocity(std::size_t n) const { return {vx_new[n], vy_new[n]}; }
 };
 
 } // namespace tremolo::mpm_domain

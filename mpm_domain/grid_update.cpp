@@ -24,12 +24,13 @@ double grid_velocities(Domain& domain) {
   const std::vector<double> sums = over_rows<double>(domain, [&](std::size_t row) {
     double kinetic = 0.0;
     for (std::size_t n = row * width; n < (row + 1) * width; ++n) {
-      const Lanes m = grid.sums[n].motion;
-      const bool full = m[0] > empty;
-      const double vx = full ? m[1] / m[0] : 0.0;
-      const double vy = full ? m[2] / m[0] : 0.0;
-      grid.motion[n].velocity = Lanes{vx, vy, vx, vy};
-      kinetic += 0.5 * m[0] * (vx * vx + vy * vy);
+      const double m = grid.mass[n];
+      const bool full = m > empty;
+      const double vx = full ? grid.momentum_x[n] / m : 0.0;
+      const double vy = full ? grid.momentum_y[n] / m : 0.0;
+      grid.vx[n] = grid.vx_new[n] = vx;
+      grid.vy[n] = grid.vy_new[n] = vy;
+      kinetic += 0.5 * m * (vx * vx + vy * vy);
     }
     return kinetic;
   });
@@ -45,10 +46,10 @@ void remap_velocities(Domain& domain) {
   const auto width = static_cast<std::size_t>(grid.nx);
   domain.workers.run(static_cast<std::size_t>(grid.ny), [&](std::size_t row) {
     for (std::size_t n = row * width; n < (row + 1) * width; ++n) {
-      const Lanes m = grid.sums[n].motion;
-      const Lanes v = grid.motion[n].velocity;
-      const bool full = m[0] > empty;
-      grid.motion[n].velocity = Lanes{full ? m[1] / m[0] : 0.0, full ? m[2] / m[0] : 0.0, v[2], v[3]};
+      const double m = grid.mass[n];
+      const bool full = m > empty;
+      grid.vx[n] = full ? grid.momentum_x[n] / m : 0.0;
+      grid.vy[n] = full ? grid.momentum_y[n] / m : 0.0;
     }
   });
 }
@@ -61,23 +62,22 @@ GridUpdate update_grid(Domain& domain, double dt) {
   const std::vector<GridUpdate> sums = over_rows<GridUpdate>(domain, [&](std::size_t row) {
     GridUpdate sum;
     for (std::size_t n = row * width; n < (row + 1) * width; ++n) {
-      const double m = grid.sums[n].motion[0];
+      const double m = grid.mass[n];
       grid.acceleration[n] = {};
       if (m <= empty)
         continue;
-      const Lanes f = grid.sums[n].force;
-      const Lanes v = grid.motion[n].velocity;
-      const double ax = f[0] / (m + 0.5 * dt * f[2]);
-      const double ay = f[1] / (m + 0.5 * dt * f[3]);
+      const Vector v = grid.velocity(n);
+      const Vector dashpot = {grid.dashpot_x[n], grid.dashpot_y[n]};
+      const double ax = grid.force_x[n] / (m + 0.5 * dt * dashpot.x);
+      const double ay = grid.force_y[n] / (m + 0.5 * dt * dashpot.y);
       grid.acceleration[n] = {ax, ay};
-      const double ux = v[0] + dt * ax;
-      const double uy = v[1] + dt * ay;
-      grid.motion[n].velocity = Lanes{v[0], v[1], ux, uy};
-      const double mid_x = v[0] + 0.5 * dt * ax;
-      const double mid_y = v[1] + 0.5 * dt * ay;
+      const double ux = grid.vx_new[n] = v.x + dt * ax;
+      const double uy = grid.vy_new[n] = v.y + dt * ay;
+      const double mid_x = v.x + 0.5 * dt * ax;
+      const double mid_y = v.y + 0.5 * dt * ay;
       sum.kinetic += 0.5 * m * (ux * ux + uy * uy);
       sum.gravity_work -= dt * m * gravity * mid_y;
-      sum.dashpot_relief -= 0.5 * dt * dt * (f[2] * ax * mid_x + f[3] * ay * mid_y);
+      sum.dashpot_relief -= 0.5 * dt * dt * (dashpot.x * ax * mid_x + dashpot.y * ay * mid_y);
     }
     return sum;
   });
@@ -94,9 +94,9 @@ void face_velocities(const Domain& domain, std::span<const FaceWeights> weights,
   for (std::size_t f = 0; f < weights.size(); ++f) {
     v[f] = {};
     for (const FaceWeight& weight : weights[f]) {
-      const Lanes node = domain.grid.motion[weight.node].velocity;
-      v[f].x += weight.w * node[0];
-      v[f].y += weight.w * node[1];
+      const Vector node = domain.grid.velocity(weight.node);
+      v[f].x += weight.w * node.x;
+      v[f].y += weight.w * node.y;
     }
   }
 }
@@ -105,9 +105,10 @@ void face_mid_velocities(const Domain& domain, std::span<const FaceWeights> weig
   for (std::size_t f = 0; f < weights.size(); ++f) {
     v[f] = {};
     for (const FaceWeight& weight : weights[f]) {
-      const Lanes node = domain.grid.motion[weight.node].velocity;
-      v[f].x += 0.5 * weight.w * (node[0] + node[2]);
-      v[f].y += 0.5 * weight.w * (node[1] + node[3]);
+      const Vector before = domain.grid.velocity(weight.node);
+      const Vector after = domain.grid.new_velocity(weight.node);
+      v[f].x += 0.5 * weight.w * (before.x + after.x);
+      v[f].y += 0.5 * weight.w * (before.y + after.y);
     }
   }
 }
@@ -120,9 +121,14 @@ void spread_tractions(Domain& domain, std::span<const FaceWeights> weights,
     // Diagonal of the dashpot matrix rho c_p n n^T + rho c_s t t^T.
     const double zx = face.face.impedance_p * n.x * n.x + face.face.impedance_s * n.y * n.y;
     const double zy = face.face.impedance_p * n.y * n.y + face.face.impedance_s * n.x * n.x;
-    const Lanes t = face.length * Lanes{tractions[f].x, tractions[f].y, zx, zy};
-    for (const FaceWeight& weight : weights[f])
-      domain.grid.sums[weight.node].force += weight.w * t;
+    Grid& grid = domain.grid;
+    for (const auto& [node, w] : weights[f]) {
+      const double share = w * face.length;
+      grid.force_x[node] += share * tractions[f].x;
+      grid.force_y[node] += share * tractions[f].y;
+      grid.dashpot_x[node] += share * zx;
+      grid.dashpot_y[node] += share * zy;
+    }
   }
 }
 

@@ -5,58 +5,80 @@
 //
 //     S_i = 1/(2l) int N_i dx,      G_i = dS_i/dx.
 //
-// The box touches at most the nodes base, base+1, base+2, base = floor((x - l - x0)/h). With d0 and d1 the
-// distances from the box's ends to node base+1 as far as they lie left of it, and b what reaches beyond it,
+// With u the distance of a point from node i in cells, held within [-1, 1], the hat and its integral are
 //
-//     S_0 = (d0^2 - d1^2)/(4 h l),  G_0 = -(d0 - d1)/(2 h l),
-//     S_2 = b^2/(4 h l),            G_2 = b/(2 h l),            S_1 = 1 - S_0 - S_2,  G_1 = -G_0 - G_2.
+//     N = 1 - |u|,      F = int N du = u - u |u|/2 + const,
+//
+// and with a and b the two ends of the box S_i = h (F(b) - F(a))/(2l), G_i = (N(b) - N(a))/(2l): no branches,
+// four nodes at once. The box touches at most three nodes in a row, so that one of the four or more is zero.
 
-#include <algorithm>
+#include "mpm_domain/lanes.hpp"
+
 #include <cmath>
 
 namespace tremolo::mpm_domain {
 
-/// Weights of three consecutive nodes.
+/// Weights of four consecutive nodes.
 struct Weights {
-  int base = 0;
-  double s[3]; ///< S
-  double g[3]; ///< dS/dx, 1/m
-  double d[3]; ///< node minus particle, m
+  int base = 0; ///< the first of them
+  Lanes s;      ///< S
+  Lanes g;      ///< dS/dx, 1/m
 };
 
 /// A direction of the grid as the kernel sees it.
 struct Axis {
-  double origin = 0.0; ///< coordinate of node 0, m
-  double h = 0.0;
-  double half_size = 0.0; ///< l, m
+  /// @param origin_  coordinate of node 0, m
+  /// @param h_, half_size_  cell size and l, m
+  Axis(double origin_, double h_, double half_size_)
+      : origin(origin_), h(h_), half_size(half_size_), per_h(1.0 / h_), l(half_size_ / h_),
+        per_box(0.5 * h_ / half_size_), per_box_metre(0.5 / half_size_) {}
+
+  /// Place of a coordinate in cells from node 0
+  double cells(double x) const { return (x - origin) * per_h; }
+
+  double origin;
+  double h;
+  double half_size;
+  double per_h;         ///< 1/h, 1/m
+  double l;             ///< half_size/h
+  double per_box;       ///< h/(2 half_size)
+  double per_box_metre; ///< 1/(2 half_size), 1/m
 };
 
+/// Weights of nodes base .. base + 3 for a particle at `place` (Axis::cells).
+inline Weights weights_of(int base, double place, const Axis& axis) {
+  constexpr Lanes node = {0.0, 1.0, 2.0, 3.0};
+  const double from_base = place - base;
+  const Lanes a = clamped(all(from_base - axis.l) - node);
+  const Lanes b = clamped(all(from_base + axis.l) - node);
+  const Lanes hat_a = 1.0 - magnitude(a);
+  const Lanes hat_b = 1.0 - magnitude(b);
+  // u - u|u|/2 = u (1 + N)/2
+  return {base, 0.5 * axis.per_box * (b * (1.0 + hat_b) - a * (1.0 + hat_a)),
+          axis.per_box_metre * (hat_b - hat_a)};
+}
+
+/// Weights from the first node that the particle's box touches on: the last of the four is zero.
 inline Weights gimp_weights(double x, const Axis& axis) {
-  Weights w;
-  const double left = x - axis.half_size;
-  const double cell = std::floor((left - axis.origin) / axis.h);
-  w.base = static_cast<int>(cell);
-  const double node = axis.origin + (cell + 1.0) * axis.h;
-  const double d0 = node - left;
-  const double reach = x + axis.half_size - node;
-  const double d1 = std::max(-reach, 0.0);
-  const double b = std::max(reach, 0.0);
-  const double c = 0.5 / (axis.h * axis.half_size);
-  w.s[0] = 0.5 * c * (d0 + d1) * (d0 - d1);
-  w.s[2] = 0.5 * c * b * b;
-  w.s[1] = 1.0 - w.s[0] - w.s[2];
-  w.g[0] = -c * (d0 - d1);
-  w.g[2] = c * b;
-  w.g[1] = -w.g[0] - w.g[2];
-  w.d[1] = node - x;
-  w.d[0] = w.d[1] - axis.h;
-  w.d[2] = w.d[1] + axis.h;
-  return w;
+  const double place = axis.cells(x);
+  return weights_of(static_cast<int>(std::floor(place - axis.l)), place, axis);
+}
+
+/// Weights from the node before the particle's cell on: the same four nodes for all particles of a cell.
+inline Weights cell_weights(double x, const Axis& axis) {
+  const double place = axis.cells(x);
+  return weights_of(static_cast<int>(std::floor(place)) - 1, place, axis);
+}
+
+/// Nodes minus particle, m.
+inline Lanes offsets(const Weights& w, double x, const Axis& axis) {
+  constexpr Lanes node = {0.0, 1.0, 2.0, 3.0};
+  return all(axis.origin + w.base * axis.h - x) + axis.h * node;
 }
 
 /// Second moment sum_i S_i (x_i - x)^2, m2: APIC's inertia of the kernel. Never below l^2/3.
-inline double second_moment(const Weights& w) {
-  return w.s[0] * w.d[0] * w.d[0] + w.s[1] * w.d[1] * w.d[1] + w.s[2] * w.d[2] * w.d[2];
+inline double second_moment(const Weights& w, const Lanes& offset) {
+  return sum(w.s * offset * offset);
 }
 
 } // namespace tremolo::mpm_domain

@@ -29,16 +29,16 @@ std::vector<std::vector<double>*> Particles::columns() {
 namespace {
 
 std::size_t cell_of(const Particles& p, std::size_t k, const Grid& grid, double half_size) {
-  const Weights wx = gimp_weights(p.x[k], {grid.x0, grid.h, half_size});
+  const Weights wx = cell_weights(p.x[k], {grid.x0, grid.h, half_size});
   const Weights wy = gimp_weights(p.y[k], {grid.y0, grid.h, half_size});
   // A particle may move by one cell before the next sort, hence the margin; NaN fails every comparison.
-  const bool inside = wx.base >= 1 && wx.base + 4 <= grid.nx && wy.base >= 1 && wy.base + 4 <= grid.ny;
+  const bool inside = wx.base >= 1 && wx.base + 5 <= grid.nx && wy.base >= 1 && wy.base + 4 <= grid.ny;
   if (!inside || !std::isfinite(p.x[k]) || !std::isfinite(p.y[k]))
     throw std::runtime_error(fmt::format("particle {} of soil '{}' has left the grid: x = {:.6g} m, y = "
                                          "{:.6g} m; allowed x {:.6g} to {:.6g} m, y {:.6g} "
                                          "to {:.6g} m",
-                                         p.id[k], p.soil, p.x[k], p.y[k], grid.x0 + grid.h,
-                                         grid.x0 + (grid.nx - 2) * grid.h, grid.y0 + grid.h,
+                                         p.id[k], p.soil, p.x[k], p.y[k], grid.x0 + 2 * grid.h,
+                                         grid.x0 + (grid.nx - 3) * grid.h, grid.y0 + grid.h,
                                          grid.y0 + (grid.ny - 2) * grid.h));
   return grid.index(wx.base, wy.base);
 }

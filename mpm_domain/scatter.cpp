@@ -1,70 +1,126 @@
 #include "mpm_domain/scatter.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace tremolo::mpm_domain {
 
 namespace {
 
-/// One particle's contribution to a node with weight s, gradient (gx, gy) and offset (dx, dy) is
-///     motion += s (m + mc_x dx + mc_y dy),   force += s weight + gx stress_x + gy stress_y.
-struct Contribution {
-  Lanes m, mc_x, mc_y;
-  Lanes weight, stress_x, stress_y;
+/// What the particles of one cell add to the nodes that they share, three rows of four: held in registers
+/// while they stream through, written to the grid once.
+struct SharedSums {
+  std::array<Lanes, 3> mass{}, momentum_x{}, momentum_y{}, force_x{}, force_y{};
 };
 
-template <bool affine>
-Contribution contribution(const Particles& p, std::size_t k, double gravity) {
-  const double m = p.mass[k];
-  const double v = p.volume[k];
-  Contribution c;
-  c.m = Lanes{m, m * p.vx[k], m * p.vy[k], 0.0};
-  if constexpr (affine) {
-    c.mc_x = Lanes{0.0, m * p.cxx[k], m * p.cyx[k], 0.0};
-    c.mc_y = Lanes{0.0, m * p.cxy[k], m * p.cyy[k], 0.0};
-  }
-  c.weight = Lanes{0.0, -m * gravity, 0.0, 0.0};
-  c.stress_x = Lanes{-v * p.sxx[k], -v * p.sxy[k], 0.0, 0.0};
-  c.stress_y = Lanes{-v * p.sxy[k], -v * p.syy[k], 0.0, 0.0};
-  return c;
-}
-
-template <bool motion, bool force, bool affine>
-void scatter_range(const Particles& p, std::size_t begin, std::size_t end, Domain& domain) {
-  const Axis x_axis = domain.x_axis();
-  const Axis y_axis = domain.y_axis();
-  const double gravity = domain.spec.gravity;
-  Grid& grid = domain.grid;
-  for (std::size_t k = begin; k < end; ++k) {
-    const Weights wx = gimp_weights(p.x[k], x_axis);
-    const Weights wy = gimp_weights(p.y[k], y_axis);
-    const Contribution c = contribution<affine>(p, k, gravity);
-    NodeSum* row = &grid.sums[grid.index(wx.base, wy.base)];
-    for (int j = 0; j < 3; ++j, row += grid.nx)
-      for (int i = 0; i < 3; ++i) {
-        const double s = wx.s[i] * wy.s[j];
-        if constexpr (motion) {
-          if constexpr (affine)
-            row[i].motion += s * (c.m + wx.d[i] * c.mc_x + wy.d[j] * c.mc_y);
-          else
-            row[i].motion += s * c.m;
-        }
-        if constexpr (force)
-          row[i].force += s * c.weight + (wx.g[i] * wy.s[j]) * c.stress_x + (wx.s[i] * wy.g[j]) * c.stress_y;
-      }
+void add_rows(NodeField& field, std::size_t first, std::size_t row, const std::array<Lanes, 3>& sums) {
+  for (std::size_t j = 0; j < 3; ++j) {
+    double* const nodes = field.data() + first + j * row;
+    store(nodes, load(nodes) + sums[j]);
   }
 }
 
 template <bool motion, bool force>
-void scatter_blocks(Domain& domain) {
-  Grid& grid = domain.grid;
-  domain.workers.run(static_cast<std::size_t>(grid.ny), [&](std::size_t row) {
-    NodeSum* node = &grid.sums[row * static_cast<std::size_t>(grid.nx)];
-    for (int i = 0; i < grid.nx; ++i) {
-      if constexpr (motion)
-        node[i].motion = Lanes{};
-      if constexpr (force)
-        node[i].force = Lanes{};
+void add_to_grid(Grid& grid, std::size_t first, const SharedSums& sums) {
+  const auto row = static_cast<std::size_t>(grid.nx);
+  if constexpr (motion) {
+    add_rows(grid.mass, first, row, sums.mass);
+    add_rows(grid.momentum_x, first, row, sums.momentum_x);
+    add_rows(grid.momentum_y, first, row, sums.momentum_y);
+  }
+  if constexpr (force) {
+    add_rows(grid.force_x, first, row, sums.force_x);
+    add_rows(grid.force_y, first, row, sums.force_y);
+  }
+}
+
+/// Adds one particle's S m, S m (v + C (x_i - x)) and S m g - V sigma grad S. Lanes run along x: for each row
+/// only the factors of y remain.
+template <bool motion, bool force, bool affine>
+inline void add_particle(const Particles& p, std::size_t k, const Weights& wx, const Weights& wy,
+                         const Domain& domain, SharedSums& sums) {
+  const Lanes mass = p.mass[k] * wx.s;
+  Lanes px = p.vx[k] * mass;
+  Lanes py = p.vy[k] * mass;
+  Lanes px_dy{};
+  Lanes py_dy{};
+  Lanes dy{};
+  if constexpr (motion && affine) {
+    const Lanes dx = offsets(wx, p.x[k], domain.x_axis());
+    dy = offsets(wy, p.y[k], domain.y_axis());
+    px += p.cxx[k] * dx * mass;
+    py += p.cyx[k] * dx * mass;
+    px_dy = p.cxy[k] * mass;
+    py_dy = p.cyy[k] * mass;
+  }
+  const double v = -p.volume[k];
+  const Lanes fx_s = v * p.sxx[k] * wx.g;
+  const Lanes fx_g = v * p.sxy[k] * wx.s;
+  const Lanes fy_s = v * p.sxy[k] * wx.g - domain.spec.gravity * mass;
+  const Lanes fy_g = v * p.syy[k] * wx.s;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const double s = wy.s[j];
+    const double g = wy.g[j];
+    if constexpr (motion) {
+      sums.mass[j] += s * mass;
+      if constexpr (affine) {
+        sums.momentum_x[j] += s * (px + dy[j] * px_dy);
+        sums.momentum_y[j] += s * (py + dy[j] * py_dy);
+      } else {
+        sums.momentum_x[j] += s * px;
+        sums.momentum_y[j] += s * py;
+      }
     }
-  });
+    if constexpr (force) {
+      sums.force_x[j] += s * fx_s + g * fx_g;
+      sums.force_y[j] += s * fy_s + g * fy_g;
+    }
+  }
+}
+
+/// Flattened: the sums leave the registers if anything that touches them is a call.
+template <bool motion, bool force, bool affine>
+[[gnu::flatten]] void scatter_range(const Particles& p, std::size_t begin, std::size_t end, Domain& domain) {
+  const Axis x_axis = domain.x_axis();
+  const Axis y_axis = domain.y_axis();
+  Grid& grid = domain.grid;
+  SharedSums sums;
+  std::size_t shared = 0; // first node of the sums
+  for (std::size_t k = begin; k < end; ++k) {
+    const Weights wx = cell_weights(p.x[k], x_axis);
+    const Weights wy = gimp_weights(p.y[k], y_axis);
+    const std::size_t first = grid.index(wx.base, wy.base);
+    if (first != shared) {
+      if (k > begin)
+        add_to_grid<motion, force>(grid, shared, sums);
+      sums = {};
+      shared = first;
+    }
+    add_particle<motion, force, affine>(p, k, wx, wy, domain, sums);
+  }
+  if (begin < end)
+    add_to_grid<motion, force>(grid, shared, sums);
+}
+
+template <bool motion, bool force>
+void clear_row(Grid& grid, std::size_t row) {
+  const auto width = static_cast<std::ptrdiff_t>(grid.nx);
+  const auto clear = [&](NodeField& field) {
+    const auto first = field.begin() + static_cast<std::ptrdiff_t>(row) * width;
+    std::fill(first, first + width, 0.0);
+  };
+  if constexpr (motion)
+    for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y})
+      clear(*field);
+  if constexpr (force)
+    for (NodeField* field : {&grid.force_x, &grid.force_y, &grid.dashpot_x, &grid.dashpot_y})
+      clear(*field);
+}
+
+template <bool motion, bool force>
+void scatter_blocks(Domain& domain) {
+  domain.workers.run(static_cast<std::size_t>(domain.grid.ny),
+                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, row); });
   const std::size_t blocks = domain.block_count();
   for (std::size_t colour = 0; colour < 2; ++colour)
     domain.workers.run((blocks + 1 - colour) / 2, [&](std::size_t task) {

@@ -1,16 +1,38 @@
 #include "plain_step.hpp"
 
-#include "mpm_domain/kernel.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace tremolo::cost {
 
-using mpm_domain::Axis;
-using mpm_domain::gimp_weights;
-using mpm_domain::Weights;
+namespace {
+
+/// uGIMP weights of the three nodes from `base` on, and their gradients.
+struct Weights {
+  int base;
+  double s[3];
+  double g[3];
+};
+
+/// @param place, half  particle and half its box, in cells from node 0
+Weights weights(double place, double half, double h) {
+  Weights w{static_cast<int>(place - half), {}, {}};
+  const double before = w.base + 1 - (place - half); // the box's part before the second node, or all of it
+  const double beyond = place + half - (w.base + 1);
+  const double short_of = beyond < 0.0 ? -beyond : 0.0;
+  const double past = beyond > 0.0 ? beyond : 0.0;
+  const double box = 2.0 * half;
+  w.s[0] = (before * before - short_of * short_of) / (2.0 * box);
+  w.s[2] = past * past / (2.0 * box);
+  w.s[1] = 1.0 - w.s[0] - w.s[2];
+  w.g[0] = -(before - short_of) / (box * h);
+  w.g[2] = past / (box * h);
+  w.g[1] = -w.g[0] - w.g[2];
+  return w;
+}
+
+} // namespace
 
 PlainStep::PlainStep(int cells, double cell_size, double density, double young, double poisson)
     : nodes_(cells + 7), h_(cell_size), half_(0.25 * cell_size), origin_(-3.0 * cell_size),
@@ -51,8 +73,8 @@ void PlainStep::to_grid() {
   for (auto* node : {&node_mass_, &node_px_, &node_py_, &node_fx_, &node_fy_})
     std::fill(node->begin(), node->end(), 0.0);
   for (std::size_t p = 0; p < x_.size(); ++p) {
-    const Weights wx = gimp_weights(x_[p], {origin_, h_, half_});
-    const Weights wy = gimp_weights(y_[p], {origin_, h_, half_});
+    const Weights wx = weights((x_[p] - origin_) / h_, half_ / h_, h_);
+    const Weights wy = weights((y_[p] - origin_) / h_, half_ / h_, h_);
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i) {
         const auto n = static_cast<std::size_t>((wy.base + j) * nodes_ + wx.base + i);
@@ -80,8 +102,8 @@ void PlainStep::move_nodes(double dt) {
 
 void PlainStep::to_particles(double dt) {
   for (std::size_t p = 0; p < x_.size(); ++p) {
-    const Weights wx = gimp_weights(x_[p], {origin_, h_, half_});
-    const Weights wy = gimp_weights(y_[p], {origin_, h_, half_});
+    const Weights wx = weights((x_[p] - origin_) / h_, half_ / h_, h_);
+    const Weights wy = weights((y_[p] - origin_) / h_, half_ / h_, h_);
     double vx = 0.0, vy = 0.0, ax = 0.0, ay = 0.0, lxx = 0.0, lxy = 0.0, lyx = 0.0, lyy = 0.0;
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i) {

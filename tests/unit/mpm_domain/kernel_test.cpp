@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace tremolo::mpm_domain {
@@ -29,9 +30,9 @@ TEST_P(Kernel, WeightsAreTheAveragedHatFunctions) {
   std::uniform_real_distribution<double> place(-1.0, 1.0);
   for (int i = 0; i < 20; ++i) {
     const double x = place(random);
-    const Weights w = gimp_weights(x, axis_);
-    for (int a = 0; a < 3; ++a)
-      EXPECT_NEAR(w.s[a], averaged_hat(axis_.origin + (w.base + a) * axis_.h, x, axis_), 1e-8);
+    for (const Weights& w : {gimp_weights(x, axis_), cell_weights(x, axis_)})
+      for (int a = 0; a < 4; ++a)
+        EXPECT_NEAR(w.s[a], averaged_hat(axis_.origin + (w.base + a) * axis_.h, x, axis_), 1e-8);
   }
 }
 
@@ -39,13 +40,17 @@ TEST_P(Kernel, ReproducesLinearFieldsAndTheirGradient) {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> place(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
-    const Weights w = gimp_weights(place(random), axis_);
-    EXPECT_NEAR(w.s[0] + w.s[1] + w.s[2], 1.0, 1e-14);
-    EXPECT_NEAR(w.s[0] * w.d[0] + w.s[1] * w.d[1] + w.s[2] * w.d[2], 0.0, 1e-14);
-    EXPECT_NEAR(w.g[0] + w.g[1] + w.g[2], 0.0, 1e-13);
-    EXPECT_NEAR(w.g[0] * w.d[0] + w.g[1] * w.d[1] + w.g[2] * w.d[2], 1.0, 1e-13);
-    EXPECT_GE(std::min({w.s[0], w.s[1], w.s[2]}), -1e-15);
-    EXPECT_GE(second_moment(w), axis_.half_size * axis_.half_size / 3.0 - 1e-15);
+    const double x = place(random);
+    for (const Weights& w : {gimp_weights(x, axis_), cell_weights(x, axis_)}) {
+      const Lanes d = offsets(w, x, axis_);
+      EXPECT_NEAR(sum(w.s), 1.0, 1e-14);
+      EXPECT_NEAR(sum(w.s * d), 0.0, 1e-14);
+      EXPECT_NEAR(sum(w.g), 0.0, 1e-13);
+      EXPECT_NEAR(sum(w.g * d), 1.0, 1e-13);
+      EXPECT_GE(std::min({w.s[0], w.s[1], w.s[2], w.s[3]}), -1e-15);
+      EXPECT_GE(second_moment(w, d), axis_.half_size * axis_.half_size / 3.0 - 1e-15);
+    }
+    EXPECT_EQ(gimp_weights(x, axis_).s[3], 0.0);
   }
 }
 
@@ -60,7 +65,7 @@ TEST_P(Kernel, GradientIsTheDerivativeOfTheWeight) {
     const Weights right = gimp_weights(x + step, axis_);
     if (left.base != right.base)
       continue;
-    for (int a = 0; a < 3; ++a)
+    for (int a = 0; a < 4; ++a)
       EXPECT_NEAR(w.g[a], (right.s[a] - left.s[a]) / (2.0 * step), 1e-5);
   }
 }

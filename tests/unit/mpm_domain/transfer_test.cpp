@@ -25,11 +25,11 @@ Totals grid_totals(const Domain& domain) {
   const Grid& grid = domain.grid;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
-      const Lanes motion = grid.sums[grid.index(i, j)].motion;
-      total.mass += motion[0];
-      total.momentum.x += motion[1];
-      total.momentum.y += motion[2];
-      total.spin += (grid.x0 + i * grid.h) * motion[2] - (grid.y0 + j * grid.h) * motion[1];
+      const std::size_t n = grid.index(i, j);
+      total.mass += grid.mass[n];
+      total.momentum.x += grid.momentum_x[n];
+      total.momentum.y += grid.momentum_y[n];
+      total.spin += (grid.x0 + i * grid.h) * grid.momentum_y[n] - (grid.y0 + j * grid.h) * grid.momentum_x[n];
     }
   return total;
 }
@@ -71,8 +71,12 @@ TEST(Transfer, ScatterConservesMassMomentumAndAngularMomentum) {
     expected.mass += p.mass[k];
     expected.momentum.x += p.mass[k] * p.vx[k];
     expected.momentum.y += p.mass[k] * p.vy[k];
-    const double mx = second_moment(gimp_weights(p.x[k], domain.x_axis()));
-    const double my = second_moment(gimp_weights(p.y[k], domain.y_axis()));
+    const auto moment = [](double x, const Axis& axis) {
+      const Weights w = gimp_weights(x, axis);
+      return second_moment(w, offsets(w, x, axis));
+    };
+    const double mx = moment(p.x[k], domain.x_axis());
+    const double my = moment(p.y[k], domain.y_axis());
     expected.spin += p.mass[k] * (p.x[k] * p.vy[k] - p.y[k] * p.vx[k] + mx * p.cyx[k] - my * p.cxy[k]);
   }
   const Totals grid = grid_totals(domain);
@@ -112,9 +116,9 @@ TEST(Transfer, InternalForcesSumToZeroAndGravityToTheWeight) {
   }
   scatter(domain, ScatterPart::force);
   Vector sum;
-  for (const NodeSum& node : domain.grid.sums) {
-    sum.x += node.force[0];
-    sum.y += node.force[1];
+  for (std::size_t n = 0; n < domain.grid.size(); ++n) {
+    sum.x += domain.grid.force_x[n];
+    sum.y += domain.grid.force_y[n];
   }
   const double weight = 1700.0 * 30.0 * 9.81;
   EXPECT_NEAR(sum.x, 0.0, 1e-9 * weight);
