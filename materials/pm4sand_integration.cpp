@@ -79,6 +79,11 @@ double error2_between(const Site& at, const Change& a, const Change& b) {
   return 0.25 * std::max(std::max(in_stress, contract(dalpha, dalpha)), in_fabric);
 }
 
+/// How far a stress lies outside the yield surface, Pa.
+double outside_yield(const Pm4Sand& law, Deviator alpha, const Stress& stress) {
+  return norm(stress.s - stress.p * alpha) - law.m * stress.p / sqrt2;
+}
+
 /// Puts alpha where the stress lies on the yield surface if it lies outside.
 void correct_drift(const Pm4Sand& law, Motion& now, const Stress& stress) {
   const Deviator x = stress.s - stress.p * now.alpha;
@@ -89,19 +94,33 @@ void correct_drift(const Pm4Sand& law, Motion& now, const Stress& stress) {
   }
 }
 
-/// Scales a stress ratio outside the bounding surface back to it.
+/// Brings a stress outside the bounding surface |s| = M_b p/sqrt2 back to it: what is drift from the yield
+/// surface, which alpha can no longer follow, along the normal; what the surface itself has shrunk, at
+/// constant p.
+void return_to_bound(const Pm4Sand& law, Motion& now, Stress& stress, double M_b) {
+  const double slope = M_b / sqrt2;
+  const double length = norm(stress.s);
+  const double outside = length - slope * stress.p;
+  const double drift = // soil that is pulled apart has its pressure
+      now.gap > 0.0 ? 0.0 : std::min(std::max(outside_yield(law, now.alpha, stress), 0.0), outside);
+  stress.p += 0.5 * slope * drift / (1.0 + 0.5 * slope * slope);
+  stress.s = (slope * stress.p / length) * stress.s;
+  now.alpha = ((M_b - law.m) / (M_b * stress.p)) * stress.s;
+}
+
+/// Takes out what has drifted off the yield surface and what lies outside the bounding surface.
 /// @param near  the surfaces close by
-void hold_bound(const Pm4Sand& law, const Initial& start, Motion& now, Stress& stress, const Surfaces& near) {
-  constexpr double moves = 0.99; // the surface moves by less in a sub-step
+void correct(const Pm4Sand& law, const Initial& start, Motion& now, Stress& stress, const Surfaces& near) {
+  constexpr double moves = 0.99; // the bounding surface moves by less in a sub-step
   const double M_cur2 = stress_ratio2(stress);
-  if (M_cur2 < moves * moves * near.M_b * near.M_b) {
-    return;
+  if (M_cur2 >= moves * moves * near.M_b * near.M_b) {
+    const double M_b = surfaces(law, std::max(stress.p, start.p_min), now.volumetric_strain).M_b;
+    if (M_cur2 > M_b * M_b) {
+      return_to_bound(law, now, stress, M_b);
+      return;
+    }
   }
-  const double M_b = surfaces(law, std::max(stress.p, start.p_min), now.volumetric_strain).M_b;
-  if (M_cur2 > M_b * M_b) {
-    stress.s = (M_b / std::sqrt(M_cur2)) * stress.s;
-    now.alpha = ((M_b - law.m) / (M_b * stress.p)) * stress.s;
-  }
+  correct_drift(law, now, stress);
 }
 
 /// One attempt at a sub-step.
@@ -156,10 +175,7 @@ void attempt(const Pm4Sand& law, const State& from, const Stress& stress, const 
   result.error2 = error2_between(first, one, two);
   hold_floor(start, result.stress, gap, first.K + first.G / 3.0);
   result.now.gap = gap;
-  if (plastic) {
-    correct_drift(law, result.now, result.stress);
-  }
-  hold_bound(law, start, result.now, result.stress, second.surface);
+  correct(law, start, result.now, result.stress, second.surface);
 }
 
 } // namespace

@@ -7,8 +7,9 @@
 //     change = (c_1 + c_2)/2,    error = |c_2 - c_1|/2,
 //
 // measured on stress, back stress ratio and fabric. Moduli, surfaces and dilatancy are evaluated anew for
-// both. A sub-step that begins inside the yield surface is elastic up to it. After a plastic one, drift is
-// taken out of alpha, never out of the stress; only what lies outside the bounding surface is scaled back.
+// both. A sub-step that begins inside the yield surface is elastic up to it. Drift off the yield surface is
+// taken out of alpha, not out of the stress, unless that would take alpha outside the bounding surface: then
+// the stress goes back to that surface.
 
 #include "materials/pm4sand_rates.hpp"
 #include "materials/pm4sand_state.hpp"

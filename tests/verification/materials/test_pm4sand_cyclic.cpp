@@ -1,0 +1,140 @@
+// Cycles to liquefaction of PM4Sand under shear stress of constant amplitude at constant volume, found by its
+// own stress reversals, against those of an independent implementation: within half a cycle.
+
+#include "pm4sand_soil.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace tremolo::materials::test {
+namespace {
+
+/// Uniform cycles of shear stress tau = static +- amplitude, starting upwards; strain increments of one size,
+/// the last one before a reversal shortened until the stress is met.
+class StressCycles {
+public:
+  StressCycles(const Law& law, const PointStress& initial, double amplitude, double increment)
+      : point_(law, initial), static_(initial.xy), amplitude_(amplitude), increment_(increment) {}
+
+  /// One increment, and a reversal where the amplitude is reached.
+  void advance() {
+    const PointState before = point_.now();
+    shear(direction_ * increment_);
+    if (direction_ * (point_.stress().xy - static_) < amplitude_) {
+      return;
+    }
+    double low = 0.0;
+    double high = increment_;
+    for (int halvings = 0; halvings < 40; ++halvings) {
+      const double middle = 0.5 * (low + high);
+      point_.set(before);
+      shear(direction_ * middle);
+      (direction_ * (point_.stress().xy - static_) < amplitude_ ? low : high) = middle;
+    }
+    ++half_cycles_;
+    direction_ = -direction_;
+  }
+
+  /// The number of cycles so far, interpolated by shear stress within a half cycle.
+  double cycles() const {
+    const double travelled = direction_ * (point_.stress().xy - static_) / amplitude_; // -1 to 1
+    return half_cycles_ == 0 ? 0.25 * travelled : 0.5 * half_cycles_ + 0.25 * travelled;
+  }
+
+  const PointTest& point() const { return point_; }
+
+private:
+  void shear(double strain) {
+    point_.apply({Control::strain(0.0), Control::strain(0.0), Control::strain(strain)});
+  }
+
+  PointTest point_;
+  double static_;
+  double amplitude_;
+  double increment_;
+  double direction_ = 1.0;
+  int half_cycles_ = 0;
+};
+
+/// Cycles to a pore pressure ratio of 0.98 and to single-amplitude shear strains of 1 and 3 per cent.
+struct Cycles {
+  double ru_98 = 0.0;
+  double strain_1 = 0.0;
+  double strain_3 = 0.0;
+};
+
+Cycles cycles_to_liquefaction(const Law& law, const PointStress& initial, double amplitude,
+                              double increment) {
+  StressCycles test(law, initial, amplitude, increment);
+  std::optional<double> ru_98;
+  std::optional<double> strain_1;
+  for (long n = 0; n < static_cast<long>(3.0 / increment); ++n) {
+    test.advance();
+    const double strain = std::abs(test.point().strain().xy);
+    if (!ru_98 && test.point().stress().yy >= 0.02 * initial.yy) {
+      ru_98 = test.cycles();
+    }
+    if (!strain_1 && strain >= 0.01) {
+      strain_1 = test.cycles();
+    }
+    if (strain >= 0.03 && ru_98) {
+      return {*ru_98, strain_1.value_or(0.0), test.cycles()};
+    }
+  }
+  return {};
+}
+
+struct Liquefaction {
+  const char* name;
+  int density;
+  double sv;  ///< kPa
+  double K_0; ///< initial stress ratio
+  double tau; ///< static shear stress, kPa
+  double csr; ///< cyclic stress ratio
+  Cycles reference;
+};
+
+class Pm4Liquefaction : public ::testing::TestWithParam<Liquefaction> {};
+
+TEST_P(Pm4Liquefaction, NeedsTheCyclesOfTheReference) {
+  const Liquefaction& test = GetParam();
+  const double sv = test.sv * kilopascal;
+  const Cycles ours = cycles_to_liquefaction(
+      report_sand(test.density), geostatic(sv, test.K_0, test.tau * kilopascal), test.csr * sv, 5e-6);
+  EXPECT_NEAR(ours.ru_98, test.reference.ru_98, 0.5);
+  EXPECT_NEAR(ours.strain_1, test.reference.strain_1, 0.5);
+  EXPECT_NEAR(ours.strain_3, test.reference.strain_3, 0.5);
+  RecordProperty("ru_98", std::to_string(ours.ru_98 - test.reference.ru_98));
+  RecordProperty("strain_1", std::to_string(ours.strain_1 - test.reference.strain_1));
+  RecordProperty("strain_3", std::to_string(ours.strain_3 - test.reference.strain_3));
+}
+
+// Cycles of the reference (increments of 5e-6).
+INSTANTIATE_TEST_SUITE_P(
+    Reference, Pm4Liquefaction,
+    ::testing::Values(Liquefaction{"dr35", 35, 101.3, 0.5, 0.0, 0.090, {13.51, 13.17, 13.74}},
+                      Liquefaction{"dr55", 55, 101.3, 0.5, 0.0, 0.147, {12.01, 12.14, 14.19}},
+                      Liquefaction{"dr75", 75, 101.3, 0.5, 0.0, 0.312, {11.01, 10.20, 13.71}},
+                      Liquefaction{"dr55_k10", 55, 100.0, 1.0, 0.0, 0.160, {24.50, 24.19, 26.22}},
+                      Liquefaction{"dr55_bias", 55, 101.3, 0.5, 10.13, 0.147, {12.67, 11.14, 12.90}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+/// The strength of sub-stepped integration does not depend on the increments it is asked for.
+TEST(Pm4Increments, DoNotChangeTheCyclesToLiquefaction) {
+  const Pm4Sand law = report_sand(55);
+  const double sv = 101.3 * kilopascal;
+  const Cycles fine = cycles_to_liquefaction(law, geostatic(sv, 0.5), 0.147 * sv, 1e-6);
+  for (const double increment : {1e-5, 1e-4}) {
+    const Cycles coarse = cycles_to_liquefaction(law, geostatic(sv, 0.5), 0.147 * sv, increment);
+    // What is left is the resolution of a coarse increment within the last half cycle.
+    EXPECT_NEAR(coarse.ru_98, fine.ru_98, 0.02) << increment;
+    EXPECT_NEAR(coarse.strain_1, fine.strain_1, 0.02) << increment;
+    EXPECT_NEAR(coarse.strain_3, fine.strain_3, 0.02) << increment;
+    RecordProperty("strain_3_at_" + std::to_string(increment),
+                   std::to_string(coarse.strain_3 - fine.strain_3));
+  }
+}
+
+} // namespace
+} // namespace tremolo::materials::test
