@@ -39,6 +39,10 @@ TEST_P(Pm4Replay, FollowsTheStressOfTheReference) {
   RecordProperty("worst_over_sv", std::to_string(worst / sv));
 }
 
+std::string file_name(const ::testing::TestParamInfo<Replay>& test) {
+  return test.param.file;
+}
+
 INSTANTIATE_TEST_SUITE_P(Cyclic, Pm4Replay,
                          ::testing::Values(Replay{"dr35_ucdss_csr0090_k05_s101", 35, 0.003},
                                            Replay{"dr55_ucdss_csr0147_k05_s101", 55, 0.003},
