@@ -22,13 +22,15 @@ void write(const std::filesystem::path& file, const std::string& text) {
 } // namespace
 
 void add_docs(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("docs", "Write the generated reference: case-file.md and case.schema.json");
+  auto* command = app.add_subcommand(
+      "docs", "Write the generated reference of case files and soil tests, pages and JSON schemas");
   const auto folder = std::make_shared<std::string>();
   command->add_option("FOLDER", *folder, "Existing folder to write to")->required();
   command->callback([folder] {
-    write(std::filesystem::path(*folder) / "case-file.md", scene::reference_markdown());
-    write(std::filesystem::path(*folder) / "case.schema.json", scene::reference_json_schema());
+    for (const scene::Reference& reference : scene::references()) {
+      write(std::filesystem::path(*folder) / reference.page, scene::markdown(reference));
+      write(std::filesystem::path(*folder) / reference.schema, scene::json_schema(reference));
+    }
   });
 }
 

@@ -35,7 +35,7 @@ const Key* Table::find(std::string_view key) const {
   return found == keys.end() ? nullptr : &*found;
 }
 
-std::span<const Table> key_table() {
+KeyTable case_keys() {
   static const std::vector<Table> tables = [] {
     std::vector<Table> all = {{.name = "",
                                .meaning = "Keys at the top of the file, before the first table.",
@@ -50,16 +50,16 @@ std::span<const Table> key_table() {
   return tables;
 }
 
-const Table& table_spec(std::string_view name) {
-  const auto found = std::ranges::find(key_table(), name, &Table::name);
-  if (found == key_table().end())
+const Table& table_spec(KeyTable keys, std::string_view name) {
+  const auto found = std::ranges::find(keys, name, &Table::name);
+  if (found == keys.end())
     throw std::logic_error(fmt::format("no table '{}' in the key table", name));
   return *found;
 }
 
-std::vector<std::string_view> subtables(std::string_view parent) {
+std::vector<std::string_view> subtables(KeyTable keys, std::string_view parent) {
   std::vector<std::string_view> names;
-  for (const Table& table : key_table()) {
+  for (const Table& table : keys) {
     const auto dot = table.name.rfind('.');
     const auto above = dot == std::string_view::npos ? std::string_view{} : table.name.substr(0, dot);
     if (!table.name.empty() && above == parent)
@@ -82,6 +82,8 @@ std::string type_text(const Key& key) {
     return "array of strings";
   case Type::numbers:
     return fmt::format("array of {} numbers {}", key.count, key.form);
+  case Type::series:
+    return "number or array of numbers";
   case Type::polygon:
     return "array of at least 3 points [[x, y], ...]";
   }

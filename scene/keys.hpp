@@ -1,7 +1,8 @@
 #pragma once
 
-// Every key of a case file, in one table. Reading, range checks, docs/case-file.md and docs/case.schema.json
-// all come from here, so a reference that differs from the program cannot exist.
+// Every key of the files that users write, in one table for each kind of file. Reading, range checks and the
+// generated reference (docs/case-file.md, docs/case.schema.json, docs/soil-test-file.md, ...) all come from
+// here, so a reference that differs from the program cannot exist.
 
 #include <limits>
 #include <span>
@@ -18,6 +19,7 @@ enum class Type {
   choice,  ///< one of Key::choices
   choices, ///< an array of them, each at most once
   numbers, ///< an array of Key::count numbers
+  series,  ///< a number, or an array of at least one
   polygon, ///< an array of at least three points [x, y]
 };
 
@@ -72,14 +74,21 @@ struct Table {
   const Key* find(std::string_view key) const;
 };
 
-/// All tables in the order of the reference; a table stands behind its parent.
-std::span<const Table> key_table();
+/// All tables of a kind of file in the order of the reference; a table stands behind its parent.
+using KeyTable = std::span<const Table>;
 
-/// @throws std::logic_error for a name that is not in key_table()
-const Table& table_spec(std::string_view name);
+/// Of case files.
+KeyTable case_keys();
+/// Of soil tests and calibrations.
+KeyTable soil_test_keys();
+/// Of the soils in materials/library.
+KeyTable library_keys();
+
+/// @throws std::logic_error for a name that is not in the table
+const Table& table_spec(KeyTable keys, std::string_view name);
 
 /// Names of the tables directly below `parent` ("" for the top of the file), without the parent's prefix.
-std::vector<std::string_view> subtables(std::string_view parent);
+std::vector<std::string_view> subtables(KeyTable keys, std::string_view parent);
 
 /// "number", "array of 2 numbers [x, y]", ...
 std::string type_text(const Key& key);

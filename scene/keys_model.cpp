@@ -1,115 +1,11 @@
 #include "scene/keys_model.hpp"
 
 #include "scene/keys_elastic.hpp"
+#include "scene/keys_soil.hpp"
 
 namespace tremolo::scene {
 
 namespace {
-
-/// Of soils with a backbone.
-Key backbone(std::string_view name, std::vector<std::string_view> models, std::string_view meaning,
-             Range range) {
-  return {.name = name,
-          .unit = "1",
-          .meaning = meaning,
-          .otherwise = "fitted to `curve`",
-          .range = range,
-          .when = {"model", std::move(models)}};
-}
-
-/// Of the built-in curves.
-Key darendeli(std::string_view name, std::string_view unit, std::string_view meaning,
-              std::string_view fallback, Range range) {
-  return {.name = name,
-          .unit = unit,
-          .meaning = meaning,
-          .required = fallback.empty(),
-          .fallback = fallback,
-          .range = range,
-          .when = {"curve", {"darendeli"}}};
-}
-
-Condition mohr_coulomb() {
-  return {"model", {"mohr_coulomb"}};
-}
-
-Key strength(std::string_view name, std::string_view unit, std::string_view meaning, Range range,
-             std::string_view fallback = {}) {
-  return {.name = name,
-          .unit = unit,
-          .meaning = meaning,
-          .required = fallback.empty(),
-          .fallback = fallback,
-          .range = range,
-          .when = mohr_coulomb()};
-}
-
-std::vector<Key> hysteretic_keys() {
-  const std::vector<std::string_view> both = {"hyperbolic", "mkz"};
-  return {
-      {.name = "curve",
-       .type = Type::text,
-       .meaning = "G/G0 and damping against shear strain, to which the backbone is fitted and which `eql` "
-                  "takes as they "
-                  "are: `darendeli` (2001), or the name of a table `strain,modulus_reduction,damping`, "
-                  "relative to the "
-                  "case file.",
-       .otherwise = "the backbone given",
-       .when = {"model", {"mkz"}}},
-      backbone("reference_strain", both, "Shear strain of the backbone, engineering.", positive),
-      backbone("beta", {"mkz"}, "Factor of the backbone.", positive),
-      backbone("exponent", {"mkz"}, "Exponent of the backbone.", {.low = 0.1, .high = 1.0}),
-      darendeli("plasticity_index", "%", "Plasticity index.", "", not_negative),
-      darendeli("overconsolidation_ratio", "1", "Overconsolidation ratio.", "1", {.low = 1.0}),
-      darendeli("mean_stress", "Pa", "Mean effective confining stress.", "", {.low = 100.0, .high = 1e8}),
-      darendeli("excitation_hz", "Hz", "Frequency of loading.", "1", positive),
-      darendeli("cycles", "1", "Number of cycles of loading.", "10", {.low = 1.0}),
-  };
-}
-
-Table soil() {
-  constexpr Range angle = {.low = 0.0, .high = 90.0, .high_open = true};
-  auto keys = with_elastic_keys({
-      strength("cohesion_peak", "Pa", "Cohesion before softening.", not_negative),
-      strength("cohesion_residual", "Pa", "Cohesion after softening, at most the peak.", not_negative),
-      strength("friction_peak_deg", "degrees", "Friction angle before softening.", angle),
-      strength("friction_residual_deg", "degrees", "Friction angle after softening, at most the peak.",
-               angle),
-      strength("dilation_peak_deg", "degrees", "Dilation angle before softening, at most the friction angle.",
-               angle, "0"),
-      strength("dilation_residual_deg", "degrees", "Dilation angle after softening.", angle, "0"),
-      strength(
-          "softening", "1",
-          "Softening coefficient eta: c and the angles decay from peak to residual with exp(-eta e), e the "
-          "equivalent plastic deviatoric strain. 0 keeps the peak.",
-          not_negative),
-      {.name = "tension_cutoff",
-       .unit = "Pa",
-       .meaning = "Largest tensile stress.",
-       .otherwise = "the apex c cot(phi)",
-       .range = not_negative,
-       .when = mohr_coulomb()},
-      {.name = "reference_size",
-       .unit = "m",
-       .meaning = "Cell size h_ref for which `softening` holds: eta is scaled by h/h_ref, so that the work "
-                  "of a shear band "
-                  "does not depend on the mesh.",
-       .otherwise = "no scaling",
-       .range = positive,
-       .when = mohr_coulomb()},
-  });
-  for (Key& key : hysteretic_keys())
-    keys.push_back(std::move(key));
-  keys.insert(keys.begin(),
-              choice("model", {"linear_elastic", "mohr_coulomb", "hyperbolic", "mkz"},
-                     "Constitutive law. `hyperbolic` and `mkz`: hysteretic soil by the extended Masing "
-                     "rules, G/G0 = 1/(1 + beta (gamma/reference_strain)^exponent)."));
-  return {.name = "soil",
-          .kind = Kind::named,
-          .required = true,
-          .meaning = "A soil of the domain. Either `young` and `poisson`, or `vs` and `vp`.",
-          .keys = std::move(keys)};
-}
 
 Table time() {
   return {
@@ -187,7 +83,7 @@ Table stage() {
 
 std::vector<Table> model_keys() {
   return {
-      soil(),
+      {.name = "soil", .kind = Kind::named, .required = true, .meaning = soil_meaning, .keys = soil_keys()},
       {.name = "region",
        .kind = Kind::array,
        .required = true,

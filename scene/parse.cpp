@@ -2,42 +2,9 @@
 
 #include "scene/read.hpp"
 #include "scene/rules/rules.hpp"
-
-#include <fmt/format.h>
-
-#include <fstream>
-#include <sstream>
+#include "scene/text.hpp"
 
 namespace tremolo::scene {
-
-namespace {
-
-toml::table parse_toml(std::string_view text, Findings& findings) {
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    const auto begin = error.source().begin;
-    findings.add("", Place{begin.line, begin.column, ""},
-                 fmt::format("not valid TOML: {}", error.description()));
-    findings.throw_if_any();
-    throw;
-  }
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code trouble;
-  std::ifstream stream(file, std::ios::binary);
-  if (!std::filesystem::is_regular_file(file, trouble) || !stream)
-    throw CaseErrors(
-        {{file.string(), 1, 1, "",
-          std::filesystem::exists(file, trouble) ? "cannot be read: not a regular file, or no permission"
-                                                 : "there is no such file"}});
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return std::move(text).str();
-}
-
-} // namespace
 
 Case parse(std::string_view text, const std::filesystem::path& file, const std::filesystem::path& directory) {
   Findings findings(file.string());
@@ -47,7 +14,7 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
   scene.text = text;
 
   const toml::table root = parse_toml(text, findings);
-  Document document(root, findings, scene.values);
+  Document document(root, {case_keys(), findings, scene.values});
   scene.title = document.table("").text("title");
   read_mesh(document, scene);
   if (!document.has("soil"))
@@ -75,7 +42,7 @@ Case load_free_field(const std::filesystem::path& file, SourceModel model) {
   scene.text = read_text(file);
 
   const toml::table root = parse_toml(scene.text, findings);
-  Document document(root, findings, scene.values);
+  Document document(root, {case_keys(), findings, scene.values});
   if (document.has("mesh"))
     read_mesh(document, scene);
   read_free_field(document, findings, scene);

@@ -1,7 +1,8 @@
+#include "scene/read_soil.hpp"
 #include "materials/curve_fit.hpp"
-#include "scene/curve_table.hpp"
 #include "scene/nearest.hpp"
 #include "scene/read.hpp"
+#include "scene/soil_library.hpp"
 
 #include <fmt/format.h>
 
@@ -43,18 +44,6 @@ StrainCurves curves_of(const materials::Backbone& backbone) {
 StrainCurves curves_of(const materials::SoilCurves& curves) {
   return {[curves](double strain) { return curves.modulus_ratio_at(strain); },
           [curves](double strain) { return curves.damping_ratio_at(strain); }, true};
-}
-
-/// G/Gmax and damping that a soil's `curve` names.
-/// @throws std::invalid_argument or motion::RecordError, saying what is wrong
-materials::SoilCurves read_curve(const TableReader& table, const std::filesystem::path& directory) {
-  if (table.text("curve") != built_in_curve)
-    return read_curve_table(directory / table.text("curve"));
-  return materials::darendeli_curves({.plasticity_index = table.number("plasticity_index"),
-                                      .overconsolidation_ratio = table.number("overconsolidation_ratio"),
-                                      .mean_effective_stress = table.number("mean_stress"),
-                                      .frequency = table.number("excitation_hz"),
-                                      .cycles = table.number("cycles")});
 }
 
 /// Backbone as given or fitted, and the curves that the equivalent-linear iteration takes.
@@ -116,21 +105,53 @@ Soil read_hysteretic(const NamedTable& soil, const materials::Elasticity& elasti
           curves ? curves : curves_of(law.backbone())};
 }
 
-Soil read_soil(const NamedTable& soil, const Case& scene, Findings& findings) {
-  const auto elastic = read_elasticity(soil.reader, findings);
-  const auto model = soil.reader.text("model");
-  if (model == "mohr_coulomb")
-    return read_softening(soil, elastic, scene.mesh.size);
-  if (model == "hyperbolic" || model == "mkz")
-    return read_hysteretic(soil, elastic, scene.directory, findings);
-  return {soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
+/// The model of a soil of the library is part of it.
+bool keeps_model(const TableReader& table, Findings& findings) {
+  const LibrarySoil* soil = library_soil(table.text(library_key));
+  const auto own = soil != nullptr ? (*soil->keys)["model"].value<std::string>() : std::nullopt;
+  if (!own || *own == table.text("model") || !findings.sound(table.path("model")))
+    return true;
+  findings.add(table.path("model"),
+               fmt::format("'{}' of the library is \"{}\", which a case cannot change: remove 'model'",
+                           soil->name, *own));
+  return false;
 }
 
 } // namespace
 
+void need(const TableReader& table, std::string_view key, Findings& findings) {
+  if (!table.given(key) && findings.sound(table.path(library_key)))
+    findings.add(table.path(key),
+                 fmt::format("missing '{}': model = \"{}\" needs it", key, table.text("model")));
+}
+
+Soil placeholder(const std::string& name) {
+  return {name, materials::LinearElastic{}, materials::LinearElastic{}, {}, {}};
+}
+
+Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, double mesh_size,
+               Findings& findings) {
+  const auto model = soil.reader.text("model");
+  if (!keeps_model(soil.reader, findings))
+    return placeholder(soil.name);
+  if (model == "pm4sand" || model == "pdmy03")
+    return read_sand(soil, directory, findings);
+  if (model.empty())
+    return placeholder(soil.name);
+  if (model == "drucker_prager" || model == "multi_yield_clay")
+    return read_plastic(soil, directory, findings);
+  need(soil.reader, "density", findings);
+  const auto elastic = read_elasticity(soil.reader, findings);
+  if (model == "mohr_coulomb")
+    return read_softening(soil, elastic, mesh_size);
+  if (model == "hyperbolic" || model == "mkz")
+    return read_hysteretic(soil, elastic, directory, findings);
+  return {soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
+}
+
 void read_soils(Document& document, Findings& findings, Case& scene) {
   for (const auto& soil : document.named("soil"))
-    scene.soils.push_back(read_soil(soil, scene, findings));
+    scene.soils.push_back(read_soil(soil, scene.directory, scene.mesh.size, findings));
 }
 
 std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,

@@ -1,6 +1,7 @@
 #include "scene/reader.hpp"
 
 #include "scene/nearest.hpp"
+#include "scene/soil_library.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -69,11 +70,12 @@ std::vector<std::string> split_list(std::string_view text) {
 } // namespace
 
 TableReader::TableReader(const Table& spec, const toml::table* node, std::string path, std::string shown,
-                         Findings& findings, std::vector<ValueInForce>& values)
-    : spec_(spec), node_(node), path_(std::move(path)), shown_(std::move(shown)), findings_(findings),
-      in_force_(values) {
-  if (node_ != nullptr)
+                         Reading reading)
+    : spec_(spec), node_(node), path_(std::move(path)), shown_(std::move(shown)), reading_(reading) {
+  if (node_ != nullptr) {
     refuse_unknown_keys();
+    find_library();
+  }
   // Keys without a condition first: the others ask for their values.
   for (const bool conditional : {false, true})
     for (const Key& key : spec_.keys)
@@ -85,19 +87,44 @@ std::string TableReader::path(std::string_view key) const {
   return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
+/// In the file, otherwise in the library's soil.
+const toml::node* TableReader::node_of(std::string_view key) const {
+  const toml::node* own = node_ != nullptr ? node_->get(key) : nullptr;
+  return own == nullptr && library_.table != nullptr ? library_.table->get(key) : own;
+}
+
 bool TableReader::given(std::string_view key) const {
-  return node_ != nullptr && node_->contains(key);
+  return node_of(key) != nullptr;
+}
+
+bool TableReader::from_library(std::string_view key) const {
+  return given(key) && !node_->contains(key);
+}
+
+void TableReader::find_library() {
+  const toml::node* name = spec_.find(library_key) != nullptr ? node_->get(library_key) : nullptr;
+  if (name == nullptr || !name->is_string())
+    return;
+  const auto wanted = *name->value<std::string>();
+  if (const LibrarySoil* soil = library_soil(wanted)) {
+    library_ = {soil->name, soil->keys};
+    return;
+  }
+  const auto begin = name->source().begin;
+  reading_.findings.add(
+      path(library_key), Place{begin.line, begin.column, shown_},
+      fmt::format("'{}' is not in the library of soils, {}", wanted, suggestion(wanted, library_names())));
 }
 
 void TableReader::refuse_unknown_keys() {
-  auto known = subtables(spec_.name);
+  auto known = subtables(reading_.keys, spec_.name);
   for (const Key& key : spec_.keys)
     known.push_back(key.name);
   for (const auto& [key, value] : *node_)
     if (std::ranges::find(known, key.str()) == known.end()) {
       const auto begin = key.source().begin;
-      findings_.add(path(key.str()), Place{begin.line, begin.column, shown_},
-                    fmt::format("unknown key '{}', {}", key.str(), suggestion(key.str(), known)));
+      reading_.findings.add(path(key.str()), Place{begin.line, begin.column, shown_},
+                            fmt::format("unknown key '{}', {}", key.str(), suggestion(key.str(), known)));
     }
 }
 
@@ -112,27 +139,40 @@ void TableReader::read(const Key& key) {
   const bool undecided = !key.when.key.empty() && get<std::string>(key.when.key).empty();
   if (!given(key.name)) {
     if (applies(key) && node_ != nullptr && key.required)
-      findings_.add(path(key.name),
-                    fmt::format("missing '{}', {}: {}", key.name,
-                                with_unit(type_text(key), key.unit.empty() ? "" : key.unit), key.meaning));
+      report_missing(key);
     else if (applies(key) && (node_ != nullptr || !key.required))
       put_default(key);
     return;
   }
-  const toml::node& node = *node_->get(key.name);
-  findings_.locate(path(key.name), {node.source().begin.line, node.source().begin.column, shown_});
+  const toml::node& node = *node_of(key.name);
+  const auto begin = (from_library(key.name) ? *node_->get(library_key) : node).source().begin;
+  reading_.findings.locate(path(key.name), {begin.line, begin.column, shown_});
   if (!applies(key) && !undecided) {
-    findings_.add(path(key.name),
-                  fmt::format("'{}' does not apply to {} = \"{}\", only to {}", key.name, key.when.key,
-                              get<std::string>(key.when.key), fmt::join(key.when.values, " or ")));
+    reading_.findings.add(path(key.name), fmt::format("'{}' does not apply to {} = \"{}\", only to {}",
+                                                      key.name, key.when.key, get<std::string>(key.when.key),
+                                                      fmt::join(key.when.values, " or ")));
     return;
   }
   if (auto value = convert(key, node)) {
-    in_force_.push_back(
-        {path(key.name), std::visit(AsToml{}, *value),
-         fmt::format("{}:{}:{}", findings_.file(), node.source().begin.line, node.source().begin.column)});
+    reading_.values.push_back({path(key.name), std::visit(AsToml{}, *value), origin(key.name, node)});
     values_.emplace(key.name, std::move(*value));
   }
+}
+
+std::string TableReader::origin(std::string_view key, const toml::node& node) const {
+  if (from_library(key))
+    return fmt::format("library {}", library_.name);
+  return fmt::format("{}:{}:{}", reading_.findings.file(), node.source().begin.line,
+                     node.source().begin.column);
+}
+
+/// Of a soil whose library is not known nothing is missing: the library may have it.
+void TableReader::report_missing(const Key& key) {
+  if (spec_.find(library_key) != nullptr && !reading_.findings.sound(path(library_key)))
+    return;
+  reading_.findings.add(
+      path(key.name), fmt::format("missing '{}', {}: {}", key.name,
+                                  with_unit(type_text(key), key.unit.empty() ? "" : key.unit), key.meaning));
 }
 
 void TableReader::put_default(const Key& key) {
@@ -146,13 +186,13 @@ void TableReader::put_default(const Key& key) {
   } else if (key.type == Type::choices) {
     value = split_list(key.fallback);
   }
-  in_force_.push_back({path(key.name), std::visit(AsToml{}, value), "default"});
+  reading_.values.push_back({path(key.name), std::visit(AsToml{}, value), "default"});
   values_.emplace(key.name, std::move(value));
 }
 
 std::nullopt_t TableReader::refuse(const Key& key, const toml::node& node, std::string text) {
   const auto begin = node.source().begin;
-  findings_.add(path(key.name), Place{begin.line, begin.column, shown_}, std::move(text));
+  reading_.findings.add(path(key.name), Place{begin.line, begin.column, shown_}, std::move(text));
   return std::nullopt;
 }
 
@@ -166,6 +206,8 @@ std::optional<TableReader::Value> TableReader::convert(const Key& key, const tom
     return convert_text(key, node);
   case Type::numbers:
     return convert_numbers(key, node);
+  case Type::series:
+    return convert_series(key, node);
   case Type::polygon:
     return convert_polygon(key, node);
   case Type::choices:
@@ -209,8 +251,22 @@ std::optional<TableReader::Value> TableReader::convert_numbers(const Key& key, c
     return refuse(key, node,
                   fmt::format("'{}' must be an {}, found {}", key.name, type_text(key),
                               array == nullptr ? type_name(node) : fmt::format("{} entries", array->size())));
+  return convert_elements(key, *array);
+}
+
+std::optional<TableReader::Value> TableReader::convert_series(const Key& key, const toml::node& node) {
+  if (const toml::array* array = node.as_array()) {
+    if (array->empty())
+      return refuse(key, node, fmt::format("'{}' is empty", key.name));
+    return convert_elements(key, *array);
+  }
+  const auto value = convert_number(key, node);
+  return value ? std::optional<Value>(std::vector<double>{*value}) : std::nullopt;
+}
+
+std::optional<TableReader::Value> TableReader::convert_elements(const Key& key, const toml::array& array) {
   std::vector<double> values;
-  for (const toml::node& element : *array) {
+  for (const toml::node& element : array) {
     const auto value = convert_number(key, element);
     if (!value)
       return std::nullopt;

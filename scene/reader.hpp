@@ -21,6 +21,19 @@ namespace tremolo::scene {
 /// "a string", "an array", ...
 std::string type_name(const toml::node& node);
 
+/// What every table of a file is read with.
+struct Reading {
+  KeyTable keys;
+  Findings& findings;
+  std::vector<ValueInForce>& values;
+};
+
+/// The soil of the library that a table names; its keys hold where the table has none.
+struct LibraryKeys {
+  std::string_view name;
+  const toml::table* table = nullptr;
+};
+
 /// One table of the file, checked. A key that is missing or wrong has been reported; its getter then gives
 /// nothing, zero, or an empty value.
 class TableReader {
@@ -29,12 +42,12 @@ public:
   /// @param path   for messages and rules, "region[0]"
   /// @param shown  the table's name in messages, "[region]"
   TableReader(const Table& spec, const toml::table* node, std::string path, std::string shown,
-              Findings& findings, std::vector<ValueInForce>& values);
+              Reading reading);
 
   const std::string& path() const { return path_; }
   std::string path(std::string_view key) const;
 
-  /// Whether the key stands in the file (right or wrong).
+  /// Whether the key stands in the file (right or wrong), or in the library's soil that it names.
   bool given(std::string_view key) const;
 
   std::optional<double> optional_number(std::string_view key) const;
@@ -42,6 +55,7 @@ public:
   int integer(std::string_view key) const { return static_cast<int>(number(key)); }
   /// A text or a choice.
   std::string text(std::string_view key) const;
+  /// Of Type::numbers or Type::series.
   std::vector<double> numbers(std::string_view key) const;
   Point point(std::string_view key) const;
   Polygon polygon(std::string_view key) const;
@@ -50,7 +64,12 @@ public:
 private:
   using Value = std::variant<double, std::string, std::vector<double>, Polygon, std::vector<std::string>>;
 
+  void find_library();
   void refuse_unknown_keys();
+  const toml::node* node_of(std::string_view key) const;
+  bool from_library(std::string_view key) const;
+  std::string origin(std::string_view key, const toml::node& node) const;
+  void report_missing(const Key& key);
   bool applies(const Key& key) const;
   void read(const Key& key);
   void put_default(const Key& key);
@@ -58,6 +77,8 @@ private:
   std::optional<double> convert_number(const Key& key, const toml::node& node);
   std::optional<std::string> convert_text(const Key& key, const toml::node& node);
   std::optional<Value> convert_numbers(const Key& key, const toml::node& node);
+  std::optional<Value> convert_elements(const Key& key, const toml::array& array);
+  std::optional<Value> convert_series(const Key& key, const toml::node& node);
   std::optional<Value> convert_polygon(const Key& key, const toml::node& node);
   std::optional<Value> convert_choices(const Key& key, const toml::node& node);
   std::nullopt_t refuse(const Key& key, const toml::node& node, std::string text);
@@ -68,8 +89,8 @@ private:
   const toml::table* node_;
   std::string path_;
   std::string shown_;
-  Findings& findings_;
-  std::vector<ValueInForce>& in_force_;
+  Reading reading_;
+  LibraryKeys library_;
   std::map<std::string_view, Value> values_;
 };
 
@@ -82,8 +103,7 @@ struct NamedTable {
 /// The whole file.
 class Document {
 public:
-  Document(const toml::table& root, Findings& findings, std::vector<ValueInForce>& values)
-      : root_(root), findings_(findings), values_(values) {}
+  Document(const toml::table& root, Reading reading) : root_(root), reading_(reading) {}
 
   /// A single table, "boundary.left"; "" is the top of the file. A missing one is reported if it is required.
   TableReader table(std::string_view name);
@@ -94,8 +114,7 @@ public:
 
 private:
   const toml::table& root_;
-  Findings& findings_;
-  std::vector<ValueInForce>& values_;
+  Reading reading_;
 };
 
 } // namespace tremolo::scene
