@@ -64,5 +64,46 @@ TEST(RestAfterSwitch, StrainSofteningSlope) {
   EXPECT_LT(speed_after_switch(domain), 1e-5);
 }
 
+/// Sands whose stiffness grows with pressure, dry.
+mpm_domain::Spec box_of(const materials::Law& sand) {
+  mpm_domain::Spec spec = test_support::elastic_box(20.0, 10.0, 1.0);
+  spec.gravity = 9.81;
+  spec.soils = {{"sand", sand}};
+  return spec;
+}
+
+materials::Law pm4sand_55() {
+  return materials::pm4sand({.density = 1700.0, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.4});
+}
+
+TEST(RestAfterSwitch, Pm4Sand) {
+  mpm_domain::Domain domain(box_of(pm4sand_55()));
+  EXPECT_LT(speed_after_switch(domain), 1e-5);
+}
+
+TEST(RestAfterSwitch, Pdmy03) {
+  mpm_domain::Domain domain(box_of(materials::pdmy03(materials::pdmy03_recommended(0.57))));
+  EXPECT_LT(speed_after_switch(domain), 1e-5);
+}
+
+/// G = G_o p_A sqrt(p/p_A) in the deepest particles' stress, elastic K_0 = nu/(1 - nu): what limits the time
+/// step and what the base's dashpots match, sqrt((K + 4G/3)/rho) with (K + 4G/3)/G = 2 (1 - nu)/(1 - 2 nu).
+TEST(StiffnessOfPressure, SetsTimeStepAndDashpots) {
+  mpm_domain::Domain domain(box_of(pm4sand_55()));
+  mpm_domain::relax_under_gravity(domain, {}, [](long, double) {});
+  const double nu = 0.3;
+  const double vertical = 1700.0 * 9.81 * 9.75; // of the lowest particles, Pa
+  const double p = 0.5 * (1.0 + nu / (1.0 - nu)) * vertical;
+  const double shear = 677.0 * 101.3e3 * std::sqrt(p / 101.3e3);
+  const double c_p = std::sqrt(2.0 * (1.0 - nu) / (1.0 - 2.0 * nu) * shear / 1700.0);
+  EXPECT_NEAR(domain.fastest_wave(), c_p, 1e-4 * c_p);
+  EXPECT_NEAR(mpm_domain::critical_time_step(domain, 0.0), 0.65 / c_p, 1e-4 / c_p);
+  double base = 0.0;
+  for (const mpm_domain::BoundaryFace& face : domain.faces)
+    if (face.side == mpm_domain::Side::base)
+      base = std::max(base, face.face.impedance_p);
+  EXPECT_NEAR(base, 1700.0 * c_p, 1e-4 * 1700.0 * c_p);
+}
+
 } // namespace
 } // namespace tremolo
