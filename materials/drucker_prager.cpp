@@ -1,21 +1,17 @@
 #include "materials/drucker_prager.hpp"
 
 #include "materials/elastic_parameters.hpp"
+#include "materials/independent_loop.hpp"
 #include "materials/objective_rate.hpp"
 #include "materials/parameter_check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 namespace tremolo::materials {
 namespace {
-
-/// Points handled together: their out-of-plane strain may be a block of zeros.
-constexpr std::size_t block_size = 256;
-constexpr std::array<double, block_size> no_strain = {};
 
 /// eta of the cone through Mohr-Coulomb with associated flow.
 double associated_slope(double sine, ConeMatch match) {
@@ -41,35 +37,45 @@ double slope_over_sine(double sine, double dilatancy, ConeMatch match) {
   }
 }
 
-/// One step of points [begin, begin + count): elastic trial, then return along D times the flow direction,
+/// One step of all points: elastic trial, then return along D times the flow direction,
 ///
 //      q <- q - G l,    p <- p - K eta' l,    l = f/(G + K eta eta'),
 ///
-/// or to the apex where q would become negative. No branch, so that it runs on vectors.
-void move_block(const DruckerPrager& law, const Cone& cone, const Points& points, std::size_t begin,
-                std::size_t count) {
+/// or to the apex where q would become negative, which is where p would pass it. No branch, so that it runs
+/// on vectors.
+template <bool plane_strain>
+void move(const DruckerPrager& law, const Points& points) {
+  const Cone made = cone(law);
   const double lame = law.elastic.lame();
   const double shear = law.elastic.shear_modulus();
   const double bulk = law.elastic.bulk_modulus();
-  const double relaxation = shear + bulk * cone.slope * cone.dilatancy;
-  const double apex = std::min(cone.apex, std::numeric_limits<double>::max());
-  double* __restrict sxx = points.sxx + begin;
-  double* __restrict syy = points.syy + begin;
-  double* __restrict szz = points.szz + begin;
-  double* __restrict sxy = points.sxy + begin;
-  double* __restrict plastic_strain = points.state + begin;
-  double* __restrict plastic_work = points.plastic_work + begin;
-  const double* __restrict dexx = points.dexx + begin;
-  const double* __restrict deyy = points.deyy + begin;
-  const double* __restrict dgxy = points.dgxy + begin;
-  const double* __restrict dwxy = points.dwxy + begin;
-  const double* __restrict dezz = points.dezz == nullptr ? no_strain.data() : points.dezz + begin;
-  for (std::size_t i = 0; i < count; ++i) {
+  const double slope = made.slope;
+  const double strength = made.strength;
+  const double bulk_flow = bulk * made.dilatancy;
+  const double apex = made.apex;
+  const double softness = 1.0 / (shear + bulk_flow * made.slope);
+  const double per_4_shear = 0.25 / shear;
+  const double per_2_bulk = 0.5 / bulk;
+  const double per_root3_shear = 1.0 / (std::numbers::sqrt3 * shear);
+  double* __restrict sxx = points.sxx;
+  double* __restrict syy = points.syy;
+  double* __restrict szz = points.szz;
+  double* __restrict sxy = points.sxy;
+  double* __restrict plastic_strain = points.state;
+  double* __restrict plastic_work = points.plastic_work;
+  const double* __restrict dexx = points.dexx;
+  const double* __restrict deyy = points.deyy;
+  const double* __restrict dgxy = points.dgxy;
+  const double* __restrict dwxy = points.dwxy;
+  const double* __restrict dezz = points.dezz;
+  TREMOLO_INDEPENDENT_LOOP
+  for (std::size_t i = 0; i < points.count; ++i) {
     const InPlaneStress first = rotated({sxx[i], syy[i], sxy[i]}, dwxy[i]);
-    const double pressure = lame * (dexx[i] + deyy[i] + dezz[i]);
+    const double ezz = plane_strain ? 0.0 : dezz[i];
+    const double pressure = lame * (dexx[i] + deyy[i] + ezz);
     const double xx = first.xx + pressure + 2.0 * shear * dexx[i];
     const double yy = first.yy + pressure + 2.0 * shear * deyy[i];
-    const double zz = szz[i] + pressure + 2.0 * shear * dezz[i];
+    const double zz = szz[i] + pressure + 2.0 * shear * ezz;
     const double xy = first.xy + shear * dgxy[i];
 
     const double p = (xx + yy + zz) / 3.0;
@@ -77,26 +83,23 @@ void move_block(const DruckerPrager& law, const Cone& cone, const Points& points
     const double dyy = yy - p;
     const double dzz = zz - p;
     const double q = std::sqrt(0.5 * (dxx * dxx + dyy * dyy + dzz * dzz) + xy * xy);
-    const double f = q + cone.slope * p - cone.strength;
-    const double multiplier = std::max(f, 0.0) / relaxation;
-    const double q_cone = q - shear * multiplier;
-    const bool yields = f > 0.0;
-    const bool beyond = q_cone < 0.0;
-    const double q_last = beyond ? 0.0 : q_cone;
-    const double p_last = beyond ? apex : p - bulk * cone.dilatancy * multiplier;
-    const double kept = q_last / std::max(q, std::numeric_limits<double>::min());
+    const double f = q + slope * p - strength;
+    const double multiplier = std::max(f, 0.0) * softness;
+    const double q_lost = std::min(shear * multiplier, q);
+    const double share = q_lost / std::max(q, std::numeric_limits<double>::min());
+    const double p_last = std::min(p - bulk_flow * multiplier, apex);
+    const double p_lost = p - p_last;
 
-    const double last_xx = yields ? p_last + kept * dxx : xx;
-    const double last_yy = yields ? p_last + kept * dyy : yy;
-    const double last_zz = yields ? p_last + kept * dzz : zz;
-    const double last_xy = yields ? kept * xy : xy;
+    const double last_xx = xx - share * dxx - p_lost;
+    const double last_yy = yy - share * dyy - p_lost;
+    const double last_zz = zz - share * dzz - p_lost;
+    const double last_xy = xy - share * xy;
     // The mean stress of the step on its plastic strain, as the trapezoidal rule takes the whole work.
-    const double p_mean = (first.xx + first.yy + szz[i] + 3.0 * p_last) / 6.0;
+    const double p_sum = (first.xx + first.yy + szz[i]) / 3.0 + p_last;
     const double along = (first.xx + last_xx) * dxx + (first.yy + last_yy) * dyy + (szz[i] + last_zz) * dzz +
-                         2.0 * (first.xy + last_xy) * xy; // mean stress with the trial's deviator, twice
-    const double work = (1.0 - kept) * along / (4.0 * shear) + p_mean * (p - p_last) / bulk;
-    plastic_work[i] += yields ? work : 0.0;
-    plastic_strain[i] += yields ? (q - q_last) / (std::numbers::sqrt3 * shear) : 0.0;
+                         2.0 * (first.xy + last_xy) * xy;
+    plastic_work[i] += share * along * per_4_shear + p_sum * p_lost * per_2_bulk;
+    plastic_strain[i] += q_lost * per_root3_shear;
     sxx[i] = last_xx;
     syy[i] = last_yy;
     szz[i] = last_zz;
@@ -119,10 +122,7 @@ Cone cone(const DruckerPrager& law) {
 }
 
 void update(const DruckerPrager& law, const Points& points) {
-  const Cone made = cone(law);
-  for (std::size_t begin = 0; begin < points.count; begin += block_size) {
-    move_block(law, made, points, begin, std::min(block_size, points.count - begin));
-  }
+  points.dezz == nullptr ? move<true>(law, points) : move<false>(law, points);
 }
 
 void validate(const DruckerPrager& law) {

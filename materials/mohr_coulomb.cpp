@@ -2,7 +2,7 @@
 
 #include "materials/elastic_parameters.hpp"
 #include "materials/elastic_trial.hpp"
-#include "materials/mohr_coulomb_return.hpp"
+#include "materials/mohr_coulomb_softening.hpp"
 #include "materials/parameter_check.hpp"
 
 #include <fmt/format.h>
@@ -17,29 +17,8 @@
 namespace tremolo::materials {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Points handled together: their stress stays in the first-level cache between the passes.
 constexpr std::size_t block_size = 256;
-
-double softened(double peak, double residual, double decay) {
-  return residual + (peak - residual) * decay;
-}
-
-/// The strength of a point with equivalent plastic strain e.
-Strength strength_at(const MohrCoulomb& law, double e) {
-  const double decay = law.softening > 0.0 ? std::exp(-law.softening * e) : 1.0;
-  const double cohesion = softened(law.cohesion_peak, law.cohesion_residual, decay);
-  const double friction = softened(law.friction_peak, law.friction_residual, decay);
-  const double dilation = softened(law.dilation_peak, law.dilation_residual, decay);
-  Strength strength;
-  strength.cohesive = 2.0 * cohesion * std::cos(friction);
-  strength.sin_friction = std::sin(friction);
-  strength.sin_dilation = dilation == 0.0 ? 0.0 : std::sin(dilation);
-  strength.apex = strength.sin_friction > 0.0 ? 0.5 * strength.cohesive / strength.sin_friction : infinity;
-  strength.tension = std::min(law.tension_cutoff.value_or(infinity), strength.apex);
-  return strength;
-}
 
 bool outside(double s1, double s3, const Strength& strength) {
   return yield_function(s1, s3, strength) > 0.0 || s1 > strength.tension;
@@ -85,64 +64,6 @@ Principal sorted(const Spectrum& s, std::size_t place) {
   }
 }
 
-/// Equivalent deviatoric strain sqrt(2/3 de:de) of the plastic step that took `trial` to `s`.
-double plastic_step(const Principal& trial, const Principal& s, double shear_modulus) {
-  const Principal d = {trial[0] - s[0], trial[1] - s[1], trial[2] - s[2]};
-  const double mean = (d[0] + d[1] + d[2]) / 3.0;
-  const double squares =
-      (d[0] - mean) * (d[0] - mean) + (d[1] - mean) * (d[1] - mean) + (d[2] - mean) * (d[2] - mean);
-  return std::sqrt(2.0 / 3.0 * squares) / (2.0 * shear_modulus);
-}
-
-struct Return {
-  Principal stress{};
-  double plastic_strain = 0.0; ///< e at the end of the step
-};
-
-/// Return implicit in e: finds the step x with x = plastic_step(trial, s(e + x)), s on the surface of
-/// strength at e + x. The gap between both sides is positive at 0 and negative for large x; a secant step
-/// inside this bracket converges in three or four evaluations, because softening per step is weak against the
-/// elastic stiffness, and a bisection takes over where it leaves the bracket.
-Return implicit_return(const MohrCoulomb& law, const Principal& trial, double e) {
-  const double shear = law.elastic.shear_modulus();
-  Return result;
-  const auto gap = [&](double x) {
-    result.stress = return_to_surface(trial, strength_at(law, e + x), law.elastic);
-    result.plastic_strain = e + x;
-    return plastic_step(trial, result.stress, shear) - x;
-  };
-
-  double low = 0.0;
-  double gap_low = gap(low);
-  if (law.softening == 0.0) {
-    result.plastic_strain += gap_low;
-    return result;
-  }
-  double high = infinity;
-  double x = gap_low;
-  double previous = low;
-  double gap_previous = gap_low;
-  constexpr int most_steps = 200; // bisection alone needs about 60
-  for (int step = 0; step < most_steps; ++step) {
-    const double gap_x = gap(x);
-    if (std::abs(gap_x) <= 1e-12 * x + 1e-18) {
-      break;
-    }
-    (gap_x > 0.0 ? low : high) = x;
-    const double slope = (gap_x - gap_previous) / (x - previous);
-    previous = x;
-    gap_previous = gap_x;
-    x -= gap_x / slope;
-    if (!(x > low && x < high)) {
-      x = std::isinf(high) ? 2.0 * previous : 0.5 * (low + high);
-    }
-    if (x <= low || x >= high) { // the bracket has shrunk to neighbouring numbers
-      break;
-    }
-  }
-  return result;
-}
-
 /// Stress, or change of stress, of one point, Pa.
 struct Stress {
   double xx = 0.0;
@@ -176,17 +97,18 @@ double plastic_work(const Elasticity& elastic, const Points& points, std::size_t
 }
 
 /// Brings point i, whose arrays hold the trial stress, back to its surface if it lies outside.
-void correct(const MohrCoulomb& law, const Strength& peak, const Points& points, std::size_t i) {
+void correct(const MohrCoulomb& law, const FadingStrength& peak, const Points& points, std::size_t i) {
   const Stress trial = {points.sxx[i], points.syy[i], points.szz[i], points.sxy[i]};
   const Spectrum directions = spectrum(trial.xx, trial.yy, trial.zz, trial.xy);
   const std::size_t place = place_of_szz(directions);
   const Principal principal = sorted(directions, place);
   double& e = points.state[i];
   const bool weakened = law.softening > 0.0 && e > 0.0;
-  if (!outside(principal[0], principal[2], weakened ? strength_at(law, e) : peak)) {
+  const FadingStrength start = weakened ? strength_at(law, e) : peak;
+  if (!outside(principal[0], principal[2], start.now)) {
     return;
   }
-  const Return end = implicit_return(law, principal, e);
+  const Return end = implicit_return(law, principal, e, start);
   const double larger = end.stress[place == 0 ? 1 : 0];
   const double smaller = end.stress[place == 2 ? 1 : 2];
   const double mean = 0.5 * (larger + smaller);
@@ -210,7 +132,9 @@ void mark_suspects(const MohrCoulomb& law, const Strength& peak, const Points& p
   const double* __restrict sxy = points.sxy + begin;
   const double* __restrict e = points.state + begin;
   const double sound =
-      law.softening > 0.0 ? 0.0 : infinity; // largest e at which the peak strength still holds
+      law.softening > 0.0
+          ? 0.0
+          : std::numeric_limits<double>::infinity(); // largest e at which the peak strength still holds
   for (std::size_t i = 0; i < count; ++i) {
     const double mean = 0.5 * (sxx[i] + syy[i]);
     const double half = 0.5 * (sxx[i] - syy[i]);
@@ -230,12 +154,12 @@ void check_softening_pair(const char* quantity, double peak, double residual, do
 } // namespace
 
 void update(const MohrCoulomb& law, const Points& points) {
-  const Strength peak = strength_at(law, 0.0);
+  const FadingStrength peak = strength_at(law, 0.0);
   std::array<std::uint8_t, block_size> suspect{};
   for (std::size_t begin = 0; begin < points.count; begin += block_size) {
     const std::size_t count = std::min(block_size, points.count - begin);
     elastic_trial(law.elastic, points, begin, begin + count);
-    mark_suspects(law, peak, points, begin, count, suspect.data());
+    mark_suspects(law, peak.now, points, begin, count, suspect.data());
     for (std::size_t i = 0; i < count; ++i) {
       if (suspect[i] != 0) {
         correct(law, peak, points, begin + i);
@@ -273,7 +197,7 @@ std::vector<ParameterValue> parameters(const MohrCoulomb& law) {
   values.push_back(
       {"dilation_residual", law.dilation_residual, "rad", "dilation angle after softening", "given"});
   values.push_back({"softening", law.softening, "1", "eta: rate of decay with plastic strain", "given"});
-  values.push_back({"tension_cutoff", strength_at(law, 0.0).tension, "Pa",
+  values.push_back({"tension_cutoff", strength_at(law, 0.0).now.tension, "Pa",
                     "largest tensile stress before softening",
                     law.tension_cutoff ? "given; at most c cot(phi)" : "default: apex c cot(phi)"});
   return values;

@@ -1,5 +1,12 @@
-// Time of one update of one point, over 100,000 points: a sinusoidal strain path of 200 steps a cycle, so
-// that one step in 100 reverses. Masing trials are what an iteration costs that accepts nothing.
+// Time of one update of one point.
+//
+//   yielding/<law>/points/exponent   every point on its yield surface, sheared on by increments of
+//   10^exponent;
+//                                    alone, and over 100,000 points
+//   shaking/<law>                    100,000 points on a sinusoidal strain path of 200 steps a cycle, so that
+//                                    one step in 100 reverses
+//   copy                             a plain loop that moves as many bytes as the elastic law does
+//   column_step                      Masing trials are what an iteration costs that accepts nothing
 
 #include "materials/law.hpp"
 
@@ -20,29 +27,83 @@ double strain_at(long step) {
   return 2e-3 * std::sin(2.0 * std::numbers::pi * static_cast<double>(step) / steps_per_cycle);
 }
 
-void update_points(benchmark::State& run, const Law& law) {
-  std::vector<double> stress(4 * count, -50e3);
-  std::vector<double> state(count * state_variables(law).size(), 0.0);
-  std::vector<double> work(count, 0.0);
-  std::vector<double> strain(4 * count, 0.0);
-  const Points points = {
-      count,    &stress[0], &stress[count], &stress[2 * count], &stress[3 * count], state.data(),
-      &work[0], &strain[0], &strain[count], &strain[2 * count], &strain[3 * count]};
+/// Points under K0 = 0.5, not all alike, with the strain increments of a step.
+struct Block {
+  std::size_t size;
+  std::vector<double> stress, state, work, strain;
+
+  Block(const Law& law, std::size_t points)
+      : size(points), stress(4 * points, 0.0), state(points * state_variables(law).size()), work(points, 0.0),
+        strain(4 * points, 0.0) {
+    for (std::size_t i = 0; i < size; ++i) {
+      const double vertical = -60e3 - 800.0 * static_cast<double>(i % 100);
+      stress[i] = stress[2 * size + i] = 0.5 * vertical;
+      stress[size + i] = vertical;
+    }
+    initialise(law, points_of());
+  }
+
+  Points points_of() {
+    return {size,     &stress[0], &stress[size], &stress[2 * size], &stress[3 * size], state.data(),
+            &work[0], &strain[0], &strain[size], &strain[2 * size], &strain[3 * size]};
+  }
+
+  void shear_by(double change) {
+    for (std::size_t i = 0; i < size; ++i) {
+      strain[2 * size + i] = change * (0.5 + static_cast<double>(i % 100) / 100.0);
+    }
+  }
+};
+
+void count_updates(benchmark::State& run, std::size_t points, const Law& law) {
+  run.counters["time_per_update"] =
+      benchmark::Counter(static_cast<double>(points),
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  run.counters["state_bytes"] = static_cast<double>(8 * state_variables(law).size());
+}
+
+void yielding(benchmark::State& run, const Law& law) {
+  Block block(law, static_cast<std::size_t>(run.range(0)));
+  const Points points = block.points_of();
+  block.shear_by(1e-3);
+  for (int n = 0; n < 50; ++n) {
+    update(law, points);
+  }
+  block.shear_by(std::pow(10.0, static_cast<double>(run.range(1))));
+  for (auto _ : run) {
+    update(law, points);
+    benchmark::ClobberMemory();
+  }
+  count_updates(run, block.size, law);
+}
+
+void shaking(benchmark::State& run, const Law& law) {
+  Block block(law, count);
+  const Points points = block.points_of();
   long step = 0;
   for (auto _ : run) {
     run.PauseTiming();
-    const double change = strain_at(step + 1) - strain_at(step);
+    block.shear_by(strain_at(step + 1) - strain_at(step));
     ++step;
-    for (std::size_t i = 0; i < count; ++i) { // not all points alike
-      strain[2 * count + i] = change * (0.5 + static_cast<double>(i % 100) / 100.0);
-    }
     run.ResumeTiming();
     update(law, points);
     benchmark::ClobberMemory();
   }
-  run.counters["time_per_update"] =
-      benchmark::Counter(static_cast<double>(count),
-                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  count_updates(run, count, law);
+}
+
+/// Six numbers read and six written a point: the elastic law reads eight and writes four.
+void copy(benchmark::State& run) {
+  std::vector<double> from(6 * count, 1.0);
+  std::vector<double> to(6 * count, 0.0);
+  for (auto _ : run) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      to[i] = from[i];
+    }
+    benchmark::DoNotOptimize(to.data());
+    benchmark::ClobberMemory();
+  }
+  count_updates(run, count, LinearElastic{elastic});
 }
 
 MohrCoulomb mohr_coulomb() {
@@ -53,12 +114,33 @@ MohrCoulomb mohr_coulomb() {
   return soil;
 }
 
-BENCHMARK_CAPTURE(update_points, linear_elastic, Law(LinearElastic{elastic}));
-BENCHMARK_CAPTURE(update_points, mohr_coulomb, Law(mohr_coulomb()));
-BENCHMARK_CAPTURE(update_points, masing_hyperbolic, Law(MasingShear{elastic, 5e-4, 1.0, 1.0}));
-BENCHMARK_CAPTURE(update_points, masing_mkz, Law(MasingShear{elastic, 5e-4, 1.0, 0.92}));
-BENCHMARK_CAPTURE(update_points, iwan_20, Law(iwan_shear(elastic, 5e-4, 1.0, 0.92, {.elements = 20})));
-BENCHMARK_CAPTURE(update_points, iwan_32, Law(iwan_shear(elastic, 5e-4, 1.0, 0.92)));
+MohrCoulomb softening() {
+  MohrCoulomb soil = mohr_coulomb();
+  soil.friction_residual = 0.4;
+  soil.softening = 1.0; // slow, so that it goes on all the time
+  return soil;
+}
+
+DruckerPrager drucker_prager() {
+  return {elastic, 20e3, 0.5, 0.1, ConeMatch::plane_strain};
+}
+
+#define TREMOLO_LAW(name, law)                                                                               \
+  BENCHMARK_CAPTURE(shaking, name, Law(law));                                                                \
+  BENCHMARK_CAPTURE(yielding, name, Law(law))                                                                \
+      ->ArgsProduct({{1, static_cast<long>(count)}, {-7, -6, -5, -4, -3}})                                   \
+      ->MinTime(0.1)
+
+TREMOLO_LAW(linear_elastic, LinearElastic{elastic});
+TREMOLO_LAW(mohr_coulomb, mohr_coulomb());
+TREMOLO_LAW(mohr_coulomb_softening, softening());
+TREMOLO_LAW(drucker_prager, drucker_prager());
+TREMOLO_LAW(masing_hyperbolic, (MasingShear{elastic, 5e-4, 1.0, 1.0}));
+TREMOLO_LAW(masing_mkz, (MasingShear{elastic, 5e-4, 1.0, 0.92}));
+TREMOLO_LAW(iwan_20, iwan_shear(elastic, 5e-4, 1.0, 0.92, {.elements = 20}));
+TREMOLO_LAW(iwan_32, iwan_shear(elastic, 5e-4, 1.0, 0.92));
+TREMOLO_LAW(clay_20, multi_yield_clay(elastic, 50e3));
+BENCHMARK(copy);
 
 /// The cost of one trial or acceptance for a column of 200 points, whose memory stays in the cache.
 void column_step(benchmark::State& run, bool accept) {
