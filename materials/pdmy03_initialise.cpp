@@ -13,9 +13,10 @@ using Place = pdmy03_state::Place;
 
 /// Every surface that the stress lies outside of is moved along the stress until it touches it; the largest
 /// of them is the active one.
-void touch_surfaces(const Pdmy03& law, Pdmy03Memory& memory, const Deviator3& s, double height) {
+void touch_surfaces(const Pdmy03& law, Pdmy03Memory& memory, const Deviator3& s, double height,
+                    bool on_failure) {
   const double ratio = std::sqrt(1.5) * norm(s) / height;
-  std::size_t active = 0;
+  std::size_t active = on_failure ? law.surfaces : 0;
   while (active < law.surfaces && ratio > law.ratio[active + 1]) {
     ++active;
   }
@@ -51,7 +52,7 @@ void initialise(const Pdmy03& law, const Points& points) {
     memory[Place::largest_pressure] = -mean;
     memory[Place::initial_height] = height;
     memory[Place::initial_shear_ratio] = std::abs(s.xy()) / height;
-    touch_surfaces(law, memory, s, height);
+    touch_surfaces(law, memory, s, height, outside);
 
     if (outside || given.mean > 0.0) {
       const TensorComponents held = components({mean, s});
