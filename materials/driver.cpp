@@ -103,7 +103,8 @@ void PointTest::advance(PointState& point, const Components& strain, double rota
   point.strain.zz += strain[3];
 }
 
-double PointTest::solve(const MixedStep& step, double rotation, double wanted, double accepted) {
+bool PointTest::solve(const MixedStep& step, double rotation, double tolerance) {
+  Components last = {}; // what trial_ has been strained by
   const StressAfter stress_after = [&](const Components& strain, Components& stress) {
     trial_ = now_;
     try {
@@ -112,32 +113,35 @@ double PointTest::solve(const MixedStep& step, double rotation, double wanted, d
       refusal_ = refusal.what();
       return false;
     }
+    last = strain;
     stress = components(trial_.stress);
     return true;
   };
-  const MixedControl::Found found = control_.find(step, stress_after, wanted);
-  if (found.missing <= accepted) {
-    Components stress;
-    stress_after(found.strain, stress);
-    std::swap(now_, trial_);
+  const double level = largest(now_.stress);
+  const double wanted = std::max(tolerance_.wanted, 1e-13 * level);
+  const double accepted = std::max(wanted, tolerance_.accepted * level);
+  const MixedControl::Found found = control_.find(step, stress_after, wanted, accepted);
+  missing_ = found.missing;
+  if (!(found.missing <= std::max(wanted, tolerance * level))) {
+    return false;
   }
-  return found.missing;
+  Components stress;
+  if (found.strain != last && !stress_after(found.strain, stress)) {
+    return false;
+  }
+  std::swap(now_, trial_);
+  return true;
 }
 
 void PointTest::solve_in_halves(const MixedStep& step, double rotation, int depth) {
-  const bool last = depth == deepest_cut;
-  const double level = largest(now_.stress);
-  const double wanted = std::max(tolerance_.wanted, 1e-13 * level);
-  const double accepted = last ? std::max(wanted, tolerance_.accepted * level) : wanted;
-  const double missing = solve(step, rotation, wanted, accepted);
-  if (missing <= accepted) {
+  if (solve(step, rotation, tolerance_.accepted)) {
     return;
   }
-  if (last) {
+  if (depth == deepest_cut) {
     throw std::runtime_error(fmt::format("no strain gives the prescribed stress: {:.3g} Pa is missing after "
                                          "the step was cut {} times in halves; the "
                                          "point may have passed its peak load{}{}",
-                                         missing, deepest_cut,
+                                         missing_, deepest_cut,
                                          refusal_.empty() ? "" : "; the law says: ", refusal_));
   }
   const PointStrain before = now_.strain;
@@ -145,6 +149,14 @@ void PointTest::solve_in_halves(const MixedStep& step, double rotation, int dept
   const double volume =
       (now_.strain.xx - before.xx) + (now_.strain.yy - before.yy) + (now_.strain.zz - before.zz);
   solve_in_halves(second_half(step, volume), 0.5 * rotation, depth + 1);
+}
+
+bool PointTest::take_nearest(const MixedStep& step, double rotation) {
+  if (!(tolerance_.nearest > 0.0) || !solve(step, rotation, tolerance_.nearest)) {
+    return false;
+  }
+  largest_missing_ = std::max(largest_missing_, missing_);
+  return true;
 }
 
 void PointTest::apply(const PointStep& step) {
@@ -165,7 +177,9 @@ void PointTest::apply(const PointStep& step) {
     solve_in_halves(all, step.rotation, 0);
   } catch (...) {
     now_ = start;
-    throw;
+    if (!take_nearest(all, step.rotation)) {
+      throw;
+    }
   }
 }
 

@@ -66,9 +66,12 @@ struct PointState {
 /// How closely prescribed stresses are met.
 struct StressTolerance {
   double wanted = 1e-6; ///< Pa, or 1e-13 of the largest stress if that is more
-  /// What is accepted where a step cannot be cut any further, as a fraction of the largest stress: laws that
-  /// cut a step into sub-steps by an estimate of their error jump by about that error.
+  /// What is accepted where the law lets it come no closer, as a fraction of the largest stress: laws that
+  /// cut a step into sub-steps jump with their number. The error does not accumulate.
   double accepted = 1e-5;
+  /// Where no strain gives the prescribed stress, the nearest state is taken if no more than this fraction of
+  /// the largest stress is missing; 0: such a step is refused. See largest_missing().
+  double nearest = 0.0;
 };
 
 /// A material point and its law.
@@ -97,13 +100,16 @@ public:
   void set(const PointState& state) { now_ = state; }
   /// Updates of the law so far, trials included.
   std::size_t updates() const { return updates_; }
+  /// Largest prescribed stress that was missing after a step taken as near as could be, Pa
+  double largest_missing() const { return largest_missing_; }
 
 private:
   /// Updates a point by a strain increment and a rotation.
   void advance(PointState& point, const Components& strain, double rotation);
-  /// The mixed step from the present state; the largest stress that is missing afterwards, Pa. Nothing is
-  /// changed if that is more than `accepted`.
-  double solve(const MixedStep& step, double rotation, double wanted, double accepted);
+  /// Takes the mixed step if its stresses can be met, to a fraction of the largest stress.
+  bool solve(const MixedStep& step, double rotation, double tolerance);
+  /// Takes the step as near to its stresses as the tolerance allows.
+  bool take_nearest(const MixedStep& step, double rotation);
   /// The step as two halves, each cut further where needed.
   void solve_in_halves(const MixedStep& step, double rotation, int depth);
 
@@ -112,7 +118,9 @@ private:
   PointState trial_;
   StressTolerance tolerance_;
   MixedControl control_;
-  std::string refusal_; ///< what the law said when it refused a trial
+  double largest_missing_ = 0.0;
+  double missing_ = 0.0; ///< of a prescribed stress after the last attempt, Pa
+  std::string refusal_;  ///< what the law said when it refused a trial
   std::size_t updates_ = 0;
   bool three_dimensional_ = false;
 };

@@ -47,6 +47,15 @@ public:
     return all;
   }
 
+  /// Largest component of that increment.
+  double largest(const Vector& x) const {
+    double most = 0.0;
+    for (const double component : strain(x)) {
+      most = std::max(most, std::abs(component));
+    }
+    return most;
+  }
+
   Vector residual(const Vector& x) const {
     const Components all = strain(x);
     Components stress = {};
@@ -64,12 +73,7 @@ public:
 
   /// Columns by forward differences; not finite if the law refuses one of them.
   Matrix tangent(const Vector& x, const Vector& r) const {
-    const Components all = strain(x);
-    double largest = 0.0;
-    for (const double component : all) {
-      largest = std::max(largest, std::abs(component));
-    }
-    const double change = std::max(0.01 * largest, 1e-9);
+    const double change = std::max(0.01 * largest(x), 1e-12);
     Matrix columns(size_, size_);
     for (Index k = 0; k < size_; ++k) {
       Vector moved = x;
@@ -89,10 +93,11 @@ private:
 /// Newton's method with a tangent that may come from an earlier step.
 class Newton {
 public:
-  Newton(const Equations& equations, double wanted) : equations_(equations), wanted_(wanted) {}
+  Newton(const Equations& equations, double wanted, double accepted)
+      : equations_(equations), wanted_(wanted), accepted_(accepted) {}
 
-  void run(Vector x, Matrix& tangent, bool has_tangent) {
-    x_ = std::move(x);
+  void run(const Vector& start, Matrix& tangent, bool has_tangent) {
+    x_ = start;
     r_ = equations_.residual(x_);
     if (norm(r_) <= wanted_ || !r_.allFinite()) {
       return;
@@ -112,8 +117,11 @@ public:
         tangent = before;
         fresh = false;
       } else {
-        return;
+        break;
       }
+    }
+    if (norm(r_) > accepted_ && r_.size() == 1) {
+      bisect();
     }
   }
 
@@ -157,17 +165,61 @@ private:
     return false;
   }
 
-  static constexpr int most_iterations = 40;
+  /// A point on the way to a root of one unknown.
+  struct Point {
+    double x;
+    double r;
+  };
+
+  Point at(double x) {
+    Vector moved = x_;
+    moved[0] = x;
+    const Vector r = equations_.residual(moved);
+    if (std::abs(r[0]) < norm(r_)) {
+      x_[0] = x;
+      r_ = r;
+    }
+    return {x, r[0]};
+  }
+
+  /// One free component whose residual is not monotonic: a change of sign is looked for on both sides in
+  /// growing steps, first where more strain means more stress, and closed in on.
+  void bisect() {
+    const Point start = {x_[0], r_[0]};
+    Point near[2] = {start, start};
+    const double stride = std::max(0.1 * equations_.largest(x_), 1e-12);
+    for (double distance = stride; distance < largest_correction; distance *= 1.5) {
+      for (Point& last : near) {
+        const double side = (&last == near) == (start.r > 0.0) ? -1.0 : 1.0;
+        const Point next = at(start.x + side * distance);
+        if (std::isfinite(next.r) && (next.r > 0.0) != (last.r > 0.0)) {
+          close_in(last, next);
+          return;
+        }
+        last = std::isfinite(next.r) ? next : last;
+      }
+    }
+  }
+
+  void close_in(Point a, Point b) {
+    for (int k = 0; k < 60 && norm(r_) > wanted_; ++k) {
+      const Point middle = at(0.5 * (a.x + b.x));
+      ((middle.r > 0.0) == (a.r > 0.0) ? a : b) = middle;
+    }
+  }
+
+  static constexpr int most_iterations = 25;
   const Equations& equations_;
   double wanted_;
+  double accepted_;
   Vector x_;
   Vector r_;
 };
 
 } // namespace
 
-MixedControl::Found MixedControl::find(const MixedStep& step, const StressAfter& stress_after,
-                                       double wanted) {
+MixedControl::Found MixedControl::find(const MixedStep& step, const StressAfter& stress_after, double wanted,
+                                       double accepted) {
   const Equations equations(step, stress_after);
   const Index n = equations.size();
   const bool same = step.by_stress == by_stress_;
@@ -192,13 +244,13 @@ MixedControl::Found MixedControl::find(const MixedStep& step, const StressAfter&
   for (Index k = 0; k < n * n; ++k) {
     tangent(k / n, k % n) = tangent_[static_cast<std::size_t>(k)];
   }
-  Newton newton(equations, wanted);
-  newton.run(std::move(x), tangent, has_tangent);
+  Newton newton(equations, wanted, accepted);
+  newton.run(x, tangent, has_tangent);
 
   by_stress_ = step.by_stress;
   value_ = step.value;
   strain_ = equations.strain(newton.x());
-  has_strain_ = newton.missing() <= wanted;
+  has_strain_ = newton.missing() <= accepted;
   has_tangent_ = has_strain_ && tangent.allFinite();
   for (Index k = 0; k < n * n; ++k) {
     tangent_[static_cast<std::size_t>(k)] = tangent(k / n, k % n);

@@ -41,8 +41,9 @@ public:
   };
 
   /// The best increment found for a step.
-  /// @param wanted  residual to stop at, Pa
-  Found find(const MixedStep& step, const StressAfter& stress_after, double wanted);
+  /// @param wanted    residual to stop at, Pa
+  /// @param accepted  residual that is good enough where the law lets it come no closer, Pa
+  Found find(const MixedStep& step, const StressAfter& stress_after, double wanted, double accepted);
 
 private:
   std::array<bool, 4> by_stress_ = {};

@@ -83,7 +83,9 @@ PointTest specimen(const Law& law, const SoilTest& test) {
   const double lateral = -initial.k0 * initial.vertical_stress;
   const double tau = initial.shear_bias * initial.vertical_stress;
   const bool at_once = initial.bias_in_initial_stress || tau == 0.0;
-  PointTest point(law, {lateral, -initial.vertical_stress, lateral, at_once ? tau : 0.0});
+  materials::StressTolerance tolerance;
+  tolerance.nearest = test.kind == Kind::path ? 0.0 : 1.0;
+  PointTest point(law, {lateral, -initial.vertical_stress, lateral, at_once ? tau : 0.0}, tolerance);
   if (at_once) {
     return point;
   }
@@ -134,6 +136,7 @@ public:
     recorder_.record(result_.increments, result_.cycles, point_, true);
     result_.history = recorder_.take();
     result_.updates = point_.updates();
+    result_.largest_missing_stress = point_.largest_missing();
     return std::move(result_);
   }
 

@@ -139,6 +139,9 @@ struct Result {
   double largest_pore_pressure_ratio = 0.0;
   End end = End::completed;
   std::string end_reason; ///< one clause, e.g. "the strain reached 0.06"
+  /// By how much a stress that the apparatus holds was missed at most, Pa. Zero unless the law left no strain
+  /// that gives it; the nearest was taken then. (A path whose stresses cannot be met is refused instead.)
+  double largest_missing_stress = 0.0;
   std::size_t increments = 0;
   std::size_t updates = 0; ///< of the law
   double cpu_seconds = 0.0;

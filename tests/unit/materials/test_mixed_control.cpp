@@ -104,7 +104,7 @@ TEST(MixedControl, ComesBackFromTrialsThatAreRefused) {
     return true;
   };
   MixedControl control;
-  const MixedControl::Found found = control.find(step, stiffening, 1e-6);
+  const MixedControl::Found found = control.find(step, stiffening, 1e-6, 1e-6);
   EXPECT_GT(refused, 0);
   EXPECT_LE(found.missing, 1e-6);
   EXPECT_NEAR(found.strain[1], -1e-4 * std::asinh(50.0), 1e-12);
