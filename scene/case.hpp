@@ -159,6 +159,7 @@ enum class BaseForm {
 struct FreeFieldModel {
   SourceModel model = SourceModel::wave;
   std::filesystem::path file; ///< of recording: the recording; of external: the program
+  std::optional<Side> side;   ///< of the recording of an exchange: whose free field
 
   bool operator==(const FreeFieldModel&) const = default;
 };
@@ -201,6 +202,15 @@ struct Coupling {
   double connect_deadline = 0.0;  ///< s
   double step_deadline = 0.0;     ///< s
   double shutdown_deadline = 0.0; ///< s
+};
+
+/// What becomes of a run that can no longer be recorded.
+enum class OnFullDisk { stop, go_on };
+
+/// [record]
+struct Recording {
+  bool exchange = false;
+  OnFullDisk on_full_disk = OnFullDisk::stop;
 };
 
 struct Monitor {
@@ -247,6 +257,7 @@ struct Case {
   std::optional<GravityStage> gravity; ///< absent: weightless, the model starts at rest without stress
   ShakingStage shaking;
   Coupling coupling;
+  Recording recording;
   std::vector<Monitor> monitors;
   Output output;
   double verify_tolerance = 0.0; ///< relative L2 error of particle velocity that `tremolo verify` allows
@@ -279,6 +290,7 @@ std::string_view name(Side);
 std::string_view name(SourceModel);
 std::string_view name(BaseForm);
 std::string_view name(ExchangeMode);
+std::string_view name(OnFullDisk);
 std::string_view name(OutputField);
 
 } // namespace tremolo::scene

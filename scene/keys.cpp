@@ -80,6 +80,8 @@ std::string type_text(const Key& key) {
     return "string";
   case Type::choices:
     return "array of strings";
+  case Type::boolean:
+    return "boolean";
   case Type::numbers:
     return fmt::format("array of {} numbers {}", key.count, key.form);
   case Type::series:

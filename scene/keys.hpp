@@ -18,6 +18,7 @@ enum class Type {
   integer,
   choice,  ///< one of Key::choices
   choices, ///< an array of them, each at most once
+  boolean, ///< true or false
   numbers, ///< an array of Key::count numbers
   series,  ///< a number, or an array of at least one
   polygon, ///< an array of at least three points [x, y]

@@ -15,17 +15,25 @@ constexpr std::string_view models = "Who computes the free field. `wave`: plane 
                                     "domain of one periodic column, not available yet.";
 
 std::vector<Key> field_model() {
-  return {choice("model", {"wave", "fe", "ode", "oblique", "eql", "mpm", "recording", "external"}, models),
-          {.name = "file",
-           .type = Type::text,
-           .meaning = "The recorded free field, relative to the case file.",
-           .required = true,
-           .when = {"model", {"recording"}}},
-          {.name = "program",
-           .type = Type::text,
-           .meaning = "The program that serves the free field, relative to the case file.",
-           .required = true,
-           .when = {"model", {"external"}}}};
+  return {
+      choice("model", {"wave", "fe", "ode", "oblique", "eql", "mpm", "recording", "external"}, models),
+      {.name = "file",
+       .type = Type::text,
+       .meaning = "The recorded free field, relative to the case file.",
+       .required = true,
+       .when = {"model", {"recording"}}},
+      {.name = "side",
+       .type = Type::choice,
+       .meaning =
+           "Of the recorded exchange of a run (`exchange.h5`): the side whose free field is served again.",
+       .otherwise = "`file` is the recording of a free field alone",
+       .choices = {"left", "right", "base"},
+       .when = {"model", {"recording"}}},
+      {.name = "program",
+       .type = Type::text,
+       .meaning = "The program that serves the free field, relative to the case file.",
+       .required = true,
+       .when = {"model", {"external"}}}};
 }
 
 Table lateral(std::string_view name, std::string_view meaning) {

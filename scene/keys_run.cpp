@@ -42,6 +42,19 @@ std::vector<Table> run_keys() {
                 deadline("connect_deadline_s", "Time within which every process must have connected.", "30"),
                 deadline("step_deadline_s", "Longest wait for a step of another process.", "60"),
                 deadline("shutdown_deadline_s", "Time that processes have to end.", "2")}},
+      {.name = "record",
+       .meaning = "Recording of the exchange, see docs/recordings.md.",
+       .keys = {{.name = "exchange",
+                 .type = Type::boolean,
+                 .meaning =
+                     "Whether everything that the processes exchange is written to `exchange.h5`, from which "
+                     "a free field can be served again.",
+                 .fallback = "false"},
+                choice(
+                    "on_full_disk", {"stop", "go_on"},
+                    "What the run does when the recording can no longer be written: `stop` ends it; `go_on` "
+                    "ends the recording, which is then marked as incomplete.",
+                    "stop")}},
       {.name = "monitor",
        .kind = Kind::array,
        .meaning = "A material point whose history is recorded.",

@@ -120,6 +120,10 @@ std::string_view name(ExchangeMode mode) {
   return mode == ExchangeMode::window ? "window" : "lockstep";
 }
 
+std::string_view name(OnFullDisk policy) {
+  return policy == OnFullDisk::stop ? "stop" : "go_on";
+}
+
 std::string_view name(OutputField field) {
   switch (field) {
   case OutputField::displacement:

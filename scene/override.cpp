@@ -71,6 +71,21 @@ public:
         {offset(scene_.text, where.begin), offset(scene_.text, where.end), std::move(value)});
   }
 
+  /// Adds keys to a table behind one that it has, as that one is written: in an inline table, in lines of
+  /// their own, or dotted.
+  void put_with(const std::string& table, const std::string& key, std::string value,
+                const std::vector<std::pair<std::string, std::string>>& more) {
+    const auto& keys = *root_.at_path(table).as_table();
+    const auto begin = offset(scene_.text, keys.find(key)->first.source().begin);
+    const auto line = scene_.text.find_last_of(",{\n", begin == 0 ? 0 : begin - 1);
+    const auto first = scene_.text.find_first_not_of(" \t\r,{\n", line == std::string::npos ? 0 : line);
+    const std::string prefix = scene_.text.substr(first, begin - first);
+    const bool in_line = line != std::string::npos && scene_.text[line] != '\n';
+    for (const auto& [name, text] : more)
+      value += fmt::format("{}{}{} = {}", in_line ? ", " : "\n", prefix, name, text);
+    put(fmt::format("{}.{}", table, key), std::move(value));
+  }
+
   /// Removes a key of a table, where it has it.
   void remove(const std::string& table, std::string_view key) {
     for (auto&& [name, node] : *root_.at_path(table).as_table())
@@ -124,14 +139,19 @@ std::string overridden_text(const Case& scene, const CaseOverride& values) {
     replacements.put("motion.angle_deg", fmt::format("{}", *values.angle_deg));
   for (const Side side : {Side::left, Side::right, Side::base}) {
     const auto boundary = fmt::format("boundary.{}", name(side));
-    if (values.model)
+    const auto replay = values.replays.find(side);
+    const bool replayed = replay != values.replays.end();
+    if (replayed)
+      replacements.put_with(boundary, "model", "\"recording\"",
+                            {{"file", quoted(replay->second)}, {"side", fmt::format("\"{}\"", name(side))}});
+    else if (values.model)
       replacements.put(boundary + ".model", fmt::format("\"{}\"", name(*values.model)));
-    for (const char* key : {"file", "program"}) {
-      if (values.model)
+    for (const char* key : {"file", "program", "side"})
+      if (replayed || values.model)
         replacements.remove(boundary, key);
-      else
+    if (!replayed && !values.model)
+      for (const char* key : {"file", "program"})
         replacements.put_absolute(fmt::format("{}.{}", boundary, key));
-    }
   }
   replacements.put_absolute_curves();
   return std::move(replacements).text();

@@ -14,6 +14,8 @@ FreeFieldModel read_model(const TableReader& table, const Case& scene) {
       from_name(table.text("model"), std::array{wave, fe, ode, oblique, eql, mpm, recording, external});
   if (field.model == recording)
     field.file = scene.directory / table.text("file");
+  if (table.given("side"))
+    field.side = from_name(table.text("side"), std::array{Side::left, Side::right, Side::base});
   if (field.model == external)
     field.file = scene.directory / table.text("program");
   return field;

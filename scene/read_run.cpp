@@ -12,6 +12,12 @@ Coupling read_coupling(Document& document) {
           table.number("shutdown_deadline_s")};
 }
 
+Recording read_recording(Document& document) {
+  const auto table = document.table("record");
+  return {table.boolean("exchange"),
+          from_name(table.text("on_full_disk"), std::array{OnFullDisk::stop, OnFullDisk::go_on})};
+}
+
 Output read_output(Document& document) {
   const auto table = document.table("output");
   Output output{table.number("every_s"), table.number("history_every_s"), {}};
@@ -26,6 +32,7 @@ Output read_output(Document& document) {
 
 void read_run(Document& document, Case& scene) {
   scene.coupling = read_coupling(document);
+  scene.recording = read_recording(document);
   for (const auto& table : document.array("monitor"))
     scene.monitors.push_back({table.text("name"), table.point("point")});
   scene.output = read_output(document);

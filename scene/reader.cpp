@@ -154,7 +154,10 @@ void TableReader::read(const Key& key) {
     return;
   }
   if (auto value = convert(key, node)) {
-    reading_.values.push_back({path(key.name), std::visit(AsToml{}, *value), origin(key.name, node)});
+    const bool bare = key.type == Type::boolean;
+    reading_.values.push_back({path(key.name),
+                               bare ? std::get<std::string>(*value) : std::visit(AsToml{}, *value),
+                               origin(key.name, node)});
     values_.emplace(key.name, std::move(*value));
   }
 }
@@ -186,7 +189,9 @@ void TableReader::put_default(const Key& key) {
   } else if (key.type == Type::choices) {
     value = split_list(key.fallback);
   }
-  reading_.values.push_back({path(key.name), std::visit(AsToml{}, value), "default"});
+  const bool bare = key.type == Type::boolean;
+  reading_.values.push_back(
+      {path(key.name), bare ? std::string(key.fallback) : std::visit(AsToml{}, value), "default"});
   values_.emplace(key.name, std::move(value));
 }
 
@@ -204,6 +209,8 @@ std::optional<TableReader::Value> TableReader::convert(const Key& key, const tom
   case Type::text:
   case Type::choice:
     return convert_text(key, node);
+  case Type::boolean:
+    return convert_boolean(key, node);
   case Type::numbers:
     return convert_numbers(key, node);
   case Type::series:
@@ -243,6 +250,13 @@ std::optional<std::string> TableReader::convert_text(const Key& key, const toml:
         key, node,
         fmt::format("'{}' = \"{}\" is not known, {}", key.name, value, suggestion(value, key.choices)));
   return value;
+}
+
+/// Kept as the word that stands in the file.
+std::optional<std::string> TableReader::convert_boolean(const Key& key, const toml::node& node) {
+  if (!node.is_boolean())
+    return refuse(key, node, fmt::format("'{}' must be true or false, found {}", key.name, type_name(node)));
+  return *node.value<bool>() ? "true" : "false";
 }
 
 std::optional<TableReader::Value> TableReader::convert_numbers(const Key& key, const toml::node& node) {

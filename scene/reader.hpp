@@ -55,6 +55,7 @@ public:
   int integer(std::string_view key) const { return static_cast<int>(number(key)); }
   /// A text or a choice.
   std::string text(std::string_view key) const;
+  bool boolean(std::string_view key) const { return text(key) == "true"; }
   /// Of Type::numbers or Type::series.
   std::vector<double> numbers(std::string_view key) const;
   Point point(std::string_view key) const;
@@ -76,6 +77,7 @@ private:
   std::optional<Value> convert(const Key& key, const toml::node& node);
   std::optional<double> convert_number(const Key& key, const toml::node& node);
   std::optional<std::string> convert_text(const Key& key, const toml::node& node);
+  std::optional<std::string> convert_boolean(const Key& key, const toml::node& node);
   std::optional<Value> convert_numbers(const Key& key, const toml::node& node);
   std::optional<Value> convert_elements(const Key& key, const toml::array& array);
   std::optional<Value> convert_series(const Key& key, const toml::node& node);

@@ -110,6 +110,8 @@ ordered_json value_schema(const Key& key) {
     return number_schema(key);
   case Type::choice:
     return {{"type", "string"}, {"enum", key.choices}};
+  case Type::boolean:
+    return {{"type", "boolean"}};
   case Type::choices: {
     auto schema = array_schema({{"type", "string"}, {"enum", key.choices}}, 0);
     schema["uniqueItems"] = true;
@@ -131,6 +133,8 @@ ordered_json key_schema(const Key& key) {
       meaning(key) + (key.unit.empty() || key.unit == "1" ? "" : fmt::format(" Unit: {}.", key.unit));
   if (key.type == Type::choice && !key.fallback.empty())
     schema["default"] = key.fallback;
+  if (key.type == Type::boolean && !key.fallback.empty())
+    schema["default"] = key.fallback == "true";
   double number = 0.0;
   const auto parsed = std::from_chars(key.fallback.data(), key.fallback.data() + key.fallback.size(), number);
   if ((key.type == Type::number || key.type == Type::integer) && parsed.ec == std::errc{})
