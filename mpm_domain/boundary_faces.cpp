@@ -45,9 +45,9 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
   std::vector<BoundaryFace> faces;
   for (std::size_t s = 0; s < sets.size(); ++s)
     for (std::size_t k = 0; k < sets[s].size(); ++k) {
-      if (sets[s].x[k] - spec.box.x_min < near)
+      if (!spec.periodic_sides && sets[s].x[k] - spec.box.x_min < near)
         faces.push_back(make_face(Side::left, {-1.0, 0.0}, sets[s], s, k, size));
-      if (spec.box.x_max - sets[s].x[k] < near)
+      if (!spec.periodic_sides && spec.box.x_max - sets[s].x[k] < near)
         faces.push_back(make_face(Side::right, {1.0, 0.0}, sets[s], s, k, size));
       if (sets[s].y[k] - spec.box.y_min < near)
         faces.push_back(make_face(Side::base, {0.0, -1.0}, sets[s], s, k, size));

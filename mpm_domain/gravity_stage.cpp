@@ -2,6 +2,7 @@
 
 #include "mpm_domain/fill.hpp"
 #include "mpm_domain/gather.hpp"
+#include "mpm_domain/periodic_sides.hpp"
 #include "mpm_domain/scatter.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +42,8 @@ Supports find_supports(const Domain& domain, Reactions& reactions) {
       supports.full[n] = 1;
       const bool base = on_line(grid.y0 + j * grid.h, box.y_min, grid.h);
       const double x = grid.x0 + i * grid.h;
-      const bool side = on_line(x, box.x_min, grid.h) || on_line(x, box.x_max, grid.h);
+      const bool side =
+          !domain.spec.periodic_sides && (on_line(x, box.x_min, grid.h) || on_line(x, box.x_max, grid.h));
       supports.fixed_y[n] = base;
       supports.fixed_x[n] = base || side;
       if (base)
@@ -115,6 +117,8 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   for (long step = 0;; ++step) {
     scatter(domain, ScatterPart::force);
     residual = relax_grid(domain, supports, dt, alpha);
+    if (domain.spec.periodic_sides)
+      copy_to_images(domain);
     if (step % report_every == 0)
       progress(step, residual);
     if (residual < settings.residual)

@@ -1,5 +1,7 @@
 #include "mpm_domain/grid_update.hpp"
 
+#include "mpm_domain/periodic_sides.hpp"
+
 #include <algorithm>
 
 namespace tremolo::mpm_domain {
@@ -34,6 +36,8 @@ double grid_velocities(Domain& domain) {
     }
     return kinetic;
   });
+  if (domain.spec.periodic_sides)
+    copy_to_images(domain);
   double kinetic = 0.0;
   for (const double sum : sums)
     kinetic += sum;
@@ -52,9 +56,13 @@ void remap_velocities(Domain& domain) {
       grid.vy[n] = full ? grid.momentum_y[n] / m : 0.0;
     }
   });
+  if (domain.spec.periodic_sides)
+    copy_to_images(domain);
 }
 
 GridUpdate update_grid(Domain& domain, double dt) {
+  if (domain.spec.periodic_sides)
+    fold_forces(domain); // those of the faces
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
@@ -81,6 +89,8 @@ GridUpdate update_grid(Domain& domain, double dt) {
     }
     return sum;
   });
+  if (domain.spec.periodic_sides)
+    copy_to_images(domain);
   GridUpdate total;
   for (const GridUpdate& sum : sums) {
     total.kinetic += sum.kinetic;

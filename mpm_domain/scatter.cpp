@@ -1,5 +1,7 @@
 #include "mpm_domain/scatter.hpp"
 
+#include "mpm_domain/periodic_sides.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -134,6 +136,12 @@ void scatter_blocks(Domain& domain) {
           scatter_range<motion, force, true>(p, begin, end, domain);
       }
     });
+  if (domain.spec.periodic_sides) {
+    if constexpr (motion)
+      fold_motion(domain);
+    if constexpr (force)
+      fold_forces(domain);
+  }
 }
 
 } // namespace

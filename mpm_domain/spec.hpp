@@ -58,6 +58,9 @@ struct Spec {
   std::vector<Soil> soils;
   std::vector<Region> regions;
   Scheme scheme;
+  /// The domain repeats itself beyond its sides, which then carry no faces; it is a whole number of cells
+  /// wide.
+  bool periodic_sides = false;
   int threads = 1;
 };
 

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/gather.hpp"
 #include "mpm_domain/grid_update.hpp"
+#include "mpm_domain/periodic_sides.hpp"
 #include "mpm_domain/scatter.hpp"
 
 #include <fmt/format.h>
@@ -97,8 +98,11 @@ void Stepper::sort() {
   moved_ += max_speed_ * dt_;
   if (moved_ < 0.9 * domain_.grid.h)
     return;
-  for (Particles& set : domain_.sets)
+  for (Particles& set : domain_.sets) {
+    if (domain_.spec.periodic_sides)
+      wrap(set, domain_.spec.box);
     sort_by_cell(set, domain_.grid, domain_.half_size());
+  }
   moved_ = max_speed_ * dt_;
 }
 
