@@ -94,17 +94,24 @@ void correct_drift(const Pm4Sand& law, Motion& now, const Stress& stress) {
   }
 }
 
+/// M_b of the present pressure and density.
+double bound_of(const Pm4Sand& law, const Initial& start, const Motion& now, const Stress& stress) {
+  return surfaces(law, std::max(stress.p, start.p_min), now.volumetric_strain).M_b;
+}
+
 /// Brings a stress outside the bounding surface |s| = M_b p/sqrt2 back to it: what is drift from the yield
 /// surface, which alpha can no longer follow, along the normal; what the surface itself has shrunk, at
-/// constant p.
-void return_to_bound(const Pm4Sand& law, Motion& now, Stress& stress, double M_b) {
-  const double slope = M_b / sqrt2;
+/// constant p. Soil that is pulled apart keeps its pressure.
+void return_to_bound(const Pm4Sand& law, const Initial& start, Motion& now, Stress& stress, double M_b) {
   const double length = norm(stress.s);
-  const double outside = length - slope * stress.p;
-  const double drift = // soil that is pulled apart has its pressure
-      now.gap > 0.0 ? 0.0 : std::min(std::max(outside_yield(law, now.alpha, stress), 0.0), outside);
-  stress.p += 0.5 * slope * drift / (1.0 + 0.5 * slope * slope);
-  stress.s = (slope * stress.p / length) * stress.s;
+  if (now.gap == 0.0) {
+    const double slope = M_b / sqrt2;
+    const double drift = std::max(outside_yield(law, now.alpha, stress), 0.0);
+    const double along_normal = std::min(drift, length - slope * stress.p);
+    stress.p += 0.5 * slope * along_normal / (1.0 + 0.5 * slope * slope);
+    M_b = bound_of(law, start, now, stress);
+  }
+  stress.s = (M_b / sqrt2 * stress.p / length) * stress.s;
   now.alpha = ((M_b - law.m) / (M_b * stress.p)) * stress.s;
 }
 
@@ -114,9 +121,9 @@ void correct(const Pm4Sand& law, const Initial& start, Motion& now, Stress& stre
   constexpr double moves = 0.99; // the bounding surface moves by less in a sub-step
   const double M_cur2 = stress_ratio2(stress);
   if (M_cur2 >= moves * moves * near.M_b * near.M_b) {
-    const double M_b = surfaces(law, std::max(stress.p, start.p_min), now.volumetric_strain).M_b;
+    const double M_b = bound_of(law, start, now, stress);
     if (M_cur2 > M_b * M_b) {
-      return_to_bound(law, now, stress, M_b);
+      return_to_bound(law, start, now, stress, M_b);
       return;
     }
   }

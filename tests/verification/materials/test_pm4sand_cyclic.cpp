@@ -1,7 +1,7 @@
 // Cycles to liquefaction of PM4Sand under shear stress of constant amplitude at constant volume, found by its
 // own stress reversals, against those of an independent implementation: within half a cycle.
 
-#include "pm4sand_soil.hpp"
+#include "tests/support/pm4sand_soil.hpp"
 
 #include <gtest/gtest.h>
 

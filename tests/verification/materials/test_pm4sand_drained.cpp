@@ -2,7 +2,7 @@
 // would be ill-conditioned): peak shear strength within 1 per cent, secant modulus 3, damping 5, volumetric
 // strain 3 (monotonic) and 5 (cyclic, from 0.1 per cent strain) per cent.
 
-#include "pm4sand_soil.hpp"
+#include "tests/support/pm4sand_soil.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // below, every implementation has a treatment of its own). The cyclic paths hold to 3.5 per cent strain,
 // through 10 to 25 cycles.
 
-#include "pm4sand_soil.hpp"
+#include "tests/support/pm4sand_soil.hpp"
 
 #include <gtest/gtest.h>
 
