@@ -29,6 +29,13 @@ double least_positive_steps(double distance, double increment) {
   return std::max(1.0, std::ceil(std::abs(distance) / increment - 1e-9));
 }
 
+/// What has been drawn of a loop.
+struct LoopSoFar {
+  double area = 0.0; ///< int tau d strain, J/m3
+  double most = 0.0; ///< tau, Pa
+  double least = 0.0;
+};
+
 /// One straight piece of loading in a cyclic test.
 struct HalfCycle {
   double begin = 0.0; ///< cycles at its start
@@ -196,41 +203,42 @@ private:
       const double strain = apparatus_.strain(point_);
       const double next = k == steps ? goal : start + (goal - start) * k / steps;
       advance(next - strain);
-      work_ += 0.5 * (tau + apparatus_.shear_stress(point_)) * (apparatus_.strain(point_) - strain);
+      const double next_tau = apparatus_.shear_stress(point_);
+      loop_.area += 0.5 * (tau + next_tau) * (apparatus_.strain(point_) - strain);
+      loop_.most = std::max(loop_.most, next_tau);
+      loop_.least = std::min(loop_.least, next_tau);
       note(half.share > 0.0 ? half.cycle(next) : 0.0, k == steps);
     }
   }
 
   void load(const StrainCycles& loading) {
     HalfCycle half;
-    half.share = 0.25;
-    double sign = sense_;
+    const auto go = [&](double strain, double share) {
+      half.share = share;
+      half.from = apparatus_.strain(point_);
+      half.to = strain;
+      strain_to(strain, half);
+      half.begin += share;
+    };
     for (const double amplitude : loading.amplitudes) {
-      double tau_before = 0.0;  // at the last reversal
-      double work_before = 0.0; // at the last reversal on this side
+      double sign = sense_;
       for (int reversal = 0; reversal <= 2 * loading.cycles; ++reversal, sign = -sign) {
-        half.from = apparatus_.strain(point_);
-        half.to = sign * amplitude;
-        strain_to(half.to, half);
-        half.begin += half.share;
-        half.share = 0.5;
-        const double tau = apparatus_.shear_stress(point_);
+        go(sign * amplitude, reversal == 0 ? 0.25 : 0.5);
         if (reversal % 2 == 0) {
           if (reversal > 0) {
-            close_loop(amplitude, reversal / 2, sign * (tau - tau_before), work_ - work_before);
+            close_loop(amplitude, reversal / 2);
           }
-          work_before = work_;
+          loop_ = {0.0, apparatus_.shear_stress(point_), apparatus_.shear_stress(point_)};
         }
-        tau_before = tau;
       }
+      go(0.0, 0.25);
     }
     end(End::completed, "all amplitudes were applied");
   }
 
-  /// @param range  tau from one reversal to the other
-  void close_loop(double amplitude, int cycle, double range, double area) {
-    const double modulus = range / (2.0 * amplitude);
-    const double damping = area / (2.0 * std::numbers::pi * modulus * amplitude * amplitude);
+  void close_loop(double amplitude, int cycle) {
+    const double modulus = (loop_.most - loop_.least) / (2.0 * amplitude);
+    const double damping = loop_.area / (2.0 * std::numbers::pi * modulus * amplitude * amplitude);
     result_.loops.push_back({amplitude, cycle, modulus, damping, apparatus_.pore_pressure_ratio(point_)});
   }
 
@@ -319,7 +327,7 @@ private:
   PointState last_; ///< after the last complete increment
   double most_ = 0.0;
   double least_ = 0.0;
-  double work_ = 0.0; ///< int tau d strain, J/m3
+  LoopSoFar loop_; ///< since the last reversal at which a loop ends
   Result result_;
 };
 

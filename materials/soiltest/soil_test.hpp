@@ -73,8 +73,8 @@ struct StressCycles {
   std::optional<double> pore_pressure_ratio = std::nullopt; ///< largest r_u, if that shall end the test
 };
 
-/// Cycles between +-amplitude for each amplitude in turn: 2 * cycles + 1 reversals each, alternating through
-/// the whole test, so that loops close at a reversal.
+/// Cycles between +-amplitude for each amplitude in turn: from zero strain to the first reversal, `cycles`
+/// closed loops from there, and back to zero strain.
 struct StrainCycles {
   std::vector<double> amplitudes; ///< gamma_xy or eps_a
   int cycles = 2;                 ///< of each amplitude
@@ -120,7 +120,7 @@ struct CyclesTo {
 struct Loop {
   double amplitude = 0.0;
   int cycle = 0;                    ///< 1 for the first of its amplitude
-  double modulus = 0.0;             ///< secant from reversal to reversal, Pa: of tau over gamma_xy or eps_a
+  double modulus = 0.0;             ///< (tau_max - tau_min)/(2 amplitude), Pa
   double damping = 0.0;             ///< loop area / (2 pi modulus amplitude^2)
   double pore_pressure_ratio = 0.0; ///< at its end
 };
