@@ -1,13 +1,15 @@
 // Cyclic direct simple shear at constant volume between two shear stresses: the number of cycles to r_u =
-// 0.98 and to 1 and 3 % strain, found by an own control of the stress, against those of the reference's
+// 0.98 and to 1 and 3 % strain, against those of the reference's
 // curves.
 
 #include "pdmy03_reference.hpp"
+#include "tests/support/cyclic_shear.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace tremolo::materials::test {
 namespace {
@@ -37,39 +39,14 @@ struct CyclicTest {
   double last_strain; ///< where the test ends
 };
 
-/// Increments of 1e-5; the one that would pass the turning stress is bisected to end there.
 Cycles run(const CyclicTest& test, const PointStress& initial) {
   constexpr double increment = 1e-5;
   PointTest point(pdmy03_of(test.file), initial);
+  testing::CyclicShear shear(point, test.amplitude, test.bias, increment);
   Cycles cycles;
-  int half_cycle = 0; // 0 is the first quarter
-  while (std::abs(point.strain().xy) < test.last_strain) {
-    const double direction = half_cycle % 2 == 0 ? 1.0 : -1.0;
-    const auto beyond = [&] { return direction * (point.stress().xy - test.bias) - test.amplitude; };
-    const PointState before = point.now();
-    const auto shear = [&](double strain) {
-      point.set(before);
-      point.apply({Control::strain(0.0), Control::strain(0.0), Control::strain(strain)});
-      return beyond();
-    };
-    const bool turns = shear(direction * increment) > 0.0;
-    if (turns) {
-      double low = 0.0;
-      double high = increment;
-      for (int k = 0; k < 60; ++k) {
-        const double middle = 0.5 * (low + high);
-        (shear(direction * middle) > 0.0 ? high : low) = middle;
-      }
-    }
-    const double part = 0.25 * (1.0 + direction * (point.stress().xy - test.bias) / test.amplitude);
-    const double cycle = half_cycle == 0 ? 2.0 * (part - 0.25) * 0.5 : 0.25 + 0.5 * (half_cycle - 1) + part;
-    cycles.note(cycle, point.strain().xy, 1.0 - point.stress().yy / initial.yy);
-    if (turns) {
-      ++half_cycle;
-    }
-    if (half_cycle > 200) {
-      break;
-    }
+  while (std::abs(point.strain().xy) < test.last_strain && shear.cycle() < 100.0) {
+    shear.step();
+    cycles.note(shear.cycle(), point.strain().xy, 1.0 - point.stress().yy / initial.yy);
   }
   return cycles;
 }
@@ -116,6 +93,26 @@ INSTANTIATE_TEST_SUITE_P(Pdmy03, CyclicStrength,
                                            CyclicTest{"dr57_ucdss_csr0160_k10_s101", 16.16e3, 0.0, 0.04},
                                            CyclicTest{"dr57_ucdss_bias01_csr0160", 16.16e3, 10.1e3, 0.06}),
                          [](const auto& instance) { return std::string(instance.param.file); });
+
+/// The sets were fitted to the curve of Idriss & Boulanger (2008) for (N1)60 = 5, 15, 25: 15 cycles to 3 %
+/// strain from 101 kPa with K_0 = 0.5 at these stress ratios.
+TEST(Pdmy03, RecommendedSetsHaveTheCyclicStrengthTheyWereFittedTo) {
+  constexpr double vertical = 101e3;
+  for (const auto& [density, target] :
+       {std::pair(0.33, 0.0861), std::pair(0.57, 0.1561), std::pair(0.74, 0.2900)}) {
+    const Pdmy03 law = pdmy03({.relative_density = density});
+    const auto cycles = [&law = law](double stress_ratio) {
+      PointTest point(law, {-0.5 * vertical, -vertical, -0.5 * vertical, 0.0});
+      testing::CyclicShear shear(point, stress_ratio * vertical, 0.0, 1e-5);
+      while (std::abs(point.strain().xy) < 0.03) {
+        shear.step();
+      }
+      return shear.cycle();
+    };
+    EXPECT_GT(cycles(0.98 * target), 15.0) << density;
+    EXPECT_LT(cycles(1.02 * target), 15.0) << density;
+  }
+}
 
 } // namespace
 } // namespace tremolo::materials::test
