@@ -1,6 +1,7 @@
 // Cycles to liquefaction of PM4Sand under shear stress of constant amplitude at constant volume, found by its
 // own stress reversals, against those of an independent implementation: within half a cycle.
 
+#include "tests/support/cyclic_shear.hpp"
 #include "tests/support/pm4sand_soil.hpp"
 
 #include <gtest/gtest.h>
@@ -9,53 +10,6 @@
 
 namespace tremolo::materials::test {
 namespace {
-
-/// Uniform cycles of shear stress tau = static +- amplitude, starting upwards; strain increments of one size,
-/// the last one before a reversal shortened until the stress is met.
-class StressCycles {
-public:
-  StressCycles(const Law& law, const PointStress& initial, double amplitude, double increment)
-      : point_(law, initial), static_(initial.xy), amplitude_(amplitude), increment_(increment) {}
-
-  /// One increment, and a reversal where the amplitude is reached.
-  void advance() {
-    const PointState before = point_.now();
-    shear(direction_ * increment_);
-    if (direction_ * (point_.stress().xy - static_) < amplitude_) {
-      return;
-    }
-    double low = 0.0;
-    double high = increment_;
-    for (int halvings = 0; halvings < 40; ++halvings) {
-      const double middle = 0.5 * (low + high);
-      point_.set(before);
-      shear(direction_ * middle);
-      (direction_ * (point_.stress().xy - static_) < amplitude_ ? low : high) = middle;
-    }
-    ++half_cycles_;
-    direction_ = -direction_;
-  }
-
-  /// The number of cycles so far, interpolated by shear stress within a half cycle.
-  double cycles() const {
-    const double travelled = direction_ * (point_.stress().xy - static_) / amplitude_; // -1 to 1
-    return half_cycles_ == 0 ? 0.25 * travelled : 0.5 * half_cycles_ + 0.25 * travelled;
-  }
-
-  const PointTest& point() const { return point_; }
-
-private:
-  void shear(double strain) {
-    point_.apply({Control::strain(0.0), Control::strain(0.0), Control::strain(strain)});
-  }
-
-  PointTest point_;
-  double static_;
-  double amplitude_;
-  double increment_;
-  double direction_ = 1.0;
-  int half_cycles_ = 0;
-};
 
 /// Cycles to a pore pressure ratio of 0.98 and to single-amplitude shear strains of 1 and 3 per cent.
 struct Cycles {
@@ -66,20 +20,21 @@ struct Cycles {
 
 Cycles cycles_to_liquefaction(const Law& law, const PointStress& initial, double amplitude,
                               double increment) {
-  StressCycles test(law, initial, amplitude, increment);
+  PointTest point(law, initial);
+  testing::CyclicShear shear(point, amplitude, initial.xy, increment);
   std::optional<double> ru_98;
   std::optional<double> strain_1;
   for (long n = 0; n < static_cast<long>(3.0 / increment); ++n) {
-    test.advance();
-    const double strain = std::abs(test.point().strain().xy);
-    if (!ru_98 && test.point().stress().yy >= 0.02 * initial.yy) {
-      ru_98 = test.cycles();
+    shear.step();
+    const double strain = std::abs(point.strain().xy);
+    if (!ru_98 && point.stress().yy >= 0.02 * initial.yy) {
+      ru_98 = shear.cycle();
     }
     if (!strain_1 && strain >= 0.01) {
-      strain_1 = test.cycles();
+      strain_1 = shear.cycle();
     }
     if (strain >= 0.03 && ru_98) {
-      return {*ru_98, strain_1.value_or(0.0), test.cycles()};
+      return {*ru_98, strain_1.value_or(0.0), shear.cycle()};
     }
   }
   return {};
