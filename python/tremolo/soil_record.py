@@ -96,6 +96,9 @@ def read_reference(path):
     missing = [c for c in ("eps_xx", "eps_yy", "gamma_xy", "sig_xx", "sig_yy", "sig_xy") if c not in names]
     if missing:
         raise ValueError(f"{path}: is no reference curve, its first line has no column {', '.join(missing)}")
+    if "step" in names:
+        # The last row of some of them is there twice.
+        rows = rows[np.diff(rows[:, names.index("step")], prepend=-1.0) > 0.0]
     columns = dict(zip(names, rows.T))
     for name in STRESSES:
         if name in columns:

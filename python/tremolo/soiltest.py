@@ -66,8 +66,14 @@ def draw_pair(ax, ours, below, x, y):
     """Ours over the references, quantities x and y of the views."""
     for number, view in enumerate(below):
         ax.plot(getattr(view, x), getattr(view, y), **REFERENCE, label=None if number else "reference")
-    for name, view in ours.items():
-        ax.plot(getattr(view, x), getattr(view, y), linewidth=0.8, zorder=2, label=name)
+    for (name, view), colour in zip(ours.items(), colours(len(ours))):
+        ax.plot(getattr(view, x), getattr(view, y), color=colour, linewidth=0.8, zorder=2, label=name)
+
+
+def colours(count):
+    """Of curves that are few, distinct ones; of many, a sequence from dark to light."""
+    few = 4
+    return style.COLOURS[:few] if count <= few else style.plt.get_cmap(style.SEQUENTIAL)(np.linspace(0.0, 0.85, count))
 
 
 def log_ticks(ax, ticks):
@@ -95,8 +101,8 @@ def draw_stress_strain(ax, ours, below, _test):
     draw_pair(ax, ours, below, "strain", "stress")
     ax.set(xlabel=first(ours).strain_label, ylabel=first(ours).stress_label)
     zero_lines(ax)
-    if below or 1 < len(ours) <= 6:
-        ax.legend(loc="best")
+    if below or 1 < len(ours) <= 8:
+        ax.legend(loc="best", fontsize=8 if len(ours) <= 4 else 7)
 
 
 def draw_stress_path(ax, ours, below, test):
@@ -214,7 +220,9 @@ def panels(test):
     if test.about["kind"] in ("oedometer", "isotropic_compression"):
         return [["compression", "path"]]
     if test.modulus_curve is not None:
-        return [["loops", "path", "volume_strain" if drained else "ru_cycles"], ["modulus", "damping"]]
+        # A law without lines has neither a stress path nor a volume worth looking at.
+        above = ["path", "volume_strain" if drained else "ru_cycles"] if test.lines else []
+        return [["loops", *above], ["modulus", "damping"]]
     if "cyclic" in test.about["loading"]:
         below = ["volume_cycles" if drained else "ru_cycles", "strain_cycles"]
         return [["loops", "path"], below] if test.strength_curve is None else [["loops", "path", "strength"], below]
@@ -245,7 +253,7 @@ def heading(test):
     return f"{about['title']}\n{', '.join(words)}"
 
 
-def draw(test, references=(), labels=None):
+def draw(test, references=(), labels=None, title=None):
     """The figure of a soil test; reference curves (read_reference) lie below ours. `labels` name its histories."""
     names = telling_tests(test)
     in_plane = soil_response.is_in_plane(test.histories[names[0]])
@@ -264,7 +272,7 @@ def draw(test, references=(), labels=None):
             CURVE_PANELS[name](ax, test)
         else:
             HISTORY_PANELS[name](ax, ours, below, test)
-    figure.suptitle(heading(test), fontsize=9)
+    figure.suptitle(title or heading(test), fontsize=9)
     return figure
 
 
