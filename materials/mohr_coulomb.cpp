@@ -2,6 +2,7 @@
 
 #include "materials/elastic_parameters.hpp"
 #include "materials/elastic_trial.hpp"
+#include "materials/mohr_coulomb_main_plane.hpp"
 #include "materials/mohr_coulomb_softening.hpp"
 #include "materials/parameter_check.hpp"
 
@@ -18,7 +19,7 @@ namespace tremolo::materials {
 namespace {
 
 /// Points handled together: their stress stays in the first-level cache between the passes.
-constexpr std::size_t block_size = 256;
+constexpr std::size_t block_size = PlasticPoints::capacity;
 
 bool outside(double s1, double s3, const Strength& strength) {
   return yield_function(s1, s3, strength) > 0.0 || s1 > strength.tension;
@@ -96,13 +97,25 @@ double plastic_work(const Elasticity& elastic, const Points& points, std::size_t
   return work_on_strain(mean, relaxed, elastic);
 }
 
+/// Writes the end of the step of point i, whose arrays hold the trial stress, and adds its plastic work.
+void finish(const Elasticity& elastic, const Points& points, std::size_t i, const Stress& last,
+            double plastic_strain) {
+  const Stress trial = {points.sxx[i], points.syy[i], points.szz[i], points.sxy[i]};
+  points.plastic_work[i] += plastic_work(elastic, points, i, trial, last);
+  points.state[i] = plastic_strain;
+  points.sxx[i] = last.xx;
+  points.syy[i] = last.yy;
+  points.szz[i] = last.zz;
+  points.sxy[i] = last.xy;
+}
+
 /// Brings point i, whose arrays hold the trial stress, back to its surface if it lies outside.
 void correct(const MohrCoulomb& law, const FadingStrength& peak, const Points& points, std::size_t i) {
   const Stress trial = {points.sxx[i], points.syy[i], points.szz[i], points.sxy[i]};
   const Spectrum directions = spectrum(trial.xx, trial.yy, trial.zz, trial.xy);
   const std::size_t place = place_of_szz(directions);
   const Principal principal = sorted(directions, place);
-  double& e = points.state[i];
+  const double e = points.state[i];
   const bool weakened = law.softening > 0.0 && e > 0.0;
   const FadingStrength start = weakened ? strength_at(law, e) : peak;
   if (!outside(principal[0], principal[2], start.now)) {
@@ -115,12 +128,40 @@ void correct(const MohrCoulomb& law, const FadingStrength& peak, const Points& p
   const double half = 0.5 * (larger - smaller);
   const Stress last = {mean + half * directions.cosine2, mean - half * directions.cosine2, end.stress[place],
                        half * directions.sine2};
-  points.plastic_work[i] += plastic_work(law.elastic, points, i, trial, last);
-  e = end.plastic_strain;
-  points.sxx[i] = last.xx;
-  points.syy[i] = last.yy;
-  points.szz[i] = last.zz;
-  points.sxy[i] = last.xy;
+  finish(law.elastic, points, i, last, end.plastic_strain);
+}
+
+/// Brings the marked points of a block back to their surface: those that end on the main plane together, the
+/// others one by one.
+void return_suspects(const MohrCoulomb& law, const FadingStrength& peak, const Points& points,
+                     std::size_t begin, std::size_t count, const std::uint8_t* suspect) {
+  PlasticPoints some;
+  std::array<std::size_t, block_size> place;
+  some.count = 0;
+  for (std::size_t i = begin; i < begin + count; ++i) {
+    if (suspect[i - begin] != 0) {
+      const std::size_t k = some.count++;
+      place[k] = i;
+      some.sxx[k] = points.sxx[i];
+      some.syy[k] = points.syy[i];
+      some.szz[k] = points.szz[i];
+      some.sxy[k] = points.sxy[i];
+      some.plastic_strain[k] = points.state[i];
+    }
+  }
+  if (some.count == 0) {
+    return;
+  }
+  return_to_main_plane(law, some);
+  for (std::size_t k = 0; k < some.count; ++k) {
+    const std::size_t i = place[k];
+    if (some.left[k] != 0.0) {
+      correct(law, peak, points, i);
+    } else {
+      finish(law.elastic, points, i, {some.sxx[k], some.syy[k], some.szz[k], some.sxy[k]},
+             some.plastic_strain[k]);
+    }
+  }
 }
 
 /// Marks the points of a block that are softened already or whose trial stress exceeds the peak strength.
@@ -160,11 +201,7 @@ void update(const MohrCoulomb& law, const Points& points) {
     const std::size_t count = std::min(block_size, points.count - begin);
     elastic_trial(law.elastic, points, begin, begin + count);
     mark_suspects(law, peak.now, points, begin, count, suspect.data());
-    for (std::size_t i = 0; i < count; ++i) {
-      if (suspect[i] != 0) {
-        correct(law, peak, points, begin + i);
-      }
-    }
+    return_suspects(law, peak, points, begin, count, suspect.data());
   }
 }
 

@@ -23,26 +23,40 @@ struct FadingStrength {
   double sin_friction_rate = 0.0; ///< d sin(phi)/de
 };
 
-/// The strength at an equivalent plastic strain e.
-inline FadingStrength strength_at(const MohrCoulomb& law, double e) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr double gone = -700.0; // exp of it leaves 1e-304
-  const double decay = law.softening > 0.0 ? elementary::exp(std::max(-law.softening * e, gone)) : 1.0;
+/// exp(-eta e); below 1e-304 it stays as it is.
+inline double decay_at(const MohrCoulomb& law, double e) {
+  return elementary::exp(-law.softening * std::min(e, 700.0 / law.softening));
+}
+
+/// Largest tensile stress that the cut-off allows, Pa.
+inline double cutoff(const MohrCoulomb& law) {
+  return law.tension_cutoff.value_or(std::numeric_limits<double>::infinity());
+}
+
+/// The strength after a decay; no branch, and inlined so that a loop over points runs on vectors.
+[[gnu::always_inline]] inline FadingStrength strength_after(const MohrCoulomb& law, double cutoff,
+                                                            double decay) {
   const double cohesion_left = (law.cohesion_peak - law.cohesion_residual) * decay;
   const double friction_left = (law.friction_peak - law.friction_residual) * decay;
   const double cohesion = law.cohesion_residual + cohesion_left;
   const double friction = law.friction_residual + friction_left;
   const double dilation = law.dilation_residual + (law.dilation_peak - law.dilation_residual) * decay;
-  const auto [sine, cosine] = sine_cosine(friction);
+  const SineCosine angle = sine_cosine(friction);
   FadingStrength strength;
-  strength.now.cohesive = 2.0 * cohesion * cosine;
-  strength.now.sin_friction = sine;
-  strength.now.sin_dilation = dilation == 0.0 ? 0.0 : sine_cosine(dilation).sine;
-  strength.now.apex = sine > 0.0 ? cohesion * cosine / sine : infinity;
-  strength.now.tension = std::min(law.tension_cutoff.value_or(infinity), strength.now.apex);
-  strength.cohesive_rate = 2.0 * law.softening * (cohesion * sine * friction_left - cohesion_left * cosine);
-  strength.sin_friction_rate = -law.softening * cosine * friction_left;
+  strength.now.cohesive = 2.0 * cohesion * angle.cosine;
+  strength.now.sin_friction = angle.sine;
+  strength.now.sin_dilation = sine_cosine(dilation).sine;
+  strength.now.apex = cohesion * angle.cosine / angle.sine; // infinite for phi = 0
+  strength.now.tension = std::min(cutoff, strength.now.apex);
+  strength.cohesive_rate =
+      2.0 * law.softening * (cohesion * angle.sine * friction_left - cohesion_left * angle.cosine);
+  strength.sin_friction_rate = -law.softening * angle.cosine * friction_left;
   return strength;
+}
+
+/// The strength at an equivalent plastic strain e.
+inline FadingStrength strength_at(const MohrCoulomb& law, double e) {
+  return strength_after(law, cutoff(law), law.softening > 0.0 ? decay_at(law, e) : 1.0);
 }
 
 /// End of a step: principal stresses and equivalent plastic strain.
