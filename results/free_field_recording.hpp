@@ -50,6 +50,8 @@ class FreeFieldRecording {
 public:
   /// @throws std::runtime_error for a file that is no recording, naming what is missing or has another shape
   explicit FreeFieldRecording(const std::filesystem::path& file);
+  /// What a source sent in a recorded exchange (exchange_file.hpp), as far as it is held.
+  FreeFieldRecording(const std::filesystem::path& exchange, const std::string& source);
   ~FreeFieldRecording();
   FreeFieldRecording(const FreeFieldRecording&) = delete;
   FreeFieldRecording& operator=(const FreeFieldRecording&) = delete;

@@ -119,4 +119,29 @@ AttributeValue FileReader::attribute(const std::string& object, const std::strin
   }
 }
 
+Table FileReader::table(const std::string& name) const {
+  Table table;
+  for (const auto& column_name : attribute_as<std::vector<std::string>>(name, "columns")) {
+    const std::string column = fmt::format("{}/{}", name, column_name);
+    const Handle data = dataset(column);
+    const Handle type(H5Dget_type(data.get()), H5Tclose);
+    Table::Column out{column_name, {}, {}};
+    if (has_attribute(column, "unit")) {
+      out.unit = attribute_as<std::string>(column, "unit");
+    }
+    switch (H5Tget_class(type.get())) {
+    case H5T_STRING:
+      out.values = strings(data.get(), type.get(), column);
+      break;
+    case H5T_INTEGER:
+      out.values = numbers<std::int64_t>(data.get(), H5T_NATIVE_INT64, column);
+      break;
+    default:
+      out.values = numbers<double>(data.get(), H5T_NATIVE_DOUBLE, column);
+    }
+    table.columns.push_back(std::move(out));
+  }
+  return table;
+}
+
 } // namespace tremolo::results

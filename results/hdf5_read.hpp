@@ -44,6 +44,7 @@ public:
   }
   std::string text(const std::string& name) const;
   std::vector<std::string> strings(hid_t id, hid_t type, const std::string& name) const;
+  Table table(const std::string& name) const;
 
   bool has_attribute(const std::string& object, const std::string& name) const;
   AttributeValue attribute(const std::string& object, const std::string& name) const;

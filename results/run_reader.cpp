@@ -99,29 +99,7 @@ bool RunReader::has_table(std::string_view path) const {
 }
 
 Table RunReader::table(std::string_view path) const {
-  const FileReader& source = implementation_->source;
-  Table table;
-  for (const auto& name : source.attribute_as<std::vector<std::string>>(std::string(path), "columns")) {
-    const std::string column = fmt::format("{}/{}", path, name);
-    const Handle data = source.dataset(column);
-    const Handle type(H5Dget_type(data.get()), H5Tclose);
-    Table::Column out{name, {}, {}};
-    if (source.has_attribute(column, "unit")) {
-      out.unit = source.attribute_as<std::string>(column, "unit");
-    }
-    switch (H5Tget_class(type.get())) {
-    case H5T_STRING:
-      out.values = source.strings(data.get(), type.get(), column);
-      break;
-    case H5T_INTEGER:
-      out.values = source.numbers<std::int64_t>(data.get(), H5T_NATIVE_INT64, column);
-      break;
-    default:
-      out.values = source.numbers<double>(data.get(), H5T_NATIVE_DOUBLE, column);
-    }
-    table.columns.push_back(std::move(out));
-  }
-  return table;
+  return implementation_->source.table(std::string(path));
 }
 
 } // namespace tremolo::results

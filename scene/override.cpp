@@ -143,7 +143,8 @@ std::string overridden_text(const Case& scene, const CaseOverride& values) {
     const bool replayed = replay != values.replays.end();
     if (replayed)
       replacements.put_with(boundary, "model", "\"recording\"",
-                            {{"file", quoted(replay->second)}, {"side", fmt::format("\"{}\"", name(side))}});
+                            {{"file", quoted(replay->second.file)},
+                             {"side", fmt::format("\"{}\"", name(replay->second.side))}});
     else if (values.model)
       replacements.put(boundary + ".model", fmt::format("\"{}\"", name(*values.model)));
     for (const char* key : {"file", "program", "side"})

@@ -9,12 +9,18 @@
 
 namespace tremolo::scene {
 
+/// A free field of a recorded exchange.
+struct RecordedSide {
+  std::filesystem::path file;
+  Side side = Side::left;
+};
+
 /// What a run may replace in its case.
 struct CaseOverride {
-  std::optional<std::filesystem::path> record;     ///< instead of [motion] file
-  std::optional<double> angle_deg;                 ///< instead of [motion] angle_deg
-  std::optional<SourceModel> model;                ///< instead of the model of both sides and the base
-  std::map<Side, std::filesystem::path> replays{}; ///< recorded exchanges instead of the models of sides
+  std::optional<std::filesystem::path> record; ///< instead of [motion] file
+  std::optional<double> angle_deg;             ///< instead of [motion] angle_deg
+  std::optional<SourceModel> model;            ///< instead of the model of both sides and the base
+  std::map<Side, RecordedSide> replays{};      ///< recordings instead of the models of these sides
 };
 
 /// The text of the case with these values replaced and everything else, comments included, as it stands; a
