@@ -156,7 +156,7 @@ private:
   }
 
   bool search(const Matrix& tangent) {
-    for (double fraction = 1.0; fraction > 0.01; fraction *= 0.5) {
+    for (const double fraction : {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625}) {
       Matrix corrected = tangent;
       if (step(corrected, fraction, 1.0 - 0.1 * fraction)) {
         return true;
@@ -187,8 +187,8 @@ private:
   void bisect() {
     const Point start = {x_[0], r_[0]};
     Point near[2] = {start, start};
-    const double stride = std::max(0.1 * equations_.largest(x_), 1e-12);
-    for (double distance = stride; distance < largest_correction; distance *= 1.5) {
+    double distance = std::max(0.1 * equations_.largest(x_), 1e-12);
+    for (; distance < largest_correction; distance *= 1.5) {
       for (Point& last : near) {
         const double side = (&last == near) == (start.r > 0.0) ? -1.0 : 1.0;
         const Point next = at(start.x + side * distance);

@@ -1,6 +1,6 @@
 #include "materials/soiltest/apparatus.hpp"
 #include "materials/soiltest/recorder.hpp"
-#include "materials/soiltest/soil_test.hpp"
+#include "materials/soiltest/specimen.hpp"
 
 #include <fmt/format.h>
 
@@ -9,14 +9,12 @@
 #include <ctime>
 #include <exception>
 #include <numbers>
-#include <stdexcept>
 
 namespace tremolo::soiltest {
 namespace {
 
 using materials::Law;
 using materials::PointState;
-using materials::PointStress;
 using materials::PointTest;
 
 double cpu_seconds() {
@@ -25,8 +23,9 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-double least_positive_steps(double distance, double increment) {
-  return std::max(1.0, std::ceil(std::abs(distance) / increment - 1e-9));
+/// Increments to cover a strain.
+std::size_t increments(double distance, double increment) {
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(distance) / increment - 1e-9)));
 }
 
 /// What has been drawn of a loop.
@@ -45,80 +44,6 @@ struct HalfCycle {
 
   double cycle(double now) const { return begin + share * std::clamp((now - from) / (to - from), 0.0, 1.0); }
 };
-
-/// Brings the specimen from `before` by the part of an increment that ends at a shear stress: false position
-/// with the modification of Illinois.
-void stop_at_stress(PointTest& point, const Apparatus& apparatus, const PointState& before, double increment,
-                    double target, double tolerance) {
-  const auto excess = [&](double part) {
-    point.set(before);
-    if (part > 0.0) {
-      point.apply(apparatus.step(part * increment, point));
-    }
-    return apparatus.shear_stress(point) - target;
-  };
-  double a = 0.0;
-  double b = 1.0;
-  double at_a = excess(a);
-  double at_b = excess(b);
-  int kept = 0; // which end has stayed, and how often
-  while (std::abs(at_b) > tolerance && b - a > 1e-13) {
-    const double part =
-        std::clamp((a * at_b - b * at_a) / (at_b - at_a), a + 1e-3 * (b - a), b - 1e-3 * (b - a));
-    const double at_part = excess(part);
-    if (std::abs(at_part) <= tolerance) {
-      return;
-    }
-    if ((at_part > 0.0) == (at_b > 0.0)) {
-      b = part;
-      at_b = at_part;
-      at_a *= kept > 0 ? 0.5 : 1.0;
-      kept = 1;
-    } else {
-      a = part;
-      at_a = at_part;
-      at_b *= kept < 0 ? 0.5 : 1.0;
-      kept = -1;
-    }
-  }
-  excess(b);
-}
-
-/// The specimen in its initial state.
-PointTest specimen(const Law& law, const SoilTest& test) {
-  const InitialState& initial = test.initial;
-  const double lateral = -initial.k0 * initial.vertical_stress;
-  const double tau = initial.shear_bias * initial.vertical_stress;
-  const bool at_once = initial.bias_in_initial_stress || tau == 0.0;
-  materials::StressTolerance tolerance;
-  tolerance.nearest = test.kind == Kind::path ? 0.0 : 1.0;
-  PointTest point(law, {lateral, -initial.vertical_stress, lateral, at_once ? tau : 0.0}, tolerance);
-  if (at_once) {
-    return point;
-  }
-  SoilTest drained = test;
-  drained.kind = Kind::direct_simple_shear;
-  drained.drainage = Drainage::drained;
-  drained.pore_stiffness = 0.0;
-  const Apparatus apparatus(drained, point);
-  const double increment = std::copysign(test.strain_increment, tau);
-  PointState before = point.now();
-  while (std::abs(point.stress().xy) < std::abs(tau)) {
-    if (std::abs(point.strain().xy) > 1.0) {
-      throw std::invalid_argument(
-          fmt::format("shear_bias = {:g} is more than the drained strength: tau is {:g} Pa at "
-                      "100 % shear strain",
-                      initial.shear_bias, point.stress().xy));
-    }
-    before = point.now();
-    point.apply(apparatus.step(increment, point));
-  }
-  stop_at_stress(point, apparatus, before, increment, tau, 1e-9 * initial.vertical_stress);
-  PointState start = point.now();
-  start.strain = {};
-  point.set(start);
-  return point;
-}
 
 /// A test while it runs.
 class Run {
@@ -197,11 +122,12 @@ private:
   /// In equal increments to a strain.
   void strain_to(double goal, const HalfCycle& half) {
     const double start = apparatus_.strain(point_);
-    const double steps = least_positive_steps(goal - start, test_.strain_increment);
-    for (double k = 1.0; k <= steps; ++k) {
+    const std::size_t steps = increments(goal - start, test_.strain_increment);
+    for (std::size_t k = 1; k <= steps; ++k) {
       const double tau = apparatus_.shear_stress(point_);
       const double strain = apparatus_.strain(point_);
-      const double next = k == steps ? goal : start + (goal - start) * k / steps;
+      const double part = static_cast<double>(k) / static_cast<double>(steps);
+      const double next = k == steps ? goal : start + (goal - start) * part;
       advance(next - strain);
       const double next_tau = apparatus_.shear_stress(point_);
       loop_.area += 0.5 * (tau + next_tau) * (apparatus_.strain(point_) - strain);
@@ -297,9 +223,10 @@ private:
     for (std::size_t i = 1; i < path.rows.size(); ++i) {
       const PathRow& a = path.rows[i - 1];
       const PathRow& b = path.rows[i];
-      const double steps = b.step - a.step;
-      for (double k = 1.0; k <= steps; ++k) {
-        point_.apply(apparatus_.step_to(path, between(a, b, k / steps, path.rows.front()), point_));
+      const auto steps = static_cast<std::size_t>(b.step - a.step);
+      for (std::size_t k = 1; k <= steps; ++k) {
+        const double part = static_cast<double>(k) / static_cast<double>(steps);
+        point_.apply(apparatus_.step_to(path, between(a, b, part, path.rows.front()), point_));
         ++result_.increments;
         note(0.0, k == steps);
       }
