@@ -69,15 +69,15 @@ FaceWeights face_weights(const BoundaryFace& face, const Particles& set, const G
     const Weights along = gimp_weights(set.y[k], {grid.y0, grid.h, half});
     for (int a = 0, entry = 0; a < 3; ++a)
       for (int b = 0; b < 2; ++b, ++entry)
-        weights[static_cast<std::size_t>(entry)] = {grid.index(across.base + b, along.base + a),
-                                                    along.s[a] * across.w[b]};
+        weights[static_cast<std::size_t>(entry)] = {
+            grid.index(grid.real_column(across.base + b), along.base + a), along.s[a] * across.w[b]};
   } else {
     const Linear across = linear_weights(set.y[k] + half * n.y, grid.y0, grid.h);
     const Weights along = gimp_weights(set.x[k], {grid.x0, grid.h, half});
     for (int b = 0, entry = 0; b < 2; ++b)
       for (int a = 0; a < 3; ++a, ++entry)
-        weights[static_cast<std::size_t>(entry)] = {grid.index(along.base + a, across.base + b),
-                                                    along.s[a] * across.w[b]};
+        weights[static_cast<std::size_t>(entry)] = {
+            grid.index(grid.real_column(along.base + a), across.base + b), along.s[a] * across.w[b]};
   }
   return weights;
 }

@@ -17,6 +17,9 @@ struct Grid {
   double y0 = 0.0;
   int nx = 0; ///< nodes per row
   int ny = 0; ///< rows
+  /// Columns after which the grid repeats itself, from column `first_column` on; 0: it does not.
+  int period = 0;
+  int first_column = 0;
 
   // What particles and faces add up in one step.
   NodeField mass;                   ///< kg/m
@@ -32,6 +35,13 @@ struct Grid {
 
   std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
+  }
+  /// The column that column i stands for: itself, or the one of the period that it is an image of.
+  int real_column(int i) const {
+    if (period == 0)
+      return i;
+    const int beyond = (i - first_column) % period;
+    return first_column + (beyond < 0 ? beyond + period : beyond);
   }
   std::size_t size() const { return mass.size(); }
   /// Velocities before and after the update.

@@ -61,8 +61,6 @@ void remap_velocities(Domain& domain) {
 }
 
 GridUpdate update_grid(Domain& domain, double dt) {
-  if (domain.spec.periodic_sides)
-    fold_forces(domain); // those of the faces
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;

@@ -6,31 +6,13 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// The columns of one period.
-struct Period {
-  int first = 0; ///< column of the left side
-  int count = 0;
-
-  explicit Period(const Domain& domain)
-      : first(static_cast<int>(std::lround((domain.spec.box.x_min - domain.grid.x0) / domain.grid.h))),
-        count(
-            static_cast<int>(std::lround((domain.spec.box.x_max - domain.spec.box.x_min) / domain.grid.h))) {}
-
-  /// The column of the period that column i stands for.
-  int real(int i) const {
-    const int beyond = (i - first) % count;
-    return first + (beyond < 0 ? beyond + count : beyond);
-  }
-};
-
 /// act(image, real) for all images and the nodes that they stand for, row by row.
 template <typename Act>
 void for_images(Domain& domain, const Act& act) {
   const Grid& grid = domain.grid;
-  const Period period(domain);
   domain.workers.run(static_cast<std::size_t>(grid.ny), [&](std::size_t row) {
     for (int i = 0; i < grid.nx; ++i)
-      if (const int real = period.real(i); real != i)
+      if (const int real = grid.real_column(i); real != i)
         act(grid.index(i, static_cast<int>(row)), grid.index(real, static_cast<int>(row)));
   });
 }

@@ -89,9 +89,14 @@ void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   coupler::DomainClient client(options);
-  mpm_domain::Domain domain(mpm_domain::spec_from_case(scene, options.threads));
-  const double gravity_seconds = scene.gravity ? gravity_stage(domain, *scene.gravity, client) : 0.0;
-  shake(domain, scene, plan, options, client, gravity_seconds);
+  try {
+    mpm_domain::Domain domain(mpm_domain::spec_from_case(scene, options.threads));
+    const double gravity_seconds = scene.gravity ? gravity_stage(domain, *scene.gravity, client) : 0.0;
+    shake(domain, scene, plan, options, client, gravity_seconds);
+  } catch (const std::exception& error) {
+    client.abandon(error.what());
+    throw;
+  }
 }
 
 } // namespace
