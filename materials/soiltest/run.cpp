@@ -50,7 +50,8 @@ class Run {
 public:
   Run(const Law& law, const SoilTest& test)
       : test_(test), point_(specimen(law, test)), apparatus_(test, point_),
-        recorder_(law, apparatus_, test.every),
+        recorder_(law, apparatus_, test.every), cyclic_(std::holds_alternative<StressCycles>(test.loading) ||
+                                                        std::holds_alternative<StrainCycles>(test.loading)),
         sense_(test.kind == Kind::triaxial_extension || test.kind == Kind::plane_strain_extension ? -1.0
                                                                                                   : 1.0) {
     note(0.0, true);
@@ -84,14 +85,16 @@ private:
     least_ = std::min(least_, strain);
     result_.largest_strain = std::max(before, std::abs(strain));
     result_.peak_shear_stress = std::max(result_.peak_shear_stress, tau);
-    CyclesTo& to = result_.cycles_to;
-    reach(to.strain_1pc, 0.01, before, result_.largest_strain, cycle);
-    reach(to.strain_3pc, 0.03, before, result_.largest_strain, cycle);
-    reach(to.strain_5pc, 0.05, before, result_.largest_strain, cycle);
-    reach(to.double_amplitude_5pc, 0.05, amplitude, most_ - least_, cycle);
-    reach(to.ru_98, 0.98, result_.largest_pore_pressure_ratio,
-          std::max(ratio, result_.largest_pore_pressure_ratio), cycle);
-    result_.largest_pore_pressure_ratio = std::max(result_.largest_pore_pressure_ratio, ratio);
+    const double highest_ratio = std::max(ratio, result_.largest_pore_pressure_ratio);
+    if (cyclic_) {
+      CyclesTo& to = result_.cycles_to;
+      reach(to.strain_1pc, 0.01, before, result_.largest_strain, cycle);
+      reach(to.strain_3pc, 0.03, before, result_.largest_strain, cycle);
+      reach(to.strain_5pc, 0.05, before, result_.largest_strain, cycle);
+      reach(to.double_amplitude_5pc, 0.05, amplitude, most_ - least_, cycle);
+      reach(to.ru_98, 0.98, result_.largest_pore_pressure_ratio, highest_ratio, cycle);
+    }
+    result_.largest_pore_pressure_ratio = highest_ratio;
     result_.cycles = cycle;
     recorder_.record(result_.increments, cycle, point_, keep);
     last_ = point_.now();
@@ -250,6 +253,7 @@ private:
   PointTest point_;
   Apparatus apparatus_;
   Recorder recorder_;
+  bool cyclic_;     ///< whether cycles are counted
   double sense_;    ///< of the first loading
   PointState last_; ///< after the last complete increment
   double most_ = 0.0;

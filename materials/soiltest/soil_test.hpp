@@ -106,7 +106,7 @@ struct SoilTest {
   std::size_t every = 1;          ///< increments from one row of the history to the next
 };
 
-/// Cycles at which something was reached for the first time; NaN if it was not.
+/// Cycles at which something was reached for the first time; NaN if it was not, and in tests without cycles.
 struct CyclesTo {
   static constexpr double never = std::numeric_limits<double>::quiet_NaN();
   double strain_1pc = never; ///< single amplitude, largest |strain|
