@@ -188,7 +188,7 @@ private:
     const Point start = {x_[0], r_[0]};
     Point near[2] = {start, start};
     double distance = std::max(0.1 * equations_.largest(x_), 1e-12);
-    for (; distance < largest_correction; distance *= 1.5) {
+    while (distance < largest_correction) {
       for (Point& last : near) {
         const double side = (&last == near) == (start.r > 0.0) ? -1.0 : 1.0;
         const Point next = at(start.x + side * distance);
@@ -198,6 +198,7 @@ private:
         }
         last = std::isfinite(next.r) ? next : last;
       }
+      distance *= 1.5;
     }
   }
 
