@@ -64,7 +64,7 @@ inline double cyclic_factor(const Pdmy03& law, double shear_ratio, double initia
 }
 
 /// The zone follows the strain after a reversal.
-inline void translate_zone(const Pdmy03& law, Pdmy03Memory& memory, const IncrementStart& start,
+inline void translate_zone(const Pdmy03& law, const Pdmy03Memory& memory, const IncrementStart& start,
                            const Deviator3& strain) {
   using Place = pdmy03_state::Place;
   if (law.liquefaction_1 != 0.0 && start.turned) {
@@ -75,7 +75,7 @@ inline void translate_zone(const Pdmy03& law, Pdmy03Memory& memory, const Increm
 }
 
 /// One more part of an increment above the phase transformation line.
-inline void dilate(const Pdmy03& law, Pdmy03Memory& memory, const IncrementStart& start,
+inline void dilate(const Pdmy03& law, const Pdmy03Memory& memory, const IncrementStart& start,
                    const FlowStrain& strain) {
   using Place = pdmy03_state::Place;
   double& zone = memory[Place::zone];
@@ -159,7 +159,7 @@ inline double contraction_flow(const Pdmy03& law, double ratio, double total, do
 }
 
 /// P'' of one part of an increment; moves the perfectly plastic zone.
-inline double volumetric_flow(const Pdmy03& law, Pdmy03Memory& memory, const IncrementStart& start,
+inline double volumetric_flow(const Pdmy03& law, const Pdmy03Memory& memory, const IncrementStart& start,
                               const FlowStress& stress, const FlowStrain& strain) {
   using Place = pdmy03_state::Place;
   const double to_ratio = std::sqrt(1.5) / stress.height;

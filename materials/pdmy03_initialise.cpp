@@ -1,7 +1,9 @@
-// The state that belongs to a stress reached elastically with G_r and B_r, e.g. by gravity.
+// The state that belongs to a stress reached elastically with G_r and B_r, e.g. by gravity, and the wave
+// speed that belongs to a stress.
 
 #include "materials/pdmy03_cone.hpp"
 #include "materials/pdmy03_state.hpp"
+#include "materials/pdmy03_stiffness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +15,7 @@ using Place = pdmy03_state::Place;
 
 /// Every surface that the stress lies outside of is moved along the stress until it touches it; the largest
 /// of them is the active one.
-void touch_surfaces(const Pdmy03& law, Pdmy03Memory& memory, const Deviator3& s, double height,
+void touch_surfaces(const Pdmy03& law, const Pdmy03Memory& memory, const Deviator3& s, double height,
                     bool on_failure) {
   const double ratio = std::sqrt(1.5) * norm(s) / height;
   std::size_t active = on_failure ? law.surfaces : 0;
@@ -39,7 +41,7 @@ void initialise(const Pdmy03& law, const Points& points) {
   for (std::size_t i = 0; i < points.count; ++i) {
     double* block = points.state + i * size;
     std::fill_n(block, size, 0.0);
-    Pdmy03Memory memory(block);
+    const Pdmy03Memory memory(block);
     const MeanAndDeviator given = split(points.sxx[i], points.syy[i], points.szz[i], points.sxy[i]);
     memory.set(Place::strain, (0.5 / law.elastic.shear_modulus()) * given.deviator);
     memory[Place::volume_strain] = given.mean / law.elastic.bulk_modulus();
@@ -62,6 +64,15 @@ void initialise(const Pdmy03& law, const Points& points) {
       points.sxy[i] = held.xy;
     }
   }
+}
+
+double p_wave_speed_bound(const Pdmy03& law, const Points& points) {
+  double least = 0.0; // trace of the stress, Pa
+  for (std::size_t i = 0; i < points.count; ++i) {
+    least = std::min(least, points.sxx[i] + points.syy[i] + points.szz[i]);
+  }
+  return law.elastic.p_wave_speed() *
+         std::sqrt(pdmy03_modulus_factor(law, law.residual_pressure - least / 3.0));
 }
 
 } // namespace tremolo::materials

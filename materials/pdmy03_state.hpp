@@ -59,17 +59,17 @@ constexpr std::size_t pdmy03_state_size(std::size_t surfaces) {
   return pdmy03_state::centres + packed_centres(surfaces);
 }
 
-/// A view of one state block.
+/// A view of one state block; constant as a view, not in what it views.
 class Pdmy03Memory {
 public:
   explicit Pdmy03Memory(double* block) : block_(block) {}
 
-  double& operator[](pdmy03_state::Place place) { return block_[place]; }
+  double& operator[](pdmy03_state::Place place) const { return block_[place]; }
 
   Deviator3 deviator(pdmy03_state::Place place) const {
     return {block_[place], block_[place + 1], block_[place + 2]};
   }
-  void set(pdmy03_state::Place place, const Deviator3& value) {
+  void set(pdmy03_state::Place place, const Deviator3& value) const {
     block_[place] = value.a;
     block_[place + 1] = value.b;
     block_[place + 2] = value.c;
@@ -84,7 +84,7 @@ public:
     std::memcpy(packed.data(), floats(i), sizeof packed);
     return {packed[0], packed[1], packed[2]};
   }
-  void rest_centre(std::size_t i, const Deviator3& centre) {
+  void rest_centre(std::size_t i, const Deviator3& centre) const {
     const std::array<float, 3> packed = {static_cast<float>(centre.a), static_cast<float>(centre.b),
                                          static_cast<float>(centre.c)};
     std::memcpy(floats(i), packed.data(), sizeof packed);

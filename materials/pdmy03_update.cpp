@@ -11,6 +11,7 @@
 #include "materials/pdmy03_cone.hpp"
 #include "materials/pdmy03_flow.hpp"
 #include "materials/pdmy03_state.hpp"
+#include "materials/pdmy03_stiffness.hpp"
 #include "materials/strain_limit.hpp"
 
 #include <algorithm>
@@ -61,14 +62,8 @@ public:
 private:
   double height(double mean) const { return law_.residual_pressure - mean; }
 
-  double modulus_factor(double height) const {
-    const double relative = height / (law_.reference_pressure + law_.residual_pressure);
-    const double d = law_.pressure_exponent;
-    return std::max(1e-10, d == 0.5 ? std::sqrt(relative) : std::pow(relative, d));
-  }
-
   Stiffness stiffness(double height) const {
-    const double factor = modulus_factor(height);
+    const double factor = pdmy03_modulus_factor(law_, height);
     return {factor, factor * 0.5 * law_.tangent_modulus[0], factor * law_.elastic.bulk_modulus()};
   }
 
@@ -94,7 +89,7 @@ private:
   double consistency(double& flow, const Stiffness& moduli, const MeanAndDeviator& normal) const;
 
   const Pdmy03& law_;
-  mutable Pdmy03Memory memory_;
+  Pdmy03Memory memory_;
   std::size_t active_;
   YieldCone cone_; ///< the active surface
   Deviator3 s_;
@@ -288,16 +283,6 @@ void update(const Pdmy03& law, const Points& points) {
     points.szz[i] = end.zz;
     points.sxy[i] = stress.xy;
   }
-}
-
-double p_wave_speed_bound(const Pdmy03& law, const Points& points) {
-  double least = 0.0; // mean stress, Pa
-  for (std::size_t i = 0; i < points.count; ++i) {
-    least = std::min(least, points.sxx[i] + points.syy[i] + points.szz[i]);
-  }
-  const double relative =
-      (law.residual_pressure - least / 3.0) / (law.reference_pressure + law.residual_pressure);
-  return law.elastic.p_wave_speed() * std::sqrt(std::pow(relative, law.pressure_exponent));
 }
 
 } // namespace tremolo::materials

@@ -16,10 +16,12 @@ class CycledPoints {
 public:
   /// @param amplitude, increment  engineering shear strain
   /// @param vertical  initial vertical stress, Pa, tension positive; the horizontal one is half of it
-  CycledPoints(const Law& law, std::size_t count, double amplitude, double increment, double vertical)
+  /// @param rotation  increment of every step, rad
+  CycledPoints(const Law& law, std::size_t count, double amplitude, double increment, double vertical,
+               double rotation = 0.0)
       : law_(law), amplitude_(amplitude), vertical_(vertical), stress_(4 * count),
-        state_(count * state_variables(law).size()), work_(count), zero_(count), shear_(count),
-        place_(count) {
+        state_(count * state_variables(law).size()), work_(count), zero_(count), rotation_(count, rotation),
+        shear_(count), place_(count) {
     points_.count = count;
     points_.sxx = stress_.data();
     points_.syy = points_.sxx + count;
@@ -27,7 +29,8 @@ public:
     points_.sxy = points_.szz + count;
     points_.state = state_.data();
     points_.plastic_work = work_.data();
-    points_.dexx = points_.deyy = points_.dwxy = zero_.data();
+    points_.dexx = points_.deyy = zero_.data();
+    points_.dwxy = rotation_.data();
     points_.dgxy = shear_.data();
     std::fill(shear_.begin(), shear_.end(), increment);
     const double path = 16.0 * amplitude / increment;
@@ -67,7 +70,7 @@ private:
   double vertical_;
   long step_ = 0;
   long last_step_ = 0;
-  std::vector<double> stress_, state_, work_, zero_;
+  std::vector<double> stress_, state_, work_, zero_, rotation_;
   std::vector<double> shear_; ///< increment of each point
   std::vector<double> place_; ///< strain of each point
   Points points_;

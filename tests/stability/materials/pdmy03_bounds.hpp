@@ -3,6 +3,7 @@
 // What must hold of a PDMY03 point after every update.
 
 #include "materials/driver.hpp"
+#include "materials/pdmy03_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +13,6 @@
 namespace tremolo::materials::test {
 
 inline constexpr double densities[] = {0.33, 0.57, 0.74, 0.87};
-
-/// Place in the state block.
-inline constexpr std::size_t pdmy03_gap = 9;
 
 inline double mean_stress(const PointStress& s) {
   return (s.xx + s.yy + s.zz) / 3.0;

@@ -19,7 +19,7 @@ TEST(Pdmy03HardCase, SixtySecondsOfShakingAtZeroEffectiveStress) {
       point.apply(sheared(0.0, 2e-4)); // by 20 %: dilation does not close it
     }
     const double work = point.plastic_work();
-    const double gap = point.state()[pdmy03_gap];
+    const double gap = point.state()[pdmy03_state::gap];
     EXPECT_GT(gap, 0.19);
     const double strength = law.ratio[law.surfaces] * law.residual_pressure;
     double path = 0.0;
@@ -67,7 +67,7 @@ double separated_and_closed(const Pdmy03& law, int steps) {
     point.apply(isotropic(volume / steps));
     EXPECT_TRUE(held(law, point.stress()));
   }
-  const double gap = point.state()[pdmy03_gap];
+  const double gap = point.state()[pdmy03_state::gap];
   EXPECT_GT(gap, 0.5 * volume);
   for (int k = 1; k <= steps; ++k) {
     point.apply(isotropic(-volume / steps));
@@ -75,7 +75,7 @@ double separated_and_closed(const Pdmy03& law, int steps) {
       EXPECT_EQ(mean_stress(point.stress()), 0.0);
     }
   }
-  EXPECT_EQ(point.state()[pdmy03_gap], 0.0);
+  EXPECT_EQ(point.state()[pdmy03_state::gap], 0.0);
   return std::abs(mean_stress(point.stress()) / 100e3 + 1.0);
 }
 
@@ -115,7 +115,7 @@ TEST(Pdmy03HardCase, ReversalOnTheFailureSurfaceIsElastic) {
     for (int k = 0; k < 6000; ++k) {
       loaded.apply(sheared(5e-5));
     }
-    ASSERT_GE(loaded.state()[1], static_cast<double>(law.surfaces) - 2.0);
+    ASSERT_GE(loaded.state()[pdmy03_state::active_surface], static_cast<double>(law.surfaces) - 2.0);
     for (const double increment : {1e-12, 1e-10, 1e-8, 1e-6}) {
       PointTest point = loaded;
       const double height = law.residual_pressure - mean_stress(point.stress());

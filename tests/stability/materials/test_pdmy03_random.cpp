@@ -71,7 +71,7 @@ void walk(std::size_t legs, int repeats, double largest) {
       point.apply(step);
       RC_ASSERT(held(law, point.stress()));
       RC_ASSERT(std::abs(point.plastic_work() - work) <= largest_work(law, before, point.stress(), leg));
-      RC_ASSERT(point.state()[pdmy03_gap] >= 0.0);
+      RC_ASSERT(point.state()[pdmy03_state::gap] >= 0.0);
     }
   }
 }
