@@ -289,6 +289,24 @@ TEST(HardCases, OpeningAndClosingAtTheApex) {
   }
 }
 
+/// Steady shear from K0 wears the other components down: to nothing, never to numbers that are slow.
+TEST(HardCases, SteadyShearLeavesNoDenormalNumbers) {
+  for (const Law& law : laws()) {
+    Driven point(law, {-50e3, -100e3, -50e3, 0.0});
+    point.increment = {0.0, 0.0, 0.0, 1e-3, 0.0};
+    for (int n = 0; n < 200000; ++n) {
+      update(law, point.points());
+    }
+    const PointStress& s = point.stress;
+    for (const double value : {s.xx, s.yy, s.zz, s.xy}) {
+      EXPECT_NE(std::fpclassify(value), FP_SUBNORMAL) << name(law);
+    }
+    for (const double value : point.state) {
+      EXPECT_NE(std::fpclassify(value), FP_SUBNORMAL) << name(law);
+    }
+  }
+}
+
 /// Started and driven exactly on the edges, where two principal stresses are equal.
 TEST(HardCases, EqualPrincipalStresses) {
   for (const Law& law : laws()) {

@@ -1,12 +1,15 @@
 #include "materials/law.hpp"
+#include "materials/sine_cosine.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace tremolo::materials {
 namespace {
@@ -66,6 +69,49 @@ TEST(Law, DescribesItself) {
   EXPECT_EQ(state_variables(soil)[equivalent_plastic_strain].name, "equivalent_plastic_strain");
   EXPECT_EQ(name(LinearElastic{}), "linear_elastic");
   EXPECT_TRUE(state_variables(LinearElastic{}).empty());
+  EXPECT_EQ(name(DruckerPrager{}), "drucker_prager");
+  EXPECT_EQ(state_variables(DruckerPrager{}).size(), 1U);
+  const Law clay = multi_yield_clay({1700.0, 60e6, 0.49}, 40e3);
+  EXPECT_EQ(name(clay), "multi_yield_clay");
+  EXPECT_EQ(state_variables(clay).size(), 60U);
+  EXPECT_EQ(name(without_softening(clay)), "linear_elastic");
+  EXPECT_TRUE(three_dimensional(clay));
+}
+
+double listed(const Law& law, std::string_view wanted) {
+  for (const ParameterValue& one : parameters(law)) {
+    if (one.name == wanted) {
+      EXPECT_FALSE(one.unit.empty());
+      EXPECT_FALSE(one.meaning.empty());
+      EXPECT_FALSE(one.origin.empty());
+      return one.value;
+    }
+  }
+  ADD_FAILURE() << name(law) << " lists no " << wanted;
+  return 0.0;
+}
+
+TEST(Law, ListsItsParameters) {
+  const Elasticity elastic = {1700.0, 40e6, 0.28};
+  EXPECT_NEAR(listed(LinearElastic{elastic}, "shear_modulus"), 15.625e6, 1e-3);
+  EXPECT_EQ(listed(good(), "softening"), 15.0);
+  EXPECT_NEAR(listed(good(), "tension_cutoff"), 4e3 / std::tan(0.8), 1e-9); // the apex, none being given
+  EXPECT_EQ(listed(DruckerPrager{elastic, 4e3, 0.5, 0.0, ConeMatch::plane_strain}, "cohesion"), 4e3);
+  EXPECT_NEAR(listed(DruckerPrager{elastic, 4e3, 0.5, 0.0, ConeMatch::plane_strain}, "eta"), std::sin(0.5),
+              1e-15);
+  EXPECT_EQ(listed(multi_yield_clay(elastic, 40e3), "undrained_strength"), 40e3);
+  EXPECT_EQ(listed(MasingShear{elastic, 5e-4, 1.0, 0.9}, "exponent"), 0.9);
+  EXPECT_NEAR(listed(iwan_shear(elastic, 5e-4, 1.0, 1.0), "largest_strain"), 0.1, 1e-6);
+}
+
+/// In the range of friction angles, against the C library.
+TEST(SineCosine, AgreesWithTheLibrary) {
+  for (int k = 0; k <= 100000; ++k) {
+    const double angle = 1.5707963267948966 * k / 100000.0;
+    const SineCosine both = sine_cosine(angle);
+    EXPECT_NEAR(both.sine, std::sin(angle), 5e-16 * std::sin(angle));
+    EXPECT_NEAR(both.cosine, std::cos(angle), 5e-16);
+  }
 }
 
 TEST(Law, WithoutSofteningOnlyDropsTheSoftening) {
