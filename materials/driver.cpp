@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -104,8 +105,9 @@ void PointTest::advance(PointState& point, const Components& strain, double rota
 }
 
 bool PointTest::solve(const MixedStep& step, double rotation, double tolerance) {
-  Components last = {}; // what trial_ has been strained by
+  std::optional<Components> last; // what trial_ has been strained by
   const StressAfter stress_after = [&](const Components& strain, Components& stress) {
+    last.reset();
     trial_ = now_;
     try {
       advance(trial_, strain, rotation);

@@ -20,6 +20,31 @@ const StressCycles& stress_cycles(const SoilTest& test) {
   return *loading;
 }
 
+/// Cycles that end where the criterion is met.
+StressCycles until(Criterion criterion, double stress_ratio, double most_cycles) {
+  StressCycles loading;
+  loading.stress_ratio = stress_ratio;
+  loading.most_cycles = most_cycles;
+  switch (criterion) {
+  case Criterion::strain_1pc:
+    loading.largest_strain = 0.01;
+    break;
+  case Criterion::strain_3pc:
+    loading.largest_strain = 0.03;
+    break;
+  case Criterion::strain_5pc:
+    loading.largest_strain = 0.05;
+    break;
+  case Criterion::double_amplitude_5pc:
+    loading.largest_strain = 0.1;
+    break;
+  case Criterion::ru_98:
+    loading.largest_strain = 0.2;
+    loading.pore_pressure_ratio = 0.98;
+  }
+  return loading;
+}
+
 } // namespace
 
 std::string_view name(Criterion criterion) {
@@ -43,30 +68,6 @@ double cycles(const CyclesTo& reached, Criterion criterion) {
   default:
     return reached.ru_98;
   }
-}
-
-StressCycles until(Criterion criterion, double stress_ratio, double most_cycles) {
-  StressCycles loading;
-  loading.stress_ratio = stress_ratio;
-  loading.most_cycles = most_cycles;
-  switch (criterion) {
-  case Criterion::strain_1pc:
-    loading.largest_strain = 0.01;
-    break;
-  case Criterion::strain_3pc:
-    loading.largest_strain = 0.03;
-    break;
-  case Criterion::strain_5pc:
-    loading.largest_strain = 0.05;
-    break;
-  case Criterion::double_amplitude_5pc:
-    loading.largest_strain = 0.1;
-    break;
-  case Criterion::ru_98:
-    loading.largest_strain = 0.2;
-    loading.pore_pressure_ratio = 0.98;
-  }
-  return loading;
 }
 
 std::vector<StrengthPoint> strength_curve(const materials::Law& law, const SoilTest& test,
