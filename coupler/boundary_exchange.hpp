@@ -64,6 +64,7 @@ public:
     std::string source;
     std::string field;
     std::uint64_t step = 0;
+    friend bool operator==(const Missing&, const Missing&) = default;
   };
   [[nodiscard]] std::optional<Missing> missing(double time) const;
 

@@ -94,7 +94,7 @@ void Session::check_handshake(const json& said) {
                                       {"name", options_.name},
                                       {"role", "source"},
                                       {"units", "SI"},
-                                      {"case", file_crc(options_.case_file)}})
+                                      {"case", text_crc(file_text(options_.case_file))}})
     if (const json found = said.value(key, json("nothing")); found != expected)
       differences += fmt::format("{}{} is {}, expected {}", differences.empty() ? "" : "; ", key,
                                  found.dump(), expected.dump());

@@ -21,10 +21,14 @@ std::span<const std::byte> bytes_of(const std::string& text) {
 } // namespace
 
 Connection::Connection(const ParticipantOptions& options)
-    : context_(std::make_unique<zmq::context_t>(1)), name_(options.name), session_(options.session),
-      deadlines_(options.deadlines), last_heard_(Clock::now()) {
+    : context_(std::make_unique<zmq::context_t>(new_context(1))), name_(options.name),
+      case_text_(file_text(options.case_file)), session_(options.session), deadlines_(options.deadlines),
+      last_heard_(Clock::now()) {
   try {
-    socket_ = std::make_unique<zmq::socket_t>(connected_dealer(*context_, options.endpoint));
+    std::optional<CurveKeys> keys;
+    if (!options.keys.empty())
+      keys = read_keys(options.keys, options.name);
+    socket_ = std::make_unique<zmq::socket_t>(connected_dealer(*context_, options.endpoint, keys));
   } catch (const zmq::error_t& error) {
     throw Error(fmt::format("cannot connect to the hub at '{}': {}", options.endpoint, error.what()));
   }
@@ -38,6 +42,8 @@ Message Connection::introduce(Message hello) {
   hello.body["name"] = name_;
   hello.body["build"] = TREMOLO_VERSION;
   hello.body["units"] = "SI";
+  hello.body["case"] = text_crc(case_text_);
+  hello.body["case_text"] = case_text_;
   const auto start = Clock::now();
   send_bytes(bytes_of(to_text(hello)), deadlines_.connect);
   while (seconds_since(start) < deadlines_.connect + grace_s) {
@@ -47,7 +53,8 @@ Message Connection::introduce(Message hello) {
     number_ = incoming->message->body.at("number").get<std::uint32_t>();
     return *incoming->message;
   }
-  throw Error(fmt::format("'{}' waited {:.0f} s for WELCOME from the hub", name_, seconds_since(start)));
+  throw Error(fmt::format("'{}' waited {:.1f} s for WELCOME from the hub (deadline {} s); {}", name_,
+                          seconds_since(start), deadlines_.connect, sign_of_life()));
 }
 
 void Connection::send(const Message& message) {
@@ -59,12 +66,13 @@ void Connection::send(const FrameHeader& header, std::span<const double> values)
 }
 
 void Connection::send_bytes(std::span<const std::byte> bytes, double deadline_s) {
+  require_fits(bytes.size());
+  const auto start = Clock::now();
   // Set at each call because HELLO has another deadline than the rest.
   socket_->set(zmq::sockopt::sndtimeo, static_cast<int>(deadline_s * 1000.0));
   if (!socket_->send(zmq::const_buffer(bytes.data(), bytes.size())))
-    throw Error(fmt::format(
-        "'{}' waited {:.0f} s for the hub to take a message; last sign of life of the hub {:.1f} s ago",
-        name_, deadline_s, seconds_since_sign_of_life()));
+    throw Error(fmt::format("'{}' waited {:.1f} s for the hub to take a message (deadline {} s); {}", name_,
+                            seconds_since(start), deadline_s, sign_of_life()));
 }
 
 std::optional<Incoming> Connection::receive(double wait_s) {
@@ -72,6 +80,7 @@ std::optional<Incoming> Connection::receive(double wait_s) {
   if (!wait_readable(*socket_, wait_s) || !socket_->recv(raw, zmq::recv_flags::dontwait))
     return std::nullopt;
   last_heard_ = Clock::now();
+  heard_ = true;
   const std::span<const std::byte> bytes(static_cast<const std::byte*>(raw.data()), raw.size());
   if (!looks_like_message(bytes))
     return Incoming{std::nullopt, {bytes.begin(), bytes.end()}};
@@ -85,11 +94,21 @@ std::optional<Incoming> Connection::receive(double wait_s) {
 }
 
 bool Connection::hub_is_silent() const {
-  return seconds_since_sign_of_life() > deadlines_.step + grace_s;
+  return seconds_since(last_heard_) > deadlines_.step + grace_s;
+}
+
+std::string Connection::sign_of_life() const {
+  return heard_ ? fmt::format("last sign of life of the hub {:.1f} s ago", seconds_since(last_heard_))
+                : "no sign of life of the hub so far";
+}
+
+void Connection::abandon(const std::string& reason) {
+  const std::string text = to_text({"ABORT", {{"reason", reason}}});
+  socket_->send(zmq::const_buffer(text.data(), text.size()), zmq::send_flags::dontwait); // never another wait
 }
 
 void Connection::fail(const std::string& reason) {
-  send({"ABORT", {{"reason", reason}}});
+  abandon(reason);
   throw Error(reason);
 }
 

@@ -42,12 +42,16 @@ public:
   /// @throws Aborted for ABORT and REFUSE
   std::optional<Incoming> receive(double wait_s);
 
-  /// Tells the hub why this participant leaves, and throws it.
+  /// Tells the hub, if it listens, why this participant leaves.
+  void abandon(const std::string& reason);
+
+  /// The same, and throws the reason.
   [[noreturn]] void fail(const std::string& reason);
 
   /// Whether the hub, which beats several times a second, has been silent for longer than the step deadline.
   [[nodiscard]] bool hub_is_silent() const;
-  [[nodiscard]] double seconds_since_sign_of_life() const { return seconds_since(last_heard_); }
+  /// "last sign of life of the hub 3.1 s ago"
+  [[nodiscard]] std::string sign_of_life() const;
   [[nodiscard]] std::uint32_t number() const { return number_; }
   [[nodiscard]] std::uint64_t session() const { return session_; }
 
@@ -57,10 +61,12 @@ private:
   std::unique_ptr<zmq::context_t> context_;
   std::unique_ptr<zmq::socket_t> socket_;
   std::string name_;
+  std::string case_text_;
   std::uint64_t session_;
   Deadlines deadlines_;
   std::uint32_t number_ = 0;
-  Clock::time_point last_heard_;
+  Clock::time_point last_heard_; ///< from the start where the hub has not spoken yet
+  bool heard_ = false;
 };
 
 } // namespace tremolo::coupler

@@ -23,8 +23,7 @@ constexpr std::uint64_t batch_steps = 64;
 
 DomainClient::DomainClient(const ParticipantOptions& options)
     : options_(options), connection_(options), last_beat_(Clock::now()) {
-  const Message welcome =
-      connection_.introduce({"HELLO", {{"role", "domain"}, {"case", file_crc(options.case_file)}}});
+  const Message welcome = connection_.introduce({"HELLO", {{"role", "domain"}}});
   mode_ = mode_from(welcome.body.at("mode").get<std::string>());
   window_steps_ = welcome.body.at("window_steps").get<std::uint32_t>();
   for (const auto& source : welcome.body.at("sources"))
@@ -114,8 +113,8 @@ void DomainClient::wait_for_hub(std::uint64_t step, std::span<eq6::Vector> tract
 
 void DomainClient::check_hub(const std::string& awaited) {
   if (connection_.hub_is_silent())
-    connection_.fail(fmt::format("domain '{}' waits for {}; last sign of life of the hub {:.1f} s ago",
-                                 options_.name, awaited, connection_.seconds_since_sign_of_life()));
+    connection_.fail(fmt::format("domain '{}' waits for {} (deadline {} s); {}", options_.name, awaited,
+                                 options_.deadlines.step, connection_.sign_of_life()));
 }
 
 void DomainClient::take_tractions(std::uint64_t step, std::span<const std::byte> bytes,

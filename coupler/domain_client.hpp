@@ -59,6 +59,9 @@ public:
   /// @throws Aborted when the run was ended by another
   void progress(const std::string& stage, std::uint64_t step, double time, double end_time);
 
+  /// Tells the hub why this participant gives up: its log may lie on the disk that is full.
+  void abandon(const std::string& reason) { connection_.abandon(reason); }
+
   /// Ends the run well. Call it when all results are written.
   /// @param passes named times of the domain's passes, s, for the summary
   /// @param particle_updates particles times steps, for the summary

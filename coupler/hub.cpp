@@ -1,5 +1,6 @@
 #include "coupler/hub.hpp"
 
+#include "coupler/case_difference.hpp"
 #include "coupler/error.hpp"
 #include "coupler/sockets.hpp"
 
@@ -16,9 +17,21 @@ namespace {
 
 constexpr double beat_interval_s = 0.25;
 
-zmq::socket_t bind(zmq::context_t& context, const std::string& endpoint) {
+std::optional<ClientGate> gate_of(zmq::context_t& context, const HubOptions& options) {
+  if (options.keys.empty())
+    return std::nullopt;
+  std::vector<std::string> allowed;
+  for (const auto& participant : options.participants)
+    allowed.push_back(read_public_key(options.keys, participant.name));
+  return std::optional<ClientGate>(std::in_place, context, std::move(allowed));
+}
+
+zmq::socket_t listening(zmq::context_t& context, const std::string& endpoint, const HubOptions& options) {
+  std::optional<CurveKeys> keys;
+  if (!options.keys.empty())
+    keys = read_keys(options.keys, hub_key);
   try {
-    return bound_router(context, endpoint);
+    return bound_router(context, endpoint, keys);
   } catch (const zmq::error_t& error) {
     throw Error(fmt::format("the hub cannot listen at '{}': {}", endpoint, error.what()));
   }
@@ -31,8 +44,8 @@ std::string_view name(Role role) {
 }
 
 Hub::Hub(zmq::context_t& context, const std::string& endpoint, HubOptions options)
-    : options_(std::move(options)), socket_(bind(context, endpoint)), start_(Clock::now()),
-      last_beat_(start_) {
+    : options_(std::move(options)), gate_(gate_of(context, options_)),
+      socket_(listening(context, endpoint, options_)), start_(Clock::now()), last_beat_(start_) {
   for (const auto& expected : options_.participants) {
     if (find_name(expected.name) != nullptr)
       throw Error(fmt::format("two participants are called '{}'", expected.name));
@@ -41,6 +54,7 @@ Hub::Hub(zmq::context_t& context, const std::string& endpoint, HubOptions option
                              .routing_id = {},
                              .build = {},
                              .last_heard = start_,
+                             .pace = {},
                              .fields = {},
                              .outlets = {}});
   }
@@ -55,6 +69,8 @@ std::string Hub::endpoint() const {
 }
 
 void Hub::take_messages() {
+  if (gate_)
+    gate_->answer();
   for (;;) {
     zmq::message_t routing_id;
     if (!socket_.recv(routing_id, zmq::recv_flags::dontwait))
@@ -126,8 +142,10 @@ void Hub::take_hello(const std::string& routing_id, const Message& message) {
   participant->build = hello.at("build").get<std::string>();
   participant->last_heard = Clock::now();
   if (participant->expected.role == Role::source)
-    for (const auto& field : hello.at("fields"))
+    for (const auto& field : hello.at("fields")) {
       participant->fields.push_back(field_from(field));
+      require_fits(frame_header_size + sizeof(double) * participant->fields.back().values_per_step());
+    }
   participant->outlets.resize(participant->fields.size());
   if (std::none_of(participants_.begin(), participants_.end(),
                    [](const auto& p) { return p.routing_id.empty(); }))
@@ -147,9 +165,12 @@ std::optional<std::string> Hub::objection(const Participant& participant, const 
        {std::pair<const char*, std::string>{"protocol", std::to_string(protocol_version)},
         {"role", std::string(name(participant.expected.role))},
         {"units", "SI"},
-        {"case", options_.case_crc}})
-    if (auto difference = differs(key, expected))
+        {"case", text_crc(options_.case_text)}})
+    if (auto difference = differs(key, expected)) {
+      if (key == std::string_view("case") && hello.contains("case_text"))
+        *difference += "; " + case_difference(hello.at("case_text").get<std::string>(), options_.case_text);
       return difference;
+    }
   return std::nullopt;
 }
 
@@ -159,7 +180,7 @@ void Hub::welcome_all() {
   for (const auto& source : sources())
     list.push_back(to_json(source));
   for (auto& participant : participants_) {
-    participant.last_heard = Clock::now();
+    participant.pace.asked();
     send(participant, {"WELCOME",
                        {{"number", participant.number},
                         {"mode", name(options_.mode)},
@@ -217,38 +238,10 @@ void Hub::tick() {
   if (seconds_since(last_beat_) < beat_interval_s)
     return;
   last_beat_ = Clock::now();
-  // A participant that is too busy to read does not need them: an answer that does not get out is no failure
-  // here.
   const std::string beat = to_text({"BEAT"});
   for (const auto& participant : participants_)
     if (!participant.left)
       send_bytes(participant.routing_id, std::as_bytes(std::span(beat)));
-}
-
-void Hub::check_connect_deadline() {
-  if (seconds_since(start_) < options_.deadlines.connect)
-    return;
-  std::string missing;
-  std::string first;
-  for (const auto& p : participants_)
-    if (p.routing_id.empty()) {
-      missing +=
-          fmt::format("{}{} '{}'", missing.empty() ? "" : ", ", name(p.expected.role), p.expected.name);
-      first = first.empty() ? p.expected.name : first;
-    }
-  fail(first, fmt::format("no HELLO from {} within {} s", missing, options_.deadlines.connect));
-}
-
-void Hub::check_domain_deadline() {
-  const auto& p = domain();
-  const double silence = seconds_since(p.last_heard);
-  if (p.left || silence < options_.deadlines.step)
-    return;
-  fail(p.expected.name,
-       fmt::format("no sign of life from domain '{}' for {:.1f} s (deadline {} s); the last was stage "
-                   "'{}', step {}, {} s",
-                   p.expected.name, silence, options_.deadlines.step, progress_.stage, progress_.step,
-                   progress_.time));
 }
 
 void Hub::abort(const std::string& reason) {
@@ -272,25 +265,19 @@ void Hub::fail(const std::string& participant, const std::string& text) {
 
 void Hub::send(const Participant& participant, const Message& message) {
   const std::string text = to_text(message);
-  forward(participant, std::as_bytes(std::span(text)));
+  send_bytes(participant.routing_id, std::as_bytes(std::span(text)));
 }
 
-void Hub::forward(const Participant& participant, std::span<const std::byte> bytes) {
-  if (!send_bytes(participant.routing_id, bytes))
-    fail(participant.expected.name, fmt::format("{} '{}' takes no messages", name(participant.expected.role),
-                                                participant.expected.name));
-}
-
-bool Hub::send_bytes(const std::string& routing_id, std::span<const std::byte> bytes) {
+void Hub::send_bytes(const std::string& routing_id, std::span<const std::byte> bytes) {
+  require_fits(bytes.size());
   try {
-    return socket_.send(zmq::const_buffer(routing_id.data(), routing_id.size()),
-                        zmq::send_flags::sndmore | zmq::send_flags::dontwait) &&
-           socket_.send(zmq::const_buffer(bytes.data(), bytes.size()), zmq::send_flags::dontwait);
+    socket_.send(zmq::const_buffer(routing_id.data(), routing_id.size()),
+                 zmq::send_flags::sndmore | zmq::send_flags::dontwait);
+    socket_.send(zmq::const_buffer(bytes.data(), bytes.size()), zmq::send_flags::dontwait);
   } catch (const zmq::error_t& error) {
     // It is gone: its BYE is on its way, or its process's end will be seen.
-    if (error.num() == EHOSTUNREACH)
-      return true;
-    throw;
+    if (error.num() != EHOSTUNREACH)
+      throw;
   }
 }
 

@@ -15,15 +15,18 @@
 //       BYE (sources) ----------->   finished
 
 #include "coupler/boundary_exchange.hpp"
+#include "coupler/client_gate.hpp"
 #include "coupler/exchange_observer.hpp"
 #include "coupler/field.hpp"
 #include "coupler/frame.hpp"
 #include "coupler/messages.hpp"
 #include "coupler/mode.hpp"
+#include "coupler/pace.hpp"
 #include "coupler/participant_options.hpp"
 #include "coupler/timing.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -48,9 +51,10 @@ struct HubOptions {
   std::uint64_t session = 0;
   Mode mode = Mode::window;
   std::uint32_t window_steps = default_window_steps;
-  std::string case_crc;                          ///< file_crc() of the case that all must have read
+  std::string case_text;                         ///< of the file that all must have read
   std::vector<ExpectedParticipant> participants; ///< one domain and its sources
   Deadlines deadlines;
+  std::filesystem::path keys{};                 ///< folder of CURVE keys; empty: a local endpoint only
   std::function<void(const std::string&)> note; ///< told what was refused without ending the run
   ExchangeObserver* observer = nullptr;         ///< none, or one that outlives the hub
 };
@@ -67,6 +71,7 @@ struct Progress {
   std::uint64_t step = 0;
   double time = 0.0;     ///< simulated, s
   double end_time = 0.0; ///< s
+  friend bool operator==(const Progress&, const Progress&) = default;
 };
 
 /// What a participant says of itself at the end.
@@ -118,6 +123,8 @@ private:
     std::string routing_id; ///< empty before HELLO
     std::string build;
     Clock::time_point last_heard;
+    Pace pace;
+    double work_done = 0.0; ///< what its last beat said
     bool left = false;
     std::vector<FieldDescription> fields;
     std::vector<Outlet> outlets;
@@ -127,6 +134,7 @@ private:
   struct Wait {
     BoundaryExchange::Missing awaited;
     Clock::time_point since;
+    bool noted = false; ///< that it is long
   };
   /// A step of the domain in mode lockstep that still lacks source steps.
   struct PendingStep {
@@ -142,7 +150,8 @@ private:
   void take_message(Participant& participant, const Message& message);
   void take_ready(Participant& domain, const nlohmann::json& body);
   void take_credit(const nlohmann::json& body);
-  void take_beat(const Participant& participant, const nlohmann::json& body);
+  void take_beat(Participant& participant, const nlohmann::json& body);
+  void take_progress(Participant& domain, const nlohmann::json& body);
   void take_bye(Participant& participant, const nlohmann::json& body);
   void take_source_frame(Participant& source, std::span<const std::byte> bytes);
   void take_velocities(Participant& domain, std::span<const std::byte> bytes);
@@ -153,6 +162,7 @@ private:
   /// Sends BYE to the sources, once an observer has seen all that the domain needed of them.
   void dismiss_sources();
   void grant(Participant& source, std::uint32_t field, std::uint64_t steps);
+  [[nodiscard]] bool owes_a_frame(const Participant& source) const;
   void note_wait(const std::optional<BoundaryExchange::Missing>& awaited);
 
   void check_connect_deadline();
@@ -162,9 +172,7 @@ private:
   void refuse(const std::string& routing_id, const std::string& reason);
   void fail(const std::string& participant, const std::string& text);
   void send(const Participant& participant, const Message& message);
-  void forward(const Participant& participant, std::span<const std::byte> bytes);
-  /// @returns false if the participant's queue is full
-  bool send_bytes(const std::string& routing_id, std::span<const std::byte> bytes);
+  void send_bytes(const std::string& routing_id, std::span<const std::byte> bytes);
 
   [[nodiscard]] Participant* find_name(const std::string& name);
   [[nodiscard]] Participant* find_routing_id(const std::string& routing_id);
@@ -172,6 +180,7 @@ private:
   [[nodiscard]] std::vector<SourceDescription> sources() const;
 
   HubOptions options_;
+  std::optional<ClientGate> gate_;
   zmq::socket_t socket_;
   std::vector<Participant> participants_;
   Clock::time_point start_;

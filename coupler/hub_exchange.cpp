@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
+#include <utility>
 
 namespace tremolo::coupler {
 
@@ -44,33 +45,61 @@ void Hub::grant(Participant& source, std::uint32_t field, std::uint64_t steps) {
   if (field >= source.outlets.size())
     throw Error(
         fmt::format("CREDIT for field {} of '{}', which does not exist", field, source.expected.name));
+  const bool idle = !owes_a_frame(source);
   auto& credit = source.outlets[field].credit;
   credit = std::max(credit, std::min(steps, source.fields[field].step_count));
+  if (idle && owes_a_frame(source))
+    source.pace.asked();
   send(source, {"CREDIT", {{"field", field}, {"steps", credit}}});
 }
 
-void Hub::take_beat(const Participant& participant, const json& body) {
-  if (participant.expected.role != Role::domain)
+bool Hub::owes_a_frame(const Participant& source) const {
+  for (std::size_t i = 0; i < source.outlets.size(); ++i) {
+    const auto& [next_step, credit] = source.outlets[i];
+    const auto& field = source.fields[i];
+    if (credit - next_step >= steps_per_frame(field, options_.window_steps) ||
+        (next_step < credit && credit == field.step_count))
+      return true;
+  }
+  return false;
+}
+
+void Hub::take_beat(Participant& participant, const json& body) {
+  if (participant.expected.role == Role::domain) {
+    take_progress(participant, body);
     return;
-  progress_ = {body.at("stage").get<std::string>(), body.at("step").get<std::uint64_t>(),
-               body.at("time").get<double>(), body.at("end_time").get<double>()};
-  if (options_.mode == Mode::lockstep)
-    return;
-  std::optional<BoundaryExchange::Missing> awaited;
-  if (const auto waiting = body.find("waiting"); waiting != body.end())
-    awaited = {waiting->at("source").get<std::string>(), waiting->at("field").get<std::string>(),
-               waiting->at("step").get<std::uint64_t>()};
-  note_wait(awaited);
+  }
+  if (const auto done = body.value("done", 0.0); done > participant.work_done) {
+    participant.work_done = done;
+    participant.pace.advanced();
+  }
+}
+
+void Hub::take_progress(Participant& domain, const json& body) {
+  const Progress before =
+      std::exchange(progress_, {body.at("stage").get<std::string>(), body.at("step").get<std::uint64_t>(),
+                                body.at("time").get<double>(), body.at("end_time").get<double>()});
+  if (options_.mode == Mode::window) {
+    std::optional<BoundaryExchange::Missing> awaited;
+    if (const auto waiting = body.find("waiting"); waiting != body.end())
+      awaited = {waiting->at("source").get<std::string>(), waiting->at("field").get<std::string>(),
+                 waiting->at("step").get<std::uint64_t>()};
+    note_wait(awaited);
+  }
+  if (wait_ || progress_ != before)
+    domain.pace.advanced();
 }
 
 void Hub::note_wait(const std::optional<BoundaryExchange::Missing>& awaited) {
   if (!awaited)
     wait_.reset();
-  else if (!wait_ || wait_->awaited.source != awaited->source || wait_->awaited.step != awaited->step)
+  else if (!wait_ || wait_->awaited != *awaited)
     wait_ = Wait{*awaited, Clock::now()};
 }
 
 void Hub::take_source_frame(Participant& source, std::span<const std::byte> bytes) {
+  if (bytes.size() < frame_header_size)
+    throw Error(fmt::format("a message of {} bytes is neither JSON nor a frame", bytes.size()));
   const auto field = claimed_origin(bytes).field;
   if (field >= source.fields.size())
     throw Error(fmt::format("a frame of field {}, but it serves {} fields", field, source.fields.size()));
@@ -87,7 +116,11 @@ void Hub::take_source_frame(Participant& source, std::span<const std::byte> byte
     throw Error(fmt::format("field '{}', step {}: {}", description.name, outlet.next_step, error->text));
   const auto& frame = std::get<Frame>(decoded);
   source.last_heard = Clock::now();
+  source.pace.advanced();
   outlet.next_step += frame.header.steps;
+  if (wait_ && wait_->awaited.source == source.expected.name && wait_->awaited.field == description.name &&
+      wait_->awaited.step < outlet.next_step)
+    wait_.reset();
   observe(bytes);
   if (domain().left) {
     dismiss_sources();
@@ -95,7 +128,7 @@ void Hub::take_source_frame(Participant& source, std::span<const std::byte> byte
   }
   if (!exchange_) {
     // Byte for byte: the source's own checksum is checked again where the numbers are used.
-    forward(domain(), bytes);
+    send_bytes(domain().routing_id, bytes);
     return;
   }
   exchange_->find({source.number, field})->history.append(frame.values);
@@ -115,6 +148,7 @@ void Hub::take_velocities(Participant& participant, std::span<const std::byte> b
     throw Error(fmt::format("velocities of step {}: {}", next_domain_step_, error->text));
   const auto& frame = std::get<Frame>(decoded);
   participant.last_heard = Clock::now();
+  participant.pace.advanced();
   next_domain_step_ += frame.header.steps;
   observe(bytes);
   wait_.reset();
@@ -150,29 +184,10 @@ void Hub::answer_pending_step() {
                              .count = static_cast<std::uint32_t>(values.size())},
                             values);
   observe(bytes);
-  forward(domain(), bytes);
+  send_bytes(domain().routing_id, bytes);
   pending_.reset();
   for (const auto& credit : exchange_->new_credits())
     grant(participants_.at(credit.address.sender - 1), credit.address.field, credit.steps);
-}
-
-void Hub::check_source_deadline() {
-  if (!wait_)
-    return;
-  const auto* source = find_name(wait_->awaited.source);
-  if (source == nullptr)
-    return;
-  // A source that gives signs of life from its solver's thread is slow, not stuck.
-  const double silence = std::min(seconds_since(wait_->since), seconds_since(source->last_heard));
-  if (silence < options_.deadlines.step)
-    return;
-  fail(source->expected.name,
-       fmt::format("domain '{}' waits for source '{}', field '{}', step {}, since {:.1f} s (deadline {} s); "
-                   "last sign of "
-                   "life of '{}' {:.1f} s ago",
-                   domain().expected.name, wait_->awaited.source, wait_->awaited.field, wait_->awaited.step,
-                   seconds_since(wait_->since), options_.deadlines.step, source->expected.name,
-                   seconds_since(source->last_heard)));
 }
 
 } // namespace tremolo::coupler

@@ -1,6 +1,7 @@
 #include "coupler/launcher.hpp"
 
 #include "coupler/messages.hpp"
+#include "coupler/sockets.hpp"
 #include "coupler/termination.hpp"
 
 #include <algorithm>
@@ -31,9 +32,10 @@ HubOptions hub_options(const LaunchOptions& launch) {
   HubOptions hub{.session = random_session(),
                  .mode = launch.mode,
                  .window_steps = launch.window_steps,
-                 .case_crc = file_crc(launch.case_file),
+                 .case_text = file_text(launch.case_file),
                  .participants = {},
                  .deadlines = launch.deadlines,
+                 .keys = launch.keys,
                  .note = launch.note,
                  .observer = launch.observer};
   for (const auto& process : launch.processes)
@@ -45,7 +47,7 @@ class Run {
 public:
   explicit Run(const LaunchOptions& options)
       : options_(options), endpoint_(options.transport), hub_options_(hub_options(options)),
-        hub_(context_, endpoint_.address(), hub_options_) {
+        context_(new_context(options.processes.size())), hub_(context_, endpoint_.address(), hub_options_) {
     const auto log_folder = options_.out / "log";
     std::filesystem::create_directories(log_folder);
     for (const auto& process : options_.processes)
@@ -77,7 +79,8 @@ private:
                                       .session = hub_options_.session,
                                       .threads = process.threads,
                                       .out = options_.out,
-                                      .deadlines = options_.deadlines});
+                                      .deadlines = options_.deadlines,
+                                      .keys = options_.keys});
     words.insert(words.end(), common.begin(), common.end());
     return words;
   }
@@ -136,7 +139,11 @@ private:
     stop_all(text);
     if (!died)
       text += fmt::format(" ('{}' {})", culprit->name(), culprit->ending());
-    const auto lines = culprit->last_lines(shown_lines);
+    auto lines = culprit->last_lines(shown_lines);
+    // What it has told the hub stands in its log too.
+    std::erase_if(lines, [&](const auto& line) { return !died && line.ends_with(failure.text); });
+    if (!died && lines.empty())
+      throw RunFailed(text, 1);
     text += lines.empty() ? fmt::format("; '{}' wrote nothing", culprit->name())
                           : fmt::format("; the last lines of '{}':", culprit->name());
     for (const auto& line : lines)

@@ -35,6 +35,7 @@ struct LaunchOptions {
   Mode mode = Mode::window;
   std::uint32_t window_steps = default_window_steps;
   Transport transport = Transport::ipc;
+  std::filesystem::path keys{}; ///< folder of CURVE keys for tcp; empty: none
   Deadlines deadlines;
   std::function<void(const Progress&)> on_progress; ///< called several times a second
   std::function<void(const std::string&)> note;     ///< one line about something that does not end the run

@@ -45,7 +45,7 @@ eq6::Vector vector_from(const json& j) {
 std::string to_text(const Message& message) {
   json all = message.body;
   all["type"] = message.type;
-  return all.dump();
+  return all.dump(-1, ' ', false, json::error_handler_t::replace); // a case file may hold any bytes
 }
 
 bool looks_like_message(std::span<const std::byte> bytes) {
@@ -158,11 +158,15 @@ std::uint64_t session_from(const std::string& text) {
   return session;
 }
 
-std::string file_crc(const std::filesystem::path& file) {
+std::string file_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (!in.good() && !in.eof())
     throw Error(fmt::format("cannot read the case file {}", file.string()));
+  return text;
+}
+
+std::string text_crc(std::string_view text) {
   return fmt::format("{:08x}", crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size()));
 }
 

@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tremolo::coupler {
@@ -53,8 +54,10 @@ std::string session_text(std::uint64_t session);
 /// @throws std::invalid_argument for anything but 16 hexadecimal digits
 std::uint64_t session_from(const std::string& text);
 
-/// CRC-32 of a file's bytes, 8 hexadecimal digits: participants of a run must have read the same case.
 /// @throws Error if the file cannot be read
-std::string file_crc(const std::filesystem::path& file);
+std::string file_text(const std::filesystem::path& file);
+
+/// CRC-32, 8 hexadecimal digits: participants of a run must have read the same case.
+std::string text_crc(std::string_view text);
 
 } // namespace tremolo::coupler

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstdio>
 
 namespace tremolo::coupler {
 
@@ -27,6 +28,8 @@ std::vector<std::string> command_line(const ParticipantOptions& options) {
                                 fmt::format("{}", options.deadlines.step)};
   if (!options.out.empty())
     line.insert(line.end(), {"--out", options.out.string()});
+  if (!options.keys.empty())
+    line.insert(line.end(), {"--keys", options.keys.string()});
   return line;
 }
 
@@ -42,6 +45,7 @@ int participant_main(const std::string& program, const std::string& description,
   app.add_option("--session", session, "the run's session, 16 hexadecimal digits")->required();
   app.add_option("--threads", options.threads, "threads to compute with")->check(CLI::PositiveNumber);
   app.add_option("--out", options.out, "folder of the run");
+  app.add_option("--keys", options.keys, "folder of CURVE keys, for a hub on another machine");
   app.add_option("--connect-deadline", options.deadlines.connect, "s")->check(CLI::PositiveNumber);
   app.add_option("--step-deadline", options.deadlines.step, "s")->check(CLI::PositiveNumber);
   for (const auto& own : own_options)
@@ -58,7 +62,8 @@ int participant_main(const std::string& program, const std::string& description,
     body(options);
     return 0;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", program, error.what());
+    // fmt::print would throw where the log's disk is full.
+    std::fprintf(stderr, "%s: %s\n", program.c_str(), error.what());
     return 1;
   }
 }

@@ -3,7 +3,7 @@
 // The command line that every participant has: what the launcher passes to it.
 //
 //     tremolo-wave --case CASE --name left --endpoint ipc:///run/... --session 0123456789abcdef [--threads N]
-//     [--out DIR]
+//     [--out DIR] [--keys DIR]
 
 #include <cstdint>
 #include <filesystem>
@@ -28,6 +28,7 @@ struct ParticipantOptions {
   int threads = 1;
   std::filesystem::path out; ///< the run's folder; a participant that writes nothing ignores it
   Deadlines deadlines;
+  std::filesystem::path keys; ///< folder of CURVE keys (keys.hpp); empty: none, on this machine alone
 };
 
 /// An option that a participant has beside the common ones, e.g. a source's file.

@@ -17,7 +17,8 @@ Transport transport_from(std::string_view name);
 
 /// The address that the hub of one run binds. For ipc it owns a fresh folder of mode 0700 under
 /// $XDG_RUNTIME_DIR or the temporary folder, so no other user can connect and no other run can take the
-/// address over; removed at the end.
+/// address over; removed at the end. The folder holds a file that the run locks: what a killed run has left
+/// is recognised by its free lock and removed by the next one.
 class RunEndpoint {
 public:
   /// @throws Error if the folder cannot be made or its path is too long for a socket
@@ -30,6 +31,7 @@ public:
 
 private:
   std::filesystem::path folder_;
+  int lock_ = -1;
   std::string address_;
 };
 

@@ -12,7 +12,7 @@ namespace tremolo::coupler {
 
 SourceClient::SourceClient(const ParticipantOptions& options, std::vector<FieldDescription> fields)
     : options_(options), fields_(std::move(fields)), connection_(options) {
-  Message hello{"HELLO", {{"role", "source"}, {"case", file_crc(options.case_file)}}};
+  Message hello{"HELLO", {{"role", "source"}}};
   for (const auto& field : fields_) {
     validate(field);
     hello.body["fields"].push_back(to_json(field));
@@ -30,9 +30,8 @@ void SourceClient::serve(const Fill& fill) {
     take_messages(0.0);
     while (!finished_ && !send_frames(fill)) {
       if (connection_.hub_is_silent())
-        connection_.fail(
-            fmt::format("source '{}' waits for credit; last sign of life of the hub {:.1f} s ago",
-                        options_.name, connection_.seconds_since_sign_of_life()));
+        connection_.fail(fmt::format("source '{}' waits for credit or BYE (deadline {} s); {}", options_.name,
+                                     options_.deadlines.step, connection_.sign_of_life()));
       waiting_.start();
       take_messages(0.5);
       waiting_.stop();
@@ -41,8 +40,8 @@ void SourceClient::serve(const Fill& fill) {
   say_bye();
 }
 
-void SourceClient::beat() {
-  connection_.send({"BEAT", {{"stage", "computing"}}});
+void SourceClient::beat(double done) {
+  connection_.send({"BEAT", {{"stage", "computing"}, {"done", done}}});
 }
 
 void SourceClient::take_messages(double wait_s) {

@@ -41,7 +41,9 @@ public:
 
   /// A sign of life from the solver's thread; needed only where more than the step deadline passes between
   /// two steps.
-  void beat();
+  /// @param done how much of the work is done, in any unit: only a beat that reports more than the last one
+  /// prolongs the deadline, so that a solver that runs in circles ends the run
+  void beat(double done);
 
   /// Named times of this participant's passes (s) that the run's summary shows beside "fill" and "wait".
   void report(std::vector<PassTime> passes) { passes_ = std::move(passes); }

@@ -35,8 +35,8 @@ std::vector<std::string> words(const ProbeOptions& probe, const ParticipantOptio
 } // namespace
 
 SourceProbe::SourceProbe(const ProbeOptions& options)
-    : endpoint_(Transport::ipc), socket_(bound_router(context_, endpoint_.address())),
-      options_(participant(options, socket_)),
+    : endpoint_(Transport::ipc), context_(new_context(1)),
+      socket_(bound_router(context_, endpoint_.address())), options_(participant(options, socket_)),
       process_(options.name, words(options, options_), options.folder / (options.name + ".log")),
       last_beat_(Clock::now()) {}
 

@@ -1,15 +1,19 @@
-// tremolo-domain: the one process that owns particles. It builds the domain from the case, brings it to rest
-// under gravity, replaces the supports by tractions, and shakes it through its boundary faces with what the
-// coupler brings.
+// tremolo-domain: the process that owns particles. Started under the name of a source it is a free field: a
+// periodic column of one cell. Otherwise it is the domain of the run: it builds the domain from the case,
+// brings it to rest under gravity, replaces the supports by tractions, and shakes it through its boundary
+// faces with what the coupler brings.
 
 #include "coupler/domain_client.hpp"
 #include "coupler/timing.hpp"
 #include "mpm_domain/gravity_stage.hpp"
+#include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 #include "mpm_domain/static_traction.hpp"
 #include "scene/case.hpp"
 #include "scene/plan.hpp"
+
+#include <algorithm>
 
 namespace {
 
@@ -88,6 +92,9 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
 void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
+  if (const auto source = std::ranges::find(plan.sources, options.name, &scene::SourceProcess::name);
+      source != plan.sources.end())
+    return mpm_domain::serve_column(scene, plan, *source, options);
   coupler::DomainClient client(options);
   try {
     mpm_domain::Domain domain(mpm_domain::spec_from_case(scene, options.threads));

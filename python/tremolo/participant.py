@@ -94,9 +94,8 @@ class Participant:
             parser.add_argument("--" + option, required=option not in ("threads", "out"))
         self._options = parser.parse_args(arguments)
         with open(self._options.case, "rb") as file:
-            text = file.read()
-        self._crc = f"{zlib.crc32(text):08x}"
-        self.case = tomllib.loads(text.decode("utf-8"))
+            self._text = file.read()
+        self.case = tomllib.loads(self._text.decode("utf-8"))
 
     def serve(self, fields):
         """Serves the fields until the domain has finished."""
@@ -123,9 +122,10 @@ class Participant:
                 self._send_frame(f, sent[f], values)
                 sent[f] += steps
 
-    def beat(self):
-        """A sign of life, for a model that computes longer than the step deadline between two calls."""
-        self._say(type="BEAT", stage="computing")
+    def beat(self, done):
+        """A sign of life, for a model that computes longer than the step deadline between two calls; `done` says how
+        much of the work is done, and only a beat that reports more than the last one prolongs the deadline."""
+        self._say(type="BEAT", stage="computing", done=done)
 
     def _introduce(self, fields):
         options = self._options
@@ -140,7 +140,8 @@ class Participant:
         for field in described:
             del field["motion"]
         self._say(type="HELLO", protocol=PROTOCOL, session=options.session, name=options.name, role="source",
-                  build=f"python, pyzmq {zmq.__version__}", units="SI", case=self._crc, fields=described)
+                  build=f"python, pyzmq {zmq.__version__}", units="SI", case=f"{zlib.crc32(self._text):08x}",
+                  case_text=self._text.decode("utf-8"), fields=described)
         while (welcome := self._receive())["type"] != "WELCOME":
             pass
         self._number = welcome["number"]

@@ -49,8 +49,9 @@ std::vector<coupler::FieldDescription> descriptions(const scene::Service& servic
 
 /// The field at all its levels, some at a time, with a sign of life after each lot: a long record takes a
 /// while.
+/// @param done levels of the fields before this one
 std::vector<wavefield::History> histories(const wavefield::LayeredField& field,
-                                          const coupler::FieldDescription& served,
+                                          const coupler::FieldDescription& served, std::size_t done,
                                           coupler::SourceClient& client) {
   const bool incident = served.name == scene::name(scene::BaseForm::incident);
   const wavefield::Part part = incident ? wavefield::Part::incident : wavefield::Part::total;
@@ -61,7 +62,7 @@ std::vector<wavefield::History> histories(const wavefield::LayeredField& field,
     const auto lot = std::span(points).subspan(begin, std::min(levels_per_beat, points.size() - begin));
     for (wavefield::History& history : field.sample(lot, times, part, served_quantities))
       all.push_back(std::move(history));
-    client.beat();
+    client.beat(static_cast<double>(done + all.size()));
   }
   return all;
 }
@@ -89,8 +90,11 @@ void run(const coupler::ParticipantOptions& options) {
   synthesis.start();
   std::vector<std::vector<wavefield::History>> computed;
   computed.reserve(fields.size());
-  for (const coupler::FieldDescription& served : fields)
-    computed.push_back(histories(field, served, client));
+  std::size_t levels = 0;
+  for (const coupler::FieldDescription& served : fields) {
+    computed.push_back(histories(field, served, levels, client));
+    levels += computed.back().size();
+  }
   synthesis.stop();
   client.report({{"Fourier synthesis", synthesis.seconds()}});
 

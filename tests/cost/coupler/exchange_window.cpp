@@ -73,7 +73,7 @@ void measure(Mode mode, std::uint32_t window_steps, const std::filesystem::path&
           {.session = 1,
            .mode = mode,
            .window_steps = window_steps,
-           .case_crc = file_crc(case_file),
+           .case_text = file_text(case_file),
            .participants = {{"left", Role::source}, {"domain", Role::domain}},
            .deadlines = {},
            .note = [](const std::string& text) { fmt::print(stderr, "{}\n", text); }});

@@ -4,15 +4,23 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <random>
+#include <span>
+#include <string>
 #include <zlib.h>
 
 namespace tremolo::coupler {
 namespace {
 
-constexpr int frames = 300'000;
+constexpr int frames = 500'000; // in each of two tests
 constexpr unsigned seed = 20261121;
+
+const FrameHeader header{.session = 77, .sender = 1, .field = 0, .step = 128, .steps = 2, .count = 20};
+const ExpectedFrame expected{.session = 77, .sender = 1, .step = 128, .count = 20, .most_steps = 64};
 
 class Mutator {
 public:
@@ -55,8 +63,6 @@ private:
 };
 
 TEST(FrameFuzz, NoMutatedFrameIsAccepted) {
-  const FrameHeader header{.session = 77, .sender = 1, .field = 0, .step = 128, .steps = 2, .count = 20};
-  const ExpectedFrame expected{.session = 77, .sender = 1, .step = 128, .count = 20, .most_steps = 64};
   std::vector<double> values(40);
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = 0.1 * static_cast<double>(i) - 1.0;
@@ -74,8 +80,6 @@ TEST(FrameFuzz, NoMutatedFrameIsAccepted) {
 
 /// The same, but with the checksum made right: only the comparison with what is expected stands in the way.
 TEST(FrameFuzz, NoMutatedHeaderIsAcceptedWithARightChecksum) {
-  const FrameHeader header{.session = 77, .sender = 1, .field = 0, .step = 128, .steps = 2, .count = 20};
-  const ExpectedFrame expected{.session = 77, .sender = 1, .step = 128, .count = 20, .most_steps = 64};
   const auto good = encode(header, std::vector<double>(40, 1.0));
   Mutator mutator;
   for (int i = 0; i < frames; ++i) {
@@ -89,6 +93,20 @@ TEST(FrameFuzz, NoMutatedHeaderIsAcceptedWithARightChecksum) {
     const bool accepted = std::holds_alternative<Frame>(decode(bytes, expected));
     ASSERT_EQ(accepted, bytes == good) << "seed " << seed << ", frame " << i;
   }
+}
+
+/// What libFuzzer (frame_fuzzer.cpp) starts from and has found worth keeping: none but the valid frames pass.
+TEST(FrameFuzz, CorpusIsRefusedButForTheValidFrames) {
+  int files = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(TREMOLO_SOURCE_DIR "/tests/fuzz/coupler/corpus")) {
+    std::ifstream in(entry.path(), std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const bool accepted = std::holds_alternative<Frame>(decode(std::as_bytes(std::span(text)), expected));
+    EXPECT_EQ(accepted, entry.path().filename().string().starts_with("valid")) << entry.path();
+    ++files;
+  }
+  EXPECT_GT(files, 10);
 }
 
 } // namespace

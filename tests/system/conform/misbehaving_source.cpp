@@ -56,7 +56,6 @@ public:
     field_ = description(options.name);
     const Message welcome = connection_.introduce({"HELLO",
                                                    {{"role", is("role") ? "domain" : "source"},
-                                                    {"case", file_crc(options.case_file)},
                                                     {"fields", {to_json(field_)}}}});
     frame_steps_ = steps_per_frame(field_, welcome.body.at("window_steps").get<std::uint32_t>());
   }

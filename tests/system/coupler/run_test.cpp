@@ -135,6 +135,14 @@ TEST_F(CoupledRun, KilledParticipantEndsTheRunAndIsNamed) {
     }
 }
 
+TEST_F(CoupledRun, KilledBeforeOrAfterTheExchangeEndsTheRunToo) {
+  for (const std::string moment : {"killed-before-hello", "killed-at-welcome", "killed-after-bye"})
+    for (const std::string victim : {"left", "domain"}) {
+      const auto text = failure(options(fmt::format("{} {} 0\n", victim, moment)));
+      EXPECT_THAT(text, HasSubstr(fmt::format("'{}' was killed by signal 9", victim))) << moment;
+    }
+}
+
 TEST_F(CoupledRun, SurvivorsAreGoneWithinTwoSecondsOfAKill) {
   failure(options("left killed 120\nright stuck 100\n")); // one that would never leave by itself
   EXPECT_LT(fs::file_time_type::clock::now() - fs::last_write_time(folder_ / "death"),
@@ -160,10 +168,25 @@ TEST_F(CoupledRun, StuckSourceIsNamedAtTheStepDeadline) {
   }
 }
 
+TEST_F(CoupledRun, SourceThatRunsInCirclesIsNamedAtTheStepDeadlineThoughItBeats) {
+  auto what = options("right circles 100\n");
+  what.deadlines.step = 1.0;
+  EXPECT_THAT(failure(what), HasSubstr("domain 'domain' waits for source 'right', field 'total', step 64"));
+}
+
+TEST_F(CoupledRun, SourceThatReportsWorkMayTakeLongerThanTheStepDeadline) {
+  auto what = options("right works 100\n"); // for 2 s
+  what.deadlines.step = 1.0;
+  launch(what);
+  EXPECT_THAT(notes_, HasSubstr("domain 'domain' waits for source 'right', field 'total', step 64"));
+}
+
 TEST_F(CoupledRun, StuckDomainIsNamedAtTheStepDeadline) {
   auto what = options("domain stuck 100\n");
   what.deadlines.step = 1.0;
-  EXPECT_THAT(failure(what), HasSubstr("no sign of life from domain 'domain'"));
+  EXPECT_THAT(failure(what),
+              AllOf(HasSubstr("the hub waits for the velocities of step 64 of domain 'domain'"),
+                    HasSubstr("its last sign of life")));
 }
 
 TEST_F(CoupledRun, ValuesThatAreNotFiniteAreRefused) {
@@ -175,7 +198,8 @@ TEST_F(CoupledRun, ValuesThatAreNotFiniteAreRefused) {
 
 TEST_F(CoupledRun, AnotherCaseIsRefusedNamingBothSides) {
   EXPECT_THAT(failure(options("right other-case 0\n")),
-              AllOf(HasSubstr("'right' (build "), HasSubstr("says case = "), HasSubstr("the hub (build ")));
+              AllOf(HasSubstr("'right' (build "), HasSubstr("says case = "), HasSubstr("the hub (build "),
+                    HasSubstr("line 1: 'another case' against 'right other-case 0'")));
 }
 
 TEST_F(CoupledRun, SecondProcessOfOneNameIsRefusedAndNamed) {

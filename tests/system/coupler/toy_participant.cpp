@@ -59,6 +59,12 @@ void be_disturbed(const ParticipantOptions& options) {
   stranger.send(zmq::str_buffer("}"));
 }
 
+/// Dies where the misdeed says so: before HELLO, at WELCOME, or after BYE.
+void die_if(const Misdeed& misdeed, const char* moment) {
+  if (misdeed.what == moment)
+    std::raise(SIGKILL);
+}
+
 void misbehave_at(const ParticipantOptions& options, const Misdeed& misdeed, std::uint64_t step) {
   if (misdeed.what == "slow")
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -81,8 +87,15 @@ void misbehave_at(const ParticipantOptions& options, const Misdeed& misdeed, std
 void serve(const ParticipantOptions& options, const Misdeed& misdeed) {
   const std::vector<FieldDescription> fields{toy::field("total"), toy::field("incident")};
   SourceClient client(options, fields);
+  die_if(misdeed, "killed-at-welcome");
   client.serve([&](std::size_t field, std::uint64_t step, std::span<double> values) {
     misbehave_at(options, misdeed, step);
+    const bool circles = misdeed.what == "circles";
+    if (step == misdeed.step && (circles || misdeed.what == "works"))
+      for (int done = 1; circles || done <= 20; ++done) {
+        client.beat(circles ? 1.0 : done);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      }
     toy::fill(fields[field], step, values);
     if (misdeed.what == "nan" && step == misdeed.step)
       values[3] = std::nan("");
@@ -91,6 +104,7 @@ void serve(const ParticipantOptions& options, const Misdeed& misdeed) {
 
 void shake(const ParticipantOptions& options, const Misdeed& misdeed) {
   DomainClient client(options);
+  die_if(misdeed, "killed-at-welcome");
   client.progress("gravity", 0, 0.0, 0.0);
   auto faces = toy::faces();
   if (misdeed.what == "beyond")
@@ -124,9 +138,11 @@ int main(int argc, char** argv) {
       sleep_for_ever();
     if (misdeed.what == "other-case")
       std::ofstream(options.case_file = options.out / "other.case") << "another case";
+    die_if(misdeed, "killed-before-hello");
     const bool is_domain = options.name == "domain";
     if (misdeed.what == "impostor")
       options.name = "left";
     is_domain ? shake(options, misdeed) : serve(options, misdeed);
+    die_if(misdeed, "killed-after-bye");
   });
 }

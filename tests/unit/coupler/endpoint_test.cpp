@@ -1,8 +1,12 @@
 #include "coupler/error.hpp"
+#include "coupler/hub.hpp"
 #include "coupler/run_endpoint.hpp"
+#include "coupler/sockets.hpp"
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace tremolo::coupler {
@@ -33,6 +37,55 @@ TEST(RunEndpoint, IpcFolderIsPrivateAndRemoved) {
     EXPECT_EQ(std::filesystem::status(folder).permissions(), std::filesystem::perms::owner_all);
   }
   EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST(RunEndpoint, FolderOfAKilledRunIsRemovedAndThatOfALivingOneIsNot) {
+  const auto parent = std::filesystem::path(testing::TempDir()) / "tremolo_endpoint_test";
+  std::filesystem::create_directories(parent / "tremolo-killed");
+  std::filesystem::create_directories(parent / "tremolo-of-somebody-else");
+  std::ofstream(parent / "tremolo-killed/lock") << "";
+  const Environment runtime("XDG_RUNTIME_DIR", parent.string());
+  const RunEndpoint living(Transport::ipc);
+  EXPECT_FALSE(std::filesystem::exists(parent / "tremolo-killed"));
+  const RunEndpoint another(Transport::ipc);
+  EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(living.address().substr(6)).parent_path()));
+  EXPECT_TRUE(std::filesystem::exists(parent / "tremolo-of-somebody-else"));
+  std::filesystem::remove_all(parent / "tremolo-of-somebody-else");
+}
+
+TEST(Sockets, OnlyThisMachineIsLocal) {
+  for (const char* local : {"ipc:///tmp/hub", "inproc://hub", "tcp://127.0.0.1:*", "tcp://127.0.0.1:5555",
+                            "tcp://127.1.2.3:1", "tcp://[::1]:5555"})
+    EXPECT_TRUE(is_local(local)) << local;
+  for (const char* open : {"tcp://*:5555", "tcp://0.0.0.0:5555", "tcp://10.0.0.1:5555",
+                           "tcp://localhost:5555", "tcp://eth0:5555", "tcp://127.example.org:5555",
+                           "tcp://[::]:5555", "pgm://x", "", "tcp://127.", "tcp://127.0.0.1"})
+    EXPECT_FALSE(is_local(open)) << open;
+}
+
+TEST(Sockets, OpenAddressIsRefusedWithoutKeysOnBothSides) {
+  zmq::context_t context;
+  EXPECT_THROW(bound_router(context, "tcp://0.0.0.0:*"), Error);
+  EXPECT_THROW(connected_dealer(context, "tcp://10.0.0.1:5555"), Error);
+}
+
+TEST(Sockets, PortInUseIsRefusedAtOnce) {
+  zmq::context_t context;
+  const auto first = bound_router(context, "tcp://127.0.0.1:*");
+  const auto address = first.get(zmq::sockopt::last_endpoint);
+  HubOptions options{.participants = {{"domain", Role::domain}}, .note = [](const std::string&) {}};
+  EXPECT_THROW(
+      try { const Hub second(context, address, options); } catch (const Error& error) {
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("the hub cannot listen at '" + address + "': Address already"));
+        throw;
+      },
+      Error);
+}
+
+TEST(Sockets, MessageBeyondTheLimitIsRefusedByItsSender) {
+  EXPECT_NO_THROW(require_fits(static_cast<std::size_t>(largest_message)));
+  EXPECT_THROW(require_fits(static_cast<std::size_t>(largest_message) + 1), Error);
 }
 
 TEST(RunEndpoint, PathTooLongForASocketIsRefusedBeforeAnyWait) {

@@ -72,12 +72,12 @@ TEST(Messages, SessionIsSixteenHexadecimalDigits) {
     EXPECT_THROW(session_from(text), std::invalid_argument) << text;
 }
 
-TEST(Messages, FileCrcIsTheCheckValueOfCrc32) {
+TEST(Messages, CrcOfAFileIsTheCheckValueOfCrc32) {
   const auto file = std::filesystem::path(testing::TempDir()) / "tremolo_crc_check.txt";
   std::ofstream(file) << "123456789";
-  EXPECT_EQ(file_crc(file), "cbf43926");
+  EXPECT_EQ(text_crc(file_text(file)), "cbf43926");
   std::filesystem::remove(file);
-  EXPECT_THROW(file_crc(file), Error);
+  EXPECT_THROW(file_text(file), Error);
 }
 
 } // namespace
