@@ -26,5 +26,7 @@ void add_verify(CLI::App& app);
 void add_run(CLI::App& app);
 void add_swap(CLI::App& app);
 void add_column(CLI::App& app);
+void add_soiltest(CLI::App& app);
+void add_calibrate(CLI::App& app);
 
 } // namespace tremolo::app

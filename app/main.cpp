@@ -25,6 +25,8 @@ int run(int argc, char** argv) {
   tremolo::app::add_run(app);
   tremolo::app::add_swap(app);
   tremolo::app::add_column(app);
+  tremolo::app::add_soiltest(app);
+  tremolo::app::add_calibrate(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

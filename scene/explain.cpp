@@ -1,5 +1,6 @@
 #include "scene/layers.hpp"
 #include "scene/plan.hpp"
+#include "scene/soil_report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -55,6 +56,14 @@ std::string layers_text(const std::vector<Layer>& layers) {
                         : fmt::format("{} layer{}", layers.size(), layers.size() == 1 ? "" : "s");
 }
 
+std::string soils_text(const Case& scene) {
+  std::string lines = "\nSoils\n";
+  for (const Soil& soil : scene.soils)
+    lines += fmt::format(" {} ({})\n{}", soil.name, materials::name(soil.column_law),
+                         text(parameters_in_force(soil, "soil." + soil.name, scene.values)));
+  return lines;
+}
+
 } // namespace
 
 std::string explain(const Case& scene, const Plan& plan) {
@@ -79,6 +88,7 @@ std::string explain(const Case& scene, const Plan& plan) {
                   plan.particles, plan.cells, scene.mesh.size, plan.dt, plan.dt / plan.critical_dt,
                   plan.critical_dt, plan.steps, scene.shaking.duration, size_text(plan.memory_bytes),
                   size_text(plan.output_bytes), plan.frames, duration_text(plan.estimated_time));
+  text += soils_text(scene);
   text += "\nNotes\n";
   for (const std::string& note : plan.notes)
     text += fmt::format("  - {}\n", note);

@@ -67,7 +67,7 @@ std::vector<Key> pm4sand_keys() {
       may("c_eps", "1", "Strain accumulation.", "0.5 at D_R <= 0.55, falling to 0.2 at D_R >= 0.75",
           not_negative),
       may("C_GD", "1", "Degradation of the elastic modulus with fabric.", "2", not_negative),
-      may("C_DR", "1", "Rotated dilatancy surface, at most 10.", "min(5 + 25 (D_R - 0.35), 10)", positive),
+      may("C_DR", "1", "Rotated dilatancy surface, at most 10.", "5 + 25 (D_R - 0.35) in [1, 10]", positive),
       may("C_kaf", "1", "Plastic modulus under static shear.", "5 + 220 (D_R - 0.26)^3 in [4, 35]",
           not_negative),
       may("F_sed_min", "1", "Smallest reduction of stiffness in reconsolidation after shaking.",

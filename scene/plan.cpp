@@ -3,6 +3,7 @@
 #include "motion/measures.hpp"
 #include "scene/layers.hpp"
 #include "scene/motion.hpp"
+#include "scene/soil_report.hpp"
 #include "scene/sources.hpp"
 
 #include <fmt/format.h>
@@ -29,6 +30,7 @@ constexpr int padding = 6;            // cells around the box
 constexpr double base_cost_ns = 200.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
+constexpr double mobility_cost_ns = 400.0;   // PM4Sand or PDMY03 at small strain increments
 
 /// Soils that lie in the domain; others belong to layers of the free field alone.
 std::vector<Soil> domain_soils(const Case& scene) {
@@ -45,11 +47,12 @@ bool any_soil(const Case& scene, Predicate predicate) {
 }
 
 bool is_plastic(const materials::Law& law) {
-  return std::holds_alternative<MohrCoulomb>(law);
+  return std::holds_alternative<MohrCoulomb>(law) || std::holds_alternative<materials::DruckerPrager>(law);
 }
 
 bool is_hysteretic(const materials::Law& law) {
-  return std::holds_alternative<materials::IwanShear>(law);
+  return std::holds_alternative<materials::IwanShear>(law) ||
+         std::holds_alternative<materials::MultiYieldClay>(law);
 }
 
 bool softens(const materials::Law& law) {
@@ -80,6 +83,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const bool plastic = any_soil(scene, is_plastic);
   const bool softening = any_soil(scene, softens);
   const bool hysteretic = any_soil(scene, is_hysteretic);
+  const bool liquefies = any_soil(scene, follows_pressure);
   const bool damped = scene.damping.model != DampingModel::none;
   return {
       {"soil skeleton", true, "always: uGIMP particles, plane strain", particle_bytes, base_cost_ns},
@@ -89,11 +93,19 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        scene.gravity ? fmt::format("[[stage]] gravity, {} m/s2, then static tractions on the boundary faces",
                                    scene.gravity->acceleration)
                      : "no [[stage]] of kind gravity"},
-      {"plasticity", plastic, plastic ? "a [soil] with model = \"mohr_coulomb\"" : "no soil is mohr_coulomb",
-       plastic && !hysteretic ? 8.0 * state_size(scene, false) : 0.0, plastic ? plasticity_cost_ns : 0.0},
+      {"plasticity", plastic,
+       plastic ? "a [soil] with model = \"mohr_coulomb\" or \"drucker_prager\""
+               : "no soil is mohr_coulomb or drucker_prager",
+       plastic && !hysteretic && !liquefies ? 8.0 * state_size(scene, false) : 0.0,
+       plastic ? plasticity_cost_ns : 0.0},
       {"hysteresis", hysteretic,
-       hysteretic ? "a [soil] with model = \"hyperbolic\" or \"mkz\"" : "no soil is hyperbolic or mkz",
-       hysteretic ? 8.0 * state_size(scene, false) : 0.0, hysteretic ? hysteresis_cost_ns : 0.0},
+       hysteretic ? "a [soil] with model = \"hyperbolic\", \"mkz\" or \"multi_yield_clay\""
+                  : "no soil is hyperbolic, mkz or multi_yield_clay",
+       hysteretic && !liquefies ? 8.0 * state_size(scene, false) : 0.0,
+       hysteretic ? hysteresis_cost_ns : 0.0},
+      {"cyclic mobility", liquefies,
+       liquefies ? "a [soil] with model = \"pm4sand\" or \"pdmy03\"" : "no soil is pm4sand or pdmy03",
+       liquefies ? 8.0 * state_size(scene, false) : 0.0, liquefies ? mobility_cost_ns : 0.0},
       {"strain softening", softening,
        softening ? "a [soil] with softening > 0" : "no soil has softening > 0"},
       {"oblique incidence", scene.motion.angle_deg > 0.0,
@@ -166,6 +178,15 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
   for (const Soil& soil : scene.soils)
     if (const auto fit = fitted_soil(soil))
       notes.push_back(*fit);
+  for (const Soil& soil : domain_soils(scene))
+    if (follows_pressure(soil.law))
+      notes.push_back(
+          fmt::format("soil '{}': stiffness grows with pressure; speeds and time step above are those at its "
+                      "reference pressure, the run takes those of the stress it has",
+                      soil.name));
+  for (const Soil& soil : scene.soils)
+    for (const std::string& note : scene::notes(soil))
+      notes.push_back(fmt::format("soil '{}': {}", soil.name, note));
   if (const auto warning = residual_motion(scene))
     notes.push_back(*warning);
   for (const Soil& soil : domain_soils(scene)) {
@@ -189,6 +210,10 @@ double output_doubles_per_particle(const Case& scene) {
 }
 
 } // namespace
+
+bool follows_pressure(const materials::Law& law) {
+  return std::holds_alternative<materials::Pm4Sand>(law) || std::holds_alternative<materials::Pdmy03>(law);
+}
 
 std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess& source) {
   using enum SourceModel;

@@ -40,6 +40,8 @@ void model_files_exist(const Case& scene, Findings& findings);
 void damping_suits_models(const Case& scene, Findings& findings);
 /// The models know the laws of their layers.
 void soils_suit_models(const Case& scene, Findings& findings);
+/// Soils whose stiffness depends on pressure have one: a gravity stage.
+void sand_has_weight(const Case& scene, Findings& findings);
 /// The reference point lies in the half-space of both sides; a `within` motion is that of its top.
 void reference_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A base that takes the incident wave alone lies in the half-space.

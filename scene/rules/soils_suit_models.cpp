@@ -1,4 +1,5 @@
 #include "scene/layers.hpp"
+#include "scene/plan.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -10,19 +11,44 @@ namespace tremolo::scene {
 
 namespace {
 
+/// Whether shear stress follows from shear strain alone.
+bool in_one_shear(const materials::Law& law) {
+  return std::holds_alternative<materials::LinearElastic>(law) ||
+         std::holds_alternative<materials::MasingShear>(law);
+}
+
+/// Whether the law's memory begins with the stress that it finds.
+bool begins_with_stress(const materials::Law& law) {
+  return follows_pressure(law) || std::holds_alternative<materials::MultiYieldClay>(law);
+}
+
 /// Why a model cannot compute with these layers; empty if it can.
 std::string refused(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
-  if (model == SourceModel::oblique &&
-      std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; }))
+  const bool damped = std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; });
+  if (model == SourceModel::mpm && damped)
+    return "model = \"mpm\" takes layers without viscous damping, of which the domain has none either; use "
+           "model "
+           "= \"fe\", or hysteretic soil";
+  if (model == SourceModel::oblique && damped)
     return "model = \"oblique\" takes layers without viscous damping, with which waves of one slowness have "
            "no well-posed column; use model = \"wave\", or hysteretic soil";
-  for (const Layer& layer : layers)
-    if ((model == SourceModel::ode || model == SourceModel::oblique) && layer.soil &&
-        std::holds_alternative<materials::MohrCoulomb>(scene.soils[*layer.soil].law))
+  for (const Layer& layer : layers) {
+    if (!layer.soil)
+      continue;
+    const Soil& soil = scene.soils[*layer.soil];
+    const bool column =
+        model == SourceModel::fe || model == SourceModel::ode || model == SourceModel::oblique;
+    if (column && begins_with_stress(soil.law))
       return fmt::format(
-          "model = \"{}\" takes linear and hysteretic soil, but soil '{}' is mohr_coulomb; use model = "
-          "\"fe\"",
-          name(model), scene.soils[*layer.soil].name);
+          "model = \"{}\" gives its soil no memory of the geostatic stress, with which {} (soil '{}') "
+          "begins; "
+          "use model = \"wave\", which takes its layers as linear elastic, or a layer of another soil",
+          name(model), materials::name(soil.law), soil.name);
+    if ((model == SourceModel::ode || model == SourceModel::oblique) && !in_one_shear(soil.column_law))
+      return fmt::format("model = \"{}\" takes linear and hysteretic soil, but soil '{}' is {}; use model = "
+                         "\"fe\"",
+                         name(model), soil.name, materials::name(soil.law));
+  }
   return {};
 }
 

@@ -1,0 +1,35 @@
+#pragma once
+
+// Mean and deviator stress as the law of a soil sees them, and the lines of the law in their plane. With p
+// positive in compression,
+//
+//     in the plane    p = -(sig_xx + sig_yy)/2,       q = sigma_1 - sigma_3 = 2 sqrt(((sig_xx - sig_yy)/2)^2
+//     + sig_xy^2) in space        p = -tr(sigma)/3,               q = sqrt(3 J2)
+
+#include "materials/law.hpp"
+#include "materials/soiltest/history.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tremolo::app {
+
+/// p and q, Pa, of the rows of a history.
+struct Invariants {
+  std::vector<double> p;
+  std::vector<double> q;
+};
+
+Invariants invariants(const materials::Law& law, const soiltest::History& history);
+
+/// A line from p = 0 on.
+struct StressLine {
+  std::string name; ///< critical_state, bounding, dilation, phase_transformation, failure
+  std::vector<double> p;
+  std::vector<double> q;
+};
+
+/// The lines that the law has, up to a pressure; of PM4Sand at its initial density.
+std::vector<StressLine> stress_lines(const materials::Law& law, double largest_p);
+
+} // namespace tremolo::app

@@ -1,0 +1,32 @@
+#pragma once
+
+// The parameters of a soil in force, in the names and units of its table.
+
+#include "scene/case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tremolo::scene {
+
+struct ParameterInForce {
+  std::string name;
+  double value = 0.0;
+  std::string unit; ///< angles in degrees
+  std::string meaning;
+  std::string origin; ///< "case.toml:14:9", "library hostun_dr45", or the rule it follows from
+};
+
+/// Every parameter of a soil; none of a law whose parameters are all given as they are.
+/// @param table   the soil's in the file, "soil.sand"
+/// @param values  of the file
+std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::string& table,
+                                                  const std::vector<ValueInForce>& values);
+
+/// What a user of the soil should know before trusting it.
+std::vector<std::string> notes(const Soil& soil);
+
+/// The parameters as lines of text.
+std::string text(const std::vector<ParameterInForce>& parameters);
+
+} // namespace tremolo::scene
