@@ -2,6 +2,8 @@
 
 #include "app/commands.hpp"
 #include "app/run_display.hpp"
+#include "coupler/exchange_recorder.hpp"
+#include "coupler/process/recorded_case.hpp"
 #include "results/run_file.hpp"
 #include "scene/plan.hpp"
 
@@ -9,6 +11,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
 
@@ -34,9 +37,12 @@ fs::path located(const std::string& program) {
 
 /// What a source is told besides the options that all participants have.
 std::vector<std::string> own_arguments(const scene::FreeFieldModel& field) {
-  if (field.model == scene::SourceModel::recording)
-    return {"--file", fs::absolute(field.file).string()};
-  return {};
+  if (field.model != scene::SourceModel::recording)
+    return {};
+  std::vector<std::string> arguments{"--file", fs::absolute(field.file).string()};
+  if (field.side)
+    arguments.insert(arguments.end(), {"--side", std::string(scene::name(*field.side))});
+  return arguments;
 }
 
 coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run) {
@@ -73,6 +79,25 @@ results::Table process_table(const std::vector<coupler::ProcessSummary>& summari
       {{"process", "1", names}, {"wall_time", "s", wall}, {"cpu_time", "s", cpu}, {"waiting", "s", waiting}}};
 }
 
+/// Where the case asks for a recording of the exchange.
+std::unique_ptr<coupler::ExchangeRecorder> recorder_of(const scene::Case& scene, const CaseRun& run,
+                                                       const coupler::LaunchOptions& options) {
+  if (!scene.recording.exchange)
+    return nullptr;
+  coupler::RecorderOptions recorder{.file = run.folder / "exchange.h5",
+                                    .on_full_disk = scene.recording.on_full_disk == scene::OnFullDisk::stop
+                                                        ? coupler::OnFullDisk::stop
+                                                        : coupler::OnFullDisk::go_on,
+                                    .case_text = scene.text,
+                                    .case_values = coupler::recorded_values(scene),
+                                    .serves = {},
+                                    .note = options.note};
+  for (const auto& source : scene::plan(scene).sources)
+    for (const auto& served : source.serves)
+      recorder.serves[source.name].emplace_back(scene::name(served.side));
+  return std::make_unique<coupler::ExchangeRecorder>(std::move(recorder));
+}
+
 /// A domain that was killed could not say so in its file; the launcher does it for it.
 void mark_aborted(const fs::path& file, const std::string& reason) {
   if (fs::exists(file) && results::RunReader(file).status() == "running")
@@ -88,6 +113,20 @@ std::vector<std::string> warnings_of(const std::string& process, const fs::path&
     if (text.starts_with(mark))
       warnings.push_back(fmt::format("{}: {}", process, text));
   return warnings;
+}
+
+/// A run whose recording came to nothing only at its very end fails too, unless the case lets it go on.
+void finish_recording(coupler::ExchangeRecorder* recorder, const scene::Recording& recording,
+                      ProgressLine& line) {
+  if (recorder == nullptr)
+    return;
+  const auto lacking = recorder->finish(std::nullopt);
+  if (!lacking)
+    return;
+  line.note(fmt::format("{}the recording of the exchange is not complete: {}",
+                        recording.on_full_disk == scene::OnFullDisk::stop ? "" : "warning: ", *lacking));
+  if (recording.on_full_disk == scene::OnFullDisk::stop)
+    throw Exit{1};
 }
 
 } // namespace
@@ -106,8 +145,11 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
   fmt::print("results in {}, mode {}\n", run.folder.string(), coupler::name(options.mode));
   std::fflush(stdout);
   const fs::path file = run.folder / "run.h5";
+  const auto recorder = recorder_of(scene, run, options);
+  options.observer = recorder.get();
   try {
     auto summaries = coupler::launch(options);
+    finish_recording(recorder.get(), scene.recording, line);
     results::append_table(file, "/processes", process_table(summaries));
     line.note("finished");
     for (const auto& process : options.processes)
@@ -116,6 +158,8 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
     return summaries;
   } catch (const coupler::RunFailed& failure) {
     line.note(failure.what());
+    if (recorder)
+      recorder->finish(failure.what());
     mark_aborted(file, failure.what());
     throw Exit{failure.exit_status()};
   }

@@ -2,19 +2,24 @@
 
 #include "app/case_run.hpp"
 #include "app/commands.hpp"
+#include "app/recording_name.hpp"
 #include "app/run_display.hpp"
+#include "results/exchange_file.hpp"
 #include "scene/case.hpp"
 #include "scene/override.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace tremolo::app {
 
@@ -30,7 +35,10 @@ struct RunArguments {
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
+  std::vector<std::string> replays;
 };
+
+constexpr std::array all_sides{scene::Side::left, scene::Side::right, scene::Side::base};
 
 bool in_use(const fs::path& folder) {
   return fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
@@ -61,13 +69,36 @@ fs::path new_folder(const RunArguments& arguments) {
   return folder;
 }
 
+/// The recorded side that stands for all that the same source served, so that one process serves them again.
+scene::Side first_side(const results::ExchangeSource& source) {
+  return *std::ranges::find(all_sides, source.serves.front(), [](scene::Side side) { return name(side); });
+}
+
+/// What each replayed side is served from.
+std::map<scene::Side, scene::RecordedSide> replays(const std::vector<std::string>& names) {
+  std::map<scene::Side, scene::RecordedSide> sides;
+  for (const auto& text : names) {
+    const RecordingName recording = recording_named(text);
+    if (!recording.side && !recording.exchange)
+      throw std::invalid_argument(fmt::format("--replay {}: {} is not the recorded exchange of a run", text,
+                                              recording.file.string()));
+    const results::ExchangeReader exchange(recording.file);
+    for (const auto side : all_sides)
+      if (!recording.side || recording.side == side)
+        sides[side] = {recording.file, first_side(exchange.source_of(name(side)))};
+  }
+  return sides;
+}
+
 void run(const RunArguments& arguments) {
   const auto given = scene::load(arguments.case_file);
   std::optional<fs::path> record = arguments.motion;
   if (record)
     record = fs::absolute(*record);
-  const auto text =
-      scene::overridden_text(given, {.record = record, .angle_deg = arguments.angle_deg, .model = {}});
+  const auto text = scene::overridden_text(given, {.record = record,
+                                                   .angle_deg = arguments.angle_deg,
+                                                   .model = {},
+                                                   .replays = replays(arguments.replays)});
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
@@ -95,6 +126,9 @@ void add_run(CLI::App& app) {
   command->add_option("--motion", arguments->motion, "Record to use instead of the case's")
       ->check(CLI::ExistingFile);
   command->add_option("--angle", arguments->angle_deg, "Angle of incidence instead of the case's, degrees");
+  command->add_option("--replay", arguments->replays,
+                      "RUN:left, RUN:right or RUN:base: this side is served from the recorded exchange of an "
+                      "earlier run instead of its model; RUN alone: all sides. Several are allowed");
   command->callback([arguments] { run(*arguments); });
 }
 

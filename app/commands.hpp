@@ -19,6 +19,8 @@ void add_check(CLI::App& app);
 void add_conform(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_docs(CLI::App& app);
+void add_export(CLI::App& app);
+void add_import(CLI::App& app);
 void add_motion(CLI::App& app);
 void add_plot(CLI::App& app);
 void add_wave(CLI::App& app);

@@ -18,6 +18,8 @@ int run(int argc, char** argv) {
   tremolo::app::add_conform(app);
   tremolo::app::add_explain(app);
   tremolo::app::add_docs(app);
+  tremolo::app::add_export(app);
+  tremolo::app::add_import(app);
   tremolo::app::add_motion(app);
   tremolo::app::add_plot(app);
   tremolo::app::add_wave(app);

@@ -1,9 +1,10 @@
 #include "app/points_file.hpp"
 
+#include "app/table_text.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -18,34 +19,6 @@ constexpr double most_times = 1e7;
 
 /// A time that falls short of T1 by less than this part of DT is T1: decimal fractions are not exact.
 constexpr double rounding = 1e-6;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const auto first = text.find_first_not_of(blanks);
-  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const auto at = text.find(separator);
-    parts.push_back(trimmed(text.substr(0, at)));
-    if (at == std::string_view::npos)
-      return parts;
-    text.remove_prefix(at + 1);
-  }
-}
-
-std::optional<double> finite_number(std::string_view text) {
-  if (text.starts_with('+'))
-    text.remove_prefix(1);
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stop, trouble] = std::from_chars(text.data(), end, value);
-  if (trouble != std::errc{} || stop != end || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
 
 bool is_header(std::string_view line) {
   return split(line, ',') == std::vector<std::string_view>{"x", "y"};

@@ -23,11 +23,44 @@ struct Sums {
   }
 };
 
+/// Sums over steps and points of one direction.
+struct MomentumSums {
+  double acceleration_force = 0.0;
+  double acceleration_square = 0.0;
+  double force_square = 0.0;
+
+  void add(double acceleration, double force) {
+    acceleration_force += acceleration * force;
+    acceleration_square += acceleration * acceleration;
+    force_square += force * force;
+  }
+};
+using Momentum = std::array<MomentumSums, 2>; ///< horizontal, vertical
+
 /// Derivative at the middle of three points.
 double slope(const std::array<double, 3>& y, double below, double at, double above) {
   const double h0 = y[1] - y[0];
   const double h1 = y[2] - y[1];
   return ((above - at) * h0 / h1 + (at - below) * h1 / h0) / (h0 + h1);
+}
+
+Momentum momentum(const ServedSeries& series) {
+  const auto& y = series.field.y;
+  const double p = series.field.slowness_x;
+  Momentum sums;
+  for (std::uint64_t n = 0; n < series.steps(); ++n)
+    for (std::size_t j = 1; j + 1 < y.size(); ++j) {
+      if (y[j] == y[j - 1] || y[j] == y[j + 1])
+        continue;
+      const double* at = series.values.data() + n * series.field.values_per_step() + j * values_per_point;
+      const auto gradient = [&](std::size_t c) {
+        return slope({y[j - 1], y[j], y[j + 1]}, *(at - values_per_point + c), at[c],
+                     at[values_per_point + c]);
+      };
+      sums[0].add(at[vx + rate], -p * at[sxx + rate] + gradient(sxy));
+      sums[1].add(at[vy + rate], -p * at[sxy + rate] + gradient(syy));
+    }
+  return sums;
 }
 
 } // namespace
@@ -61,29 +94,18 @@ double rate_defect(const ServedSeries& series) {
 }
 
 std::optional<double> density_from_momentum(const ServedSeries& series) {
-  const auto& y = series.field.y;
-  const double p = series.field.slowness_x;
-  double acceleration_force = 0.0;
-  double acceleration_square = 0.0;
-  for (std::uint64_t n = 0; n < series.steps(); ++n)
-    for (std::size_t j = 1; j + 1 < y.size(); ++j) {
-      if (y[j] == y[j - 1] || y[j] == y[j + 1])
-        continue;
-      const double* at = series.values.data() + n * series.field.values_per_step() + j * values_per_point;
-      const auto gradient = [&](std::size_t c) {
-        return slope({y[j - 1], y[j], y[j + 1]}, *(at - values_per_point + c), at[c],
-                     at[values_per_point + c]);
-      };
-      const double ax = at[vx + rate];
-      const double ay = at[vy + rate];
-      const double fx = -p * at[sxx + rate] + gradient(sxy);
-      const double fy = -p * at[sxy + rate] + gradient(syy);
-      acceleration_force += ax * fx + ay * fy;
-      acceleration_square += ax * ax + ay * ay;
-    }
+  const Momentum sums = momentum(series);
+  const double acceleration_square = sums[0].acceleration_square + sums[1].acceleration_square;
   if (acceleration_square == 0.0)
     return std::nullopt;
-  return acceleration_force / acceleration_square;
+  return (sums[0].acceleration_force + sums[1].acceleration_force) / acceleration_square;
+}
+
+std::optional<MomentumFit> momentum_fit(const ServedSeries& series, Direction direction) {
+  const auto [af, aa, ff] = momentum(series)[direction == Direction::horizontal ? 0 : 1];
+  if (aa == 0.0)
+    return std::nullopt;
+  return MomentumFit{af / aa, ff > 0.0 ? std::sqrt(std::max(0.0, 1.0 - af * af / (aa * ff))) : 1.0};
 }
 
 } // namespace tremolo::coupler

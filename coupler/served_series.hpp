@@ -41,4 +41,14 @@ double rate_defect(const ServedSeries& series);
 /// layer or nothing moves.
 std::optional<double> density_from_momentum(const ServedSeries& series);
 
+enum class Direction { horizontal, vertical };
+
+/// The balance of momentum in one direction.
+struct MomentumFit {
+  double density = 0.0; ///< kg/m3
+  double misfit = 0.0;  ///< 2-norm of what this density leaves over that of the divergence of the stress
+};
+/// Nothing where density_from_momentum() has nothing, or nothing moves in this direction.
+std::optional<MomentumFit> momentum_fit(const ServedSeries& series, Direction direction);
+
 } // namespace tremolo::coupler

@@ -1,6 +1,9 @@
-// tremolo-recording: serves a recorded free field, bit for bit as it was recorded.
+// tremolo-recording: serves a recorded free field, bit for bit as it was recorded: one that was recorded
+// alone, or what served a side in the recorded exchange of a run.
 
+#include "coupler/process/recorded_case.hpp"
 #include "coupler/source_client.hpp"
+#include "results/exchange_file.hpp"
 #include "results/free_field_recording.hpp"
 #include "scene/service.hpp"
 
@@ -8,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ranges>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -41,6 +45,15 @@ std::size_t find(const std::vector<results::RecordedField>& fields, std::string_
       fmt::format("{}: the case asks for the field '{}', recorded are: {}", file, name, held));
 }
 
+/// By how much earlier than at the box's left edge the line is read by the face that reads it earliest of
+/// all, s; a face lies less than a cell beside the edge. The hub knows the faces themselves and has the last
+/// word.
+double delay_of_first_face(const scene::Case& scene, const scene::SourceProcess& source, double slowness_x) {
+  const bool right_only = std::ranges::all_of(
+      source.serves, [](const scene::Served& served) { return served.side == scene::Side::right; });
+  return slowness_x * ((right_only ? scene.mesh.box.width() : 0.0) + scene.mesh.size);
+}
+
 /// Refuses a recording that ends before the case does, in depth or in time.
 void require_cover(const coupler::FieldDescription& field, const scene::Case& scene,
                    const scene::SourceProcess& source, const std::string& file) {
@@ -50,7 +63,8 @@ void require_cover(const coupler::FieldDescription& field, const scene::Case& sc
   const Range levels{line->levels.front(), line->levels.back()};
   // The case asks on its own line; the recording's may stand elsewhere.
   const double shift = field.slowness_x * (asked.x_line - field.x_reference);
-  const Range times{asked.start_time - shift, asked.end_time - shift};
+  const Range times{asked.start_time - shift,
+                    asked.end_time - shift - delay_of_first_face(scene, source, field.slowness_x)};
   const Range recorded_levels{field.y.front(), field.y.back()};
   const Range recorded_times{field.start_time, field.end_time()};
   if (covers(recorded_levels, levels, 1e-6) && covers(recorded_times, times, 1e-6 * field.time_step))
@@ -64,13 +78,61 @@ void require_cover(const coupler::FieldDescription& field, const scene::Case& sc
                                           text(levels, times)));
 }
 
-void run(const coupler::ParticipantOptions& options, const std::string& file) {
+scene::Side side_from(const std::string& text) {
+  for (const scene::Side side : {scene::Side::left, scene::Side::right, scene::Side::base})
+    if (scene::name(side) == text)
+      return side;
+  throw std::invalid_argument(fmt::format("--side is '{}', must be left, right or base", text));
+}
+
+/// The recorded exchange of another free field is refused, with what is different.
+void require_same_free_field(const results::ExchangeReader& exchange, const scene::Case& scene,
+                             const scene::SourceProcess& source, const std::string& side,
+                             const std::string& file) {
+  constexpr std::ptrdiff_t most_shown = 5;
+  std::vector<std::string> differences;
+  for (const scene::Served& served : source.serves)
+    for (auto& difference : coupler::free_field_differences(exchange.description().case_values,
+                                                            side_from(side), scene, served.side))
+      if (std::ranges::find(differences, difference) == differences.end())
+        differences.push_back(std::move(difference));
+  if (differences.empty())
+    return;
+  std::string text = fmt::format("{}: the free field of its case is not that of this case", file);
+  for (const auto& difference : differences | std::views::take(most_shown))
+    text += "\n    " + difference;
+  if (std::ssize(differences) > most_shown)
+    text += fmt::format("\n    and {} more", std::ssize(differences) - most_shown);
+  throw std::invalid_argument(text);
+}
+
+/// Opens what served a side in a recorded exchange, or a free field that was recorded alone.
+results::FreeFieldRecording opened(const std::string& file, const std::string& side, const scene::Case& scene,
+                                   const scene::SourceProcess& source) {
+  if (side.empty())
+    return results::FreeFieldRecording(file);
+  const results::ExchangeReader exchange(file);
+  require_same_free_field(exchange, scene, source, side, file);
+  if (!exchange.complete())
+    fmt::print("warning: {} is not complete ({})\n", file, exchange.status());
+  return results::FreeFieldRecording(file, exchange.source_of(side).name);
+}
+
+/// Why a recording ends before the case does, where it is known.
+std::string reason_for_end(const std::string& file, const std::string& side) {
+  if (side.empty())
+    return {};
+  const results::ExchangeReader exchange(file);
+  return exchange.complete() ? "" : fmt::format("; the recording is not complete: {}", exchange.status());
+}
+
+void run(const coupler::ParticipantOptions& options, const std::string& file, const std::string& side) {
   if (file.empty())
     throw std::invalid_argument("--file is missing: the recording to serve");
-  const results::FreeFieldRecording recording(file);
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
+  const results::FreeFieldRecording recording = opened(file, side, scene, source);
 
   std::vector<std::size_t> recorded;
   std::vector<coupler::FieldDescription> fields;
@@ -84,8 +146,12 @@ void run(const coupler::ParticipantOptions& options, const std::string& file) {
                       .start_time = field.start_time,
                       .time_step = field.time_step,
                       .step_count = field.step_count});
-    coupler::validate(fields.back());
-    require_cover(fields.back(), scene, source, file);
+    try {
+      coupler::validate(fields.back());
+      require_cover(fields.back(), scene, source, file);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(error.what() + reason_for_end(file, side));
+    }
   }
 
   coupler::SourceClient client(options, fields);
@@ -98,8 +164,10 @@ void run(const coupler::ParticipantOptions& options, const std::string& file) {
 
 int main(int argc, char** argv) {
   std::string file;
+  std::string side;
   return tremolo::coupler::participant_main(
       "tremolo-recording", "A recorded free field, as a source.", argc, argv,
-      [&](const coupler::ParticipantOptions& options) { run(options, file); },
-      {{"--file", "recording (HDF5) to serve; required", file}});
+      [&](const coupler::ParticipantOptions& options) { run(options, file, side); },
+      {{"--file", "recording (HDF5) to serve; required", file},
+       {"--side", "left, right or base: what served this side in a recorded exchange", side}});
 }

@@ -1,0 +1,112 @@
+#include "coupler/process/recorded_case.hpp"
+
+#include "coupler/messages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+#include <string_view>
+
+namespace tremolo::coupler {
+
+namespace {
+
+constexpr std::string_view record_checksum = "motion.file (CRC-32)";
+
+using Values = std::map<std::string, std::string, std::less<>>;
+
+Values by_key(const std::vector<results::RecordedValue>& values) {
+  Values map;
+  for (const auto& [key, value] : values)
+    map[key] = value;
+  return map;
+}
+
+std::string value_of(const Values& values, std::string_view key) {
+  const auto found = values.find(key);
+  return found == values.end() ? "not given" : found->second;
+}
+
+std::string unquoted(const std::string& text) {
+  return text.size() >= 2 && text.front() == '"' ? text.substr(1, text.size() - 2) : text;
+}
+
+/// The side whose surface and layers a source at this side has: at the base those of the left one.
+scene::Side ground_side(scene::Side side) {
+  return side == scene::Side::base ? scene::Side::left : side;
+}
+
+/// "boundary.left." of the key of a side's ground, which is compared as "boundary.SIDE."
+std::string ground_prefix(scene::Side side) {
+  return fmt::format("boundary.{}.", scene::name(ground_side(side)));
+}
+
+std::set<std::string> soils_of_layers(const Values& values) {
+  std::set<std::string> soils;
+  for (const auto& [key, value] : values)
+    if (key.find("profile[") != std::string::npos && key.ends_with("].soil"))
+      soils.insert(fmt::format("soil.{}.", unquoted(value)));
+  return soils;
+}
+
+bool begins_with_any(std::string_view key, const auto& prefixes) {
+  return std::ranges::any_of(prefixes, [&](std::string_view prefix) { return key.starts_with(prefix); });
+}
+
+/// The values on which the free field of a side depends; keys of the side's own ground without its name.
+/// @param model of the recording
+Values of_free_field(const Values& values, scene::Side side, const std::string& model) {
+  const std::array<std::string, 8> always{"motion.",  "surface.", "halfspace.", "profile[",
+                                          "damping.", "mesh.",    model + ".",  std::string(record_checksum)};
+  const auto soils = soils_of_layers(values);
+  const std::string ground = ground_prefix(side);
+  Values kept;
+  for (const auto& [key, value] : values) {
+    if (key == "motion.file")
+      continue; // what it holds is compared, not where it lies
+    if (begins_with_any(key, always) || begins_with_any(key, soils))
+      kept[key] = value;
+    else if (key == ground + "surface" || key.starts_with(ground + "profile["))
+      kept["boundary.SIDE." + key.substr(ground.size())] = value;
+  }
+  return kept;
+}
+
+std::string shown_key(const std::string& key, scene::Side side) {
+  constexpr std::string_view any_side = "boundary.SIDE.";
+  return key.starts_with(any_side) ? ground_prefix(side) + key.substr(any_side.size()) : key;
+}
+
+} // namespace
+
+std::vector<results::RecordedValue> recorded_values(const scene::Case& scene) {
+  std::vector<results::RecordedValue> values;
+  for (const scene::ValueInForce& value : scene.values)
+    values.push_back({value.key, value.value});
+  if (const auto* file = std::get_if<scene::MotionFile>(&scene.motion.source))
+    values.push_back({std::string(record_checksum), text_crc(file_text(file->path))});
+  return values;
+}
+
+std::vector<std::string> free_field_differences(const std::vector<results::RecordedValue>& recording,
+                                                scene::Side recorded, const scene::Case& scene,
+                                                scene::Side served) {
+  const Values all = by_key(recording);
+  const std::string model = unquoted(value_of(all, fmt::format("boundary.{}.model", scene::name(recorded))));
+  const Values theirs = of_free_field(all, recorded, model);
+  const Values ours = of_free_field(by_key(recorded_values(scene)), served, model);
+  std::set<std::string> keys;
+  for (const Values& values : {theirs, ours})
+    for (const auto& [key, value] : values)
+      keys.insert(key);
+  std::vector<std::string> differences;
+  for (const std::string& key : keys)
+    if (value_of(theirs, key) != value_of(ours, key))
+      differences.push_back(fmt::format("{} is {} in the recording, {} in the case", shown_key(key, served),
+                                        value_of(theirs, key), value_of(ours, key)));
+  return differences;
+}
+
+} // namespace tremolo::coupler

@@ -1,0 +1,28 @@
+#pragma once
+
+// What a recorded exchange keeps of its case, and whether another case has the same free field.
+
+#include "results/exchange_file.hpp"
+#include "scene/plan.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tremolo::coupler {
+
+/// All values in force, and a checksum of the motion's record.
+std::vector<results::RecordedValue> recorded_values(const scene::Case& scene);
+
+/// What the free field of a side depends on and is not the same in the recording and in a case, one sentence
+/// each: "motion.angle_deg is 15 in the recording, 20 in the case".
+///
+/// It depends on the motion, the ground (surface, half-space, profile, soils of the profile, damping), the
+/// mesh and the box, from which its levels follow, and the numerics of the model that computed it; not on
+/// what the domain does with it.
+/// @param recorded of which side in the recording
+/// @param served at which side of the case
+std::vector<std::string> free_field_differences(const std::vector<results::RecordedValue>& recording,
+                                                scene::Side recorded, const scene::Case& scene,
+                                                scene::Side served);
+
+} // namespace tremolo::coupler
