@@ -53,7 +53,7 @@ struct Pm4SandInput {
   std::optional<double> c_z;     ///< rate of fabric, 250
   std::optional<double> c_eps;   ///< strain accumulation, 0.5 at D_R <= 0.55 to 0.2 at D_R >= 0.75
   std::optional<double> C_GD;    ///< degradation of G with fabric, 2
-  std::optional<double> C_DR;    ///< rotated dilatancy, min(5 + 25 (D_R - 0.35), 10); at most 10
+  std::optional<double> C_DR;    ///< rotated dilatancy, 5 + 25 (D_R - 0.35) in [1, 10]
   std::optional<double> C_kaf;   ///< plastic modulus under static shear, 5 + 220 (D_R - 0.26)^3 in [4, 35]
   std::optional<double>
       F_sed_min; ///< smallest reduction of stiffness after shaking, min(0.03 exp(2.6 D_R), 0.99)

@@ -189,10 +189,12 @@ void attempt(const Pm4Sand& law, const State& from, const Stress& stress, const 
 
 double integrate(const Pm4Sand& law, State& state, Stress& stress, const Strain& increment) {
   constexpr double safety = 0.9;
-  constexpr double smallest_strain = 1e-9; // a sub-step of this size is taken whatever its error
+  // A sub-step this much smaller than the largest is taken whatever its error: where loading slides along the
+  // bounding surface the plastic modulus has no smallest scale.
+  constexpr double smallest_part = 0.01;
   const double size = largest_component(increment);
   const double largest = law.integration.largest_strain / size;
-  const double smallest = smallest_strain / size;
+  const double smallest = smallest_part * largest;
   const double tolerance2 = law.integration.tolerance * law.integration.tolerance;
   double work = 0.0;
   double done = 0.0;

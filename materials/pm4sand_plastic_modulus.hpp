@@ -37,7 +37,7 @@ inline PlasticModulus plastic_modulus(const Site& at, const Direction& to) {
   const double A_app = std::max(to.alpha_n - to.alpha_in_n, 0.0);
   const double A_true = std::max(to.alpha_n - contract(at.memory->alpha_in_true, to.n), 0.0);
   const double C_g1 = at.law.h_o / 200.0;
-  constexpr double nearest = 1e-10; // on the bounding surface alpha follows at once
+  constexpr double nearest = 1e-6; // of A_b, where h would grow beyond all bounds
   const double distance = std::max(std::abs(A_b), nearest);
   const double root = std::sqrt(distance);
   const double fabric =

@@ -8,7 +8,8 @@
 //     d_alpha = 2/3 L h (alpha_b - alpha),
 //     d_z = -c_z/(1 + <z_cum/(2 z_max) - 1>) L (z_max n + z)    while beyond M_d and dilating,
 //
-// and L < 0 is unloading. In the plane d_p = (K + G/3) d_epsv - L K D.
+// alpha at most as far as the bounding surface, and L < 0 is unloading. In the plane d_p = (K + G/3) d_epsv -
+// L K D.
 
 #include "materials/pm4sand_plastic_modulus.hpp"
 
@@ -61,7 +62,8 @@ inline Change change(const Site& here, Deviator n, const Strain& strain) {
 
   step.stress.p -= L * here.K * flow.D;
   step.stress.s = step.stress.s - (2.0 * here.G * L) * n;
-  step.alpha = (2.0 / 3.0 * L * plastic.h) * (((here.surface.M_b - here.law.m) / sqrt2) * n - now.alpha);
+  step.alpha =
+      std::min(2.0 / 3.0 * L * plastic.h, 1.0) * (((here.surface.M_b - here.law.m) / sqrt2) * n - now.alpha);
   if (flow.D < 0.0 && (here.surface.M_d - here.law.m) / sqrt2 < to.alpha_n) {
     const double slower = std::max(0.5 * now.z_cum / z_max, 1.0);
     step.z = (-here.law.c_z / slower * L) * (z_max * n + now.z);

@@ -34,9 +34,9 @@ struct Surfaces {
 /// @param volumetric_strain  since the start, compression positive
 inline Surfaces surfaces(const Pm4Sand& law, double p, double volumetric_strain) {
   const double D_R = law.relative_density + law.density_rate * volumetric_strain;
-  // Beyond crushing, where the line has no value, the soil is as loose of critical as a soil can be.
-  const double depth = std::max(law.Q - elementary::log((100.0 / law.p_A) * p), 0.1);
-  const double xi_R = law.R / depth - D_R;
+  // Grains crush where the line goes to infinity (10 MPa by default): no sand is looser of critical than 2.
+  const double depth = law.Q - elementary::log((100.0 / law.p_A) * p);
+  const double xi_R = law.R / std::max(depth, 0.5 * law.R) - D_R;
   const double b = xi_R > 0.0 ? 0.25 : 1.0;
   const double d = xi_R > 0.0 ? 4.0 : 1.0;
   return {xi_R, law.M * elementary::exp(-law.n_b * b * xi_R), law.M * elementary::exp(law.n_d * d * xi_R)};
