@@ -12,7 +12,7 @@ constexpr std::string_view models = "Who computes the free field. `wave`: plane 
                                     "oblique waves in the time domain. `eql`: "
                                     "equivalent-linear layers. `recording`: served again from a `file`. "
                                     "`external`: a program of your own. `mpm`: a "
-                                    "domain of one periodic column, not available yet.";
+                                    "periodic column of the domain's own cells.";
 
 std::vector<Key> field_model() {
   return {

@@ -3,6 +3,7 @@
 #include "freefield/fe_column.hpp"
 #include "freefield/oblique_column.hpp"
 #include "freefield/ode_column.hpp"
+#include "freefield/process/incident_input.hpp"
 #include "scene/layers.hpp"
 #include "scene/motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
@@ -58,15 +59,7 @@ Damping damping_from_case(const scene::Case& scene) {
   return KelvinVoigtDamping{scene.damping.reference_hz.value_or(1.0)}; // without it no layer has a ratio
 }
 
-/// What shakes the base of a column.
-struct Input {
-  BaseKind base = BaseKind::compliant;
-  InputVelocity velocity;
-  double begin = 0.0;             ///< s; zero before
-  double highest_frequency = 0.0; ///< Hz
-};
-
-Input rigid_input(const scene::Case& scene) {
+ColumnInput rigid_input(const scene::Case& scene) {
   const scene::Motion motion = scene::motion(scene.motion);
   const bool shear = scene.motion.wave == scene::Wave::sv;
   return {BaseKind::rigid,
@@ -77,27 +70,10 @@ Input rigid_input(const scene::Case& scene) {
           motion.begin(), motion.highest_frequency()};
 }
 
-/// The incident wave where it passes a point of the half-space.
-Input compliant_input(const scene::Case& scene, const scene::SourceProcess& source, double x, double y) {
-  const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, source));
-  const auto incidence = wavefield::incidence_from_case(scene);
-  const auto signal = wavefield::incident_signal(scene, ground);
-  const bool shear = incidence.wave == wavefield::WaveType::SV;
-  const double speed = shear ? ground.half_space.vs : ground.half_space.vp;
-  const double sine = std::sin(incidence.angle_rad);
-  const double cosine = std::cos(incidence.angle_rad);
-  const double delay = ((x - incidence.x_reference) * sine + (y - incidence.y_reference) * cosine) / speed;
-  return {BaseKind::compliant,
-          [signal, delay, shear, sine, cosine](double time) {
-            const double v = signal.velocity(time - delay);
-            return shear ? Velocity{v * cosine, -v * sine} : Velocity{v * sine, v * cosine};
-          },
-          signal.begin + delay, signal.highest_frequency};
-}
-
-Input input_from_case(const scene::Case& scene, const scene::SourceProcess& source, double x, double base) {
+ColumnInput input_from_case(const scene::Case& scene, const scene::SourceProcess& source, double x,
+                            double base) {
   return scene.motion.kind == motion::MotionKind::within ? rigid_input(scene)
-                                                         : compliant_input(scene, source, x, base);
+                                                         : incident_input(scene, source, x, base);
 }
 
 Integrator integrator_of(scene::Integrator integrator) {
@@ -118,7 +94,7 @@ double default_step(const scene::Case& scene, const Profile& profile, const FeCo
   return crossing;
 }
 
-std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profile, const Input& input,
+std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profile, const ColumnInput& input,
                                   double start) {
   FeColumnSettings settings;
   settings.max_element_size = scene.fe.element_size;
@@ -148,7 +124,7 @@ OdeMethod method_of(scene::OdeMethod method) {
   throw std::logic_error("an integration method without a name");
 }
 
-std::unique_ptr<Column> ode_column(const scene::Case& scene, const Profile& profile, const Input& input,
+std::unique_ptr<Column> ode_column(const scene::Case& scene, const Profile& profile, const ColumnInput& input,
                                    double start) {
   OdeColumnSettings settings;
   settings.max_cell_size = scene.ode.cell_size;
@@ -166,8 +142,8 @@ std::unique_ptr<Column> ode_column(const scene::Case& scene, const Profile& prof
   return std::make_unique<OdeColumn>(profile, settings, input.velocity);
 }
 
-std::unique_ptr<Column> oblique_column(const scene::Case& scene, const Profile& profile, const Input& input,
-                                       double start) {
+std::unique_ptr<Column> oblique_column(const scene::Case& scene, const Profile& profile,
+                                       const ColumnInput& input, double start) {
   ObliqueColumnSettings settings;
   settings.max_cell_size = scene.oblique.cell_size;
   settings.slowness_x = slowness_from_case(scene);
@@ -190,7 +166,7 @@ std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::
   const auto made = [&](double size, const char* key, auto make) {
     require_size(scene, size, key);
     const Profile profile = profile_from_case(scene, source, size);
-    const Input input = input_from_case(scene, source, x_line, profile.base_level());
+    const ColumnInput input = input_from_case(scene, source, x_line, profile.base_level());
     return make(scene, profile, input, std::min(needed_from, input.begin));
   };
   switch (source.field.model) {

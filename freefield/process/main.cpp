@@ -3,10 +3,8 @@
 #include "coupler/source_client.hpp"
 #include "freefield/process/column_from_case.hpp"
 #include "freefield/process/column_values.hpp"
-#include "scene/layers.hpp"
+#include "freefield/process/incident_field.hpp"
 #include "scene/service.hpp"
-#include "wavefield/process/field_from_case.hpp"
-#include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>
 
@@ -44,26 +42,6 @@ private:
   std::uint64_t at_ = 0;
 };
 
-/// The incident wave alone, which no layer has met: exact, and known for all times.
-class IncidentField {
-public:
-  IncidentField(const scene::Case& scene, const scene::SourceProcess& source,
-                const coupler::FieldDescription& field)
-      : histories_(wavefield::elastic_field(scene, scene::layers(scene, source), source.surface)
-                       .sample(wavefield::points_on_line(field.x_reference, field.y),
-                               {field.start_time, field.time_step, field.step_count},
-                               wavefield::Part::incident, {.displacement = false, .strain = false})) {}
-
-  void fill(std::uint64_t step, std::span<double> values) const {
-    for (std::size_t i = 0; i < histories_.size(); ++i)
-      write(freefield::sample_at(histories_[i], step),
-            values.subspan(i * coupler::values_per_point, coupler::values_per_point));
-  }
-
-private:
-  std::vector<wavefield::History> histories_;
-};
-
 void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
@@ -86,10 +64,11 @@ void run(const coupler::ParticipantOptions& options) {
 
   coupler::SourceClient client(options, fields);
   TotalField total(*column);
-  std::vector<std::optional<IncidentField>> incident(fields.size());
+  std::vector<std::optional<freefield::IncidentField>> incident(fields.size());
   for (std::size_t f = 0; f < fields.size(); ++f)
     if (service.lines[f].field == scene::BaseForm::incident)
-      incident[f].emplace(scene, source, fields[f]);
+      incident[f].emplace(scene, source, service.x_line, fields[f].y,
+                          wavefield::TimeGrid{column->time(), dt, steps});
   client.serve([&](std::size_t f, std::uint64_t step, std::span<double> values) {
     if (incident[f])
       incident[f]->fill(step, values);

@@ -25,7 +25,7 @@ double fastest(const Case& scene, const std::vector<Layer>& layers) {
 
 std::string refused_angle(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
   const double angle = scene.motion.angle_deg;
-  if ((model == SourceModel::fe || model == SourceModel::ode) && angle != 0.0)
+  if ((model == SourceModel::fe || model == SourceModel::ode || model == SourceModel::mpm) && angle != 0.0)
     return fmt::format(
         "model = \"{}\" knows vertical incidence only, but [motion] angle_deg = {}; use model = "
         "\"wave\", \"oblique\" or \"eql\", or angle_deg = 0",
@@ -46,12 +46,26 @@ std::string refused_angle(const Case& scene, SourceModel model, const std::vecto
 std::string refused_kind(const Case& scene, SourceModel model) {
   if (scene.motion.kind != motion::MotionKind::within)
     return {};
-  if (model == SourceModel::eql || model == SourceModel::oblique)
+  if (model == SourceModel::eql || model == SourceModel::oblique || model == SourceModel::mpm)
     return fmt::format(
         "model = \"{}\" takes an incident or outcrop motion, not one within the ground; use model = "
         "\"fe\", \"ode\" or \"wave\"",
         name(model));
   return {};
+}
+
+/// A column of the domain's particles ends where a particle does.
+std::string refused_surface(const Case& scene, SourceModel model, double surface) {
+  if (model != SourceModel::mpm || !(scene.mesh.size > 0.0))
+    return {};
+  const double size = scene.mesh.size / scene.mesh.particles_per_cell;
+  const double particles = (surface - scene.mesh.box.y_min) / size;
+  if (particles >= 1.0 && std::abs(particles - std::round(particles)) < 1e-6)
+    return {};
+  return fmt::format(
+      "model = \"mpm\" stacks particles of {} m from the base of the model, y = {}, to the surface, y = "
+      "{}: their distance must be a multiple of it",
+      size, scene.mesh.box.y_min, surface);
 }
 
 /// A column under a motion within the ground ends where that motion is: at the top of the half-space.
@@ -71,17 +85,14 @@ void models_take_the_wave(const Case& scene, Findings& findings) {
                          const std::string& path) {
     if (!findings.sound(path))
       return;
-    if (model == SourceModel::mpm)
-      findings.add(path,
-                   "model = \"mpm\" needs a domain with periodic sides, which this version of tremolo does "
-                   "not have; use model = \"fe\"");
     if (findings.sound("mesh.box") && ends_above_the_base(scene, model, surface, layers))
       findings.add(
           path,
           fmt::format("model = \"{}\" under a motion within the ground ends at the top of the half-space, "
                       "y = {}, but [mesh] box reaches down to y = {}; both must agree",
                       name(model), base_level(surface, layers), scene.mesh.box.y_min));
-    for (const std::string& why : {refused_angle(scene, model, layers), refused_kind(scene, model)})
+    for (const std::string& why : {refused_angle(scene, model, layers), refused_kind(scene, model),
+                                   refused_surface(scene, model, surface)})
       if (!why.empty())
         findings.add(path, why);
   };

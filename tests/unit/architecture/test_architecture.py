@@ -30,7 +30,7 @@ PROCESSES = {
     "coupler": {"results", "coupler/eq6", "scene"},
     "wavefield": {"materials", "motion", "scene", "coupler"},
     "freefield": {"materials", "motion", "wavefield", "scene", "coupler"},
-    "mpm_domain": {"materials", "results", "coupler/eq6", "scene", "coupler"},
+    "mpm_domain": {"materials", "motion", "results", "coupler/eq6", "scene", "coupler", "freefield", "wavefield"},
 }
 
 SOURCES = {".cpp", ".hpp", ".py", ".sh", ".cmake"}

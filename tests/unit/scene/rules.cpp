@@ -158,9 +158,11 @@ TEST(Rules, ObliqueColumnEndsAtTheFirstCriticalAngle) {
           "33.6; use model = \"wave\""));
 }
 
-TEST(Rules, ModelMpmIsRefused) {
-  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }", "left = { model = \"mpm\" }")),
-              ElementsAre(::testing::HasSubstr("needs a domain with periodic sides")));
+TEST(Rules, AColumnOfTheDomainsCellsTakesVerticalWavesAndWholeParticles) {
+  const std::string text = with("left = { model = \"wave\" }", "left = { model = \"mpm\" }");
+  EXPECT_THAT(errors_of(text), ElementsAre(::testing::HasSubstr("knows vertical incidence only")));
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }", "left = { model = \"mpm\", surface = -0.3 }")),
+              ::testing::Contains(::testing::HasSubstr("must be a multiple of it")));
 }
 
 TEST(Rules, AMotionWithinTheGroundIsThatOfTheTopOfTheHalfSpace) {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "freefield/column.hpp"
+#include "scene/case.hpp"
+#include "scene/plan.hpp"
+
+namespace tremolo::freefield {
+
+/// What shakes the base of a column.
+struct ColumnInput {
+  BaseKind base = BaseKind::compliant;
+  InputVelocity velocity;
+  double begin = 0.0;             ///< s; zero before
+  double highest_frequency = 0.0; ///< Hz
+};
+
+/// The incident wave where it passes a point of the half-space, m.
+/// @throws motion::RecordError for an unreadable motion
+ColumnInput incident_input(const scene::Case& scene, const scene::SourceProcess& source, double x, double y);
+
+} // namespace tremolo::freefield
