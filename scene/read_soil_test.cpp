@@ -104,7 +104,8 @@ void read_wanted(const TableReader& table, Findings& findings, const SoilTestFil
     return;
   }
   wanted.stress_ratio = table.number("stress_ratio");
-  if (const auto density = relative_density(file.soil.law); wanted.of_curve && density)
+  if (const auto density = relative_density(file.soil.law);
+      wanted.of_curve && density && findings.sound(table.path("cycles")))
     wanted.stress_ratio = soiltest::idriss_boulanger_strength(soiltest::blow_count(*density), wanted.cycles);
 }
 
