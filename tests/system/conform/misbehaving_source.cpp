@@ -54,9 +54,8 @@ public:
       : misdeed_(std::move(misdeed)), scene_(scene::load(options.case_file)),
         pulse_(scene_.halfspace.density, scene_.halfspace.s_wave_speed()), connection_(options) {
     field_ = description(options.name);
-    const Message welcome = connection_.introduce({"HELLO",
-                                                   {{"role", is("role") ? "domain" : "source"},
-                                                    {"fields", {to_json(field_)}}}});
+    const Message welcome = connection_.introduce(
+        {"HELLO", {{"role", is("role") ? "domain" : "source"}, {"fields", {to_json(field_)}}}});
     frame_steps_ = steps_per_frame(field_, welcome.body.at("window_steps").get<std::uint32_t>());
   }
 

@@ -1,0 +1,109 @@
+// A long exchange between a source, a hub and a domain in one process: memory and descriptors stay flat.
+
+#include "coupler/domain_client.hpp"
+#include "coupler/hub.hpp"
+#include "coupler/run_endpoint.hpp"
+#include "coupler/source_client.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <unistd.h>
+
+namespace tremolo::coupler {
+namespace {
+
+constexpr double dt = 0.01; // s
+
+/// Steps of the domain; the campaign asks for more than the suite.
+std::uint64_t steps() {
+  const char* asked = std::getenv("TREMOLO_SOAK_STEPS");
+  return asked == nullptr ? 100'000 : std::strtoull(asked, nullptr, 10);
+}
+
+struct Resources {
+  long kibibytes = 0; ///< resident
+  std::ptrdiff_t descriptors = 0;
+};
+
+Resources resources() {
+  long pages = 0;
+  std::ifstream statm("/proc/self/statm");
+  statm >> pages >> pages; // the second is resident
+  const std::filesystem::directory_iterator open("/proc/self/fd");
+  return {pages * (::sysconf(_SC_PAGESIZE) / 1024), std::distance(begin(open), end(open))};
+}
+
+FieldDescription field() {
+  return {.name = "total", .y = {-1.0, 0.0}, .start_time = -dt, .time_step = dt, .step_count = steps() + 4};
+}
+
+void serve(const ParticipantOptions& options) {
+  SourceClient client(options, {field()});
+  client.serve([](std::size_t, std::uint64_t step, std::span<double> values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = static_cast<double>(step + i);
+  });
+}
+
+/// @returns what was in use after a tenth of the steps and at the end
+std::pair<Resources, Resources> march(const ParticipantOptions& options) {
+  DomainClient client(options);
+  const std::vector<BoundaryFace> faces{{{0.0, -0.5}, {{-1.0, 0.0}, 3e5, 1e5}, {}, "left", "total"}};
+  client.ready(faces, 0.0, dt * static_cast<double>(steps()));
+  const std::vector<eq6::Vector> v(faces.size());
+  std::vector<eq6::Vector> tractions(faces.size());
+  Resources early;
+  for (std::uint64_t step = 0; step < steps(); ++step) {
+    client.tractions(step, dt * static_cast<double>(step), v, tractions);
+    client.progress("shaking", step, dt * static_cast<double>(step), dt * static_cast<double>(steps()));
+    if (step == steps() / 10)
+      early = resources();
+  }
+  const Resources late = resources();
+  client.finish({}, 0.0);
+  return {early, late};
+}
+
+TEST(Soak, MemoryAndDescriptorsStayFlat) {
+  const tremolo::testing::TemporaryFolder folder;
+  const RunEndpoint endpoint(Transport::ipc);
+  zmq::context_t context;
+  const auto case_file = folder.write("case", "any");
+  Hub hub(context, endpoint.address(),
+          {.session = 1,
+           .mode = Mode::window,
+           .case_text = "any",
+           .participants = {{"left", Role::source}, {"domain", Role::domain}},
+           .note = [](const std::string& text) { ADD_FAILURE() << text; }});
+  ParticipantOptions options{
+      .case_file = case_file, .name = "left", .endpoint = hub.endpoint(), .session = 1, .out = {}};
+  std::thread source(serve, options);
+  options.name = "domain";
+  std::pair<Resources, Resources> used;
+  std::thread domain([&] { used = march(options); });
+  while (!hub.finished() && !hub.failure()) {
+    zmq::pollitem_t item{hub.socket().handle(), 0, ZMQ_POLLIN, 0};
+    zmq::poll(&item, 1, std::chrono::milliseconds(50));
+    hub.take_messages();
+    hub.tick();
+  }
+  source.join();
+  domain.join();
+  ASSERT_FALSE(hub.failure()) << hub.failure()->text;
+  const auto& [early, late] = used;
+  RecordProperty("steps", std::to_string(steps()));
+  std::printf("%llu steps: %ld KiB resident after a tenth, %ld KiB at the end; %td and %td descriptors\n",
+              static_cast<unsigned long long>(steps()), early.kibibytes, late.kibibytes, early.descriptors,
+              late.descriptors);
+  EXPECT_LT(late.kibibytes - early.kibibytes, 1024);
+  EXPECT_EQ(late.descriptors, early.descriptors);
+}
+
+} // namespace
+} // namespace tremolo::coupler
