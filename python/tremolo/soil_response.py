@@ -27,18 +27,21 @@ def deviator_of_space(history):
     return np.sqrt(0.5 * squares + 3.0 * history["sig_xy"] ** 2)
 
 
-def is_in_plane(history):
-    """Whether the invariants p, q of a history are those of the plane (PM4Sand, Mohr-Coulomb) or of space."""
-    plane = np.abs(history["q"] - deviator_of_plane(history)).max()
-    space = np.abs(history["q"] - deviator_of_space(history)).max()
-    return bool(plane <= space)
-
-
 def mean_stress(history, in_plane):
     """p', Pa, compression positive."""
     if in_plane:
         return -0.5 * (history["sig_xx"] + history["sig_yy"])
     return -(history["sig_xx"] + history["sig_yy"] + history["sig_zz"]) / 3.0
+
+
+def is_in_plane(history):
+    """Whether the invariants p, q of a history are those of the plane (PM4Sand, Mohr-Coulomb) or of space."""
+
+    def distance(p, q):
+        return np.abs(history["p"] - p).max() + np.abs(history["q"] - q).max()
+
+    plane = distance(mean_stress(history, True), deviator_of_plane(history))
+    return bool(plane <= distance(mean_stress(history, False), deviator_of_space(history)))
 
 
 def pore_pressure_ratio(history, held="sig_yy"):

@@ -76,16 +76,22 @@ def colours(count):
     return style.COLOURS[:few] if count <= few else style.plt.get_cmap(style.SEQUENTIAL)(np.linspace(0.0, 0.85, count))
 
 
-def log_ticks(ax, ticks):
-    """A logarithmic abscissa with those of `ticks` that lie inside, as plain numbers."""
+def log_ticks(ax):
+    """Plain numbers on a logarithmic abscissa: the decades, with 2 and 5 between them where there is room."""
     low, high = ax.get_xlim()
+    steps = (1.0, 2.0, 5.0) if high < 300.0 * low else (1.0,)
+    ticks = [step * 10.0**power for power in range(-6, 9) for step in steps]
     ax.set_xticks([tick for tick in ticks if low <= tick <= high])
     ax.xaxis.set_major_formatter("{x:g}")
     ax.xaxis.set_minor_formatter(NullFormatter())
 
 
-def decades(low, high, steps=(1.0,)):
-    return [step * 10.0**power for power in range(low, high) for step in steps]
+def guides(ax, *levels):
+    """Lines that say where a criterion lies; they do not widen the axes."""
+    limits = ax.get_ylim()
+    for level in levels:
+        ax.axhline(level, **GUIDE)
+    ax.set_ylim(limits)
 
 
 def zero_lines(ax):
@@ -119,26 +125,26 @@ def draw_stress_path(ax, ours, below, test):
         for side in sides:
             ax.plot(line["p"] / 1e3, side * view.line_scale * line["q"] / 1e3, stroke, color=colour, linewidth=0.9, zorder=1.5,
                     label=label if side == sides[0] else None)
-    room = 1.15 if not test.lines else 1.15 + 0.22 * len(test.lines)
     ax.set(xlabel=view.p_label, ylabel=view.stress_label, xlim=(0.0, right))
-    ax.set_ylim(-1.15 * span if -1.0 in sides else min(0.0, 1.1 * bottom), room * span if 1.0 in sides else 1.1 * span)
+    ax.set_ylim(-1.15 * span if -1.0 in sides else min(0.0, 1.1 * bottom), 1.15 * span if 1.0 in sides else 1.1 * top)
     zero_lines(ax)
     handles, labels = ax.get_legend_handles_labels()
     known = [(h, label) for h, label in zip(handles, labels) if label not in ours and label != "reference"]
     if known:
-        ax.legend(*zip(*known), loc="upper left", handlelength=2.4)
+        # Above the axes: inside, the lines themselves go where there is room.
+        ax.legend(*zip(*known), loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=len(known), handlelength=1.8,
+                  columnspacing=1.0, borderaxespad=0.1)
 
 
 def draw_pore_pressure_cycles(ax, ours, below, _test):
     draw_pair(ax, ours, below, "cycle", "ru")
-    ax.axhline(0.98, **GUIDE)
+    guides(ax, 0.98)
     ax.set(xlabel="cycles", ylabel="excess pore pressure ratio $r_u$", xlim=(0.0, None))
 
 
 def draw_strain_cycles(ax, ours, below, _test):
     draw_pair(ax, ours, below, "cycle", "strain")
-    for level in (-3.0, 3.0):
-        ax.axhline(level, **GUIDE)
+    guides(ax, -3.0, 3.0)
     ax.set(xlabel="cycles", ylabel=first(ours).strain_label, xlim=(0.0, None))
 
 
@@ -165,7 +171,7 @@ def draw_compression(ax, ours, below, test):
         stress, label = ("vertical", "vertical effective stress (kPa)")
     draw_pair(ax, ours, below, stress, "volume")
     ax.set(xlabel=label, ylabel="volumetric strain, compression (%)", xscale="log")
-    log_ticks(ax, decades(-1, 5, (1.0, 2.0, 5.0)))
+    log_ticks(ax)
     ax.invert_yaxis()
 
 
@@ -180,7 +186,7 @@ def draw_strength_curve(ax, test):
         ax.semilogx(test.strength_target["cycles"], test.strength_target["stress_ratio"], "k--", linewidth=1.1,
                     label="Idriss & Boulanger")
     ax.set(xlabel="uniform cycles", ylabel="cyclic stress ratio CSR", ylim=(0.0, None))
-    log_ticks(ax, decades(-1, 3, (1.0, 2.0, 5.0)))
+    log_ticks(ax)
     ax.grid(which="both", color="0.92", linewidth=0.5)
     ax.legend(loc="best")
 
@@ -189,7 +195,7 @@ def draw_modulus(ax, test):
     curve = test.modulus_curve
     ax.semilogx(100 * curve["strain_amplitude"], curve["modulus_ratio"], "o-", markersize=3.5)
     ax.set(xlabel="shear strain amplitude (%)", ylabel="G / Gmax", ylim=(0.0, 1.05))
-    log_ticks(ax, decades(-5, 2))
+    log_ticks(ax)
     ax.grid(which="both", color="0.92", linewidth=0.5)
 
 
@@ -197,7 +203,7 @@ def draw_damping(ax, test):
     curve = test.modulus_curve
     ax.semilogx(100 * curve["strain_amplitude"], 100 * curve["damping"], "s-", markersize=3.5, color=style.COLOURS[1])
     ax.set(xlabel="shear strain amplitude (%)", ylabel="damping ratio (%)", ylim=(0.0, None))
-    log_ticks(ax, decades(-5, 2))
+    log_ticks(ax)
     ax.grid(which="both", color="0.92", linewidth=0.5)
 
 
@@ -217,13 +223,15 @@ CURVE_PANELS = {"strength": draw_strength_curve, "modulus": draw_modulus, "dampi
 def panels(test):
     """The rows of the picture, each a list of panels."""
     drained = test.about["drainage"] == "drained"
-    if test.about["kind"] in ("oedometer", "isotropic_compression"):
+    if test.about["kind"] == "isotropic_compression":
+        return [["compression"]]
+    if test.about["kind"] == "oedometer":
         return [["compression", "path"]]
     if test.modulus_curve is not None:
         # A law without lines has neither a stress path nor a volume worth looking at.
         above = ["path", "volume_strain" if drained else "ru_cycles"] if test.lines else []
         return [["loops", *above], ["modulus", "damping"]]
-    if "cyclic" in test.about["loading"]:
+    if test.about["loading"] == "cyclic_stress":
         below = ["volume_cycles" if drained else "ru_cycles", "strain_cycles"]
         return [["loops", "path"], below] if test.strength_curve is None else [["loops", "path", "strength"], below]
     return [["loops", "path", "volume_strain" if drained else "ru_strain"]]
@@ -263,7 +271,7 @@ def draw(test, references=(), labels=None, title=None):
     ours = {label: View(test.histories[name], kind, in_plane) for label, name in zip(labels, names)}
     below = [View(reference, kind, in_plane) for reference in references]
     rows = panels(test)
-    width = 3.7 * max(map(len, rows))
+    width = max(3.7 * max(map(len, rows)), 5.5)
     figure, axes = style.plt.subplot_mosaic(
         [[[row]] for row in rows], figsize=(width, 0.6 + 3.0 * len(rows)), layout="constrained"
     )

@@ -104,6 +104,13 @@ def strength_test(title, parameters, stress_ratios, relative_density):
     return toml(title, soil=soil(parameters) | {"relative_density": relative_density}, test=test, loading=loading)
 
 
+def calibration_test(title, parameters, target):
+    """The fit of the contraction rate, begun at another value than the published one."""
+    test = {"kind": "direct_simple_shear", "drainage": "constant_volume", **state(parameters)}
+    target = target | {"cycles": 15.0, "criterion": "strain_3pc"}
+    return toml(title, soil=soil(parameters) | {"contraction_rate": 1.0}, test=test, target=target)
+
+
 def modulus_test(title, soil_table, amplitudes, drainage="drained", vertical_stress=100e3):
     test = {"kind": "direct_simple_shear", "drainage": drainage, "vertical_stress": vertical_stress, "k0": 1.0}
     loading = {"kind": "modulus_curve", "strain_amplitude": list(amplitudes), "cycles": 3}

@@ -31,7 +31,8 @@ def history(cycles=10.0, amplitude=0.01, shear=10e3, relief=0.9):
 
 
 def compression(drop=0.0):
-    """Drained shortening at constant lateral stress; `drop` takes the stress out of plane away from the lateral one."""
+    """Drained shortening at constant lateral stress, invariants of the plane; `drop` takes the stress out of plane away
+    from the lateral one."""
     columns = history()
     shortening = np.linspace(0.0, 0.05, 2001)
     columns["eps_yy"], columns["eps_xx"] = -shortening, 0.8 * shortening
@@ -39,7 +40,7 @@ def compression(drop=0.0):
     columns["sig_yy"] = -50e3 - 100e3 * (1.0 - np.exp(-shortening / 0.01))
     columns["sig_zz"] = columns["sig_xx"] - drop
     columns["sig_xy"], columns["gamma_xy"] = np.zeros(2001), np.zeros(2001)
-    columns["p"] = -(columns["sig_xx"] + columns["sig_yy"] + columns["sig_zz"]) / 3.0
+    columns["p"] = -0.5 * (columns["sig_xx"] + columns["sig_yy"])
     columns["q"] = columns["sig_xx"] - columns["sig_yy"]
     return columns
 

@@ -73,6 +73,7 @@ class Invariants(unittest.TestCase):
         self.assertTrue(soil_response.is_in_plane(synthetic_soiltest.history()))
         self.assertTrue(soil_response.is_in_plane(synthetic_soiltest.compression(drop=20e3)))
         columns = synthetic_soiltest.compression(drop=20e3)
+        columns["p"] = soil_response.mean_stress(columns, in_plane=False)
         columns["q"] = soil_response.deviator_of_space(columns)
         self.assertFalse(soil_response.is_in_plane(columns))
 

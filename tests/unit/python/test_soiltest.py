@@ -72,6 +72,16 @@ class Pictures(unittest.TestCase):
         volume = ("axial strain (%)", "volumetric strain, compression (%)")
         self.expect_panels([loading, ("mean effective stress in the plane p' (kPa)", loading[1]), volume])
 
+    def test_compression(self):
+        compression = ("mean effective stress p' (kPa)", "volumetric strain, compression (%)")
+        about = {"kind": "isotropic_compression", "drainage": "drained", "loading": "monotonic"}
+        synthetic_soiltest.write(self.path, [synthetic_soiltest.compression()], about)
+        self.expect_panels([compression])
+        about["kind"] = "oedometer"
+        synthetic_soiltest.write(self.path, [synthetic_soiltest.compression()], about)
+        path = ("mean effective stress in the plane p' (kPa)", "deviator stress q (kPa)")
+        self.expect_panels([("vertical effective stress (kPa)", compression[1]), path])
+
     def test_reference_lies_below(self):
         reference = self.path.with_suffix(".csv")
         reference.write_text(REFERENCE)
