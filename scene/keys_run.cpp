@@ -40,7 +40,10 @@ std::vector<Table> run_keys() {
                  .fallback = "64",
                  .range = {.low = 1.0, .high = 65536.0}},
                 deadline("connect_deadline_s", "Time within which every process must have connected.", "30"),
-                deadline("step_deadline_s", "Longest wait for a step of another process.", "60"),
+                deadline("step_deadline_s",
+                         "Longest wait for a step of another process; 20 times the median of what its last "
+                         "ones took, if that is more.",
+                         "60"),
                 deadline("shutdown_deadline_s", "Time that processes have to end.", "2")}},
       {.name = "record",
        .meaning = "Recording of the exchange, see docs/recordings.md.",
