@@ -34,10 +34,13 @@ class Pictures(unittest.TestCase):
         self.addCleanup(self.temporary.cleanup)
         self.path = Path(self.temporary.name) / "test.h5"
 
-    def expect_panels(self, expected, *options):
-        with_labels = soiltest.draw(soil_record.read(self.path))
-        self.assertEqual([(ax.get_xlabel(), ax.get_ylabel()) for ax in with_labels.axes], expected)
-        soiltest.style.plt.close(with_labels)
+    def expect_panels(self, expected):
+        figure = soiltest.draw(soil_record.read(self.path))
+        panels = [(ax.get_xlabel(), ax.get_ylabel()) for ax in figure.axes]
+        soiltest.style.plt.close(figure)
+        self.assertEqual(panels, expected)
+
+    def expect_picture(self, *options):
         status, paths, error = run_command("soiltest", self.path, *options)
         self.assertEqual((status, error), (0, ""))
         self.assertEqual(paths, [str(self.path.with_suffix(".png"))])
@@ -58,6 +61,7 @@ class Pictures(unittest.TestCase):
         synthetic_soiltest.write(self.path, [synthetic_soiltest.history(), synthetic_soiltest.history(5.0)], tables=CURVES)
         strength = ("uniform cycles", "cyclic stress ratio CSR")
         self.expect_panels([self.loops, self.path_in_plane, strength, self.pressure, self.strain])
+        self.expect_picture()
 
     def test_strain_controlled_cycles(self):
         synthetic_soiltest.write(self.path, [synthetic_soiltest.history()], {"loading": "cyclic_strain"}, MODULUS)
@@ -87,7 +91,8 @@ class Pictures(unittest.TestCase):
         reference.write_text(REFERENCE)
         synthetic_soiltest.write(self.path, [synthetic_soiltest.history()], {"loading": "monotonic"})
         pressure = ("shear strain (%)", "excess pore pressure ratio $r_u$")
-        self.expect_panels([self.loops, self.path_in_plane, pressure], "--over", reference)
+        self.expect_panels([self.loops, self.path_in_plane, pressure])
+        self.expect_picture("--over", reference)
         below = soil_record.read_reference(reference)
         figure = soiltest.draw(soil_record.read(self.path), [below])
         drawn = {line.get_label(): line.get_xydata() for line in figure.axes[0].get_lines()}
