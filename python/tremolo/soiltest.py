@@ -123,10 +123,12 @@ def draw_stress_path(ax, ours, below, test):
     for name, line in test.lines.items():
         label, stroke, colour = LINES.get(name, (name.replace("_", " "), "-.", style.COLOURS[3]))
         for side in sides:
-            ax.plot(line["p"] / 1e3, side * view.line_scale * line["q"] / 1e3, stroke, color=colour, linewidth=0.9, zorder=1.5,
+            shear = side * view.line_scale * line["q"] / 1e3
+            ax.plot(line["p"] / 1e3, shear, stroke, color=colour, linewidth=0.9, zorder=1.5,
                     label=label if side == sides[0] else None)
     ax.set(xlabel=view.p_label, ylabel=view.stress_label, xlim=(0.0, right))
-    ax.set_ylim(-1.15 * span if -1.0 in sides else min(0.0, 1.1 * bottom), 1.15 * span if 1.0 in sides else 1.1 * top)
+    low = -1.15 * span if -1.0 in sides else min(0.0, 1.1 * bottom)
+    ax.set_ylim(low, 1.15 * span if 1.0 in sides else 1.1 * top)
     zero_lines(ax)
     handles, labels = ax.get_legend_handles_labels()
     known = [(h, label) for h, label in zip(handles, labels) if label not in ours and label != "reference"]
@@ -181,7 +183,8 @@ def draw_strength_curve(ax, test):
     for name, (label, marker) in CRITERIA.items():
         reached = np.isfinite(curve[name])
         if reached.any():
-            ax.semilogx(curve[name][reached], curve["stress_ratio"][reached], marker + "-", markersize=4, linewidth=0.9, label=label)
+            ax.semilogx(curve[name][reached], curve["stress_ratio"][reached], marker + "-", markersize=4, linewidth=0.9,
+                        label=label)
     if test.strength_target is not None:
         ax.semilogx(test.strength_target["cycles"], test.strength_target["stress_ratio"], "k--", linewidth=1.1,
                     label="Idriss & Boulanger")

@@ -13,7 +13,8 @@ def closed(gallery, name, text):
 
 
 def closed_row(what, ours, expected, name, scale=1e3, unit="kPa"):
-    return [f"`{name}`", what, f"{expected / scale:.6g} {unit}", f"{ours / scale:.6g} {unit}", f"{abs(ours / expected - 1.0):.1g}"]
+    difference = f"{abs(ours / expected - 1.0):.1g}"
+    return [f"`{name}`", what, f"{expected / scale:.6g} {unit}", f"{ours / scale:.6g} {unit}", difference]
 
 
 CLOSED_HEAD = ["test", "quantity", "closed form", "tremolo", "relative difference"]
@@ -33,8 +34,7 @@ def linear_elastic(gallery):
 
 
 def softened_strength(history, lateral=None):
-    """sigma_1 in compression under a lateral stress, or tau in simple shear under 100 kPa, at the plastic strain of each row
-    that has some."""
+    """sigma_1 in compression under a lateral stress, or tau in shear under 100 kPa, at each row's plastic strain."""
     soil = tests.CEMENTED
     strain = history["equivalent_plastic_strain"]
     part = np.exp(-soil["softening"] * strain)
@@ -109,7 +109,8 @@ def hyperbolic(gallery):
     save(test, "hyperbolic", title="hyperbolic soil, direct simple shear, drained; every amplitude on a fresh specimen")
     curve = test.modulus_curve
     body = []
-    for amplitude, ratio, damping in zip(curve["strain_amplitude"], curve["modulus_ratio"], curve["damping"], strict=True):
+    columns = (curve[name] for name in ("strain_amplitude", "modulus_ratio", "damping"))
+    for amplitude, ratio, damping in zip(*columns, strict=True):
         g, d = exact.hyperbola(amplitude, tests.HYPERBOLIC["reference_strain"])
         body.append([f"{100 * amplitude:.3g} %", rows.pair(ratio, g), rows.pair(100 * damping, 100 * d, 3)])
     return rows.table(["shear strain", "G/Gmax, ours / closed form", "damping (%), ours / closed form"], body)

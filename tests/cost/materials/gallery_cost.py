@@ -12,7 +12,8 @@ from gallery_runs import PAGES, write_between
 TIMED = (
     ("`linear_elastic`", "materials_laws", "yielding/linear_elastic/1/-6", "yielding/linear_elastic/100000/-6"),
     ("`mohr_coulomb`", "materials_laws", "yielding/mohr_coulomb/1/-6", "yielding/mohr_coulomb/100000/-6"),
-    ("`mohr_coulomb`, softening", "materials_laws", "yielding/mohr_coulomb_softening/1/-6", "yielding/mohr_coulomb_softening/100000/-6"),
+    ("`mohr_coulomb`, softening", "materials_laws", "yielding/mohr_coulomb_softening/1/-6",
+     "yielding/mohr_coulomb_softening/100000/-6"),
     ("`drucker_prager`", "materials_laws", "yielding/drucker_prager/1/-6", "yielding/drucker_prager/100000/-6"),
     ("`multi_yield_clay`, 20 surfaces", "materials_laws", "yielding/clay_20/1/-6", "yielding/clay_20/100000/-6"),
     ("`mkz`, 32 elements, in the domain", "materials_laws", "yielding/iwan_32/1/-6", "yielding/iwan_32/100000/-6"),
@@ -33,7 +34,8 @@ def benchmark(gallery, program, names):
         raise FileNotFoundError(f"{path}: no such benchmark; build it, or leave the section cost out with --only")
     options = [f"--benchmark_filter={pattern}", "--benchmark_format=json"]
     done = subprocess.run([path, *options], capture_output=True, text=True, check=True)
-    return {run["name"].split("/min_time")[0].split("/iterations")[0]: run for run in json.loads(done.stdout)["benchmarks"]}
+    runs = json.loads(done.stdout)["benchmarks"]
+    return {run["name"].split("/min_time")[0].split("/iterations")[0]: run for run in runs}
 
 
 def nanoseconds(run):
@@ -61,14 +63,17 @@ def cost_table(runs):
         state = run.get("state_bytes", run.get("bytes_of_state", np.nan))
         times = nanoseconds(runs[program][alone]), nanoseconds(run)
         body.append([law, *(f"{t:.3g}" for t in times), f"{times[1] / cheapest:.2g}", rows.number(state)])
-    return rows.table(["law", "one point (ns)", "of 100,000 points, each (ns)", "over `linear_elastic`", "state (bytes)"], body)
+    head = ["law", "one point (ns)", "of 100,000 points, each (ns)", "over `linear_elastic`", "state (bytes)"]
+    return rows.table(head, body)
 
 
 def cost(gallery):
     """What an update costs; the overview of the laws has the first table, too."""
     wanted = [*TIMED, *((law, program, *names) for law, program, names in BY_INCREMENT)]
     runs = {program: benchmark(gallery, program, names) for program, names in benchmarks(wanted).items()}
-    spread = [[law, *(f"{nanoseconds(runs[program][name]):.0f}" for name in names)] for law, program, names in BY_INCREMENT]
+    spread = [
+        [law, *(f"{nanoseconds(runs[program][name]):.0f}" for name in names)] for law, program, names in BY_INCREMENT
+    ]
     increments = ["one point (ns), increment", *(f"1e-{n}" for n in (7, 6, 5, 4, 3))]
     write_between(PAGES / "README.md", "laws", cost_table(runs))
     machine = f"CPU time of one update on one core of {processor()}, shear strain increment 1e-6:"

@@ -30,7 +30,8 @@ def cycles(ours, reference):
     for measure, level in (("ru", 0.98), ("strain", 0.01), ("strain", 0.03), ("strain", 0.05)):
         both = []
         for history in (ours, reference):
-            values = soil_response.pore_pressure_ratio(history) if measure == "ru" else np.abs(history["gamma_xy"])
+            pressure = measure == "ru"
+            values = soil_response.pore_pressure_ratio(history) if pressure else np.abs(history["gamma_xy"])
             both.append(soil_response.cycles_to(history["cycle"], values, level))
         cells.append(NONE if np.isnan(both).all() else " / ".join(f"{n:.2f}" if np.isfinite(n) else NONE for n in both))
     return cells
@@ -48,8 +49,7 @@ def replay(ours, reference, vertical_stress, low_pressure):
 
 
 def loops(ours, reference):
-    """A row an amplitude, of its last loop: secant modulus (MPa), damping (%) and volumetric strain at its end (%), ours /
-    reference (difference)."""
+    """A row an amplitude, of its last loop: secant modulus (MPa), damping (%) and volumetric strain at its end (%)."""
     found = []
     for history in (ours, reference):
         strain, stress, volume = history["gamma_xy"], history["sig_xy"], soil_response.volumetric_strain(history)
@@ -59,7 +59,8 @@ def loops(ours, reference):
     for (amplitude, *mine), (_, *theirs) in zip(*found, strict=True):
         (g, d, v), (g_ref, d_ref, v_ref) = mine, theirs
         volume = pair(100 * v, 100 * v_ref, 3) if abs(v_ref) > 1e-9 else NONE
-        table_rows.append([f"{100 * amplitude:.3g} %", pair(g / 1e6, g_ref / 1e6), pair(100 * d, 100 * d_ref, 3), volume])
+        modulus, damping = pair(g / 1e6, g_ref / 1e6), pair(100 * d, 100 * d_ref, 3)
+        table_rows.append([f"{100 * amplitude:.3g} %", modulus, damping, volume])
     return table_rows
 
 

@@ -51,7 +51,8 @@ class Gallery:
 
     def _run(self, path):
         out = self.folder / f"{path.stem}.h5"
-        done = subprocess.run([self.tremolo, "soiltest", path, "--out", out], capture_output=True, text=True, check=False)
+        command = [self.tremolo, "soiltest", path, "--out", out]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise RuntimeError(f"{path.name}: {done.stderr.strip() or done.stdout.strip()}")
         print(f"  {path.stem}", flush=True)
@@ -91,9 +92,11 @@ def only(test):
     return test.histories["000"]
 
 
-def save(test, name, references=(), labels=None, title=None):
-    """A picture of the page, in 256 colours so that the repository stays small."""
+def save(test, name, references=(), labels=None, title=None, finish=None):
+    """A picture of the page, in 256 colours so that the repository stays small; `finish` may add to the figure."""
     figure = soiltest.draw(test, references, labels, title)
+    if finish is not None:
+        finish(figure)
     pixels = io.BytesIO()
     figure.savefig(pixels, dpi=DPI)
     style.plt.close(figure)

@@ -14,8 +14,8 @@ CYCLIC = {
         "pm4_dr55_ucdss_csr0160_k10_s100", "pm4_dr55_ucdss_bias01_csr0147_s101",
     ),
     "pdmy03": (
-        "pdmy03_dr33_ucdss_csr0090_k05_s101", "pdmy03_dr57_ucdss_csr0160_k05_s101", "pdmy03_dr74_ucdss_csr0290_k05_s101",
-        "pdmy03_dr57_ucdss_csr0160_k10_s101", "pdmy03_dr57_ucdss_bias01_csr0160",
+        "pdmy03_dr33_ucdss_csr0090_k05_s101", "pdmy03_dr57_ucdss_csr0160_k05_s101",
+        "pdmy03_dr74_ucdss_csr0290_k05_s101", "pdmy03_dr57_ucdss_csr0160_k10_s101", "pdmy03_dr57_ucdss_bias01_csr0160",
     ),
 }
 DRAWN = {"pm4sand": CYCLIC["pm4sand"][1], "pdmy03": CYCLIC["pdmy03"][1]}
@@ -101,18 +101,28 @@ def monotonic(gallery, law):
             labels = [label(test) for test in several.values()]
             for (name, test), reference in zip(several.items(), curves, strict=True):
                 body.append([f"`{name}`", *rows.monotonic(only(test), reference, kind == "dss")])
-            words = "direct simple shear" if kind == "dss" else "plane-strain compression", "drained" if drainage == "d" else "constant volume"
-            title = f"{law}, {', '.join(words)}, vertical stress {', '.join(labels)}"
+            apparatus = "direct simple shear" if kind == "dss" else "plane-strain compression"
+            water = "drained" if drainage == "d" else "constant volume"
+            title = f"{law}, {apparatus}, {water}, vertical stress {', '.join(labels)}"
             save(together(several), f"{law}_{kind}_{drainage}", curves, labels, title)
     return rows.table(head, body)
 
 
 # Cyclic strength ------------------------------------------------------------------------------------------------------
 
-# Stress ratio to 3 % strain in 15 cycles, measured with the classes that made the reference curves.
+# Relative density, stress ratio to 3 % strain in 15 cycles, and cycles at FACTORS of it, measured with the classes that
+# made the reference curves.
 STRENGTH = {
-    "pm4sand": ((CYCLIC["pm4sand"][0], 0.35, 0.0881), (CYCLIC["pm4sand"][1], 0.55, 0.1446), (CYCLIC["pm4sand"][2], 0.75, 0.3016)),
-    "pdmy03": ((CYCLIC["pdmy03"][0], 0.33, 0.0859), (CYCLIC["pdmy03"][1], 0.57, 0.1557), (CYCLIC["pdmy03"][2], 0.74, 0.2862)),
+    "pm4sand": (
+        (CYCLIC["pm4sand"][0], 0.35, 0.0881, (39.2, 23.7, 15.2, 10.2, 6.2, 3.2)),
+        (CYCLIC["pm4sand"][1], 0.55, 0.1446, (35.3, 22.2, 14.8, 10.7, 6.7, 4.2)),
+        (CYCLIC["pm4sand"][2], 0.75, 0.3016, (35.2, 22.2, 14.8, 11.2, 7.2, 4.7)),
+    ),
+    "pdmy03": (
+        (CYCLIC["pdmy03"][0], 0.33, 0.0859, (32.2, 21.7, 15.2, 10.6, 6.6, 3.6)),
+        (CYCLIC["pdmy03"][1], 0.57, 0.1557, (31.2, 21.2, 14.8, 10.7, 7.2, 4.2)),
+        (CYCLIC["pdmy03"][2], 0.74, 0.2862, (30.2, 20.7, 15.2, 11.2, 7.7, 4.7)),
+    ),
 }
 FACTORS = (0.8, 0.9, 1.0, 1.1, 1.25, 1.5)
 
@@ -125,27 +135,41 @@ def strength_at(curve, cycles=15.0):
     return float(np.exp(np.interp(np.log(cycles), n, ratio)))
 
 
+def mark_reference(figure, ratios, cycles):
+    """The reference's cycles to 3 % strain, as open squares in the panel of cyclic strength."""
+    panel = next(ax for ax in figure.axes if ax.get_xlabel() == "uniform cycles")
+    panel.plot(cycles, ratios, "s", color="none", markeredgecolor="0.45", markersize=8, label="reference, 3 % strain")
+    panel.legend(loc="best")
+
+
 def strength(gallery, law):
-    head = ["soil", "CSR for 3 % strain in 15 cycles, ours / reference", "Idriss & Boulanger", "ours / theirs"]
+    head = [
+        "soil", "CSR for 3 % strain in 15 cycles, ours / reference", "Idriss & Boulanger", "ours over theirs",
+        f"cycles at {', '.join(map(str, FACTORS))} of the reference's CSR, ours / reference",
+    ]
     body = []
-    for name, density, reference in STRENGTH[law]:
-        test = gallery.strength(name, [round(factor * reference, 4) for factor in FACTORS], density)
+    for name, density, reference, reference_cycles in STRENGTH[law]:
+        ratios = [round(factor * reference, 4) for factor in FACTORS]
+        test = gallery.strength(name, ratios, density)
         ours = strength_at(test.strength_curve)
-        target = float(np.exp(np.interp(np.log(15.0), *(np.log(test.strength_target[c]) for c in ("cycles", "stress_ratio")))))
-        body.append([f"Dr {100 * density:.0f} %", rows.pair(ours, reference), f"{target:.4g}", rows.percent(ours / target - 1.0)])
+        curve = (np.log(test.strength_target[column]) for column in ("cycles", "stress_ratio"))
+        target = float(np.exp(np.interp(np.log(15.0), *curve)))
+        pairs = zip(test.strength_curve["cycles_3pc"], reference_cycles, strict=True)
+        cells = [rows.pair(ours, reference), f"{target:.4g}", rows.percent(ours / target - 1.0)]
+        body.append([f"Dr {100 * density:.0f} %", *cells, ", ".join(f"{n:.1f} / {n_ref:.1f}" for n, n_ref in pairs)])
         if name == DRAWN[law]:
-            save(test, f"{law}_strength")
+            save(test, f"{law}_strength", finish=lambda figure: mark_reference(figure, ratios, reference_cycles))
     return rows.table(head, body)
 
 
 def calibration(gallery):
-    """The contraction rate of PM4Sand for 15 cycles at the strength that the reference has with the published one, and at that
-    of Idriss & Boulanger."""
+    """The contraction rate of PM4Sand for 15 cycles: at the strength that the reference has with the published rate, and at
+    that of Idriss & Boulanger."""
     head = [
         "soil", "published", "for the reference's CSR", "cycles there", "for Idriss & Boulanger", "cycles there",
     ]
     body = []
-    for name, density, ratio in STRENGTH["pm4sand"]:
+    for name, density, ratio, _ in STRENGTH["pm4sand"]:
         parameters = gallery.parameters(name)
         row = [f"Dr {100 * density:.0f} %", f"{parameters['hpo']}"]
         for target, suffix in (({"stress_ratio": ratio}, "reference"), ({"curve": "idriss_boulanger"}, "curve")):

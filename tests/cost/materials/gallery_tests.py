@@ -2,7 +2,8 @@
 
 KILO = 1e3
 
-PDMY03 = {f"c{letter}": f"contraction_{letter}" for letter in "abcde"} | {f"d{letter}": f"dilation_{letter}" for letter in "abc"}
+PDMY03 = {f"c{letter}": f"contraction_{letter}" for letter in "abcde"}
+PDMY03 |= {f"d{letter}": f"dilation_{letter}" for letter in "abc"}
 CEMENTED = {
     "model": "mohr_coulomb", "density": 1700.0, "young": 40e6, "poisson": 0.28, "cohesion_peak": 4e3,
     "cohesion_residual": 0.0, "friction_peak_deg": 45.0, "friction_residual_deg": 28.0, "softening": 15.0,

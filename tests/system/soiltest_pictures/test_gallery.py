@@ -1,5 +1,5 @@
-"""The gallery of laws: every test file that the page offers runs, its pictures are there, and the script that makes it says
-what it misses.
+"""The gallery of laws: every test file that the page offers runs, its pictures are there, and the script that makes it
+says what it misses.
 
     usage: test_gallery.py TREMOLO SOURCE_DIR
 """
@@ -34,9 +34,8 @@ class Gallery(unittest.TestCase):
 
     def test_without_reference_curves_it_stops(self):
         script = SOURCE / "tests" / "cost" / "materials" / "gallery.py"
-        done = subprocess.run(
-            [sys.executable, "-B", script, TREMOLO, "--reference", "/nowhere"], capture_output=True, text=True, check=False
-        )
+        command = [sys.executable, "-B", script, TREMOLO, "--reference", "/nowhere"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 1)
         self.assertIn("gallery: /nowhere/materials: no reference curves here", done.stderr)
 

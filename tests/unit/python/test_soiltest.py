@@ -25,7 +25,11 @@ MODULUS = {
         "damping": [0.0, 0.05, 0.3],
     }
 }
-REFERENCE = "step,eps_xx,eps_yy,gamma_xy,sig_xx,sig_yy,sig_zz,sig_xy\n0,0,0,0,-50,-100,-45,0\n9,0,0,0.01,-60,-80,-42,12\n"
+REFERENCE = """step,eps_xx,eps_yy,gamma_xy,sig_xx,sig_yy,sig_zz,sig_xy
+0,0,0,0,-50,-100,-45,0
+9,0,0,0.01,-60,-80,-42,12
+9,0,0,0.01,-60,-80,-42,12
+"""
 
 
 class Pictures(unittest.TestCase):
@@ -58,7 +62,8 @@ class Pictures(unittest.TestCase):
         self.expect_panels([self.loops, self.path_in_plane, self.pressure, self.strain])
 
     def test_several_stress_ratios(self):
-        synthetic_soiltest.write(self.path, [synthetic_soiltest.history(), synthetic_soiltest.history(5.0)], tables=CURVES)
+        histories = [synthetic_soiltest.history(), synthetic_soiltest.history(5.0)]
+        synthetic_soiltest.write(self.path, histories, tables=CURVES)
         strength = ("uniform cycles", "cyclic stress ratio CSR")
         self.expect_panels([self.loops, self.path_in_plane, strength, self.pressure, self.strain])
         self.expect_picture()
