@@ -56,8 +56,9 @@ std::string cost_text(const SoilTestRun& run) {
 } // namespace
 
 std::string soil_text(const scene::SoilTestFile& file) {
-  std::string lines = fmt::format("{}\n\nSoil: {}{}\n", file.title, materials::name(file.soil.column_law),
-                                  file.library.empty() ? "" : ", library " + file.library);
+  std::string lines =
+      fmt::format("{}\n\nSoil: {}{}\n", file.title, scene::model_in_force("soil", file.values),
+                  file.library.empty() ? "" : ", library " + file.library);
   lines += scene::text(scene::parameters_in_force(file.soil, "soil", file.values));
   for (const std::string& note : scene::notes(file.soil))
     lines += fmt::format("  - {}\n", note);

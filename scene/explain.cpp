@@ -59,7 +59,7 @@ std::string layers_text(const std::vector<Layer>& layers) {
 std::string soils_text(const Case& scene) {
   std::string lines = "\nSoils\n";
   for (const Soil& soil : scene.soils)
-    lines += fmt::format(" {} ({})\n{}", soil.name, materials::name(soil.column_law),
+    lines += fmt::format(" {} ({})\n{}", soil.name, model_in_force("soil." + soil.name, scene.values),
                          text(parameters_in_force(soil, "soil." + soil.name, scene.values)));
   return lines;
 }

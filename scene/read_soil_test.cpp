@@ -139,6 +139,12 @@ void read_target(const TableReader& table, Findings& findings, SoilTestFile& fil
 
 /// What only the law and the whole test together can tell.
 void check_test(const SoilTestFile& file, SoilTestUse use, Findings& findings) {
+  try {
+    materials::validate(file.soil.law);
+  } catch (const std::invalid_argument& error) {
+    findings.add("soil", error.what());
+    return;
+  }
   auto test = file.test;
   if (use == SoilTestUse::calibration && file.target)
     test.loading = soiltest::StressCycles{.stress_ratio = file.target->stress_ratio};

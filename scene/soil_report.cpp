@@ -33,6 +33,13 @@ ParameterInForce in_terms_of_the_file(const materials::ParameterValue& parameter
 
 } // namespace
 
+std::string model_in_force(const std::string& table, const std::vector<ValueInForce>& values) {
+  const auto value = std::ranges::find(values, table + ".model", &ValueInForce::key);
+  if (value == values.end())
+    return {};
+  return value->value.substr(1, value->value.size() - 2); // without the quotes of TOML
+}
+
 std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::string& table,
                                                   const std::vector<ValueInForce>& values) {
   std::vector<ParameterInForce> parameters;

@@ -17,6 +17,11 @@ struct ParameterInForce {
   std::string origin; ///< "case.toml:14:9", "library hostun_dr45", or the rule it follows from
 };
 
+/// The name of a soil's model as its table, or the library, gives it.
+/// @param table   the soil's in the file, "soil.sand"
+/// @param values  of the file
+std::string model_in_force(const std::string& table, const std::vector<ValueInForce>& values);
+
 /// Every parameter of a soil; none of a law whose parameters are all given as they are.
 /// @param table   the soil's in the file, "soil.sand"
 /// @param values  of the file

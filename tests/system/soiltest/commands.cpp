@@ -152,6 +152,29 @@ TEST(SoilTestCommand, RefusesWithPlaceAndReason) {
               HasSubstr("/nowhere/x.csv: cannot be written"));
 }
 
+TEST(SoilTestCommand, ALoadThatTheSoilCannotCarryEndsTheTestAndSaysSo) {
+  const TemporaryFolder folder;
+  folder.write("load.csv", "step,eps_xx,eps_yy,sig_xy\n0,0,0,0\n100,0,0,5e5\n"); // Pa, at 100 kPa
+  const auto test = folder.write("test.toml", R"(title = "too much"
+[soil]
+library = "slope_softening"
+[test]
+kind = "path"
+drainage = "drained"
+vertical_stress = 100e3
+every = 1
+[loading]
+kind = "path"
+file = "load.csv"
+by_stress = ["sig_xy"]
+)");
+  const auto out = folder / "up_to_there.csv";
+  const auto [status, output] = run_tremolo("soiltest " + test.string() + " --out " + out.string());
+  EXPECT_EQ(status, 1);
+  EXPECT_THAT(output, HasSubstr("path ended early: "));
+  EXPECT_GT(column(out, "sig_xy").size(), 10U);
+}
+
 TEST(SoilTestCommand, ListsTheLibrary) {
   const auto [status, output] = run_tremolo("soiltest --library");
   EXPECT_EQ(status, 0);

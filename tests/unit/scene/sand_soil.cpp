@@ -75,6 +75,12 @@ TEST(Sand, EveryKeyOfPm4SandReachesItsParameter) {
   EXPECT_EQ(law.p_sedo, 3e4);
 }
 
+TEST(Sand, ExplainNamesTheModelOfTheCase) {
+  const auto scene = parse_case(with_soil("model = \"mkz\"\ndensity = 1700.0\nvs = 100.0\nvp = 200.0\n"
+                                          "reference_strain = 5e-4\nbeta = 1.0\nexponent = 0.9\n"));
+  EXPECT_THAT(explain(scene, plan(scene)), HasSubstr("\nSoils\n sand (mkz)\n"));
+}
+
 TEST(Sand, Pm4SandSaysWhatIsMissingOrTooMuch) {
   EXPECT_THAT(errors_of(with_soil(pm4sand + "young = 1e7\n")),
               ElementsAre(AllOf(

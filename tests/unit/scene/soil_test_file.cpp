@@ -116,6 +116,11 @@ TEST(SoilTestFile, ErrorsHaveTheirPlaceAndTheNearestKey) {
                   "test.toml:3:11: [soil] 'pm4sand_dr56' is not in the library of soils, did you mean")));
 }
 
+TEST(SoilTestFile, ASoilThatCannotBeIsRefusedAtItsTable) {
+  EXPECT_THAT(errors_of(with("\"pm4sand_dr55\"", "\"slope_softening\"\ndilation_peak_deg = 50.0")),
+              ElementsAre(HasSubstr("test.toml:2:1: [soil] ")));
+}
+
 TEST(SoilTestFile, ATestThatTheLawCannotDoIsRefused) {
   EXPECT_THAT(errors_of(with("direct_simple_shear", "triaxial_compression")),
               ElementsAre(HasSubstr("test.toml:4:1: [test] ")));
