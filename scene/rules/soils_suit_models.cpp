@@ -39,11 +39,10 @@ std::string refused(const Case& scene, SourceModel model, const std::vector<Laye
     const bool column =
         model == SourceModel::fe || model == SourceModel::ode || model == SourceModel::oblique;
     if (column && begins_with_stress(soil.law))
-      return fmt::format(
-          "model = \"{}\" gives its soil no memory of the geostatic stress, with which {} (soil '{}') "
-          "begins; "
-          "use model = \"wave\", which takes its layers as linear elastic, or a layer of another soil",
-          name(model), materials::name(soil.law), soil.name);
+      return fmt::format("model = \"{}\" gives its soil no memory of the geostatic stress, with which {} "
+                         "(soil '{}') begins; use "
+                         "model = \"mpm\", or \"wave\", which takes its layers as linear elastic",
+                         name(model), materials::name(soil.law), soil.name);
     if ((model == SourceModel::ode || model == SourceModel::oblique) && !in_one_shear(soil.column_law))
       return fmt::format("model = \"{}\" takes linear and hysteretic soil, but soil '{}' is {}; use model = "
                          "\"fe\"",
