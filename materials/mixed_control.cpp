@@ -120,8 +120,13 @@ public:
         break;
       }
     }
-    if (norm(r_) > accepted_ && r_.size() == 1) {
-      bisect();
+    if (r_.size() != 1) {
+      return;
+    }
+    if (norm(r_) > accepted_) {
+      bisect(largest_correction);
+    } else {
+      prefer_nearer(start);
     }
   }
 
@@ -182,13 +187,32 @@ private:
     return {x, r[0]};
   }
 
+  /// Where more than one strain holds the stress, soil takes the one next to where it has been going: a root
+  /// that lies far from the start gives way to one in between.
+  void prefer_nearer(const Vector& start) {
+    const double distance = std::abs(x_[0] - start[0]);
+    if (distance <= 0.5 * equations_.largest(start)) {
+      return;
+    }
+    const Vector far_x = x_;
+    const Vector far_r = r_;
+    x_ = start;
+    r_ = equations_.residual(start);
+    bisect(distance);
+    if (norm(r_) > accepted_) {
+      x_ = far_x;
+      r_ = far_r;
+    }
+  }
+
   /// One free component whose residual is not monotonic: a change of sign is looked for on both sides in
   /// growing steps, first where more strain means more stress, and closed in on.
-  void bisect() {
+  /// @param farthest  strain from here within which it is looked for
+  void bisect(double farthest) {
     const Point start = {x_[0], r_[0]};
     Point near[2] = {start, start};
     double distance = std::max(0.1 * equations_.largest(x_), 1e-12);
-    while (distance < largest_correction) {
+    while (distance < farthest) {
       for (Point& last : near) {
         const double side = (&last == near) == (start.r > 0.0) ? -1.0 : 1.0;
         const Point next = at(start.x + side * distance);
