@@ -131,9 +131,10 @@ Table strength_target(double relative_density) {
   const double blows = soiltest::blow_count(relative_density);
   std::vector<double> cycles;
   std::vector<double> ratios;
-  for (double n = 1.0; n <= 100.0; n *= 1.25) {
-    cycles.push_back(n);
-    ratios.push_back(soiltest::idriss_boulanger_strength(blows, n));
+  constexpr int intervals = 20; // from 1 to 100 cycles, equal in the logarithm
+  for (int i = 0; i <= intervals; ++i) {
+    cycles.push_back(std::pow(100.0, static_cast<double>(i) / intervals));
+    ratios.push_back(soiltest::idriss_boulanger_strength(blows, cycles.back()));
   }
   return {{{"cycles", "1", cycles}, {"stress_ratio", "1", ratios}}};
 }

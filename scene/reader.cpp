@@ -98,7 +98,7 @@ bool TableReader::given(std::string_view key) const {
 }
 
 bool TableReader::from_library(std::string_view key) const {
-  return given(key) && !node_->contains(key);
+  return node_ != nullptr && !node_->contains(key) && given(key);
 }
 
 void TableReader::find_library() {
