@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t most_queued_values = std::size_t{8} << 20;
 /// A disk that takes nothing for so long is as good as full.
 constexpr std::chrono::seconds longest_wait{20};
-/// What a kill of the writing process may cost at most, s.
-constexpr double flush_interval_s = 1.0;
+/// What a full disk or a kill of the writing process may cost, besides rows that do not fill a chunk yet, s.
+constexpr double flush_interval_s = 0.1;
 
 std::string aborted(std::uint64_t step, const std::string& reason) {
   return fmt::format("aborted at step {}: {}", step, reason);
@@ -220,22 +220,19 @@ void ExchangeRecorder::write_job(results::ExchangeWriter& writer, const Job& job
   }
   const std::lock_guard lock(mutex_);
   queued_values_ -= job.values.size();
-  if (job.kind == Kind::velocities)
-    written_steps_ += job.frame.steps;
   room_.notify_one();
 }
 
 void ExchangeRecorder::fail(const std::string& reason) {
-  std::string status;
   {
     const std::lock_guard lock(mutex_);
     failure_ = reason;
     queue_.clear();
     room_.notify_one();
-    status = aborted(written_steps_, reason);
   }
   try {
-    results::mark_exchange(options_.file, status);
+    const auto held = results::ExchangeReader(options_.file).domain_steps();
+    results::mark_exchange(options_.file, aborted(held, reason));
   } catch (const std::exception&) {
     // Not even that: its status stays "running", which is not complete either.
   }

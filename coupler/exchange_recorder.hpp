@@ -80,7 +80,6 @@ private:
   std::deque<Job> queue_;
   std::size_t queued_values_ = 0;
   std::string status_;                 ///< to close with; empty until finish()
-  std::uint64_t written_steps_ = 0;    ///< of the domain
   std::optional<std::string> failure_; ///< of writing
 };
 

@@ -4,6 +4,7 @@
 #include "results/growing_dataset.hpp"
 #include "results/run_status.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <fmt/format.h>
 #include <optional>
@@ -15,8 +16,9 @@ namespace {
 /// A dataset of rows that are kept until they fill a chunk, so that no chunk is ever compressed twice.
 class PackedRows {
 public:
-  PackedRows(Place place, std::string_view name, std::span<const hsize_t> row_shape, std::string_view unit)
-      : dataset_(place, name, row_shape, Storage::packed) {
+  PackedRows(Place place, std::string_view name, std::span<const hsize_t> row_shape, hsize_t chunk_rows,
+             std::string_view unit)
+      : dataset_(place, name, row_shape, Storage::packed, chunk_rows) {
     write_attribute({dataset_.id(), place.file}, "unit", std::string(unit));
   }
 
@@ -40,6 +42,9 @@ private:
   std::vector<double> kept_;
 };
 
+/// Numbers of the chunks of all datasets of a track together, 1 MiB; they hold the same steps.
+constexpr hsize_t chunk_values = 131072;
+
 /// The frames of one sender and field: their values, spread over one dataset a quantity, and their headers.
 class Track {
 public:
@@ -49,14 +54,17 @@ public:
       : quantities_(quantities), points_(points), prefix_(prefix) {
     for (const Quantity& quantity : quantities_) {
       values_per_point_ += quantity.components;
-      datasets_.emplace_back(place, quantity.name, std::array<hsize_t, 2>{points, quantity.components},
+    }
+    const hsize_t rows = std::clamp<hsize_t>(chunk_values / (prefix_ + points_ * values_per_point_), 1, 1024);
+    for (const Quantity& quantity : quantities_) {
+      datasets_.emplace_back(place, quantity.name, std::array<hsize_t, 2>{points, quantity.components}, rows,
                              quantity.unit);
     }
     if (prefix_ > 0) {
-      time_.emplace(place, "time", std::span<const hsize_t>{}, "s");
+      time_.emplace(place, "time", std::span<const hsize_t>{}, rows, "s");
     }
     const hsize_t columns = frame_columns;
-    frames_.emplace(place, frames, std::span(&columns, 1), "1");
+    frames_.emplace(place, frames, std::span(&columns, 1), rows, "1");
     write_attribute({frames_->id(), place.file}, "columns",
                     std::vector<std::string>{"first_step", "steps", "crc32"});
   }

@@ -25,8 +25,8 @@ void pack(hid_t properties) {
 } // namespace
 
 GrowingDataset::GrowingDataset(Place place, std::string_view name, std::span<const hsize_t> row_shape,
-                               Storage storage)
-    : file_(place.file), name_(name), shape_{0} {
+                               Storage storage, hsize_t chunk_rows)
+    : file_(place.file), name_(name), shape_{0}, chunk_rows_(chunk_rows) {
   for (const hsize_t extent : row_shape) {
     shape_.push_back(extent);
     row_size_ *= extent;
@@ -36,8 +36,10 @@ GrowingDataset::GrowingDataset(Place place, std::string_view name, std::span<con
   shape_[0] = packed ? 0 : 1; // allocated now, the row makes the index exist before the first flush
   std::vector<hsize_t> most = shape_;
   most[0] = H5S_UNLIMITED;
-  chunk_rows_ = std::clamp<hsize_t>(chunk_size / std::max<hsize_t>(row_size_, 1),
-                                    packed ? 1 : fewest_chunk_rows, most_chunk_rows);
+  if (chunk_rows_ == 0) {
+    chunk_rows_ =
+        std::clamp<hsize_t>(chunk_size / std::max<hsize_t>(row_size_, 1), fewest_chunk_rows, most_chunk_rows);
+  }
   std::vector<hsize_t> chunk = shape_;
   chunk[0] = chunk_rows_;
   const double missing = std::numeric_limits<double>::quiet_NaN();

@@ -21,8 +21,9 @@ enum class Storage {
 class GrowingDataset {
 public:
   /// Creates an empty dataset whose rows have the shape `row_shape` (empty: one number a row).
+  /// @param chunk_rows rows of a chunk; 0: as many as are good for a dataset of its own
   GrowingDataset(Place place, std::string_view name, std::span<const hsize_t> row_shape,
-                 Storage storage = Storage::plain);
+                 Storage storage = Storage::plain, hsize_t chunk_rows = 0);
 
   /// Writes whole rows at the end.
   void append(std::span<const double> rows);
@@ -40,7 +41,7 @@ private:
   Handle dataset_;
   std::vector<hsize_t> shape_; ///< as declared in the file: at least one row
   hsize_t rows_ = 0;
-  hsize_t chunk_rows_ = 1;
+  hsize_t chunk_rows_;
   hsize_t row_size_ = 1;
 };
 

@@ -28,7 +28,10 @@ std::string system_message(const std::string& description) {
 
 } // namespace
 
-void silence_hdf5() {
+void prepare_hdf5() {
+  // Everything is closed by its handle. What could not be closed, because the disk is full or the file
+  // damaged, would make the library's own clean-up at exit crash. The first call of all must be this one.
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

@@ -42,8 +42,8 @@ private:
   Close close_ = nullptr;
 };
 
-/// Turns off HDF5's own printing of errors in the calling thread.
-void silence_hdf5();
+/// To be called before HDF5 is used: it then prints no errors of its own, and does nothing at exit.
+void prepare_hdf5();
 
 /// @throws std::runtime_error "FILE: cannot ACTION: REASON", with the reason taken from HDF5's error stack
 [[noreturn]] void throw_hdf5_error(const std::filesystem::path& file, std::string_view action);

@@ -26,7 +26,7 @@ std::string_view major(std::string_view version) {
 } // namespace
 
 FileReader::FileReader(std::filesystem::path path, std::string_view what) : path_(std::move(path)) {
-  silence_hdf5();
+  prepare_hdf5();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(access.get(), false, true);
   file_ = Handle(

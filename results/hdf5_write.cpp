@@ -219,13 +219,13 @@ Handle write_unlinked_table(Place place, const Table& table) {
 }
 
 Handle open_for_writing(const std::filesystem::path& file) {
-  silence_hdf5();
+  prepare_hdf5();
   return {checked(H5Fopen(file.c_str(), H5F_ACC_RDWR, access_properties().get()), file, "open the file"),
           H5Fclose};
 }
 
 Handle create_file(const std::filesystem::path& file) {
-  silence_hdf5();
+  prepare_hdf5();
   constexpr std::size_t expected_root_links = 32;
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   reserve_links(creation.get(), expected_root_links);

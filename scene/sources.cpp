@@ -1,6 +1,7 @@
-// Which processes serve the free fields. Equal fields (same model, same surface level) share a process. The
-// total field at the base is the one that both sides have; the incident wave knows no surface, so any source
-// of the same model gives it.
+// Which processes serve the free fields. Equal fields (same model, same surface level and layers) share a
+// process. The total field at the base is the one that both sides have; the incident wave knows no surface
+// and is taken from the left side's ground, whoever serves that side: so a side that is replaced changes no
+// bit of it.
 
 #include "scene/sources.hpp"
 #include "scene/plan.hpp"
@@ -16,9 +17,8 @@ namespace {
 
 void serve(std::vector<SourceProcess>& sources, const FreeFieldModel& field, double surface,
            std::optional<Side> profile, Served served) {
-  const bool any_ground = served.field == BaseForm::incident;
   const auto equal = std::ranges::find_if(sources, [&](const SourceProcess& source) {
-    return source.field == field && (any_ground || (source.surface == surface && source.profile == profile));
+    return source.field == field && source.surface == surface && source.profile == profile;
   });
   SourceProcess& source =
       equal != sources.end() ? *equal : sources.emplace_back(SourceProcess{"", field, surface, profile, {}});
