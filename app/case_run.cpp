@@ -52,6 +52,7 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& r
   options.mode = coupler::mode_from(run.mode.value_or(std::string(scene::name(scene.coupling.mode))));
   options.window_steps = static_cast<std::uint32_t>(scene.coupling.window_steps);
   options.transport = coupler::transport_from(run.transport);
+  options.keys = run.keys;
   options.deadlines = {scene.coupling.connect_deadline, scene.coupling.step_deadline,
                        scene.coupling.shutdown_deadline};
   for (const auto& source : scene::plan(scene).sources)

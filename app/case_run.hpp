@@ -17,7 +17,8 @@ struct CaseRun {
   std::filesystem::path folder;    ///< empty, or not there yet
   std::optional<std::string> mode; ///< of the exchange, instead of the case's
   std::string transport = "ipc";
-  int threads = 1; ///< of the domain
+  int threads = 1;              ///< of the domain
+  std::filesystem::path keys{}; ///< folder of CURVE keys; empty: none
 };
 
 /// Runs a case in its folder.

@@ -32,6 +32,7 @@ struct RunArguments {
   fs::path out;
   std::optional<std::string> mode;
   std::string transport = "ipc";
+  fs::path keys;
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
@@ -102,7 +103,8 @@ void run(const RunArguments& arguments) {
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
-  const auto summaries = run_case(scene, {folder, arguments.mode, arguments.transport, arguments.threads});
+  const auto summaries =
+      run_case(scene, {folder, arguments.mode, arguments.transport, arguments.threads, arguments.keys});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
 }
 
@@ -120,6 +122,11 @@ void add_run(CLI::App& app) {
       ->check(CLI::IsMember({"window", "lockstep"}));
   command->add_option("--transport", arguments->transport, "ipc (default) or tcp on the loopback interface")
       ->check(CLI::IsMember({"ipc", "tcp"}));
+  command
+      ->add_option("--keys", arguments->keys,
+                   "Folder of CURVE keys (`tremolo keygen`): the exchange is encrypted, and only their "
+                   "owners take part")
+      ->check(CLI::ExistingDirectory);
   command->add_option("--threads", arguments->threads, "Threads of the domain; results do not depend on it")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -18,6 +18,7 @@ inline constexpr int refused = 2;
 void add_check(CLI::App& app);
 void add_conform(CLI::App& app);
 void add_explain(CLI::App& app);
+void add_keygen(CLI::App& app);
 void add_docs(CLI::App& app);
 void add_export(CLI::App& app);
 void add_import(CLI::App& app);

@@ -17,6 +17,7 @@ int run(int argc, char** argv) {
   tremolo::app::add_check(app);
   tremolo::app::add_conform(app);
   tremolo::app::add_explain(app);
+  tremolo::app::add_keygen(app);
   tremolo::app::add_docs(app);
   tremolo::app::add_export(app);
   tremolo::app::add_import(app);

@@ -36,6 +36,8 @@ public:
   [[nodiscard]] const std::string& name() const { return name_; }
   /// After the end: whether it was exit code 0.
   [[nodiscard]] bool succeeded() const;
+  /// By kill(): it did not end by itself.
+  [[nodiscard]] bool killed() const { return killed_; }
   /// How it ended: "exited with code 3", "was killed by signal 9 (Killed)", or by kill().
   [[nodiscard]] std::string ending() const;
   /// From start to end, s.

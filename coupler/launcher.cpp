@@ -66,6 +66,9 @@ public:
       end_stragglers();
       options_.on_progress(hub_.progress());
     }
+    for (const auto& child : children_)
+      if (!child.succeeded() && !child.killed())
+        stop_failed({child.name(), ""});
     return summaries();
   }
 
@@ -96,10 +99,10 @@ private:
     return std::all_of(children_.begin(), children_.end(), [](auto& child) { return child.ended(); });
   }
 
-  /// A process may end only after its BYE, and then well.
+  /// A process may end only after its BYE, and then well, unless we have ended it as a straggler.
   void watch_children() {
     for (auto& child : children_) {
-      if (!child.ended() || (hub_.has_left(child.name()) && child.succeeded()))
+      if (!child.ended() || child.killed() || (hub_.has_left(child.name()) && child.succeeded()))
         continue;
       // Its last words, BYE or the reason, may still be on their way through the sockets.
       const double patience = child.succeeded() ? options_.deadlines.shutdown : last_words_s;

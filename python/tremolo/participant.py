@@ -18,6 +18,7 @@ import time
 import tomllib
 import zlib
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import zmq
@@ -92,6 +93,7 @@ class Participant:
         parser = argparse.ArgumentParser(description="A free-field model; started by `tremolo run` or `tremolo conform`.")
         for option in OPTIONS:
             parser.add_argument("--" + option, required=option not in ("threads", "out"))
+        parser.add_argument("--keys", help="folder of CURVE keys, for a hub on another machine")
         self._options = parser.parse_args(arguments)
         with open(self._options.case, "rb") as file:
             self._text = file.read()
@@ -135,6 +137,11 @@ class Participant:
         # The hub knows more than a participant does: its verdict on a deadline comes first.
         self._socket.setsockopt(zmq.RCVTIMEO, int(1000.0 * (float(options.connect_deadline) + 1.0)))
         self._socket.setsockopt(zmq.SNDTIMEO, int(1000.0 * float(options.step_deadline)))
+        if options.keys:
+            own_public, own_secret, hub = (Path(options.keys, name).read_bytes().strip() for name in (
+                options.name + ".public", options.name + ".secret", "hub.public"))
+            self._socket.curve_publickey, self._socket.curve_secretkey = own_public, own_secret
+            self._socket.curve_serverkey = hub
         self._socket.connect(options.endpoint)
         described = [vars(field) | {"y": field.y.tolist()} for field in fields]
         for field in described:

@@ -21,6 +21,7 @@ PATIENCE = 60.0  # s, for what must come
 COUPLING = """
 [coupling]
 mode = "{mode}"
+window_steps = {window}
 connect_deadline_s = {connect}
 step_deadline_s = {step}
 """
@@ -64,7 +65,7 @@ def results(folder):
 class Attack:
     """One run; `folder` holds its case and its results."""
 
-    def __init__(self, tremolo, *, template="slope", rogue=None, mode="window", connect=20.0, step=20.0, options=(), environment=None,
+    def __init__(self, tremolo, *, template="slope", rogue=None, mode="window", window=64, connect=20.0, step=20.0, options=(), environment=None,
                  preexec=None, out=None, **changes):
         self._temporary = tempfile.TemporaryDirectory(prefix="tf-")
         self.folder = Path(self._temporary.name)
@@ -74,7 +75,7 @@ class Attack:
         self.sockets.mkdir()
         text, defaults = ((small_case.SLOPE, small_case.SlopeWorkspace.defaults) if template == "slope" else
                           (small_case.CASE, small_case.DEFAULTS))
-        text = text.format(**{**defaults, **changes}) + COUPLING.format(mode=mode, connect=connect, step=step)
+        text = text.format(**{**defaults, **changes}) + COUPLING.format(mode=mode, window=window, connect=connect, step=step)
         if rogue is not None:
             text = text.replace('left = { model = "wave" }',
                                 f'left = {{ model = "external", program = "{HERE / "rogue_source.py"}" }}')
@@ -142,6 +143,11 @@ class Attack:
     def output(self):
         self._output.flush()
         return (self.folder / "output").read_text(errors="replace")
+
+    def endpoint(self):
+        """The hub's address, as the participants are told it."""
+        words = Path(f"/proc/{next(iter(self.participants().values()))}/cmdline").read_bytes().decode().split("\0")
+        return words[words.index("--endpoint") + 1]
 
     def wait(self, limit, since=None):
         """Seconds from `since` to the end of the last process; fails if somebody stays longer than `limit`."""

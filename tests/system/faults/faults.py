@@ -14,12 +14,16 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import zmq
+
 from fault_lab import Attack, Failed, alive, await_until, require
 
 GONE = 2.0  # s, from a death to the end of the last process
 DEADLINE = 2.0  # s, the step deadline where it is to pass
-# A deadline is looked at every 50 ms; the hub's verdict may leave survivors 1 s to close their files.
-VERDICT = DEADLINE + 1.5
+# Survivors have 1 s to close their files; the machine may be loaded.
+VERDICT = DEADLINE + 3.0
+# A wait begins when the domain has used up what it holds: little, with this window.
+BRIEF = {"duration": 60.0, "step": DEADLINE, "window": 2}
 SLOPE_SOURCES = ("left-base", "right")
 
 
@@ -162,13 +166,13 @@ def stopped_and_continued(faults):
 
 
 def stopped(faults, victim, message):
-    with faults.attack(duration=60.0, step=DEADLINE) as run:
+    with faults.attack(**BRIEF) as run:
         run.await_phase("stepping")
         os.kill(run.pid(victim), signal.SIGSTOP)
-        return f"{run.must_fail(message, VERDICT + 1.0):.2f} s"
+        return f"{run.must_fail(message, VERDICT):.2f} s"
 
 
-@fault("SIGSTOP of the domain for ever, step deadline 2 s", "ends within the deadline + 1 s, the domain named")
+@fault("SIGSTOP of the domain for ever, step deadline 2 s", "ends 1 s after the deadline, the domain named")
 def domain_stopped(faults):
     return stopped(faults, "domain", r"the hub waits for the velocities of step \d+ of domain 'domain'.*last sign of life")
 
@@ -178,17 +182,17 @@ def source_stopped(faults):
     return stopped(faults, "right", r"domain 'domain' waits for source 'right', field 'total', step \d+, since.*last sign of life")
 
 
-@fault("SIGSTOP of the launcher for ever, step deadline 2 s", "the participants leave by themselves")
+@fault("SIGSTOP of the launcher for ever, step deadline 2 s", "the participants leave by themselves, when they have used up what they hold")
 def launcher_stopped(faults):
-    with faults.attack(duration=60.0, step=DEADLINE) as run:
+    with faults.attack(**BRIEF) as run:
         run.await_phase("stepping")
         participants = run.participants()
         run.process.send_signal(signal.SIGSTOP)
         before = time.monotonic()
         await_until(lambda: not any(alive(pid) for pid in participants.values()), "the end of the participants")
         seconds = time.monotonic() - before
-        # The hub is given a second more than the others; then the domain closes its file.
-        require(seconds < DEADLINE + 1.0 + 1.5, f"they left after {seconds:.1f} s")
+        require(seconds < VERDICT + 1.0,  # the hub is given a second more than the others
+                f"they left after {seconds:.1f} s")
         run.process.send_signal(signal.SIGCONT)
         run.must_fail("last sign of life of the hub|exited with code 1", GONE)
         return f"{seconds:.2f} s"
@@ -298,6 +302,54 @@ def ports(faults):
         for run in runs:
             run.__exit__()
     return "the same bits four times"
+
+
+def make_keys(faults, folder, *names):
+    done = subprocess.run([faults.tremolo, "keygen", folder, *names], capture_output=True, text=True)
+    require(done.returncode == 0, done.stderr)
+
+
+@fault("tcp with CURVE keys; two strangers, one without keys, one with a pair of its own", "nothing of theirs gets in, the same bits")
+def strangers_at_curve(faults):
+    with tempfile.TemporaryDirectory(prefix="tf-") as keys:
+        make_keys(faults, keys, "domain", *SLOPE_SOURCES)
+        expected = faults.slope()[0]
+        with faults.attack(options=("--transport", "tcp", "--keys", keys)) as run:
+            run.await_phase("stepping")
+            context, strangers = zmq.Context(), []
+            for pair in (None, zmq.curve_keypair()):
+                stranger = context.socket(zmq.DEALER)
+                stranger.linger = 0
+                if pair:
+                    stranger.curve_publickey, stranger.curve_secretkey = pair
+                    stranger.curve_serverkey = Path(keys, "hub.public").read_bytes().strip()
+                stranger.connect(run.endpoint())
+                stranger.send(b"x" * 4096)
+                strangers.append(stranger)
+            run.must_succeed(expected)
+            context.destroy()
+            require("stranger" not in run.output(), run.output())
+    return "the same bits"
+
+
+@fault("tcp with CURVE keys, one participant's key is missing", "refused before anything starts")
+def missing_key(faults):
+    with tempfile.TemporaryDirectory(prefix="tf-") as keys:
+        make_keys(faults, keys, "domain", SLOPE_SOURCES[0])
+        with faults.attack(options=("--transport", "tcp", "--keys", keys)) as run:
+            run.must_fail(r"cannot read the key .*/right.public; `tremolo keygen` makes keys", 2.0)
+    return "told"
+
+
+@fault("an address that other machines can reach, no keys", "refused by the participant")
+def open_address(faults):
+    with faults.attack() as run:
+        run.await_phase("handshake")
+        done = subprocess.run([Path(faults.tremolo).parent / "tremolo-wave", "--case", run.folder / "case.toml", "--name", "right",
+                               "--endpoint", "tcp://10.255.255.1:5555", "--session", "0" * 16], capture_output=True, text=True)
+        require(done.returncode == 1 and "can be reached from other machines: it needs CURVE keys" in done.stderr, done.stderr)
+        run.must_succeed()
+    return "refused"
 
 
 @fault("a second process of the same name, during the run", "refused on both sides, the first undisturbed")
@@ -449,8 +501,8 @@ def few_descriptors(faults):
 def jumping_clock(faults):
     with faults.attack(environment={"LD_PRELOAD": faults.clock}) as run:
         run.must_succeed(faults.slope()[0])
-    with faults.attack(duration=60.0, step=DEADLINE, environment={"LD_PRELOAD": faults.clock}) as run:
+    with faults.attack(**BRIEF, environment={"LD_PRELOAD": faults.clock}) as run:
         run.await_phase("stepping")
         os.kill(run.pid("right"), signal.SIGSTOP)
-        run.must_fail("domain 'domain' waits for source 'right'", VERDICT + 1.0)
+        run.must_fail("domain 'domain' waits for source 'right'", VERDICT)
     return "the same bits; a deadline of 2 s still passes after 2 s"
