@@ -11,12 +11,11 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parent)]
 
 import numpy as np
-from recorded_case import BoxWorkspace, model, record
+from recorded_case import BoxWorkspace, model, record, write_csv, write_opensees
 from tremolo import Run
 
 RIGHT = {"--velocity-unit": "m/s", "--stress-unit": "Pa", "--stress-sign": "tension", "--depth-positive": "up",
          "--vertical-positive": "up"}
-NAMES = ["vx", "vy", "sxx", "syy", "sxy"]
 
 
 def flat(**changes):
@@ -33,11 +32,6 @@ def exported(work):
     table = np.loadtxt(work.path / "field.csv", delimiter=",", skiprows=1)
     times, levels = np.unique(table[:, 0]), np.unique(table[:, 1])
     return times, levels, table.reshape(len(times), len(levels), 7)[:, :, 2:], Run(live)
-
-
-def write_csv(path, times, depths, values, names=NAMES, pattern="%.10g"):
-    rows = np.array([[t, d, *values[i, k]] for i, t in enumerate(times) for k, d in enumerate(depths)])
-    np.savetxt(path, rows, delimiter=",", header=",".join(["time", "depth", *names]), comments="", fmt=pattern)
 
 
 def velocities(run):
@@ -86,22 +80,11 @@ class Import(unittest.TestCase):
             self.assertIn("not given, taken as zero: vy, sxx, syy", self.imported(work, *files))
             self.assertLess(self.difference(work, direct), 5e-5)
 
-    def opensees(self, work, times, levels, values, pattern="%.6g"):
-        """Recorder files of nodes on every second level and of quadrilaterals between them."""
-        nodes, centres = range(0, len(levels), 2), range(1, len(levels), 2)
-        stress = values[:, centres][:, :, 2:]
-        gauss = np.tile(stress, (1, 1, 4))  # 4 integration points an element
-        gravity = [-9e3, -2e4, 0.0] * 4
-        np.savetxt(work.path / "vel.out", np.column_stack([times, values[:, nodes, :2].reshape(len(times), -1)]), fmt=pattern)
-        np.savetxt(work.path / "stress.out", np.column_stack([times, (gauss + gravity).reshape(len(times), -1)]), fmt="%.12g")
-        lines = [f"node,{i},{-levels[k]}" for i, k in enumerate(nodes)] + [f"element,{i},{-levels[k]}" for i, k in enumerate(centres)]
-        (work.path / "points.csv").write_text("\n".join(["kind,tag,depth", *lines]) + "\n")
-
     def test_opensees_recorders_give_what_the_direct_run_gave(self):
         """Stresses between and beyond the centres of elements of 0.5 m are linear: 1.8e-3 is measured."""
         with flat() as work:
             times, levels, values, direct = exported(work)
-            self.opensees(work, times, levels, values)
+            write_opensees(work.path, times, levels, values)
             options = {"opensees": "points.csv", "depth_positive": "down"}
             static = self.imported(work, "vel.out", "stress.out", status=1, **options)
             self.assertIn("--remove-initial-stress takes the first stress away", static)
