@@ -22,8 +22,8 @@ struct KeygenArguments {
 };
 
 void keygen(const KeygenArguments& arguments) {
-  fs::create_directories(arguments.folder);
-  fs::permissions(arguments.folder, fs::perms::owner_all);
+  if (fs::create_directories(arguments.folder))
+    fs::permissions(arguments.folder, fs::perms::owner_all);
   std::vector<std::string> names = arguments.names;
   // Names are added to a folder that has the hub's pair already.
   if (const std::string hub(coupler::hub_key); !fs::exists(arguments.folder / (hub + ".secret")))
@@ -43,7 +43,9 @@ void add_keygen(CLI::App& app) {
   auto* command = app.add_subcommand(
       "keygen", "Make CURVE keys, without which no address is served that other machines can reach");
   const auto arguments = std::make_shared<KeygenArguments>();
-  command->add_option("FOLDER", arguments->folder, "Where the keys go; it becomes readable by you alone")
+  command
+      ->add_option("FOLDER", arguments->folder,
+                   "Where the keys go; a new folder becomes readable by you alone, as the keys do")
       ->required();
   command
       ->add_option("NAME", arguments->names,

@@ -3,7 +3,6 @@
 docs/wire-protocol.md describes it, and serves a field of its own on the left of the small box."""
 
 import argparse
-import json
 import math
 import os
 import random

@@ -12,6 +12,7 @@ import time
 import traceback
 from concurrent.futures import ThreadPoolExecutor
 
+import machine_faults, process_faults, rogue_faults  # they register themselves
 from faults import FAULTS, Faults
 
 tremolo, clock, *rest = sys.argv[1:]
