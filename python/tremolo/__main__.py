@@ -5,7 +5,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from tremolo import column, failure, fronts, histories, maps, motion, preview, soiltest, swap, verification
+from tremolo import column, failure, fronts, histories, maps, motion, preview, soil_record, soiltest, swap, verification
 from tremolo.run import Run
 
 
@@ -76,7 +76,7 @@ def column_picture(arguments):
 
 
 def soiltest_picture(arguments):
-    yield soiltest.picture(arguments.path, arguments.over)
+    yield soiltest.picture(arguments.path, arguments.over, arguments.stress_unit)
 
 
 def motion_picture(arguments):
@@ -114,7 +114,10 @@ def _parser():
     alone.add_argument("path", help="the file that `tremolo column` wrote")
     tested = add("soiltest", soiltest_picture, "Picture of a soil test: OUT.png beside OUT.h5.")
     tested.add_argument("path", help="the file that `tremolo soiltest` wrote")
-    tested.add_argument("--over", metavar="REF.csv", help="a reference curve to lie below, stresses in kPa")
+    tested.add_argument("--over", metavar="REF.csv", help="a curve to lie below: columns of a history")
+    units = list(soil_record.STRESS_UNITS)
+    tested.add_argument("--stress-unit", choices=units, default=units[0],
+                        help="of the stresses in REF.csv (default kPa); `tremolo soiltest --out X.csv` writes Pa")
     swapped = add("swap", swap_picture, "Picture of one case under several free-field models.")
     swapped.add_argument("path", help="the folder that `tremolo swap` wrote")
     verified = add("verify-picture", verify_picture, "Picture of a verification: error map and histories.")

@@ -5,7 +5,8 @@
     test.histories["000"]["sig_xy"]       # Pa, tension positive
     test.lines["critical_state"]["q"]     # Pa, at test.lines["critical_state"]["p"]
 
-    reference = read_reference("dss.csv")  # columns of one history; kPa in the file, Pa here
+    reference = read_reference("dss_kpa.csv")  # columns of one history; kPa in the file, Pa here
+    own = read_reference("dss.csv", "Pa")      # what `tremolo soiltest --out dss.csv` wrote
 """
 
 from dataclasses import dataclass, field
@@ -14,7 +15,9 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+STRAINS = ("eps_xx", "eps_yy", "gamma_xy")
 STRESSES = ("sig_xx", "sig_yy", "sig_zz", "sig_xy")
+STRESS_UNITS = {"kPa": 1e3, "Pa": 1.0}
 
 
 @dataclass
@@ -87,21 +90,46 @@ def read(path):
         )
 
 
-def read_reference(path):
-    """Columns of a reference curve by name: strains as they are, stresses from kPa to Pa."""
-    path = Path(path)
-    with open(path, encoding="utf-8") as file:
-        names = file.readline().strip().split(",")
-        rows = np.loadtxt(file, delimiter=",", ndmin=2)
-    missing = [c for c in ("eps_xx", "eps_yy", "gamma_xy", "sig_xx", "sig_yy", "sig_xy") if c not in names]
+def _numbers(path):
+    """The first line's words and the numbers below it, a row a line."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            names = file.readline().strip().split(",")
+            lines = [line for line in file if line.strip()]
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path}: is no reference curve, but a binary file") from error
+    missing = [c for c in (*STRAINS, "sig_xx", "sig_yy", "sig_xy") if c not in names]
     if missing:
         raise ValueError(f"{path}: is no reference curve, its first line has no column {', '.join(missing)}")
+    if not lines:
+        raise ValueError(f"{path}: has no row below its first line")
+    rows = np.empty((len(lines), len(names)))
+    for number, line in enumerate(lines):
+        try:
+            rows[number] = [float(cell) for cell in line.split(",")]
+        except ValueError as error:
+            raise ValueError(
+                f"{path}: row {number + 1} is not {len(names)} numbers: '{line.strip()[:60]}'"
+            ) from error
+    return names, rows
+
+
+def read_reference(path, stress_unit="kPa"):
+    """Columns of a reference curve by name: strains as they are, stresses from `stress_unit` to Pa.
+
+    Raises OSError, and ValueError with the file's name for what is no table of a history.
+    """
+    path = Path(path)
+    names, rows = _numbers(path)
     if "step" in names:
         # The last row of some of them is there twice.
         rows = rows[np.diff(rows[:, names.index("step")], prepend=-1.0) > 0.0]
     columns = dict(zip(names, rows.T))
+    for name in (*STRAINS, *STRESSES):
+        if not np.isfinite(columns.get(name, 0.0)).all():
+            raise ValueError(f"{path}: column {name} has a value that is not finite")
     for name in STRESSES:
         if name in columns:
-            columns[name] = 1e3 * columns[name]
+            columns[name] = STRESS_UNITS[stress_unit] * columns[name]
     columns.setdefault("step", np.arange(float(len(rows))))
     return columns

@@ -10,7 +10,7 @@ import numpy as np
 
 from matplotlib.ticker import NullFormatter
 
-from tremolo import soil_record, soil_response, style
+from tremolo import soil_overlay, soil_record, soil_response, style
 
 LINES = {
     "critical_state": ("critical state", "-", "#000000"),
@@ -287,8 +287,8 @@ def draw(test, references=(), labels=None, title=None):
     return figure
 
 
-def picture(path, over=None):
+def picture(path, over=None, stress_unit="kPa"):
     """Draws OUT.png beside OUT.h5, over a reference curve where one is given; returns its path."""
     test = soil_record.read(path)
-    references = [] if over is None else [soil_record.read_reference(over)]
+    references = [] if over is None else [soil_overlay.overlay(test, over, stress_unit, telling_tests(test))]
     return style.save(draw(test, references), Path(path).parent, Path(path).stem + ".png")

@@ -104,6 +104,8 @@ class Pictures(unittest.TestCase):
         soiltest.style.plt.close(figure)
         np.testing.assert_allclose(drawn["reference"], [[0.0, 0.0], [1.0, 12.0]])
         np.testing.assert_allclose(drawn["tremolo"][:, 1].max(), 10.0)
+        own = soil_record.read_reference(reference, "Pa")
+        np.testing.assert_allclose(own["sig_xy"], [0.0, 12.0])
 
     def test_bounding_line_in_shear_is_half_the_deviator(self):
         synthetic_soiltest.write(self.path, [synthetic_soiltest.history()])
@@ -147,11 +149,47 @@ class Refusals(unittest.TestCase):
         synthetic_soiltest.write(path, [history])
         self.expect_refusal("the history of test 000 has no column sig_xy", path)
 
-    def test_reference_of_another_format(self):
-        path, reference = self.folder / "test.h5", self.folder / "r.csv"
-        synthetic_soiltest.write(path, [synthetic_soiltest.history()])
-        reference.write_text("time,acceleration\n0,1\n")
-        self.expect_refusal("is no reference curve, its first line has no column eps_xx", path, "--over", reference)
+    def expect_curve_refused(self, message, curve, *options, about=None):
+        """The message follows the name of the curve's file."""
+        path, over = self.folder / "test.h5", self.folder / "r.csv"
+        synthetic_soiltest.write(path, [synthetic_soiltest.history()], {"loading": "monotonic"} | (about or {}))
+        over.write_bytes(curve if isinstance(curve, bytes) else curve.encode())
+        self.expect_refusal(f"r.csv: {message}", path, "--over", over, *options)
+
+    def test_curve_that_is_none(self):
+        none = "is no reference curve, "
+        self.expect_curve_refused(none + "its first line has no column eps_xx", "time,acceleration\n0,1\n")
+        self.expect_curve_refused(none + "its first line has no column eps_xx", "Dear colleague,\nthe curve follows.\n")
+        self.expect_curve_refused(none + "its first line has no column eps_xx", "")
+        self.expect_curve_refused(none + "but a binary file", b"\x89PNG\r\n\xff\xfe")
+
+    def test_curve_with_broken_rows(self):
+        head = REFERENCE.splitlines()[0]
+        self.expect_curve_refused("has no row below its first line", head + "\n")
+        self.expect_curve_refused("row 4 is not 8 numbers: 'and so on'", REFERENCE + "and so on\n")
+        self.expect_curve_refused("row 4 is not 8 numbers: '9,0,0'", REFERENCE + "9,0,0\n")
+        self.expect_curve_refused("column sig_xy has a value that is not finite", REFERENCE.replace(",12\n", ",nan\n"))
+
+    def test_curve_without_cycles_below_cycles(self):
+        message, about = "has no column cycle, but the picture of this test counts cycles", {"loading": "cyclic_stress"}
+        self.expect_curve_refused(message, REFERENCE, about=about)
+
+    def test_curve_in_the_other_unit(self):
+        pascal = "step,eps_xx,eps_yy,gamma_xy,sig_xx,sig_yy,sig_zz,sig_xy\n0,0,0,0,-5e4,-1e5,-4.5e4,0\n"
+        stress = "in {} its first vertical stress is {} kPa, that of test.h5 is 100 kPa: "
+        looks, neither = "looks like {0}: give --stress-unit {0}", "neither Pa nor kPa makes them alike"
+        unit = ("--stress-unit", "Pa")
+        self.expect_curve_refused(stress.format("kPa", "1e+05") + looks.format("Pa"), pascal)
+        self.expect_curve_refused(stress.format("Pa", "0.1") + looks.format("kPa"), REFERENCE, *unit)
+        self.expect_curve_refused(stress.format("kPa", "0.1") + neither, REFERENCE.replace("-100,", "-0.1,"))
+        self.expect_curve_refused(stress.format("Pa", "1e+05") + neither, pascal.replace("-1e5", "-1e8"), *unit)
+
+    def test_curve_of_another_stress_is_drawn(self):
+        """Ten times the stress is another test, not another unit."""
+        path, over = self.folder / "test.h5", self.folder / "r.csv"
+        synthetic_soiltest.write(path, [synthetic_soiltest.history()], {"loading": "monotonic"})
+        over.write_text(REFERENCE.replace("-100,", "-1000,"))
+        self.assertEqual(run_command("soiltest", path, "--over", over)[0], 0)
 
 
 if __name__ == "__main__":
