@@ -78,10 +78,20 @@ double relax_grid(Domain& domain, const Supports& supports, double dt, double al
 }
 
 /// The laws' memory begins with the stress under gravity, and with it the stiffness that the dashpots match.
-void begin_history(Domain& domain) {
-  for (Particles& set : domain.sets)
+/// Returns the number of particles whose law could not hold that stress.
+std::size_t begin_history(Domain& domain) {
+  std::size_t unheld = 0;
+  for (Particles& set : domain.sets) {
+    const std::vector<double> before[] = {set.sxx, set.syy, set.sxy};
     materials::initialise(set.law, set.points(0, set.size()));
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const double change = std::abs(set.sxx[k] - before[0][k]) + std::abs(set.syy[k] - before[1][k]) +
+                            std::abs(set.sxy[k] - before[2][k]);
+      unheld += change > 1e-3 * (std::abs(before[0][k]) + std::abs(before[1][k])) ? 1 : 0;
+    }
+  }
   domain.faces = find_faces(domain.sets, domain.spec);
+  return unheld;
 }
 
 } // namespace
@@ -141,7 +151,7 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
     reactions.force[n] = {-domain.grid.force_x[n], 0.0};
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     domain.sets[s].law = laws[s];
-  begin_history(domain);
+  reactions.unheld = begin_history(domain);
   return reactions;
 }
 

@@ -22,6 +22,7 @@ struct Reactions {
   std::vector<std::size_t> base;  ///< nodes fixed in x and y
   std::vector<std::size_t> sides; ///< nodes fixed in x only
   std::vector<Vector> force;      ///< one per node of the grid; zero where free
+  std::size_t unheld = 0; ///< particles whose stress was more than their law can hold and has been cut
 };
 
 struct GravitySettings {

@@ -1,6 +1,6 @@
 // Time levels: stress belongs to t_n, grid velocities to t_n -+ dt/2, so that
 //
-//     v(t_n) = v- + dt/2 a,      d sigma/dt (t_n) = (sigma(t_n+1) - sigma(t_n-1))/(2 dt).
+//     v(t_n) = v- + dt/2 a,      d sigma/dt (t_n) = (sigma(t_n+1) - sigma(t_n-1))/(t_n+1 - t_n-1).
 //
 // At the base the stress is that of Eq. (6) with this velocity, which is what the base's nodes have felt.
 
@@ -9,6 +9,7 @@
 #include "mpm_domain/static_traction.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -17,9 +18,11 @@ namespace tremolo::mpm_domain {
 namespace {
 
 PeriodicColumnSpec checked(PeriodicColumnSpec spec) {
-  if (!spec.domain.scheme.dt)
-    throw std::invalid_argument("a periodic column needs a fixed time step");
+  if (!(spec.time_step > 0.0 && std::isfinite(spec.time_step)))
+    throw std::invalid_argument(
+        "a periodic column needs a finite interval > 0 between the states that it serves");
   spec.domain.periodic_sides = true;
+  spec.domain.scheme.dt.reset();
   return spec;
 }
 
@@ -64,6 +67,7 @@ PeriodicColumn::PeriodicColumn(PeriodicColumnSpec spec)
   points_.resize(levels_.size());
 
   velocity_before_.resize(levels_.size());
+  cut_interval();
   stepper_ =
       std::make_unique<Stepper>(domain_, spec_.start_time, [this](long, double t, auto v, auto traction) {
         sample_velocities(velocity_before_, false);
@@ -74,17 +78,37 @@ PeriodicColumn::PeriodicColumn(PeriodicColumnSpec spec)
       });
   at_rest_ = before_ = now_ = stresses();
   time_ = spec_.start_time;
+  previous_dt_ = *domain_.spec.scheme.dt;
   advance();
 }
 
 void PeriodicColumn::step() {
-  time_ = stepper_->time();
+  ++intervals_;
+  time_ = spec_.start_time + static_cast<double>(intervals_) * spec_.time_step;
   advance();
 }
 
+int PeriodicColumn::cut_interval() {
+  constexpr double margin = 0.9; // for pressure that grows, and soil that moves, within the interval
+  const int parts =
+      static_cast<int>(std::ceil(spec_.time_step / (margin * critical_time_step(domain_, 0.0)) - 1e-9));
+  domain_.spec.scheme.dt = spec_.time_step / parts;
+  return parts;
+}
+
 void PeriodicColumn::advance() {
-  stepper_->step();
-  const std::vector<eq6::Stress> after = stresses();
+  const int parts = cut_interval();
+  for (int part = 0; part < parts; ++part) {
+    stepper_->step();
+    const std::vector<eq6::Stress> after = stresses();
+    if (part == 0)
+      record(after);
+    before_ = std::exchange(now_, after);
+    previous_dt_ = stepper_->dt();
+  }
+}
+
+void PeriodicColumn::record(const std::vector<eq6::Stress>& after) {
   const double dt = stepper_->dt();
   std::vector<Vector> acceleration(levels_.size());
   sample_velocities(acceleration, true);
@@ -96,7 +120,7 @@ void PeriodicColumn::advance() {
   }
   for (std::size_t r = 0; r < ids_.size(); ++r) {
     points_[r + 1].stress = now_[r] - at_rest_[r];
-    points_[r + 1].stress_rate = 0.5 / dt * (after[r] - before_[r]);
+    points_[r + 1].stress_rate = 1.0 / (dt + previous_dt_) * (after[r] - before_[r]);
   }
   const auto at_base = [&](double time, Vector v) {
     const Vector t = eq6::boundary_traction(domain_.faces.front().face, v, spec_.incident(time), {});
@@ -111,7 +135,6 @@ void PeriodicColumn::advance() {
   points_.front().stress_rate.xx = points_[1].stress_rate.xx;
   points_.back().stress = {points_[ids_.size()].stress.xx, 0.0, 0.0};
   points_.back().stress_rate = {points_[ids_.size()].stress_rate.xx, 0.0, 0.0};
-  before_ = std::exchange(now_, after);
 }
 
 /// At the faces of the base, at the particles' rows, and at the surface, as side faces of a domain would.

@@ -19,10 +19,11 @@ namespace tremolo::mpm_domain {
 using IncidentWave = std::function<eq6::FreeField(double time)>;
 
 struct PeriodicColumnSpec {
-  Spec domain;                      ///< one cell wide, with a fixed time step; its sides become periodic
+  Spec domain;                      ///< one cell wide; its sides become periodic
   materials::Elasticity half_space; ///< what the base's dashpots match
   IncidentWave incident;
   double start_time = 0.0; ///< s
+  double time_step = 0.0;  ///< s, between two served states
 };
 
 /// Motion at one level: the state at the column's present time and its time derivative.
@@ -33,25 +34,30 @@ struct ColumnPoint {
   eq6::Stress stress_rate; ///< Pa/s
 };
 
-/// The column, marched in time by the fixed step of its domain.
+/// The column, served at a constant interval. Where its soil, whose stiffness may grow with pressure, needs
+/// shorter steps, an interval is cut into equal ones.
 class PeriodicColumn {
 public:
   /// At rest under gravity, if there is any, at the start time.
-  /// @throws std::invalid_argument for a spec that cannot be built or has no fixed time step
+  /// @throws std::invalid_argument for a spec that cannot be built
   explicit PeriodicColumn(PeriodicColumnSpec spec);
 
   void step();
 
   double time() const { return time_; }
-  double time_step() const { return stepper_->dt(); }
+  double time_step() const { return spec_.time_step; }
   /// Base, the centres of the particles, surface; ascending, m.
   const std::vector<double>& levels() const { return levels_; }
   /// One a level.
   std::span<const ColumnPoint> points() const { return points_; }
 
 private:
-  /// Goes one step ahead: the state at a time is known when the step from it has been made.
+  /// Goes one interval ahead: the state at a time is known when the step from it has been made.
   void advance();
+  /// The state at the present time, after the step from it.
+  void record(const std::vector<eq6::Stress>& after);
+  /// Cuts the interval so that its parts are stable; returns their number.
+  int cut_interval();
   void sample_velocities(std::vector<Vector>& v, bool accelerations) const;
   std::vector<eq6::Stress> stresses() const;
 
@@ -64,7 +70,9 @@ private:
   std::vector<ColumnPoint> points_;
   std::vector<eq6::Stress> at_rest_, before_, now_; ///< of the particles
   std::vector<Vector> velocity_before_;             ///< of the grid before the update, one a level
+  long intervals_ = 0;
   double time_ = 0.0;
+  double previous_dt_ = 0.0; ///< of the step before the present time, s
 };
 
 } // namespace tremolo::mpm_domain

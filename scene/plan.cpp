@@ -180,10 +180,11 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
       notes.push_back(*fit);
   for (const Soil& soil : domain_soils(scene))
     if (follows_pressure(soil.law))
-      notes.push_back(
-          fmt::format("soil '{}': stiffness grows with pressure; speeds and time step above are those at its "
-                      "reference pressure, the run takes those of the stress it has",
-                      soil.name));
+      notes.push_back(fmt::format(
+          "soil '{}': stiffness grows with pressure; speeds above are those at its reference "
+          "pressure, the time step that of its own weight at the base of the model; the run takes "
+          "those of the stress it has",
+          soil.name));
   for (const Soil& soil : scene.soils)
     for (const std::string& note : scene::notes(soil))
       notes.push_back(fmt::format("soil '{}': {}", soil.name, note));
@@ -232,11 +233,36 @@ std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess
   return notes;
 }
 
+namespace {
+
+/// c_p of a soil, m/s: that of sand in the stress that its own weight would cause at the base of the model.
+double p_wave_speed(const Case& scene, const materials::Law& law) {
+  const auto& elastic = materials::elasticity(law);
+  if (!follows_pressure(law) || !scene.gravity)
+    return elastic.p_wave_speed();
+  double syy = -elastic.density * scene.gravity->acceleration * scene.mesh.box.height();
+  double sxx = elastic.rest_coefficient() * syy;
+  double szz = sxx;
+  double sxy = 0.0;
+  std::vector<double> state(materials::state_variables(law).size());
+  materials::Points point;
+  point.count = 1;
+  point.sxx = &sxx;
+  point.syy = &syy;
+  point.szz = &szz;
+  point.sxy = &sxy;
+  point.state = state.data();
+  materials::initialise(law, point);
+  return materials::p_wave_speed_bound(law, point);
+}
+
+} // namespace
+
 double critical_time_step(const Case& scene) {
   double fastest = 0.0;
   for (const Soil& soil : domain_soils(scene))
     if (const auto& elastic = materials::elasticity(soil.law); elastic.density > 0.0 && elastic.young > 0.0)
-      fastest = std::max(fastest, elastic.p_wave_speed());
+      fastest = std::max(fastest, p_wave_speed(scene, soil.law));
   constexpr double largest_courant_number = 0.65;
   return largest_courant_number * scene.mesh.size / fastest;
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ void add_layer(Spec& spec, const materials::Law& law, double top, double bottom)
 
 /// One column of the model's cells under the source's surface: its layers, then the half-space. It reaches
 /// down to the base of the model, or by whole cells more to where the half-space begins.
-Spec column_spec(const scene::Case& scene, const scene::Plan& plan, const scene::SourceProcess& source) {
+Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   Spec spec = spec_from_case(scene, 1);
   spec.box.x_max = spec.box.x_min + spec.cell_size;
   spec.box.y_max = source.surface;
@@ -46,11 +47,6 @@ Spec column_spec(const scene::Case& scene, const scene::Plan& plan, const scene:
   }
   if (top > spec.box.y_min)
     add_layer(spec, materials::LinearElastic{scene.halfspace}, top, spec.box.y_min);
-  double fastest = 0.0;
-  for (const Soil& soil : spec.soils)
-    fastest = std::max(fastest, materials::elasticity(soil.law).p_wave_speed());
-  // The domain's own step where its soils allow it here as well: then both know the same times.
-  spec.scheme.dt = std::min(plan.dt, scene.time.fraction * 0.65 * spec.cell_size / fastest);
   return spec;
 }
 
@@ -79,12 +75,12 @@ void write(std::span<const ColumnPoint> points, std::span<double> values) {
 void serve_column(const scene::Case& scene, const scene::Plan& plan, const scene::SourceProcess& source,
                   const coupler::ParticipantOptions& options) {
   const scene::Service service = scene::service(scene, source, 0.0);
-  const Spec spec = column_spec(scene, plan, source);
+  const Spec spec = column_spec(scene, source);
   const auto input = freefield::incident_input(scene, source, service.x_line, spec.box.y_min);
-  const double dt = *spec.scheme.dt;
+  const double dt = plan.dt; // the domain's own step: both know the same times
   // A whole number of steps before time zero, and two for the exchange to interpolate.
   const double start = -dt * (std::ceil(std::max(0.0, -input.begin) / dt) + 2.0);
-  PeriodicColumn column({spec, scene.halfspace, incident_wave(scene.halfspace, input.velocity), start});
+  PeriodicColumn column({spec, scene.halfspace, incident_wave(scene.halfspace, input.velocity), start, dt});
 
   const auto steps = static_cast<std::uint64_t>(std::ceil((service.end_time - start) / dt)) + 4;
   std::vector<coupler::FieldDescription> fields;
@@ -108,6 +104,8 @@ void serve_column(const scene::Case& scene, const scene::Plan& plan, const scene
   client.serve([&](std::size_t f, std::uint64_t step, std::span<double> values) {
     if (incident[f])
       return incident[f]->fill(step, values);
+    if (step < at)
+      throw std::logic_error("a column was asked for a step that it has left behind");
     for (; at < step; ++at)
       column.step();
     write(column.points(), values);

@@ -13,6 +13,8 @@
 #include "scene/case.hpp"
 #include "scene/plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace {
@@ -53,7 +55,13 @@ double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stag
   const auto progress = [&](long step, double) {
     client.progress("gravity", static_cast<std::uint64_t>(step), 0.0, 0.0);
   };
-  mpm_domain::replace_constraints(domain, mpm_domain::relax_under_gravity(domain, settings, progress));
+  const mpm_domain::Reactions reactions = mpm_domain::relax_under_gravity(domain, settings, progress);
+  if (reactions.unheld > 0)
+    fmt::print("warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
+               "it: the soil "
+               "there is not at rest; a gentler slope or stronger soil would be\n",
+               reactions.unheld, domain.particle_count());
+  mpm_domain::replace_constraints(domain, reactions);
   watch.stop();
   return watch.seconds();
 }

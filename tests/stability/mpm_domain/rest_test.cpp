@@ -86,6 +86,18 @@ TEST(RestAfterSwitch, Pdmy03) {
   EXPECT_LT(speed_after_switch(domain), 1e-5);
 }
 
+/// A face of 60 degrees in sand of a friction angle of 25: gravity asks more of the cone than it has.
+TEST(GravityStage, CountsTheParticlesWhoseLawCannotHoldTheirStress) {
+  mpm_domain::Spec spec = box_of(materials::pdmy03(materials::pdmy03_recommended(0.33)));
+  mpm_domain::Domain level(spec);
+  EXPECT_EQ(mpm_domain::relax_under_gravity(level, {}, [](long, double) {}).unheld, 0U);
+  spec.regions = {{0, {{0.0, -10.0}, {20.0, -10.0}, {20.0, 0.0}, {12.0, 0.0}, {8.0, -7.0}, {0.0, -7.0}}}};
+  mpm_domain::Domain steep(spec);
+  const std::size_t unheld = mpm_domain::relax_under_gravity(steep, {}, [](long, double) {}).unheld;
+  EXPECT_GT(unheld, 0U);
+  EXPECT_LT(unheld, steep.particle_count() / 2);
+}
+
 /// G = G_o p_A sqrt(p/p_A) in the deepest particles' stress, elastic K_0 = nu/(1 - nu): what limits the time
 /// step and what the base's dashpots match, sqrt((K + 4G/3)/rho) with (K + 4G/3)/G = 2 (1 - nu)/(1 - 2 nu).
 TEST(StiffnessOfPressure, SetsTimeStepAndDashpots) {

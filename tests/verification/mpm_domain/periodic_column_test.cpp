@@ -41,7 +41,7 @@ IncidentWave incident(Wave wave, double peak) {
 }
 
 PeriodicColumnSpec column_of(const Spec& box, Wave wave, double peak = strong) {
-  PeriodicColumnSpec column{box, soil, incident(wave, peak), 0.0};
+  PeriodicColumnSpec column{box, soil, incident(wave, peak), 0.0, *box.scheme.dt};
   column.domain.box.x_max = column.domain.box.x_min + box.cell_size;
   return column;
 }
@@ -177,6 +177,25 @@ TEST(OwnFreeFieldAlone, ServesRatesThatFitItsValues) {
     }
   EXPECT_LT(worst_velocity, 1e-3 * velocity);
   EXPECT_LT(worst_stress, 1e-3 * stress);
+}
+
+/// 60 m of sand whose stiffness grows with pressure: the served interval, which suits one atmosphere, is cut.
+TEST(OwnFreeFieldAlone, CutsItsIntervalWhereSandIsStiff) {
+  Spec spec = test_support::elastic_box(1.0, 60.0, 1.0);
+  spec.gravity = 9.81;
+  const materials::Law sand =
+      materials::pm4sand({.density = 1700.0, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.4});
+  spec.soils = {{"sand", sand}};
+  const double interval = 0.9 * 0.65 * 1.0 / materials::elasticity(sand).p_wave_speed();
+  PeriodicColumn column({spec, soil, incident(Wave::sv, weak), 0.0, interval});
+  double largest = 0.0;
+  while (column.time() < 1.5) {
+    column.step();
+    largest = std::max(largest, std::abs(column.points().back().velocity.x));
+  }
+  EXPECT_NEAR(column.time(), std::round(column.time() / interval) * interval, 1e-9);
+  EXPECT_GT(largest, weak);
+  EXPECT_LT(largest, 4.0 * weak); // doubled at the surface, and again at most by the softer sand above
 }
 
 } // namespace
