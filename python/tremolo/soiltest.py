@@ -8,16 +8,20 @@ from pathlib import Path
 
 import numpy as np
 
-from matplotlib.ticker import NullFormatter
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.ticker import MaxNLocator, NullFormatter
 
 from tremolo import soil_overlay, soil_record, soil_response, style
+from tremolo.soil_view import View, law_lines
 
-LINES = {
-    "critical_state": ("critical state", "-", "#000000"),
-    "bounding": ("bounding", "--", "#D55E00"),
-    "dilation": ("dilation", ":", "#009E73"),
-    "phase_transformation": ("phase transformation", ":", "#009E73"),
-    "failure": ("failure", "--", "#D55E00"),
+LAWS = {
+    "linear_elastic": "linear elastic",
+    "mohr_coulomb": "Mohr-Coulomb",
+    "drucker_prager": "Drucker-Prager",
+    "multi_yield_clay": "clay of nested surfaces",
+    "pm4sand": "PM4Sand",
+    "pdmy03": "PDMY03",
 }
 CRITERIA = {
     "cycles_1pc": ("1 % strain", "o"),
@@ -29,39 +33,6 @@ REFERENCE = {"color": "0.72", "linewidth": 2.8, "solid_joinstyle": "round", "zor
 GUIDE = {"color": "0.75", "linewidth": 0.6, "zorder": 0}
 
 
-class View:
-    """One history, ours or a reference, in the quantities of the axes: kPa, per cent, compression positive."""
-
-    def __init__(self, history, kind, in_plane):
-        self.cycle = history.get("cycle")
-        self.p = soil_response.mean_stress(history, in_plane) / 1e3
-        shear = sheared(history, kind)
-        if shear:
-            self.strain, self.strain_label = 100 * history["gamma_xy"], "shear strain (%)"
-            self.stress, self.stress_label = history["sig_xy"] / 1e3, "shear stress (kPa)"
-            # In simple shear towards failure the whole deviator is shear stress: q = 2 tau, in space sqrt(3) tau.
-            self.line_scale = 0.5 if in_plane else 1.0 / np.sqrt(3.0)
-        else:
-            self.strain, self.strain_label = -100 * history["eps_yy"], "axial strain (%)"
-            q = soil_response.deviator_of_plane(history) if in_plane else soil_response.deviator_of_space(history)
-            sign = np.where(history["sig_yy"] > history["sig_xx"], -1.0, 1.0)
-            self.stress, self.stress_label = sign * q / 1e3, "deviator stress q (kPa)"
-            self.line_scale = 1.0
-        self.p_label = f"mean effective stress {'in the plane ' if in_plane else ''}p' (kPa)"
-        self.volume = 100 * soil_response.volumetric_strain(history)
-        held = "sig_yy" if shear else "sig_xx"
-        given = "ru" in history and kind != "path"
-        self.ru = history["ru"] if given else soil_response.pore_pressure_ratio(history, held)
-        self.vertical = -history["sig_yy"] / 1e3
-
-
-def sheared(history, kind):
-    """Whether a test is looked at in simple shear; a path is where it shears more than it shortens."""
-    if kind == "path":
-        return bool(np.abs(history["gamma_xy"]).max() > np.abs(history["eps_yy"]).max())
-    return kind == "direct_simple_shear"
-
-
 def draw_pair(ax, ours, below, x, y):
     """Ours over the references, quantities x and y of the views."""
     for number, view in enumerate(below):
@@ -70,10 +41,23 @@ def draw_pair(ax, ours, below, x, y):
         ax.plot(getattr(view, x), getattr(view, y), color=colour, linewidth=0.8, zorder=2, label=name)
 
 
+FEW = 4
+
+
 def colours(count):
     """Of curves that are few, distinct ones; of many, a sequence from dark to light."""
-    few = 4
-    return style.COLOURS[:few] if count <= few else style.plt.get_cmap(style.SEQUENTIAL)(np.linspace(0.0, 0.85, count))
+    return style.COLOURS[:FEW] if count <= FEW else style.plt.get_cmap(style.SEQUENTIAL)(np.linspace(0.0, 0.85, count))
+
+
+def colour_bar(figure, axes, labels):
+    """Which colour is which of many curves."""
+    edges = np.arange(len(labels) + 1) - 0.5
+    colouring = ScalarMappable(BoundaryNorm(edges, len(labels)), ListedColormap(colours(len(labels))))
+    bar = figure.colorbar(colouring, ax=axes, ticks=np.arange(len(labels)), pad=0.01)
+    bar.ax.set_yticklabels(labels, fontsize=7)
+    bar.ax.tick_params(length=0)
+    bar.minorticks_off()
+    bar.outline.set_visible(False)
 
 
 def log_ticks(ax):
@@ -103,12 +87,17 @@ def first(ours):
     return next(iter(ours.values()))
 
 
-def draw_stress_strain(ax, ours, below, _test):
+def one_of_several(test):
+    """Whether the histories drawn are those of one stress ratio of several, which has to be said."""
+    return test.strength_curve is not None
+
+
+def draw_stress_strain(ax, ours, below, test):
     draw_pair(ax, ours, below, "strain", "stress")
     ax.set(xlabel=first(ours).strain_label, ylabel=first(ours).stress_label)
     zero_lines(ax)
-    if below or 1 < len(ours) <= 8:
-        ax.legend(loc="best", fontsize=8 if len(ours) <= 4 else 7)
+    if below or 1 < len(ours) <= FEW or one_of_several(test):
+        ax.legend(loc="best")
 
 
 def draw_stress_path(ax, ours, below, test):
@@ -120,38 +109,48 @@ def draw_stress_path(ax, ours, below, test):
     top, bottom = max(v.stress.max() for v in views), min(v.stress.min() for v in views)
     span = max(abs(top), abs(bottom), 1e-3 * right)
     sides = (1.0, -1.0) if min(top, -bottom) > 0.05 * span else (1.0 if top >= -bottom else -1.0,)
-    for name, line in test.lines.items():
-        label, stroke, colour = LINES.get(name, (name.replace("_", " "), "-.", style.COLOURS[3]))
+    for label, stroke, colour, line in law_lines(test):
         for side in sides:
             shear = side * view.line_scale * line["q"] / 1e3
             ax.plot(line["p"] / 1e3, shear, stroke, color=colour, linewidth=0.9, zorder=1.5,
                     label=label if side == sides[0] else None)
+    ax.xaxis.set_major_locator(MaxNLocator(5))
     ax.set(xlabel=view.p_label, ylabel=view.stress_label, xlim=(0.0, right))
     low = -1.15 * span if -1.0 in sides else min(0.0, 1.1 * bottom)
     ax.set_ylim(low, 1.15 * span if 1.0 in sides else 1.1 * top)
     zero_lines(ax)
     handles, labels = ax.get_legend_handles_labels()
-    known = [(h, label) for h, label in zip(handles, labels) if label not in ours and label != "reference"]
+    hidden = {"reference"} if one_of_several(test) else {"reference", *ours}
+    known = [(h, label) for h, label in zip(handles, labels) if label not in hidden]
     if known:
         # Above the axes: inside, the lines themselves go where there is room.
-        ax.legend(*zip(*known), loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=len(known), handlelength=1.8,
-                  columnspacing=1.0, borderaxespad=0.1)
+        ax.legend(*zip(*known), loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=len(known) if len(known) < 4 else 2,
+                  handlelength=1.8, columnspacing=1.0, borderaxespad=0.1)
 
 
-def draw_pore_pressure_cycles(ax, ours, below, _test):
+def name_test(ax, ours, test):
+    """Which of several stress ratios a panel shows."""
+    if one_of_several(test):
+        ax.set_title(next(iter(ours)), loc="left")
+
+
+def draw_pore_pressure_cycles(ax, ours, below, test):
     draw_pair(ax, ours, below, "cycle", "ru")
+    name_test(ax, ours, test)
     guides(ax, 0.98)
     ax.set(xlabel="cycles", ylabel="excess pore pressure ratio $r_u$", xlim=(0.0, None))
 
 
-def draw_strain_cycles(ax, ours, below, _test):
+def draw_strain_cycles(ax, ours, below, test):
     draw_pair(ax, ours, below, "cycle", "strain")
+    name_test(ax, ours, test)
     guides(ax, -3.0, 3.0)
     ax.set(xlabel="cycles", ylabel=first(ours).strain_label, xlim=(0.0, None))
 
 
-def draw_volume_cycles(ax, ours, below, _test):
+def draw_volume_cycles(ax, ours, below, test):
     draw_pair(ax, ours, below, "cycle", "volume")
+    name_test(ax, ours, test)
     ax.set(xlabel="cycles", ylabel="volumetric strain, compression (%)", xlim=(0.0, None))
 
 
@@ -254,14 +253,14 @@ def label_of(test, name):
     ratio, amplitude = test.summary["stress_ratio"][row], test.summary["strain_amplitude"][row]
     if np.isfinite(ratio) and ratio > 0.0:
         return f"CSR {ratio:.4g}"
-    return f"strain {100 * amplitude:.3g} %" if np.isfinite(amplitude) and amplitude > 0.0 else test.about["law"]
+    return f"{100 * amplitude:.3g} % strain" if np.isfinite(amplitude) and amplitude > 0.0 else test.about["law"]
 
 
 def heading(test):
     about = test.about
     state = f"$\\sigma'_v$ = {about['vertical_stress'] / 1e3:.4g} kPa, $K_0$ = {about['k0']:.3g}"
-    words = [about["law"], about["kind"].replace("_", " "), about["drainage"].replace("_", " "), state]
-    return f"{about['title']}\n{', '.join(words)}"
+    kind, drainage = (about[name].replace("_", " ") for name in ("kind", "drainage"))
+    return f"{about['title']}\n{', '.join((LAWS.get(about['law'], about['law']), kind, drainage, state))}"
 
 
 def draw(test, references=(), labels=None, title=None):
@@ -270,7 +269,7 @@ def draw(test, references=(), labels=None, title=None):
     in_plane = soil_response.is_in_plane(test.histories[names[0]])
     kind = test.about["kind"]
     if labels is None:
-        labels = ["tremolo"] if references and len(names) == 1 else [label_of(test, name) for name in names]
+        labels = ["tremolo"] if references and len(test.histories) == 1 else [label_of(test, name) for name in names]
     ours = {label: View(test.histories[name], kind, in_plane) for label, name in zip(labels, names)}
     below = [View(reference, kind, in_plane) for reference in references]
     rows = panels(test)
@@ -283,6 +282,8 @@ def draw(test, references=(), labels=None, title=None):
             CURVE_PANELS[name](ax, test)
         else:
             HISTORY_PANELS[name](ax, ours, below, test)
+    if len(ours) > FEW:
+        colour_bar(figure, [axes[name] for name in rows[0]], labels)
     figure.suptitle(title or heading(test), fontsize=9)
     return figure
 

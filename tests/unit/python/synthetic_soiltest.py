@@ -52,8 +52,8 @@ def _write_table(file, path, columns):
         group[name] = values.astype("S") if values.dtype.kind == "U" else values.astype(float)
 
 
-def write(path, histories, about=None, tables=None):
-    """A file of these histories; `about` and `tables` complete it."""
+def write(path, histories, about=None, tables=None, amplitudes=None):
+    """A file of these histories, of stress cycles or, with `amplitudes`, strain cycles; `about`, `tables` add."""
     names = [f"{number:03}" for number in range(len(histories))]
     count = len(names)
     summary = {
@@ -62,6 +62,8 @@ def write(path, histories, about=None, tables=None):
         "cycles_ru98": np.full(count, np.nan), "largest_ru": np.full(count, 0.9), "peak_q": np.full(count, 20e3),
         "steps": np.full(count, 2000), "seconds": np.full(count, 0.1),
     }
+    if amplitudes is not None:
+        summary |= {"stress_ratio": np.full(count, np.nan), "strain_amplitude": amplitudes}
     pressure = np.linspace(0.0, 200e3, 50)
     with h5py.File(path, "w") as file:
         _write_table(file, "about", ABOUT | (about or {}))

@@ -10,7 +10,7 @@ import numpy as np
 
 import synthetic_soiltest
 from test_pictures import run_command
-from tremolo import soil_record, soiltest
+from tremolo import soil_record, soil_view, soiltest
 
 CURVES = {
     "strength_curve": {
@@ -67,6 +67,42 @@ class Pictures(unittest.TestCase):
         strength = ("uniform cycles", "cyclic stress ratio CSR")
         self.expect_panels([self.loops, self.path_in_plane, strength, self.pressure, self.strain])
         self.expect_picture()
+
+    def test_panels_of_one_stress_ratio_of_several_say_which(self):
+        histories = [synthetic_soiltest.history(), synthetic_soiltest.history(5.0)]
+        synthetic_soiltest.write(self.path, histories, tables=CURVES)
+        figure = soiltest.draw(soil_record.read(self.path))
+        loops, path, _, pressure, strain = figure.axes
+        for ax in (loops, path):
+            self.assertIn("CSR 0.1", [text.get_text() for text in ax.get_legend().get_texts()])
+        self.assertEqual([ax.get_title(loc="left") for ax in (pressure, strain)], ["CSR 0.1", "CSR 0.1"])
+        soiltest.style.plt.close(figure)
+
+    def test_many_amplitudes_have_a_colour_bar(self):
+        amplitudes = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2]
+        histories = [synthetic_soiltest.history(amplitude=amplitude) for amplitude in amplitudes]
+        about = {"loading": "modulus_curve", "title": "amplitudes"}
+        synthetic_soiltest.write(self.path, histories, about, MODULUS, amplitudes)
+        figure = soiltest.draw(soil_record.read(self.path))
+        bar = figure.axes[-1]
+        figure.draw_without_rendering()
+        labels = [text.get_text() for text in bar.get_yticklabels()]
+        self.assertEqual(labels, [f"{100 * amplitude:.3g} % strain" for amplitude in amplitudes])
+        soiltest.style.plt.close(figure)
+
+    def test_softening_soil_has_a_residual_line(self):
+        parameters = {
+            "name": ["cohesion_peak", "cohesion_residual", "friction_peak_deg", "friction_residual_deg"],
+            "value": [4e3, 1e3, 45.0, 30.0],
+        }
+        pressure = {"p": [0.0, 200e3], "q": [5e3, 300e3]}
+        tables = {"parameters": parameters, "lines/failure": pressure}
+        synthetic_soiltest.write(self.path, [synthetic_soiltest.history()], {"law": "mohr_coulomb"}, tables)
+        test = soil_record.read(self.path)
+        residual = {label: points for label, _, _, points in soil_view.law_lines(test)}["residual"]
+        np.testing.assert_allclose(residual["q"], [1e3 * np.sqrt(3.0), 1e3 * np.sqrt(3.0) + 200e3])
+        test.parameters["value"] = [4e3, 4e3, 45.0, 45.0]
+        self.assertNotIn("residual", [label for label, *_ in soil_view.law_lines(test)])
 
     def test_strain_controlled_cycles(self):
         synthetic_soiltest.write(self.path, [synthetic_soiltest.history()], {"loading": "cyclic_strain"}, MODULUS)
