@@ -54,6 +54,24 @@ TEST(ServedSeries, UnitsAndSignsShowInTheDensity) {
   EXPECT_NEAR(*density_from_momentum(series), -1e-3 * density, 1e-5 * density);
 }
 
+/// A shear stress of the wrong sign is wrong in both directions of an oblique wave, and fits nothing.
+TEST(ServedSeries, EachDirectionHasAMomentumOfItsOwn) {
+  auto series = oblique_wave(0.002, 0.01, 81);
+  for (const auto direction : {Direction::horizontal, Direction::vertical}) {
+    const auto fit = momentum_fit(series, direction);
+    ASSERT_TRUE(fit);
+    EXPECT_NEAR(fit->density, density, 0.01 * density);
+    EXPECT_LT(fit->misfit, 0.01);
+  }
+  for (std::size_t i = 0; i < series.values.size(); i += values_per_point)
+    series.values[i + 1] = series.values[i + 6] = 0.0;
+  EXPECT_TRUE(momentum_fit(series, Direction::horizontal));
+  EXPECT_FALSE(momentum_fit(series, Direction::vertical)) << "nothing moves vertically";
+  for (std::size_t i = 0; i < series.values.size(); i += values_per_point)
+    std::swap(series.values[i + 5], series.values[i]); // accelerations a quarter of a period off
+  EXPECT_GT(momentum_fit(series, Direction::horizontal)->misfit, 0.9);
+}
+
 TEST(ServedSeries, MomentumNeedsThreePointsOfOneLayer) {
   ServedSeries series{
       .field = {.name = "total", .y = {-1.0, 0.0, 0.0, 1.0}, .time_step = 0.1, .step_count = 3},

@@ -4,12 +4,15 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tremolo::scene::testing {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 TEST(Keys, GoodCaseHasItsValuesAndDefaults) {
@@ -41,6 +44,26 @@ TEST(Keys, ValuesInForceTellWhereTheyCameFrom) {
   EXPECT_EQ(origin("time.fraction"), "0.5 default");
   EXPECT_EQ(origin("region[0].soil"), "\"sand\" case.toml:19:8");
   EXPECT_EQ(origin("mesh.box"), "[0, -10, 20, 0] case.toml:23:7");
+}
+
+TEST(Keys, TrueOrFalse) {
+  EXPECT_FALSE(parse_case(std::string(flat_case)).recording.exchange);
+  const auto scene = parse_case(plus("[record]\nexchange = true\non_full_disk = \"go_on\"\n"));
+  EXPECT_TRUE(scene.recording.exchange);
+  EXPECT_EQ(scene.recording.on_full_disk, OnFullDisk::go_on);
+  const auto value = std::ranges::find(scene.values, "record.exchange", &ValueInForce::key);
+  ASSERT_NE(value, scene.values.end());
+  EXPECT_EQ(value->value, "true");
+  EXPECT_THAT(errors_of(plus("[record]\nexchange = \"yes\"\n")),
+              Contains(HasSubstr("[record] 'exchange' must be true or false, found a string")));
+}
+
+TEST(Keys, TheSideOfARecordingBelongsToRecordings) {
+  const auto text = with("left = { model = \"wave\" }",
+                         "left = { model = \"recording\", file = \"/dev/null\", side = \"right\" }");
+  EXPECT_EQ(parse_case(text).boundary.left.field.side, Side::right);
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }", "left = { model = \"wave\", side = \"left\" }")),
+              Contains(HasSubstr("'side' does not apply to model = \"wave\", only to recording")));
 }
 
 TEST(Keys, UnknownKeyNamesTheNearest) {

@@ -88,6 +88,51 @@ TEST(Override, FilesAndProgramsUnderDottedKeysGoWithTheirModel) {
       "boundary = { left.model = \"wave\", right.model = \"wave\", base = { model = \"wave\" } }");
 }
 
+/// The [boundary] of a case whose left side and base are replayed.
+std::string replayed(std::string boundary) {
+  auto scene = parse_case(std::string(flat_case));
+  scene.text = std::move(boundary);
+  return overridden_text(scene, {.record = {},
+                                 .angle_deg = {},
+                                 .model = {},
+                                 .replays = {{Side::left, {"/r/exchange.h5", Side::left}},
+                                             {Side::base, {"/r/exchange.h5", Side::left}}}});
+}
+
+TEST(Override, ReplaysTakeTheirSideOfInlineTables) {
+  EXPECT_EQ(replayed(R"([boundary]
+left = { model = "recording", file = "old.h5", side = "base", surface = 1.0 } # mine
+right = { model = "wave" }
+base = { form = "total", program = "field", model = "external" }
+)"),
+            R"([boundary]
+left = { model = "recording", file = "/r/exchange.h5", side = "left", surface = 1.0 } # mine
+right = { model = "wave" }
+base = { form = "total", model = "recording", file = "/r/exchange.h5", side = "left" }
+)");
+}
+
+TEST(Override, ReplaysTakeTheirSideOfTablesAndDottedKeys) {
+  EXPECT_EQ(replayed(R"([boundary.left]
+  model = "fe" # mine
+surface = 0.0
+[boundary]
+right.model = "wave"
+base.model = "wave"
+)"),
+            R"([boundary.left]
+  model = "recording"
+file = "/r/exchange.h5"
+side = "left" # mine
+surface = 0.0
+[boundary]
+right.model = "wave"
+base.model = "recording"
+base.file = "/r/exchange.h5"
+base.side = "left"
+)");
+}
+
 TEST(Override, RecordOfAPulseIsRefused) {
   const auto scene = parse_case(std::string(flat_case));
   EXPECT_THROW(overridden_text(scene, {.record = "x.AT2", .angle_deg = {}, .model = {}}),
