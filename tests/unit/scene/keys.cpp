@@ -59,8 +59,9 @@ TEST(Keys, TrueOrFalse) {
 }
 
 TEST(Keys, TheSideOfARecordingBelongsToRecordings) {
-  const auto text = with("left = { model = \"wave\" }",
-                         "left = { model = \"recording\", file = \"/dev/null\", side = \"right\" }");
+  const auto text =
+      with("left = { model = \"wave\" }",
+           "left = { model = \"recording\", file = \"" TREMOLO_SOURCE_DIR "/README.md\", side = \"right\" }");
   EXPECT_EQ(parse_case(text).boundary.left.field.side, Side::right);
   EXPECT_THAT(errors_of(with("left = { model = \"wave\" }", "left = { model = \"wave\", side = \"left\" }")),
               Contains(HasSubstr("'side' does not apply to model = \"wave\", only to recording")));
