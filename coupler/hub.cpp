@@ -134,7 +134,7 @@ void Hub::take_hello(const std::string& routing_id, const Message& message) {
     return;
   }
   if (const auto reason = objection(*participant, hello)) {
-    refuse(routing_id, *reason);
+    send_to(routing_id, {"REFUSE", {{"reason", *reason}}});
     fail(claimed, *reason);
     return;
   }
@@ -254,8 +254,7 @@ void Hub::abort(const std::string& reason) {
 
 void Hub::refuse(const std::string& routing_id, const std::string& reason) {
   options_.note("refused: " + reason);
-  const std::string text = to_text({"REFUSE", {{"reason", reason}}});
-  send_bytes(routing_id, std::as_bytes(std::span(text)));
+  send_to(routing_id, {"REFUSE", {{"reason", reason}}});
 }
 
 void Hub::fail(const std::string& participant, const std::string& text) {
@@ -264,8 +263,12 @@ void Hub::fail(const std::string& participant, const std::string& text) {
 }
 
 void Hub::send(const Participant& participant, const Message& message) {
+  send_to(participant.routing_id, message);
+}
+
+void Hub::send_to(const std::string& routing_id, const Message& message) {
   const std::string text = to_text(message);
-  send_bytes(participant.routing_id, std::as_bytes(std::span(text)));
+  send_bytes(routing_id, std::as_bytes(std::span(text)));
 }
 
 void Hub::send_bytes(const std::string& routing_id, std::span<const std::byte> bytes) {

@@ -172,6 +172,7 @@ private:
   void refuse(const std::string& routing_id, const std::string& reason);
   void fail(const std::string& participant, const std::string& text);
   void send(const Participant& participant, const Message& message);
+  void send_to(const std::string& routing_id, const Message& message);
   void send_bytes(const std::string& routing_id, std::span<const std::byte> bytes);
 
   [[nodiscard]] Participant* find_name(const std::string& name);

@@ -200,6 +200,7 @@ TEST_F(CoupledRun, AnotherCaseIsRefusedNamingBothSides) {
   EXPECT_THAT(failure(options("right other-case 0\n")),
               AllOf(HasSubstr("'right' (build "), HasSubstr("says case = "), HasSubstr("the hub (build "),
                     HasSubstr("line 1: 'another case' against 'right other-case 0'")));
+  EXPECT_EQ(notes_, "") << "the cause is told twice";
 }
 
 TEST_F(CoupledRun, SecondProcessOfOneNameIsRefusedAndNamed) {
