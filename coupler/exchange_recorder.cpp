@@ -169,7 +169,7 @@ std::optional<std::string> ExchangeRecorder::lacking() const {
   return std::nullopt;
 }
 
-void ExchangeRecorder::write(results::ExchangeDescription description) {
+void ExchangeRecorder::write(const results::ExchangeDescription& description) {
   try {
     results::ExchangeWriter writer(options_.file, description);
     write_until_closed(writer);

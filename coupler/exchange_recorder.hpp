@@ -59,7 +59,7 @@ private:
     std::vector<double> values;
   };
 
-  void write(results::ExchangeDescription description);
+  void write(const results::ExchangeDescription& description);
   void write_until_closed(results::ExchangeWriter& writer);
   void write_job(results::ExchangeWriter& writer, const Job& job);
   std::vector<Job> next_jobs();
