@@ -5,40 +5,44 @@
     tests/cost/materials/draw_responses.py responses.csv docs/materials/pictures
 """
 import csv
-import pathlib
 import sys
+from pathlib import Path
 
-import matplotlib
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "python"))
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+import numpy as np
+from tremolo.style import COLOURS, plt
 
-SHEAR = ("shear strain, %", "shear stress, kPa")
-COMPRESSION = ("axial strain, %", "axial stress, kPa")
+SHEAR = ("shear strain (%)", "shear stress (kPa)")
+COMPRESSION = ("axial strain (%)", "axial stress (kPa)")
+# Above it a cone matched to triaxial compression has no strength limit in plane strain: its slope in sqrt(J2) over p,
+# 6 sin(phi)/(sqrt(3) (3 - sin(phi))), reaches 1.
+UNLIMITED = float(np.degrees(np.arcsin(3.0 * np.sqrt(3.0) / (6.0 + np.sqrt(3.0)))))
 
 # file: its panels (data, title, axis labels, logarithmic strain)
 PICTURES = {
     "linear-elastic.png": [
-        ("elastic_oedometer", "oedometer: one line, K0 = nu/(1 - nu)", ("vertical strain, %", "stress, kPa"), False),
+        ("elastic_oedometer", "oedometer: one line, $K_0 = \\nu/(1 - \\nu)$", ("vertical strain (%)", "stress (kPa)"),
+         False),
         ("elastic_shear", "large simple shear: where the rate form ends", SHEAR, False),
     ],
     "mohr-coulomb.png": [
         ("mc_compression", "softening, plane-strain compression at 50 kPa", COMPRESSION, False),
-        ("mc_shear", "drained simple shear at 100 kPa, K0 = 0.5", SHEAR, False),
+        ("mc_shear", "drained simple shear at 100 kPa, $K_0$ = 0.5", SHEAR, False),
     ],
     "drucker-prager.png": [
-        ("dp_compression", "plane-strain compression at 100 kPa, phi = 30, psi = 0", COMPRESSION, False),
-        ("dp_mobilised", "friction mobilised in plane strain, psi = 0",
-         ("friction angle given, degrees", "mobilised, degrees"), False),
+        ("dp_compression", "plane-strain compression at 100 kPa, φ = 30°, ψ = 0", COMPRESSION, False),
+        ("dp_mobilised", "friction mobilised in plane strain, ψ = 0",
+         ("friction angle given (degrees)", "mobilised (degrees)"), False),
     ],
     "multi-yield-clay.png": [
-        ("clay_loops", "cycles of 0.2, 0.5 and 2 %, s_u = 50 kPa", SHEAR, False),
+        ("clay_loops", "cycles of 0.2, 0.5 and 2 %, $s_u$ = 50 kPa", SHEAR, False),
         ("clay_strength", "static shear is part of the strength", SHEAR, False),
     ],
     "hysteretic.png": [
         ("hysteretic_loops", "loops", SHEAR, False),
-        ("hysteretic_modulus", "modulus", ("shear strain, %", "G/Gmax"), True),
-        ("hysteretic_damping", "damping of the Masing loop", ("shear strain, %", "damping ratio, %"), True),
+        ("hysteretic_modulus", "modulus", ("shear strain (%)", "G / Gmax"), True),
+        ("hysteretic_damping", "damping of the Masing loop", ("shear strain (%)", "damping ratio (%)"), True),
     ],
 }
 
@@ -54,29 +58,48 @@ def read(path):
     return panels
 
 
-def style(series):
+def look(series):
     """Exact solutions wide and grey, coarse steps as dots, the rest as lines."""
     if series in ("exact", "Mohr-Coulomb"):
-        return {"color": "0.75", "lw": 4}
+        return {"color": "0.72", "linewidth": 3.5}
     if series == "steps of 1 %":
-        return {"ls": "none", "marker": "o", "ms": 4, "color": "C3"}
-    return {"lw": 1.2}
+        return {"linestyle": "none", "marker": "o", "markersize": 4, "color": COLOURS[1]}
+    return {}
+
+
+def label(series):
+    """A series of the table in the letters of the field."""
+    return series.replace("psi =", "ψ =").replace(" s_u", " $s_u$")
+
+
+def end_where_unlimited(ax, x, y):
+    """The curve up to the angle from which on there is no limit, and that angle."""
+    below = np.asarray(y) < 90.0
+    ax.axvline(UNLIMITED, color="0.75", linewidth=0.6, zorder=0)
+    ax.annotate(f"no limit from {UNLIMITED:.1f}° on", (UNLIMITED, 90.0), (-6, 0), textcoords="offset points",
+                ha="right", va="center", fontsize=8)
+    return [*np.asarray(x)[below], UNLIMITED], [*np.asarray(y)[below], 90.0]
+
+
+def draw_panel(ax, name, series_of_panel, title, labels, logarithmic):
+    order = sorted(series_of_panel.items(), key=lambda item: item[0] not in ("exact", "Mohr-Coulomb"))
+    for series, (x, y) in order:
+        if name == "dp_mobilised" and max(y) >= 90.0:
+            x, y = end_where_unlimited(ax, x, y)
+        ax.plot(x, y, label=label(series), **look(series))
+    ax.set(xlabel=labels[0], ylabel=labels[1], title=title)
+    ax.grid(color="0.92", linewidth=0.5)
+    if logarithmic:
+        ax.set_xscale("log")
+    if len(order) > 1:
+        ax.legend()
 
 
 def draw(panels, wanted, picture):
-    figure, axes = plt.subplots(1, len(wanted), figsize=(9.5 if len(wanted) == 2 else 11.5, 3.6))
-    for axis, (name, title, labels, logarithmic) in zip(axes, wanted):
-        order = sorted(panels[name].items(), key=lambda item: item[0] not in ("exact", "Mohr-Coulomb"))
-        for series, (x, y) in order:
-            axis.plot(x, y, label=series, **style(series))
-        axis.set(xlabel=labels[0], ylabel=labels[1])
-        axis.set_title(title, fontsize=9)
-        axis.grid(alpha=0.3)
-        if logarithmic:
-            axis.set_xscale("log")
-        if len(order) > 1:
-            axis.legend(fontsize=7)
-    figure.tight_layout()
+    size = (9.5 if len(wanted) == 2 else 11.5, 3.6)
+    figure, axes = plt.subplots(1, len(wanted), figsize=size, layout="constrained")
+    for ax, (name, *description) in zip(axes, wanted):
+        draw_panel(ax, name, panels[name], *description)
     figure.savefig(picture, dpi=110)
     plt.close(figure)
 
@@ -84,7 +107,7 @@ def draw(panels, wanted, picture):
 def main(source, folder):
     panels = read(source)
     for picture, wanted in PICTURES.items():
-        draw(panels, wanted, pathlib.Path(folder) / picture)
+        draw(panels, wanted, Path(folder) / picture)
 
 
 if __name__ == "__main__":

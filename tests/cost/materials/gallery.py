@@ -5,7 +5,7 @@
 
 Writes the test files of docs/materials/tests, the pictures of docs/materials/pictures/gallery_*.png, and what stands
 between the markers `<!-- SECTION -->` and `<!-- /SECTION -->` of the page. The reference curves are those of
-TREMOLO_REFERENCE, else of shared/reference beside the source tree; without them it says so and stops.
+TREMOLO_REFERENCE; without them it says so and stops.
 """
 
 import argparse
@@ -32,7 +32,7 @@ SECTIONS = SANDS | {part.__name__: part for part in OTHERS}
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("tremolo", type=Path, help="the program")
-    default = os.environ.get("TREMOLO_REFERENCE", ROOT.parent / "shared" / "reference")
+    default = os.environ.get("TREMOLO_REFERENCE", ROOT / "../shared/reference")
     parser.add_argument("--reference", type=Path, default=Path(default), help="folder of the reference data")
     parser.add_argument(
         "--only", nargs="+", choices=SECTIONS, default=list(SECTIONS), metavar="SECTION", help="these alone"

@@ -22,7 +22,7 @@ CLOSED_HEAD = ["test", "quantity", "closed form", "tremolo", "relative differenc
 
 def linear_elastic(gallery):
     name = "linear_elastic_oedometer"
-    history = closed(gallery, name, tests.simple_test(name, tests.ELASTIC, "oedometer", 100e3, 0.01, 0.5))
+    history = closed(gallery, name, tests.simple_test("elastic soil", tests.ELASTIC, "oedometer", 100e3, 0.01, 0.5))
     modulus = (history["sig_yy"][-1] - history["sig_yy"][0]) / history["eps_yy"][-1]
     lateral = (history["sig_xx"][-1] - history["sig_xx"][0]) / (history["sig_yy"][-1] - history["sig_yy"][0])
     young, poisson = tests.ELASTIC["young"], tests.ELASTIC["poisson"]
@@ -48,7 +48,7 @@ def softened_strength(history, lateral=None):
 def mohr_coulomb(gallery):
     body = []
     name = "mc_seed_psc_d_s50"
-    text = tests.simple_test(name, tests.CEMENTED, "plane_strain_compression", 50e3, 0.4)
+    text = tests.simple_test("cemented soil that softens", tests.CEMENTED, "plane_strain_compression", 50e3, 0.4)
     test = gallery.run_kept(text, name)
     yielding = only(test)["equivalent_plastic_strain"] > 0.0
     expected, ours = softened_strength(only(test), 50e3)[yielding], -only(test)["sig_yy"][yielding]
@@ -56,15 +56,16 @@ def mohr_coulomb(gallery):
     body.append(closed_row("axial stress as it softens, worst row", ours[worst], expected[worst], name))
     body.append(closed_row("axial stress at the end", ours[-1], expected[-1], name))
     save(test, "mohr_coulomb_compression", [gallery.curve(name)])
-    for name, soil, what in (
-        ("mc_perfect45_dss_d_s100_k05", tests.PERFECT, "shear strength"),
-        ("mc_perfect30psi10_dss_d_s100_k05", tests.DILATANT, "shear strength, dilatant (Davis)"),
+    for name, title, soil, what in (
+        ("mc_perfect45_dss_d_s100_k05", "cemented soil without softening", tests.PERFECT, "shear strength"),
+        ("mc_perfect30psi10_dss_d_s100_k05", "dilatant soil", tests.DILATANT, "shear strength, dilatant (Davis)"),
     ):
-        test = gallery.run_kept(tests.simple_test(name, soil, "direct_simple_shear", 100e3, 0.1, 0.5), name)
+        test = gallery.run_kept(tests.simple_test(title, soil, "direct_simple_shear", 100e3, 0.1, 0.5), name)
         given = soil["cohesion_peak"], soil["friction_peak_deg"], soil.get("dilation_peak_deg", 0.0)
         body.append(closed_row(what, only(test)["sig_xy"][-1], exact.simple_shear_strength(100e3, *given), name))
     name = "mc_seed_dss_d_s100_k05"
-    test = gallery.run_kept(tests.simple_test(name, tests.CEMENTED, "direct_simple_shear", 100e3, 0.4, 0.5), name)
+    text = tests.simple_test("cemented soil that softens", tests.CEMENTED, "direct_simple_shear", 100e3, 0.4, 0.5)
+    test = gallery.run_kept(text, name)
     expected = softened_strength(only(test))[-1]
     body.append(closed_row("shear stress after softening, at the end", only(test)["sig_xy"][-1], expected, name))
     save(test, "mohr_coulomb_shear", [gallery.curve(name)])
@@ -78,7 +79,8 @@ def drucker_prager(gallery):
         ("drucker_prager_plane_strain", "plane_strain_compression", "plane_strain"),
     ):
         soil = tests.CONE | {"cone": cone}
-        test = gallery.run_kept(tests.simple_test(name, soil, kind, 100e3, 0.05), name)
+        title = f"cone of {cone.replace('_', ' ')}"
+        test = gallery.run_kept(tests.simple_test(title, soil, kind, 100e3, 0.05), name)
         strength = exact.compression_strength(100e3, soil["cohesion"], soil["friction_deg"])
         body.append(closed_row("axial stress at failure", -only(test)["sig_yy"][-1], strength, name))
         if cone == "plane_strain":
@@ -94,8 +96,8 @@ def multi_yield_clay(gallery):
         ("clay_plane_strain", "plane_strain_compression", 2.0, "deviator, $2 s_u$"),
         ("clay_triaxial", "triaxial_compression", np.sqrt(3.0), r"deviator, $\sqrt{3} s_u$"),
     ):
-        test = gallery.run_kept(tests.simple_test(name, tests.CLAY, kind, 100e3, 0.1, drainage="constant_volume"), name)
-        history = only(test)
+        text = tests.simple_test("clay", tests.CLAY, kind, 100e3, 0.1, drainage="constant_volume")
+        history = closed(gallery, name, text)
         shear = kind == "direct_simple_shear"
         ours = history["sig_xy"][-1] if shear else soil_response.deviator_of_plane(history)[-1]
         body.append(closed_row(what, ours, factor * strength, name))
@@ -105,7 +107,7 @@ def multi_yield_clay(gallery):
 def hyperbolic(gallery):
     name = "hyperbolic_modulus"
     amplitudes = [1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2]
-    test = gallery.run_kept(tests.modulus_test(name, tests.HYPERBOLIC, amplitudes), name)
+    test = gallery.run_kept(tests.modulus_test("hyperbolic soil", tests.HYPERBOLIC, amplitudes), name)
     save(test, "hyperbolic", title="hyperbolic soil, direct simple shear, drained; every amplitude on a fresh specimen")
     curve = test.modulus_curve
     body = []

@@ -64,6 +64,20 @@ def loops(ours, reference):
     return table_rows
 
 
+def volume_all_the_way(ours, reference):
+    """A sentence on where the volumetric strains of the same increments are furthest apart."""
+    mine, theirs = soil_response.common_rows(ours, reference)
+    ours_there, reference_there = (
+        100.0 * soil_response.volumetric_strain(history)[rows] for history, rows in ((ours, mine), (reference, theirs))
+    )
+    k = np.argmax(np.abs(ours_there - reference_there))
+    strain, cycle = 100.0 * reference["gamma_xy"][theirs][k], reference["cycle"][theirs][k]
+    return (
+        f"Over all increments of the drained cycles they are at most {abs(ours_there[k] - reference_there[k]):.2g} % apart,\n"
+        f"{ours_there[k]:.3g} / {reference_there[k]:.3g} % after {cycle:.3g} cycles at {strain:.3g} % shear strain."
+    )
+
+
 def monotonic(ours, reference, shear):
     """Peak shear stress or deviator (kPa), the same at the end, and volumetric strain at the end (%)."""
 

@@ -84,8 +84,8 @@ class Gallery:
 
     def strength(self, name, stress_ratios, relative_density):
         """The cyclic strength curve of the soil of a reference curve."""
-        title = f"{name.split('_ucdss')[0]}_strength"
-        return self.run_kept(tests.strength_test(title, self.parameters(name), stress_ratios, relative_density), title)
+        text = tests.strength_test(name, self.parameters(name), stress_ratios, relative_density)
+        return self.run_kept(text, f"{name.split('_ucdss')[0]}_strength")
 
 
 def only(test):

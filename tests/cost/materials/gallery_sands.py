@@ -74,7 +74,7 @@ def replays(gallery, law):
 
 
 def loops(gallery, law):
-    """Strain-controlled cycles, undrained and drained."""
+    """Strain-controlled cycles, undrained and drained; volumetric strain of the drained ones all the way."""
     prefix = "pm4_dr55" if law == "pm4sand" else "pdmy03_dr57"
     head = ["test", "shear strain", "G (MPa), ours / reference", "damping (%)", "volumetric strain (%)"]
     body = []
@@ -83,7 +83,9 @@ def loops(gallery, law):
         body += [[f"`{name}`", *row] for row in rows.loops(only(test), reference)]
         drained = test.about["drainage"] == "drained"
         save(test, f"{law}_{'drained' if drained else 'undrained'}_loops", [reference])
-    return rows.table(head, body)
+        if drained:
+            volume = rows.volume_all_the_way(only(test), reference)
+    return f"{rows.table(head, body)}\n\nThe table has volumetric strains at ends of loops. {volume}"
 
 
 # Monotonic tests ------------------------------------------------------------------------------------------------------
@@ -103,7 +105,7 @@ def monotonic(gallery, law):
                 body.append([f"`{name}`", *rows.monotonic(only(test), reference, kind == "dss")])
             apparatus = "direct simple shear" if kind == "dss" else "plane-strain compression"
             water = "drained" if drainage == "d" else "constant volume"
-            title = f"{law}, {apparatus}, {water}, vertical stress {', '.join(labels)}"
+            title = f"{tests.sand(names[0])}, {apparatus}, {water}, vertical stress {', '.join(labels)}"
             save(together(several), f"{law}_{kind}_{drainage}", curves, labels, title)
     return rows.table(head, body)
 
@@ -163,8 +165,8 @@ def strength(gallery, law):
 
 
 def calibration(gallery):
-    """The contraction rate of PM4Sand for 15 cycles: at the strength that the reference has with the published rate, and at
-    that of Idriss & Boulanger."""
+    """The contraction rate of PM4Sand for 15 cycles: at the strength that the reference has with the published rate,
+    and at that of Idriss & Boulanger."""
     head = [
         "soil", "published", "for the reference's CSR", "cycles there", "for Idriss & Boulanger", "cycles there",
     ]
@@ -174,7 +176,7 @@ def calibration(gallery):
         row = [f"Dr {100 * density:.0f} %", f"{parameters['hpo']}"]
         for target, suffix in (({"stress_ratio": ratio}, "reference"), ({"curve": "idriss_boulanger"}, "curve")):
             title = f"pm4_dr{100 * density:.0f}_calibration_{suffix}"
-            found = gallery.calibrate(tests.calibration_test(title, parameters, target), title)
+            found = gallery.calibrate(tests.calibration_test(name, parameters, target), title)
             difference = rows.percent(soil_response.relative(found["contraction_rate"], parameters["hpo"]))
             row += [f"{found['contraction_rate']:.3g} ({difference})", f"{found['cycles']:.2f}"]
         body.append(row)

@@ -69,7 +69,22 @@ def increment(parameters):
     return parameters.get("dg", 5e-6)
 
 
-def own_test(title, parameters):
+def sand(name):
+    """Law and density of a reference curve in words."""
+    return f"{'PM4Sand' if name.startswith('pm4_') else 'PDMY03'}, D_R {name.split('_dr')[1][:2]} %"
+
+
+def words(name, parameters):
+    """The test of a reference curve in words."""
+    if parameters["test"] == "ucdss" and "csr" in parameters:
+        bias = f", static shear {parameters['tau0'] / parameters['sv']:.2g}" if "tau0" in parameters else ""
+        return f"{sand(name)}, stress cycles, CSR {parameters['csr']}{bias}"
+    if "amps" in parameters:
+        return f"{sand(name)}, cycles of constant strain"
+    return f"{sand(name)}, {'monotonic' if parameters['test'].startswith('mono') else 'strains of all directions'}"
+
+
+def own_test(name, parameters):
     """The reference's test as an engineer would describe it: cycles of stress or strain, or monotonic loading."""
     drained = bool(parameters.get("drained", 0)) or parameters["test"] == "dcdss"
     test = {
@@ -88,28 +103,31 @@ def own_test(title, parameters):
         loading = {"kind": "cyclic_strain", "strain_amplitude": amplitudes, "cycles": parameters["ncyc"]}
     else:
         loading = {"kind": "monotonic", "strain": parameters["gstop"]}
-    return toml(title, soil=soil(parameters), test=test, loading=loading)
+    return toml(words(name, parameters), soil=soil(parameters), test=test, loading=loading)
 
 
-def replay(title, parameters, curve):
+def replay(name, parameters, curve):
     """The reference's strains, step by step."""
     loading = {"kind": "path", "file": str(curve)}
     test = {"kind": "path", "drainage": "drained", **state(parameters), "every": 1}
-    return toml(title, soil=soil(parameters), test=test, loading=loading)
+    return toml(words(name, parameters), soil=soil(parameters), test=test, loading=loading)
 
 
-def strength_test(title, parameters, stress_ratios, relative_density):
+def strength_test(name, parameters, stress_ratios, relative_density):
     """Cyclic simple shear at several stress ratios; the density is what the target strength is found by."""
     test = {"kind": "direct_simple_shear", "drainage": "constant_volume", **state(parameters), "every": 20}
     loading = {"kind": "cyclic_stress", "stress_ratio": list(stress_ratios), "largest_strain": 0.055}
-    return toml(title, soil=soil(parameters) | {"relative_density": relative_density}, test=test, loading=loading)
+    soil_table = soil(parameters) | {"relative_density": relative_density}
+    return toml(f"{sand(name)}, cyclic strength", soil=soil_table, test=test, loading=loading)
 
 
-def calibration_test(title, parameters, target):
+def calibration_test(name, parameters, target):
     """The fit of the contraction rate, begun at another value than the published one."""
     test = {"kind": "direct_simple_shear", "drainage": "constant_volume", **state(parameters)}
+    wanted = "the curve of Idriss & Boulanger" if "curve" in target else "the strength of the reference"
     target = target | {"cycles": 15.0, "criterion": "strain_3pc"}
-    return toml(title, soil=soil(parameters) | {"contraction_rate": 1.0}, test=test, target=target)
+    soil_table = soil(parameters) | {"contraction_rate": 1.0}
+    return toml(f"{sand(name)}, contraction rate for {wanted}", soil=soil_table, test=test, target=target)
 
 
 def modulus_test(title, soil_table, amplitudes, drainage="drained", vertical_stress=100e3):

@@ -12,8 +12,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "python"))
 
-from tremolo.style import plt
+from matplotlib.lines import Line2D
+from tremolo.style import COLOURS, plt
 
+RING = {"marker": "o", "markersize": 8, "markerfacecolor": "none", "linestyle": "none"}
 DEFAULT_STRAIN, DEFAULT_TOLERANCE = 1e-5, 1e-4
 
 
@@ -26,35 +28,46 @@ def power(value):
     return f"$10^{{{round(math.log10(value))}}}$"
 
 
-def main(source, picture):
-    rows = read(source)
-    figure, (count, work) = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
+def legend_below(ax, *more):
+    """Legend under the axes, out of the curves, with what else is drawn."""
+    handles = [*ax.get_legend_handles_labels()[0], *more]
+    ax.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, columnspacing=1.2)
 
-    for color, tolerance in zip(("C3", "C1", "C0", "C2"), (1e-2, 1e-3, 1e-4, 1e-5)):
+
+def draw_cycles(ax, rows):
+    for color, tolerance in zip(COLOURS[3::-1], (1e-2, 1e-3, 1e-4, 1e-5)):
         for strain, line in ((DEFAULT_STRAIN, "o-"), (1e-2, "o:")):
             chosen = [r for r in rows if r["tolerance"] == tolerance and r["largest_strain"] == strain]
             label = f"tolerance {power(tolerance)}" if strain == DEFAULT_STRAIN else None
-            count.loglog([r["increment"] for r in chosen], [r["cycles_error"] for r in chosen], line, color=color,
-                         ms=3, label=label)
-    count.set(title="error in cycles to 3 % strain", xlabel="increment of shear strain", ylabel="cycles, of 14.2")
-    count.set_ylim(top=1e5)
-    count.legend(title=r"sub-steps $\leq 10^{-5}$ (dotted: any size)", fontsize=8, title_fontsize=8)
+            ax.loglog([r["increment"] for r in chosen], [r["cycles_error"] for r in chosen], line, color=color,
+                      markersize=3, label=label)
+    ax.set(title=r"cycles to 3 % strain, 14.2 converged; sub-steps $\leq 10^{-5}$", xlabel="increment of shear strain",
+           ylabel="error (cycles)")
+    legend_below(ax, Line2D([], [], color="0.4", linestyle=":", label="sub-steps of any size,\nall tolerances"))
 
-    for color, increment in zip(("C0", "C1", "C2", "C4"), (1e-6, 1e-5, 1e-4, 1e-3)):
+
+def draw_work(ax, rows):
+    for color, increment in zip(COLOURS, (1e-6, 1e-5, 1e-4, 1e-3)):
         chosen = [r for r in rows if r["increment"] == increment and r["largest_strain"] == DEFAULT_STRAIN]
         time = [1e-3 * r["microseconds"] for r in chosen]
         error = [100.0 * r["stress_error"] for r in chosen]
-        work.loglog(time, error, "o-", color=color, ms=3, label=f"increments {power(increment)}")
-        work.loglog(*[[values[i] for i, r in enumerate(chosen) if r["tolerance"] == DEFAULT_TOLERANCE]
-                      for values in (time, error)], "o", color=color, ms=8, mfc="none")
-    work.set(title="error in stress against time", xlabel="time of 6 cycles of 0.1 % and 2 of 1 % (ms)",
-             ylabel="% of the initial vertical stress")
-    work.set_xticks([4, 6, 10, 20, 40], ["4", "6", "10", "20", "40"], minor=False)
-    work.set_xticks([], minor=True)
-    work.legend(title=r"ring: tolerance $10^{-4}$", fontsize=8, title_fontsize=8)
+        ax.loglog(time, error, "o-", color=color, markersize=3, label=f"increments {power(increment)}")
+        default = [i for i, r in enumerate(chosen) if r["tolerance"] == DEFAULT_TOLERANCE]
+        ax.loglog([time[i] for i in default], [error[i] for i in default], color=color, **RING)
+    ax.set(title="error in stress against time", xlabel="time of 6 cycles of 0.1 % and 2 of 1 % strain (ms)",
+           ylabel="error (% of the initial vertical stress)")
+    ax.set_xticks([4, 6, 10, 20, 40], ["4", "6", "10", "20", "40"], minor=False)
+    ax.set_xticks([], minor=True)
+    legend_below(ax, Line2D([], [], color="0.4", label=f"tolerance {power(DEFAULT_TOLERANCE)}", **RING))
 
-    for axes in (count, work):
-        axes.grid(alpha=0.25)
+
+def main(source, picture):
+    rows = read(source)
+    figure, (cycles, work) = plt.subplots(1, 2, figsize=(9.0, 4.2), layout="constrained")
+    draw_cycles(cycles, rows)
+    draw_work(work, rows)
+    for ax in (cycles, work):
+        ax.grid(color="0.92", linewidth=0.5)
     figure.savefig(picture, dpi=110)
 
 
