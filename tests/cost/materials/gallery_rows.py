@@ -25,14 +25,17 @@ def pair(ours, reference, digits=4):
 
 
 def cycles(ours, reference):
-    """Cycles to r_u = 0.98 and to 1, 3, 5 % strain, ours / reference."""
+    """Cycles to r_u = 0.98 and to 1, 3, 5 % strain, ours / reference.
+
+    Soil that softens falls back from a stress that it had reached; cycles do not run backwards with it.
+    """
     cells = []
     for measure, level in (("ru", 0.98), ("strain", 0.01), ("strain", 0.03), ("strain", 0.05)):
         both = []
         for history in (ours, reference):
             pressure = measure == "ru"
             values = soil_response.pore_pressure_ratio(history) if pressure else np.abs(history["gamma_xy"])
-            both.append(soil_response.cycles_to(history["cycle"], values, level))
+            both.append(soil_response.cycles_to(np.maximum.accumulate(history["cycle"]), values, level))
         cells.append(NONE if np.isnan(both).all() else " / ".join(f"{n:.2f}" if np.isfinite(n) else NONE for n in both))
     return cells
 
@@ -73,7 +76,8 @@ def volume_all_the_way(ours, reference):
     k = np.argmax(np.abs(ours_there - reference_there))
     strain, cycle = 100.0 * reference["gamma_xy"][theirs][k], reference["cycle"][theirs][k]
     return (
-        f"Over all increments of the drained cycles they are at most {abs(ours_there[k] - reference_there[k]):.2g} % apart,\n"
+        "Over all increments of the drained cycles they are at most "
+        f"{abs(ours_there[k] - reference_there[k]):.2g} % apart,\n"
         f"{ours_there[k]:.3g} / {reference_there[k]:.3g} % after {cycle:.3g} cycles at {strain:.3g} % shear strain."
     )
 
