@@ -1,5 +1,7 @@
 #include "app/soiltest_lines.hpp"
 
+#include "materials/pm4sand_surfaces.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,11 +10,6 @@
 
 namespace tremolo::app {
 namespace {
-
-bool in_plane(const materials::Law& law) {
-  return std::holds_alternative<materials::Pm4Sand>(law) ||
-         std::holds_alternative<materials::MohrCoulomb>(law);
-}
 
 StressLine line(std::string name, double largest_p, const std::function<double(double)>& q_of_p) {
   constexpr int intervals = 100;
@@ -24,19 +21,12 @@ StressLine line(std::string name, double largest_p, const std::function<double(d
   return made;
 }
 
-/// M_b and M_d follow the state xi_R = R/(Q - ln(100 p/p_A)) - D_R (Boulanger & Ziotopoulou 2017,
-/// section 2.2).
 std::vector<StressLine> lines(const materials::Pm4Sand& law, double largest_p) {
-  const auto xi = [&law](double p) {
-    const double depth = law.Q - std::log(100.0 * std::max(p, 1e-3 * law.p_A) / law.p_A);
-    return law.R / std::max(depth, 0.1) - law.relative_density;
+  const auto at = [&law](double p) {
+    return materials::pm4::surfaces(law, std::max(p, law.p_A / 200.0), 0.0);
   };
-  const auto bounding = [&](double p) {
-    return p * law.M * std::exp(-law.n_b * xi(p) * (xi(p) > 0.0 ? 0.25 : 1.0));
-  };
-  const auto dilation = [&](double p) {
-    return p * law.M * std::exp(law.n_d * xi(p) * (xi(p) > 0.0 ? 4.0 : 1.0));
-  };
+  const auto bounding = [&](double p) { return p * at(p).M_b; };
+  const auto dilation = [&](double p) { return p * at(p).M_d; };
   return {line("critical_state", largest_p, [&](double p) { return law.M * p; }),
           line("bounding", largest_p, bounding), line("dilation", largest_p, dilation)};
 }
@@ -72,6 +62,11 @@ std::vector<StressLine> lines(const Other& /*law*/, double /*largest_p*/) {
 }
 
 } // namespace
+
+bool in_plane(const materials::Law& law) {
+  return std::holds_alternative<materials::Pm4Sand>(law) ||
+         std::holds_alternative<materials::MohrCoulomb>(law);
+}
 
 Invariants invariants(const materials::Law& law, const soiltest::History& history) {
   const auto& xx = history.column("sig_xx");

@@ -3,8 +3,8 @@
 // Mean and deviator stress as the law of a soil sees them, and the lines of the law in their plane. With p
 // positive in compression,
 //
-//     in the plane    p = -(sig_xx + sig_yy)/2,       q = sigma_1 - sigma_3 = 2 sqrt(((sig_xx - sig_yy)/2)^2
-//     + sig_xy^2) in space        p = -tr(sigma)/3,               q = sqrt(3 J2)
+//     in the plane    p = -(sig_xx + sig_yy)/2,    q = sqrt((sig_xx - sig_yy)^2 + 4 sig_xy^2)
+//     in space        p = -tr(sigma)/3,            q = sqrt(3 J2)
 
 #include "materials/law.hpp"
 #include "materials/soiltest/history.hpp"
@@ -13,6 +13,9 @@
 #include <vector>
 
 namespace tremolo::app {
+
+/// Whether the p and q of a law are those in the plane.
+bool in_plane(const materials::Law& law);
 
 /// p and q, Pa, of the rows of a history.
 struct Invariants {

@@ -1,6 +1,7 @@
 #include "app/soiltest_output.hpp"
 
 #include "app/soiltest_lines.hpp"
+#include "materials/soiltest/notes.hpp"
 #include "scene/soil_report.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 
 namespace tremolo::app {
@@ -32,6 +34,7 @@ Table about(const scene::SoilTestFile& file) {
            word("kind", soiltest::name(file.test.kind)), word("drainage", soiltest::name(file.test.drainage)),
            word("loading", scene::name(file.kind)), value("vertical_stress", "Pa", initial.vertical_stress),
            value("k0", "1", initial.k0), value("shear_bias", "1", initial.shear_bias),
+           word("stress_path", in_plane(file.soil.law) ? "in_plane" : "in_space"),
            word("test_file", file.text)}};
 }
 
@@ -104,8 +107,12 @@ Table summary(const scene::SoilTestFile& file, const SoilTestRun& run) {
   const auto peak_q = [&file](const Specimen& specimen) {
     return std::ranges::max(invariants(file.soil.law, specimen.result.history).q);
   };
-  table.columns.push_back(
-      column(run, "largest_ru", "1", [](const Specimen& s) { return s.result.largest_pore_pressure_ratio; }));
+  const bool has_ratio = soiltest::has_pore_pressure_ratio(file.soil.law, file.test);
+  table.columns.push_back(column(run, "largest_ru", "1", [has_ratio](const Specimen& s) {
+    return has_ratio ? s.result.largest_pore_pressure_ratio : std::numeric_limits<double>::quiet_NaN();
+  }));
+  table.columns.push_back(column(run, "largest_missing_stress", "Pa",
+                                 [](const Specimen& s) { return s.result.largest_missing_stress; }));
   table.columns.push_back(column(run, "peak_q", "Pa", peak_q));
   table.columns.push_back(column(run, "steps", "1", [](const Specimen& s) { return s.result.increments; }));
   table.columns.push_back(
@@ -141,19 +148,38 @@ Table strength_target(double relative_density) {
 
 Table modulus_curve(const SoilTestRun& run) {
   std::vector<double> amplitude;
+  std::vector<double> shear_strain;
   std::vector<double> modulus;
   std::vector<double> ratio;
   std::vector<double> damping;
   for (const soiltest::ModulusPoint& point : run.curve) {
     amplitude.push_back(point.amplitude);
+    shear_strain.push_back(point.shear_strain);
     modulus.push_back(point.modulus);
     ratio.push_back(point.modulus_ratio);
     damping.push_back(point.damping);
   }
   return {{{"strain_amplitude", "1", amplitude},
+           {"shear_strain", "1", shear_strain},
            {"shear_modulus", "Pa", modulus},
            {"modulus_ratio", "1", ratio},
            {"damping", "1", damping}}};
+}
+
+Table loops(const std::vector<soiltest::Loop>& closed) {
+  const auto values = [&](auto member) {
+    std::vector<double> column;
+    for (const soiltest::Loop& loop : closed)
+      column.push_back(static_cast<double>(loop.*member));
+    return column;
+  };
+  using soiltest::Loop;
+  return {{{"strain_amplitude", "1", values(&Loop::amplitude)},
+           {"cycle", "1", values(&Loop::cycle)},
+           {"shear_strain", "1", values(&Loop::shear_strain)},
+           {"shear_modulus", "Pa", values(&Loop::modulus)},
+           {"damping", "1", values(&Loop::damping)},
+           {"ru", "1", values(&Loop::pore_pressure_ratio)}}};
 }
 
 void write_csv(const std::filesystem::path& out, const Table& table) {
@@ -180,9 +206,13 @@ std::size_t specimens(const scene::SoilTestFile& file) {
 
 std::vector<results::NamedTable> soiltest_tables(const scene::SoilTestFile& file, const SoilTestRun& run) {
   std::vector<results::NamedTable> tables = {{"/about", about(file)}, {"/parameters", parameters(file)}};
-  for (std::size_t i = 0; i < run.specimens.size(); ++i)
-    tables.push_back(
-        {"/tests/" + number_of(i) + "/history", history(file.soil.law, run.specimens[i].result.history)});
+  for (std::size_t i = 0; i < run.specimens.size(); ++i) {
+    const soiltest::Result& result = run.specimens[i].result;
+    const std::string test = "/tests/" + number_of(i);
+    tables.push_back({test + "/history", history(file.soil.law, result.history)});
+    if (!result.loops.empty())
+      tables.push_back({test + "/loops", loops(result.loops)});
+  }
   tables.push_back({"/summary", summary(file, run)});
   for (const StressLine& line : stress_lines(file.soil.law, largest_p(file, run)))
     tables.push_back({"/lines/" + line.name, {{{"p", "Pa", line.p}, {"q", "Pa", line.q}}}});

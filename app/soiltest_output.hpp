@@ -5,23 +5,30 @@
 //
 //     /about              one row: title, soil (a name or ""), law, library (or ""), kind, drainage, loading,
 //                         vertical_stress (Pa, compression positive), k0, shear_bias (tau_0 over it),
-//                         test_file (its whole text)
+//                         stress_path ("in_plane" or "in_space": which p and q those of the histories are,
+//                         see app/soiltest_lines.hpp), test_file (its whole text)
 //     /parameters         a row a parameter in force: name, value, unit, meaning, origin
 //     /tests/000/history  a row an increment that is kept: step, cycle, eps_xx, eps_yy, eps_zz, gamma_xy,
 //                         sig_xx, sig_yy, sig_zz, sig_xy (effective), p, q (of the law, compression positive,
 //                         those of /lines), p_inplane, u, ru (excess pore pressure and its ratio), then the
 //                         state variables by name
+//     /tests/000/loops    strain-controlled cycles, a row a closed loop: strain_amplitude, cycle (1 for the
+//                         first of its amplitude), shear_strain (gamma, engineering), shear_modulus (Pa),
+//                         damping, ru (at its end)
 //     /tests/001/...      the next stress ratio or amplitude, and so on
 //     /summary            a row a test: test ("000"), stress_ratio, strain_amplitude, cycles_1pc, cycles_3pc,
-//                         cycles_5pc, cycles_ru98 (NaN where not reached), largest_ru, peak_q, steps, seconds
+//                         cycles_5pc, cycles_ru98 (NaN where not reached), largest_ru (NaN where it means
+//                         nothing), largest_missing_stress (Pa, by which the stress held by the apparatus was
+//                         missed), peak_q, steps, seconds
 //     /lines/<name>       lines in the p-q plane, points from p = 0 on: p, q; names: critical_state,
 //                         bounding, dilation, phase_transformation, failure; only those that the law has
 //     /strength_curve     cyclic tests at several stress ratios: stress_ratio, cycles_1pc, cycles_3pc,
 //                         cycles_5pc, cycles_ru98
 //     /strength_target    the curve of Idriss and Boulanger where the soil has a relative density: cycles,
 //                         stress_ratio
-//     /modulus_curve      strain-controlled cycles: strain_amplitude, shear_modulus (Pa, secant),
-//                         modulus_ratio, damping
+//     /modulus_curve      strain-controlled cycles: strain_amplitude (gamma_xy or eps_a), shear_strain
+//     (gamma),
+//                         shear_modulus (Pa, secant, tau/gamma), modulus_ratio, damping
 //
 // A test of one kind of loading has the tables that it can have; the others are absent.
 //

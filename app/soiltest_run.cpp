@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <variant>
 
 namespace tremolo::app {
@@ -22,17 +22,13 @@ std::vector<Specimen> by_stress_ratio(const scene::SoilTestFile& file) {
   return specimens;
 }
 
-/// The loops behind a modulus curve, with increments as fine as it takes them.
-std::vector<Specimen> by_amplitude(const scene::SoilTestFile& file) {
-  constexpr double increments = 50.0; // in a quarter of a cycle
-  std::vector<Specimen> specimens;
-  for (const double amplitude : file.amplitudes) {
-    auto test = file.test;
-    test.loading = soiltest::StrainCycles{{amplitude}, file.cycles};
-    test.strain_increment = std::min(test.strain_increment, amplitude / increments);
-    specimens.push_back({none, amplitude, soiltest::run(file.soil.law, test)});
-  }
-  return specimens;
+SoilTestRun modulus_curve(const scene::SoilTestFile& file) {
+  auto curve = soiltest::modulus_curve(file.soil.law, file.test, file.amplitudes, file.cycles);
+  SoilTestRun run;
+  for (std::size_t i = 0; i < curve.tests.size(); ++i)
+    run.specimens.push_back({none, curve.points[i].amplitude, std::move(curve.tests[i])});
+  run.curve = std::move(curve.points);
+  return run;
 }
 
 } // namespace
@@ -41,8 +37,7 @@ SoilTestRun run(const scene::SoilTestFile& file) {
   if (file.kind == scene::LoadingKind::cyclic_stress)
     return {by_stress_ratio(file), {}};
   if (file.kind == scene::LoadingKind::modulus_curve)
-    return {by_amplitude(file),
-            soiltest::modulus_curve(file.soil.law, file.test, file.amplitudes, file.cycles)};
+    return modulus_curve(file);
   return {{{none, none, soiltest::run(file.soil.law, file.test)}}, {}};
 }
 

@@ -86,6 +86,10 @@ double Apparatus::strain(const PointTest& point) const {
   return shears() ? point.strain().xy : -point.strain().yy;
 }
 
+double Apparatus::shear_strain(const PointTest& point) const {
+  return shears() ? point.strain().xy : point.strain().xx - point.strain().yy;
+}
+
 double Apparatus::shear_stress(const PointTest& point) const {
   return shears() ? point.stress().xy : 0.5 * (point.stress().xx - point.stress().yy);
 }

@@ -20,6 +20,8 @@ public:
 
   /// gamma_xy or eps_a = -eps_yy
   double strain(const materials::PointTest& point) const;
+  /// gamma, engineering: that of tau
+  double shear_strain(const materials::PointTest& point) const;
   /// tau, Pa
   double shear_stress(const materials::PointTest& point) const;
   /// u, Pa

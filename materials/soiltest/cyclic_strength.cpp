@@ -70,21 +70,6 @@ double cycles(const CyclesTo& reached, Criterion criterion) {
   }
 }
 
-std::vector<StrengthPoint> strength_curve(const materials::Law& law, const SoilTest& test,
-                                          std::span<const double> stress_ratios) {
-  StressCycles loading = stress_cycles(test);
-  std::vector<StrengthPoint> curve;
-  for (const double ratio : stress_ratios) {
-    SoilTest one = test;
-    loading.stress_ratio = ratio;
-    one.loading = loading;
-    const Result result = run(law, one);
-    curve.push_back({ratio, result.cycles_to, result.largest_pore_pressure_ratio, result.updates,
-                     result.cpu_seconds, result.end, result.end_reason});
-  }
-  return curve;
-}
-
 FailureTest cycles_to_failure(const materials::Law& law, const SoilTest& test, double stress_ratio,
                               double most_cycles, Criterion criterion) {
   SoilTest one = test;

@@ -13,10 +13,7 @@
 #include "materials/soiltest/soil_test.hpp"
 
 #include <cstddef>
-#include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace tremolo::soiltest {
 
@@ -37,22 +34,6 @@ Criterion criterion_named(std::string_view text);
 
 /// Cycles to the criterion; NaN if it was not reached.
 double cycles(const CyclesTo& reached, Criterion criterion);
-
-/// A point of a cyclic strength curve and what it cost.
-struct StrengthPoint {
-  double stress_ratio = 0.0;
-  CyclesTo cycles_to;
-  double largest_pore_pressure_ratio = 0.0;
-  std::size_t updates = 0;
-  double cpu_seconds = 0.0;
-  End end = End::completed;
-  std::string end_reason;
-};
-
-/// One test a stress ratio; `test` has stress cycles.
-/// @throws std::invalid_argument for a test without stress cycles
-std::vector<StrengthPoint> strength_curve(const materials::Law& law, const SoilTest& test,
-                                          std::span<const double> stress_ratios);
 
 /// Cycles to the criterion in one test that ends there, and what it cost.
 struct FailureTest {

@@ -13,7 +13,6 @@ namespace tremolo::soiltest {
 namespace {
 
 constexpr std::array<std::string_view, 4> strain_names = {"eps_xx", "eps_yy", "gamma_xy", "eps_zz"};
-constexpr std::array<std::string_view, 4> stress_names = {"sig_xx", "sig_yy", "sig_xy", "sig_zz"};
 
 std::vector<std::string_view> cells(std::string_view line) {
   std::vector<std::string_view> found;
@@ -42,10 +41,11 @@ double number(std::string_view cell, int line) {
 class Columns {
 public:
   Columns(std::string_view header, const Path& path) : names_(cells(header)) {
-    step_ = place("step");
+    refuse_twice();
+    step_ = at("step");
     for (std::size_t i = 0; i < 4; ++i) {
       const std::string_view name = path.by_stress[i] ? stress_names[i] : strain_names[i];
-      places_[i] = place(name);
+      places_[i] = at(name);
       if (!places_[i] && name != "eps_zz") {
         throw std::invalid_argument(
             fmt::format("the path has no column \"{}\"; its columns are {}", name, fmt::join(names_, ", ")));
@@ -61,6 +61,7 @@ public:
                                               line, row_cells.size(), names_.size()));
     }
     PathRow row;
+    row.line = line;
     row.step = step_ ? number(row_cells[*step_], line) : static_cast<double>(index);
     double* const strains[] = {&row.strain.xx, &row.strain.yy, &row.strain.xy, &row.strain.zz};
     double* const stresses[] = {&row.stress.xx, &row.stress.yy, &row.stress.xy, &row.stress.zz};
@@ -69,12 +70,24 @@ public:
         const double value = number(row_cells[*places_[i]], line);
         (path.by_stress[i] ? *stresses[i] : *strains[i]) = path.by_stress[i] ? stress_unit * value : value;
       }
+      if (const auto stress = at(stress_names[i]); stress && index == 0) {
+        *stresses[i] = stress_unit * number(row_cells[*stress], line);
+      }
     }
     return row;
   }
 
 private:
-  std::optional<std::size_t> place(std::string_view name) const {
+  void refuse_twice() const {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (!names_[i].empty() && at(names_[i]) != i) {
+        throw std::invalid_argument(
+            fmt::format("line 1 of the path names the column \"{}\" twice", names_[i]));
+      }
+    }
+  }
+
+  std::optional<std::size_t> at(std::string_view name) const {
     const auto found = std::find(names_.begin(), names_.end(), name);
     return found == names_.end() ? std::nullopt
                                  : std::optional(static_cast<std::size_t>(found - names_.begin()));
@@ -86,6 +99,11 @@ private:
 };
 
 } // namespace
+
+std::string place(const PathRow& row, std::size_t index) {
+  return row.line > 0 ? fmt::format("line {} of the path", row.line)
+                      : fmt::format("row {} of the path", index + 1);
+}
 
 Path read_path(std::istream& table, const std::vector<std::string>& by_stress, double stress_unit) {
   Path path;

@@ -28,11 +28,26 @@ std::size_t increments(double distance, double increment) {
   return static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(distance) / increment - 1e-9)));
 }
 
+double mobilised_angle(const materials::PointStress& stress) {
+  const double sum = -(stress.xx + stress.yy);
+  const double difference = 2.0 * std::hypot(0.5 * (stress.xx - stress.yy), stress.xy);
+  return difference < sum ? std::asin(difference / sum) : difference > 0.0 ? 0.5 * std::numbers::pi : 0.0;
+}
+
 /// What has been drawn of a loop.
 struct LoopSoFar {
-  double area = 0.0; ///< int tau d strain, J/m3
+  double area = 0.0; ///< int tau d gamma, J/m3
   double most = 0.0; ///< tau, Pa
   double least = 0.0;
+  double widest = 0.0; ///< gamma
+  double narrowest = 0.0;
+
+  void widen(double tau, double gamma) {
+    most = std::max(most, tau);
+    least = std::min(least, tau);
+    widest = std::max(widest, gamma);
+    narrowest = std::min(narrowest, gamma);
+  }
 };
 
 /// One straight piece of loading in a cyclic test.
@@ -85,6 +100,7 @@ private:
     least_ = std::min(least_, strain);
     result_.largest_strain = std::max(before, std::abs(strain));
     result_.peak_shear_stress = std::max(result_.peak_shear_stress, tau);
+    result_.mobilised_angle = std::max(result_.mobilised_angle, mobilised_angle(point_.stress()));
     const double highest_ratio = std::max(ratio, result_.largest_pore_pressure_ratio);
     if (cyclic_) {
       CyclesTo& to = result_.cycles_to;
@@ -129,13 +145,14 @@ private:
     for (std::size_t k = 1; k <= steps; ++k) {
       const double tau = apparatus_.shear_stress(point_);
       const double strain = apparatus_.strain(point_);
+      const double gamma = apparatus_.shear_strain(point_);
       const double part = static_cast<double>(k) / static_cast<double>(steps);
       const double next = k == steps ? goal : start + (goal - start) * part;
       advance(next - strain);
       const double next_tau = apparatus_.shear_stress(point_);
-      loop_.area += 0.5 * (tau + next_tau) * (apparatus_.strain(point_) - strain);
-      loop_.most = std::max(loop_.most, next_tau);
-      loop_.least = std::min(loop_.least, next_tau);
+      const double next_gamma = apparatus_.shear_strain(point_);
+      loop_.area += 0.5 * (tau + next_tau) * (next_gamma - gamma);
+      loop_.widen(next_tau, next_gamma);
       note(half.share > 0.0 ? half.cycle(next) : 0.0, k == steps);
     }
   }
@@ -157,7 +174,9 @@ private:
           if (reversal > 0) {
             close_loop(amplitude, reversal / 2);
           }
-          loop_ = {0.0, apparatus_.shear_stress(point_), apparatus_.shear_stress(point_)};
+          const double tau = apparatus_.shear_stress(point_);
+          const double gamma = apparatus_.shear_strain(point_);
+          loop_ = {0.0, tau, tau, gamma, gamma};
         }
       }
       go(0.0, 0.25);
@@ -166,9 +185,11 @@ private:
   }
 
   void close_loop(double amplitude, int cycle) {
-    const double modulus = (loop_.most - loop_.least) / (2.0 * amplitude);
-    const double damping = loop_.area / (2.0 * std::numbers::pi * modulus * amplitude * amplitude);
-    result_.loops.push_back({amplitude, cycle, modulus, damping, apparatus_.pore_pressure_ratio(point_)});
+    const double gamma = 0.5 * (loop_.widest - loop_.narrowest);
+    const double modulus = 0.5 * (loop_.most - loop_.least) / gamma;
+    const double damping = loop_.area / (2.0 * std::numbers::pi * modulus * gamma * gamma);
+    result_.loops.push_back(
+        {amplitude, cycle, gamma, modulus, damping, apparatus_.pore_pressure_ratio(point_)});
   }
 
   void load(const StressCycles& loading) {
@@ -200,7 +221,10 @@ private:
         stop_at_stress(point_, apparatus_, last_, sign * test_.strain_increment, half.to,
                        1e-9 * test_.initial.vertical_stress);
       }
-      note(reversal ? half.begin + half.share : half.cycle(apparatus_.shear_stress(point_)), reversal);
+      // Soil that softens falls back from a stress that it had reached: cycles do not run backwards with it.
+      note(reversal ? half.begin + half.share
+                    : std::max(result_.cycles, half.cycle(apparatus_.shear_stress(point_))),
+           reversal);
       if (over(loading)) {
         return false;
       }

@@ -2,6 +2,10 @@
 
 #include "materials/parameter_check.hpp"
 #include "materials/soiltest/names.hpp"
+#include "materials/soiltest/path_start.hpp"
+#include "materials/soiltest/path_table.hpp"
+#include "materials/soiltest/size.hpp"
+#include "materials/soiltest/specimen.hpp"
 
 #include <cmath>
 
@@ -54,11 +58,11 @@ void check_loading(Kind kind, const StrainCycles& loading) {
   check_range("cycles", loading.cycles, 1, 1e6);
 }
 
-void check_row(const PathRow& row, std::size_t number) {
+void check_row(const PathRow& row, std::size_t index) {
   for (const double value : {row.strain.xx, row.strain.yy, row.strain.xy, row.strain.zz, row.stress.xx,
                              row.stress.yy, row.stress.xy, row.stress.zz}) {
     if (!std::isfinite(value)) {
-      refuse(fmt::format("row {} of the path holds {:g}", number, value));
+      refuse(fmt::format("{} holds {:g}", place(row, index), value));
     }
   }
 }
@@ -71,13 +75,11 @@ void check_loading(Kind kind, const Path& loading) {
     refuse(fmt::format("a path needs at least 2 rows, not {}", loading.rows.size()));
   }
   for (std::size_t i = 0; i < loading.rows.size(); ++i) {
-    check_row(loading.rows[i], i + 1);
+    check_row(loading.rows[i], i);
     const double steps = i == 0 ? 1.0 : loading.rows[i].step - loading.rows[i - 1].step;
     if (!(steps >= 1.0 && steps <= 1e9 && steps == std::round(steps))) {
-      refuse(fmt::format(
-          "row {} of the path is {:g} increments after the one before; must be a whole number, at "
-          "least 1",
-          i + 1, steps));
+      refuse(fmt::format("{} is {:g} increments after the one before; must be a whole number, at least 1",
+                         place(loading.rows[i], i), steps));
     }
   }
 }
@@ -142,6 +144,10 @@ void validate(const materials::Law& law, const SoilTest& test) {
   check_range("strain_increment", test.strain_increment, 1e-9, 0.05);
   if (test.every == 0) {
     refuse("every = 0 must be at least 1");
+  }
+  check_size(test);
+  if (const auto* path = std::get_if<Path>(&test.loading)) {
+    check_start(*path, test.initial, specimen(law, test).stress());
   }
 }
 

@@ -3,11 +3,15 @@
 // Element tests as a laboratory knows them, on any law. A test is described by plain structs and runs on a
 // single point (materials/driver.hpp), driven by equal strain increments:
 //
-//     test                       driven by   holds constant   strain that is reported   tau
-//     direct simple shear        gamma_xy    sigma_yy         gamma_xy                  sigma_xy
-//     triaxial, plane strain     eps_yy      sigma_xx (_zz)   eps_a = -eps_yy           (sigma_xx -
-//     sigma_yy)/2 oedometer                  eps_yy      -                eps_a                     (sigma_xx
-//     - sigma_yy)/2 isotropic compression      eps, all    -                eps_a (sigma_xx - sigma_yy)/2
+//     test                     driven by   holds constant   strain             tau
+//     direct simple shear      gamma_xy    sigma_yy         gamma_xy           sigma_xy
+//     triaxial, plane strain   eps_yy      sigma_xx (_zz)   eps_a = -eps_yy    (sigma_xx - sigma_yy)/2
+//     oedometer                eps_yy      -                eps_a              (sigma_xx - sigma_yy)/2
+//     isotropic compression    eps, all    -                eps_a              (sigma_xx - sigma_yy)/2
+//
+// `strain` is what drives the test and what its limits and amplitudes mean. The shear strain that belongs to
+// tau is gamma = gamma_xy in simple shear and eps_xx - eps_yy, that is eps_1 - eps_3, in all others, so that
+// G = tau/gamma is a shear modulus in every test.
 //
 // y is vertical. Direct simple shear and oedometer have eps_xx = 0; triaxial tests sigma_zz = sigma_xx; all
 // others eps_zz = 0, except that isotropic compression of a three-dimensional law compresses all three
@@ -84,7 +88,8 @@ struct StrainCycles {
 struct PathRow {
   double step = 0.0;             ///< increments since the start; the path is straight between rows
   materials::PointStrain strain; ///< since the start
-  materials::PointStress stress; ///< Pa, total if undrained
+  materials::PointStress stress; ///< Pa, total if undrained; in the first row what the table has
+  int line = 0;                  ///< of its table, from 1; 0 without one
 };
 
 /// Prescribed strains, or stresses of the components that are controlled by them.
@@ -118,15 +123,19 @@ struct CyclesTo {
 
 /// A closed loop of strain-controlled cycles.
 struct Loop {
-  double amplitude = 0.0;
+  double amplitude = 0.0;           ///< gamma_xy or eps_a
   int cycle = 0;                    ///< 1 for the first of its amplitude
-  double modulus = 0.0;             ///< (tau_max - tau_min)/(2 amplitude), Pa
-  double damping = 0.0;             ///< loop area / (2 pi modulus amplitude^2)
+  double shear_strain = 0.0;        ///< gamma = (gamma_max - gamma_min)/2; the amplitude in simple shear
+  double modulus = 0.0;             ///< G = (tau_max - tau_min)/(2 gamma), Pa
+  double damping = 0.0;             ///< loop area, int tau d gamma, / (2 pi G gamma^2)
   double pore_pressure_ratio = 0.0; ///< at its end
 };
 
 /// Why a test ended.
 enum class End { completed, largest_strain, most_cycles, pore_pressure_ratio, refused };
+
+/// Of the largest stress: a test goes on as long as no stress that the apparatus holds is missed by more.
+inline constexpr double largest_missing_fraction = 0.05;
 
 /// What a test returns, however it ended.
 struct Result {
@@ -135,12 +144,16 @@ struct Result {
   std::vector<Loop> loops;        ///< of StrainCycles
   double cycles = 0.0;            ///< at the end
   double peak_shear_stress = 0.0; ///< largest |tau|, Pa
-  double largest_strain = 0.0;    ///< largest |strain|
+  /// Largest asin((s_1 - s_3)/(s_1 + s_3)) of the principal effective stresses in the plane, rad; pi/2 where
+  /// one of them is not a compression.
+  double mobilised_angle = 0.0;
+  double largest_strain = 0.0; ///< largest |strain|
   double largest_pore_pressure_ratio = 0.0;
   End end = End::completed;
   std::string end_reason; ///< one clause, e.g. "the strain reached 0.06"
   /// By how much a stress that the apparatus holds was missed at most, Pa. Zero unless the law left no strain
-  /// that gives it; the nearest was taken then. (A path whose stresses cannot be met is refused instead.)
+  /// that gives it; the nearest was taken then, up to largest_missing_fraction of the largest stress. Beyond
+  /// that, and in a path, the test is refused instead.
   double largest_missing_stress = 0.0;
   std::size_t increments = 0;
   std::size_t updates = 0; ///< of the law

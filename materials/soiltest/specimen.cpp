@@ -68,15 +68,20 @@ void shear_to(PointTest& point, const SoilTest& drained, double tau) {
 
 } // namespace
 
-PointTest specimen(const Law& law, const SoilTest& test) {
+materials::PointStress stress_at_start(const SoilTest& test) {
   const InitialState& initial = test.initial;
   const double lateral = -initial.k0 * initial.vertical_stress;
+  return {lateral, -initial.vertical_stress, lateral,
+          initial.bias_in_initial_stress ? initial.shear_bias * initial.vertical_stress : 0.0};
+}
+
+PointTest specimen(const Law& law, const SoilTest& test) {
+  const InitialState& initial = test.initial;
   const double tau = initial.shear_bias * initial.vertical_stress;
-  const bool at_once = initial.bias_in_initial_stress || tau == 0.0;
   materials::StressTolerance tolerance;
-  tolerance.nearest = test.kind == Kind::path ? 0.0 : 1.0;
-  PointTest point(law, {lateral, -initial.vertical_stress, lateral, at_once ? tau : 0.0}, tolerance);
-  if (at_once) {
+  tolerance.nearest = test.kind == Kind::path ? 0.0 : largest_missing_fraction;
+  PointTest point(law, stress_at_start(test), tolerance);
+  if (initial.bias_in_initial_stress || tau == 0.0) {
     return point;
   }
   SoilTest drained = test;

@@ -4,6 +4,9 @@
 
 namespace tremolo::soiltest {
 
+/// The stress that a law starts from: without the static bias if drained shearing applies that.
+materials::PointStress stress_at_start(const SoilTest& test);
+
 /// The specimen in its initial state, with strains counted from there.
 /// @throws std::invalid_argument for a static bias that drained shearing does not reach
 materials::PointTest specimen(const materials::Law& law, const SoilTest& test);

@@ -1,11 +1,14 @@
 // Cyclic soil tests on a hyperbolic law with Masing loops, whose answers are closed forms.
 
+#include "soils.hpp"
+
 #include "materials/soiltest/calibrate.hpp"
 #include "materials/soiltest/cyclic_strength.hpp"
 #include "materials/soiltest/modulus_curve.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -68,19 +71,45 @@ TEST(CyclicSoilTest, CountsPartsOfACycle) {
   EXPECT_NEAR(result.cycles_to.double_amplitude_5pc, 0.25 + 0.5 * unloaded / (2.0 * high * vertical), 1e-5);
 }
 
+/// Undrained soil that softens before the first reversal: its stress falls, its cycles do not run backwards.
+TEST(CyclicSoilTest, CyclesNeverRunBackwards) {
+  SoilTest test = simple_shear(0.6);
+  test.drainage = Drainage::undrained;
+  test.pore_stiffness = 5e9;
+  std::get<StressCycles>(test.loading).largest_strain = 0.06;
+  const Result result = run(materials::test::slope_soil(), test);
+  const std::vector<double>& tau = result.history.column("sig_xy");
+  ASSERT_LT(tau.back(), 0.95 * result.peak_shear_stress) << "the test must soften";
+  EXPECT_TRUE(std::ranges::is_sorted(result.history.column("cycle")));
+  EXPECT_LE(result.cycles_to.strain_1pc, result.cycles_to.strain_3pc);
+  EXPECT_LE(result.cycles_to.strain_3pc, result.cycles_to.strain_5pc);
+}
+
 TEST(CyclicSoilTest, ModulusAndDampingAreThoseOfMasing) {
   const std::vector<double> amplitudes = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
   SoilTest test = simple_shear(ratio);
   for (const double exponent : {1.0, 0.8}) {
     materials::MasingShear law = hyperbola(reference);
     law.exponent = exponent;
-    const std::vector<ModulusPoint> curve = modulus_curve(law, test, amplitudes, 2, 200);
-    for (const ModulusPoint& point : curve) {
+    const ModulusCurve curve = modulus_curve(law, test, amplitudes, 2, 200);
+    for (const ModulusPoint& point : curve.points) {
       const double secant = law.backbone().secant(point.amplitude);
       EXPECT_NEAR(point.modulus / secant, 1.0, 1e-6);
       EXPECT_NEAR(point.modulus_ratio, secant / law.backbone().secant(1e-7), 1e-6);
       EXPECT_NEAR(point.damping, masing_damping(law.backbone(), point.amplitude), 1e-4) << point.amplitude;
     }
+  }
+}
+
+/// The tests behind a curve come with it, so that nobody runs them again for their histories.
+TEST(CyclicSoilTest, ModulusCurveKeepsItsTests) {
+  const std::vector<double> amplitudes = {1e-4, 1e-3};
+  const ModulusCurve curve = modulus_curve(hyperbola(reference), simple_shear(ratio), amplitudes, 2);
+  ASSERT_EQ(curve.tests.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(curve.tests[i].loops.back().modulus, curve.points[i].modulus);
+    EXPECT_GT(curve.tests[i].history.rows(), 400U);
+    EXPECT_NEAR(std::ranges::max(curve.tests[i].history.column("gamma_xy")), amplitudes[i], 1e-15);
   }
 }
 
@@ -91,8 +120,8 @@ TEST(CyclicSoilTest, DampingConvergesInTheSecondOrder) {
   const std::vector<double> amplitude = {1e-3};
   const double exact = masing_damping(hyperbola(reference).backbone(), 1e-3);
   const auto error = [&](int increments) {
-    return std::abs(modulus_curve(hyperbola(reference), test, amplitude, 2, increments).front().damping -
-                    exact);
+    return std::abs(
+        modulus_curve(hyperbola(reference), test, amplitude, 2, increments).points.front().damping - exact);
   };
   EXPECT_NEAR(std::log2(error(20) / error(40)), 2.0, 0.1);
   EXPECT_NEAR(std::log2(error(40) / error(80)), 2.0, 0.1);

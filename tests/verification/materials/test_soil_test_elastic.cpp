@@ -1,10 +1,13 @@
 // Soil tests on linear elastic soil against closed forms, E = 40 MPa, nu = 0.28.
 
+#include "materials/soiltest/modulus_curve.hpp"
 #include "materials/soiltest/soil_test.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace tremolo::soiltest {
 namespace {
@@ -73,6 +76,36 @@ TEST(ElasticSoilTest, SimpleShearMakesNoPorePressure) {
     EXPECT_NEAR(change(result, "sig_xy"), strain * elastic.shear_modulus(), 1e-6);
     EXPECT_NEAR(result.largest_pore_pressure_ratio, 0.0, 1e-9);
   }
+}
+
+/// G = E/(2 (1 + nu)) whatever the test: tau and gamma belong together.
+TEST(ElasticSoilTest, LoopsHaveTheShearModulusInEveryTest) {
+  const double poisson = elastic.poisson;
+  const std::vector<std::pair<Kind, double>> gamma_of_axial = {
+      {Kind::direct_simple_shear, 1.0},
+      {Kind::triaxial_compression, 1.0 + poisson},
+      {Kind::triaxial_extension, 1.0 + poisson},
+      {Kind::plane_strain_compression, 1.0 / (1.0 - poisson)},
+      {Kind::plane_strain_extension, 1.0 / (1.0 - poisson)}};
+  for (const auto& [kind, factor] : gamma_of_axial) {
+    const std::vector<double> amplitude = {1e-4};
+    const ModulusPoint point =
+        modulus_curve(law, monotonic(kind, Drainage::drained), amplitude, 2).points.front();
+    EXPECT_NEAR(point.modulus / elastic.shear_modulus(), 1.0, 1e-6) << name(kind);
+    EXPECT_NEAR(point.modulus_ratio, 1.0, 1e-6) << name(kind);
+    EXPECT_NEAR(point.shear_strain, factor * 1e-4, 1e-10) << name(kind);
+    EXPECT_NEAR(point.damping, 0.0, 1e-6) << name(kind);
+  }
+}
+
+/// asin((s_1 - s_3)/(s_1 + s_3)) at the end of compression from 100 kPa with q = E eps_a.
+TEST(ElasticSoilTest, MobilisedAngleIsThatOfTheLastStress) {
+  const Result result = run(law, monotonic(Kind::triaxial_compression, Drainage::drained));
+  const double deviator = elastic.young * strain;
+  EXPECT_NEAR(result.mobilised_angle, std::asin(deviator / (200e3 + deviator)), 1e-9);
+  SoilTest pulled = monotonic(Kind::triaxial_extension, Drainage::drained);
+  pulled.loading = Monotonic{5e-3}; // 200 kPa of unloading: the vertical stress is a tension
+  EXPECT_EQ(run(law, pulled).mobilised_angle, 0.5 * std::numbers::pi);
 }
 
 /// Skempton (1954): du = B (d_sigma_3 + A (d_sigma_1 - d_sigma_3)), B = 1/(1 + n K/K_w), A = 1/3.

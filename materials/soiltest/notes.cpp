@@ -1,0 +1,94 @@
+#include "materials/soiltest/notes.hpp"
+
+#include "materials/soiltest/specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace tremolo::soiltest {
+namespace {
+
+constexpr double rounding = 1e-6; // of the largest initial stress
+
+struct Component {
+  std::string_view name;
+  double wanted; ///< Pa
+  double held;
+};
+
+/// What the law made of the initial stress, where it is another one; the stress out of plane is not given but
+/// made by laws of plane strain.
+void add_changed_stress(std::vector<std::string>& notes, double level, const materials::PointStress& wanted,
+                        const materials::PointTest& point) {
+  const materials::PointStress& held = point.stress();
+  const std::array<Component, 4> components = {{{"sig_xx", wanted.xx, held.xx},
+                                                {"sig_yy", wanted.yy, held.yy},
+                                                {"sig_zz", wanted.zz, held.zz},
+                                                {"sig_xy", wanted.xy, held.xy}}};
+  std::string list;
+  for (const Component& one : components) {
+    const bool made = one.name == "sig_zz" && !three_dimensional(point.law());
+    if (!made && std::abs(one.held - one.wanted) > rounding * level) {
+      list += fmt::format("{}{} = {:.4g} Pa becomes {:.4g} Pa", list.empty() ? "" : ", ", one.name,
+                          one.wanted, one.held);
+    }
+  }
+  if (!list.empty()) {
+    notes.push_back(fmt::format("the law cannot hold the initial stress: {}", list));
+  }
+}
+
+/// PM4Sand reports the stress that it was given and keeps the part that its surfaces cannot hold apart.
+void add_offset(std::vector<std::string>& notes, double level, const materials::PointTest& point) {
+  const auto variables = state_variables(point.law());
+  std::string list;
+  for (std::size_t k = 0; k < variables.size(); ++k) {
+    const std::string_view name = variables[k].name;
+    if (name.starts_with("offset_") && std::abs(point.state()[k]) > rounding * level) {
+      list += fmt::format("{}{} = {:.4g} Pa", list.empty() ? "" : ", ", name, point.state()[k]);
+    }
+  }
+  if (!list.empty()) {
+    notes.push_back(fmt::format("the law cannot hold the initial stress: it keeps {} of it (compression "
+                                "positive) apart for the whole test",
+                                list));
+  }
+}
+
+} // namespace
+
+bool total_stress(const materials::Law& law) {
+  return std::holds_alternative<materials::MultiYieldClay>(law) ||
+         std::holds_alternative<materials::MasingShear>(law) ||
+         std::holds_alternative<materials::IwanShear>(law);
+}
+
+bool has_pore_pressure_ratio(const materials::Law& law, const SoilTest& test) {
+  return test.drainage == Drainage::drained || !total_stress(law);
+}
+
+std::vector<std::string> notes(const materials::Law& law, const SoilTest& test) {
+  std::vector<std::string> notes;
+  if (const double vertical = test.initial.vertical_stress; vertical < 1e3) {
+    notes.push_back(fmt::format("vertical_stress = {:g} Pa is less than 1 kPa; Pa are meant: 101.3e3 for one "
+                                "atmosphere",
+                                vertical));
+  }
+  const materials::PointStress wanted = stress_at_start(test);
+  const materials::PointTest point(law, wanted);
+  const double level = std::max({std::abs(wanted.xx), std::abs(wanted.yy), std::abs(wanted.xy)});
+  add_changed_stress(notes, level, wanted, point);
+  add_offset(notes, level, point);
+  if (!has_pore_pressure_ratio(law, test)) {
+    notes.push_back(fmt::format("{} is a law in total stress, whose strength does not follow the effective "
+                                "stress: r_u has no meaning and is left out",
+                                materials::name(law)));
+  }
+  return notes;
+}
+
+} // namespace tremolo::soiltest

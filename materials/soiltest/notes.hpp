@@ -1,0 +1,20 @@
+#pragma once
+
+#include "materials/soiltest/soil_test.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tremolo::soiltest {
+
+/// Whether the strength of the law follows no effective stress, so that pore pressure does not act on it.
+bool total_stress(const materials::Law& law);
+
+/// Whether r_u of a test means something: not that of a total-stress law whose pore water is held back.
+bool has_pore_pressure_ratio(const materials::Law& law, const SoilTest& test);
+
+/// What a user should know of a test that can be run, a sentence each: units that look wrong, an initial
+/// stress that the law cannot hold, results without a meaning.
+std::vector<std::string> notes(const materials::Law& law, const SoilTest& test);
+
+} // namespace tremolo::soiltest
