@@ -65,7 +65,7 @@ struct Pdmy03Input {
   std::optional<double> atmospheric_pressure; ///< p_a, Pa; default 101 kPa
   std::optional<double> zero_pressure_strength; ///< S0, Pa; default 1.73 kPa
 
-  Pdmy03Cone cone = Pdmy03Cone::triaxial_compression;
+  std::optional<Pdmy03Cone> cone; ///< triaxial_compression
   /// Replaces the hyperbola: strength, friction angle and number of surfaces then follow from it.
   std::vector<ModulusReduction> modulus_reduction;
 };
@@ -89,6 +89,7 @@ struct Pdmy03 {
   double atmospheric_pressure = 0.0;
   double zero_pressure_strength = 0.0;
   Pdmy03Cone cone = Pdmy03Cone::triaxial_compression;
+  bool cone_given = false;
 
   // What follows from them (pdmy03_surfaces.hpp); index i is the surface, 0 the elastic core.
   std::size_t surfaces = 0;
@@ -112,7 +113,8 @@ Pdmy03 pdmy03(const Pdmy03Input& input);
 Pdmy03Input pdmy03_recommended(double relative_density);
 
 /// Advances stress, state and plastic work of all points by one step, in sub-increments of 1e-5 strain.
-/// @throws std::domain_error for an increment above pdmy03_largest_increment; nothing has been changed
+/// @throws std::domain_error for an increment above pdmy03_largest_increment, and for stress or state that is
+/// not finite; nothing has been changed
 void update(const Pdmy03& law, const Points& points);
 
 /// Largest strain component of one step; it takes some thousand sub-increments.

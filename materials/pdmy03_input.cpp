@@ -116,13 +116,29 @@ Elasticity elasticity_of(double density, double shear, double bulk) {
           (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear))};
 }
 
+/// The angles, in degrees as users give them.
+void check_angles(const Pdmy03& law) {
+  constexpr double least = 1.0 * degree;
+  constexpr double steepest = 65.0 * degree;
+  const bool of_curve = law.origins[static_cast<std::size_t>(P::friction)] == Pdmy03Origin::curve;
+  const std::string_view source = of_curve ? ", which the modulus reduction curve fixes" : "";
+  if (!(law.friction >= least && law.friction <= steepest)) {
+    throw std::invalid_argument(fmt::format("friction_deg = {:.4g}{}, is outside [{:g}, {:g}] degrees",
+                                            law.friction / degree, source, least / degree,
+                                            steepest / degree));
+  }
+  if (!(law.phase_transformation >= least && law.phase_transformation <= law.friction)) {
+    throw std::invalid_argument(fmt::format(
+        "phase_transformation_deg = {:.4g} is outside [{:g}, {:.4g}] degrees, up to friction_deg{}",
+        law.phase_transformation / degree, least / degree, law.friction / degree, source));
+  }
+}
+
 /// Refuses what would make the surfaces meaningless before they are built.
 void check_values(const Pdmy03& law) {
   constexpr double unbounded = std::numeric_limits<double>::max();
-  constexpr double steepest = 65.0 * degree;
   check(law.elastic);
-  check_range("friction", law.friction, 1.0 * degree, steepest);
-  check_range("phase_transformation", law.phase_transformation, 1.0 * degree, law.friction);
+  check_angles(law);
   check_range("contraction_a", law.contraction[0], 0.0, unbounded);
   check_range("contraction_b", law.contraction[1], 0.0, unbounded);
   check_range("contraction_c", law.contraction[2], 0.0, 10.0);
@@ -224,7 +240,8 @@ Pdmy03 pdmy03(const Pdmy03Input& input) {
     table = pdmy03_recommended(*input.relative_density);
     law.relative_density = *table.relative_density;
   }
-  law.cone = input.cone;
+  law.cone = input.cone.value_or(Pdmy03Cone::triaxial_compression);
+  law.cone_given = input.cone.has_value();
   Resolver resolver(law);
   resolve_soil(resolver, input, table, law);
   resolve_defaults(resolver, input, law);

@@ -94,8 +94,8 @@ std::string origin(const Pdmy03& law, std::size_t k) {
   case Pdmy03Origin::given:
     return "given";
   case Pdmy03Origin::table:
-    return fmt::format("table D_R {:.0f} %, Khosravifar et al. (2018){}", 100.0 * law.relative_density,
-                       doubt(descriptions[k].evidence));
+    return fmt::format("table D_R {:.0f} %, as known of Khosravifar et al. (2018){}",
+                       100.0 * law.relative_density, doubt(descriptions[k].evidence));
   case Pdmy03Origin::curve:
     return "from the modulus reduction curve";
   case Pdmy03Origin::fallback:
@@ -107,9 +107,11 @@ std::string origin(const Pdmy03& law, std::size_t k) {
 /// What follows from the parameters, and what the law fixes.
 void append_derived(const Pdmy03& law, std::vector<ParameterValue>& list) {
   namespace critical = pdmy03_critical;
-  const auto cone = static_cast<double>(static_cast<int>(law.cone));
-  list.push_back({"cone", cone, "1", "0 triaxial compression, 1 triaxial extension, 2 plane strain",
-                  "given or default"});
+  constexpr std::array<std::string_view, 3> cones = {"triaxial_compression", "triaxial_extension",
+                                                     "plane_strain"};
+  const auto cone = static_cast<std::size_t>(law.cone);
+  list.push_back({"cone", static_cast<double>(cone), "1", "test in which the cone has the friction angle",
+                  law.cone_given ? "given" : "default", cones[cone]});
   list.push_back({"failure_ratio", law.ratio[law.surfaces], "1", "M_f, slope of the failure cone in q-p'",
                   "computed from friction and cone"});
   list.push_back({"residual_pressure", law.residual_pressure, "Pa", "p_res, the apex lies at p' = -p_res",

@@ -7,6 +7,7 @@
 //
 // Effective stress is never tensile; expansion beyond zero is remembered as a gap that must close first.
 
+#include "materials/finite_input.hpp"
 #include "materials/material_axes.hpp"
 #include "materials/pdmy03_cone.hpp"
 #include "materials/pdmy03_flow.hpp"
@@ -263,6 +264,7 @@ void Step::correct(const IncrementStart& start, const Stiffness& moduli, FlowStr
 void update(const Pdmy03& law, const Points& points) {
   check_increments("pdmy03", points, pdmy03_largest_increment);
   const std::size_t size = pdmy03_state_size(law.surfaces);
+  check_finite("pdmy03", points, size);
   for (std::size_t i = 0; i < points.count; ++i) {
     double* block = points.state + i * size;
     block[Place::rotation] = MaterialAxes::turned(block[Place::rotation], points.dwxy[i]);

@@ -1,13 +1,17 @@
 #include "materials/pm4sand.hpp"
 
+#include "materials/finite_input.hpp"
 #include "materials/material_axes.hpp"
 #include "materials/pm4sand_initial.hpp"
 #include "materials/pm4sand_integration.hpp"
 #include "materials/strain_limit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace tremolo::materials {
 namespace {
@@ -48,7 +52,13 @@ void advance(const Pm4Sand& law, const Points& points, std::size_t i) {
 
   pm4::Stress stress = {reported.p - state.start.offset.p, reported.s - state.start.offset.s};
   if (strain.volumetric != 0.0 || strain.e.d != 0.0 || strain.e.s != 0.0) {
-    points.plastic_work[i] += pm4::integrate(law, state, stress, strain);
+    const double work = pm4::integrate(law, state, stress, strain);
+    if (!std::isfinite(work)) {
+      throw std::domain_error(fmt::format("pm4sand: no finite stress of point {} follows from its strain "
+                                          "increment",
+                                          i));
+    }
+    points.plastic_work[i] += work;
   }
   report(law, points, i,
          axes.to_space(tension({stress.p + state.start.offset.p, stress.s + state.start.offset.s})));
@@ -67,6 +77,7 @@ void initialise(const Pm4Sand& law, const Points& points) {
 
 void update(const Pm4Sand& law, const Points& points) {
   check_increments("pm4sand", points, largest_increment);
+  check_finite("pm4sand", points, pm4::state_size);
   for (std::size_t i = 0; i < points.count; ++i) {
     advance(law, points, i);
   }
@@ -75,7 +86,8 @@ void update(const Pm4Sand& law, const Points& points) {
 double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {
   double p = law.p_A / 200.0;
   for (std::size_t i = 0; i < points.count; ++i) {
-    p = std::max(p, -0.5 * (points.sxx[i] + points.syy[i]));
+    const pm4::Initial start = pm4::load(points.state + i * pm4::state_size).start;
+    p = std::max({p, start.p_min, -0.5 * (points.sxx[i] + points.syy[i]) - start.offset.p});
   }
   const double G = law.G_o * std::sqrt(law.p_A * p);
   return std::sqrt((law.bulk_ratio + 4.0 / 3.0) * G / law.elastic.density);

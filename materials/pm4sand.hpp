@@ -43,7 +43,7 @@ struct Pm4SandInput {
   std::optional<double> n_b;     ///< bounding surface, 0.5
   std::optional<double> n_d;     ///< dilatancy surface, 0.1
   std::optional<double> phi_cv;  ///< critical state friction angle, rad; 33 degrees
-  std::optional<double> poisson; ///< 0.3; 0.5 means 0.4999
+  std::optional<double> poisson; ///< 0.3; at most 0.4999
   std::optional<double> Q;       ///< critical state line, 10
   std::optional<double> R;       ///< critical state line, 1.5
   std::optional<double> m;       ///< size of the yield surface, 0.01
@@ -53,7 +53,7 @@ struct Pm4SandInput {
   std::optional<double> c_z;     ///< rate of fabric, 250
   std::optional<double> c_eps;   ///< strain accumulation, 0.5 at D_R <= 0.55 to 0.2 at D_R >= 0.75
   std::optional<double> C_GD;    ///< degradation of G with fabric, 2
-  std::optional<double> C_DR;    ///< rotated dilatancy, 5 + 25 (D_R - 0.35) in [1, 10]
+  std::optional<double> C_DR;    ///< rotated dilatancy, 5 + 25 (D_R - 0.35) in [1, 10]; given, at most 10
   std::optional<double> C_kaf;   ///< plastic modulus under static shear, 5 + 220 (D_R - 0.26)^3 in [4, 35]
   std::optional<double>
       F_sed_min; ///< smallest reduction of stiffness after shaking, min(0.03 exp(2.6 D_R), 0.99)
@@ -120,11 +120,12 @@ std::span<const StateVariable> state_variables(const Pm4Sand& law);
 void initialise(const Pm4Sand& law, const Points& points);
 
 /// Advances stress, state and plastic work of all points by one step.
-/// @throws std::domain_error for strain increments above 0.02: nothing has been changed
+/// @throws std::domain_error for strain increments above 0.02, and for stress or state that is not finite:
+/// nothing has been changed; or for a point whose stress would not stay finite: that point has not been
 void update(const Pm4Sand& law, const Points& points);
 
-/// sqrt((K + 4G/3)/rho) at the largest pressure over the points, with the undegraded G, m/s. Pressure can
-/// multiply in dilation: ask again as the points move.
+/// sqrt((K + 4G/3)/rho) at the largest pressure over the points, or at p_min of their state where that is
+/// more, with the undegraded G, m/s. Pressure can multiply in dilation: ask again as the points move.
 double p_wave_speed_bound(const Pm4Sand& law, const Points& points);
 
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range

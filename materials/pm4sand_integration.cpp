@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tremolo::materials::pm4 {
 namespace {
@@ -205,10 +206,15 @@ double integrate(const Pm4Sand& law, State& state, Stress& stress, const Strain&
     const bool last = done + length * (1.0 + 1e-9) >= 1.0;
     const double taken = last ? 1.0 - done : length;
     attempt(law, state, stress, taken * increment, next);
-    if (next.error2 > tolerance2 && taken > smallest) {
-      length = taken * std::max(safety * std::sqrt(std::sqrt(tolerance2 / next.error2)), 0.1);
+    const bool finite = std::isfinite(next.error2) && std::isfinite(next.plastic_work);
+    if (!(finite && next.error2 <= tolerance2) && taken > smallest) {
+      const double wanted = finite ? safety * std::sqrt(std::sqrt(tolerance2 / next.error2)) : 0.0;
+      length = taken * std::max(wanted, 0.1);
       rejected = true;
       continue;
+    }
+    if (!finite) {
+      return std::numeric_limits<double>::quiet_NaN();
     }
     state.now = next.now;
     if (next.reverses) {

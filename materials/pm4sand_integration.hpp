@@ -18,7 +18,7 @@ namespace tremolo::materials::pm4 {
 
 /// Takes stress and state over a strain increment.
 /// @param stress  what the surfaces hold, in the axes of the material, compression positive
-/// @return plastic work, J/m3
+/// @return plastic work, J/m3; NaN where no finite stress follows: stress and state then have no meaning
 double integrate(const Pm4Sand& law, State& state, Stress& stress, const Strain& increment);
 
 } // namespace tremolo::materials::pm4

@@ -18,7 +18,7 @@
 namespace tremolo::materials {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double degree = std::numbers::pi / 180.0;
 
 /// A parameter that may be left out.
 struct Optional {
@@ -57,8 +57,8 @@ const std::array optional_parameters = {
     Optional{"n_d", "1", "dilatancy surface against state", &Input::n_d,
              [](Law& l) -> double& { return l.n_d; }, [](const Law&) { return 0.1; }, "0.1", 0.0, 10.0},
     Optional{"phi_cv", "rad", "friction angle at the critical state", &Input::phi_cv,
-             [](Law& l) -> double& { return l.phi_cv; }, [](const Law&) { return 33.0 * pi / 180.0; },
-             "33 degrees", pi / 180.0, 60.0 * pi / 180.0},
+             [](Law& l) -> double& { return l.phi_cv; }, [](const Law&) { return 33.0 * degree; },
+             "33 degrees", 1.0 * degree, 60.0 * degree},
     Optional{"poisson", "1", "Poisson's ratio", &Input::poisson,
              [](Law& l) -> double& { return l.elastic.poisson; }, [](const Law&) { return 0.3; }, "0.3", 0.0,
              0.4999},
@@ -94,17 +94,6 @@ const std::array optional_parameters = {
              0.0, 1e9},
 };
 
-/// A value as it is used: some are limited rather than refused.
-double limited(const Optional& parameter, double value) {
-  if (parameter.name == "C_DR") {
-    return std::min(value, parameter.high);
-  }
-  if (parameter.name == "C_kaf") {
-    return std::clamp(value, parameter.low, parameter.high);
-  }
-  return parameter.name == "poisson" && value == 0.5 ? parameter.high : value;
-}
-
 /// The value in force; the accessors are those that also write.
 double value_of(const Optional& parameter, Pm4Sand law) {
   return parameter.value(law);
@@ -133,7 +122,7 @@ Pm4Sand pm4sand(const Pm4SandInput& input) {
     const Optional& parameter = optional_parameters[k];
     const std::optional<double>& given = input.*parameter.input;
     law.given[k] = given.has_value();
-    parameter.value(law) = given ? limited(parameter, *given) : parameter.fallback(law);
+    parameter.value(law) = given ? *given : parameter.fallback(law);
   }
   law.A_do = input.A_do;
   law.z_max = input.z_max;

@@ -55,7 +55,8 @@ materials::Law pm4sand(const TableReader& table) {
                              .C_DR = number("C_DR"),
                              .C_kaf = number("C_kaf"),
                              .F_sed_min = number("F_sed_min"),
-                             .p_sedo = number("p_sedo")});
+                             .p_sedo = number("p_sedo"),
+                             .post_shake = table.boolean("post_shake")});
 }
 
 /// G/Gmax that the surfaces share. The built-in curve at as many strains as there are surfaces by default.
@@ -78,8 +79,10 @@ std::vector<materials::ModulusReduction> modulus_reduction(const TableReader& ta
   return points;
 }
 
-materials::Pdmy03Cone cone(const TableReader& table) {
+std::optional<materials::Pdmy03Cone> cone(const TableReader& table) {
   using enum materials::Pdmy03Cone;
+  if (!table.given("cone"))
+    return std::nullopt;
   const auto name = table.text("cone");
   if (name == "triaxial_extension")
     return triaxial_extension;
@@ -123,6 +126,24 @@ bool recommended(const TableReader& table, Findings& findings) {
   }
 }
 
+/// Whether the keys that other models have too suit this one.
+bool suits_pdmy03(const TableReader& table, Findings& findings) {
+  bool good = within(table, "friction_deg", {.low = 1.0, .high = 65.0}, " degrees", findings);
+  good &= within(table, "surfaces", {.low = 3.0, .high = 40.0}, "", findings);
+  if (!table.given("curve"))
+    return good;
+  for (const char* key : {"friction_deg", "surfaces", "peak_shear_strain"})
+    if (table.given(key)) {
+      findings.add(
+          table.path(key),
+          fmt::format("'{}' and 'curve' exclude each other: the curve fixes friction angle, surfaces "
+                      "and their last strain; remove one",
+                      key));
+      good = false;
+    }
+  return good;
+}
+
 } // namespace
 
 Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings) {
@@ -132,11 +153,11 @@ Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, F
     need(table, "density", findings);
     need(table, "relative_density", findings);
   }
-  for (const char* key :
-       {"density", "relative_density", "shear_modulus_coefficient", "contraction_rate", "curve"})
+  for (const char* key : {"density", "relative_density", "shear_modulus_coefficient", "contraction_rate",
+                          "friction_deg", "surfaces", "curve"})
     if (!findings.sound(table.path(key)))
       return placeholder(soil.name);
-  if (!pm4 && !recommended(table, findings))
+  if (!pm4 && (!recommended(table, findings) || !suits_pdmy03(table, findings)))
     return placeholder(soil.name);
   try {
     const auto law = pm4 ? pm4sand(table) : pdmy03(table, directory);

@@ -125,6 +125,16 @@ void need(const TableReader& table, std::string_view key, Findings& findings) {
                  fmt::format("missing '{}': model = \"{}\" needs it", key, table.text("model")));
 }
 
+bool within(const TableReader& table, std::string_view key, const Range& range, std::string_view unit,
+            Findings& findings) {
+  const auto value = table.optional_number(key);
+  if (!value || range.contains(*value))
+    return true;
+  findings.add(table.path(key), fmt::format("'{}' = {} is out of range, must be {}{} with model = \"{}\"",
+                                            key, *value, range.text(), unit, table.text("model")));
+  return false;
+}
+
 Soil placeholder(const std::string& name) {
   return {name, materials::LinearElastic{}, materials::LinearElastic{}, {}, {}};
 }

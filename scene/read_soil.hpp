@@ -23,6 +23,10 @@ Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory
 /// Reports a key that this model needs and others do not.
 void need(const TableReader& table, std::string_view key, Findings& findings);
 
+/// Whether a number, where it is given, lies in the range that this model has; reports it otherwise.
+bool within(const TableReader& table, std::string_view key, const Range& range, std::string_view unit,
+            Findings& findings);
+
 /// What stands for a soil that cannot be read; its errors have been reported.
 Soil placeholder(const std::string& name);
 

@@ -16,8 +16,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> in_words 
     {{"G_o", "shear_modulus_coefficient"}, {"h_po", "contraction_rate"}, {"p_A", "atmospheric_pressure"}}};
 
 ParameterInForce in_terms_of_the_file(const materials::ParameterValue& parameter) {
-  ParameterInForce shown{std::string(parameter.name), parameter.value, std::string(parameter.unit),
-                         std::string(parameter.meaning), parameter.origin};
+  ParameterInForce shown{std::string(parameter.name),    parameter.value,  std::string(parameter.unit),
+                         std::string(parameter.meaning), parameter.origin, std::string(parameter.word)};
   if (const auto* word = std::ranges::find(in_words, parameter.name, &decltype(in_words)::value_type::first);
       word != in_words.end()) {
     shown.meaning = fmt::format("{}, {}", parameter.name, parameter.meaning);
@@ -60,8 +60,9 @@ std::vector<std::string> notes(const Soil& soil) {
 
 std::string text(const std::vector<ParameterInForce>& parameters) {
   std::string lines;
-  for (const auto& [name, value, unit, meaning, origin] : parameters)
-    lines += fmt::format("  {:<26} {:>12.6g} {:<8} {} ({})\n", name, value, unit == "1" ? "" : unit, meaning,
+  for (const auto& [name, value, unit, meaning, origin, word] : parameters)
+    lines += fmt::format("  {:<26} {:>12} {:<8} {} ({})\n", name,
+                         word.empty() ? fmt::format("{:.6g}", value) : word, unit == "1" ? "" : unit, meaning,
                          origin);
   return lines;
 }

@@ -15,6 +15,7 @@ struct ParameterInForce {
   std::string unit; ///< angles in degrees
   std::string meaning;
   std::string origin; ///< "case.toml:14:9", "library hostun_dr45", or the rule it follows from
+  std::string word;   ///< of a choice, what the file says
 };
 
 /// The name of a soil's model as its table, or the library, gives it.

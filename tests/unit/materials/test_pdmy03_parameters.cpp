@@ -151,6 +151,10 @@ TEST(Pdmy03Parameters, AMeasuredCurveReplacesTheHyperbola) {
   EXPECT_NEAR(law.residual_pressure, 2.0 * 1.73e3 / law.ratio[law.surfaces], 1e-6);
   EXPECT_THAT(refusal({.relative_density = 0.57, .friction = 0.5, .modulus_reduction = curve}),
               HasSubstr("modulus_reduction already fixes"));
+  EXPECT_THAT(refusal({.relative_density = 0.57, .phase_transformation = 1.0, .modulus_reduction = curve}),
+              ::testing::AllOf(HasSubstr("phase_transformation_deg = 57.3 is outside [1, "),
+                               HasSubstr("degrees, up to friction_deg, which the modulus reduction curve "
+                                         "fixes")));
 }
 
 TEST(Pdmy03Parameters, SimpleShearUnderConstantPressureFollowsTheMeasuredCurve) {
@@ -214,11 +218,18 @@ TEST(Pdmy03Parameters, EveryValueIsListedWithItsOrigin) {
   };
   EXPECT_EQ(find("contraction_a").value, 0.02);
   EXPECT_EQ(find("contraction_a").origin, "given");
-  EXPECT_THAT(find("friction_deg").origin, HasSubstr("table D_R 57 %, Khosravifar et al. (2018)"));
+  EXPECT_THAT(find("friction_deg").origin,
+              HasSubstr("table D_R 57 %, as known of Khosravifar et al. (2018)"));
   EXPECT_NEAR(find("friction_deg").value, 30.3, 1e-9);
   EXPECT_THAT(find("dilation_c").origin, HasSubstr("does not identify"));
   EXPECT_EQ(find("pressure_exponent").origin, "default");
   EXPECT_EQ(find("surfaces").value, 20.0);
+  EXPECT_EQ(find("cone").word, "triaxial_compression");
+  EXPECT_EQ(find("cone").origin, "default");
+  const auto plane = parameters(pdmy03({.relative_density = 0.57, .cone = Pdmy03Cone::plane_strain}));
+  const auto cone = std::ranges::find(plane, "cone", &ParameterValue::name);
+  EXPECT_EQ(cone->word, "plane_strain");
+  EXPECT_EQ(cone->origin, "given");
   EXPECT_EQ(find("void_ratio").origin, "fixed");
 }
 

@@ -175,8 +175,45 @@ TEST(Pm4ClosedForm, WaveSpeedBound) {
   points.count = 1;
   points.sxx = &now.stress.xx;
   points.syy = &now.stress.yy;
+  points.state = now.variables.data();
   const double c_s = std::sqrt(677.0 * 101.3e3 * std::sqrt(200.0 / 101.3) / 1900.0);
   EXPECT_NEAR(p_wave_speed_bound(law, points), std::sqrt(3.5) * c_s, 1e-9 * c_s);
+}
+
+/// c_p of a small isotropic strain from the point's state: (K + G/3) e_v is the elastic change of p, and
+/// K = bulk_ratio G. While there is a gap compression only closes it.
+double measured_speed(const Pm4Sand& law, PointTest point) {
+  constexpr double strain = 1e-9;
+  const double before = point.stress().xy;
+  point.apply({Control::strain(0.0), Control::strain(0.0), Control::strain(strain)});
+  const double G = std::abs(point.stress().xy - before) / strain;
+  return std::sqrt((law.bulk_ratio + 4.0 / 3.0) * G / law.elastic.density);
+}
+
+double speed_bound(const Pm4Sand& law, const PointTest& point) {
+  PointState now = point.now();
+  Points points;
+  points.count = 1;
+  points.sxx = &now.stress.xx;
+  points.syy = &now.stress.yy;
+  points.state = now.variables.data();
+  return p_wave_speed_bound(law, points);
+}
+
+/// Stiffness is kept up by p_min of the initial stress, also where the soil has been pulled to its floor.
+TEST(Pm4ClosedForm, WaveSpeedBoundHoldsFromAnyInitialStressDownToTheFloor) {
+  const Pm4Sand law = report_sand(55);
+  for (const double p_0 : {0.1, 1.0, 10.0, 100.0, 500.0, 2000.0}) {
+    PointTest point(law, geostatic(p_0 * kilopascal, 1.0));
+    EXPECT_GE(speed_bound(law, point) * (1.0 + 1e-5), measured_speed(law, point)) << p_0;
+    for (int n = 0; n < 400; ++n) {
+      point.apply({Control::strain(2e-5), Control::strain(2e-5)});
+    }
+    ASSERT_GT(pm4::load(point.state().data()).now.gap, 0.0) << p_0;
+    const double bound = speed_bound(law, point);
+    EXPECT_GE(bound * (1.0 + 1e-5), measured_speed(law, point)) << p_0;
+    EXPECT_LT(bound, 1.01 * measured_speed(law, point)) << p_0; // no fabric, no shear: it is the speed
+  }
 }
 
 } // namespace
