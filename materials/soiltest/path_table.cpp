@@ -101,8 +101,8 @@ private:
 } // namespace
 
 std::string place(const PathRow& row, std::size_t index) {
-  return row.line > 0 ? fmt::format("line {} of the path", row.line)
-                      : fmt::format("row {} of the path", index + 1);
+  return fmt::format("row {} of the path{}", index + 1,
+                     row.line > 0 ? fmt::format(" (line {})", row.line) : "");
 }
 
 Path read_path(std::istream& table, const std::vector<std::string>& by_stress, double stress_unit) {

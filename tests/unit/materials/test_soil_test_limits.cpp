@@ -108,7 +108,8 @@ TEST(SoilTestPath, ColumnsNamedTwiceAndStepsThatFallAreRefusedWithTheirLine) {
   EXPECT_THAT([&] { read_path(twice); },
               ThrowsMessage<Refusal>(AllOf(HasSubstr("line 1"), HasSubstr("\"eps_yy\" twice"))));
   const SoilTest back = along("step,eps_xx,eps_yy,gamma_xy\n\n5,0,0,0\n4,0,0,1e-4\n", {}, 1.0);
-  EXPECT_THAT([&] { validate(elastic_law, back); }, ThrowsMessage<Refusal>(HasSubstr("line 4 of the path")));
+  EXPECT_THAT([&] { validate(elastic_law, back); },
+              ThrowsMessage<Refusal>(HasSubstr("row 2 of the path (line 4)")));
 }
 
 TEST(SoilTestNotes, SayThatTheLawCannotHoldTheInitialStress) {
