@@ -112,7 +112,8 @@ std::vector<Key> surface_keys() {
        .when = {"model", {"drucker_prager"}}},
       {.name = "friction_deg",
        .unit = "degrees",
-       .meaning = "Friction angle, in the test that `cone` names. `drucker_prager` needs it.",
+       .meaning =
+           "Friction angle, in the test that `cone` names. `drucker_prager` needs it; of `pdmy03` 1 to 65.",
        .otherwise = "of the recommended set of `pdmy03`",
        .range = angle,
        .when = {"model", cones}},
@@ -146,9 +147,10 @@ std::vector<Key> surface_keys() {
       {.name = "surfaces",
        .type = Type::integer,
        .unit = "1",
-       .meaning = "Number of nested yield surfaces; of `multi_yield_clay` a multiple of 4.",
+       .meaning = "Number of nested yield surfaces; of `multi_yield_clay` a multiple of 4 from 4 to 60, of "
+                  "`pdmy03` 3 to 40.",
        .otherwise = "20",
-       .range = {.low = 1.0, .high = 60.0},
+       .range = {.low = 3.0, .high = 60.0},
        .when = {"model", {"multi_yield_clay", "pdmy03"}}},
   };
 }

@@ -1,5 +1,6 @@
 // Keys of soil tests and calibrations, and of the soils in the library.
 
+#include "materials/soiltest/cyclic_strength.hpp"
 #include "scene/keys_elastic.hpp"
 #include "scene/keys_soil.hpp"
 
@@ -178,14 +179,15 @@ Table target() {
            .type = Type::choice,
            .meaning =
                "`idriss_boulanger`: the strength of clean sand by Idriss & Boulanger (2008) at the soil's "
-               "relative density, (N1)60 = 46 D_R^2, at 1 atm.",
+               "relative density, (N1)60 = 46 D_R^2, times K_sigma of the vertical stress. Without "
+               "`shear_bias`.",
            .otherwise = "`stress_ratio`",
            .choices = {"idriss_boulanger"}},
           {.name = "stress_ratio",
            .unit = "1",
            .meaning = "Cyclic stress ratio that is to reach the criterion in the wanted number of cycles.",
            .otherwise = "`curve`",
-           .range = {.low = 0.0, .high = 3.0, .low_open = true}},
+           .range = {.low = soiltest::least_stress_ratio, .high = soiltest::largest_stress_ratio}},
           {.name = "cycles",
            .unit = "1",
            .meaning = "Wanted number of cycles.",
@@ -203,12 +205,12 @@ Table target() {
            .unit = "1",
            .meaning = "Smallest value of the parameter.",
            .fallback = "0.01",
-           .range = positive},
+           .range = {.low = 1e-6, .high = 1e6}},
           {.name = "most",
            .unit = "1",
            .meaning = "Largest value of the parameter.",
            .fallback = "10",
-           .range = positive},
+           .range = {.low = 1e-6, .high = 1e6}},
       }};
 }
 

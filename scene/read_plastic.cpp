@@ -1,5 +1,7 @@
 #include "scene/read_soil.hpp"
 
+#include <fmt/format.h>
+
 #include <exception>
 #include <numbers>
 
@@ -29,6 +31,20 @@ materials::Law clay(const TableReader& table, const materials::Elasticity& elast
   return materials::multi_yield_clay(elastic, strength, surfaces);
 }
 
+/// Surfaces of the clay are updated in groups of four.
+bool sound_count(const TableReader& table, Findings& findings) {
+  constexpr int group = 4;
+  if (!within(table, "surfaces", {.low = group, .high = 60.0}, "", findings))
+    return false;
+  const int count = table.integer("surfaces");
+  if (count % group == 0)
+    return true;
+  findings.add(table.path("surfaces"),
+               fmt::format("'surfaces' = {} must be a multiple of {} with model = \"multi_yield_clay\"",
+                           count, group));
+  return false;
+}
+
 } // namespace
 
 Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings) {
@@ -42,6 +58,8 @@ Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory
     if (!findings.sound(table.path(key)))
       return placeholder(soil.name);
   if (!(elastic.density > 0.0 && elastic.young > 0.0))
+    return placeholder(soil.name);
+  if (!sound_count(table, findings))
     return placeholder(soil.name);
   try {
     const materials::Law law =

@@ -38,11 +38,9 @@ void read_test(Document& document, SoilTestFile& file) {
   test.every = static_cast<std::size_t>(table.integer("every"));
 }
 
-soiltest::Path read_path(const TableReader& table, const std::filesystem::path& directory,
-                         Findings& findings) {
+soiltest::Path read_path(const TableReader& table, const std::filesystem::path& name, Findings& findings) {
   if (!findings.sound(table.path("file")) || table.text("file").empty())
     return {};
-  const auto name = directory / table.text("file");
   std::ifstream stream(name);
   if (!stream || !std::filesystem::is_regular_file(name)) {
     findings.add(table.path("file"), fmt::format("{}: cannot be read", name.string()));
@@ -84,7 +82,8 @@ void read_loading(const TableReader& table, const std::filesystem::path& directo
     file.test.loading = soiltest::StrainCycles{file.amplitudes, file.cycles};
     break;
   case path:
-    file.test.loading = read_path(table, directory, findings);
+    file.path_table = directory / table.text("file");
+    file.test.loading = read_path(table, file.path_table, findings);
     break;
   }
   const bool free = file.test.kind == soiltest::Kind::path;
@@ -93,25 +92,68 @@ void read_loading(const TableReader& table, const std::filesystem::path& directo
     findings.add(table.path("kind"), "a path belongs to [test] kind = \"path\", and no other loading does");
 }
 
+/// Refuses a stress ratio that no test can look for.
+void check_curve(const TableReader& table, Findings& findings, double density, const CurveStrength& curve) {
+  if (!(curve.stress_ratio() >= soiltest::least_stress_ratio &&
+        curve.stress_ratio() <= soiltest::largest_stress_ratio))
+    findings.add(
+        table.path("curve"),
+        fmt::format("'curve' at 'relative_density' = {} is a cyclic stress ratio of {:.3g} (K_sigma "
+                    "= {:.3g}), outside [{}, {}]: the curve is made for (N1)60 = 46 D_R^2 below 37.5, "
+                    "D_R = 0.9; give 'stress_ratio'",
+                    density, curve.stress_ratio(), curve.overburden_factor, soiltest::least_stress_ratio,
+                    soiltest::largest_stress_ratio));
+}
+
+/// The strength of the curve, where the test is one that it holds for.
+std::optional<CurveStrength> read_curve_strength(const TableReader& table, Findings& findings,
+                                                 const SoilTestFile& file, double cycles) {
+  const auto& initial = file.test.initial;
+  const auto density = relative_density(file.soil.law);
+  if (!density || !(initial.vertical_stress > 0.0) || !findings.sound(table.path("cycles")))
+    return std::nullopt;
+  if (initial.shear_bias != 0.0) {
+    findings.add(table.path("curve"),
+                 fmt::format("'curve' is the strength without static shear; its change K_alpha with [test] "
+                             "'shear_bias' = {} is not given by it: give 'stress_ratio'",
+                             initial.shear_bias));
+    return std::nullopt;
+  }
+  if (*density > 1.0) {
+    findings.add(table.path("curve"), fmt::format("'curve' ends at a relative density of 1, below "
+                                                  "'relative_density' = {}: give 'stress_ratio'",
+                                                  *density));
+    return std::nullopt;
+  }
+  const CurveStrength curve = {soiltest::idriss_boulanger_strength(soiltest::blow_count(*density), cycles),
+                               overburden_factor(*density, initial.vertical_stress)};
+  check_curve(table, findings, *density, curve);
+  return curve;
+}
+
 /// The stress ratio that is wanted, where one of the two ways of giving it is there.
 void read_wanted(const TableReader& table, Findings& findings, const SoilTestFile& file,
                  StrengthWanted& wanted) {
-  wanted.of_curve = table.given("curve");
-  if (wanted.of_curve == table.given("stress_ratio")) {
-    findings.add(table.path("curve"), wanted.of_curve
+  const bool of_curve = table.given("curve");
+  if (of_curve == table.given("stress_ratio")) {
+    findings.add(table.path("curve"), of_curve
                                           ? "'curve' and 'stress_ratio' exclude each other: remove one"
                                           : "missing 'curve' or 'stress_ratio': which strength is wanted");
     return;
   }
   wanted.stress_ratio = table.number("stress_ratio");
-  if (const auto density = relative_density(file.soil.law);
-      wanted.of_curve && density && findings.sound(table.path("cycles")))
-    wanted.stress_ratio = soiltest::idriss_boulanger_strength(soiltest::blow_count(*density), wanted.cycles);
+  if (of_curve)
+    wanted.curve = read_curve_strength(table, findings, file, wanted.cycles);
+  if (wanted.curve)
+    wanted.stress_ratio = wanted.curve->stress_ratio();
 }
 
 void read_target(const TableReader& table, Findings& findings, SoilTestFile& file) {
-  StrengthWanted wanted{
-      .cycles = table.number("cycles"), .least = table.number("least"), .most = table.number("most")};
+  const auto place = findings.place(table.path());
+  StrengthWanted wanted{.cycles = table.number("cycles"),
+                        .least = table.number("least"),
+                        .most = table.number("most"),
+                        .place = fmt::format("{}:{}:{}", findings.file(), place.line, place.column)};
   if (!table.text("criterion").empty())
     wanted.criterion = soiltest::criterion_named(table.text("criterion"));
   read_wanted(table, findings, file, wanted);
@@ -137,6 +179,19 @@ void read_target(const TableReader& table, Findings& findings, SoilTestFile& fil
   file.target = wanted;
 }
 
+/// What is wrong with the rows of a path; empty if nothing is.
+std::string path_error(const SoilTestFile& file) {
+  auto test = file.test;
+  test.loading = soiltest::Path{.rows = {{.step = 0.0}, {.step = 1.0}}};
+  soiltest::validate(file.soil.law, test);
+  try {
+    soiltest::validate(file.soil.law, file.test);
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
 /// What only the law and the whole test together can tell.
 void check_test(const SoilTestFile& file, SoilTestUse use, Findings& findings) {
   try {
@@ -149,6 +204,11 @@ void check_test(const SoilTestFile& file, SoilTestUse use, Findings& findings) {
   if (use == SoilTestUse::calibration && file.target)
     test.loading = soiltest::StressCycles{.stress_ratio = file.target->stress_ratio};
   try {
+    if (use == SoilTestUse::test && file.kind == LoadingKind::path) {
+      if (const auto wrong = path_error(file); !wrong.empty())
+        findings.add("loading.file", fmt::format("{}: {}", file.path_table.string(), wrong));
+      return;
+    }
     soiltest::validate(file.soil.law, test);
   } catch (const std::invalid_argument& error) {
     findings.add("test", error.what());

@@ -6,6 +6,7 @@
 #include "materials/soiltest/cyclic_strength.hpp"
 #include "materials/soiltest/soil_test.hpp"
 #include "scene/case.hpp"
+#include "scene/curve_strength.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -20,12 +21,13 @@ enum class LoadingKind { monotonic, cyclic_stress, cyclic_strain, modulus_curve,
 /// [target] of a calibration.
 struct StrengthWanted {
   double stress_ratio = 0.0;
-  bool of_curve = false; ///< the stress ratio is that of Idriss & Boulanger
+  std::optional<CurveStrength> curve; ///< where the stress ratio is that of Idriss & Boulanger
   double cycles = 15.0;
   soiltest::Criterion criterion = soiltest::Criterion::strain_3pc;
   double guess = 0.0; ///< of contraction_rate; what [soil] says
   double least = 0.0;
   double most = 0.0;
+  std::string place; ///< of [target]: "test.toml:12:1"
 };
 
 struct SoilTestFile {
@@ -37,6 +39,7 @@ struct SoilTestFile {
   LoadingKind kind = LoadingKind::monotonic;
   soiltest::SoilTest test;           ///< with the first stress ratio of cyclic_stress
   std::vector<double> stress_ratios; ///< of cyclic_stress
+  std::filesystem::path path_table;  ///< of a path
   std::vector<double> amplitudes;    ///< of modulus_curve
   int cycles = 0;                    ///< at each of them
   std::optional<StrengthWanted> target;

@@ -250,6 +250,29 @@ TEST(Pdmy03HardCase, AnIncrementOfTenPerCentIsRefusedAndChangesNothing) {
   }
 }
 
+TEST(Pdmy03HardCase, StressOrStateThatIsNotFiniteIsRefusedAndChangesNothing) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
+    for (const bool in_state : {false, true}) {
+      Block block(5);
+      std::fill(block.strain.begin(), block.strain.end(), 1e-6);
+      const std::size_t size = state_variables(block.law).size();
+      (in_state ? block.state[3 * size + pdmy03_state::gap] : block.stress[2 * block.count + 3]) = bad;
+      const Block before = block;
+      try {
+        update(block.law, block.points(0, block.count));
+        FAIL() << "accepted " << bad;
+      } catch (const std::domain_error& error) {
+        EXPECT_NE(std::string(error.what()).find("pdmy03: "), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("of point 3 is "), std::string::npos) << error.what();
+      }
+      EXPECT_EQ(0,
+                std::memcmp(block.stress.data(), before.stress.data(), block.stress.size() * sizeof(double)));
+      EXPECT_EQ(0, std::memcmp(block.state.data(), before.state.data(), block.state.size() * sizeof(double)));
+      EXPECT_EQ(block.work, before.work);
+    }
+  }
+}
+
 TEST(Pdmy03HardCase, EveryDensityPressureAndK0) {
   for (const double density : densities) {
     const Pdmy03 law = pdmy03({.relative_density = density});

@@ -200,6 +200,47 @@ TEST(Pm4Hard, IncrementsBeyondTheLimitAreRefusedAndChangeNothing) {
   EXPECT_NO_THROW(point.apply(shear(0.02)));
 }
 
+/// Not a number in: refused, naming the point, and nothing has been changed, also of the points before it.
+TEST(Pm4Hard, StressOrStateThatIsNotFiniteIsRefusedAndChangesNothing) {
+  const Law law = report_sand(55);
+  constexpr std::size_t count = 3;
+  constexpr std::size_t size = pm4::state_size;
+  for (const std::size_t wrong : {std::size_t{1}, std::size_t{4}, std::size_t{10}, 12 + size + 1}) {
+    std::vector<double> values(12 + count * size, -100.0 * kilopascal); // sxx, syy, szz, sxy, state
+    std::fill_n(values.begin() + 9, 3, 10.0 * kilopascal);
+    std::vector<double> work(count);
+    const std::vector<double> none(count);
+    const std::vector<double> strain(count, 1e-5);
+    const Points points{count,       &values[0],  &values[3],  &values[6],    &values[9], &values[12],
+                        work.data(), none.data(), none.data(), strain.data(), none.data()};
+    initialise(law, points);
+    values[wrong] = wrong == 4 ? HUGE_VAL : std::nan("");
+    const std::vector<double> before = values;
+    try {
+      update(law, points);
+      FAIL() << "not refused: " << wrong;
+    } catch (const std::domain_error& error) {
+      EXPECT_NE(std::string(error.what()).find("pm4sand: "), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find(" of point 1 is "), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(std::memcmp(values.data(), before.data(), values.size() * sizeof(double)), 0) << wrong;
+    EXPECT_EQ(work, none);
+  }
+}
+
+/// A finite state from which no finite stress follows: the sub-steps end, and the point stays as it is.
+TEST(Pm4Hard, AStateWithoutFiniteStressIsRefusedAndChangesNothing) {
+  PointTest point(report_sand(55), geostatic(100.0 * kilopascal, 1.0));
+  PointState broken = point.now();
+  pm4::State state = pm4::load(broken.variables.data());
+  state.start.z_max = 0.0; // fabric over largest fabric is 0/0
+  pm4::store(state, broken.variables.data());
+  point.set(broken);
+  EXPECT_THROW(point.apply(shear(1e-3)), std::domain_error);
+  EXPECT_EQ(point.stress().xy, 0.0);
+  EXPECT_EQ(point.state(), broken.variables);
+}
+
 /// Densities at both ends, K_0 from 0.3 to 2, sigma'_v from 1 kPa to 2 MPa: cycles of strain at constant
 /// volume, drained extension, recompression and shear.
 TEST(Pm4Hard, AnyDensityAndStress) {

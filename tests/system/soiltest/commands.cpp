@@ -191,6 +191,8 @@ TEST(CalibrateCommand, PrintsTheFitAndWritesASoil) {
   const auto out = folder / "soil.toml";
   const auto [status, output] = run_tremolo("calibrate " + test.string() + " --out " + out.string());
   ASSERT_EQ(status, 0) << output;
+  EXPECT_THAT(output, HasSubstr("cyclic stress ratio of 0.13, as given"));
+  EXPECT_THAT(output, HasSubstr("Counting: the wanted strain is reached at cycles = N, interpolated within"));
   EXPECT_THAT(output, HasSubstr("Found:  contraction_rate = "));
   EXPECT_THAT(output, HasSubstr("[soil.calibrated]\nlibrary = \"pm4sand_dr35\"\ncontraction_rate = "));
   EXPECT_THAT(output, HasSubstr("updates of the law"));
@@ -221,6 +223,23 @@ TEST(CalibrateCommand, HostunSandOfTheLibraryIsWhatItsCalibrationFinds) {
   ASSERT_NE(soil, nullptr);
   const double fitted = std::stod(output.substr(output.find(found) + found.size()));
   EXPECT_NEAR(fitted, (*soil->keys)["contraction_rate"].value_or(0.0), 0.02);
+}
+
+TEST(CalibrateCommand, ATargetOutOfReachNamesTheParameterAndItsStrengths) {
+  const TemporaryFolder folder;
+  const auto text = cyclic.substr(0, cyclic.find("[loading]")) +
+                    "[target]\nstress_ratio = 0.5\ncycles = 5\nleast = 0.4\nmost = 0.6\n";
+  const auto test = folder.write("test.toml", text);
+  const auto [status, output] = run_tremolo("calibrate " + test.string());
+  EXPECT_EQ(status, 1);
+  EXPECT_THAT(output,
+              HasSubstr(test.string() + ":8:1: [target] no 'contraction_rate' from 0.4 to 0.6 gives the "
+                                        "cyclic stress ratio 0.5 for strain_3pc in 5 cycles: at 0.4 "
+                                        "it is 0.1"));
+  const auto drained = folder.write("drained.toml", replaced(text, "constant_volume", "drained"));
+  const auto refusal = run_tremolo("calibrate " + drained.string());
+  EXPECT_EQ(refusal.status, 1);
+  EXPECT_THAT(refusal.output, HasSubstr("the test is drained, and drained soil does not liquefy"));
 }
 
 TEST(CalibrateCommand, RefusesWithoutATarget) {

@@ -55,7 +55,7 @@ TEST(Sand, EveryKeyOfPm4SandReachesItsParameter) {
       pm4sand +
       "atmospheric_pressure = 1e5\ne_max = 0.9\ne_min = 0.4\nn_b = 0.6\nn_d = 0.2\nQ = 9.0\nR = 1.4\n"
       "m = 0.02\nh_o = 0.5\nA_do = 1.1\nz_max = 3.0\nc_z = 240.0\nc_eps = 0.3\nC_DR = 6.0\nC_kaf = 7.0\n"
-      "F_sed_min = 0.2\np_sedo = 3e4\n");
+      "F_sed_min = 0.2\np_sedo = 3e4\npost_shake = true\n");
   EXPECT_EQ(law.p_A, 1e5);
   EXPECT_EQ(law.e_max, 0.9);
   EXPECT_EQ(law.e_min, 0.4);
@@ -73,6 +73,8 @@ TEST(Sand, EveryKeyOfPm4SandReachesItsParameter) {
   EXPECT_EQ(law.C_kaf, 7.0);
   EXPECT_EQ(law.F_sed_min, 0.2);
   EXPECT_EQ(law.p_sedo, 3e4);
+  EXPECT_TRUE(law.post_shake);
+  EXPECT_FALSE(law_of<materials::Pm4Sand>(pm4sand).post_shake);
 }
 
 TEST(Sand, ExplainNamesTheModelOfTheCase) {
@@ -101,7 +103,35 @@ TEST(Sand, DensityInPerCentIsOutOfRange) {
   auto keys = pm4sand;
   EXPECT_THAT(
       errors_of(with_soil(keys.replace(keys.find("0.55"), 4, "55.0"))),
-      ElementsAre("case.toml:16:20: [soil.sand] 'relative_density' = 55 is out of range, must be in (0, 1]"));
+      ElementsAre(
+          "case.toml:16:20: [soil.sand] 'relative_density' = 55 is out of range, must be in [0.05, 1.2]"));
+}
+
+/// The key table refuses what the law would refuse, in the words and units of the file.
+TEST(Sand, RangesOfTheLawsAreThoseOfTheKeys) {
+  const auto refused = [](const std::string& soil, const std::string& line, const std::string& words) {
+    EXPECT_THAT(errors_of(with_soil(soil + line + "\n")),
+                ElementsAre(AllOf(HasSubstr("[soil.sand] '" + line.substr(0, line.find(' ')) + "' = "),
+                                  HasSubstr(words))))
+        << line;
+  };
+  refused(pm4sand, "phi_cv_deg = 0.576", "must be in [1, 60] degrees");
+  refused(pm4sand, "Q = 4.0", "must be in [5, 20]");
+  refused(pm4sand, "m = 0.2", "must be in [0.0001, 0.1]");
+  refused(pm4sand, "C_GD = 0.5", "must be in [1, 100]");
+  refused(pm4sand, "C_DR = 20.0", "must be in [0.1, 10]");
+  refused(pm4sand, "C_kaf = 1.0", "must be in [4, 35]");
+  const std::string pdmy = "model = \"pdmy03\"\nrelative_density = 0.57\n";
+  refused(pdmy, "friction_deg = 70.0", "must be in [1, 65] degrees with model = \"pdmy03\"");
+  refused(pdmy, "surfaces = 41", "must be in [3, 40] with model = \"pdmy03\"");
+  refused(pdmy, "pressure_exponent = 1.5", "must be in [0, 1]");
+  for (const char* ends : {"phi_cv_deg = 60.0\nQ = 5.0\nm = 1e-4\nC_GD = 1.0\nC_DR = 10.0\nC_kaf = 4.0\n",
+                           "phi_cv_deg = 1.0\nQ = 20.0\nm = 0.1\nC_GD = 100.0\nC_DR = 0.1\nC_kaf = 35.0\n"})
+    EXPECT_THAT(errors_of(with_soil(pm4sand + ends)), IsEmpty()) << ends;
+  EXPECT_THAT(errors_of(with_soil(pdmy + "friction_deg = 65.0\nsurfaces = 40\n")), IsEmpty());
+  EXPECT_THAT(errors_of(with_soil(pdmy + "friction_deg = 30.0\ncurve = \"curve.csv\"\n")),
+              ElementsAre(HasSubstr("case.toml:16:16: [soil.sand] 'friction_deg' and 'curve' exclude each "
+                                    "other: the curve fixes friction angle")));
 }
 
 TEST(Sand, Pdmy03OfARecommendedDensityIsComplete) {
@@ -200,7 +230,8 @@ TEST(PlasticSoil, ClayOfNestedSurfaces) {
   EXPECT_EQ(law.undrained_strength, 40e3);
   EXPECT_EQ(law.peak_strain, 0.05);
   EXPECT_EQ(law.elements.size(), 12U);
-  EXPECT_THAT(errors_of(with_soil(keys + "surfaces = 13\n")), ElementsAre(HasSubstr("13")));
+  EXPECT_THAT(errors_of(with_soil(keys + "surfaces = 13\n")),
+              ElementsAre(HasSubstr("[soil.sand] 'surfaces' = 13 must be a multiple of 4")));
   EXPECT_THAT(errors_of(with_soil(keys + "curve = \"none.csv\"\n")),
               ElementsAre(HasSubstr("none.csv: cannot be read")));
 }

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 namespace tremolo::scene::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -94,6 +96,29 @@ TEST(SoilTestFile, PathIsReadFromItsTable) {
                                            HasSubstr("path.csv: cannot be read")));
 }
 
+TEST(SoilTestFile, ErrorsOfAPathNameItsTableAndLine) {
+  const tremolo::testing::TemporaryFolder folder;
+  auto text = with("kind = \"cyclic_stress\"\nstress_ratio = [0.12, 0.147]\n",
+                   "kind = \"path\"\nfile = \"path.csv\"\n");
+  text.replace(text.find("direct_simple_shear"), 19, "path");
+  text.replace(text.find("constant_volume"), 15, "drained");
+  const auto refusal = [&](const std::string& table) {
+    folder.write("path.csv", table);
+    try {
+      parse_soil_test(text, "test.toml", folder / "", SoilTestUse::test);
+    } catch (const CaseErrors& errors) {
+      return errors.errors().at(0).message();
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refusal("step,eps_xx,eps_yy,gamma_xy\n0,0,0,0\n10,0,0,x\n"),
+              AllOf(HasSubstr("test.toml:10:8: [loading] "), HasSubstr("path.csv: line 3 of the path")));
+  EXPECT_THAT(refusal("step,eps_xx,eps_yy,gamma_xy\n0,0,0,0\n-5,0,0,1e-4\n"),
+              AllOf(HasSubstr("test.toml:10:8: [loading] "),
+                    HasSubstr("path.csv: row 2 of the path (line 3) is -5")));
+  EXPECT_THAT(refusal("step,eps_xx,eps_yy,gamma_xy\n0,0,0,0\n"), HasSubstr("path.csv: a path needs"));
+}
+
 TEST(SoilTestFile, ErrorsHaveTheirPlaceAndTheNearestKey) {
   EXPECT_THAT(
       errors_of(with("vertical_stress", "vertcal_stress")),
@@ -135,6 +160,37 @@ TEST(Calibration, TargetOfTheCurveFollowsFromTheDensity) {
   EXPECT_EQ(file.target->cycles, 15.0);
   EXPECT_EQ(file.target->criterion, soiltest::Criterion::strain_3pc);
   EXPECT_EQ(file.target->guess, 0.4);
+}
+
+/// Idriss & Boulanger (2008), worked out by hand: C_sigma = 1/(18.9 - 17.3 x 0.55) = 0.106553, so that
+/// K_sigma(400 kPa) = 1 - 0.106553 ln(400/101.3) = 0.853663; at 25 kPa it would be 1.149, above 1.1. At D_R =
+/// 0.95 C_sigma would be 0.406, above 0.3.
+TEST(Calibration, TargetOfTheCurveFallsWithVerticalStress) {
+  const auto wanted = [](const std::string& stress) {
+    return *parsed(with("101.3e3", stress) + std::string(target), SoilTestUse::calibration).target;
+  };
+  const double at_one_atmosphere = wanted("101.3e3").stress_ratio;
+  EXPECT_NEAR(wanted("400e3").stress_ratio / at_one_atmosphere, 0.853663, 1e-6);
+  EXPECT_NEAR(wanted("400e3").curve->overburden_factor, 0.853663, 1e-6);
+  EXPECT_NEAR(wanted("25e3").stress_ratio / at_one_atmosphere, 1.1, 1e-12);
+  EXPECT_NEAR(overburden_factor(0.95, 202.6e3), 1.0 - 0.3 * std::log(2.0), 1e-12);
+  EXPECT_NEAR(overburden_factor(1.15, 202.6e3), 1.0 - 0.3 * std::log(2.0), 1e-12);
+}
+
+TEST(Calibration, CurveIsRefusedWhereItDoesNotHold) {
+  using enum SoilTestUse;
+  EXPECT_THAT(errors_of(with("101.3e3", "101.3e3\nshear_bias = 0.1") + std::string(target), calibration),
+              ElementsAre("test.toml:13:9: [target] 'curve' is the strength without static shear; its change "
+                          "K_alpha with [test] 'shear_bias' = 0.1 is not given by it: give 'stress_ratio'"));
+  const auto of_density = [](const std::string& density) {
+    return with("\"pm4sand_dr55\"", "\"pm4sand_dr55\"\nrelative_density = " + density) + std::string(target);
+  };
+  EXPECT_THAT(errors_of(of_density("1.0"), calibration),
+              ElementsAre(HasSubstr("test.toml:13:9: [target] 'curve' at 'relative_density' = 1 is a cyclic "
+                                    "stress ratio of 51.8")));
+  EXPECT_THAT(errors_of(std::string(cyclic) + "[target]\nstress_ratio = 0.005\n", calibration),
+              ElementsAre("test.toml:12:16: [target] 'stress_ratio' = 0.005 is out of range, must be in "
+                          "[0.01, 3]"));
 }
 
 TEST(Calibration, SaysWhatIsMissingOrCannotBe) {
