@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -45,6 +46,13 @@ Calibration calibrate(const LawOf& law, const SoilTest& test, const StrengthTarg
                                          range.least, range.most, name(target.criterion), target.cycles,
                                          target.stress_ratio, fit.parameter, fit.cycles,
                                          fit.cycles >= 0.999 * most_cycles ? " or more" : ""));
+  }
+  // The count may jump past the target, e.g. from a few cycles to never; cycles are counted in halves.
+  if (!(std::abs(fit.cycles - target.cycles) <= std::max(1.0, 0.1 * target.cycles))) {
+    throw std::runtime_error(
+        fmt::format("the number of cycles to {} jumps past {:g} at the parameter {:g}, to {:g}: no "
+                    "parameter gives it at the stress ratio {:g}",
+                    name(target.criterion), target.cycles, fit.parameter, fit.cycles, target.stress_ratio));
   }
   SoilTest check = test;
   StressCycles loading;

@@ -230,5 +230,15 @@ TEST(CalibrationOfPm4Sand, FindsASetForHostunSand) {
   EXPECT_LT(fit.tests, 25);
 }
 
+/// Drained sand reaches 3 % in the first cycle or never: no rate makes it five.
+TEST(CalibrationOfPm4Sand, RefusesACountThatJumpsPastTheTarget) {
+  SoilTest test = simple_shear(atmosphere, 0.5);
+  test.drainage = Drainage::drained;
+  test.strain_increment = 1e-4;
+  EXPECT_THROW(calibrate([](double h_po) { return sand(0.35, 476, h_po); }, test,
+                         {0.5, 5.0, Criterion::strain_3pc}, {0.53, 0.01, 10.0}),
+               std::runtime_error);
+}
+
 } // namespace
 } // namespace tremolo::soiltest
