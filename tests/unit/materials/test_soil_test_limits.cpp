@@ -1,5 +1,6 @@
 // What a soil test refuses before it starts or on the way, and what it says about its results.
 
+#include "materials/mohr_coulomb.hpp"
 #include "materials/pdmy03.hpp"
 #include "materials/pm4sand.hpp"
 #include "materials/soiltest/notes.hpp"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
@@ -34,27 +36,21 @@ SoilTest simple_shear(Loading loading) {
   return test;
 }
 
-/// PDMY03 after a reversal misses 6.5 % of the vertical stress with these increments, 0.5 % with smaller
-/// ones.
-TEST(SoilTestLimits, AMissedStressEndsTheTestAboveFivePercentAndIsReportedBelow) {
+/// PDMY03 after a reversal misses 0.5 % of the vertical stress with these increments: more than what is said,
+/// less than what ends a test.
+TEST(SoilTestLimits, AMissedStressIsReported) {
   SoilTest test = simple_shear(StrainCycles{{0.01}, 2});
   test.drainage = Drainage::drained;
   test.initial.vertical_stress = 101e3;
-  test.strain_increment = 1e-4;
-  const materials::Law law = materials::pdmy03(materials::pdmy03_recommended(0.33));
-  const Result coarse = run(law, test);
-  EXPECT_EQ(coarse.end, End::refused);
-  EXPECT_THAT(coarse.end_reason, HasSubstr("no strain gives the prescribed stress"));
   test.strain_increment = 1e-5;
-  test.every = 1;
-  const Result fine = run(law, test);
-  EXPECT_EQ(fine.end, End::completed);
+  const Result result = run(materials::pdmy03(materials::pdmy03_recommended(0.33)), test);
+  EXPECT_EQ(result.end, End::completed);
   double missed = 0.0;
-  for (const double vertical : fine.history.column("sig_yy")) {
+  for (const double vertical : result.history.column("sig_yy")) {
     missed = std::max(missed, std::abs(vertical + 101e3));
   }
   EXPECT_GT(missed, 1e-4 * 101e3);
-  EXPECT_NEAR(fine.largest_missing_stress / missed, 1.0, 1e-3);
+  EXPECT_NEAR(result.largest_missing_stress / missed, 1.0, 1e-3);
 }
 
 TEST(SoilTestLimits, ATestWithoutEndIsRefusedWithItsSize) {
@@ -101,6 +97,22 @@ TEST(SoilTestPath, StartsFromTheStressOfItsFirstRow) {
   SoilTest other = along(kilopascal, {"sig_yy"}, 1e3);
   other.initial.vertical_stress = 120e3;
   refused(other, "sig_yy = -100000 Pa, but the test starts from -120000 Pa");
+}
+
+/// sigma_xx = -50, sigma_yy = -100 kPa at phi = 30 deg: |tau| <= sqrt((75 sin 30 deg)^2 - 25^2) = 27.95 kPa.
+TEST(SoilTestPath, AStressBeyondTheStrengthEndsTheTestThere) {
+  materials::MohrCoulomb sand;
+  sand.elastic = elastic;
+  sand.friction_peak = sand.friction_residual = std::numbers::pi / 6.0;
+  const std::string table = "step,eps_xx,eps_yy,gamma_xy,sig_xx,sig_yy,sig_xy\n0,0,0,0,-50,-100,0\n"
+                            "100,0,0,0,-50,-100,50\n";
+  const Result result = run(sand, along(table, {"sig_xx", "sig_yy", "sig_xy"}, 1e3));
+  EXPECT_EQ(result.end, End::refused);
+  EXPECT_THAT(result.end_reason, HasSubstr("no strain gives the prescribed stress"));
+  // In increments of 0.5 kPa.
+  const double reached = result.history.column("sig_xy").back();
+  EXPECT_GT(reached, 27.4e3);
+  EXPECT_LT(reached, 27.96e3);
 }
 
 TEST(SoilTestPath, ColumnsNamedTwiceAndStepsThatFallAreRefusedWithTheirLine) {

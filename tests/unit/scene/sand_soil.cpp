@@ -284,8 +284,7 @@ TEST(Library, SoilOfTheSlopeCaseIsThatOfTheCase) {
     EXPECT_THAT(slope.values,
                 Contains(::testing::Field(&ValueInForce::key, "soil.slope." + std::string(key.str()))));
   const auto& law = std::get<materials::MohrCoulomb>(slope.soils.at(0).law);
-  const auto& ours = std::get<materials::MohrCoulomb>(
-      parse_case(with_soil("library = \"slope_softening\"\n")).soils.at(0).law);
+  const auto ours = law_of<materials::MohrCoulomb>("library = \"slope_softening\"\n");
   EXPECT_EQ(ours.cohesion_peak, law.cohesion_peak);
   EXPECT_EQ(ours.friction_residual, law.friction_residual);
   EXPECT_EQ(ours.elastic.young, law.elastic.young);
