@@ -29,11 +29,11 @@ Table about(const scene::SoilTestFile& file) {
   const auto value = [](std::string_view name, std::string_view unit, double number) {
     return Table::Column{std::string(name), std::string(unit), std::vector<double>{number}};
   };
-  return {{word("title", file.title), word("soil", file.library.empty() ? "" : file.library),
-           word("law", scene::model_in_force("soil", file.values)), word("library", file.library),
-           word("kind", soiltest::name(file.test.kind)), word("drainage", soiltest::name(file.test.drainage)),
-           word("loading", scene::name(file.kind)), value("vertical_stress", "Pa", initial.vertical_stress),
-           value("k0", "1", initial.k0), value("shear_bias", "1", initial.shear_bias),
+  return {{word("title", file.title), word("law", scene::model_in_force("soil", file.values)),
+           word("library", file.library), word("kind", soiltest::name(file.test.kind)),
+           word("drainage", soiltest::name(file.test.drainage)), word("loading", scene::name(file.kind)),
+           value("vertical_stress", "Pa", initial.vertical_stress), value("k0", "1", initial.k0),
+           value("shear_bias", "1", initial.shear_bias),
            word("stress_path", in_plane(file.soil.law) ? "in_plane" : "in_space"),
            word("test_file", file.text)}};
 }

@@ -58,25 +58,8 @@ MixedStep second_half(MixedStep step, double volume) {
   return step;
 }
 
-} // namespace
-
-PointTest::PointTest(const Law& law, const PointStress& initial, const StressTolerance& tolerance)
-    : law_(law), tolerance_(tolerance), three_dimensional_(materials::three_dimensional(law)) {
-  validate(law_);
-  now_.stress = initial;
-  now_.variables.resize(state_variables(law_).size());
-  Points points;
-  points.count = 1;
-  points.sxx = &now_.stress.xx;
-  points.syy = &now_.stress.yy;
-  points.szz = &now_.stress.zz;
-  points.sxy = &now_.stress.xy;
-  points.state = now_.variables.data();
-  points.plastic_work = &now_.plastic_work;
-  initialise(law_, points);
-}
-
-void PointTest::advance(PointState& point, const Components& strain, double rotation) {
+/// Without strain increments.
+Points only_point(PointState& point) {
   Points points;
   points.count = 1;
   points.sxx = &point.stress.xx;
@@ -85,6 +68,21 @@ void PointTest::advance(PointState& point, const Components& strain, double rota
   points.sxy = &point.stress.xy;
   points.state = point.variables.data();
   points.plastic_work = &point.plastic_work;
+  return points;
+}
+
+} // namespace
+
+PointTest::PointTest(const Law& law, const PointStress& initial, const StressTolerance& tolerance)
+    : law_(law), tolerance_(tolerance), three_dimensional_(materials::three_dimensional(law)) {
+  validate(law_);
+  now_.stress = initial;
+  now_.variables.resize(state_variables(law_).size());
+  initialise(law_, only_point(now_));
+}
+
+void PointTest::advance(PointState& point, const Components& strain, double rotation) {
+  Points points = only_point(point);
   points.dexx = &strain[0];
   points.deyy = &strain[1];
   points.dgxy = &strain[2];

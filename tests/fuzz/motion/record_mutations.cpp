@@ -7,13 +7,13 @@
 #include "motion/write.hpp"
 #include "tests/support/hdf5_motion.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/text_mutator.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <random>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -29,70 +29,33 @@ constexpr std::array tokens = {
     ","sv,     ";"sv,    "\n"sv,    "\r\r\n"sv,   "#"sv,         "\xff"sv,    "\0"sv,
     "\t"sv,    "t,a"sv,  "0.02"sv,  "20000000"sv, "[pulse]\n"sv, "= [1, 2"sv, "\""sv};
 
-class Mutator {
-public:
-  explicit Mutator(unsigned seed) : random_(seed) {}
-
-  std::string operator()(std::string text) {
-    for (std::size_t n = 1 + below(4); n > 0; --n)
-      mutate(text);
-    return text;
-  }
-
-  /// A motion in HDF5 of which anything may be missing, of another size or out of range.
-  testing::Hdf5Motion hdf5() {
-    constexpr std::array<double, 6> steps = {0.01, 0.0, -1.0, NAN, INFINITY, 1e-300};
-    constexpr std::array<double, 4> values = {0.25, -1e308, NAN, INFINITY};
-    testing::Hdf5Motion motion;
-    for (std::size_t n = 1 + below(12); n > 0; --n)
-      motion.samples.push_back(values[below(40) == 0 ? below(values.size()) : 0]);
-    if (below(8) != 0)
-      motion.dt = steps[below(8) == 0 ? below(steps.size()) : 0];
-    for (const char* key : {"unit", "quantity", "kind"})
-      if (below(2) == 0)
-        motion.texts[key] = below(16) == 0 ? std::string(1 + below(200), 'x') : plain_word(key);
-    if (below(8) == 0)
-      motion.name = "record";
-    motion.variable_length = below(2) == 0;
-    return motion;
-  }
-
-  /// Its end cut off, as a transfer or a full disk leaves it.
-  std::uintmax_t cut(std::uintmax_t size) { return below(4) == 0 ? below(size + 1) : size; }
-
-private:
-  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
-
-  std::string plain_word(std::string_view key) {
+/// A motion in HDF5 of which anything may be missing, of another size or out of range.
+testing::Hdf5Motion hdf5(tremolo::testing::Draw& draw) {
+  constexpr std::array<double, 6> steps = {0.01, 0.0, -1.0, NAN, INFINITY, 1e-300};
+  constexpr std::array<double, 4> values = {0.25, -1e308, NAN, INFINITY};
+  const auto plain_word = [&draw](std::string_view key) -> std::string {
     if (key == "unit")
-      return below(2) == 0 ? "g" : "cm/s";
+      return draw.below(2) == 0 ? "g" : "cm/s";
     return key == "quantity" ? "acceleration" : "within";
-  }
+  };
+  testing::Hdf5Motion motion;
+  for (std::size_t n = 1 + draw.below(12); n > 0; --n)
+    motion.samples.push_back(values[draw.below(40) == 0 ? draw.below(values.size()) : 0]);
+  if (draw.below(8) != 0)
+    motion.dt = steps[draw.below(8) == 0 ? draw.below(steps.size()) : 0];
+  for (const char* key : {"unit", "quantity", "kind"})
+    if (draw.below(2) == 0)
+      motion.texts[key] = draw.below(16) == 0 ? std::string(1 + draw.below(200), 'x') : plain_word(key);
+  if (draw.below(8) == 0)
+    motion.name = "record";
+  motion.variable_length = draw.below(2) == 0;
+  return motion;
+}
 
-  void mutate(std::string& text) {
-    const std::size_t at = below(text.size() + 1);
-    const std::size_t length = std::min(text.size() - at, below(30));
-    switch (below(5)) {
-    case 0:
-      text.erase(at, length);
-      break;
-    case 1:
-      text.insert(at, tokens[below(tokens.size())]);
-      break;
-    case 2:
-      text.insert(below(text.size() + 1), text.substr(at, length));
-      break;
-    case 3:
-      if (at < text.size())
-        text[at] = static_cast<char>(below(256));
-      break;
-    default:
-      text.replace(at, length, tokens[below(tokens.size())]);
-    }
-  }
-
-  std::mt19937 random_;
-};
+/// The end of a file cut off, as a transfer or a full disk leaves it.
+std::uintmax_t cut(tremolo::testing::Draw& draw, std::uintmax_t size) {
+  return draw.below(4) == 0 ? draw.below(size + 1) : size;
+}
 
 struct Tally {
   std::size_t read = 0;
@@ -128,7 +91,7 @@ void PrintTo(const Format& format, std::ostream* stream) {
 class TextFuzz : public ::testing::TestWithParam<Format> {};
 
 TEST_P(TextFuzz, MutationsAreReadOrRefused) {
-  Mutator mutate(42);
+  tremolo::testing::TextMutator mutate(42, tokens);
   Tally tally;
   for (int i = 0; i < 10000; ++i) {
     const std::string text = mutate(GetParam().text);
@@ -159,7 +122,7 @@ TEST(RecipeFuzz, MutationsAreReadOrRefused) {
       "# next, is of no consequence, so that some of the mutations leave a good recipe\n"
       "title = \"a\"\nkind = \"incident\"\ndt = 0.01\nsamples = 400\n[pulse]\nshape = "
       "\"ormsby\"\nunit = \"g\"\namplitude = 1\ntime = 1\ncorners = [1, 2, 3, 4.0]\n";
-  Mutator mutate(7);
+  tremolo::testing::TextMutator mutate(7, tokens);
   Tally tally;
   for (int i = 0; i < 5000; ++i) {
     const std::string text = mutate(original);
@@ -179,11 +142,11 @@ TEST(RecipeFuzz, MutationsAreReadOrRefused) {
 TEST(Hdf5Fuzz, FilesAreReadOrRefused) {
   const testing::TemporaryFolder folder;
   const auto file = folder / "x.h5";
-  Mutator mutate(3);
+  tremolo::testing::Draw draw(3);
   Tally tally;
   for (int i = 0; i < 1500; ++i) {
-    testing::write_hdf5(file, mutate.hdf5());
-    std::filesystem::resize_file(file, mutate.cut(std::filesystem::file_size(file)));
+    testing::write_hdf5(file, hdf5(draw));
+    std::filesystem::resize_file(file, cut(draw, std::filesystem::file_size(file)));
     attempt([&] { require_sound(read_record(file)); }, "file " + std::to_string(i), tally);
   }
   EXPECT_GT(tally.read, 100U);

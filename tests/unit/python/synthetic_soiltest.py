@@ -6,7 +6,7 @@ import numpy as np
 VERTICAL_STRESS = 100e3  # Pa
 K0 = 0.5
 ABOUT = {
-    "title": "made by formulas", "soil": "sand", "law": "pm4sand", "library": "", "kind": "direct_simple_shear",
+    "title": "made by formulas", "law": "pm4sand", "library": "", "kind": "direct_simple_shear",
     "drainage": "constant_volume", "loading": "cyclic_stress", "vertical_stress": VERTICAL_STRESS, "k0": K0,
     "shear_bias": 0.0, "test_file": "",
 }
