@@ -1,8 +1,8 @@
 // tremolo-recording: serves a recorded free field, bit for bit as it was recorded: one that was recorded
 // alone, or what served a side in the recorded exchange of a run.
 
+#include "coupler/participant.hpp"
 #include "coupler/process/recorded_case.hpp"
-#include "coupler/source_client.hpp"
 #include "results/exchange_file.hpp"
 #include "results/free_field_recording.hpp"
 #include "scene/service.hpp"

@@ -1,6 +1,6 @@
 // tremolo-column: serves a laterally uniform free field, marched in time as the domain asks for it.
 
-#include "coupler/source_client.hpp"
+#include "coupler/participant.hpp"
 #include "freefield/process/column_from_case.hpp"
 #include "freefield/process/column_values.hpp"
 #include "freefield/process/incident_field.hpp"

@@ -1,6 +1,6 @@
 #include "mpm_domain/process/column_source.hpp"
 
-#include "coupler/source_client.hpp"
+#include "coupler/participant.hpp"
 #include "freefield/process/incident_field.hpp"
 #include "freefield/process/incident_input.hpp"
 #include "mpm_domain/periodic_column.hpp"

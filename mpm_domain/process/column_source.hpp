@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupler/participant_options.hpp"
+#include "coupler/participant.hpp"
 #include "scene/plan.hpp"
 
 namespace tremolo::mpm_domain {

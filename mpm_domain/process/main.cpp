@@ -3,8 +3,7 @@
 // brings it to rest under gravity, replaces the supports by tractions, and shakes it through its boundary
 // faces with what the coupler brings.
 
-#include "coupler/domain_client.hpp"
-#include "coupler/timing.hpp"
+#include "coupler/participant.hpp"
 #include "mpm_domain/gravity_stage.hpp"
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/run_output.hpp"
@@ -71,8 +70,9 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
            double gravity_seconds) {
   const std::vector<coupler::BoundaryFace> faces = coupled_faces(domain, scene, plan);
   const double end = scene.shaking.duration;
+  coupler::DomainClient::Exchanged exchanged;
   mpm_domain::Stepper stepper(domain, 0.0, [&](long step, double time, auto v, auto traction) {
-    client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
+    exchanged = client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
   });
   std::vector<std::string> sources;
   sources.reserve(faces.size());
@@ -83,10 +83,10 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
     client.ready(faces, 0.0, end);
     while (stepper.time() < end) {
       stepper.step();
-      output.after_step(stepper, client.free_field());
+      output.after_step(stepper, exchanged.free_field);
       client.progress("shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end);
     }
-    output.finish(stepper, client.free_field(), gravity_seconds, client.waiting_seconds());
+    output.finish(stepper, exchanged.free_field, gravity_seconds, exchanged.waiting_seconds);
   } catch (const std::exception& error) {
     output.abort(error.what());
     throw;

@@ -2,7 +2,7 @@
 // computed at once for the whole run on a vertical line; along x it is the same, delayed by the horizontal
 // slowness.
 
-#include "coupler/source_client.hpp"
+#include "coupler/participant.hpp"
 #include "scene/case.hpp"
 #include "scene/motion.hpp"
 #include "scene/service.hpp"
@@ -96,15 +96,16 @@ void run(const coupler::ParticipantOptions& options) {
     levels += computed.back().size();
   }
   synthesis.stop();
-  client.report({{"Fourier synthesis", synthesis.seconds()}});
 
-  client.serve([&](std::size_t f, std::uint64_t step, std::span<double> values) {
-    std::size_t at = 0;
-    for (const wavefield::History& h : computed[f])
-      for (const std::vector<double>* series : {&h.vx, &h.vy, &h.sxx, &h.syy, &h.sxy, &h.vx_rate, &h.vy_rate,
-                                                &h.sxx_rate, &h.syy_rate, &h.sxy_rate})
-        values[at++] = (*series)[step];
-  });
+  client.serve(
+      [&](std::size_t f, std::uint64_t step, std::span<double> values) {
+        std::size_t at = 0;
+        for (const wavefield::History& h : computed[f])
+          for (const std::vector<double>* series : {&h.vx, &h.vy, &h.sxx, &h.syy, &h.sxy, &h.vx_rate,
+                                                    &h.vy_rate, &h.sxx_rate, &h.syy_rate, &h.sxy_rate})
+            values[at++] = (*series)[step];
+      },
+      {{"Fourier synthesis", synthesis.seconds()}});
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // my_field: TravellingPulse as a source. Everything else is tremolo's: what the case asks for, and the
 // exchange.
 
-#include "coupler/source_client.hpp"
+#include "coupler/participant.hpp"
 #include "scene/service.hpp"
 #include "travelling_pulse.hpp"
 

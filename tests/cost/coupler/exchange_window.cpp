@@ -3,10 +3,9 @@
 // The domain computes nothing, so that all of its time is exchange. Prints CSV: mode, window_steps,
 // microseconds of CPU time of all three a domain step, and of wall time.
 
-#include "coupler/domain_client.hpp"
 #include "coupler/hub.hpp"
+#include "coupler/participant.hpp"
 #include "coupler/run_endpoint.hpp"
-#include "coupler/source_client.hpp"
 
 #include <atomic>
 #include <chrono>

@@ -1,9 +1,8 @@
 // A participant for tests of the coupler: role by name ("domain" or a source), misbehaviour by the case file,
 // whose lines read "NAME MISDEED STEP".
 
-#include "coupler/domain_client.hpp"
 #include "coupler/error.hpp"
-#include "coupler/source_client.hpp"
+#include "coupler/participant.hpp"
 #include "toy_field.hpp"
 
 #include <chrono>

@@ -1,9 +1,8 @@
 // A long exchange between a source, a hub and a domain in one process: memory and descriptors stay flat.
 
-#include "coupler/domain_client.hpp"
 #include "coupler/hub.hpp"
+#include "coupler/participant.hpp"
 #include "coupler/run_endpoint.hpp"
-#include "coupler/source_client.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <chrono>

@@ -1,7 +1,7 @@
-"""Free fields written in Python: the example of docs/own-free-field.md, the client of docs/wire-protocol.md that uses
+"""Free fields of one's own: the examples of docs/own-free-field.md in C++ and Python, the client of docs/wire-protocol.md that uses
 nothing but pyzmq and the standard library, and what a model's mistake looks like.
 
-    usage: test_participant.py TREMOLO SOURCE_DIR
+    usage: test_participant.py TREMOLO SOURCE_DIR MY_FIELD
 """
 
 import os
@@ -13,7 +13,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
+TREMOLO, SOURCE, MY_FIELD = sys.argv.pop(1), Path(sys.argv.pop(1)), sys.argv.pop(1)
 sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "tests/system/runs")]
 
 import numpy as np
@@ -56,13 +56,19 @@ class Example(Folder):
         self.assertEqual(0, done.returncode, done.stdout + done.stderr)
         self.assertIn("14 passed, 0 warned, 0 failed", done.stdout)
 
-    def test_gives_the_run_that_the_exact_wavefield_gives(self):
+    def test_both_give_the_run_that_the_exact_wavefield_gives(self):
         """Measured: 5e-6 of the largest velocity, from the interpolation of 5 ms steps and 0.5 m points."""
-        shutil.copy(EXAMPLE, self.path / "model.py")
-        mine, mine_folder = self.run_with('model = "external", program = "model.py"', "mine")
         exact, exact_folder = self.run_with('model = "wave"', "exact")
-        self.assertEqual((0, 0), (mine.returncode, exact.returncode), mine.stdout + mine.stderr)
-        mine, exact = Run(mine_folder), Run(exact_folder)
+        self.assertEqual(0, exact.returncode, exact.stdout + exact.stderr)
+        shutil.copy(EXAMPLE, self.path / "model.py")
+        for program in ("model.py", MY_FIELD):
+            with self.subTest(program):
+                name = Path(program).stem
+                mine, mine_folder = self.run_with(f'model = "external", program = "{program}"', name)
+                self.assertEqual(0, mine.returncode, mine.stdout + mine.stderr)
+                self.assert_same_velocities(Run(exact_folder), Run(mine_folder))
+
+    def assert_same_velocities(self, exact, mine):
         largest = difference = 0.0
         for index in range(len(exact.times)):
             expected = exact.field(index, "velocity")
@@ -70,6 +76,12 @@ class Example(Folder):
             difference = max(difference, abs(mine.field(index, "velocity") - expected).max())
         self.assertGreater(largest, 0.1)
         self.assertLess(difference, 3e-5 * largest)
+
+    def test_the_cpp_example_is_short_and_knows_the_public_header_alone(self):
+        text = (SOURCE / "docs/examples/own_free_field/main.cpp").read_text()
+        code = [line for line in text.splitlines() if line.strip() and not line.strip().startswith("//")]
+        self.assertLess(len(code), 50)
+        self.assertEqual(["coupler/participant.hpp"], re.findall(r'#include "(coupler/.*)"', text))
 
 
 class Page(Folder):

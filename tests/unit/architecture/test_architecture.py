@@ -33,6 +33,11 @@ PROCESSES = {
     "mpm_domain": {"materials", "motion", "results", "coupler/eq6", "scene", "coupler", "freefield", "wavefield"},
 }
 
+# All that a process knows of the coupler. recorded_case takes no part in an exchange: it describes a case.
+PARTICIPANT = re.compile(r"coupler/(participant\.hpp|eq6/.*|process/.*)")
+NO_PARTICIPANT = {"coupler/process/recorded_case.cpp"}
+PUBLIC_METHODS = 8  # of both roles together, besides constructors
+
 SOURCES = {".cpp", ".hpp", ".py", ".sh", ".cmake"}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 
@@ -84,6 +89,27 @@ class Architecture(unittest.TestCase):
                 path = file.relative_to(ROOT).as_posix()
                 if not is_process(path):
                     self.assertNotIn(f'#include "{folder}/process/', file.read_text(encoding="utf-8"), path)
+
+    def test_processes_know_the_public_header_of_the_coupler_alone(self):
+        for folder in PROCESSES:
+            for file in sources(folder, {".cpp", ".hpp"}):
+                path = file.relative_to(ROOT).as_posix()
+                if is_process(path) and path not in NO_PARTICIPANT:
+                    for name in re.findall(r'^#include "(coupler/[^"]+)"', file.read_text(encoding="utf-8"), re.MULTILINE):
+                        self.assertRegex(name, PARTICIPANT, path)
+
+    def test_the_public_header_has_few_methods_with_pre_and_postconditions(self):
+        header = (ROOT / "coupler/participant.hpp").read_text(encoding="utf-8")
+        methods = []
+        for part in re.findall(r"^class \w+ {\npublic:\n(.*?)^private:", header, re.MULTILINE | re.DOTALL):
+            # A declaration and the lines of /// right above it; constructors have no type before their name.
+            for comment, name in re.findall(r"((?:^  ///.*\n)+)^  (?!explicit )\w[\w:<> ]* (\w+)\(", part, re.MULTILINE):
+                methods.append(name)
+                self.assertIn("@pre", comment, name)
+                self.assertIn("@post", comment, name)
+        self.assertIn("serve", methods)
+        self.assertIn("tractions", methods)
+        self.assertLessEqual(len(methods), PUBLIC_METHODS, methods)
 
     def test_no_file_is_too_long(self):
         folders = {folder.split("/")[0] for folder in LIBRARIES} | {"tests", "python", "scripts", "cmake", "cases"}

@@ -1,4 +1,4 @@
-#include "coupler/domain_client.hpp"
+#include "coupler/participant.hpp"
 
 #include "coupler/error.hpp"
 #include "coupler/layout.hpp"
@@ -46,22 +46,24 @@ void DomainClient::ready(const std::vector<BoundaryFace>& faces, double start_ti
     grant_credits();
 }
 
-void DomainClient::tractions(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain,
-                             std::span<eq6::Vector> tractions) {
+DomainClient::Exchanged DomainClient::tractions(std::uint64_t step, double time,
+                                                std::span<const eq6::Vector> v_domain,
+                                                std::span<eq6::Vector> tractions) {
   check_step(step, time, v_domain);
   append_velocities(time, v_domain);
   if (mode_ == Mode::lockstep) {
     send_velocities();
     wait_for_hub(step, tractions);
-    return;
+  } else {
+    drain();
+    if (exchange_->missing(time))
+      wait_for_sources(step, time);
+    exchange_->evaluate(time, v_domain, free_field_, tractions);
+    grant_credits();
+    if (batch_.size() >= batch_values || next_step_ - batch_first_step_ >= batch_steps)
+      send_velocities();
   }
-  drain();
-  if (exchange_->missing(time))
-    wait_for_sources(step, time);
-  exchange_->evaluate(time, v_domain, free_field_, tractions);
-  grant_credits();
-  if (batch_.size() >= batch_values || next_step_ - batch_first_step_ >= batch_steps)
-    send_velocities();
+  return {free_field_, waiting_.seconds()};
 }
 
 void DomainClient::check_step(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain) {
@@ -126,7 +128,8 @@ void DomainClient::take_tractions(std::uint64_t step, std::span<const std::byte>
   if (const auto* error = std::get_if<FrameError>(&decoded))
     connection_.fail(
         fmt::format("domain '{}' refuses the tractions of step {}: {}", options_.name, step, error->text));
-  const double* value = std::get<Frame>(decoded).values.data();
+  const auto values = std::get<Frame>(decoded).values();
+  const double* value = values.data();
   for (std::size_t i = 0; i < face_count_; ++i, value += layout::per_face) {
     tractions[i] = {value[0], value[1]};
     free_field_[i] = {{value[2], value[3]}, {value[4], value[5], value[6]}};
@@ -150,7 +153,7 @@ void DomainClient::take_source_frame(std::span<const std::byte> bytes) {
   if (const auto* error = std::get_if<FrameError>(&decoded))
     connection_.fail(fmt::format("domain '{}' refuses a frame of source '{}', field '{}': {}", options_.name,
                                  inlet->source, history.field().name, error->text));
-  history.append(std::get<Frame>(decoded).values);
+  history.append(std::get<Frame>(decoded).body);
 }
 
 void DomainClient::append_velocities(double time, std::span<const eq6::Vector> v_domain) {

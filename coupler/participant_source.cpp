@@ -1,6 +1,5 @@
-#include "coupler/source_client.hpp"
+#include "coupler/participant.hpp"
 
-#include "coupler/boundary_exchange.hpp"
 #include "coupler/error.hpp"
 #include "coupler/messages.hpp"
 
@@ -23,7 +22,7 @@ SourceClient::SourceClient(const ParticipantOptions& options, std::vector<FieldD
     outgoing_.push_back({.steps_per_frame = steps_per_frame(field, window_steps)});
 }
 
-void SourceClient::serve(const Fill& fill) {
+void SourceClient::serve(const Fill& fill, const std::vector<PassTime>& passes) {
   while (!finished_) {
     // While there is work the socket is only looked at; without credit the source sleeps until the hub
     // speaks.
@@ -37,7 +36,7 @@ void SourceClient::serve(const Fill& fill) {
       waiting_.stop();
     }
   }
-  say_bye();
+  say_bye(passes);
 }
 
 void SourceClient::beat(double done) {
@@ -97,10 +96,10 @@ void SourceClient::send_frame(std::size_t field, std::uint32_t steps, const Fill
   outgoing_[field].next_step += steps;
 }
 
-void SourceClient::say_bye() {
-  std::vector<PassTime> passes{{"fill", filling_.seconds()}};
-  passes.insert(passes.end(), passes_.begin(), passes_.end());
-  connection_.send({"BYE", {{"passes", to_json(passes)}, {"waiting", waiting_.seconds()}}});
+void SourceClient::say_bye(const std::vector<PassTime>& passes) {
+  std::vector<PassTime> all{{"fill", filling_.seconds()}};
+  all.insert(all.end(), passes.begin(), passes.end());
+  connection_.send({"BYE", {{"passes", to_json(all)}, {"waiting", waiting_.seconds()}}});
 }
 
 } // namespace tremolo::coupler

@@ -1,0 +1,180 @@
+#pragma once
+
+// All that a participant of a run needs of the coupler: what it is told (ParticipantOptions, and
+// participant_main that reads them), what passes (field.hpp), and its side of the exchange, one class for
+// either role. tremolo's own processes use nothing else.
+//
+// A source, which serves free fields:                  The domain, which takes them:
+//
+//     SourceClient client(options, {field});               DomainClient client(options);
+//     client.serve([&](std::size_t field,                  client.progress("gravity", step, time, end_time);
+//                      std::uint64_t step,                 client.ready(faces, start_time, end_time);
+//                      std::span<double> values) {         for (each step)
+//       ...fill values...                                    client.tractions(step, time, velocities,
+//     });                                                                     face_tractions);
+//                                                          client.finish(pass_times, particle_updates);
+//
+// All methods of a client are called from one thread. After an exception the client is good for nothing but
+// abandon(); the run has ended or will end.
+
+#include "coupler/boundary_exchange.hpp"
+#include "coupler/connection.hpp"
+#include "coupler/field.hpp"
+#include "coupler/mode.hpp"
+#include "coupler/participant_options.hpp"
+#include "coupler/timing.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::coupler {
+
+/// A source's side of the exchange. It runs ahead of the domain as far as the receiver's credit goes and
+/// sends several steps in a frame, so the domain seldom waits.
+class SourceClient {
+public:
+  /// Connects, introduces itself with the fields it serves, and waits until all participants are there. A
+  /// source that needs long to prepare does so after this call, so that a mismatch is found first.
+  /// @pre every field passes validate(); field f of serve() is fields[f]
+  /// @post all participants of the run are connected, have read the same case and know the fields
+  /// @throws std::invalid_argument for a field that cannot be served; Error if the hub refuses or the connect
+  /// deadline passes
+  SourceClient(const ParticipantOptions& options, std::vector<FieldDescription> fields);
+
+  /// Fills one step of one field: values[10 * point + k] in the order of values_per_point, all of them and
+  /// all finite.
+  using Fill = std::function<void(std::size_t field, std::uint64_t step, std::span<double> values)>;
+
+  /// Serves steps until the domain has finished.
+  /// @pre called once
+  /// @post every step that the domain asked for has been filled once, the steps of a field in ascending order
+  /// from 0; the hub knows the times of the passes; the process may end
+  /// @param passes named times of what was done before (s), shown in the run's summary beside "fill" and
+  /// "wait"
+  /// @throws Aborted when the run was ended by another's failure; Error if the hub is silent beyond its
+  /// deadline or a value is not finite; whatever fill throws
+  void serve(const Fill& fill, const std::vector<PassTime>& passes = {});
+
+  /// A sign of life from the solver's thread; needed only where more than the step deadline passes before the
+  /// first step or between two.
+  /// @pre done is finite
+  /// @param done how much of the work is done, in any unit
+  /// @post the step deadline begins anew if done is more than in any beat before: a solver that runs in
+  /// circles ends the run
+  /// @throws Error if the hub does not take it within the step deadline
+  void beat(double done);
+
+private:
+  struct Outgoing {
+    std::uint64_t next_step = 0;
+    std::uint64_t credit = 0; ///< steps below this one may be sent
+    std::uint32_t steps_per_frame = 1;
+  };
+
+  void take_messages(double wait_s);
+  bool send_frames(const Fill& fill);
+  void send_frame(std::size_t field, std::uint32_t steps, const Fill& fill);
+  void say_bye(const std::vector<PassTime>& passes);
+
+  ParticipantOptions options_;
+  std::vector<FieldDescription> fields_;
+  Connection connection_;
+  std::vector<Outgoing> outgoing_;
+  std::vector<double> body_;
+  Stopwatch filling_;
+  Stopwatch waiting_;
+  bool finished_ = false;
+};
+
+/// The domain's side of the exchange. Whether Eq. (6) is evaluated here (mode window) or in the hub (mode
+/// lockstep) makes no difference to the caller, nor to a single bit of the tractions: both use
+/// BoundaryExchange.
+class DomainClient {
+public:
+  /// Connects and waits until all participants are there. To be made early: a mismatch is found before any
+  /// work.
+  /// @post all participants of the run are connected and have read the same case
+  /// @throws Error if the hub refuses or the connect deadline passes
+  explicit DomainClient(const ParticipantOptions& options);
+
+  /// Declares the boundary and the time it will be shaken (s, on the sources' clock).
+  /// @pre called once, before the first tractions()
+  /// @post the sources compute ahead
+  /// @throws Error if a source does not exist or does not cover a face's elevation or the time
+  void ready(const std::vector<BoundaryFace>& faces, double start_time, double end_time);
+
+  /// What came with the tractions of a step.
+  struct Exchanged {
+    std::span<const eq6::FreeField> free_field; ///< that Eq. (6) took at each face; until the next step
+    double waiting_seconds = 0.0;               ///< wall time spent waiting for the exchange so far
+  };
+
+  /// Eq. (6) for all faces at one time.
+  /// @pre ready() was called; step is 0, 1, 2, ...; start_time <= time <= end_time of ready(); time is not
+  /// before that of the last step; both spans are as long as the list of faces
+  /// @param v_domain the domain's velocity at each face, m/s
+  /// @post tractions holds Eq. (6) of this time at each face, Pa
+  /// @throws Aborted when the run was ended by another; Error if a source does not deliver within the step
+  /// deadline, or a velocity is not finite; std::logic_error where the precondition on steps and lengths does
+  /// not hold
+  Exchanged tractions(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain,
+                      std::span<eq6::Vector> tractions);
+
+  /// A sign of life for the progress line and the deadlines, also of stages that exchange nothing; cheap, may
+  /// be called every step.
+  /// @pre step and time do not go back within a stage
+  /// @post the hub knows stage, step and time, and an abort was noticed; within 0.2 s of the last sign of
+  /// life nothing is done
+  /// @throws Aborted when the run was ended by another
+  void progress(const std::string& stage, std::uint64_t step, double time, double end_time);
+
+  /// Tells the hub why this participant gives up: its log may lie on the disk that is full.
+  /// @pre none: also after an exception
+  /// @post the hub, if it listens, ends the run with this reason; no wait
+  void abandon(const std::string& reason) { connection_.abandon(reason); }
+
+  /// Ends the run well.
+  /// @pre all results are written
+  /// @param passes named times of the domain's passes, s, for the summary
+  /// @param particle_updates particles times steps, for the summary
+  /// @post the hub dismisses the sources; the process may end
+  void finish(const std::vector<PassTime>& passes, double particle_updates);
+
+private:
+  void wait_for_sources(std::uint64_t step, double time);
+  void wait_for_hub(std::uint64_t step, std::span<eq6::Vector> tractions);
+  void check_step(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain);
+  void append_velocities(double time, std::span<const eq6::Vector> v_domain);
+  void send_velocities();
+  void take_tractions(std::uint64_t step, std::span<const std::byte> bytes, std::span<eq6::Vector> tractions);
+  void take_source_frame(std::span<const std::byte> bytes);
+  void grant_credits();
+  void beat(const std::optional<BoundaryExchange::Missing>& awaited);
+  void check_hub(const std::string& awaited);
+  void drain();
+
+  ParticipantOptions options_;
+  Connection connection_;
+  Mode mode_ = Mode::window;
+  std::uint32_t window_steps_ = default_window_steps;
+  std::vector<SourceDescription> sources_;
+  std::optional<BoundaryExchange> exchange_;
+  std::size_t face_count_ = 0;
+  std::vector<eq6::FreeField> free_field_;
+  std::vector<double> batch_; ///< steps of [time, vx, vy of each face] not yet sent
+  std::uint64_t batch_first_step_ = 0;
+  std::uint64_t next_step_ = 0;
+  double last_time_ = 0.0;
+  std::string stage_ = "start";
+  std::uint64_t stage_step_ = 0;
+  double stage_time_ = 0.0;
+  double stage_end_time_ = 0.0;
+  Clock::time_point last_beat_;
+  Stopwatch waiting_;
+};
+
+} // namespace tremolo::coupler
