@@ -128,8 +128,7 @@ void DomainClient::take_tractions(std::uint64_t step, std::span<const std::byte>
   if (const auto* error = std::get_if<FrameError>(&decoded))
     connection_.fail(
         fmt::format("domain '{}' refuses the tractions of step {}: {}", options_.name, step, error->text));
-  const auto values = std::get<Frame>(decoded).values();
-  const double* value = values.data();
+  const double* value = std::get<Frame>(decoded).values.data();
   for (std::size_t i = 0; i < face_count_; ++i, value += layout::per_face) {
     tractions[i] = {value[0], value[1]};
     free_field_[i] = {{value[2], value[3]}, {value[4], value[5], value[6]}};
@@ -153,7 +152,7 @@ void DomainClient::take_source_frame(std::span<const std::byte> bytes) {
   if (const auto* error = std::get_if<FrameError>(&decoded))
     connection_.fail(fmt::format("domain '{}' refuses a frame of source '{}', field '{}': {}", options_.name,
                                  inlet->source, history.field().name, error->text));
-  history.append(std::get<Frame>(decoded).body);
+  history.append(std::get<Frame>(decoded).values);
 }
 
 void DomainClient::append_velocities(double time, std::span<const eq6::Vector> v_domain) {
