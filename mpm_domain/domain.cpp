@@ -1,6 +1,7 @@
 #include "mpm_domain/domain.hpp"
 
 #include "mpm_domain/fill.hpp"
+#include "mpm_domain/grid_growth.hpp"
 
 #include <fmt/format.h>
 
@@ -23,17 +24,11 @@ Grid make_grid(const Spec& spec) {
   const auto nodes = [&](double length) {
     return static_cast<int>(std::ceil(length / grid.h - 1e-9)) + 1 + 2 * margin_cells;
   };
-  grid.nx = nodes(spec.box.x_max - spec.box.x_min);
-  grid.ny = nodes(spec.box.y_max - spec.box.y_min);
+  resize(grid, nodes(spec.box.x_max - spec.box.x_min), nodes(spec.box.y_max - spec.box.y_min));
   if (spec.periodic_sides) {
     grid.period = static_cast<int>(std::lround((spec.box.x_max - spec.box.x_min) / grid.h));
     grid.first_column = margin_cells;
   }
-  const std::size_t count = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
-  for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y, &grid.force_x, &grid.force_y,
-                           &grid.dashpot_x, &grid.dashpot_y, &grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new})
-    field->resize(count);
-  grid.acceleration.resize(count);
   return grid;
 }
 

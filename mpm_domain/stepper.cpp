@@ -1,6 +1,7 @@
 #include "mpm_domain/stepper.hpp"
 
 #include "mpm_domain/gather.hpp"
+#include "mpm_domain/grid_growth.hpp"
 #include "mpm_domain/grid_update.hpp"
 #include "mpm_domain/periodic_sides.hpp"
 #include "mpm_domain/scatter.hpp"
@@ -72,6 +73,7 @@ void Stepper::step() {
     pass.seconds += std::chrono::duration<double>(after - before).count();
     before = after;
   }
+  moved_ += max_speed_ * dt_;
   time_ += dt_;
   ++steps_;
 }
@@ -95,15 +97,15 @@ void Stepper::choose_dt() {
 }
 
 void Stepper::sort() {
-  moved_ += max_speed_ * dt_;
   if (moved_ < 0.9 * domain_.grid.h)
     return;
-  for (Particles& set : domain_.sets) {
-    if (domain_.spec.periodic_sides)
+  if (domain_.spec.periodic_sides)
+    for (Particles& set : domain_.sets)
       wrap(set, domain_.spec.box);
+  make_room(domain_, time_, steps_);
+  for (Particles& set : domain_.sets)
     sort_by_cell(set, domain_.grid, domain_.half_size());
-  }
-  moved_ = max_speed_ * dt_;
+  moved_ = 0.0;
 }
 
 void Stepper::velocities() {
