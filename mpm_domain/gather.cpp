@@ -1,6 +1,7 @@
 #include "mpm_domain/gather.hpp"
 
 #include "materials/law.hpp"
+#include "mpm_domain/stencil.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,43 +15,72 @@ namespace {
 /// Particles whose increments are held at a time between the grid and the law.
 constexpr std::size_t chunk = 128;
 
-struct Increments {
-  std::array<double, chunk> exx, eyy, gxy, wxy;
-  std::array<double, chunk> sxx, syy, sxy, plastic; ///< stress before the update; plastic work per volume
+using ChunkField = std::array<double, chunk>;
 
-  /// @param gradient  { dvx/dx, dvy/dx, dvx/dy, dvy/dy }, 1/s
-  void take(std::size_t c, const Lanes& gradient, double dt) {
-    exx[c] = dt * gradient[0];
-    eyy[c] = dt * gradient[3];
-    gxy[c] = dt * (gradient[2] + gradient[1]);
-    wxy[c] = 0.5 * dt * (gradient[1] - gradient[2]);
+struct Increments {
+  ChunkField exx, eyy, gxy, wxy;
+  ChunkField plastic; ///< plastic work per volume
+};
+
+/// A velocity component at the nodes of four particles' stencils, the three rows summed with the weights of
+/// y, their gradients and their moments s (y_j - y): per particle a row of four nodes, and after turn() per
+/// node the four particles.
+struct Columns {
+  std::array<Lanes, 4> s, g, d;
+
+  template <bool value, bool gradient, bool moment>
+  [[gnu::always_inline]] void turn() {
+    if constexpr (value)
+      s = transposed(s);
+    if constexpr (gradient)
+      g = transposed(g);
+    if constexpr (moment)
+      d = transposed(d);
   }
 };
 
-/// What a particle reads off the grid.
-struct Sample {
-  Vector v;                 ///< sum S v, before the update
-  Vector v_new;             ///< after it
-  Lanes gradient{};         ///< { dvx/dx, dvy/dx, dvx/dy, dvy/dy } of the velocity that strains
-  Lanes moment{};           ///< sum S v_new (x_i - x): { vx x, vy x, vx y, vy y }
-  Vector inertia{1.0, 1.0}; ///< sum S (x_i - x)^2
+/// Factors of the three rows of four particles: s, ds/dy, s (y_j - y).
+struct RowFactors {
+  alignas(32) std::array<std::array<double, 4>, 3> s, g, d;
 };
 
-/// A velocity field's sums over the three rows, with the weights of y, its gradients, its moments.
-struct Columns {
-  Lanes s{}, g{}, d{};
-};
-
-/// @param dy  rows minus particle, m
-template <bool gradient, bool moment>
-inline void add_row(const double* nodes, double s, double g, double dy, Columns& columns) {
-  const Lanes v = load(nodes);
-  columns.s += s * v;
-  if constexpr (gradient)
-    columns.g += g * v;
-  if constexpr (moment)
-    columns.d += s * dy * v;
+template <bool value, bool gradient, bool moment>
+[[gnu::always_inline]] inline void add_rows(const double* nodes, std::size_t row, const RowFactors& y,
+                                            std::size_t lane, Columns& columns) {
+  Lanes s{};
+  Lanes g{};
+  Lanes d{};
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Lanes v = load(nodes + j * row);
+    if constexpr (value)
+      s += y.s[j][lane] * v;
+    if constexpr (gradient)
+      g += y.g[j][lane] * v;
+    if constexpr (moment)
+      d += y.d[j][lane] * v;
+  }
+  columns.s[lane] = s;
+  columns.g[lane] = g;
+  columns.d[lane] = d;
 }
+
+/// sum over the four nodes of a row
+[[gnu::always_inline]] inline Lanes dot(const std::array<Lanes, 4>& a, const std::array<Lanes, 4>& b) {
+  return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
+}
+
+/// A vector of four particles.
+struct Vectors {
+  Lanes x{}, y{};
+};
+
+/// What four particles read off the grid.
+struct Samples {
+  Vectors v;                            ///< sum S v, before the update
+  Vectors v_new;                        ///< after it
+  Lanes vx_x{}, vx_y{}, vy_x{}, vy_y{}; ///< d v_a/d x_b of the velocity that strains
+  Lanes cxx{}, cxy{}, cyx{}, cyy{};     ///< sum S v_new (x_i - x)^T D^-1
+};
 
 /// Which velocities a gather samples, and which of them strains.
 struct Wanted {
@@ -58,75 +88,140 @@ struct Wanted {
   bool v_new = false;
   bool gradient = false;
   bool of_v = false; ///< the gradient, not of v_new
-  bool moment = false;
+  bool affine = false;
 };
 
 template <Wanted wanted>
-inline Sample sample(const Grid& grid, double x, double y, const Axis& x_axis, const Axis& y_axis) {
+[[gnu::always_inline]] inline Samples sample(const Grid& grid, const Lanes& x, const Lanes& y,
+                                             std::size_t count, const Axis& x_axis, const Axis& y_axis) {
   constexpr bool gradient_of_v = wanted.gradient && wanted.of_v;
   constexpr bool gradient_of_new = wanted.gradient && !wanted.of_v;
   constexpr bool reads_v = wanted.v || gradient_of_v;
-  constexpr bool reads_new = wanted.v_new || wanted.moment || gradient_of_new;
-  const Weights wx = cell_weights(x, x_axis);
-  const Weights wy = gimp_weights(y, y_axis);
-  [[maybe_unused]] Lanes dy{};
-  if constexpr (wanted.moment)
-    dy = offsets(wy, y, y_axis);
-  Columns vx, vy, vx_new, vy_new;
-  const std::size_t first = grid.index(wx.base, wy.base);
+  constexpr bool reads_new = wanted.v_new || wanted.affine || gradient_of_new;
+  const Stencils at(x, y, x_axis, y_axis);
+  const CellWeights<Lanes> wx(at.xi, x_axis);
+  const RowWeights<Lanes> wy(at.eta, y_axis);
+  RowFactors rows;
   for (std::size_t j = 0; j < 3; ++j) {
-    const std::size_t n = first + j * static_cast<std::size_t>(grid.nx);
+    store(rows.s[j].data(), wy.s[j]);
+    if constexpr (wanted.gradient)
+      store(rows.g[j].data(), wy.g[j]);
+    if constexpr (wanted.affine)
+      store(rows.d[j].data(), wy.s[j] * (y_axis.h * (static_cast<double>(j) - at.eta)));
+  }
+  Columns vx;
+  Columns vy;
+  Columns vx_new;
+  Columns vy_new;
+  const auto row = static_cast<std::size_t>(grid.nx);
+  const std::array<std::int32_t, 4> first = at.first_nodes(grid);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const auto n = static_cast<std::size_t>(first[lane]);
     if constexpr (reads_v) {
-      add_row<gradient_of_v, false>(&grid.vx[n], wy.s[j], wy.g[j], 0.0, vx);
-      add_row<gradient_of_v, false>(&grid.vy[n], wy.s[j], wy.g[j], 0.0, vy);
+      add_rows<true, gradient_of_v, false>(&grid.vx[n], row, rows, lane, vx);
+      add_rows<true, gradient_of_v, false>(&grid.vy[n], row, rows, lane, vy);
     }
     if constexpr (reads_new) {
-      add_row<gradient_of_new, wanted.moment>(&grid.vx_new[n], wy.s[j], wy.g[j], dy[j], vx_new);
-      add_row<gradient_of_new, wanted.moment>(&grid.vy_new[n], wy.s[j], wy.g[j], dy[j], vy_new);
+      add_rows<true, gradient_of_new, wanted.affine>(&grid.vx_new[n], row, rows, lane, vx_new);
+      add_rows<true, gradient_of_new, wanted.affine>(&grid.vy_new[n], row, rows, lane, vy_new);
     }
   }
-  Sample q;
-  if constexpr (wanted.v || wanted.v_new) {
-    const Lanes values = sums(wx.s * vx.s, wx.s * vy.s, wx.s * vx_new.s, wx.s * vy_new.s);
-    q.v = {values[0], values[1]};
-    q.v_new = {values[2], values[3]};
+  Samples q;
+  if constexpr (reads_v) {
+    vx.turn<true, gradient_of_v, false>();
+    vy.turn<true, gradient_of_v, false>();
   }
+  if constexpr (reads_new) {
+    vx_new.turn<true, gradient_of_new, wanted.affine>();
+    vy_new.turn<true, gradient_of_new, wanted.affine>();
+  }
+  if constexpr (wanted.v)
+    q.v = {dot(wx.s, vx.s), dot(wx.s, vy.s)};
+  if constexpr (wanted.v_new)
+    q.v_new = {dot(wx.s, vx_new.s), dot(wx.s, vy_new.s)};
   if constexpr (wanted.gradient) {
     const Columns& ux = wanted.of_v ? vx : vx_new;
     const Columns& uy = wanted.of_v ? vy : vy_new;
-    q.gradient = sums(wx.g * ux.s, wx.g * uy.s, wx.s * ux.g, wx.s * uy.g);
+    q.vx_x = dot(wx.g, ux.s);
+    q.vx_y = dot(wx.s, ux.g);
+    q.vy_x = dot(wx.g, uy.s);
+    q.vy_y = dot(wx.s, uy.g);
   }
-  if constexpr (wanted.moment) {
-    const Lanes dx = offsets(wx, x, x_axis);
-    const Lanes s_dx = wx.s * dx;
-    q.moment = sums(s_dx * vx_new.s, s_dx * vy_new.s, wx.s * vx_new.d, wx.s * vy_new.d);
-    q.inertia = {second_moment(wx, dx), second_moment(wy, dy)};
+  if constexpr (wanted.affine) {
+    std::array<Lanes, 4> s_dx;
+    for (std::size_t i = 0; i < 4; ++i)
+      s_dx[i] = wx.s[i] * (x_axis.h * (static_cast<double>(i) - 1.0 - at.xi));
+    const Lanes per_x = 1.0 / wx.second_moment;
+    const Lanes per_y = 1.0 / wy.second_moment;
+    q.cxx = dot(s_dx, vx_new.s) * per_x;
+    q.cyx = dot(s_dx, vy_new.s) * per_x;
+    q.cxy = dot(wx.s, vx_new.d) * per_y;
+    q.cyy = dot(wx.s, vy_new.d) * per_y;
   }
   return q;
 }
 
-void take_affine(Particles& p, std::size_t k, const Sample& q) {
-  p.vx[k] = q.v_new.x;
-  p.vy[k] = q.v_new.y;
-  p.cxx[k] = q.moment[0] / q.inertia.x;
-  p.cyx[k] = q.moment[1] / q.inertia.x;
-  p.cxy[k] = q.moment[2] / q.inertia.y;
-  p.cyy[k] = q.moment[3] / q.inertia.y;
+struct Settings {
+  double dt;
+  double flip_share; ///< exp(-dt/tau); 1 for pure FLIP
+};
+
+template <typename Group>
+[[gnu::always_inline]] inline void take_affine(Particles& p, std::size_t k, Group group, const Samples& q) {
+  group.store(&p.vx[k], q.v_new.x);
+  group.store(&p.vy[k], q.v_new.y);
+  group.store(&p.cxx[k], q.cxx);
+  group.store(&p.cyx[k], q.cyx);
+  group.store(&p.cxy[k], q.cxy);
+  group.store(&p.cyy[k], q.cyy);
 }
 
-void take_blend(Particles& p, std::size_t k, const Sample& q, double flip_share) {
-  p.vx[k] = flip_share * (p.vx[k] + q.v_new.x - q.v.x) + (1.0 - flip_share) * q.v_new.x;
-  p.vy[k] = flip_share * (p.vy[k] + q.v_new.y - q.v.y) + (1.0 - flip_share) * q.v_new.y;
+template <typename Group>
+[[gnu::always_inline]] inline void take_blend(Particles& p, std::size_t k, Group group, const Samples& q,
+                                              double flip_share) {
+  const auto blend = [&](double* v, const Lanes& before, const Lanes& after) {
+    group.store(v, flip_share * (group.load(v) + after - before) + (1.0 - flip_share) * after);
+  };
+  blend(&p.vx[k], q.v.x, q.v_new.x);
+  blend(&p.vy[k], q.v.y, q.v_new.y);
 }
 
-/// The strain part of a chunk: law, volumes, and the work done.
-GatherSums strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& inc) {
-  for (std::size_t c = 0; c < count; ++c) {
-    inc.sxx[c] = p.sxx[begin + c];
-    inc.syy[c] = p.syy[begin + c];
-    inc.sxy[c] = p.sxy[begin + c];
-    inc.plastic[c] = 0.0;
+/// sigma : de of the increments from `c` on, J/m3
+template <typename Group>
+[[gnu::always_inline]] inline Lanes work_density(const Particles& p, std::size_t k, const Increments& inc,
+                                                 std::size_t c, Group group) {
+  return group.load(&p.sxx[k]) * load(&inc.exx[c]) + group.load(&p.syy[k]) * load(&inc.eyy[c]) +
+         group.load(&p.sxy[k]) * load(&inc.gxy[c]);
+}
+
+/// Sums of a range, four particles side by side.
+struct LaneSums {
+  Lanes total{};   ///< work of the stresses, J/m
+  Lanes plastic{}; ///< of it on plastic strain
+  Lanes max_speed2{};
+
+  GatherSums collected() const {
+    const Lanes& m = max_speed2;
+    return {sum(total) - sum(plastic), sum(plastic),
+            std::sqrt(std::max(std::max(m[0], m[1]), std::max(m[2], m[3])))};
   }
+};
+
+/// Strain and rotation increments, and half of the work: that of the stress before the update.
+template <typename Group>
+[[gnu::always_inline]] inline void take_strain(const Particles& p, std::size_t k, Group group,
+                                               const Samples& q, double dt, std::size_t c, Increments& inc,
+                                               LaneSums& sums) {
+  store(&inc.exx[c], dt * q.vx_x);
+  store(&inc.eyy[c], dt * q.vy_y);
+  store(&inc.gxy[c], dt * (q.vx_y + q.vy_x));
+  store(&inc.wxy[c], 0.5 * dt * (q.vy_x - q.vx_y));
+  store(&inc.plastic[c], Lanes{});
+  sums.total += 0.5 * group.load(&p.volume[k]) * work_density(p, k, inc, c, group);
+}
+
+/// Stress and state of a chunk by its law, then the other half of the work, and the volumes.
+void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& inc, LaneSums& sums) {
   materials::Points points = p.points(begin, count);
   points.plastic_work = inc.plastic.data();
   points.dexx = inc.exx.data();
@@ -134,22 +229,14 @@ GatherSums strain_chunk(Particles& p, std::size_t begin, std::size_t count, Incr
   points.dgxy = inc.gxy.data();
   points.dwxy = inc.wxy.data();
   materials::update(p.law, points);
-  GatherSums work;
-  for (std::size_t c = 0; c < count; ++c) {
+  by_fours(0, count, [&](std::size_t c, auto group) {
     const std::size_t k = begin + c;
-    const double total = 0.5 * ((inc.sxx[c] + p.sxx[k]) * inc.exx[c] + (inc.syy[c] + p.syy[k]) * inc.eyy[c] +
-                                (inc.sxy[c] + p.sxy[k]) * inc.gxy[c]);
-    work.elastic += p.volume[k] * (total - inc.plastic[c]);
-    work.plastic += p.volume[k] * inc.plastic[c];
-    p.volume[k] *= 1.0 + inc.exx[c] + inc.eyy[c];
-  }
-  return work;
+    const Lanes volume = group.load(&p.volume[k]);
+    sums.total += 0.5 * volume * work_density(p, k, inc, c, group);
+    sums.plastic += volume * load(&inc.plastic[c]);
+    group.store(&p.volume[k], volume * (1.0 + load(&inc.exx[c]) + load(&inc.eyy[c])));
+  });
 }
-
-struct Settings {
-  double dt;
-  double flip_share; ///< exp(-dt/tau); 1 for pure FLIP
-};
 
 template <GatherParts parts, bool strain_of_first, bool affine>
 GatherSums gather_range(Domain& domain, Particles& p, std::size_t begin, std::size_t end,
@@ -158,39 +245,36 @@ GatherSums gather_range(Domain& domain, Particles& p, std::size_t begin, std::si
                           .v_new = parts.velocity || parts.position,
                           .gradient = parts.strain,
                           .of_v = strain_of_first,
-                          .moment = parts.velocity && affine};
+                          .affine = parts.velocity && affine};
   const Axis x_axis = domain.x_axis();
   const Axis y_axis = domain.y_axis();
-  GatherSums work;
-  double max_speed2 = 0.0;
+  LaneSums sums;
   Increments inc;
   for (std::size_t first = begin; first < end; first += chunk) {
     const std::size_t count = std::min(chunk, end - first);
-    for (std::size_t c = 0; c < count; ++c) {
+    by_fours(0, count, [&](std::size_t c, auto group) {
       const std::size_t k = first + c;
-      const Sample q = sample<wanted>(domain.grid, p.x[k], p.y[k], x_axis, y_axis);
+      const Lanes x = group.load(&p.x[k]);
+      const Lanes y = group.load(&p.y[k]);
+      const Samples q = sample<wanted>(domain.grid, x, y, group.count, x_axis, y_axis);
       if constexpr (parts.velocity) {
         if constexpr (affine)
-          take_affine(p, k, q);
+          take_affine(p, k, group, q);
         else
-          take_blend(p, k, q, set.flip_share);
+          take_blend(p, k, group, q, set.flip_share);
       }
       if constexpr (parts.strain)
-        inc.take(c, q.gradient, set.dt);
+        take_strain(p, k, group, q, set.dt, c, inc, sums);
       if constexpr (parts.position) {
-        p.x[k] += set.dt * q.v_new.x;
-        p.y[k] += set.dt * q.v_new.y;
-        max_speed2 = std::max(max_speed2, q.v_new.x * q.v_new.x + q.v_new.y * q.v_new.y);
+        group.store(&p.x[k], x + set.dt * q.v_new.x);
+        group.store(&p.y[k], y + set.dt * q.v_new.y);
+        sums.max_speed2 = larger(q.v_new.x * q.v_new.x + q.v_new.y * q.v_new.y, sums.max_speed2);
       }
-    }
-    if constexpr (parts.strain) {
-      const GatherSums part = strain_chunk(p, first, count, inc);
-      work.elastic += part.elastic;
-      work.plastic += part.plastic;
-    }
+    });
+    if constexpr (parts.strain)
+      strain_chunk(p, first, count, inc, sums);
   }
-  work.max_speed = std::sqrt(max_speed2);
-  return work;
+  return sums.collected();
 }
 
 template <GatherParts parts, bool strain_of_first>

@@ -1,6 +1,7 @@
 #include "mpm_domain/scatter.hpp"
 
 #include "mpm_domain/periodic_sides.hpp"
+#include "mpm_domain/stencil.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,74 +10,135 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// What the particles of one cell add to the nodes that they share, three rows of four: held in registers
-/// while they stream through, written to the grid once.
-struct SharedSums {
-  std::array<Lanes, 3> mass{}, momentum_x{}, momentum_y{}, force_x{}, force_y{};
+/// Particles whose weights are held at a time, in the first-level cache.
+constexpr std::size_t chunk = 64;
+
+/// Weights of a chunk of particles: of x a row of four nodes each, of y one number per row.
+struct ChunkWeights {
+  std::array<std::int32_t, chunk> first; ///< node
+  std::array<Lanes, chunk> xs, xg;
+  std::array<std::array<double, chunk>, 3> ys, yg;
+  std::array<double, chunk> xi, eta; ///< cells above node 1 of a row, above row 0
 };
 
-void add_rows(NodeField& field, std::size_t first, std::size_t row, const std::array<Lanes, 3>& sums) {
+template <bool force, bool affine, typename Group>
+[[gnu::always_inline]] inline void take_weights(const Particles& p, std::size_t k, std::size_t c, Group group,
+                                                const Grid& grid, const Axis& x_axis, const Axis& y_axis,
+                                                ChunkWeights& w) {
+  const Stencils at(group.load(&p.x[k]), group.load(&p.y[k]), x_axis, y_axis);
+  const std::array<std::int32_t, 4> first = at.first_nodes(grid);
+  std::copy(first.begin(), first.end(), &w.first[c]);
+  const CellWeights<Lanes> wx(at.xi, x_axis);
+  const RowWeights<Lanes> wy(at.eta, y_axis);
+  const std::array<Lanes, 4> s = transposed(wx.s);
+  std::copy(s.begin(), s.end(), &w.xs[c]);
+  for (std::size_t j = 0; j < 3; ++j)
+    store(&w.ys[j][c], wy.s[j]);
+  if constexpr (force) {
+    const std::array<Lanes, 4> g = transposed(wx.g);
+    std::copy(g.begin(), g.end(), &w.xg[c]);
+    for (std::size_t j = 0; j < 3; ++j)
+      store(&w.yg[j][c], wy.g[j]);
+  }
+  if constexpr (affine) {
+    store(&w.xi[c], at.xi);
+    store(&w.eta[c], at.eta);
+  }
+}
+
+using Rows = std::array<Lanes, 3>;
+
+void add_rows(NodeField& field, std::size_t first, std::size_t row, const Rows& sums) {
   for (std::size_t j = 0; j < 3; ++j) {
     double* const nodes = field.data() + first + j * row;
     store(nodes, load(nodes) + sums[j]);
   }
 }
 
-template <bool motion, bool force>
-void add_to_grid(Grid& grid, std::size_t first, const SharedSums& sums) {
-  const auto row = static_cast<std::size_t>(grid.nx);
-  if constexpr (motion) {
-    add_rows(grid.mass, first, row, sums.mass);
-    add_rows(grid.momentum_x, first, row, sums.momentum_x);
-    add_rows(grid.momentum_y, first, row, sums.momentum_y);
-  }
-  if constexpr (force) {
-    add_rows(grid.force_x, first, row, sums.force_x);
-    add_rows(grid.force_y, first, row, sums.force_y);
-  }
-}
+/// What the particles of one cell add to the nodes that they share, three rows of four: held in registers
+/// while they stream through, written to the grid once. Motion and force go one after the other: together
+/// they are more than the registers hold.
+struct MotionSums {
+  Rows mass{}, momentum_x{}, momentum_y{};
 
-/// Adds one particle's S m, S m (v + C (x_i - x)) and S m g - V sigma grad S. Lanes run along x: for each row
-/// only the factors of y remain.
-template <bool motion, bool force, bool affine>
-inline void add_particle(const Particles& p, std::size_t k, const Weights& wx, const Weights& wy,
-                         const Domain& domain, SharedSums& sums) {
-  const Lanes mass = p.mass[k] * wx.s;
-  Lanes px = p.vx[k] * mass;
-  Lanes py = p.vy[k] * mass;
-  Lanes px_dy{};
-  Lanes py_dy{};
-  Lanes dy{};
-  if constexpr (motion && affine) {
-    const Lanes dx = offsets(wx, p.x[k], domain.x_axis());
-    dy = offsets(wy, p.y[k], domain.y_axis());
-    px += p.cxx[k] * dx * mass;
-    py += p.cyx[k] * dx * mass;
-    px_dy = p.cxy[k] * mass;
-    py_dy = p.cyy[k] * mass;
-  }
-  const double v = -p.volume[k];
-  const Lanes fx_s = v * p.sxx[k] * wx.g;
-  const Lanes fx_g = v * p.sxy[k] * wx.s;
-  const Lanes fy_s = v * p.sxy[k] * wx.g - domain.spec.gravity * mass;
-  const Lanes fy_g = v * p.syy[k] * wx.s;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const double s = wy.s[j];
-    const double g = wy.g[j];
-    if constexpr (motion) {
-      sums.mass[j] += s * mass;
+  /// S m and S m (v + C (x_i - x)). Lanes run along x: for each row only the factor of y remains.
+  template <bool affine>
+  [[gnu::always_inline]] void add(const Particles& p, std::size_t k, const ChunkWeights& w, std::size_t c,
+                                  const Axis& x_axis, const Axis& y_axis) {
+    const Lanes m = p.mass[k] * w.xs[c];
+    Lanes vx = all(p.vx[k]);
+    Lanes vy = all(p.vy[k]);
+    Lanes row_x{}; // from one row to the next
+    Lanes row_y{};
+    if constexpr (affine) {
+      constexpr Lanes node = {-1.0, 0.0, 1.0, 2.0};
+      const Lanes dx = x_axis.h * (node - w.xi[c]);
+      const double dy = -y_axis.h * w.eta[c];
+      vx += p.cxx[k] * dx + p.cxy[k] * dy;
+      vy += p.cyx[k] * dx + p.cyy[k] * dy;
+      row_x = p.cxy[k] * y_axis.h * m;
+      row_y = p.cyy[k] * y_axis.h * m;
+    }
+    Lanes px = m * vx;
+    Lanes py = m * vy;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double s = w.ys[j][c];
+      mass[j] += s * m;
+      momentum_x[j] += s * px;
+      momentum_y[j] += s * py;
       if constexpr (affine) {
-        sums.momentum_x[j] += s * (px + dy[j] * px_dy);
-        sums.momentum_y[j] += s * (py + dy[j] * py_dy);
-      } else {
-        sums.momentum_x[j] += s * px;
-        sums.momentum_y[j] += s * py;
+        px += row_x;
+        py += row_y;
       }
     }
-    if constexpr (force) {
-      sums.force_x[j] += s * fx_s + g * fx_g;
-      sums.force_y[j] += s * fy_s + g * fy_g;
+  }
+
+  [[gnu::always_inline]] void add_to(Grid& grid, std::size_t first) const {
+    const auto row = static_cast<std::size_t>(grid.nx);
+    add_rows(grid.mass, first, row, mass);
+    add_rows(grid.momentum_x, first, row, momentum_x);
+    add_rows(grid.momentum_y, first, row, momentum_y);
+  }
+};
+
+struct ForceSums {
+  Rows force_x{}, force_y{};
+
+  /// S m g - V sigma grad S
+  [[gnu::always_inline]] void add(const Particles& p, std::size_t k, const ChunkWeights& w, std::size_t c,
+                                  double gravity) {
+    const Lanes vs = -p.volume[k] * w.xs[c];
+    const Lanes vg = -p.volume[k] * w.xg[c];
+    const Lanes fx_s = p.sxx[k] * vg;
+    const Lanes fx_g = p.sxy[k] * vs;
+    const Lanes fy_s = p.sxy[k] * vg - gravity * p.mass[k] * w.xs[c];
+    const Lanes fy_g = p.syy[k] * vs;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double s = w.ys[j][c];
+      const double g = w.yg[j][c];
+      force_x[j] += s * fx_s + g * fx_g;
+      force_y[j] += s * fy_s + g * fy_g;
     }
+  }
+
+  [[gnu::always_inline]] void add_to(Grid& grid, std::size_t first) const {
+    const auto row = static_cast<std::size_t>(grid.nx);
+    add_rows(grid.force_x, first, row, force_x);
+    add_rows(grid.force_y, first, row, force_y);
+  }
+};
+
+/// Sums of a chunk, cell by cell; add(sums, c) adds particle c of it.
+template <typename Sums, typename Add>
+[[gnu::always_inline]] inline void stream(const ChunkWeights& w, std::size_t count, Grid& grid,
+                                          const Add& add) {
+  for (std::size_t c = 0; c < count;) {
+    const std::int32_t shared = w.first[c];
+    Sums sums;
+    do
+      add(sums, c++);
+    while (c < count && w.first[c] == shared);
+    sums.add_to(grid, static_cast<std::size_t>(shared));
   }
 }
 
@@ -85,23 +147,22 @@ template <bool motion, bool force, bool affine>
 [[gnu::flatten]] void scatter_range(const Particles& p, std::size_t begin, std::size_t end, Domain& domain) {
   const Axis x_axis = domain.x_axis();
   const Axis y_axis = domain.y_axis();
+  const double gravity = domain.spec.gravity;
   Grid& grid = domain.grid;
-  SharedSums sums;
-  std::size_t shared = 0; // first node of the sums
-  for (std::size_t k = begin; k < end; ++k) {
-    const Weights wx = cell_weights(p.x[k], x_axis);
-    const Weights wy = gimp_weights(p.y[k], y_axis);
-    const std::size_t first = grid.index(wx.base, wy.base);
-    if (first != shared) {
-      if (k > begin)
-        add_to_grid<motion, force>(grid, shared, sums);
-      sums = {};
-      shared = first;
-    }
-    add_particle<motion, force, affine>(p, k, wx, wy, domain, sums);
+  ChunkWeights w;
+  for (std::size_t k = begin; k < end; k += chunk) {
+    const std::size_t count = std::min(chunk, end - k);
+    by_fours(0, count, [&](std::size_t c, auto group) {
+      take_weights<force, motion && affine>(p, k + c, c, group, grid, x_axis, y_axis, w);
+    });
+    if constexpr (motion)
+      stream<MotionSums>(w, count, grid, [&](MotionSums& sums, std::size_t c) {
+        sums.add<affine>(p, k + c, w, c, x_axis, y_axis);
+      });
+    if constexpr (force)
+      stream<ForceSums>(w, count, grid,
+                        [&](ForceSums& sums, std::size_t c) { sums.add(p, k + c, w, c, gravity); });
   }
-  if (begin < end)
-    add_to_grid<motion, force>(grid, shared, sums);
 }
 
 template <bool motion, bool force>
