@@ -20,8 +20,6 @@
 
 namespace tremolo::mpm_domain {
 
-enum class Side { left, right, base };
-
 /// A face: the particle it rides on and what Eq. (6) needs to know.
 struct BoundaryFace {
   Side side = Side::left;
@@ -29,7 +27,8 @@ struct BoundaryFace {
   std::uint32_t id = 0; ///< the particle
   Vector position;      ///< where it lay at the start: the material point its free field is taken from, m
   double length = 0.0;  ///< m
-  eq6::Face face;       ///< normal and impedances
+  eq6::Face face;       ///< normal and impedances; these are zero before a matched layer
+  double mass = 0.0;    ///< of a matched layer's nodes that move with the face, kg/m2
 };
 
 /// A node that a face touches, and W.

@@ -3,6 +3,7 @@
 #include "mpm_domain/boundary_faces.hpp"
 #include "mpm_domain/energy_ledger.hpp"
 #include "mpm_domain/grid.hpp"
+#include "mpm_domain/matched_layer.hpp"
 #include "mpm_domain/particles.hpp"
 #include "mpm_domain/spec.hpp"
 #include "mpm_domain/worker_pool.hpp"
@@ -23,6 +24,7 @@ struct Domain {
   std::vector<Particles> sets; ///< one per soil
   std::vector<BoundaryFace> faces;
   std::vector<Vector> static_tractions; ///< f^st of Eq. (6), Pa, one per face
+  std::vector<MatchedLayer> layers;     ///< see attach_matched_layers
   EnergyLedger energy;
   WorkerPool workers;
 

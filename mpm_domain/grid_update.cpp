@@ -140,4 +140,16 @@ void spread_tractions(Domain& domain, std::span<const FaceWeights> weights,
   }
 }
 
+// A mass m_L that moves with the node adds m_L to m in (m + dt C/2) (v+ - v-) = dt f: it is a dashpot C = 2 m_L/dt
+// that is not in f.
+void spread_layer_mass(Domain& domain, std::span<const FaceWeights> weights, double dt) {
+  for (std::size_t f = 0; f < weights.size(); ++f) {
+    const double lumped = 2.0 / dt * domain.faces[f].mass * domain.faces[f].length;
+    for (const auto& [node, w] : weights[f]) {
+      domain.grid.dashpot_x[node] += w * lumped;
+      domain.grid.dashpot_y[node] += w * lumped;
+    }
+  }
+}
+
 } // namespace tremolo::mpm_domain

@@ -30,6 +30,8 @@ struct Region {
   std::vector<Vector> polygon;
 };
 
+enum class Side { left, right, base };
+
 /// How velocity travels between particles and grid.
 enum class Transfer {
   apic,      ///< affine particle-in-cell (Jiang et al. 2015): angular momentum kept, noise filtered
@@ -61,6 +63,9 @@ struct Spec {
   /// The domain repeats itself beyond its sides, which then carry no faces; it is a whole number of cells
   /// wide.
   bool periodic_sides = false;
+  /// Sides whose scattered waves a matched layer takes up instead of dashpots, and its depth in cells.
+  std::vector<Side> matched_sides;
+  int layer_cells = 10;
   int threads = 1;
 };
 

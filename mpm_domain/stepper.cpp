@@ -16,10 +16,13 @@
 
 namespace tremolo::mpm_domain {
 
-Stepper::Stepper(Domain& domain, double start_time, TractionSource source)
-    : domain_(domain), source_(std::move(source)), time_(start_time), weights_(domain.faces.size()),
-      v_face_(domain.faces.size()), v_mid_(domain.faces.size()), traction_(domain.faces.size()),
-      passes_(assemble()) {
+Stepper::Stepper(Domain& domain, double start_time, TractionSource source,
+                 FreeFieldOfFaces free_field)
+    : domain_(domain), source_(std::move(source)), free_field_(std::move(free_field)), time_(start_time),
+      weights_(domain.faces.size()), v_face_(domain.faces.size()), v_mid_(domain.faces.size()),
+      traction_(domain.faces.size()), reaction_(domain.faces.size()), passes_(assemble()) {
+  if (!domain.layers.empty() && !free_field_)
+    throw std::invalid_argument("matched layers take up what differs from the free field, which is not told");
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       max_speed_ = std::max(max_speed_, std::hypot(set.vx[k], set.vy[k]));
@@ -45,6 +48,8 @@ std::vector<Pass> Stepper::assemble() {
     add("forces to grid", [this] { scatter(domain_, ScatterPart::force); });
   }
   add("boundary exchange", [this] { exchange(); });
+  if (!domain_.layers.empty())
+    add("matched layers", [this] { react(); });
   add("boundary tractions", [this] { boundary(); });
   add("grid update", [this] { grid(); });
   switch (domain_.spec.scheme.order) {
@@ -124,8 +129,18 @@ void Stepper::exchange() {
   source_(steps_, time_, v_face_, traction_);
 }
 
+void Stepper::react() {
+  std::ranges::fill(reaction_, Vector{});
+  for (MatchedLayer& layer : domain_.layers)
+    layer.react(time_, v_face_, free_field_(), reaction_);
+  for (std::size_t f = 0; f < traction_.size(); ++f)
+    traction_[f] = {traction_[f].x + reaction_[f].x, traction_[f].y + reaction_[f].y};
+}
+
 void Stepper::boundary() {
   spread_tractions(domain_, weights_, traction_);
+  if (!domain_.layers.empty())
+    spread_layer_mass(domain_, weights_, dt_);
 }
 
 void Stepper::grid() {
@@ -146,7 +161,8 @@ void Stepper::book_boundary_work() {
   EnergyLedger& energy = domain_.energy;
   for (std::size_t f = 0; f < weights_.size(); ++f) {
     const BoundaryFace& face = domain_.faces[f];
-    const Vector own = eq6::viscous_traction(face.face, v_face_[f]);
+    const Vector viscous = eq6::viscous_traction(face.face, v_face_[f]);
+    const Vector own = {viscous.x + reaction_[f].x, viscous.y + reaction_[f].y};
     const Vector held = domain_.static_tractions[f];
     const auto work = [&](double tx, double ty) {
       return dt_ * face.length * (tx * v_mid_[f].x + ty * v_mid_[f].y);
