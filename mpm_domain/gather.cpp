@@ -22,52 +22,77 @@ struct Increments {
   ChunkField plastic; ///< plastic work per volume
 };
 
-/// A velocity component at the nodes of four particles' stencils, the three rows summed with the weights of
-/// y, their gradients and their moments s (y_j - y): per particle a row of four nodes, and after turn() per
-/// node the four particles.
-struct Columns {
-  std::array<Lanes, 4> s, g, d;
-
-  template <bool value, bool gradient, bool moment>
-  [[gnu::always_inline]] void turn() {
-    if constexpr (value)
-      s = transposed(s);
-    if constexpr (gradient)
-      g = transposed(g);
-    if constexpr (moment)
-      d = transposed(d);
-  }
+/// What is read of a velocity component.
+struct Reading {
+  bool value = false;
+  bool gradient = false;
+  bool moments = false;
 };
 
-/// Factors of the three rows of four particles: s, ds/dy, s (y_j - y).
-struct RowFactors {
-  alignas(32) std::array<std::array<double, 4>, 3> s, g, d;
+/// A velocity component as four particles read it.
+struct Component {
+  Lanes value{};                ///< sum S v
+  Lanes d_dx{}, d_dy{};         ///< its gradient, 1/s
+  Lanes moment_x{}, moment_y{}; ///< sum S v (x_i - x), m2/s
 };
 
-template <bool value, bool gradient, bool moment>
-[[gnu::always_inline]] inline void add_rows(const double* nodes, std::size_t row, const RowFactors& y,
-                                            std::size_t lane, Columns& columns) {
-  Lanes s{};
-  Lanes g{};
-  Lanes d{};
-  for (std::size_t j = 0; j < 3; ++j) {
-    const Lanes v = load(nodes + j * row);
-    if constexpr (value)
-      s += y.s[j][lane] * v;
-    if constexpr (gradient)
-      g += y.g[j][lane] * v;
-    if constexpr (moment)
-      d += y.d[j][lane] * v;
-  }
-  columns.s[lane] = s;
-  columns.g[lane] = g;
-  columns.d[lane] = d;
-}
+/// The stencils of four particles, ready to read with: along x a factor per node, along y one per row, which
+/// is taken from memory into all lanes.
+struct Reader {
+  using Factors = std::array<std::array<double, 4>, 3>; ///< [row][particle]
 
-/// sum over the four nodes of a row
-[[gnu::always_inline]] inline Lanes dot(const std::array<Lanes, 4>& a, const std::array<Lanes, 4>& b) {
-  return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
-}
+  std::size_t count;                 ///< of the four
+  std::array<std::int32_t, 4> first; ///< node
+  std::ptrdiff_t row;                ///< nodes
+  CellWeights<Lanes> x;
+  RowWeights<Lanes> y;
+  std::array<Lanes, 4> x_moment; ///< S (x_i - x), m
+  alignas(32) Factors y_s, y_g, y_moment;
+
+  Reader(const Stencils& at, std::size_t particles, const Grid& grid, const Axis& x_axis, const Axis& y_axis)
+      : count(particles), first(at.first_nodes(grid)), row(grid.nx), x(at.xi, x_axis), y(at.eta, y_axis) {
+    for (std::size_t i = 0; i < 4; ++i)
+      x_moment[i] = x.s[i] * (x_axis.h * (static_cast<double>(i) - 1.0 - at.xi));
+    for (std::size_t j = 0; j < 3; ++j) {
+      store(y_s[j].data(), y.s[j]);
+      store(y_g[j].data(), y.g[j]);
+      store(y_moment[j].data(), y.s[j] * (y_axis.h * (static_cast<double>(j) - at.eta)));
+    }
+  }
+
+  /// For each particle the sum over the rows of the four columns; then the particles side by side per column.
+  [[gnu::always_inline]] std::array<Lanes, 4> columns(const NodeField& field, const Factors& factors) const {
+    std::array<Lanes, 4> sums{};
+    for (std::size_t k = 0; k < count; ++k) {
+      const double* const nodes = field.data() + first[k];
+      sums[k] = factors[0][k] * load(nodes) + factors[1][k] * load(nodes + row) +
+                factors[2][k] * load(nodes + 2 * row);
+    }
+    return transposed(sums);
+  }
+
+  template <Reading reading>
+  [[gnu::always_inline]] Component read(const NodeField& field) const {
+    Component v;
+    const std::array<Lanes, 4> s = columns(field, y_s);
+    if constexpr (reading.value)
+      v.value = dot(x.s, s);
+    if constexpr (reading.gradient) {
+      v.d_dx = dot(x.g, s);
+      v.d_dy = dot(x.s, columns(field, y_g));
+    }
+    if constexpr (reading.moments) {
+      v.moment_x = dot(x_moment, s);
+      v.moment_y = dot(x.s, columns(field, y_moment));
+    }
+    return v;
+  }
+
+  /// sum over the four nodes of a row
+  static Lanes dot(const std::array<Lanes, 4>& a, const std::array<Lanes, 4>& b) {
+    return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
+  }
+};
 
 /// A vector of four particles.
 struct Vectors {
@@ -94,71 +119,33 @@ struct Wanted {
 template <Wanted wanted>
 [[gnu::always_inline]] inline Samples sample(const Grid& grid, const Lanes& x, const Lanes& y,
                                              std::size_t count, const Axis& x_axis, const Axis& y_axis) {
-  constexpr bool gradient_of_v = wanted.gradient && wanted.of_v;
-  constexpr bool gradient_of_new = wanted.gradient && !wanted.of_v;
-  constexpr bool reads_v = wanted.v || gradient_of_v;
-  constexpr bool reads_new = wanted.v_new || wanted.affine || gradient_of_new;
-  const Stencils at(x, y, x_axis, y_axis);
-  const CellWeights<Lanes> wx(at.xi, x_axis);
-  const RowWeights<Lanes> wy(at.eta, y_axis);
-  RowFactors rows;
-  for (std::size_t j = 0; j < 3; ++j) {
-    store(rows.s[j].data(), wy.s[j]);
-    if constexpr (wanted.gradient)
-      store(rows.g[j].data(), wy.g[j]);
-    if constexpr (wanted.affine)
-      store(rows.d[j].data(), wy.s[j] * (y_axis.h * (static_cast<double>(j) - at.eta)));
+  constexpr Reading of_old{.value = wanted.v, .gradient = wanted.gradient && wanted.of_v};
+  constexpr Reading of_new{
+      .value = wanted.v_new, .gradient = wanted.gradient && !wanted.of_v, .moments = wanted.affine};
+  const Reader at(Stencils(x, y, x_axis, y_axis), count, grid, x_axis, y_axis);
+  Component vx, vy, vx_new, vy_new;
+  if constexpr (of_old.value || of_old.gradient) {
+    vx = at.read<of_old>(grid.vx);
+    vy = at.read<of_old>(grid.vy);
   }
-  Columns vx;
-  Columns vy;
-  Columns vx_new;
-  Columns vy_new;
-  const auto row = static_cast<std::size_t>(grid.nx);
-  const std::array<std::int32_t, 4> first = at.first_nodes(grid);
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    const auto n = static_cast<std::size_t>(first[lane]);
-    if constexpr (reads_v) {
-      add_rows<true, gradient_of_v, false>(&grid.vx[n], row, rows, lane, vx);
-      add_rows<true, gradient_of_v, false>(&grid.vy[n], row, rows, lane, vy);
-    }
-    if constexpr (reads_new) {
-      add_rows<true, gradient_of_new, wanted.affine>(&grid.vx_new[n], row, rows, lane, vx_new);
-      add_rows<true, gradient_of_new, wanted.affine>(&grid.vy_new[n], row, rows, lane, vy_new);
-    }
+  if constexpr (of_new.value || of_new.gradient || of_new.moments) {
+    vx_new = at.read<of_new>(grid.vx_new);
+    vy_new = at.read<of_new>(grid.vy_new);
   }
-  Samples q;
-  if constexpr (reads_v) {
-    vx.turn<true, gradient_of_v, false>();
-    vy.turn<true, gradient_of_v, false>();
-  }
-  if constexpr (reads_new) {
-    vx_new.turn<true, gradient_of_new, wanted.affine>();
-    vy_new.turn<true, gradient_of_new, wanted.affine>();
-  }
-  if constexpr (wanted.v)
-    q.v = {dot(wx.s, vx.s), dot(wx.s, vy.s)};
-  if constexpr (wanted.v_new)
-    q.v_new = {dot(wx.s, vx_new.s), dot(wx.s, vy_new.s)};
-  if constexpr (wanted.gradient) {
-    const Columns& ux = wanted.of_v ? vx : vx_new;
-    const Columns& uy = wanted.of_v ? vy : vy_new;
-    q.vx_x = dot(wx.g, ux.s);
-    q.vx_y = dot(wx.s, ux.g);
-    q.vy_x = dot(wx.g, uy.s);
-    q.vy_y = dot(wx.s, uy.g);
-  }
-  if constexpr (wanted.affine) {
-    std::array<Lanes, 4> s_dx;
-    for (std::size_t i = 0; i < 4; ++i)
-      s_dx[i] = wx.s[i] * (x_axis.h * (static_cast<double>(i) - 1.0 - at.xi));
-    const Lanes per_x = 1.0 / wx.second_moment;
-    const Lanes per_y = 1.0 / wy.second_moment;
-    q.cxx = dot(s_dx, vx_new.s) * per_x;
-    q.cyx = dot(s_dx, vy_new.s) * per_x;
-    q.cxy = dot(wx.s, vx_new.d) * per_y;
-    q.cyy = dot(wx.s, vy_new.d) * per_y;
-  }
-  return q;
+  const Component& ux = wanted.of_v ? vx : vx_new;
+  const Component& uy = wanted.of_v ? vy : vy_new;
+  const Lanes per_x = 1.0 / at.x.second_moment;
+  const Lanes per_y = 1.0 / at.y.second_moment;
+  return {.v = {vx.value, vy.value},
+          .v_new = {vx_new.value, vy_new.value},
+          .vx_x = ux.d_dx,
+          .vx_y = ux.d_dy,
+          .vy_x = uy.d_dx,
+          .vy_y = uy.d_dy,
+          .cxx = vx_new.moment_x * per_x,
+          .cxy = vx_new.moment_y * per_y,
+          .cyx = vy_new.moment_x * per_x,
+          .cyy = vy_new.moment_y * per_y};
 }
 
 struct Settings {

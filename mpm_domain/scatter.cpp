@@ -31,12 +31,14 @@ template <bool force, bool affine, typename Group>
   const CellWeights<Lanes> wx(at.xi, x_axis);
   const RowWeights<Lanes> wy(at.eta, y_axis);
   const std::array<Lanes, 4> s = transposed(wx.s);
-  std::copy(s.begin(), s.end(), &w.xs[c]);
+  for (std::size_t i = 0; i < 4; ++i)
+    w.xs[c + i] = s[i];
   for (std::size_t j = 0; j < 3; ++j)
     store(&w.ys[j][c], wy.s[j]);
   if constexpr (force) {
     const std::array<Lanes, 4> g = transposed(wx.g);
-    std::copy(g.begin(), g.end(), &w.xg[c]);
+    for (std::size_t i = 0; i < 4; ++i)
+      w.xg[c + i] = g[i];
     for (std::size_t j = 0; j < 3; ++j)
       store(&w.yg[j][c], wy.g[j]);
   }
@@ -46,13 +48,28 @@ template <bool force, bool affine, typename Group>
   }
 }
 
+/// Arrays of particles and nodes by their first element: a pointer in a vector would be read anew after every
+/// store.
+struct Arrays {
+  const double *mass, *volume, *vx, *vy, *cxx, *cxy, *cyx, *cyy, *sxx, *syy, *sxy;
+  double *node_mass, *momentum_x, *momentum_y, *force_x, *force_y;
+  std::ptrdiff_t row; ///< nodes
+
+  /// From particle `first` on.
+  Arrays(const Particles& p, std::size_t first, Grid& grid)
+      : mass(&p.mass[first]), volume(&p.volume[first]), vx(&p.vx[first]), vy(&p.vy[first]),
+        cxx(p.cxx.data() + first), cxy(p.cxy.data() + first), cyx(p.cyx.data() + first),
+        cyy(p.cyy.data() + first), sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]),
+        node_mass(grid.mass.data()), momentum_x(grid.momentum_x.data()), momentum_y(grid.momentum_y.data()),
+        force_x(grid.force_x.data()), force_y(grid.force_y.data()), row(grid.nx) {}
+};
+
 using Rows = std::array<Lanes, 3>;
 
-void add_rows(NodeField& field, std::size_t first, std::size_t row, const Rows& sums) {
-  for (std::size_t j = 0; j < 3; ++j) {
-    double* const nodes = field.data() + first + j * row;
-    store(nodes, load(nodes) + sums[j]);
-  }
+[[gnu::always_inline]] inline void add_rows(double* nodes, std::ptrdiff_t row, const Rows& sums) {
+  store(nodes, load(nodes) + sums[0]);
+  store(nodes + row, load(nodes + row) + sums[1]);
+  store(nodes + 2 * row, load(nodes + 2 * row) + sums[2]);
 }
 
 /// What the particles of one cell add to the nodes that they share, three rows of four: held in registers
@@ -63,21 +80,20 @@ struct MotionSums {
 
   /// S m and S m (v + C (x_i - x)). Lanes run along x: for each row only the factor of y remains.
   template <bool affine>
-  [[gnu::always_inline]] void add(const Particles& p, std::size_t k, const ChunkWeights& w, std::size_t c,
-                                  const Axis& x_axis, const Axis& y_axis) {
-    const Lanes m = p.mass[k] * w.xs[c];
-    Lanes vx = all(p.vx[k]);
-    Lanes vy = all(p.vy[k]);
+  [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights& w, std::size_t c, double h) {
+    const Lanes m = a.mass[c] * w.xs[c];
+    Lanes vx = all(a.vx[c]);
+    Lanes vy = all(a.vy[c]);
     Lanes row_x{}; // from one row to the next
     Lanes row_y{};
     if constexpr (affine) {
       constexpr Lanes node = {-1.0, 0.0, 1.0, 2.0};
-      const Lanes dx = x_axis.h * (node - w.xi[c]);
-      const double dy = -y_axis.h * w.eta[c];
-      vx += p.cxx[k] * dx + p.cxy[k] * dy;
-      vy += p.cyx[k] * dx + p.cyy[k] * dy;
-      row_x = p.cxy[k] * y_axis.h * m;
-      row_y = p.cyy[k] * y_axis.h * m;
+      const Lanes dx = h * (node - w.xi[c]);
+      const double dy = -h * w.eta[c];
+      vx += a.cxx[c] * dx + a.cxy[c] * dy;
+      vy += a.cyx[c] * dx + a.cyy[c] * dy;
+      row_x = a.cxy[c] * h * m;
+      row_y = a.cyy[c] * h * m;
     }
     Lanes px = m * vx;
     Lanes py = m * vy;
@@ -93,11 +109,10 @@ struct MotionSums {
     }
   }
 
-  [[gnu::always_inline]] void add_to(Grid& grid, std::size_t first) const {
-    const auto row = static_cast<std::size_t>(grid.nx);
-    add_rows(grid.mass, first, row, mass);
-    add_rows(grid.momentum_x, first, row, momentum_x);
-    add_rows(grid.momentum_y, first, row, momentum_y);
+  [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
+    add_rows(a.node_mass + first, a.row, mass);
+    add_rows(a.momentum_x + first, a.row, momentum_x);
+    add_rows(a.momentum_y + first, a.row, momentum_y);
   }
 };
 
@@ -105,32 +120,33 @@ struct ForceSums {
   Rows force_x{}, force_y{};
 
   /// S m g - V sigma grad S
-  [[gnu::always_inline]] void add(const Particles& p, std::size_t k, const ChunkWeights& w, std::size_t c,
-                                  double gravity) {
-    const Lanes vs = -p.volume[k] * w.xs[c];
-    const Lanes vg = -p.volume[k] * w.xg[c];
-    const Lanes fx_s = p.sxx[k] * vg;
-    const Lanes fx_g = p.sxy[k] * vs;
-    const Lanes fy_s = p.sxy[k] * vg - gravity * p.mass[k] * w.xs[c];
-    const Lanes fy_g = p.syy[k] * vs;
+  [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights& w, std::size_t c,
+                                  const Lanes& gravity) {
+    const Lanes vs = a.volume[c] * w.xs[c];
+    const Lanes vg = a.volume[c] * w.xg[c];
+    const Lanes fx_s = a.sxx[c] * vg;
+    const Lanes fx_g = a.sxy[c] * vs;
+    const Lanes fy_s = a.sxy[c] * vg + gravity * (a.mass[c] * w.xs[c]);
+    const Lanes fy_g = a.syy[c] * vs;
     for (std::size_t j = 0; j < 3; ++j) {
       const double s = w.ys[j][c];
       const double g = w.yg[j][c];
-      force_x[j] += s * fx_s + g * fx_g;
-      force_y[j] += s * fy_s + g * fy_g;
+      force_x[j] -= s * fx_s;
+      force_y[j] -= s * fy_s;
+      force_x[j] -= g * fx_g;
+      force_y[j] -= g * fy_g;
     }
   }
 
-  [[gnu::always_inline]] void add_to(Grid& grid, std::size_t first) const {
-    const auto row = static_cast<std::size_t>(grid.nx);
-    add_rows(grid.force_x, first, row, force_x);
-    add_rows(grid.force_y, first, row, force_y);
+  [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
+    add_rows(a.force_x + first, a.row, force_x);
+    add_rows(a.force_y + first, a.row, force_y);
   }
 };
 
 /// Sums of a chunk, cell by cell; add(sums, c) adds particle c of it.
 template <typename Sums, typename Add>
-[[gnu::always_inline]] inline void stream(const ChunkWeights& w, std::size_t count, Grid& grid,
+[[gnu::always_inline]] inline void stream(const ChunkWeights& w, std::size_t count, const Arrays& arrays,
                                           const Add& add) {
   for (std::size_t c = 0; c < count;) {
     const std::int32_t shared = w.first[c];
@@ -138,7 +154,7 @@ template <typename Sums, typename Add>
     do
       add(sums, c++);
     while (c < count && w.first[c] == shared);
-    sums.add_to(grid, static_cast<std::size_t>(shared));
+    sums.add_to(arrays, shared);
   }
 }
 
@@ -147,21 +163,21 @@ template <bool motion, bool force, bool affine>
 [[gnu::flatten]] void scatter_range(const Particles& p, std::size_t begin, std::size_t end, Domain& domain) {
   const Axis x_axis = domain.x_axis();
   const Axis y_axis = domain.y_axis();
-  const double gravity = domain.spec.gravity;
-  Grid& grid = domain.grid;
+  const Lanes gravity = all(domain.spec.gravity);
+  const double h = domain.grid.h;
   ChunkWeights w;
   for (std::size_t k = begin; k < end; k += chunk) {
     const std::size_t count = std::min(chunk, end - k);
     by_fours(0, count, [&](std::size_t c, auto group) {
-      take_weights<force, motion && affine>(p, k + c, c, group, grid, x_axis, y_axis, w);
+      take_weights<force, motion && affine>(p, k + c, c, group, domain.grid, x_axis, y_axis, w);
     });
+    const Arrays arrays(p, k, domain.grid);
     if constexpr (motion)
-      stream<MotionSums>(w, count, grid, [&](MotionSums& sums, std::size_t c) {
-        sums.add<affine>(p, k + c, w, c, x_axis, y_axis);
-      });
+      stream<MotionSums>(w, count, arrays,
+                         [&](MotionSums& sums, std::size_t c) { sums.add<affine>(arrays, w, c, h); });
     if constexpr (force)
-      stream<ForceSums>(w, count, grid,
-                        [&](ForceSums& sums, std::size_t c) { sums.add(p, k + c, w, c, gravity); });
+      stream<ForceSums>(w, count, arrays,
+                        [&](ForceSums& sums, std::size_t c) { sums.add(arrays, w, c, gravity); });
   }
 }
 
