@@ -14,11 +14,12 @@
 #include "mpm_domain/kernel.hpp"
 #include "mpm_domain/particles.hpp"
 
-#include <array>
 #include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
+
+struct Domain;
 
 /// A face: the particle it rides on and what Eq. (6) needs to know.
 struct BoundaryFace {
@@ -37,14 +38,13 @@ struct FaceWeight {
   double w = 0.0;
 };
 
-/// Two rows of three nodes: averaged along the face, linear across it.
-using FaceWeights = std::array<FaceWeight, 6>;
+using FaceWeights = std::vector<FaceWeight>;
 
 /// The faces of the model's left, right and lower edge, in this order, each from low to high coordinate.
 /// Their impedances are those of the soil in its present stress.
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);
 
 /// Weights of a face at its particle's present place.
-FaceWeights face_weights(const BoundaryFace& face, const Particles& set, const Grid& grid);
+void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights);
 
 } // namespace tremolo::mpm_domain

@@ -49,8 +49,10 @@ struct Reader {
   std::array<Lanes, 4> x_moment; ///< S (x_i - x), m
   alignas(32) Factors y_s, y_g, y_moment;
 
-  Reader(const Stencils& at, std::size_t particles, const Grid& grid, const Axis& x_axis, const Axis& y_axis)
-      : count(particles), first(at.first_nodes(grid)), row(grid.nx), x(at.xi, x_axis), y(at.eta, y_axis) {
+  Reader(const Stencils& at, std::size_t particles, const Lattice& lattice, const Axis& x_axis,
+         const Axis& y_axis)
+      : count(particles), first(at.first_nodes(lattice)), row(lattice.nx), x(at.xi, x_axis),
+        y(at.eta, y_axis) {
     for (std::size_t i = 0; i < 4; ++i)
       x_moment[i] = x.s[i] * (x_axis.h * (static_cast<double>(i) - 1.0 - at.xi));
     for (std::size_t j = 0; j < 3; ++j) {
@@ -117,12 +119,13 @@ struct Wanted {
 };
 
 template <Wanted wanted>
-[[gnu::always_inline]] inline Samples sample(const Grid& grid, const Lanes& x, const Lanes& y,
-                                             std::size_t count, const Axis& x_axis, const Axis& y_axis) {
+[[gnu::always_inline]] inline Samples sample(const Grid& grid, const Lattice& lattice, const Lanes& x,
+                                             const Lanes& y, std::size_t count, const Axis& x_axis,
+                                             const Axis& y_axis) {
   constexpr Reading of_old{.value = wanted.v, .gradient = wanted.gradient && wanted.of_v};
   constexpr Reading of_new{
       .value = wanted.v_new, .gradient = wanted.gradient && !wanted.of_v, .moments = wanted.affine};
-  const Reader at(Stencils(x, y, x_axis, y_axis), count, grid, x_axis, y_axis);
+  const Reader at(Stencils(x, y, x_axis, y_axis), count, lattice, x_axis, y_axis);
   Component vx, vy, vx_new, vy_new;
   if constexpr (of_old.value || of_old.gradient) {
     vx = at.read<of_old>(grid.vx);
@@ -146,6 +149,51 @@ template <Wanted wanted>
           .cxy = vx_new.moment_y * per_y,
           .cyx = vy_new.moment_x * per_x,
           .cyy = vy_new.moment_y * per_y};
+}
+
+/// The same for particles that touch several lattices, node by node.
+///
+/// D is diagonal there too: over the parts R of a box, sum |R| (x_R - x)(y_R - y) = int (x - x_p)(y - y_p) dA
+/// = 0.
+template <Wanted wanted>
+Samples sample_across(const Grid& grid, const AcrossWeights& weights, const Particles& p, std::size_t first,
+                      std::size_t count) {
+  Samples q;
+  Lanes moment_x = all(1.0);
+  Lanes moment_y = all(1.0);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const std::size_t k = first + lane;
+    double dxx = 0.0;
+    double dyy = 0.0;
+    for (const BoxWeight& w : weights.of(k)) {
+      const Vector v = grid.velocity(w.node);
+      const Vector v_new = grid.new_velocity(w.node);
+      const Vector u = wanted.of_v ? v : v_new;
+      const double dx = w.x - p.x[k];
+      const double dy = w.y - p.y[k];
+      q.v.x[lane] += w.s * v.x;
+      q.v.y[lane] += w.s * v.y;
+      q.v_new.x[lane] += w.s * v_new.x;
+      q.v_new.y[lane] += w.s * v_new.y;
+      q.vx_x[lane] += w.gx * u.x;
+      q.vx_y[lane] += w.gy * u.x;
+      q.vy_x[lane] += w.gx * u.y;
+      q.vy_y[lane] += w.gy * u.y;
+      q.cxx[lane] += w.s * dx * v_new.x;
+      q.cxy[lane] += w.s * dy * v_new.x;
+      q.cyx[lane] += w.s * dx * v_new.y;
+      q.cyy[lane] += w.s * dy * v_new.y;
+      dxx += w.s * dx * dx;
+      dyy += w.s * dy * dy;
+    }
+    moment_x[lane] = dxx;
+    moment_y[lane] = dyy;
+  }
+  q.cxx /= moment_x;
+  q.cyx /= moment_x;
+  q.cxy /= moment_y;
+  q.cyy /= moment_y;
+  return q;
 }
 
 struct Settings {
@@ -226,15 +274,16 @@ void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments
 }
 
 template <GatherParts parts, bool strain_of_first, bool affine>
-GatherSums gather_range(Domain& domain, Particles& p, std::size_t begin, std::size_t end,
-                        const Settings& set) {
-  constexpr Wanted wanted{.v = parts.velocity && !affine,
-                          .v_new = parts.velocity || parts.position,
-                          .gradient = parts.strain,
-                          .of_v = strain_of_first,
-                          .affine = parts.velocity && affine};
-  const Axis x_axis = domain.x_axis();
-  const Axis y_axis = domain.y_axis();
+constexpr Wanted wanted_by{.v = parts.velocity && !affine,
+                           .v_new = parts.velocity || parts.position,
+                           .gradient = parts.strain,
+                           .of_v = strain_of_first,
+                           .affine = (parts.velocity && affine)};
+
+/// @param sample_at  (k, x, y, count) -> what `count` particles from k on, at x and y, read off the grid
+template <GatherParts parts, bool affine, typename SampleAt>
+GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const Settings& set,
+                        const SampleAt& sample_at) {
   LaneSums sums;
   Increments inc;
   for (std::size_t first = begin; first < end; first += chunk) {
@@ -243,7 +292,7 @@ GatherSums gather_range(Domain& domain, Particles& p, std::size_t begin, std::si
       const std::size_t k = first + c;
       const Lanes x = group.load(&p.x[k]);
       const Lanes y = group.load(&p.y[k]);
-      const Samples q = sample<wanted>(domain.grid, x, y, group.count, x_axis, y_axis);
+      const Samples q = sample_at(k, x, y, group.count);
       if constexpr (parts.velocity) {
         if constexpr (affine)
           take_affine(p, k, group, q);
@@ -264,16 +313,37 @@ GatherSums gather_range(Domain& domain, Particles& p, std::size_t begin, std::si
   return sums.collected();
 }
 
+/// The particles of a soil in a block, on its lattice or across several.
+template <GatherParts parts, bool strain_of_first, bool affine>
+GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
+  constexpr Wanted wanted = wanted_by<parts, strain_of_first, affine>;
+  Particles& p = domain.sets[s];
+  const Grid& grid = domain.grid;
+  const std::size_t begin = p.block_start[block];
+  const std::size_t end = p.block_start[block + 1];
+  if (block >= domain.block_count())
+    return gather_range<parts, affine>(p, begin, end, settings,
+                                       [&](std::size_t k, const Lanes&, const Lanes&, std::size_t count) {
+                                         return sample_across<wanted>(grid, domain.across[s], p, k, count);
+                                       });
+  const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
+  const Axis x_axis(lattice.x0, lattice.h, p.half_size);
+  const Axis y_axis(lattice.y0, lattice.h, p.half_size);
+  return gather_range<parts, affine>(
+      p, begin, end, settings,
+      [&](std::size_t, const Lanes& x, const Lanes& y, std::size_t count) __attribute__((always_inline)) {
+        return sample<wanted>(grid, lattice, x, y, count, x_axis, y_axis);
+      });
+}
+
 template <GatherParts parts, bool strain_of_first>
 GatherSums gather_blocks(Domain& domain, const Settings& settings) {
-  std::vector<GatherSums> sums(domain.block_count());
+  std::vector<GatherSums> sums(domain.block_count() + domain.across_block_count());
   domain.workers.run(sums.size(), [&](std::size_t block) {
-    for (Particles& p : domain.sets) {
-      const std::size_t begin = p.block_start[block];
-      const std::size_t end = p.block_start[block + 1];
-      const GatherSums work =
-          p.cxx.empty() ? gather_range<parts, strain_of_first, false>(domain, p, begin, end, settings)
-                        : gather_range<parts, strain_of_first, true>(domain, p, begin, end, settings);
+    for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+      const GatherSums work = domain.sets[s].cxx.empty()
+                                  ? gather_block<parts, strain_of_first, false>(domain, s, block, settings)
+                                  : gather_block<parts, strain_of_first, true>(domain, s, block, settings);
       sums[block].elastic += work.elastic;
       sums[block].plastic += work.plastic;
       sums[block].max_speed = std::max(sums[block].max_speed, work.max_speed);
@@ -315,15 +385,23 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_f
 }
 
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {
+  Vector a;
+  const auto add = [&](std::size_t n, double s) {
+    a.x += s * domain.grid.acceleration[n].x;
+    a.y += s * domain.grid.acceleration[n].y;
+  };
+  if (domain.mesh) {
+    std::vector<BoxWeight> weights;
+    box_average(*domain.mesh, box_of(particles, k), weights);
+    for (const BoxWeight& w : weights)
+      add(w.node, w.s);
+    return a;
+  }
   const Weights wx = gimp_weights(particles.x[k], domain.x_axis());
   const Weights wy = gimp_weights(particles.y[k], domain.y_axis());
-  Vector a;
   for (int j = 0; j < 3; ++j)
-    for (int i = 0; i < 3; ++i) {
-      const Vector node = domain.grid.acceleration[domain.grid.index(wx.base + i, wy.base + j)];
-      a.x += wx.s[i] * wy.s[j] * node.x;
-      a.y += wx.s[i] * wy.s[j] * node.y;
-    }
+    for (int i = 0; i < 3; ++i)
+      add(domain.grid.index(wx.base + i, wy.base + j), wx.s[i] * wy.s[j]);
   return a;
 }
 

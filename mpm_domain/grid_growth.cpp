@@ -108,7 +108,10 @@ double largest_grid(const Spec& spec) {
 void resize(Grid& grid, int nx, int ny) {
   grid.nx = nx;
   grid.ny = ny;
-  const std::size_t count = static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny);
+  resize_fields(grid, grid.count());
+}
+
+void resize_fields(Grid& grid, std::size_t count) {
   for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y, &grid.force_x, &grid.force_y,
                            &grid.dashpot_x, &grid.dashpot_y, &grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new})
     field->assign(count, 0.0);
@@ -146,6 +149,7 @@ void make_room(Domain& domain, double time, long step) {
   grid.x0 -= left * h;
   grid.y0 -= down * h;
   resize(grid, grid.nx + left + right, grid.ny + down + up);
+  rebuild_mesh(domain);
 }
 
 } // namespace tremolo::mpm_domain

@@ -1,7 +1,7 @@
 #include "mpm_domain/scatter.hpp"
 
-#include "mpm_domain/periodic_sides.hpp"
 #include "mpm_domain/stencil.hpp"
+#include "mpm_domain/tied_nodes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,10 +23,10 @@ struct ChunkWeights {
 
 template <bool force, bool affine, typename Group>
 [[gnu::always_inline]] inline void take_weights(const Particles& p, std::size_t k, std::size_t c, Group group,
-                                                const Grid& grid, const Axis& x_axis, const Axis& y_axis,
-                                                ChunkWeights& w) {
+                                                const Lattice& lattice, const Axis& x_axis,
+                                                const Axis& y_axis, ChunkWeights& w) {
   const Stencils at(group.load(&p.x[k]), group.load(&p.y[k]), x_axis, y_axis);
-  const std::array<std::int32_t, 4> first = at.first_nodes(grid);
+  const std::array<std::int32_t, 4> first = at.first_nodes(lattice);
   std::copy(first.begin(), first.end(), &w.first[c]);
   const CellWeights<Lanes> wx(at.xi, x_axis);
   const RowWeights<Lanes> wy(at.eta, y_axis);
@@ -56,12 +56,12 @@ struct Arrays {
   std::ptrdiff_t row; ///< nodes
 
   /// From particle `first` on.
-  Arrays(const Particles& p, std::size_t first, Grid& grid)
+  Arrays(const Particles& p, std::size_t first, const Lattice& lattice, Grid& grid)
       : mass(&p.mass[first]), volume(&p.volume[first]), vx(&p.vx[first]), vy(&p.vy[first]),
         cxx(p.cxx.data() + first), cxy(p.cxy.data() + first), cyx(p.cyx.data() + first),
         cyy(p.cyy.data() + first), sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]),
         node_mass(grid.mass.data()), momentum_x(grid.momentum_x.data()), momentum_y(grid.momentum_y.data()),
-        force_x(grid.force_x.data()), force_y(grid.force_y.data()), row(grid.nx) {}
+        force_x(grid.force_x.data()), force_y(grid.force_y.data()), row(lattice.nx) {}
 };
 
 using Rows = std::array<Lanes, 3>;
@@ -160,33 +160,57 @@ template <typename Sums, typename Add>
 
 /// Flattened: the sums leave the registers if anything that touches them is a call.
 template <bool motion, bool force, bool affine>
-[[gnu::flatten]] void scatter_range(const Particles& p, std::size_t begin, std::size_t end, Domain& domain) {
-  const Axis x_axis = domain.x_axis();
-  const Axis y_axis = domain.y_axis();
-  const Lanes gravity = all(domain.spec.gravity);
-  const double h = domain.grid.h;
+[[gnu::flatten]] void scatter_range(const Particles& p, std::size_t begin, std::size_t end,
+                                    const Lattice& lattice, Grid& grid, double gravity) {
+  const Axis x_axis(lattice.x0, lattice.h, p.half_size);
+  const Axis y_axis(lattice.y0, lattice.h, p.half_size);
+  const Lanes g = all(gravity);
   ChunkWeights w;
   for (std::size_t k = begin; k < end; k += chunk) {
     const std::size_t count = std::min(chunk, end - k);
     by_fours(0, count, [&](std::size_t c, auto group) {
-      take_weights<force, motion && affine>(p, k + c, c, group, domain.grid, x_axis, y_axis, w);
+      take_weights<force, motion && affine>(p, k + c, c, group, lattice, x_axis, y_axis, w);
     });
-    const Arrays arrays(p, k, domain.grid);
+    const Arrays arrays(p, k, lattice, grid);
     if constexpr (motion)
       stream<MotionSums>(w, count, arrays,
-                         [&](MotionSums& sums, std::size_t c) { sums.add<affine>(arrays, w, c, h); });
+                         [&](MotionSums& sums, std::size_t c) { sums.add<affine>(arrays, w, c, lattice.h); });
     if constexpr (force)
-      stream<ForceSums>(w, count, arrays,
-                        [&](ForceSums& sums, std::size_t c) { sums.add(arrays, w, c, gravity); });
+      stream<ForceSums>(w, count, arrays, [&](ForceSums& sums, std::size_t c) { sums.add(arrays, w, c, g); });
   }
 }
 
+/// The same for particles that touch several lattices, node by node.
+template <bool motion, bool force, bool affine>
+void scatter_across(const Particles& p, const AcrossWeights& weights, std::size_t begin, Domain& domain) {
+  Grid& grid = domain.grid;
+  for (std::size_t k = begin; k < p.size(); ++k)
+    for (const BoxWeight& w : weights.of(k)) {
+      const double m = w.s * p.mass[k];
+      if constexpr (motion) {
+        double vx = p.vx[k];
+        double vy = p.vy[k];
+        if constexpr (affine) {
+          vx += p.cxx[k] * (w.x - p.x[k]) + p.cxy[k] * (w.y - p.y[k]);
+          vy += p.cyx[k] * (w.x - p.x[k]) + p.cyy[k] * (w.y - p.y[k]);
+        }
+        grid.mass[w.node] += m;
+        grid.momentum_x[w.node] += m * vx;
+        grid.momentum_y[w.node] += m * vy;
+      }
+      if constexpr (force) {
+        const double v = p.volume[k];
+        grid.force_x[w.node] -= v * (p.sxx[k] * w.gx + p.sxy[k] * w.gy);
+        grid.force_y[w.node] -= v * (p.sxy[k] * w.gx + p.syy[k] * w.gy) + m * domain.spec.gravity;
+      }
+    }
+}
+
 template <bool motion, bool force>
-void clear_row(Grid& grid, std::size_t row) {
-  const auto width = static_cast<std::ptrdiff_t>(grid.nx);
+void clear_row(Grid& grid, const Domain::NodeRange& nodes) {
   const auto clear = [&](NodeField& field) {
-    const auto first = field.begin() + static_cast<std::ptrdiff_t>(row) * width;
-    std::fill(first, first + width, 0.0);
+    std::fill(field.begin() + static_cast<std::ptrdiff_t>(nodes.begin),
+              field.begin() + static_cast<std::ptrdiff_t>(nodes.end), 0.0);
   };
   if constexpr (motion)
     for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y})
@@ -198,22 +222,31 @@ void clear_row(Grid& grid, std::size_t row) {
 
 template <bool motion, bool force>
 void scatter_blocks(Domain& domain) {
-  domain.workers.run(static_cast<std::size_t>(domain.grid.ny),
-                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, row); });
+  domain.workers.run(domain.row_count(),
+                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, domain.row(row)); });
   const std::size_t blocks = domain.block_count();
   for (std::size_t colour = 0; colour < 2; ++colour)
     domain.workers.run((blocks + 1 - colour) / 2, [&](std::size_t task) {
       const std::size_t block = 2 * task + colour;
+      const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
       for (const Particles& p : domain.sets) {
         const std::size_t begin = p.block_start[block];
         const std::size_t end = p.block_start[block + 1];
         if (p.cxx.empty())
-          scatter_range<motion, force, false>(p, begin, end, domain);
+          scatter_range<motion, force, false>(p, begin, end, lattice, domain.grid, domain.spec.gravity);
         else
-          scatter_range<motion, force, true>(p, begin, end, domain);
+          scatter_range<motion, force, true>(p, begin, end, lattice, domain.grid, domain.spec.gravity);
       }
     });
-  if (domain.spec.periodic_sides) {
+  if (domain.mesh)
+    for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+      const Particles& p = domain.sets[s];
+      if (p.cxx.empty())
+        scatter_across<motion, force, false>(p, domain.across[s], p.block_start[blocks], domain);
+      else
+        scatter_across<motion, force, true>(p, domain.across[s], p.block_start[blocks], domain);
+    }
+  if (domain.has_tied_nodes()) {
     if constexpr (motion)
       fold_motion(domain);
     if constexpr (force)

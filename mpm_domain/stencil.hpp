@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mpm_domain/grid.hpp"
 #include "mpm_domain/kernel.hpp"
+#include "mpm_domain/lattice.hpp"
 
 #include <array>
 #include <cstdint>
@@ -25,9 +25,10 @@ struct Stencils {
     eta = row - y0;
   }
 
-  /// Grid::index of the first node of each particle.
-  std::array<std::int32_t, 4> first_nodes(const Grid& grid) const {
-    const __m128i index = _mm256_cvttpd_epi32(y0 * static_cast<double>(grid.nx) + x0);
+  /// Lattice::index of the first node of each particle.
+  std::array<std::int32_t, 4> first_nodes(const Lattice& lattice) const {
+    const __m128i index =
+        _mm256_cvttpd_epi32(y0 * static_cast<double>(lattice.nx) + x0 + static_cast<double>(lattice.first));
     std::array<std::int32_t, 4> first;
     _mm_storeu_si128(reinterpret_cast<__m128i*>(first.data()), index);
     return first;

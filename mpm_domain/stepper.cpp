@@ -91,7 +91,7 @@ void Stepper::choose_dt() {
       throw std::invalid_argument(fmt::format(
           "the time step {:.6g} s is over the limit {:.6g} s = 0.65 h/(c_p + |v|) with h = {:.6g} m, c_p = "
           "{:.6g} m/s, |v| = {:.3g} m/s",
-          *scheme.dt, critical, domain_.grid.h, domain_.fastest_wave(), max_speed_));
+          *scheme.dt, critical, domain_.finest_lattice().h, domain_.fastest_wave(), max_speed_));
     dt_ = *scheme.dt;
     return;
   }
@@ -102,14 +102,15 @@ void Stepper::choose_dt() {
 }
 
 void Stepper::sort() {
-  if (moved_ < 0.9 * domain_.grid.h)
+  if (moved_ < domain_.sort_distance()) {
+    weigh_across(domain_);
     return;
+  }
   if (domain_.spec.periodic_sides)
     for (Particles& set : domain_.sets)
       wrap(set, domain_.spec.box);
   make_room(domain_, time_, steps_);
-  for (Particles& set : domain_.sets)
-    sort_by_cell(set, domain_.grid, domain_.half_size());
+  sort_particles(domain_);
   moved_ = 0.0;
 }
 
@@ -124,7 +125,7 @@ void Stepper::velocities() {
 
 void Stepper::exchange() {
   for (std::size_t f = 0; f < weights_.size(); ++f)
-    weights_[f] = face_weights(domain_.faces[f], domain_.sets[domain_.faces[f].set], domain_.grid);
+    face_weights(domain_, domain_.faces[f], weights_[f]);
   mpm_domain::face_velocities(domain_, weights_, v_face_);
   source_(steps_, time_, v_face_, traction_);
 }

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/gather.hpp"
+#include "mpm_domain/state.hpp"
 
 #include <functional>
 #include <span>
@@ -52,6 +53,7 @@ public:
   std::span<const Vector> face_velocities() const { return v_face_; }
   std::span<const Vector> face_tractions() const { return traction_; }
 
+  /// Its part of a checkpoint, see state.hpp.
   template <class Visit>
   void visit_state(Visit& visit) {
     visit_numbers(visit, "stepper", time_, dt_, steps_, max_speed_, moved_, kinetic_after_);

@@ -4,8 +4,17 @@ namespace tremolo::mpm_domain {
 
 void Prolongation::tie(std::size_t node, std::span<const Share> to) {
   tied_.push_back(node);
+  if (rows_.size() <= node)
+    rows_.resize(node + 1, 0);
+  rows_[node] = tied_.size();
   shares_.insert(shares_.end(), to.begin(), to.end());
   start_.push_back(shares_.size());
+}
+
+std::span<const Share> Prolongation::shares_of(std::size_t node) const {
+  if (node >= rows_.size() || rows_[node] == 0)
+    return {};
+  return row(rows_[node] - 1);
 }
 
 void Prolongation::prolong(std::span<double> field) const {

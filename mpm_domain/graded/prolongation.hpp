@@ -29,6 +29,9 @@ public:
     return std::span(shares_).subspan(start_[row], start_[row + 1] - start_[row]);
   }
 
+  /// The row of a node; empty if it is not tied.
+  std::span<const Share> shares_of(std::size_t node) const;
+
   /// field[tied] = sum of shares of field[real]: P, for velocities and accelerations.
   void prolong(std::span<double> field) const;
   /// field[real] += shares of field[tied], which becomes zero: P^T, for mass, momentum and force.
@@ -36,6 +39,7 @@ public:
 
 private:
   std::vector<std::size_t> tied_;
+  std::vector<std::size_t> rows_; ///< by node: 1 + its row, 0 if it has none
   std::vector<std::size_t> start_{0};
   std::vector<Share> shares_;
 };
