@@ -4,7 +4,6 @@
 // that the domain gave back, in mode lockstep the tractions it was sent, each with the headers of its frames.
 // A recording is complete only if its status says so.
 
-#include "results/checkpoint_file.hpp"
 #include "results/free_field_recording.hpp"
 
 #include <cstdint>
@@ -67,12 +66,6 @@ struct RecordedFrame {
   std::uint32_t crc = 0; ///< CRC-32 of the frame
 };
 
-/// How much of a recording a checkpoint knows of: steps below these.
-struct ExchangeExtent {
-  std::vector<std::vector<std::uint64_t>> source_steps; ///< of each source and field
-  std::uint64_t domain_steps = 0;
-};
-
 /// Writes a recording. Rows are kept until they fill a chunk of the file. After a failure the file is as the
 /// last flush left it.
 ///
@@ -94,13 +87,6 @@ public:
   void traction_frame(const RecordedFrame& frame, std::span<const double> values);
 
   void flush();
-
-  /// Writes what a recording that goes on from here needs besides the file as it is now.
-  void save(CheckpointWriter& checkpoint);
-  /// Goes on from there, in a new file: takes over what was recorded before. Before the first frame.
-  /// @param before the file then, or as it was left later
-  void take_over(const std::filesystem::path& before, const CheckpointReader& checkpoint,
-                 const ExchangeExtent& extent);
 
   /// Writes what is kept, and the status: "complete", or "aborted at step K: REASON".
   void close(std::string_view status);

@@ -16,11 +16,9 @@ namespace {
 /// A dataset of rows that are kept until they fill a chunk, so that no chunk is ever compressed twice.
 class PackedRows {
 public:
-  /// @param path of its group in the file
-  PackedRows(Place place, const std::string& path, std::string_view name, std::span<const hsize_t> row_shape,
-             hsize_t chunk_rows, std::string_view unit)
-      : path_(fmt::format("{}/{}", path, name)),
-        dataset_(place, name, row_shape, Storage::packed, chunk_rows) {
+  PackedRows(Place place, std::string_view name, std::span<const hsize_t> row_shape, hsize_t chunk_rows,
+             std::string_view unit)
+      : dataset_(place, name, row_shape, Storage::packed, chunk_rows) {
     write_attribute({dataset_.id(), place.file}, "unit", std::string(unit));
   }
 
@@ -31,7 +29,6 @@ public:
     const std::size_t chunk = dataset_.chunk_rows() * dataset_.row_size();
     const std::size_t whole = kept_.size() / chunk * chunk;
     dataset_.append(std::span(kept_).first(whole));
-    written_ += whole / dataset_.row_size();
     kept_.erase(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(whole));
   }
 
@@ -40,48 +37,8 @@ public:
     kept_.clear();
   }
 
-  void save(CheckpointWriter& checkpoint) const {
-    checkpoint.write(flat_name() + ".written", std::span<const std::uint64_t>(&written_, 1));
-    checkpoint.write(flat_name() + ".kept", std::span<const double>(kept_));
-  }
-
-  /// The first rows of the same dataset before.
-  void take_over(const FileReader& before, const CheckpointReader& checkpoint, std::uint64_t rows) {
-    const Handle dataset = before.dataset(path_);
-    const std::uint64_t in_file = std::min(rows, checkpoint.integers(flat_name() + ".written").at(0));
-    for (std::uint64_t first = 0; first < in_file; first += dataset_.chunk_rows()) {
-      append(before.rows(dataset, first, std::min<std::uint64_t>(dataset_.chunk_rows(), in_file - first),
-                         path_));
-    }
-    const auto kept = checkpoint.numbers(flat_name() + ".kept");
-    const std::size_t missing = (rows - in_file) * dataset_.row_size();
-    if (missing > kept.size()) {
-      throw std::runtime_error(fmt::format("{}: {} holds {} numbers after row {}, the checkpoint needs {}",
-                                           before.path().string(), path_, kept.size(), in_file, missing));
-    }
-    append(std::span(kept).first(missing));
-  }
-
-  /// All rows that the checkpoint knows of, as numbers.
-  std::vector<double> all_rows(const FileReader& before, const CheckpointReader& checkpoint) const {
-    auto values =
-        before.rows(before.dataset(path_), 0, checkpoint.integers(flat_name() + ".written").at(0), path_);
-    const auto kept = checkpoint.numbers(flat_name() + ".kept");
-    values.insert(values.end(), kept.begin(), kept.end());
-    return values;
-  }
-
 private:
-  /// A name that is no path, for the checkpoint.
-  std::string flat_name() const {
-    std::string name = path_;
-    std::ranges::replace(name, '/', '.');
-    return name.substr(1);
-  }
-
-  std::string path_;
   GrowingDataset dataset_;
-  std::uint64_t written_ = 0; ///< rows in the file
   std::vector<double> kept_;
 };
 
@@ -91,24 +48,23 @@ constexpr hsize_t chunk_values = 131072;
 /// The frames of one sender and field: their values, spread over one dataset a quantity, and their headers.
 class Track {
 public:
-  /// @param path of the group in the file
   /// @param prefix numbers of a step before those of its points: 0, or 1 for the time
-  Track(Place place, const std::string& path, std::span<const Quantity> quantities, std::string_view frames,
-        std::size_t points, std::size_t prefix)
+  Track(Place place, std::span<const Quantity> quantities, std::string_view frames, std::size_t points,
+        std::size_t prefix)
       : quantities_(quantities), points_(points), prefix_(prefix) {
     for (const Quantity& quantity : quantities_) {
       values_per_point_ += quantity.components;
     }
     const hsize_t rows = std::clamp<hsize_t>(chunk_values / (prefix_ + points_ * values_per_point_), 1, 1024);
     for (const Quantity& quantity : quantities_) {
-      datasets_.emplace_back(place, path, quantity.name, std::array<hsize_t, 2>{points, quantity.components},
-                             rows, quantity.unit);
+      datasets_.emplace_back(place, quantity.name, std::array<hsize_t, 2>{points, quantity.components}, rows,
+                             quantity.unit);
     }
     if (prefix_ > 0) {
-      time_.emplace(place, path, "time", std::span<const hsize_t>{}, rows, "s");
+      time_.emplace(place, "time", std::span<const hsize_t>{}, rows, "s");
     }
     const hsize_t columns = frame_columns;
-    frames_.emplace(place, path, frames, std::span(&columns, 1), rows, "1");
+    frames_.emplace(place, frames, std::span(&columns, 1), rows, "1");
     write_attribute({frames_->id(), place.file}, "columns",
                     std::vector<std::string>{"first_step", "steps", "crc32"});
   }
@@ -138,33 +94,6 @@ public:
     }
     frames_->append(std::array{static_cast<double>(frame.step), static_cast<double>(frame.steps),
                                static_cast<double>(frame.crc)});
-  }
-
-  void save(CheckpointWriter& checkpoint) const {
-    for (const PackedRows& dataset : datasets_) {
-      dataset.save(checkpoint);
-    }
-    if (time_) {
-      time_->save(checkpoint);
-    }
-    frames_->save(checkpoint);
-  }
-
-  /// @param steps those below this one
-  void take_over(const FileReader& before, const CheckpointReader& checkpoint, std::uint64_t steps) {
-    for (PackedRows& dataset : datasets_) {
-      dataset.take_over(before, checkpoint, steps);
-    }
-    if (time_) {
-      time_->take_over(before, checkpoint, steps);
-    }
-    const auto frames = frames_->all_rows(before, checkpoint);
-    std::uint64_t kept = 0;
-    while (kept * frame_columns < frames.size() &&
-           frames[kept * frame_columns] < static_cast<double>(steps)) {
-      ++kept;
-    }
-    frames_->append(std::span(frames).first(kept * frame_columns));
   }
 
   void write_kept() {
@@ -283,8 +212,7 @@ public:
       write_attribute(here, "declared_steps", static_cast<std::int64_t>(field.step_count));
       const hsize_t levels = field.levels.size();
       write_array(here, "levels", {&levels, 1}, std::span<const double>(field.levels), "m", false);
-      tracks.emplace_back(here, fmt::format("/sources/{}/{}", source.name, field.name), field_quantities,
-                          "frames", field.levels.size(), 0);
+      tracks.emplace_back(here, field_quantities, "frames", field.levels.size(), 0);
     }
     write_attribute(inside, "fields", names);
   }
@@ -296,42 +224,13 @@ public:
     write_attribute(inside, "name", description.domain);
     write_attribute(inside, "number", description.domain_number);
     link_table(inside, "faces", face_table(description.faces));
-    velocities_.emplace(inside, "/domain", velocity_quantities, "velocity_frames", description.faces.count(),
-                        1);
+    velocities_.emplace(inside, velocity_quantities, "velocity_frames", description.faces.count(), 1);
     if (description.mode == "lockstep") {
-      tractions_.emplace(inside, "/domain", traction_quantities, "traction_frames", description.faces.count(),
-                         0);
+      tractions_.emplace(inside, traction_quantities, "traction_frames", description.faces.count(), 0);
     }
   }
 
   void flush() { flush_file(file_, path_); }
-
-  void save(CheckpointWriter& checkpoint) {
-    flush();
-    sync_to_disk(path_);
-    for (const auto& tracks : sources_) {
-      for (const Track& track : tracks) {
-        track.save(checkpoint);
-      }
-    }
-    velocities_->save(checkpoint);
-    if (tractions_) {
-      tractions_->save(checkpoint);
-    }
-  }
-
-  void take_over(const FileReader& before, const CheckpointReader& checkpoint, const ExchangeExtent& extent) {
-    for (std::size_t s = 0; s < sources_.size(); ++s) {
-      for (std::size_t f = 0; f < sources_[s].size(); ++f) {
-        sources_[s][f].take_over(before, checkpoint, extent.source_steps.at(s).at(f));
-      }
-    }
-    velocities_->take_over(before, checkpoint, extent.domain_steps);
-    if (tractions_) {
-      tractions_->take_over(before, checkpoint, extent.domain_steps);
-    }
-    flush();
-  }
 
   void close(std::string_view status) {
     for (auto& tracks : sources_) {
@@ -387,16 +286,6 @@ void ExchangeWriter::traction_frame(const RecordedFrame& frame, std::span<const 
 
 void ExchangeWriter::flush() {
   implementation_->guarded([&] { implementation_->flush(); });
-}
-
-void ExchangeWriter::save(CheckpointWriter& checkpoint) {
-  implementation_->guarded([&] { implementation_->save(checkpoint); });
-}
-
-void ExchangeWriter::take_over(const std::filesystem::path& before, const CheckpointReader& checkpoint,
-                               const ExchangeExtent& extent) {
-  const FileReader file(before, "recording");
-  implementation_->guarded([&] { implementation_->take_over(file, checkpoint, extent); });
 }
 
 void ExchangeWriter::close(std::string_view status) {
