@@ -1,19 +1,14 @@
 #include "app/case_run.hpp"
 
 #include "app/commands.hpp"
-#include "app/hosts.hpp"
-#include "app/participant_program.hpp"
 #include "app/run_display.hpp"
 #include "coupler/exchange_recorder.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "results/run_file.hpp"
-#include "scene/files.hpp"
-#include "scene/hosts.hpp"
 #include "scene/plan.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -34,30 +29,20 @@ void write_text(const fs::path& file, const std::string& text) {
     throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
 }
 
-/// Places the processes that [hosts] names on their machines.
-void place_elsewhere(const scene::Case& scene, const CaseRun& run, coupler::LaunchOptions& options) {
-  if (run.local || scene.hosts.sides.empty())
-    return;
-  options.outer_endpoint = scene.hosts.endpoint;
-  for (const auto& file : scene::data_files(scene))
-    options.files.push_back(coupler::described(file));
-  int by_slurm = 0;
-  for (const auto& source : scene::plan(scene).sources)
-    if (const auto* host = scene::host_of(scene, source)) {
-      by_slurm += host->start == scene::StartBy::slurm ? 1 : 0;
-      std::ranges::find(options.processes, source.name, &coupler::ProcessSpec::name)->elsewhere =
-          elsewhere(*host, source.name, run.keys, options.deadlines.connect, by_slurm);
-    }
+/// Our programs lie beside this one; that of a user has a path of its own.
+fs::path located(const std::string& program) {
+  const bool ours = program.find('/') == std::string::npos;
+  return ours ? fs::read_symlink("/proc/self/exe").parent_path() / program : fs::absolute(program);
 }
 
-/// "tremolo-wave", and who starts it where it does not run here.
-std::string description(const coupler::ProcessSpec& process) {
-  const auto program = process.program.filename().string();
-  if (!process.elsewhere)
-    return program;
-  return fmt::format("{:<18} {}", program,
-                     process.elsewhere->started_by.empty() ? "by `tremolo join`"
-                                                           : "by " + process.elsewhere->started_by);
+/// What a source is told besides the options that all participants have.
+std::vector<std::string> own_arguments(const scene::FreeFieldModel& field) {
+  if (field.model != scene::SourceModel::recording)
+    return {};
+  std::vector<std::string> arguments{"--file", fs::absolute(field.file).string()};
+  if (field.side)
+    arguments.insert(arguments.end(), {"--side", std::string(scene::name(*field.side))});
+  return arguments;
 }
 
 coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run) {
@@ -76,7 +61,6 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& r
                                  .program = located(scene::program(source.field)),
                                  .arguments = own_arguments(source.field)});
   options.processes.push_back({"domain", coupler::Role::domain, located("tremolo-domain"), run.threads});
-  place_elsewhere(scene, run, options);
   return options;
 }
 
@@ -94,31 +78,6 @@ results::Table process_table(const std::vector<coupler::ProcessSummary>& summari
   }
   return {
       {{"process", "1", names}, {"wall_time", "s", wall}, {"cpu_time", "s", cpu}, {"waiting", "s", waiting}}};
-}
-
-/// /timeline of the run file: what each process did when, in seconds of each slice of wall time.
-results::Table timeline_table(const std::vector<coupler::ProcessSummary>& summaries) {
-  std::vector<std::string> names;
-  std::vector<std::string> activities;
-  std::vector<double> times;
-  std::vector<double> slices;
-  std::vector<double> durations;
-  for (const auto& summary : summaries) {
-    const auto& timeline = summary.report.timeline;
-    for (const auto& [activity, seconds] : timeline.activities)
-      for (std::size_t i = 0; i < seconds.size(); ++i) {
-        names.push_back(summary.name);
-        activities.push_back(activity);
-        times.push_back(timeline.slice * static_cast<double>(i));
-        slices.push_back(timeline.slice);
-        durations.push_back(seconds[i]);
-      }
-  }
-  return {{{"process", "1", names},
-           {"activity", "1", activities},
-           {"time", "s", times},
-           {"slice", "s", slices},
-           {"duration", "s", durations}}};
 }
 
 /// Where the case asks for a recording of the exchange.
@@ -183,7 +142,7 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
   options.note = [&](const std::string& note) { line.note(note); };
   fmt::print("{}\n", scene.title);
   for (const auto& process : options.processes)
-    fmt::print("  {:<12} {}\n", process.name, description(process));
+    fmt::print("  {:<12} {}\n", process.name, process.program.filename().string());
   fmt::print("results in {}, mode {}\n", run.folder.string(), coupler::name(options.mode));
   std::fflush(stdout);
   const fs::path file = run.folder / "run.h5";
@@ -193,7 +152,6 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
     auto summaries = coupler::launch(options);
     finish_recording(recorder.get(), scene.recording, line);
     results::append_table(file, "/processes", process_table(summaries));
-    results::append_table(file, "/timeline", timeline_table(summaries));
     line.note("finished");
     for (const auto& process : options.processes)
       for (const auto& warning : warnings_of(process.name, run.folder))
