@@ -23,41 +23,15 @@
 #include "coupler/mode.hpp"
 #include "coupler/participant_options.hpp"
 #include "coupler/timing.hpp"
-#include "results/checkpoint_file.hpp"
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tremolo::coupler {
-
-struct Message;
-
-/// What a participant is told where its run goes on from a checkpoint.
-struct ResumePoint {
-  std::string set;                        ///< the set of files it belongs to
-  std::string folder;                     ///< below RUN/checkpoints
-  std::vector<std::uint64_t> first_steps; ///< of a source: of each field, the first step to be sent
-};
-
-/// How a source that marches in time writes down where it is. One that computes any step by itself returns an
-/// empty state and needs to load nothing.
-struct SourceMemory {
-  std::function<std::vector<double>()> save;         ///< all that the next steps depend on
-  std::function<void(std::span<const double>)> load; ///< the inverse, in a source that has served nothing
-};
-
-struct ServeOptions {
-  std::vector<PassTime> passes; ///< named times of what was done before (s), shown in the run's summary
-  /// Without it a run that is resumed has the source compute all steps again, without sending them, and
-  /// compares the last of them with what it had sent.
-  std::optional<SourceMemory> memory;
-};
 
 /// A source's side of the exchange. It runs ahead of the domain as far as the receiver's credit goes and
 /// sends several steps in a frame, so the domain seldom waits.
@@ -78,12 +52,12 @@ public:
   /// Serves steps until the domain has finished.
   /// @pre called once
   /// @post every step that the domain asked for has been filled once, the steps of a field in ascending order
-  /// from 0 (from where the memory was loaded, in a run that was resumed); checkpoints were written where the
-  /// run asked for them; the process may end
+  /// from 0; the hub knows the times of the passes; the process may end
+  /// @param passes named times of what was done before (s), shown in the run's summary beside "fill" and
+  /// "wait"
   /// @throws Aborted when the run was ended by another's failure; Error if the hub is silent beyond its
-  /// deadline, a value is not finite or, in a run that was resumed, not the one that was sent before; whatever
-  /// fill throws
-  void serve(const Fill& fill, const ServeOptions& options = {});
+  /// deadline or a value is not finite; whatever fill throws
+  void serve(const Fill& fill, const std::vector<PassTime>& passes = {});
 
   /// A sign of life from the solver's thread; needed only where more than the step deadline passes before the
   /// first step or between two.
@@ -99,23 +73,17 @@ private:
     std::uint64_t next_step = 0;
     std::uint64_t credit = 0; ///< steps below this one may be sent
     std::uint32_t steps_per_frame = 1;
-    std::vector<double> last{}; ///< values of the step before next_step
   };
 
   void take_messages(double wait_s);
   bool send_frames(const Fill& fill);
   void send_frame(std::size_t field, std::uint32_t steps, const Fill& fill);
-  void say_bye();
-  void save_checkpoint(const ResumePoint& point);
-  void resume(const Fill& fill);
-  void compute_again(const Fill& fill, const results::CheckpointReader& saved);
+  void say_bye(const std::vector<PassTime>& passes);
 
   ParticipantOptions options_;
   std::vector<FieldDescription> fields_;
   Connection connection_;
   std::vector<Outgoing> outgoing_;
-  std::optional<ResumePoint> resume_;
-  ServeOptions serving_;
   Stopwatch filling_;
   Stopwatch waiting_;
   bool finished_ = false;
@@ -132,15 +100,8 @@ public:
   /// @throws Error if the hub refuses or the connect deadline passes
   explicit DomainClient(const ParticipantOptions& options);
 
-  /// Where the run goes on from a checkpoint: what progress() had saved, to be read before ready(); otherwise
-  /// nullptr.
-  /// @pre none
-  /// @post what it points to stays valid as long as the client
-  [[nodiscard]] const results::CheckpointReader* resumed() const { return saved_.get(); }
-
   /// Declares the boundary and the time it will be shaken (s, on the sources' clock).
-  /// @pre called once, before the first tractions(); in a run that was resumed with the arguments of the run
-  /// before
+  /// @pre called once, before the first tractions()
   /// @post the sources compute ahead
   /// @throws Error if a source does not exist or does not cover a face's elevation or the time
   void ready(const std::vector<BoundaryFace>& faces, double start_time, double end_time);
@@ -152,7 +113,7 @@ public:
   };
 
   /// Eq. (6) for all faces at one time.
-  /// @pre ready() was called; step is 0, 1, 2, ... (goes on from that of the checkpoint); start_time <= time <= end_time of ready(); time is not
+  /// @pre ready() was called; step is 0, 1, 2, ...; start_time <= time <= end_time of ready(); time is not
   /// before that of the last step; both spans are as long as the list of faces
   /// @param v_domain the domain's velocity at each face, m/s
   /// @post tractions holds Eq. (6) of this time at each face, Pa
@@ -162,18 +123,13 @@ public:
   Exchanged tractions(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain,
                       std::span<eq6::Vector> tractions);
 
-  /// Writes the state of the domain between two steps: all that its next step depends on.
-  using Save = std::function<void(results::CheckpointWriter&)>;
-
   /// A sign of life for the progress line and the deadlines, also of stages that exchange nothing; cheap, may
   /// be called every step.
-  /// @pre step and time do not go back within a stage; with save, time is that of the next tractions()
-  /// @param save called where a checkpoint is due; given in the stage that exchanges, after each step
-  /// @post the hub knows stage, step and time, and an abort was noticed, except within 0.2 s of the last sign
-  /// of life; a checkpoint that was due has been asked for or, some steps later, saved
-  /// @throws Aborted when the run was ended by another; whatever save throws
-  void progress(const std::string& stage, std::uint64_t step, double time, double end_time,
-                const Save& save = {});
+  /// @pre step and time do not go back within a stage
+  /// @post the hub knows stage, step and time, and an abort was noticed; within 0.2 s of the last sign of
+  /// life nothing is done
+  /// @throws Aborted when the run was ended by another
+  void progress(const std::string& stage, std::uint64_t step, double time, double end_time);
 
   /// Tells the hub why this participant gives up: its log may lie on the disk that is full.
   /// @pre none: also after an exception
@@ -196,10 +152,6 @@ private:
   void take_tractions(std::uint64_t step, std::span<const std::byte> bytes, std::span<eq6::Vector> tractions);
   void take_source_frame(std::span<const std::byte> bytes);
   void grant_credits();
-  void take_message(const Message& message);
-  void checkpoint_where_due(double time, const Save& save);
-  void save_checkpoint(double time, const Save& save);
-  void resume_exchange();
   void beat(const std::optional<BoundaryExchange::Missing>& awaited);
   void check_hub(const std::string& awaited);
   void drain();
@@ -222,23 +174,6 @@ private:
   double stage_end_time_ = 0.0;
   Clock::time_point last_beat_;
   Stopwatch waiting_;
-
-  /// Where and how often to save, and how far the present checkpoint has come.
-  struct Checkpoints {
-    /// The sources' part: where their fields go on from.
-    struct Draft {
-      ResumePoint point;
-      std::vector<std::pair<FieldAddress, std::uint64_t>> first_steps;
-    };
-    std::uint64_t every_steps = 0; ///< 0: not by steps
-    double every_wall_s = 0.0;     ///< 0: not by time
-    std::uint64_t last_step = 0;
-    Clock::time_point last_time;
-    bool asked = false;         ///< the hub, which asks the sources
-    std::optional<Draft> draft; ///< all sources have saved
-  };
-  Checkpoints checkpoints_;
-  std::unique_ptr<results::CheckpointReader> saved_;
 };
 
 } // namespace tremolo::coupler
