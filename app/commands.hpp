@@ -17,6 +17,7 @@ inline constexpr int refused = 2;
 
 void add_check(CLI::App& app);
 void add_conform(CLI::App& app);
+void add_cost(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_keygen(CLI::App& app);
 void add_docs(CLI::App& app);

@@ -165,7 +165,7 @@ void Session::wait_for(const BoundaryExchange::Missing& missing) {
   }
   last_heard_ = Clock::now();
   if (!incoming->message)
-    take_frame(incoming->frame);
+    take_frame(incoming->frame());
   else if (incoming->message->type != "BEAT")
     throw Objection{steps, fmt::format("the program said {} when step {} of '{}' was awaited: {}",
                                        incoming->message->type, missing.step, missing.field,
@@ -190,8 +190,9 @@ void Session::take_frame(std::span<const std::byte> bytes) {
     throw Objection{
         error->code == FrameError::Code::not_finite ? finite : steps,
         fmt::format("frame of '{}' at step {}: {}", history.field().name, history.next_step(), error->text)};
-  const auto& values = std::get<Frame>(decoded).values;
-  history.append(values);
+  const Frame& frame = std::get<Frame>(decoded);
+  history.append(frame.body);
+  const auto values = frame.values();
   series_[field].values.insert(series_[field].values.end(), values.begin(), values.end());
 }
 

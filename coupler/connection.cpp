@@ -1,11 +1,10 @@
 #include "coupler/connection.hpp"
 
 #include "coupler/error.hpp"
-#include "coupler/messages.hpp"
+#include "coupler/incoming.hpp"
 #include "coupler/sockets.hpp"
 
 #include <fmt/format.h>
-#include <zmq.hpp>
 
 namespace tremolo::coupler {
 
@@ -14,8 +13,8 @@ namespace {
 /// The hub knows more than a participant does, so its verdict on a deadline should come first.
 constexpr double grace_s = 1.0;
 
-std::span<const std::byte> bytes_of(const std::string& text) {
-  return std::as_bytes(std::span(text));
+void free_values(void* values, void* /*hint*/) {
+  delete[] static_cast<double*>(values);
 }
 
 } // namespace
@@ -45,7 +44,7 @@ Message Connection::introduce(Message hello) {
   hello.body["case"] = text_crc(case_text_);
   hello.body["case_text"] = case_text_;
   const auto start = Clock::now();
-  send_bytes(bytes_of(to_text(hello)), deadlines_.connect);
+  send_text(hello, deadlines_.connect);
   while (seconds_since(start) < deadlines_.connect + grace_s) {
     const auto incoming = receive(0.5);
     if (!incoming || !incoming->message || incoming->message->type != "WELCOME")
@@ -58,39 +57,51 @@ Message Connection::introduce(Message hello) {
 }
 
 void Connection::send(const Message& message) {
-  send_bytes(bytes_of(to_text(message)), deadlines_.step);
+  send_text(message, deadlines_.step);
 }
 
-void Connection::send(const FrameHeader& header, std::span<const double> values) {
-  send_bytes(encode(header, values), deadlines_.step);
+void Connection::send(const FrameHeader& header, FrameDraft draft) {
+  const auto bytes = draft.bytes();
+  seal(header, bytes);
+  zmq::message_t raw(draft.release(), bytes.size(), free_values);
+  send_raw(raw, deadlines_.step);
 }
 
-void Connection::send_bytes(std::span<const std::byte> bytes, double deadline_s) {
-  require_fits(bytes.size());
+void Connection::send_text(const Message& message, double deadline_s) {
+  const std::string text = to_text(message);
+  zmq::message_t raw(text.data(), text.size());
+  send_raw(raw, deadline_s);
+}
+
+void Connection::send_raw(zmq::message_t& raw, double deadline_s) {
+  require_fits(raw.size());
   const auto start = Clock::now();
   // Set at each call because HELLO has another deadline than the rest.
   socket_->set(zmq::sockopt::sndtimeo, static_cast<int>(deadline_s * 1000.0));
-  if (!socket_->send(zmq::const_buffer(bytes.data(), bytes.size())))
+  if (!socket_->send(raw, zmq::send_flags::none))
     throw Error(fmt::format("'{}' waited {:.1f} s for the hub to take a message (deadline {} s); {}", name_,
                             seconds_since(start), deadline_s, sign_of_life()));
 }
 
 std::optional<Incoming> Connection::receive(double wait_s) {
-  zmq::message_t raw;
-  if (!wait_readable(*socket_, wait_s) || !socket_->recv(raw, zmq::recv_flags::dontwait))
+  Incoming incoming;
+  // Asking first saves two calls of the system where nothing has come, or more has: so at every step.
+  if (!socket_->recv(incoming.raw, zmq::recv_flags::dontwait) &&
+      (wait_s <= 0.0 || !wait_readable(*socket_, wait_s) ||
+       !socket_->recv(incoming.raw, zmq::recv_flags::dontwait)))
     return std::nullopt;
   last_heard_ = Clock::now();
   heard_ = true;
-  const std::span<const std::byte> bytes(static_cast<const std::byte*>(raw.data()), raw.size());
-  if (!looks_like_message(bytes))
-    return Incoming{std::nullopt, {bytes.begin(), bytes.end()}};
-  Message message = parse_message(bytes);
+  if (!looks_like_message(incoming.frame()))
+    return incoming;
+  Message message = parse_message(incoming.frame());
   const std::string reason = message.body.value("reason", "no reason given");
   if (message.type == "ABORT")
     throw Aborted("the run was ended: " + reason);
   if (message.type == "REFUSE")
     throw Error("refused by the hub: " + reason);
-  return Incoming{std::move(message), {}};
+  incoming.message = std::move(message);
+  return incoming;
 }
 
 bool Connection::hub_is_silent() const {

@@ -15,6 +15,7 @@
 
 namespace zmq {
 class context_t;
+class message_t;
 class socket_t;
 } // namespace zmq
 
@@ -36,9 +37,9 @@ public:
 
   /// @throws Error if the hub does not take it within the step deadline
   void send(const Message& message);
-  void send(const FrameHeader& header, std::span<const double> values);
+  void send(const FrameHeader& header, FrameDraft draft);
 
-  /// The next message: a control message or the bytes of a data frame; nothing if none came within wait_s.
+  /// The next message: a control message or a data frame; nothing if none came within wait_s.
   /// @throws Aborted for ABORT and REFUSE
   std::optional<Incoming> receive(double wait_s);
 
@@ -56,7 +57,8 @@ public:
   [[nodiscard]] std::uint64_t session() const { return session_; }
 
 private:
-  void send_bytes(std::span<const std::byte> bytes, double deadline_s);
+  void send_raw(zmq::message_t& raw, double deadline_s);
+  void send_text(const Message& message, double deadline_s);
 
   std::unique_ptr<zmq::context_t> context_;
   std::unique_ptr<zmq::socket_t> socket_;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <fmt/format.h>
 
 namespace tremolo::coupler {
@@ -99,13 +98,13 @@ void ExchangeRecorder::begin(const ExchangeStart& start) {
 }
 
 void ExchangeRecorder::frame(std::span<const std::byte> bytes) {
-  const auto [header, crc, body] = opened(bytes);
+  const Frame frame = opened(bytes);
+  const FrameHeader& header = frame.header;
   Job job{.kind = Kind::source,
           .source = 0,
           .field = header.field,
-          .frame = {header.step, header.steps, crc},
-          .values = std::vector<double>(body.size() / sizeof(double))};
-  std::memcpy(job.values.data(), body.data(), job.values.size() * sizeof(double));
+          .frame = {header.step, header.steps, frame.crc},
+          .values = frame.values()};
   if (header.sender == 0) {
     job.kind = Kind::tractions;
   } else if (header.sender == start_.domain_number) {

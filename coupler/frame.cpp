@@ -1,12 +1,14 @@
 #include "coupler/frame.hpp"
 
+#include "coupler/crc32.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
-#include <zlib.h>
+#include <optional>
 
 namespace tremolo::coupler {
 
@@ -43,15 +45,15 @@ T get(std::span<const std::byte> bytes, std::size_t at) {
   return value;
 }
 
-uLong crc_over(uLong crc, std::span<const std::byte> bytes) {
-  return crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
-}
-
 std::uint32_t frame_crc(std::span<const std::byte> bytes) {
   constexpr std::array<std::byte, 4> zero{};
-  uLong crc = crc_over(crc32_z(0, nullptr, 0), bytes.first(offset::crc));
-  crc = crc_over(crc, zero);
-  return static_cast<std::uint32_t>(crc_over(crc, bytes.subspan(offset::reserved)));
+  std::uint32_t crc = crc32(0, bytes.first(offset::crc));
+  crc = crc32(crc, zero);
+  return crc32(crc, bytes.subspan(offset::reserved));
+}
+
+double value_at(std::span<const std::byte> body, std::size_t index) {
+  return get<double>(body, index * sizeof(double));
 }
 
 using Code = FrameError::Code;
@@ -102,8 +104,8 @@ std::variant<FrameHeader, FrameError> decode_header(std::span<const std::byte> b
 
 } // namespace
 
-std::vector<std::byte> encode(const FrameHeader& header, std::span<const double> values) {
-  std::vector<std::byte> bytes(frame_header_size + values.size_bytes());
+void seal(const FrameHeader& header, std::span<std::byte> bytes) {
+  std::memset(bytes.data(), 0, frame_header_size);
   std::memcpy(bytes.data() + offset::magic, magic.data(), magic.size());
   put(bytes, offset::version, protocol_version);
   put(bytes, offset::units, units_si);
@@ -113,9 +115,13 @@ std::vector<std::byte> encode(const FrameHeader& header, std::span<const double>
   put(bytes, offset::step, header.step);
   put(bytes, offset::steps, header.steps);
   put(bytes, offset::count, header.count);
-  if (!values.empty())
-    std::memcpy(bytes.data() + frame_header_size, values.data(), values.size_bytes());
   put(bytes, offset::crc, frame_crc(bytes));
+}
+
+std::vector<std::byte> encode(const FrameHeader& header, std::span<const double> values) {
+  std::vector<std::byte> bytes(frame_header_size + values.size_bytes());
+  std::ranges::copy(std::as_bytes(values), bytes.begin() + frame_header_size);
+  seal(header, bytes);
   return bytes;
 }
 
@@ -136,20 +142,36 @@ std::variant<Frame, FrameError> decode(std::span<const std::byte> bytes, const E
   if (const auto computed = frame_crc(bytes); crc != computed)
     return mismatch(Code::crc, "CRC-32", crc, computed);
 
-  Frame frame{header, std::vector<double>((size - frame_header_size) / sizeof(double))};
-  if (!frame.values.empty())
-    std::memcpy(frame.values.data(), bytes.data() + frame_header_size, size - frame_header_size);
-  const auto bad =
-      std::find_if(frame.values.begin(), frame.values.end(), [](double v) { return !std::isfinite(v); });
-  if (bad != frame.values.end()) {
-    const auto at = static_cast<std::uint64_t>(bad - frame.values.begin());
-    return FrameError{Code::not_finite, fmt::format("value {} of step {} is {}", at % header.count,
-                                                    header.step + at / header.count, *bad)};
-  }
+  const Frame frame = opened(bytes);
+  if (const auto bad = first_not_finite(frame.body))
+    return FrameError{Code::not_finite,
+                      fmt::format("value {} of step {} is {}", *bad % header.count,
+                                  header.step + *bad / header.count, value_at(frame.body, *bad))};
   return frame;
 }
 
-OpenedFrame opened(std::span<const std::byte> bytes) {
+std::vector<double> Frame::values() const {
+  std::vector<double> numbers(body.size() / sizeof(double));
+  std::ranges::copy(body, std::as_writable_bytes(std::span(numbers)).begin());
+  return numbers;
+}
+
+std::optional<std::size_t> first_not_finite(std::span<const std::byte> values) {
+  // Nearly always there is none: so that the loop over all needs no branch, it asks first whether any has all
+  // bits of its exponent set.
+  constexpr std::uint64_t exponent = 0x7ff0000000000000;
+  std::uint64_t any = 0;
+  for (std::size_t at = 0; at < values.size(); at += sizeof(double))
+    any |= static_cast<std::uint64_t>((get<std::uint64_t>(values, at) & exponent) == exponent);
+  if (any == 0)
+    return std::nullopt;
+  std::size_t index = 0;
+  while (std::isfinite(value_at(values, index)))
+    ++index;
+  return index;
+}
+
+Frame opened(std::span<const std::byte> bytes) {
   return {header_of(bytes), get<std::uint32_t>(bytes, offset::crc), bytes.subspan(frame_header_size)};
 }
 

@@ -18,8 +18,12 @@
 // A frame is used only if every one of these is exactly what the receiver expects next and every value is
 // finite, so no stale, foreign, torn or repeated data can be read as new.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -49,9 +53,21 @@ struct ExpectedFrame {
   std::uint32_t most_steps = 0; ///< the credit: more was not asked for
 };
 
+/// A frame as it lies in the bytes it came in, which must outlive it.
 struct Frame {
   FrameHeader header;
-  std::vector<double> values; ///< steps x count
+  std::uint32_t crc = 0;
+  std::span<const std::byte> body; ///< steps x count float64, not aligned
+
+  [[nodiscard]] std::vector<double> values() const;
+
+  /// So many values from an index on.
+  template <std::size_t n>
+  [[nodiscard]] std::array<double, n> values(std::size_t first) const {
+    std::array<double, n> some;
+    std::memcpy(some.data(), body.data() + first * sizeof(double), sizeof some);
+    return some;
+  }
 };
 
 struct FrameError {
@@ -74,19 +90,43 @@ struct FrameError {
   std::string text; ///< what was found and what was expected
 };
 
+/// Writes the header of a frame whose values stand in its bytes already.
+/// @param bytes frame_header_size, then header.steps x header.count float64
+void seal(const FrameHeader& header, std::span<std::byte> bytes);
+
 /// @param values header.steps x header.count numbers
 std::vector<std::byte> encode(const FrameHeader& header, std::span<const double> values);
+
+/// A frame that is being made: room for its header and values in the memory that will be sent.
+class FrameDraft {
+public:
+  /// @param values of all steps, not yet set
+  explicit FrameDraft(std::size_t values)
+      : size_(values), memory_(std::make_unique_for_overwrite<double[]>(header_values + values)) {}
+
+  [[nodiscard]] std::span<double> values() { return {memory_.get() + header_values, size_}; }
+  /// Header and values.
+  [[nodiscard]] std::span<std::byte> bytes() {
+    return std::as_writable_bytes(std::span(memory_.get(), header_values + size_));
+  }
+  /// The memory, to be given back with delete[].
+  [[nodiscard]] double* release() { return memory_.release(); }
+
+private:
+  static constexpr std::size_t header_values = frame_header_size / sizeof(double);
+  std::size_t size_;
+  std::unique_ptr<double[]> memory_;
+};
 
 /// Pure: no state, no I/O; never reads outside bytes whatever they hold.
 std::variant<Frame, FrameError> decode(std::span<const std::byte> bytes, const ExpectedFrame& expected);
 
-/// A frame that decode() has accepted or encode() has made, without its values being copied.
-struct OpenedFrame {
-  FrameHeader header;
-  std::uint32_t crc = 0;
-  std::span<const std::byte> body; ///< float64, not aligned
-};
-OpenedFrame opened(std::span<const std::byte> bytes);
+/// The index of the first value that is not finite, if any.
+/// @param values float64, not aligned
+std::optional<std::size_t> first_not_finite(std::span<const std::byte> values);
+
+/// A frame that decode() has accepted or encode() has made.
+Frame opened(std::span<const std::byte> bytes);
 
 /// The sender and field a frame claims, to find out what to expect of it; nothing else of it is to be
 /// believed.

@@ -81,18 +81,19 @@ void Hub::take_messages() {
       if (whole = false; !rest.more())
         break;
     if (whole && !failure_)
-      take(routing_id.to_string(), {static_cast<const std::byte*>(raw.data()), raw.size()});
+      take(routing_id.to_string(), raw);
   }
 }
 
-void Hub::take(const std::string& routing_id, std::span<const std::byte> bytes) {
+void Hub::take(const std::string& routing_id, zmq::message_t& raw) {
+  const std::span<const std::byte> bytes(static_cast<const std::byte*>(raw.data()), raw.size());
   auto* participant = find_routing_id(routing_id);
   try {
     if (!looks_like_message(bytes)) {
       if (participant == nullptr)
         options_.note(fmt::format("ignored {} bytes from a stranger that has not said HELLO", bytes.size()));
       else if (participant->expected.role == Role::source)
-        take_source_frame(*participant, bytes);
+        take_source_frame(*participant, raw);
       else
         take_velocities(*participant, bytes);
       return;
@@ -272,11 +273,16 @@ void Hub::send_to(const std::string& routing_id, const Message& message) {
 }
 
 void Hub::send_bytes(const std::string& routing_id, std::span<const std::byte> bytes) {
-  require_fits(bytes.size());
+  zmq::message_t raw(bytes.data(), bytes.size());
+  send_raw(routing_id, raw);
+}
+
+void Hub::send_raw(const std::string& routing_id, zmq::message_t& raw) {
+  require_fits(raw.size());
   try {
     socket_.send(zmq::const_buffer(routing_id.data(), routing_id.size()),
                  zmq::send_flags::sndmore | zmq::send_flags::dontwait);
-    socket_.send(zmq::const_buffer(bytes.data(), bytes.size()), zmq::send_flags::dontwait);
+    socket_.send(raw, zmq::send_flags::dontwait);
   } catch (const zmq::error_t& error) {
     // It is gone: its BYE is on its way, or its process's end will be seen.
     if (error.num() != EHOSTUNREACH)

@@ -143,7 +143,7 @@ private:
     std::vector<eq6::Vector> v_domain;
   };
 
-  void take(const std::string& routing_id, std::span<const std::byte> bytes);
+  void take(const std::string& routing_id, zmq::message_t& raw);
   void take_hello(const std::string& routing_id, const Message& message);
   std::optional<std::string> objection(const Participant& participant, const nlohmann::json& hello) const;
   void welcome_all();
@@ -153,7 +153,7 @@ private:
   void take_beat(Participant& participant, const nlohmann::json& body);
   void take_progress(Participant& domain, const nlohmann::json& body);
   void take_bye(Participant& participant, const nlohmann::json& body);
-  void take_source_frame(Participant& source, std::span<const std::byte> bytes);
+  void take_source_frame(Participant& source, zmq::message_t& raw);
   void take_velocities(Participant& domain, std::span<const std::byte> bytes);
   void answer_pending_step();
   void begin_observation(const BoundaryExchange& exchange, double start_time, double end_time);
@@ -174,6 +174,7 @@ private:
   void send(const Participant& participant, const Message& message);
   void send_to(const std::string& routing_id, const Message& message);
   void send_bytes(const std::string& routing_id, std::span<const std::byte> bytes);
+  void send_raw(const std::string& routing_id, zmq::message_t& raw);
 
   [[nodiscard]] Participant* find_name(const std::string& name);
   [[nodiscard]] Participant* find_routing_id(const std::string& routing_id);

@@ -5,6 +5,8 @@
 #include "coupler/layout.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <fmt/format.h>
 #include <stdexcept>
 #include <utility>
@@ -97,7 +99,8 @@ void Hub::note_wait(const std::optional<BoundaryExchange::Missing>& awaited) {
     wait_ = Wait{*awaited, Clock::now()};
 }
 
-void Hub::take_source_frame(Participant& source, std::span<const std::byte> bytes) {
+void Hub::take_source_frame(Participant& source, zmq::message_t& raw) {
+  const std::span<const std::byte> bytes(static_cast<const std::byte*>(raw.data()), raw.size());
   if (bytes.size() < frame_header_size)
     throw Error(fmt::format("a message of {} bytes is neither JSON nor a frame", bytes.size()));
   const auto field = claimed_origin(bytes).field;
@@ -128,10 +131,10 @@ void Hub::take_source_frame(Participant& source, std::span<const std::byte> byte
   }
   if (!exchange_) {
     // Byte for byte: the source's own checksum is checked again where the numbers are used.
-    send_bytes(domain().routing_id, bytes);
+    send_raw(domain().routing_id, raw);
     return;
   }
-  exchange_->find({source.number, field})->history.append(frame.values);
+  exchange_->find({source.number, field})->history.append(frame.body);
   answer_pending_step();
 }
 
@@ -157,9 +160,12 @@ void Hub::take_velocities(Participant& participant, std::span<const std::byte> b
   if (pending_)
     throw Error(
         fmt::format("step {} before the tractions of step {} were sent", frame.header.step, pending_->step));
-  pending_ = PendingStep{frame.header.step, frame.values.front(), std::vector<eq6::Vector>(face_count_)};
-  for (std::size_t i = 0; i < face_count_; ++i)
-    pending_->v_domain[i] = {frame.values[1 + 2 * i], frame.values[2 + 2 * i]};
+  const auto [time] = frame.values<1>(0);
+  pending_ = PendingStep{frame.header.step, time, std::vector<eq6::Vector>(face_count_)};
+  for (std::size_t i = 0; i < face_count_; ++i) {
+    const auto [vx, vy] = frame.values<2>(1 + 2 * i);
+    pending_->v_domain[i] = {vx, vy};
+  }
   answer_pending_step();
 }
 
@@ -172,19 +178,21 @@ void Hub::answer_pending_step() {
   std::vector<eq6::FreeField> free_field(face_count_);
   std::vector<eq6::Vector> tractions(face_count_);
   exchange_->evaluate(pending_->time, pending_->v_domain, free_field, tractions);
-  std::vector<double> values;
-  values.reserve(layout::per_face * face_count_);
+  zmq::message_t raw(frame_header_size + layout::per_face * face_count_ * sizeof(double));
+  const std::span bytes(static_cast<std::byte*>(raw.data()), raw.size());
   for (std::size_t i = 0; i < face_count_; ++i) {
     const auto& [v, s] = free_field[i];
-    values.insert(values.end(), {tractions[i].x, tractions[i].y, v.x, v.y, s.xx, s.yy, s.xy});
+    const std::array<double, layout::per_face> values{tractions[i].x, tractions[i].y, v.x, v.y,
+                                                      s.xx,           s.yy,           s.xy};
+    std::memcpy(bytes.data() + frame_header_size + i * sizeof values, values.data(), sizeof values);
   }
-  const auto bytes = encode({.session = options_.session,
-                             .step = pending_->step,
-                             .steps = 1,
-                             .count = static_cast<std::uint32_t>(values.size())},
-                            values);
+  seal({.session = options_.session,
+        .step = pending_->step,
+        .steps = 1,
+        .count = static_cast<std::uint32_t>(layout::per_face * face_count_)},
+       bytes);
   observe(bytes);
-  send_bytes(domain().routing_id, bytes);
+  send_raw(domain().routing_id, raw);
   pending_.reset();
   for (const auto& credit : exchange_->new_credits())
     grant(participants_.at(credit.address.sender - 1), credit.address.field, credit.steps);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fmt/format.h>
 #include <stdexcept>
 
@@ -111,20 +112,17 @@ FreeFieldHistory::FreeFieldHistory(FieldDescription field, double least_delay, d
                 look_ahead),
       ring_(capacity_ * field_.values_per_step()) {}
 
-void FreeFieldHistory::append(std::span<const double> values) {
+void FreeFieldHistory::append(std::span<const std::byte> values) {
   const std::size_t count = field_.values_per_step();
-  const std::uint64_t steps = values.size() / count;
-  if (values.size() != steps * count || next_step_ + steps > credit())
+  const std::size_t step_bytes = count * sizeof(double);
+  const std::uint64_t steps = values.size() / step_bytes;
+  if (values.size() != steps * step_bytes || next_step_ + steps > credit())
     throw std::length_error(
         fmt::format("field '{}': {} values from step {} on do not fit, there is room for {} steps",
-                    field_.name, values.size(), next_step_, credit() - next_step_));
-  for (std::uint64_t i = 0; i < steps; ++i, ++next_step_) {
-    if (next_step_ < first_step_)
-      continue;
-    const auto from = values.subspan(i * count, count);
-    std::copy(from.begin(), from.end(),
-              ring_.begin() + static_cast<std::ptrdiff_t>(next_step_ % capacity_ * count));
-  }
+                    field_.name, values.size() / sizeof(double), next_step_, credit() - next_step_));
+  for (std::uint64_t i = 0; i < steps; ++i, ++next_step_)
+    if (next_step_ >= first_step_)
+      std::memcpy(ring_.data() + next_step_ % capacity_ * count, values.data() + i * step_bytes, step_bytes);
 }
 
 void FreeFieldHistory::release_before(double time) {

@@ -52,8 +52,9 @@ public:
                    std::uint64_t look_ahead);
 
   /// Appends whole steps, the first of which is next_step().
+  /// @param values float64 as they lie in a frame, not aligned
   /// @throws std::length_error beyond the credit
-  void append(std::span<const double> values);
+  void append(std::span<const std::byte> values);
 
   /// Forgets the steps that no face needs from this time on.
   void release_before(double time);

@@ -1,5 +1,6 @@
 #include "coupler/messages.hpp"
 
+#include "coupler/crc32.hpp"
 #include "coupler/error.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
-#include <zlib.h>
 
 namespace tremolo::coupler {
 
@@ -167,7 +167,7 @@ std::string file_text(const std::filesystem::path& file) {
 }
 
 std::string text_crc(std::string_view text) {
-  return fmt::format("{:08x}", crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size()));
+  return fmt::format("{:08x}", crc32(0, std::as_bytes(std::span(text))));
 }
 
 } // namespace tremolo::coupler

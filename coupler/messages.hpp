@@ -23,12 +23,6 @@ struct Message {
   nlohmann::json body = nlohmann::json::object();
 };
 
-/// What came in: a control message, or the bytes of a data frame.
-struct Incoming {
-  std::optional<Message> message;
-  std::vector<std::byte> frame;
-};
-
 std::string to_text(const Message& message);
 
 /// @throws Error for bytes that are no JSON object with a known "type"

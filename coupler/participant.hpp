@@ -84,7 +84,6 @@ private:
   std::vector<FieldDescription> fields_;
   Connection connection_;
   std::vector<Outgoing> outgoing_;
-  std::vector<double> body_;
   Stopwatch filling_;
   Stopwatch waiting_;
   bool finished_ = false;

@@ -1,12 +1,14 @@
 #include "coupler/participant.hpp"
 
 #include "coupler/error.hpp"
+#include "coupler/incoming.hpp"
 #include "coupler/layout.hpp"
-#include "coupler/messages.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <stdexcept>
+#include <utility>
 
 namespace tremolo::coupler {
 
@@ -55,7 +57,7 @@ DomainClient::Exchanged DomainClient::tractions(std::uint64_t step, double time,
     send_velocities();
     wait_for_hub(step, tractions);
   } else {
-    drain();
+    // What has come is taken when it is needed: until then it lies in the socket, bounded by the credit.
     if (exchange_->missing(time))
       wait_for_sources(step, time);
     exchange_->evaluate(time, v_domain, free_field_, tractions);
@@ -88,7 +90,7 @@ void DomainClient::wait_for_sources(std::uint64_t step, double time) {
   while (const auto missing = exchange_->missing(time)) {
     if (auto incoming = connection_.receive(beat_interval_s)) {
       if (!incoming->message)
-        take_source_frame(incoming->frame);
+        take_source_frame(incoming->frame());
       continue;
     }
     beat(missing);
@@ -104,7 +106,7 @@ void DomainClient::wait_for_hub(std::uint64_t step, std::span<eq6::Vector> tract
     if (auto incoming = connection_.receive(beat_interval_s)) {
       arrived = !incoming->message;
       if (arrived)
-        take_tractions(step, incoming->frame, tractions);
+        take_tractions(step, incoming->frame(), tractions);
       continue;
     }
     beat(std::nullopt);
@@ -128,8 +130,9 @@ void DomainClient::take_tractions(std::uint64_t step, std::span<const std::byte>
   if (const auto* error = std::get_if<FrameError>(&decoded))
     connection_.fail(
         fmt::format("domain '{}' refuses the tractions of step {}: {}", options_.name, step, error->text));
-  const double* value = std::get<Frame>(decoded).values.data();
-  for (std::size_t i = 0; i < face_count_; ++i, value += layout::per_face) {
+  const auto& frame = std::get<Frame>(decoded);
+  for (std::size_t i = 0; i < face_count_; ++i) {
+    const auto value = frame.values<layout::per_face>(i * layout::per_face);
     tractions[i] = {value[0], value[1]};
     free_field_[i] = {{value[2], value[3]}, {value[4], value[5], value[6]}};
   }
@@ -152,7 +155,7 @@ void DomainClient::take_source_frame(std::span<const std::byte> bytes) {
   if (const auto* error = std::get_if<FrameError>(&decoded))
     connection_.fail(fmt::format("domain '{}' refuses a frame of source '{}', field '{}': {}", options_.name,
                                  inlet->source, history.field().name, error->text));
-  history.append(std::get<Frame>(decoded).values);
+  history.append(std::get<Frame>(decoded).body);
 }
 
 void DomainClient::append_velocities(double time, std::span<const eq6::Vector> v_domain) {
@@ -166,12 +169,14 @@ void DomainClient::append_velocities(double time, std::span<const eq6::Vector> v
 void DomainClient::send_velocities() {
   if (batch_.empty())
     return;
+  FrameDraft draft(batch_.size());
+  std::ranges::copy(batch_, draft.values().begin());
   connection_.send({.session = connection_.session(),
                     .sender = connection_.number(),
                     .step = batch_first_step_,
                     .steps = static_cast<std::uint32_t>(next_step_ - batch_first_step_),
                     .count = static_cast<std::uint32_t>(layout::velocities(face_count_))},
-                   batch_);
+                   std::move(draft));
   batch_.clear();
   batch_first_step_ = next_step_;
 }
@@ -208,7 +213,7 @@ void DomainClient::beat(const std::optional<BoundaryExchange::Missing>& awaited)
 void DomainClient::drain() {
   while (const auto incoming = connection_.receive(0.0))
     if (!incoming->message)
-      take_source_frame(incoming->frame);
+      take_source_frame(incoming->frame());
 }
 
 void DomainClient::finish(const std::vector<PassTime>& passes, double particle_updates) {

@@ -1,7 +1,7 @@
 #include "coupler/participant.hpp"
 
 #include "coupler/error.hpp"
-#include "coupler/messages.hpp"
+#include "coupler/incoming.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,23 +76,22 @@ bool SourceClient::send_frames(const Fill& fill) {
 void SourceClient::send_frame(std::size_t field, std::uint32_t steps, const Fill& fill) {
   const std::size_t count = fields_[field].values_per_step();
   const std::uint64_t first = outgoing_[field].next_step;
-  body_.resize(count * steps);
+  FrameDraft draft(count * steps);
+  const auto values = draft.values();
   filling_.start();
   for (std::uint32_t i = 0; i < steps; ++i)
-    fill(field, first + i, std::span(body_).subspan(i * count, count));
+    fill(field, first + i, values.subspan(i * count, count));
   filling_.stop();
-  const auto bad = std::find_if(body_.begin(), body_.end(), [](double v) { return !std::isfinite(v); });
-  if (bad != body_.end())
+  if (const auto bad = first_not_finite(std::as_bytes(values)))
     connection_.fail(fmt::format("source '{}', field '{}': the value at step {} is {}", options_.name,
-                                 fields_[field].name,
-                                 first + static_cast<std::uint64_t>(bad - body_.begin()) / count, *bad));
+                                 fields_[field].name, first + *bad / count, values[*bad]));
   connection_.send({.session = connection_.session(),
                     .sender = connection_.number(),
                     .field = static_cast<std::uint32_t>(field),
                     .step = first,
                     .steps = steps,
                     .count = static_cast<std::uint32_t>(count)},
-                   body_);
+                   std::move(draft));
   outgoing_[field].next_step += steps;
 }
 

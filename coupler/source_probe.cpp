@@ -74,15 +74,14 @@ std::optional<Incoming> SourceProbe::receive(double wait_s) {
 
 std::optional<Incoming> SourceProbe::take() {
   zmq::message_t routing_id;
-  zmq::message_t raw;
+  Incoming incoming;
   if (!socket_.recv(routing_id, zmq::recv_flags::dontwait) || !routing_id.more() ||
-      !socket_.recv(raw, zmq::recv_flags::dontwait))
+      !socket_.recv(incoming.raw, zmq::recv_flags::dontwait))
     return std::nullopt;
   routing_id_ = routing_id.to_string();
-  const std::span<const std::byte> bytes(static_cast<const std::byte*>(raw.data()), raw.size());
-  if (looks_like_message(bytes))
-    return Incoming{parse_message(bytes), {}};
-  return Incoming{std::nullopt, {bytes.begin(), bytes.end()}};
+  if (looks_like_message(incoming.frame()))
+    incoming.message = parse_message(incoming.frame());
+  return incoming;
 }
 
 void SourceProbe::beat() {

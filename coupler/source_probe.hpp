@@ -5,7 +5,7 @@
 
 #include "coupler/child_process.hpp"
 #include "coupler/field.hpp"
-#include "coupler/messages.hpp"
+#include "coupler/incoming.hpp"
 #include "coupler/participant_options.hpp"
 #include "coupler/run_endpoint.hpp"
 #include "coupler/timing.hpp"

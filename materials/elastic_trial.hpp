@@ -1,6 +1,7 @@
 #pragma once
 
 #include "materials/elasticity.hpp"
+#include "materials/independent_loop.hpp"
 #include "materials/objective_rate.hpp"
 #include "materials/points.hpp"
 
@@ -18,6 +19,7 @@ inline void out_of_plane_trial(const Elasticity& elastic, const Points& points, 
   double* __restrict syy = points.syy;
   double* __restrict szz = points.szz;
   const double* __restrict dezz = points.dezz;
+  TREMOLO_INDEPENDENT_LOOP
   for (std::size_t i = begin; i < end; ++i) {
     sxx[i] += lame * dezz[i];
     syy[i] += lame * dezz[i];
@@ -39,6 +41,7 @@ inline void elastic_trial(const Elasticity& elastic, const Points& points, std::
   const double* __restrict deyy = points.deyy;
   const double* __restrict dgxy = points.dgxy;
   const double* __restrict dwxy = points.dwxy;
+  TREMOLO_INDEPENDENT_LOOP
   for (std::size_t i = begin; i < end; ++i) {
     const InPlaneStress carried = rotated({sxx[i], syy[i], sxy[i]}, dwxy[i]);
     const double pressure = lame * (dexx[i] + deyy[i]);

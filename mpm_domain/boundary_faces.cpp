@@ -1,8 +1,10 @@
 #include "mpm_domain/boundary_faces.hpp"
 
-#include "mpm_domain/fill.hpp"
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/graded/box_average.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -37,33 +39,15 @@ BoundaryFace make_face(Side side, Vector normal, Particles& set, std::size_t set
   return face;
 }
 
-} // namespace
+/// Two rows of three nodes: averaged along the face, linear across it.
+using LatticeWeights = std::array<FaceWeight, 6>;
 
-std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec) {
-  const double size = particle_size(spec);
-  const double near = 0.75 * size; // between the first particle at size/2 and the second at 3/2 size
-  std::vector<BoundaryFace> faces;
-  for (std::size_t s = 0; s < sets.size(); ++s)
-    for (std::size_t k = 0; k < sets[s].size(); ++k) {
-      if (!spec.periodic_sides && sets[s].x[k] - spec.box.x_min < near)
-        faces.push_back(make_face(Side::left, {-1.0, 0.0}, sets[s], s, k, size));
-      if (!spec.periodic_sides && spec.box.x_max - sets[s].x[k] < near)
-        faces.push_back(make_face(Side::right, {1.0, 0.0}, sets[s], s, k, size));
-      if (sets[s].y[k] - spec.box.y_min < near)
-        faces.push_back(make_face(Side::base, {0.0, -1.0}, sets[s], s, k, size));
-    }
-  std::sort(faces.begin(), faces.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
-    return std::tuple(a.side, a.position.y, a.position.x) < std::tuple(b.side, b.position.y, b.position.x);
-  });
-  return faces;
-}
-
-FaceWeights face_weights(const BoundaryFace& face, const Particles& set, const Grid& grid) {
+LatticeWeights lattice_weights(const BoundaryFace& face, const Particles& set, const Grid& grid) {
   const std::size_t k = set.index_of[face.id];
   const double half = 0.5 * face.length;
   const bool vertical = face.side != Side::base;
   const Vector n = face.face.normal;
-  FaceWeights weights;
+  LatticeWeights weights;
   if (vertical) {
     const Linear across = linear_weights(set.x[k] + half * n.x, grid.x0, grid.h);
     const Weights along = gimp_weights(set.y[k], {grid.y0, grid.h, half});
@@ -80,6 +64,59 @@ FaceWeights face_weights(const BoundaryFace& face, const Particles& set, const G
             grid.index(grid.real_column(along.base + a), across.base + b), along.s[a] * across.w[b]};
   }
   return weights;
+}
+
+/// On a graded mesh the basis averaged along the face, in terms of real nodes.
+void graded_weights(const BoundaryFace& face, const Particles& set, const GradedMesh& mesh,
+                    FaceWeights& weights) {
+  const std::size_t k = set.index_of[face.id];
+  const double half = 0.5 * face.length;
+  const Vector n = face.face.normal;
+  const double x = set.x[k] + half * n.x;
+  const double y = set.y[k] + half * n.y;
+  const bool vertical = face.side != Side::base;
+  std::vector<BoxWeight> parts;
+  box_average(
+      mesh, vertical ? mesh::Rectangle{x, y - half, x, y + half} : mesh::Rectangle{x - half, y, x + half, y},
+      parts);
+  weights.clear();
+  for (const BoxWeight& part : parts) {
+    const std::span<const Share> shares = mesh.prolongation().shares_of(part.node);
+    if (shares.empty())
+      weights.push_back({part.node, part.s});
+    for (const Share& share : shares)
+      weights.push_back({share.node, share.weight * part.s});
+  }
+}
+
+} // namespace
+
+std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec) {
+  std::vector<BoundaryFace> faces;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const double size = 2.0 * sets[s].half_size;
+    const double near = 0.75 * size; // between the first particle at size/2 and the second at 3/2 size
+    for (std::size_t k = 0; k < sets[s].size(); ++k) {
+      if (!spec.periodic_sides && sets[s].x[k] - spec.box.x_min < near)
+        faces.push_back(make_face(Side::left, {-1.0, 0.0}, sets[s], s, k, size));
+      if (!spec.periodic_sides && spec.box.x_max - sets[s].x[k] < near)
+        faces.push_back(make_face(Side::right, {1.0, 0.0}, sets[s], s, k, size));
+      if (sets[s].y[k] - spec.box.y_min < near)
+        faces.push_back(make_face(Side::base, {0.0, -1.0}, sets[s], s, k, size));
+    }
+  }
+  std::sort(faces.begin(), faces.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
+    return std::tuple(a.side, a.position.y, a.position.x) < std::tuple(b.side, b.position.y, b.position.x);
+  });
+  return faces;
+}
+
+void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights) {
+  const Particles& set = domain.sets[face.set];
+  if (domain.mesh)
+    return graded_weights(face, set, *domain.mesh, weights);
+  const LatticeWeights all = lattice_weights(face, set, domain.grid);
+  weights.assign(all.begin(), all.end());
 }
 
 } // namespace tremolo::mpm_domain

@@ -14,13 +14,12 @@
 #include "mpm_domain/kernel.hpp"
 #include "mpm_domain/particles.hpp"
 
-#include <array>
 #include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
-enum class Side { left, right, base };
+struct Domain;
 
 /// A face: the particle it rides on and what Eq. (6) needs to know.
 struct BoundaryFace {
@@ -29,7 +28,8 @@ struct BoundaryFace {
   std::uint32_t id = 0; ///< the particle
   Vector position;      ///< where it lay at the start: the material point its free field is taken from, m
   double length = 0.0;  ///< m
-  eq6::Face face;       ///< normal and impedances
+  eq6::Face face;       ///< normal and impedances; these are zero before a matched layer
+  double mass = 0.0;    ///< of a matched layer's nodes that move with the face, kg/m2
 };
 
 /// A node that a face touches, and W.
@@ -38,14 +38,13 @@ struct FaceWeight {
   double w = 0.0;
 };
 
-/// Two rows of three nodes: averaged along the face, linear across it.
-using FaceWeights = std::array<FaceWeight, 6>;
+using FaceWeights = std::vector<FaceWeight>;
 
 /// The faces of the model's left, right and lower edge, in this order, each from low to high coordinate.
 /// Their impedances are those of the soil in its present stress.
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);
 
 /// Weights of a face at its particle's present place.
-FaceWeights face_weights(const BoundaryFace& face, const Particles& set, const Grid& grid);
+void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights);
 
 } // namespace tremolo::mpm_domain

@@ -1,11 +1,13 @@
 #include "mpm_domain/domain.hpp"
 
 #include "mpm_domain/fill.hpp"
+#include "mpm_domain/grid_growth.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -15,6 +17,10 @@ namespace {
 /// Cells of empty grid around the model, room for soil that moves out of its box.
 constexpr int margin_cells = 6;
 
+/// Way of a particle on a graded mesh from one sort to the next, in finest cells. Particles that near to
+/// other levels are weighed the general way: the less of them, the more often is sorted.
+constexpr double across_margin = 0.25;
+
 Grid make_grid(const Spec& spec) {
   Grid grid;
   grid.h = spec.cell_size;
@@ -23,18 +29,39 @@ Grid make_grid(const Spec& spec) {
   const auto nodes = [&](double length) {
     return static_cast<int>(std::ceil(length / grid.h - 1e-9)) + 1 + 2 * margin_cells;
   };
-  grid.nx = nodes(spec.box.x_max - spec.box.x_min);
-  grid.ny = nodes(spec.box.y_max - spec.box.y_min);
+  resize(grid, nodes(spec.box.x_max - spec.box.x_min), nodes(spec.box.y_max - spec.box.y_min));
   if (spec.periodic_sides) {
     grid.period = static_cast<int>(std::lround((spec.box.x_max - spec.box.x_min) / grid.h));
     grid.first_column = margin_cells;
   }
-  const std::size_t count = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
-  for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y, &grid.force_x, &grid.force_y,
-                           &grid.dashpot_x, &grid.dashpot_y, &grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new})
-    field->resize(count);
-  grid.acceleration.resize(count);
   return grid;
+}
+
+mesh::Roots roots_of(const Grid& grid) {
+  return {grid.x0, grid.y0, grid.h, grid.nx - 1, grid.ny - 1, grid.period, grid.first_column};
+}
+
+/// The spec's refinements, those that reach an edge of the model, unless it is a period's, without end there.
+std::vector<mesh::Refinement> refinements_of(const Spec& spec) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  const double near = 1e-6 * spec.cell_size;
+  std::vector<mesh::Refinement> all = spec.refine;
+  for (mesh::Refinement& refinement : all) {
+    Box& box = refinement.box;
+    if (!spec.periodic_sides && box.x_min < spec.box.x_min + near)
+      box.x_min = -far;
+    if (!spec.periodic_sides && box.x_max > spec.box.x_max - near)
+      box.x_max = far;
+    if (box.y_min < spec.box.y_min + near)
+      box.y_min = -far;
+    if (box.y_max > spec.box.y_max - near)
+      box.y_max = far;
+  }
+  return all;
+}
+
+std::size_t blocks_of(const Lattice& lattice) {
+  return static_cast<std::size_t>((lattice.ny + rows_per_block - 1) / rows_per_block);
 }
 
 const Spec& checked(const Spec& spec) {
@@ -65,17 +92,107 @@ const Spec& checked(const Spec& spec) {
   return spec;
 }
 
-} // namespace
+/// Particles [begin, end).
+struct ParticleRange {
+  std::size_t begin;
+  std::size_t end;
+};
 
-Domain::Domain(const Spec& specification)
-    : spec(checked(specification)), grid(make_grid(spec)), sets(fill(spec)), faces(find_faces(sets, spec)),
-      static_tractions(faces.size()), workers(spec.threads) {
-  for (Particles& set : sets)
-    sort_by_cell(set, grid, half_size());
+/// The particles of a set whose finest cells are of a level: those of its lattice, and those that touch
+/// others too. Without particles, a range is left out.
+std::vector<ParticleRange> ranges_of(const Domain& domain, const Particles& set, int level) {
+  std::vector<ParticleRange> ranges;
+  const auto add = [&](std::size_t first_block, std::size_t blocks) {
+    const std::size_t begin = set.block_start[first_block];
+    const std::size_t end = set.block_start[first_block + blocks];
+    if (begin < end)
+      ranges.push_back({begin, end});
+  };
+  std::size_t first = 0;
+  for (int coarser = 0; coarser < level; ++coarser)
+    first += blocks_of(domain.lattice(coarser));
+  add(first, blocks_of(domain.lattice(level)));
+  if (domain.mesh)
+    add(domain.block_count() + static_cast<std::size_t>(level), 1);
+  return ranges;
 }
 
-double Domain::half_size() const {
-  return 0.5 * particle_size(spec);
+} // namespace
+
+void rebuild_mesh(Domain& domain) {
+  if (domain.spec.refine.empty())
+    return;
+  domain.mesh.emplace(roots_of(domain.grid), refinements_of(domain.spec));
+  resize_fields(domain.grid, domain.mesh->node_count());
+}
+
+void sort_particles(Domain& domain) {
+  domain.across.resize(domain.sets.size());
+  for (std::size_t s = 0; s < domain.sets.size(); ++s)
+    if (domain.mesh)
+      sort_by_lattice(domain.sets[s], *domain.mesh, domain.sort_distance());
+    else
+      sort_by_cell(domain.sets[s], domain.grid, domain.sets[s].half_size);
+  weigh_across(domain);
+}
+
+void weigh_across(Domain& domain) {
+  if (!domain.mesh)
+    return;
+  domain.workers.run(domain.sets.size(), [&](std::size_t s) {
+    const Particles& set = domain.sets[s];
+    AcrossWeights& weights = domain.across[s];
+    const std::size_t first = set.block_start[domain.block_count()];
+    weights.restart(first);
+    for (std::size_t k = first; k < set.size(); ++k)
+      weights.add(*domain.mesh, box_of(set, k));
+  });
+}
+
+Domain::Domain(const Spec& specification)
+    : spec(checked(specification)), grid(make_grid(spec)), workers(spec.threads) {
+  rebuild_mesh(*this);
+  sets = fill(spec, mesh ? &mesh->tree() : nullptr);
+  faces = find_faces(sets, spec);
+  static_tractions.resize(faces.size());
+  sort_particles(*this);
+}
+
+double Domain::half_size(int level) const {
+  return 0.5 * particle_size(spec, level);
+}
+
+std::size_t Domain::block_count() const {
+  std::size_t count = 0;
+  for (int level = 0; level < lattice_count(); ++level)
+    count += blocks_of(lattice(level));
+  return count;
+}
+
+int Domain::lattice_of_block(std::size_t block) const {
+  int level = 0;
+  while (block >= blocks_of(lattice(level)))
+    block -= blocks_of(lattice(level++));
+  return level;
+}
+
+std::size_t Domain::row_count() const {
+  std::size_t count = 0;
+  for (int level = 0; level < lattice_count(); ++level)
+    count += static_cast<std::size_t>(lattice(level).ny);
+  return count;
+}
+
+Domain::NodeRange Domain::row(std::size_t row) const {
+  int level = 0;
+  while (row >= static_cast<std::size_t>(lattice(level).ny))
+    row -= static_cast<std::size_t>(lattice(level++).ny);
+  const std::size_t begin = lattice(level).index(0, static_cast<int>(row));
+  return {begin, begin + static_cast<std::size_t>(lattice(level).nx)};
+}
+
+double Domain::sort_distance() const {
+  return mesh ? across_margin * finest_lattice().h : 0.9 * grid.h;
 }
 
 std::size_t Domain::particle_count() const {
@@ -98,11 +215,19 @@ double empty_mass(const Domain& domain) {
   double density = 0.0;
   for (const Particles& set : domain.sets)
     density = std::max(density, materials::elasticity(set.law).density);
-  return share_of_full_cell * density * domain.grid.h * domain.grid.h;
+  const double h = domain.finest_lattice().h;
+  return share_of_full_cell * density * h * h;
 }
 
 double critical_time_step(Domain& domain, double max_speed) {
-  return 0.65 * domain.grid.h / (domain.fastest_wave() + max_speed);
+  double critical = std::numeric_limits<double>::infinity();
+  for (Particles& set : domain.sets)
+    for (int level = 0; level < domain.lattice_count(); ++level)
+      for (const auto& [begin, end] : ranges_of(domain, set, level)) {
+        const double c = materials::p_wave_speed_bound(set.law, set.points(begin, end - begin));
+        critical = std::min(critical, 0.65 * domain.lattice(level).h / (c + max_speed));
+      }
+  return critical;
 }
 
 } // namespace tremolo::mpm_domain

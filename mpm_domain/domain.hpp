@@ -2,11 +2,15 @@
 
 #include "mpm_domain/boundary_faces.hpp"
 #include "mpm_domain/energy_ledger.hpp"
+#include "mpm_domain/graded/across_weights.hpp"
+#include "mpm_domain/graded/graded_mesh.hpp"
 #include "mpm_domain/grid.hpp"
+#include "mpm_domain/matched_layer.hpp"
 #include "mpm_domain/particles.hpp"
 #include "mpm_domain/spec.hpp"
 #include "mpm_domain/worker_pool.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -20,24 +24,59 @@ struct Domain {
 
   Spec spec;
   Grid grid;
-  std::vector<Particles> sets; ///< one per soil
+  std::optional<GradedMesh> mesh; ///< where the spec refines; without it the grid is one lattice
+  std::vector<Particles> sets;    ///< one per soil
   std::vector<BoundaryFace> faces;
   std::vector<Vector> static_tractions; ///< f^st of Eq. (6), Pa, one per face
+  std::vector<MatchedLayer> layers;     ///< see attach_matched_layers
   EnergyLedger energy;
+  std::vector<AcrossWeights> across; ///< per soil: of the particles that touch several lattices
   WorkerPool workers;
 
-  double half_size() const; ///< l of a particle's box, m
-  Axis x_axis() const { return {grid.x0, grid.h, half_size()}; }
-  Axis y_axis() const { return {grid.y0, grid.h, half_size()}; }
+  int lattice_count() const { return mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
+  const Lattice& lattice(int level) const {
+    return level == 0 ? grid : mesh->lattices()[static_cast<std::size_t>(level)];
+  }
+  const Lattice& finest_lattice() const { return lattice(lattice_count() - 1); }
+  /// l of the box of particles that belong to the cells of a level, m
+  double half_size(int level = 0) const;
+  Axis x_axis(int level = 0) const { return {lattice(level).x0, lattice(level).h, half_size(level)}; }
+  Axis y_axis(int level = 0) const { return {lattice(level).y0, lattice(level).h, half_size(level)}; }
   std::size_t particle_count() const;
-  std::size_t block_count() const { return sets.front().block_start.size() - 1; }
+  /// Blocks of rows, lattice after lattice. Behind them, one for each level, stand the blocks of particles
+  /// that touch several lattices, the finest of them this one.
+  std::size_t block_count() const;
+  int lattice_of_block(std::size_t block) const;
+  std::size_t across_block_count() const { return mesh ? mesh->lattices().size() : 0; }
+  /// Rows of nodes of all lattices.
+  std::size_t row_count() const;
+  /// Nodes [begin, end) of one of them.
+  struct NodeRange {
+    std::size_t begin;
+    std::size_t end;
+  };
+  NodeRange row(std::size_t row) const;
+  /// Nodes whose motion is that of others: images of a period, or the tied nodes of a graded mesh.
+  bool has_tied_nodes() const { return spec.periodic_sides || mesh.has_value(); }
+  /// How far particles may move from one sort to the next, m.
+  double sort_distance() const;
   double fastest_wave(); ///< largest c_p of the particles in their present stress, m/s
 };
+
+/// Builds the graded mesh, if the spec refines, on the present extent of the grid; all fields become zero.
+void rebuild_mesh(Domain& domain);
+
+/// Orders all particles by lattice and cell, and finds those that touch several lattices.
+/// @throws std::runtime_error if a particle has left the grid, naming its place
+void sort_particles(Domain& domain);
+
+/// The weights of particles that touch several lattices, at their present places.
+void weigh_across(Domain& domain);
 
 /// A node with less mass (kg/m) is empty: rounding of weights, not soil.
 double empty_mass(const Domain& domain);
 
-/// The critical time step, s: 0.65 h / (c_p + |v|).
+/// The critical time step, s: the least of 0.65 h / (c_p + |v|) over the cells' levels and the soil in them.
 ///
 /// 0.746 h/c_p is what two-dimensional uGIMP with two particles a cell and direction allows inside; dashpots
 /// at a corner, taken centred with lumped damping, allow 0.65 (measured; tests/stability/mpm_domain).

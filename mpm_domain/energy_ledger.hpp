@@ -30,7 +30,7 @@ struct EnergyLedger {
   double gravity = 0.0;
   double input = 0.0;    ///< work of free-field velocity and stress through the boundary faces
   double static_ = 0.0;  ///< work of the tractions that replaced the constraints
-  double dashpots = 0.0; ///< work of the dashpots on the soil's own velocity, <= 0
+  double dashpots = 0.0; ///< work of the dashpots on the soil's own velocity, <= 0, and of matched layers
   double transfer = 0.0; ///< gained (> 0) or lost (< 0) between particles and grid: numerical
 
   double residual() const {

@@ -1,6 +1,7 @@
 #include "mpm_domain/gather.hpp"
 
 #include "materials/law.hpp"
+#include "mpm_domain/stencil.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,43 +15,99 @@ namespace {
 /// Particles whose increments are held at a time between the grid and the law.
 constexpr std::size_t chunk = 128;
 
-struct Increments {
-  std::array<double, chunk> exx, eyy, gxy, wxy;
-  std::array<double, chunk> sxx, syy, sxy, plastic; ///< stress before the update; plastic work per volume
+using ChunkField = std::array<double, chunk>;
 
-  /// @param gradient  { dvx/dx, dvy/dx, dvx/dy, dvy/dy }, 1/s
-  void take(std::size_t c, const Lanes& gradient, double dt) {
-    exx[c] = dt * gradient[0];
-    eyy[c] = dt * gradient[3];
-    gxy[c] = dt * (gradient[2] + gradient[1]);
-    wxy[c] = 0.5 * dt * (gradient[1] - gradient[2]);
+struct Increments {
+  ChunkField exx, eyy, gxy, wxy;
+  ChunkField plastic; ///< plastic work per volume
+};
+
+/// What is read of a velocity component.
+struct Reading {
+  bool value = false;
+  bool gradient = false;
+  bool moments = false;
+};
+
+/// A velocity component as four particles read it.
+struct Component {
+  Lanes value{};                ///< sum S v
+  Lanes d_dx{}, d_dy{};         ///< its gradient, 1/s
+  Lanes moment_x{}, moment_y{}; ///< sum S v (x_i - x), m2/s
+};
+
+/// The stencils of four particles, ready to read with: along x a factor per node, along y one per row, which
+/// is taken from memory into all lanes.
+struct Reader {
+  using Factors = std::array<std::array<double, 4>, 3>; ///< [row][particle]
+
+  std::size_t count;                 ///< of the four
+  std::array<std::int32_t, 4> first; ///< node
+  std::ptrdiff_t row;                ///< nodes
+  CellWeights<Lanes> x;
+  RowWeights<Lanes> y;
+  std::array<Lanes, 4> x_moment; ///< S (x_i - x), m
+  alignas(32) Factors y_s, y_g, y_moment;
+
+  Reader(const Stencils& at, std::size_t particles, const Lattice& lattice, const Axis& x_axis,
+         const Axis& y_axis)
+      : count(particles), first(at.first_nodes(lattice)), row(lattice.nx), x(at.xi, x_axis),
+        y(at.eta, y_axis) {
+    for (std::size_t i = 0; i < 4; ++i)
+      x_moment[i] = x.s[i] * (x_axis.h * (static_cast<double>(i) - 1.0 - at.xi));
+    for (std::size_t j = 0; j < 3; ++j) {
+      store(y_s[j].data(), y.s[j]);
+      store(y_g[j].data(), y.g[j]);
+      store(y_moment[j].data(), y.s[j] * (y_axis.h * (static_cast<double>(j) - at.eta)));
+    }
+  }
+
+  /// For each particle the sum over the rows of the four columns; then the particles side by side per column.
+  [[gnu::always_inline]] std::array<Lanes, 4> columns(const NodeField& field, const Factors& factors) const {
+    std::array<Lanes, 4> sums{};
+    for (std::size_t k = 0; k < count; ++k) {
+      const double* const nodes = field.data() + first[k];
+      sums[k] = factors[0][k] * load(nodes) + factors[1][k] * load(nodes + row) +
+                factors[2][k] * load(nodes + 2 * row);
+    }
+    return transposed(sums);
+  }
+
+  template <Reading reading>
+  [[gnu::always_inline]] Component read(const NodeField& field) const {
+    Component v;
+    const std::array<Lanes, 4> s = columns(field, y_s);
+    if constexpr (reading.value)
+      v.value = dot(x.s, s);
+    if constexpr (reading.gradient) {
+      v.d_dx = dot(x.g, s);
+      v.d_dy = dot(x.s, columns(field, y_g));
+    }
+    if constexpr (reading.moments) {
+      v.moment_x = dot(x_moment, s);
+      v.moment_y = dot(x.s, columns(field, y_moment));
+    }
+    return v;
+  }
+
+  /// sum over the four nodes of a row
+  static Lanes dot(const std::array<Lanes, 4>& a, const std::array<Lanes, 4>& b) {
+    return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
   }
 };
 
-/// What a particle reads off the grid.
-struct Sample {
-  Vector v;                 ///< sum S v, before the update
-  Vector v_new;             ///< after it
-  Lanes gradient{};         ///< { dvx/dx, dvy/dx, dvx/dy, dvy/dy } of the velocity that strains
-  Lanes moment{};           ///< sum S v_new (x_i - x): { vx x, vy x, vx y, vy y }
-  Vector inertia{1.0, 1.0}; ///< sum S (x_i - x)^2
+/// A vector of four particles.
+struct Vectors {
+  Lanes x{}, y{};
 };
 
-/// A velocity field's sums over the three rows, with the weights of y, its gradients, its moments.
-struct Columns {
-  Lanes s{}, g{}, d{};
+/// What four particles read off the grid.
+struct Samples {
+  Vectors v;                            ///< sum S v, before the update
+  Vectors v_new;                        ///< after it
+  Lanes vx_x{}, vx_y{}, vy_x{}, vy_y{}; ///< d v_a/d x_b of the velocity that strains
+  Lanes cxx{}, cxy{}, cyx{}, cyy{};     ///< sum S v_new (x_i - x)^T D^-1
 };
-
-/// @param dy  rows minus particle, m
-template <bool gradient, bool moment>
-inline void add_row(const double* nodes, double s, double g, double dy, Columns& columns) {
-  const Lanes v = load(nodes);
-  columns.s += s * v;
-  if constexpr (gradient)
-    columns.g += g * v;
-  if constexpr (moment)
-    columns.d += s * dy * v;
-}
 
 /// Which velocities a gather samples, and which of them strains.
 struct Wanted {
@@ -58,92 +115,85 @@ struct Wanted {
   bool v_new = false;
   bool gradient = false;
   bool of_v = false; ///< the gradient, not of v_new
-  bool moment = false;
+  bool affine = false;
 };
 
 template <Wanted wanted>
-inline Sample sample(const Grid& grid, double x, double y, const Axis& x_axis, const Axis& y_axis) {
-  constexpr bool gradient_of_v = wanted.gradient && wanted.of_v;
-  constexpr bool gradient_of_new = wanted.gradient && !wanted.of_v;
-  constexpr bool reads_v = wanted.v || gradient_of_v;
-  constexpr bool reads_new = wanted.v_new || wanted.moment || gradient_of_new;
-  const Weights wx = cell_weights(x, x_axis);
-  const Weights wy = gimp_weights(y, y_axis);
-  [[maybe_unused]] Lanes dy{};
-  if constexpr (wanted.moment)
-    dy = offsets(wy, y, y_axis);
-  Columns vx, vy, vx_new, vy_new;
-  const std::size_t first = grid.index(wx.base, wy.base);
-  for (std::size_t j = 0; j < 3; ++j) {
-    const std::size_t n = first + j * static_cast<std::size_t>(grid.nx);
-    if constexpr (reads_v) {
-      add_row<gradient_of_v, false>(&grid.vx[n], wy.s[j], wy.g[j], 0.0, vx);
-      add_row<gradient_of_v, false>(&grid.vy[n], wy.s[j], wy.g[j], 0.0, vy);
+[[gnu::always_inline]] inline Samples sample(const Grid& grid, const Lattice& lattice, const Lanes& x,
+                                             const Lanes& y, std::size_t count, const Axis& x_axis,
+                                             const Axis& y_axis) {
+  constexpr Reading of_old{.value = wanted.v, .gradient = wanted.gradient && wanted.of_v};
+  constexpr Reading of_new{
+      .value = wanted.v_new, .gradient = wanted.gradient && !wanted.of_v, .moments = wanted.affine};
+  const Reader at(Stencils(x, y, x_axis, y_axis), count, lattice, x_axis, y_axis);
+  Component vx, vy, vx_new, vy_new;
+  if constexpr (of_old.value || of_old.gradient) {
+    vx = at.read<of_old>(grid.vx);
+    vy = at.read<of_old>(grid.vy);
+  }
+  if constexpr (of_new.value || of_new.gradient || of_new.moments) {
+    vx_new = at.read<of_new>(grid.vx_new);
+    vy_new = at.read<of_new>(grid.vy_new);
+  }
+  const Component& ux = wanted.of_v ? vx : vx_new;
+  const Component& uy = wanted.of_v ? vy : vy_new;
+  const Lanes per_x = 1.0 / at.x.second_moment;
+  const Lanes per_y = 1.0 / at.y.second_moment;
+  return {.v = {vx.value, vy.value},
+          .v_new = {vx_new.value, vy_new.value},
+          .vx_x = ux.d_dx,
+          .vx_y = ux.d_dy,
+          .vy_x = uy.d_dx,
+          .vy_y = uy.d_dy,
+          .cxx = vx_new.moment_x * per_x,
+          .cxy = vx_new.moment_y * per_y,
+          .cyx = vy_new.moment_x * per_x,
+          .cyy = vy_new.moment_y * per_y};
+}
+
+/// The same for particles that touch several lattices, node by node.
+///
+/// D is diagonal there too: over the parts R of a box, sum |R| (x_R - x)(y_R - y) = int (x - x_p)(y - y_p) dA
+/// = 0.
+template <Wanted wanted>
+Samples sample_across(const Grid& grid, const AcrossWeights& weights, const Particles& p, std::size_t first,
+                      std::size_t count) {
+  Samples q;
+  Lanes moment_x = all(1.0);
+  Lanes moment_y = all(1.0);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const std::size_t k = first + lane;
+    double dxx = 0.0;
+    double dyy = 0.0;
+    for (const BoxWeight& w : weights.of(k)) {
+      const Vector v = grid.velocity(w.node);
+      const Vector v_new = grid.new_velocity(w.node);
+      const Vector u = wanted.of_v ? v : v_new;
+      const double dx = w.x - p.x[k];
+      const double dy = w.y - p.y[k];
+      q.v.x[lane] += w.s * v.x;
+      q.v.y[lane] += w.s * v.y;
+      q.v_new.x[lane] += w.s * v_new.x;
+      q.v_new.y[lane] += w.s * v_new.y;
+      q.vx_x[lane] += w.gx * u.x;
+      q.vx_y[lane] += w.gy * u.x;
+      q.vy_x[lane] += w.gx * u.y;
+      q.vy_y[lane] += w.gy * u.y;
+      q.cxx[lane] += w.s * dx * v_new.x;
+      q.cxy[lane] += w.s * dy * v_new.x;
+      q.cyx[lane] += w.s * dx * v_new.y;
+      q.cyy[lane] += w.s * dy * v_new.y;
+      dxx += w.s * dx * dx;
+      dyy += w.s * dy * dy;
     }
-    if constexpr (reads_new) {
-      add_row<gradient_of_new, wanted.moment>(&grid.vx_new[n], wy.s[j], wy.g[j], dy[j], vx_new);
-      add_row<gradient_of_new, wanted.moment>(&grid.vy_new[n], wy.s[j], wy.g[j], dy[j], vy_new);
-    }
+    moment_x[lane] = dxx;
+    moment_y[lane] = dyy;
   }
-  Sample q;
-  if constexpr (wanted.v || wanted.v_new) {
-    const Lanes values = sums(wx.s * vx.s, wx.s * vy.s, wx.s * vx_new.s, wx.s * vy_new.s);
-    q.v = {values[0], values[1]};
-    q.v_new = {values[2], values[3]};
-  }
-  if constexpr (wanted.gradient) {
-    const Columns& ux = wanted.of_v ? vx : vx_new;
-    const Columns& uy = wanted.of_v ? vy : vy_new;
-    q.gradient = sums(wx.g * ux.s, wx.g * uy.s, wx.s * ux.g, wx.s * uy.g);
-  }
-  if constexpr (wanted.moment) {
-    const Lanes dx = offsets(wx, x, x_axis);
-    const Lanes s_dx = wx.s * dx;
-    q.moment = sums(s_dx * vx_new.s, s_dx * vy_new.s, wx.s * vx_new.d, wx.s * vy_new.d);
-    q.inertia = {second_moment(wx, dx), second_moment(wy, dy)};
-  }
+  q.cxx /= moment_x;
+  q.cyx /= moment_x;
+  q.cxy /= moment_y;
+  q.cyy /= moment_y;
   return q;
-}
-
-void take_affine(Particles& p, std::size_t k, const Sample& q) {
-  p.vx[k] = q.v_new.x;
-  p.vy[k] = q.v_new.y;
-  p.cxx[k] = q.moment[0] / q.inertia.x;
-  p.cyx[k] = q.moment[1] / q.inertia.x;
-  p.cxy[k] = q.moment[2] / q.inertia.y;
-  p.cyy[k] = q.moment[3] / q.inertia.y;
-}
-
-void take_blend(Particles& p, std::size_t k, const Sample& q, double flip_share) {
-  p.vx[k] = flip_share * (p.vx[k] + q.v_new.x - q.v.x) + (1.0 - flip_share) * q.v_new.x;
-  p.vy[k] = flip_share * (p.vy[k] + q.v_new.y - q.v.y) + (1.0 - flip_share) * q.v_new.y;
-}
-
-/// The strain part of a chunk: law, volumes, and the work done.
-GatherSums strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& inc) {
-  for (std::size_t c = 0; c < count; ++c) {
-    inc.sxx[c] = p.sxx[begin + c];
-    inc.syy[c] = p.syy[begin + c];
-    inc.sxy[c] = p.sxy[begin + c];
-    inc.plastic[c] = 0.0;
-  }
-  materials::Points points = p.points(begin, count);
-  points.plastic_work = inc.plastic.data();
-  points.dexx = inc.exx.data();
-  points.deyy = inc.eyy.data();
-  points.dgxy = inc.gxy.data();
-  points.dwxy = inc.wxy.data();
-  materials::update(p.law, points);
-  GatherSums work;
-  for (std::size_t c = 0; c < count; ++c) {
-    const std::size_t k = begin + c;
-    const double total = 0.5 * ((inc.sxx[c] + p.sxx[k]) * inc.exx[c] + (inc.syy[c] + p.syy[k]) * inc.eyy[c] +
-                                (inc.sxy[c] + p.sxy[k]) * inc.gxy[c]);
-    work.elastic += p.volume[k] * (total - inc.plastic[c]);
-    work.plastic += p.volume[k] * inc.plastic[c];
-    p.volume[k] *= 1.0 + inc.exx[c] + inc.eyy[c];
-  }
-  return work;
 }
 
 struct Settings {
@@ -151,58 +201,149 @@ struct Settings {
   double flip_share; ///< exp(-dt/tau); 1 for pure FLIP
 };
 
+template <typename Group>
+[[gnu::always_inline]] inline void take_affine(Particles& p, std::size_t k, Group group, const Samples& q) {
+  group.store(&p.vx[k], q.v_new.x);
+  group.store(&p.vy[k], q.v_new.y);
+  group.store(&p.cxx[k], q.cxx);
+  group.store(&p.cyx[k], q.cyx);
+  group.store(&p.cxy[k], q.cxy);
+  group.store(&p.cyy[k], q.cyy);
+}
+
+template <typename Group>
+[[gnu::always_inline]] inline void take_blend(Particles& p, std::size_t k, Group group, const Samples& q,
+                                              double flip_share) {
+  const auto blend = [&](double* v, const Lanes& before, const Lanes& after) {
+    group.store(v, flip_share * (group.load(v) + after - before) + (1.0 - flip_share) * after);
+  };
+  blend(&p.vx[k], q.v.x, q.v_new.x);
+  blend(&p.vy[k], q.v.y, q.v_new.y);
+}
+
+/// sigma : de of the increments from `c` on, J/m3
+template <typename Group>
+[[gnu::always_inline]] inline Lanes work_density(const Particles& p, std::size_t k, const Increments& inc,
+                                                 std::size_t c, Group group) {
+  return group.load(&p.sxx[k]) * load(&inc.exx[c]) + group.load(&p.syy[k]) * load(&inc.eyy[c]) +
+         group.load(&p.sxy[k]) * load(&inc.gxy[c]);
+}
+
+/// Sums of a range, four particles side by side.
+struct LaneSums {
+  Lanes total{};   ///< work of the stresses, J/m
+  Lanes plastic{}; ///< of it on plastic strain
+  Lanes max_speed2{};
+
+  GatherSums collected() const {
+    const Lanes& m = max_speed2;
+    return {sum(total) - sum(plastic), sum(plastic),
+            std::sqrt(std::max(std::max(m[0], m[1]), std::max(m[2], m[3])))};
+  }
+};
+
+/// Strain and rotation increments, and half of the work: that of the stress before the update.
+template <typename Group>
+[[gnu::always_inline]] inline void take_strain(const Particles& p, std::size_t k, Group group,
+                                               const Samples& q, double dt, std::size_t c, Increments& inc,
+                                               LaneSums& sums) {
+  store(&inc.exx[c], dt * q.vx_x);
+  store(&inc.eyy[c], dt * q.vy_y);
+  store(&inc.gxy[c], dt * (q.vx_y + q.vy_x));
+  store(&inc.wxy[c], 0.5 * dt * (q.vy_x - q.vx_y));
+  store(&inc.plastic[c], Lanes{});
+  sums.total += 0.5 * group.load(&p.volume[k]) * work_density(p, k, inc, c, group);
+}
+
+/// Stress and state of a chunk by its law, then the other half of the work, and the volumes.
+void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& inc, LaneSums& sums) {
+  materials::Points points = p.points(begin, count);
+  points.plastic_work = inc.plastic.data();
+  points.dexx = inc.exx.data();
+  points.deyy = inc.eyy.data();
+  points.dgxy = inc.gxy.data();
+  points.dwxy = inc.wxy.data();
+  materials::update(p.law, points);
+  by_fours(0, count, [&](std::size_t c, auto group) {
+    const std::size_t k = begin + c;
+    const Lanes volume = group.load(&p.volume[k]);
+    sums.total += 0.5 * volume * work_density(p, k, inc, c, group);
+    sums.plastic += volume * load(&inc.plastic[c]);
+    group.store(&p.volume[k], volume * (1.0 + load(&inc.exx[c]) + load(&inc.eyy[c])));
+  });
+}
+
 template <GatherParts parts, bool strain_of_first, bool affine>
-GatherSums gather_range(Domain& domain, Particles& p, std::size_t begin, std::size_t end,
-                        const Settings& set) {
-  constexpr Wanted wanted{.v = parts.velocity && !affine,
-                          .v_new = parts.velocity || parts.position,
-                          .gradient = parts.strain,
-                          .of_v = strain_of_first,
-                          .moment = parts.velocity && affine};
-  const Axis x_axis = domain.x_axis();
-  const Axis y_axis = domain.y_axis();
-  GatherSums work;
-  double max_speed2 = 0.0;
+constexpr Wanted wanted_by{.v = parts.velocity && !affine,
+                           .v_new = parts.velocity || parts.position,
+                           .gradient = parts.strain,
+                           .of_v = strain_of_first,
+                           .affine = (parts.velocity && affine)};
+
+/// @param sample_at  (k, x, y, count) -> what `count` particles from k on, at x and y, read off the grid
+template <GatherParts parts, bool affine, typename SampleAt>
+GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const Settings& set,
+                        const SampleAt& sample_at) {
+  LaneSums sums;
   Increments inc;
   for (std::size_t first = begin; first < end; first += chunk) {
     const std::size_t count = std::min(chunk, end - first);
-    for (std::size_t c = 0; c < count; ++c) {
+    by_fours(0, count, [&](std::size_t c, auto group) {
       const std::size_t k = first + c;
-      const Sample q = sample<wanted>(domain.grid, p.x[k], p.y[k], x_axis, y_axis);
+      const Lanes x = group.load(&p.x[k]);
+      const Lanes y = group.load(&p.y[k]);
+      const Samples q = sample_at(k, x, y, group.count);
       if constexpr (parts.velocity) {
         if constexpr (affine)
-          take_affine(p, k, q);
+          take_affine(p, k, group, q);
         else
-          take_blend(p, k, q, set.flip_share);
+          take_blend(p, k, group, q, set.flip_share);
       }
       if constexpr (parts.strain)
-        inc.take(c, q.gradient, set.dt);
+        take_strain(p, k, group, q, set.dt, c, inc, sums);
       if constexpr (parts.position) {
-        p.x[k] += set.dt * q.v_new.x;
-        p.y[k] += set.dt * q.v_new.y;
-        max_speed2 = std::max(max_speed2, q.v_new.x * q.v_new.x + q.v_new.y * q.v_new.y);
+        group.store(&p.x[k], x + set.dt * q.v_new.x);
+        group.store(&p.y[k], y + set.dt * q.v_new.y);
+        sums.max_speed2 = larger(q.v_new.x * q.v_new.x + q.v_new.y * q.v_new.y, sums.max_speed2);
       }
-    }
-    if constexpr (parts.strain) {
-      const GatherSums part = strain_chunk(p, first, count, inc);
-      work.elastic += part.elastic;
-      work.plastic += part.plastic;
-    }
+    });
+    if constexpr (parts.strain)
+      strain_chunk(p, first, count, inc, sums);
   }
-  work.max_speed = std::sqrt(max_speed2);
-  return work;
+  return sums.collected();
+}
+
+/// The particles of a soil in a block, on its lattice or across several.
+template <GatherParts parts, bool strain_of_first, bool affine>
+GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
+  constexpr Wanted wanted = wanted_by<parts, strain_of_first, affine>;
+  Particles& p = domain.sets[s];
+  const Grid& grid = domain.grid;
+  const std::size_t begin = p.block_start[block];
+  const std::size_t end = p.block_start[block + 1];
+  if (block >= domain.block_count())
+    return gather_range<parts, affine>(p, begin, end, settings,
+                                       [&](std::size_t k, const Lanes&, const Lanes&, std::size_t count) {
+                                         return sample_across<wanted>(grid, domain.across[s], p, k, count);
+                                       });
+  const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
+  const Axis x_axis(lattice.x0, lattice.h, p.half_size);
+  const Axis y_axis(lattice.y0, lattice.h, p.half_size);
+  return gather_range<parts, affine>(
+      p, begin, end, settings,
+      [&](std::size_t, const Lanes& x, const Lanes& y, std::size_t count) __attribute__((always_inline)) {
+        return sample<wanted>(grid, lattice, x, y, count, x_axis, y_axis);
+      });
 }
 
 template <GatherParts parts, bool strain_of_first>
 GatherSums gather_blocks(Domain& domain, const Settings& settings) {
-  std::vector<GatherSums> sums(domain.block_count());
+  std::vector<GatherSums> sums(domain.block_count() + domain.across_block_count());
   domain.workers.run(sums.size(), [&](std::size_t block) {
-    for (Particles& p : domain.sets) {
-      const std::size_t begin = p.block_start[block];
-      const std::size_t end = p.block_start[block + 1];
-      const GatherSums work =
-          p.cxx.empty() ? gather_range<parts, strain_of_first, false>(domain, p, begin, end, settings)
-                        : gather_range<parts, strain_of_first, true>(domain, p, begin, end, settings);
+    for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+      const GatherSums work = domain.sets[s].cxx.empty()
+                                  ? gather_block<parts, strain_of_first, false>(domain, s, block, settings)
+                                  : gather_block<parts, strain_of_first, true>(domain, s, block, settings);
       sums[block].elastic += work.elastic;
       sums[block].plastic += work.plastic;
       sums[block].max_speed = std::max(sums[block].max_speed, work.max_speed);
@@ -244,15 +385,23 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_f
 }
 
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {
+  Vector a;
+  const auto add = [&](std::size_t n, double s) {
+    a.x += s * domain.grid.acceleration[n].x;
+    a.y += s * domain.grid.acceleration[n].y;
+  };
+  if (domain.mesh) {
+    std::vector<BoxWeight> weights;
+    box_average(*domain.mesh, box_of(particles, k), weights);
+    for (const BoxWeight& w : weights)
+      add(w.node, w.s);
+    return a;
+  }
   const Weights wx = gimp_weights(particles.x[k], domain.x_axis());
   const Weights wy = gimp_weights(particles.y[k], domain.y_axis());
-  Vector a;
   for (int j = 0; j < 3; ++j)
-    for (int i = 0; i < 3; ++i) {
-      const Vector node = domain.grid.acceleration[domain.grid.index(wx.base + i, wy.base + j)];
-      a.x += wx.s[i] * wy.s[j] * node.x;
-      a.y += wx.s[i] * wy.s[j] * node.y;
-    }
+    for (int i = 0; i < 3; ++i)
+      add(domain.grid.index(wx.base + i, wy.base + j), wx.s[i] * wy.s[j]);
   return a;
 }
 

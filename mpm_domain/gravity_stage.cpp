@@ -2,8 +2,8 @@
 
 #include "mpm_domain/fill.hpp"
 #include "mpm_domain/gather.hpp"
-#include "mpm_domain/periodic_sides.hpp"
 #include "mpm_domain/scatter.hpp"
+#include "mpm_domain/tied_nodes.hpp"
 
 #include <fmt/format.h>
 
@@ -28,22 +28,20 @@ bool on_line(double a, double b, double h) {
   return std::abs(a - b) < 1e-6 * h;
 }
 
-Supports find_supports(const Domain& domain, Reactions& reactions) {
-  const Grid& grid = domain.grid;
+/// The supports among the nodes of a lattice.
+void find_supports(const Domain& domain, const Lattice& lattice, Supports& supports, Reactions& reactions) {
   const Box& box = domain.spec.box;
-  Supports supports{std::vector<unsigned char>(grid.size(), 0), std::vector<unsigned char>(grid.size(), 0),
-                    std::vector<unsigned char>(grid.size(), 0)};
   const double empty = empty_mass(domain);
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      const std::size_t n = grid.index(i, j);
-      if (grid.mass[n] <= empty)
+  for (int j = 0; j < lattice.ny; ++j)
+    for (int i = 0; i < lattice.nx; ++i) {
+      const std::size_t n = lattice.index(i, j);
+      if (domain.grid.mass[n] <= empty)
         continue;
       supports.full[n] = 1;
-      const bool base = on_line(grid.y0 + j * grid.h, box.y_min, grid.h);
-      const double x = grid.x0 + i * grid.h;
-      const bool side =
-          !domain.spec.periodic_sides && (on_line(x, box.x_min, grid.h) || on_line(x, box.x_max, grid.h));
+      const bool base = on_line(lattice.y0 + j * lattice.h, box.y_min, lattice.h);
+      const double x = lattice.x0 + i * lattice.h;
+      const bool side = !domain.spec.periodic_sides &&
+                        (on_line(x, box.x_min, lattice.h) || on_line(x, box.x_max, lattice.h));
       supports.fixed_y[n] = base;
       supports.fixed_x[n] = base || side;
       if (base)
@@ -51,6 +49,14 @@ Supports find_supports(const Domain& domain, Reactions& reactions) {
       else if (side)
         reactions.sides.push_back(n);
     }
+}
+
+Supports find_supports(const Domain& domain, Reactions& reactions) {
+  const std::size_t nodes = domain.grid.size();
+  Supports supports{std::vector<unsigned char>(nodes, 0), std::vector<unsigned char>(nodes, 0),
+                    std::vector<unsigned char>(nodes, 0)};
+  for (int level = 0; level < domain.lattice_count(); ++level)
+    find_supports(domain, domain.lattice(level), supports, reactions);
   return supports;
 }
 
@@ -127,8 +133,8 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   for (long step = 0;; ++step) {
     scatter(domain, ScatterPart::force);
     residual = relax_grid(domain, supports, dt, alpha);
-    if (domain.spec.periodic_sides)
-      copy_to_images(domain);
+    if (domain.has_tied_nodes())
+      copy_to_tied(domain);
     if (step % report_every == 0)
       progress(step, residual);
     if (residual < settings.residual)

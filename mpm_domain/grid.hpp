@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coupler/eq6/boundary_traction.hpp"
+#include "mpm_domain/lattice.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -10,13 +11,9 @@ namespace tremolo::mpm_domain {
 /// One double a node, row after row.
 using NodeField = std::vector<double>;
 
-/// The uniform background grid. Node (i, j) lies at (x0 + i h, y0 + j h).
-struct Grid {
-  double h = 0.0;
-  double x0 = 0.0;
-  double y0 = 0.0;
-  int nx = 0; ///< nodes per row
-  int ny = 0; ///< rows
+/// The background grid: its nodes' fields, and the place of the coarsest nodes. A graded mesh has more
+/// lattices, whose nodes stand behind these in every field; on a uniform one the grid is this lattice alone.
+struct Grid : Lattice {
   /// Columns after which the grid repeats itself, from column `first_column` on; 0: it does not.
   int period = 0;
   int first_column = 0;
@@ -33,9 +30,6 @@ struct Grid {
 
   std::vector<eq6::Vector> acceleration; ///< of the last update, m/s2
 
-  std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
-  }
   /// The column that column i stands for: itself, or the one of the period that it is an image of.
   int real_column(int i) const {
     if (period == 0)

@@ -1,6 +1,6 @@
 #include "mpm_domain/grid_update.hpp"
 
-#include "mpm_domain/periodic_sides.hpp"
+#include "mpm_domain/tied_nodes.hpp"
 
 #include <algorithm>
 
@@ -8,12 +8,12 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Runs `row_sum(row)` for all rows and adds the results in order of the rows, for the same bits with any
-/// thread count.
+/// Runs `row_sum(nodes)` for all rows of nodes and adds the results in order of the rows, for the same bits
+/// with any thread count.
 template <typename Sum, typename RowSum>
 std::vector<Sum> over_rows(Domain& domain, const RowSum& row_sum) {
-  std::vector<Sum> sums(static_cast<std::size_t>(domain.grid.ny));
-  domain.workers.run(sums.size(), [&](std::size_t row) { sums[row] = row_sum(row); });
+  std::vector<Sum> sums(domain.row_count());
+  domain.workers.run(sums.size(), [&](std::size_t row) { sums[row] = row_sum(domain.row(row)); });
   return sums;
 }
 
@@ -22,10 +22,9 @@ std::vector<Sum> over_rows(Domain& domain, const RowSum& row_sum) {
 double grid_velocities(Domain& domain) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
-  const auto width = static_cast<std::size_t>(grid.nx);
-  const std::vector<double> sums = over_rows<double>(domain, [&](std::size_t row) {
+  const std::vector<double> sums = over_rows<double>(domain, [&](const Domain::NodeRange& nodes) {
     double kinetic = 0.0;
-    for (std::size_t n = row * width; n < (row + 1) * width; ++n) {
+    for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
       const double m = grid.mass[n];
       const bool full = m > empty;
       const double vx = full ? grid.momentum_x[n] / m : 0.0;
@@ -36,8 +35,8 @@ double grid_velocities(Domain& domain) {
     }
     return kinetic;
   });
-  if (domain.spec.periodic_sides)
-    copy_to_images(domain);
+  if (domain.has_tied_nodes())
+    copy_to_tied(domain);
   double kinetic = 0.0;
   for (const double sum : sums)
     kinetic += sum;
@@ -47,27 +46,26 @@ double grid_velocities(Domain& domain) {
 void remap_velocities(Domain& domain) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
-  const auto width = static_cast<std::size_t>(grid.nx);
-  domain.workers.run(static_cast<std::size_t>(grid.ny), [&](std::size_t row) {
-    for (std::size_t n = row * width; n < (row + 1) * width; ++n) {
+  domain.workers.run(domain.row_count(), [&](std::size_t row) {
+    const auto nodes = domain.row(row);
+    for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
       const double m = grid.mass[n];
       const bool full = m > empty;
       grid.vx[n] = full ? grid.momentum_x[n] / m : 0.0;
       grid.vy[n] = full ? grid.momentum_y[n] / m : 0.0;
     }
   });
-  if (domain.spec.periodic_sides)
-    copy_to_images(domain);
+  if (domain.has_tied_nodes())
+    copy_to_tied(domain);
 }
 
 GridUpdate update_grid(Domain& domain, double dt) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
-  const auto width = static_cast<std::size_t>(grid.nx);
-  const std::vector<GridUpdate> sums = over_rows<GridUpdate>(domain, [&](std::size_t row) {
+  const std::vector<GridUpdate> sums = over_rows<GridUpdate>(domain, [&](const Domain::NodeRange& nodes) {
     GridUpdate sum;
-    for (std::size_t n = row * width; n < (row + 1) * width; ++n) {
+    for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
       const double m = grid.mass[n];
       grid.acceleration[n] = {};
       if (m <= empty)
@@ -87,8 +85,8 @@ GridUpdate update_grid(Domain& domain, double dt) {
     }
     return sum;
   });
-  if (domain.spec.periodic_sides)
-    copy_to_images(domain);
+  if (domain.has_tied_nodes())
+    copy_to_tied(domain);
   GridUpdate total;
   for (const GridUpdate& sum : sums) {
     total.kinetic += sum.kinetic;
@@ -136,6 +134,18 @@ void spread_tractions(Domain& domain, std::span<const FaceWeights> weights,
       grid.force_y[node] += share * tractions[f].y;
       grid.dashpot_x[node] += share * zx;
       grid.dashpot_y[node] += share * zy;
+    }
+  }
+}
+
+// A mass m_L that moves with the node adds m_L to m in (m + dt C/2) (v+ - v-) = dt f: it is a dashpot C = 2
+// m_L/dt that is not in f.
+void spread_layer_mass(Domain& domain, std::span<const FaceWeights> weights, double dt) {
+  for (std::size_t f = 0; f < weights.size(); ++f) {
+    const double lumped = 2.0 / dt * domain.faces[f].mass * domain.faces[f].length;
+    for (const auto& [node, w] : weights[f]) {
+      domain.grid.dashpot_x[node] += w * lumped;
+      domain.grid.dashpot_y[node] += w * lumped;
     }
   }
 }

@@ -37,4 +37,7 @@ void face_mid_velocities(const Domain& domain, std::span<const FaceWeights> weig
 void spread_tractions(Domain& domain, std::span<const FaceWeights> weights,
                       std::span<const Vector> tractions);
 
+/// Lumps the faces' share of matched layers to the nodes: update_grid then moves soil and layer as one mass.
+void spread_layer_mass(Domain& domain, std::span<const FaceWeights> weights, double dt);
+
 } // namespace tremolo::mpm_domain

@@ -3,20 +3,86 @@
 // uGIMP weights in one direction (Bardenhagen and Kober 2004): the hat function N of the grid averaged over
 // the particle's box [x - l, x + l] with l <= h/2,
 //
-//     S_i = 1/(2l) int N_i dx,      G_i = dS_i/dx.
+//     S_i = 1/(2l) int_box N_i dx,      G_i = dS_i/dx.
 //
-// With u the distance of a point from node i in cells, held within [-1, 1], the hat and its integral are
+// Of four consecutive nodes 0 to 3 let the particle lie at xi cells above node 1, and lengths count in cells.
+// Where its box crosses no node, S = N(xi) and G = N'(xi). A box that reaches a length `low` below node 1 or
+// `high` above node 2 rounds the kink of N there:
 //
-//     N = 1 - |u|,      F = int N du = u - u |u|/2 + const,
+//     S = (0, 1 - xi, xi, 0) + low^2/(4l) (1, -2, 1, 0) + high^2/(4l) (0, 1, -2, 1),
+//     G = 1/h { (0, -1, 1, 0) - low/(2l) (1, -2, 1, 0) + high/(2l) (0, 1, -2, 1) },
+//     low = max(0, l - xi),    high = max(0, xi + l - 1),
 //
-// and with a and b the two ends of the box S_i = h (F(b) - F(a))/(2l), G_i = (N(b) - N(a))/(2l): no branches,
-// four nodes at once. The box touches at most three nodes in a row, so that one of the four or more is zero.
+// with the second moment sum_i S_i (x_i - x)^2 = h^2 { xi (1 - xi) + low^2/(2l) + high^2/(2l) }. No branches:
+// the formulas hold for one particle (Real = double) and for four at once (Real = Lanes).
 
 #include "mpm_domain/lanes.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace tremolo::mpm_domain {
+
+/// A direction of the grid as the kernel sees it.
+struct Axis {
+  /// @param origin_  coordinate of node 0, m
+  /// @param h_, half_size_  cell size and l, m
+  Axis(double origin_, double h_, double half_size_)
+      : origin(origin_), h(h_), half_size(half_size_), per_h(1.0 / h_), l(half_size_ / h_), per_4l(0.25 / l),
+        per_2lh(0.5 / half_size_) {}
+
+  /// Place of a coordinate in cells from node 0
+  template <typename Real>
+  Real cells(Real x) const {
+    return (x - origin) * per_h;
+  }
+
+  double origin;
+  double h;
+  double half_size;
+  double per_h;   ///< 1/h, 1/m
+  double l;       ///< half_size/h
+  double per_4l;  ///< 1/(4 l)
+  double per_2lh; ///< 1/(2 half_size), 1/m
+};
+
+/// What a box that reaches the length `past` over a node adds there to S and to G.
+template <typename Real>
+struct Kink {
+  Real s, g;
+
+  Kink(Real past, const Axis& axis) : s(axis.per_4l * past * past), g(axis.per_2lh * past) {}
+};
+
+/// S and G of the four nodes around a cell for particles at xi in [0, 1] of it.
+template <typename Real>
+struct CellWeights {
+  std::array<Real, 4> s, g;
+  Real second_moment; ///< sum_i S_i (x_i - x)^2, m2: APIC's inertia of the kernel. Never below l^2/3.
+
+  CellWeights(Real xi, const Axis& axis) {
+    const Kink<Real> low(positive(axis.l - xi), axis);
+    const Kink<Real> high(positive(xi + axis.l - 1.0), axis);
+    s = {low.s, 1.0 - xi - 2.0 * low.s + high.s, xi + low.s - 2.0 * high.s, high.s};
+    g = {-low.g, 2.0 * low.g + high.g - axis.per_h, axis.per_h - low.g - 2.0 * high.g, high.g};
+    second_moment = axis.h * axis.h * (xi * (1.0 - xi) + 2.0 * (low.s + high.s));
+  }
+};
+
+/// S and G of the three nodes from the first one that the box touches on, for particles at xi in [l, 1 + l]
+/// cells above it.
+template <typename Real>
+struct RowWeights {
+  std::array<Real, 3> s, g;
+  Real second_moment; ///< as in CellWeights
+
+  RowWeights(Real xi, const Axis& axis) {
+    const Kink<Real> high(positive(xi + axis.l - 1.0), axis);
+    s = {1.0 - xi + high.s, xi - 2.0 * high.s, high.s};
+    g = {high.g - axis.per_h, axis.per_h - 2.0 * high.g, high.g};
+    second_moment = axis.h * axis.h * (xi * (1.0 - xi) + 2.0 * high.s);
+  }
+};
 
 /// Weights of four consecutive nodes.
 struct Weights {
@@ -25,60 +91,21 @@ struct Weights {
   Lanes g;      ///< dS/dx, 1/m
 };
 
-/// A direction of the grid as the kernel sees it.
-struct Axis {
-  /// @param origin_  coordinate of node 0, m
-  /// @param h_, half_size_  cell size and l, m
-  Axis(double origin_, double h_, double half_size_)
-      : origin(origin_), h(h_), half_size(half_size_), per_h(1.0 / h_), l(half_size_ / h_),
-        per_box(0.5 * h_ / half_size_), per_box_metre(0.5 / half_size_) {}
-
-  /// Place of a coordinate in cells from node 0
-  double cells(double x) const { return (x - origin) * per_h; }
-
-  double origin;
-  double h;
-  double half_size;
-  double per_h;         ///< 1/h, 1/m
-  double l;             ///< half_size/h
-  double per_box;       ///< h/(2 half_size)
-  double per_box_metre; ///< 1/(2 half_size), 1/m
-};
-
-/// Weights of nodes base .. base + 3 for a particle at `place` (Axis::cells).
-inline Weights weights_of(int base, double place, const Axis& axis) {
-  constexpr Lanes node = {0.0, 1.0, 2.0, 3.0};
-  const double from_base = place - base;
-  const Lanes a = clamped(all(from_base - axis.l) - node);
-  const Lanes b = clamped(all(from_base + axis.l) - node);
-  const Lanes hat_a = 1.0 - magnitude(a);
-  const Lanes hat_b = 1.0 - magnitude(b);
-  // u - u|u|/2 = u (1 + N)/2
-  return {base, 0.5 * axis.per_box * (b * (1.0 + hat_b) - a * (1.0 + hat_a)),
-          axis.per_box_metre * (hat_b - hat_a)};
-}
-
 /// Weights from the first node that the particle's box touches on: the last of the four is zero.
 inline Weights gimp_weights(double x, const Axis& axis) {
   const double place = axis.cells(x);
-  return weights_of(static_cast<int>(std::floor(place - axis.l)), place, axis);
+  const double base = std::floor(place - axis.l);
+  const RowWeights<double> w(place - base, axis);
+  return {static_cast<int>(base), Lanes{w.s[0], w.s[1], w.s[2], 0.0}, Lanes{w.g[0], w.g[1], w.g[2], 0.0}};
 }
 
 /// Weights from the node before the particle's cell on: the same four nodes for all particles of a cell.
 inline Weights cell_weights(double x, const Axis& axis) {
   const double place = axis.cells(x);
-  return weights_of(static_cast<int>(std::floor(place)) - 1, place, axis);
-}
-
-/// Nodes minus particle, m.
-inline Lanes offsets(const Weights& w, double x, const Axis& axis) {
-  constexpr Lanes node = {0.0, 1.0, 2.0, 3.0};
-  return all(axis.origin + w.base * axis.h - x) + axis.h * node;
-}
-
-/// Second moment sum_i S_i (x_i - x)^2, m2: APIC's inertia of the kernel. Never below l^2/3.
-inline double second_moment(const Weights& w, const Lanes& offset) {
-  return sum(w.s * offset * offset);
+  const double cell = std::floor(place);
+  const CellWeights<double> w(place - cell, axis);
+  return {static_cast<int>(cell) - 1, Lanes{w.s[0], w.s[1], w.s[2], w.s[3]},
+          Lanes{w.g[0], w.g[1], w.g[2], w.g[3]}};
 }
 
 } // namespace tremolo::mpm_domain

@@ -1,8 +1,13 @@
 #pragma once
 
-// Four doubles that are loaded, multiplied and stored together: four neighbouring nodes of a row of the grid.
+// Four doubles that are loaded, multiplied and stored together: four neighbouring nodes of a row of the grid,
+// or one quantity of four particles.
 
 #include <immintrin.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace tremolo::mpm_domain {
 
@@ -10,6 +15,9 @@ using Lanes = double __attribute__((vector_size(32)));
 
 /// The same, anywhere in memory.
 using LanesInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
+
+/// Which of the four take part: all bits of a lane set, or none.
+using LaneMask = std::int64_t __attribute__((vector_size(32)));
 
 inline Lanes load(const double* first) {
   return *reinterpret_cast<const LanesInMemory*>(first);
@@ -24,26 +32,68 @@ inline Lanes all(double value) {
   return Lanes{value, value, value, value};
 }
 
-inline Lanes magnitude(const Lanes& a) {
-  return _mm256_andnot_pd(all(-0.0), a);
+inline Lanes floor(const Lanes& a) {
+  return _mm256_floor_pd(a);
 }
 
-/// Held within [-1, 1].
-inline Lanes clamped(const Lanes& a) {
-  return _mm256_min_pd(_mm256_max_pd(a, all(-1.0)), all(1.0));
+/// The part of a above zero; zero for what is not a number.
+inline Lanes positive(const Lanes& a) {
+  return _mm256_max_pd(a, Lanes{});
 }
 
-/// { sum of a, sum of b, sum of c, sum of d }
-inline Lanes sums(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
-  const Lanes ab = _mm256_hadd_pd(a, b); // { a0 + a1, b0 + b1, a2 + a3, b2 + b3 }
-  const Lanes cd = _mm256_hadd_pd(c, d);
-  const Lanes low = _mm256_blend_pd(ab, cd, 0b1100);
-  const Lanes high = _mm256_permute2f128_pd(ab, cd, 0x21);
-  return low + high;
+inline double positive(double a) {
+  return a > 0.0 ? a : 0.0;
+}
+
+/// The larger of each lane; b where a is not a number.
+inline Lanes larger(const Lanes& a, const Lanes& b) {
+  return _mm256_max_pd(a, b);
+}
+
+/// Row k of the result holds lane k of each of the four.
+inline std::array<Lanes, 4> transposed(const std::array<Lanes, 4>& rows) {
+  const Lanes a = _mm256_permute2f128_pd(rows[0], rows[2], 0x20);
+  const Lanes b = _mm256_permute2f128_pd(rows[1], rows[3], 0x20);
+  const Lanes c = _mm256_permute2f128_pd(rows[0], rows[2], 0x31);
+  const Lanes d = _mm256_permute2f128_pd(rows[1], rows[3], 0x31);
+  return {_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b), _mm256_unpacklo_pd(c, d),
+          _mm256_unpackhi_pd(c, d)};
 }
 
 inline double sum(const Lanes& a) {
   return (a[0] + a[1]) + (a[2] + a[3]);
+}
+
+/// Whole groups of four numbers in an array.
+struct Four {
+  static constexpr std::size_t count = 4;
+  Lanes load(const double* first) const { return mpm_domain::load(first); }
+  void store(double* first, const Lanes& values) const { mpm_domain::store(first, values); }
+};
+
+/// The one to three numbers that are left at its end: absent lanes load zero and are not stored.
+struct FewerThanFour {
+  std::size_t count;
+  LaneMask mask;
+
+  explicit FewerThanFour(std::size_t n)
+      : count(n), mask(LaneMask{0, 1, 2, 3} < LaneMask{} + static_cast<std::int64_t>(n)) {}
+  Lanes load(const double* first) const {
+    return _mm256_maskload_pd(first, reinterpret_cast<const __m256i&>(mask));
+  }
+  void store(double* first, const Lanes& values) const {
+    _mm256_maskstore_pd(first, reinterpret_cast<const __m256i&>(mask), values);
+  }
+};
+
+/// act(k, group) for the numbers [begin, end), four at a time.
+template <typename Act>
+[[gnu::always_inline]] inline void by_fours(std::size_t begin, std::size_t end, const Act& act) {
+  std::size_t k = begin;
+  for (; k + 4 <= end; k += 4)
+    act(k, Four{});
+  if (k < end)
+    act(k, FewerThanFour(end - k));
 }
 
 } // namespace tremolo::mpm_domain

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -28,44 +31,38 @@ std::vector<std::vector<double>*> Particles::columns() {
 
 namespace {
 
+[[noreturn]] void refuse_outside(const Particles& p, std::size_t k, const mesh::Rectangle& allowed) {
+  throw std::runtime_error(fmt::format("particle {} of soil '{}' has left the grid: x = {:.6g} m, y = "
+                                       "{:.6g} m; allowed x {:.6g} to {:.6g} m, y {:.6g} "
+                                       "to {:.6g} m",
+                                       p.id[k], p.soil, p.x[k], p.y[k], allowed.x_min, allowed.x_max,
+                                       allowed.y_min, allowed.y_max));
+}
+
 std::size_t cell_of(const Particles& p, std::size_t k, const Grid& grid, double half_size) {
   const Weights wx = cell_weights(p.x[k], {grid.x0, grid.h, half_size});
   const Weights wy = gimp_weights(p.y[k], {grid.y0, grid.h, half_size});
   // A particle may move by one cell before the next sort, hence the margin; NaN fails every comparison.
   const bool inside = wx.base >= 1 && wx.base + 5 <= grid.nx && wy.base >= 1 && wy.base + 4 <= grid.ny;
   if (!inside || !std::isfinite(p.x[k]) || !std::isfinite(p.y[k]))
-    throw std::runtime_error(fmt::format("particle {} of soil '{}' has left the grid: x = {:.6g} m, y = "
-                                         "{:.6g} m; allowed x {:.6g} to {:.6g} m, y {:.6g} "
-                                         "to {:.6g} m",
-                                         p.id[k], p.soil, p.x[k], p.y[k], grid.x0 + 2 * grid.h,
-                                         grid.x0 + (grid.nx - 3) * grid.h, grid.y0 + grid.h,
-                                         grid.y0 + (grid.ny - 2) * grid.h));
+    refuse_outside(p, k,
+                   {grid.x0 + 2 * grid.h, grid.y0 + grid.h, grid.x0 + (grid.nx - 3) * grid.h,
+                    grid.y0 + (grid.ny - 2) * grid.h});
   return grid.index(wx.base, wy.base);
 }
 
-} // namespace
-
-void sort_by_cell(Particles& particles, const Grid& grid, double half_size) {
+/// Puts the particles in the order of their keys, keeping that of equal ones.
+/// @returns the first place of every key, and the end
+std::vector<std::size_t> order_by(Particles& particles, std::span<const std::size_t> key, std::size_t keys) {
   const std::size_t n = particles.size();
-  std::vector<std::size_t> cell(n);
-  std::vector<std::size_t> start(grid.size() + 1, 0);
-  for (std::size_t k = 0; k < n; ++k) {
-    cell[k] = cell_of(particles, k, grid, half_size);
-    ++start[cell[k] + 1];
-  }
+  std::vector<std::size_t> start(keys + 1, 0);
+  for (std::size_t k = 0; k < n; ++k)
+    ++start[key[k] + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
-
-  const auto row_start = [&](int row) {
-    return start[std::min(grid.size(), static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.nx))];
-  };
-  particles.block_start.clear();
-  for (int row = 0; row < grid.ny; row += rows_per_block)
-    particles.block_start.push_back(row_start(row));
-  particles.block_start.push_back(n);
-
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
   std::vector<std::size_t> from(n);
   for (std::size_t k = 0; k < n; ++k)
-    from[start[cell[k]]++] = k;
+    from[next[key[k]]++] = k;
 
   std::vector<double> old;
   for (std::vector<double>* column : particles.columns()) {
@@ -84,6 +81,67 @@ void sort_by_cell(Particles& particles, const Grid& grid, double half_size) {
     particles.id[k] = old_id[from[k]];
     particles.index_of[particles.id[k]] = static_cast<std::uint32_t>(k);
   }
+  return start;
+}
+
+/// Adds the first particle of every block of a lattice, whose node (0, 0) has a key.
+void add_block_starts(const Lattice& lattice, std::size_t key, std::span<const std::size_t> start,
+                      std::vector<std::size_t>& block_start) {
+  for (int row = 0; row < lattice.ny; row += rows_per_block)
+    block_start.push_back(start[key + static_cast<std::size_t>(row) * static_cast<std::size_t>(lattice.nx)]);
+}
+
+/// Levels of the cells that a box touches.
+struct Touched {
+  int coarsest = std::numeric_limits<int>::max();
+  int finest = -1;
+};
+
+Touched touched(const GradedMesh& mesh, const mesh::Rectangle& box) {
+  Touched levels;
+  mesh.for_parts(box, [&](const mesh::Cell& cell, const mesh::Rectangle&) {
+    levels = {std::min(levels.coarsest, cell.level), std::max(levels.finest, cell.level)};
+  });
+  return levels;
+}
+
+} // namespace
+
+void sort_by_cell(Particles& particles, const Grid& grid, double half_size) {
+  std::vector<std::size_t> cell(particles.size());
+  for (std::size_t k = 0; k < cell.size(); ++k)
+    cell[k] = cell_of(particles, k, grid, half_size);
+  const std::vector<std::size_t> start = order_by(particles, cell, grid.size());
+  particles.block_start.clear();
+  add_block_starts(grid, 0, start, particles.block_start);
+  particles.block_start.push_back(particles.size());
+}
+
+void sort_by_lattice(Particles& particles, const GradedMesh& mesh, double margin) {
+  const mesh::Roots& roots = mesh.tree().roots();
+  const double reach = particles.half_size + margin;
+  const mesh::Rectangle allowed{roots.x0 + reach, roots.y0 + reach, roots.x0 + roots.nx * roots.h - reach,
+                                roots.y0 + roots.ny * roots.h - reach};
+  std::vector<std::size_t> key(particles.size());
+  for (std::size_t k = 0; k < key.size(); ++k) {
+    const double x = particles.x[k];
+    const double y = particles.y[k];
+    // NaN fails every comparison.
+    if (!(x > allowed.x_min && x < allowed.x_max && y > allowed.y_min && y < allowed.y_max))
+      refuse_outside(particles, k, allowed);
+    const Touched levels = touched(mesh, box_of(particles, k, margin));
+    const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(levels.finest)];
+    const bool on_one = levels.coarsest == levels.finest && particles.half_size < 0.5001 * lattice.h;
+    key[k] = on_one ? lattice.index(cell_weights(x, {lattice.x0, lattice.h, particles.half_size}).base,
+                                    gimp_weights(y, {lattice.y0, lattice.h, particles.half_size}).base)
+                    : mesh.node_count() + static_cast<std::size_t>(levels.finest);
+  }
+  const std::vector<std::size_t> start = order_by(particles, key, mesh.node_count() + mesh.lattices().size());
+  particles.block_start.clear();
+  for (const Lattice& lattice : mesh.lattices())
+    add_block_starts(lattice, lattice.first, start, particles.block_start);
+  for (std::size_t level = 0; level <= mesh.lattices().size(); ++level)
+    particles.block_start.push_back(start[mesh.node_count() + level]);
 }
 
 } // namespace tremolo::mpm_domain

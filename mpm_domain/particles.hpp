@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm_domain/graded/graded_mesh.hpp"
 #include "mpm_domain/grid.hpp"
 #include "mpm_domain/kernel.hpp"
 #include "mpm_domain/spec.hpp"
@@ -17,9 +18,12 @@ namespace tremolo::mpm_domain {
 /// once.
 inline constexpr int rows_per_block = 8;
 
-/// All particles of one soil, one array a quantity, ordered by grid cell.
+/// All particles of one soil and of one size, one array a quantity, ordered by grid cell.
 struct Particles {
   std::string soil;
+  std::size_t soil_index = 0; ///< into Spec::soils
+  int level = 0;              ///< of the cells that they belong to by their size
+  double half_size = 0.0;     ///< l of their boxes, m
   materials::Law law;
   std::size_t state_size = 0; ///< doubles per particle in `state`
 
@@ -31,7 +35,7 @@ struct Particles {
   std::vector<double> x_initial, y_initial;
   std::vector<double> state; ///< [particle][state_size]
 
-  std::vector<std::size_t> block_start; ///< first particle of each block, and the end
+  std::vector<std::size_t> block_start; ///< first particle of each of the domain's blocks, and the end
   std::vector<std::uint32_t> index_of;  ///< place of each id in the arrays
 
   std::size_t size() const { return x.size(); }
@@ -44,5 +48,18 @@ struct Particles {
 /// Orders the particles by cell, rows first, keeping the order of those that share a cell.
 /// @throws std::runtime_error if a particle has left the grid, naming its place
 void sort_by_cell(Particles& particles, const Grid& grid, double half_size);
+
+/// The square that a particle stands for.
+inline mesh::Rectangle box_of(const Particles& p, std::size_t k, double margin = 0.0) {
+  const double l = p.half_size + margin;
+  return {p.x[k] - l, p.y[k] - l, p.x[k] + l, p.y[k] + l};
+}
+
+/// The same on a graded mesh: by lattice, then by cell. Behind them stand, level by level of the finest cells
+/// that they touch, the particles whose box touches cells of several lattices or might before the next sort,
+/// and those larger than half a cell.
+/// @param margin  how far particles may move until the next sort, m
+/// @throws std::runtime_error if a particle has left the mesh, naming its place
+void sort_by_lattice(Particles& particles, const GradedMesh& mesh, double margin);
 
 } // namespace tremolo::mpm_domain

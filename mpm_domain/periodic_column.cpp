@@ -144,7 +144,9 @@ void PeriodicColumn::sample_velocities(std::vector<Vector>& v, bool acceleration
   const auto column = static_cast<int>(std::lround((spec_.domain.box.x_min - grid.x0) / grid.h));
   const BoundaryFace& base = domain_.faces.front();
   v.front() = {};
-  for (const auto& [n, w] : face_weights(base, domain_.sets[base.set], grid)) {
+  FaceWeights weights_of_base;
+  face_weights(domain_, base, weights_of_base);
+  for (const auto& [n, w] : weights_of_base) {
     v.front().x += w * node(n).x;
     v.front().y += w * node(n).y;
   }

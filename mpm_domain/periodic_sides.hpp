@@ -9,14 +9,6 @@
 
 namespace tremolo::mpm_domain {
 
-/// Adds what the images have collected (mass and momentum, or forces) to the nodes that they stand for, and
-/// leaves the images empty.
-void fold_motion(Domain& domain);
-void fold_forces(Domain& domain);
-
-/// Gives the images the velocities and accelerations of the nodes that they stand for.
-void copy_to_images(Domain& domain);
-
 /// Takes particles that have left the period back into it; displacements stay as they are.
 void wrap(Particles& particles, const Box& box);
 

@@ -1,6 +1,7 @@
 #include "mpm_domain/scatter.hpp"
 
-#include "mpm_domain/periodic_sides.hpp"
+#include "mpm_domain/stencil.hpp"
+#include "mpm_domain/tied_nodes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,107 +10,207 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// What the particles of one cell add to the nodes that they share, three rows of four: held in registers
-/// while they stream through, written to the grid once.
-struct SharedSums {
-  std::array<Lanes, 3> mass{}, momentum_x{}, momentum_y{}, force_x{}, force_y{};
+/// Particles whose weights are held at a time, in the first-level cache.
+constexpr std::size_t chunk = 64;
+
+/// Weights of a chunk of particles: of x a row of four nodes each, of y one number per row.
+struct ChunkWeights {
+  std::array<std::int32_t, chunk> first; ///< node
+  std::array<Lanes, chunk> xs, xg;
+  std::array<std::array<double, chunk>, 3> ys, yg;
+  std::array<double, chunk> xi, eta; ///< cells above node 1 of a row, above row 0
 };
 
-void add_rows(NodeField& field, std::size_t first, std::size_t row, const std::array<Lanes, 3>& sums) {
-  for (std::size_t j = 0; j < 3; ++j) {
-    double* const nodes = field.data() + first + j * row;
-    store(nodes, load(nodes) + sums[j]);
-  }
-}
-
-template <bool motion, bool force>
-void add_to_grid(Grid& grid, std::size_t first, const SharedSums& sums) {
-  const auto row = static_cast<std::size_t>(grid.nx);
-  if constexpr (motion) {
-    add_rows(grid.mass, first, row, sums.mass);
-    add_rows(grid.momentum_x, first, row, sums.momentum_x);
-    add_rows(grid.momentum_y, first, row, sums.momentum_y);
-  }
+template <bool force, bool affine, typename Group>
+[[gnu::always_inline]] inline void take_weights(const Particles& p, std::size_t k, std::size_t c, Group group,
+                                                const Lattice& lattice, const Axis& x_axis,
+                                                const Axis& y_axis, ChunkWeights& w) {
+  const Stencils at(group.load(&p.x[k]), group.load(&p.y[k]), x_axis, y_axis);
+  const std::array<std::int32_t, 4> first = at.first_nodes(lattice);
+  std::copy(first.begin(), first.end(), &w.first[c]);
+  const CellWeights<Lanes> wx(at.xi, x_axis);
+  const RowWeights<Lanes> wy(at.eta, y_axis);
+  const std::array<Lanes, 4> s = transposed(wx.s);
+  for (std::size_t i = 0; i < 4; ++i)
+    w.xs[c + i] = s[i];
+  for (std::size_t j = 0; j < 3; ++j)
+    store(&w.ys[j][c], wy.s[j]);
   if constexpr (force) {
-    add_rows(grid.force_x, first, row, sums.force_x);
-    add_rows(grid.force_y, first, row, sums.force_y);
+    const std::array<Lanes, 4> g = transposed(wx.g);
+    for (std::size_t i = 0; i < 4; ++i)
+      w.xg[c + i] = g[i];
+    for (std::size_t j = 0; j < 3; ++j)
+      store(&w.yg[j][c], wy.g[j]);
+  }
+  if constexpr (affine) {
+    store(&w.xi[c], at.xi);
+    store(&w.eta[c], at.eta);
   }
 }
 
-/// Adds one particle's S m, S m (v + C (x_i - x)) and S m g - V sigma grad S. Lanes run along x: for each row
-/// only the factors of y remain.
-template <bool motion, bool force, bool affine>
-inline void add_particle(const Particles& p, std::size_t k, const Weights& wx, const Weights& wy,
-                         const Domain& domain, SharedSums& sums) {
-  const Lanes mass = p.mass[k] * wx.s;
-  Lanes px = p.vx[k] * mass;
-  Lanes py = p.vy[k] * mass;
-  Lanes px_dy{};
-  Lanes py_dy{};
-  Lanes dy{};
-  if constexpr (motion && affine) {
-    const Lanes dx = offsets(wx, p.x[k], domain.x_axis());
-    dy = offsets(wy, p.y[k], domain.y_axis());
-    px += p.cxx[k] * dx * mass;
-    py += p.cyx[k] * dx * mass;
-    px_dy = p.cxy[k] * mass;
-    py_dy = p.cyy[k] * mass;
-  }
-  const double v = -p.volume[k];
-  const Lanes fx_s = v * p.sxx[k] * wx.g;
-  const Lanes fx_g = v * p.sxy[k] * wx.s;
-  const Lanes fy_s = v * p.sxy[k] * wx.g - domain.spec.gravity * mass;
-  const Lanes fy_g = v * p.syy[k] * wx.s;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const double s = wy.s[j];
-    const double g = wy.g[j];
-    if constexpr (motion) {
-      sums.mass[j] += s * mass;
+/// Arrays of particles and nodes by their first element: a pointer in a vector would be read anew after every
+/// store.
+struct Arrays {
+  const double *mass, *volume, *vx, *vy, *cxx, *cxy, *cyx, *cyy, *sxx, *syy, *sxy;
+  double *node_mass, *momentum_x, *momentum_y, *force_x, *force_y;
+  std::ptrdiff_t row; ///< nodes
+
+  /// From particle `first` on.
+  Arrays(const Particles& p, std::size_t first, const Lattice& lattice, Grid& grid)
+      : mass(&p.mass[first]), volume(&p.volume[first]), vx(&p.vx[first]), vy(&p.vy[first]),
+        cxx(p.cxx.data() + first), cxy(p.cxy.data() + first), cyx(p.cyx.data() + first),
+        cyy(p.cyy.data() + first), sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]),
+        node_mass(grid.mass.data()), momentum_x(grid.momentum_x.data()), momentum_y(grid.momentum_y.data()),
+        force_x(grid.force_x.data()), force_y(grid.force_y.data()), row(lattice.nx) {}
+};
+
+using Rows = std::array<Lanes, 3>;
+
+[[gnu::always_inline]] inline void add_rows(double* nodes, std::ptrdiff_t row, const Rows& sums) {
+  store(nodes, load(nodes) + sums[0]);
+  store(nodes + row, load(nodes + row) + sums[1]);
+  store(nodes + 2 * row, load(nodes + 2 * row) + sums[2]);
+}
+
+/// What the particles of one cell add to the nodes that they share, three rows of four: held in registers
+/// while they stream through, written to the grid once. Motion and force go one after the other: together
+/// they are more than the registers hold.
+struct MotionSums {
+  Rows mass{}, momentum_x{}, momentum_y{};
+
+  /// S m and S m (v + C (x_i - x)). Lanes run along x: for each row only the factor of y remains.
+  template <bool affine>
+  [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights& w, std::size_t c, double h) {
+    const Lanes m = a.mass[c] * w.xs[c];
+    Lanes vx = all(a.vx[c]);
+    Lanes vy = all(a.vy[c]);
+    Lanes row_x{}; // from one row to the next
+    Lanes row_y{};
+    if constexpr (affine) {
+      constexpr Lanes node = {-1.0, 0.0, 1.0, 2.0};
+      const Lanes dx = h * (node - w.xi[c]);
+      const double dy = -h * w.eta[c];
+      vx += a.cxx[c] * dx + a.cxy[c] * dy;
+      vy += a.cyx[c] * dx + a.cyy[c] * dy;
+      row_x = a.cxy[c] * h * m;
+      row_y = a.cyy[c] * h * m;
+    }
+    Lanes px = m * vx;
+    Lanes py = m * vy;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double s = w.ys[j][c];
+      mass[j] += s * m;
+      momentum_x[j] += s * px;
+      momentum_y[j] += s * py;
       if constexpr (affine) {
-        sums.momentum_x[j] += s * (px + dy[j] * px_dy);
-        sums.momentum_y[j] += s * (py + dy[j] * py_dy);
-      } else {
-        sums.momentum_x[j] += s * px;
-        sums.momentum_y[j] += s * py;
+        px += row_x;
+        py += row_y;
       }
     }
-    if constexpr (force) {
-      sums.force_x[j] += s * fx_s + g * fx_g;
-      sums.force_y[j] += s * fy_s + g * fy_g;
+  }
+
+  [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
+    add_rows(a.node_mass + first, a.row, mass);
+    add_rows(a.momentum_x + first, a.row, momentum_x);
+    add_rows(a.momentum_y + first, a.row, momentum_y);
+  }
+};
+
+struct ForceSums {
+  Rows force_x{}, force_y{};
+
+  /// S m g - V sigma grad S
+  [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights& w, std::size_t c,
+                                  const Lanes& gravity) {
+    const Lanes vs = a.volume[c] * w.xs[c];
+    const Lanes vg = a.volume[c] * w.xg[c];
+    const Lanes fx_s = a.sxx[c] * vg;
+    const Lanes fx_g = a.sxy[c] * vs;
+    const Lanes fy_s = a.sxy[c] * vg + gravity * (a.mass[c] * w.xs[c]);
+    const Lanes fy_g = a.syy[c] * vs;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double s = w.ys[j][c];
+      const double g = w.yg[j][c];
+      force_x[j] -= s * fx_s;
+      force_y[j] -= s * fy_s;
+      force_x[j] -= g * fx_g;
+      force_y[j] -= g * fy_g;
     }
+  }
+
+  [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
+    add_rows(a.force_x + first, a.row, force_x);
+    add_rows(a.force_y + first, a.row, force_y);
+  }
+};
+
+/// Sums of a chunk, cell by cell; add(sums, c) adds particle c of it.
+template <typename Sums, typename Add>
+[[gnu::always_inline]] inline void stream(const ChunkWeights& w, std::size_t count, const Arrays& arrays,
+                                          const Add& add) {
+  for (std::size_t c = 0; c < count;) {
+    const std::int32_t shared = w.first[c];
+    Sums sums;
+    do
+      add(sums, c++);
+    while (c < count && w.first[c] == shared);
+    sums.add_to(arrays, shared);
   }
 }
 
 /// Flattened: the sums leave the registers if anything that touches them is a call.
 template <bool motion, bool force, bool affine>
-[[gnu::flatten]] void scatter_range(const Particles& p, std::size_t begin, std::size_t end, Domain& domain) {
-  const Axis x_axis = domain.x_axis();
-  const Axis y_axis = domain.y_axis();
-  Grid& grid = domain.grid;
-  SharedSums sums;
-  std::size_t shared = 0; // first node of the sums
-  for (std::size_t k = begin; k < end; ++k) {
-    const Weights wx = cell_weights(p.x[k], x_axis);
-    const Weights wy = gimp_weights(p.y[k], y_axis);
-    const std::size_t first = grid.index(wx.base, wy.base);
-    if (first != shared) {
-      if (k > begin)
-        add_to_grid<motion, force>(grid, shared, sums);
-      sums = {};
-      shared = first;
-    }
-    add_particle<motion, force, affine>(p, k, wx, wy, domain, sums);
+[[gnu::flatten]] void scatter_range(const Particles& p, std::size_t begin, std::size_t end,
+                                    const Lattice& lattice, Grid& grid, double gravity) {
+  const Axis x_axis(lattice.x0, lattice.h, p.half_size);
+  const Axis y_axis(lattice.y0, lattice.h, p.half_size);
+  const Lanes g = all(gravity);
+  ChunkWeights w;
+  for (std::size_t k = begin; k < end; k += chunk) {
+    const std::size_t count = std::min(chunk, end - k);
+    by_fours(0, count, [&](std::size_t c, auto group) {
+      take_weights<force, motion && affine>(p, k + c, c, group, lattice, x_axis, y_axis, w);
+    });
+    const Arrays arrays(p, k, lattice, grid);
+    if constexpr (motion)
+      stream<MotionSums>(w, count, arrays,
+                         [&](MotionSums& sums, std::size_t c) { sums.add<affine>(arrays, w, c, lattice.h); });
+    if constexpr (force)
+      stream<ForceSums>(w, count, arrays, [&](ForceSums& sums, std::size_t c) { sums.add(arrays, w, c, g); });
   }
-  if (begin < end)
-    add_to_grid<motion, force>(grid, shared, sums);
+}
+
+/// The same for particles that touch several lattices, node by node.
+template <bool motion, bool force, bool affine>
+void scatter_across(const Particles& p, const AcrossWeights& weights, std::size_t begin, Domain& domain) {
+  Grid& grid = domain.grid;
+  for (std::size_t k = begin; k < p.size(); ++k)
+    for (const BoxWeight& w : weights.of(k)) {
+      const double m = w.s * p.mass[k];
+      if constexpr (motion) {
+        double vx = p.vx[k];
+        double vy = p.vy[k];
+        if constexpr (affine) {
+          vx += p.cxx[k] * (w.x - p.x[k]) + p.cxy[k] * (w.y - p.y[k]);
+          vy += p.cyx[k] * (w.x - p.x[k]) + p.cyy[k] * (w.y - p.y[k]);
+        }
+        grid.mass[w.node] += m;
+        grid.momentum_x[w.node] += m * vx;
+        grid.momentum_y[w.node] += m * vy;
+      }
+      if constexpr (force) {
+        const double v = p.volume[k];
+        grid.force_x[w.node] -= v * (p.sxx[k] * w.gx + p.sxy[k] * w.gy);
+        grid.force_y[w.node] -= v * (p.sxy[k] * w.gx + p.syy[k] * w.gy) + m * domain.spec.gravity;
+      }
+    }
 }
 
 template <bool motion, bool force>
-void clear_row(Grid& grid, std::size_t row) {
-  const auto width = static_cast<std::ptrdiff_t>(grid.nx);
+void clear_row(Grid& grid, const Domain::NodeRange& nodes) {
   const auto clear = [&](NodeField& field) {
-    const auto first = field.begin() + static_cast<std::ptrdiff_t>(row) * width;
-    std::fill(first, first + width, 0.0);
+    std::fill(field.begin() + static_cast<std::ptrdiff_t>(nodes.begin),
+              field.begin() + static_cast<std::ptrdiff_t>(nodes.end), 0.0);
   };
   if constexpr (motion)
     for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y})
@@ -121,22 +222,31 @@ void clear_row(Grid& grid, std::size_t row) {
 
 template <bool motion, bool force>
 void scatter_blocks(Domain& domain) {
-  domain.workers.run(static_cast<std::size_t>(domain.grid.ny),
-                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, row); });
+  domain.workers.run(domain.row_count(),
+                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, domain.row(row)); });
   const std::size_t blocks = domain.block_count();
   for (std::size_t colour = 0; colour < 2; ++colour)
     domain.workers.run((blocks + 1 - colour) / 2, [&](std::size_t task) {
       const std::size_t block = 2 * task + colour;
+      const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
       for (const Particles& p : domain.sets) {
         const std::size_t begin = p.block_start[block];
         const std::size_t end = p.block_start[block + 1];
         if (p.cxx.empty())
-          scatter_range<motion, force, false>(p, begin, end, domain);
+          scatter_range<motion, force, false>(p, begin, end, lattice, domain.grid, domain.spec.gravity);
         else
-          scatter_range<motion, force, true>(p, begin, end, domain);
+          scatter_range<motion, force, true>(p, begin, end, lattice, domain.grid, domain.spec.gravity);
       }
     });
-  if (domain.spec.periodic_sides) {
+  if (domain.mesh)
+    for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+      const Particles& p = domain.sets[s];
+      if (p.cxx.empty())
+        scatter_across<motion, force, false>(p, domain.across[s], p.block_start[blocks], domain);
+      else
+        scatter_across<motion, force, true>(p, domain.across[s], p.block_start[blocks], domain);
+    }
+  if (domain.has_tied_nodes()) {
     if constexpr (motion)
       fold_motion(domain);
     if constexpr (force)

@@ -2,6 +2,7 @@
 
 #include "coupler/eq6/boundary_traction.hpp"
 #include "materials/law.hpp"
+#include "mesh/quadtree.hpp"
 
 #include <optional>
 #include <string>
@@ -12,16 +13,13 @@ namespace tremolo::mpm_domain {
 using eq6::Vector;
 
 /// An axis-parallel rectangle, m.
-struct Box {
-  double x_min = 0.0;
-  double y_min = 0.0;
-  double x_max = 0.0;
-  double y_max = 0.0;
-};
+using Box = mesh::Rectangle;
 
 struct Soil {
   std::string name;
-  materials::Law law;
+  materials::Law law; ///< on cells of level 0
+  /// On cells of level 1, 2, ... where the law depends on their size; where there is none, `law`.
+  std::vector<materials::Law> finer_laws = {};
 };
 
 /// A polygon of one soil; where polygons overlap, the later one wins.
@@ -29,6 +27,8 @@ struct Region {
   std::size_t soil = 0; ///< index into Spec::soils
   std::vector<Vector> polygon;
 };
+
+enum class Side { left, right, base };
 
 /// How velocity travels between particles and grid.
 enum class Transfer {
@@ -52,15 +52,20 @@ struct Scheme {
 /// Everything the domain is built from.
 struct Spec {
   Box box;                    ///< model; its left, right and lower edges carry boundary faces
-  double cell_size = 0.0;     ///< h, m
+  double cell_size = 0.0;     ///< h, of the coarsest cells, m
   int particles_per_cell = 2; ///< per direction, 1 to 4
-  double gravity = 0.0;       ///< m/s2, downwards
+  /// Where cells are finer. A box that reaches an edge of the model goes on beyond it.
+  std::vector<mesh::Refinement> refine;
+  double gravity = 0.0; ///< m/s2, downwards
   std::vector<Soil> soils;
   std::vector<Region> regions;
   Scheme scheme;
   /// The domain repeats itself beyond its sides, which then carry no faces; it is a whole number of cells
   /// wide.
   bool periodic_sides = false;
+  /// Sides whose scattered waves a matched layer takes up instead of dashpots, and its depth in cells.
+  std::vector<Side> matched_sides;
+  int layer_cells = 10;
   int threads = 1;
 };
 

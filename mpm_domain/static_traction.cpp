@@ -36,11 +36,13 @@ double solve(Domain& domain, const std::vector<std::size_t>& nodes, const Reacti
   for (std::size_t i = 0; i < nodes.size(); ++i)
     row[nodes[i]] = static_cast<Eigen::Index>(i);
   std::vector<Eigen::Triplet<double>> entries;
+  FaceWeights weights;
   for (std::size_t f = 0; f < domain.faces.size(); ++f) {
     const BoundaryFace& face = domain.faces[f];
     if (!holds(face, d))
       continue;
-    for (const FaceWeight& weight : face_weights(face, domain.sets[face.set], domain.grid))
+    face_weights(domain, face, weights);
+    for (const FaceWeight& weight : weights)
       if (row[weight.node] >= 0 && weight.w > 0.0)
         entries.emplace_back(row[weight.node], static_cast<Eigen::Index>(f), face.length * weight.w);
   }

@@ -1,6 +1,7 @@
 #include "mpm_domain/stepper.hpp"
 
 #include "mpm_domain/gather.hpp"
+#include "mpm_domain/grid_growth.hpp"
 #include "mpm_domain/grid_update.hpp"
 #include "mpm_domain/periodic_sides.hpp"
 #include "mpm_domain/scatter.hpp"
@@ -15,10 +16,13 @@
 
 namespace tremolo::mpm_domain {
 
-Stepper::Stepper(Domain& domain, double start_time, TractionSource source)
-    : domain_(domain), source_(std::move(source)), time_(start_time), weights_(domain.faces.size()),
-      v_face_(domain.faces.size()), v_mid_(domain.faces.size()), traction_(domain.faces.size()),
-      passes_(assemble()) {
+Stepper::Stepper(Domain& domain, double start_time, TractionSource source,
+                 FreeFieldOfFaces free_field)
+    : domain_(domain), source_(std::move(source)), free_field_(std::move(free_field)), time_(start_time),
+      weights_(domain.faces.size()), v_face_(domain.faces.size()), v_mid_(domain.faces.size()),
+      traction_(domain.faces.size()), reaction_(domain.faces.size()), passes_(assemble()) {
+  if (!domain.layers.empty() && !free_field_)
+    throw std::invalid_argument("matched layers take up what differs from the free field, which is not told");
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       max_speed_ = std::max(max_speed_, std::hypot(set.vx[k], set.vy[k]));
@@ -44,6 +48,8 @@ std::vector<Pass> Stepper::assemble() {
     add("forces to grid", [this] { scatter(domain_, ScatterPart::force); });
   }
   add("boundary exchange", [this] { exchange(); });
+  if (!domain_.layers.empty())
+    add("matched layers", [this] { react(); });
   add("boundary tractions", [this] { boundary(); });
   add("grid update", [this] { grid(); });
   switch (domain_.spec.scheme.order) {
@@ -72,6 +78,7 @@ void Stepper::step() {
     pass.seconds += std::chrono::duration<double>(after - before).count();
     before = after;
   }
+  moved_ += max_speed_ * dt_;
   time_ += dt_;
   ++steps_;
 }
@@ -84,7 +91,7 @@ void Stepper::choose_dt() {
       throw std::invalid_argument(fmt::format(
           "the time step {:.6g} s is over the limit {:.6g} s = 0.65 h/(c_p + |v|) with h = {:.6g} m, c_p = "
           "{:.6g} m/s, |v| = {:.3g} m/s",
-          *scheme.dt, critical, domain_.grid.h, domain_.fastest_wave(), max_speed_));
+          *scheme.dt, critical, domain_.finest_lattice().h, domain_.fastest_wave(), max_speed_));
     dt_ = *scheme.dt;
     return;
   }
@@ -95,15 +102,16 @@ void Stepper::choose_dt() {
 }
 
 void Stepper::sort() {
-  moved_ += max_speed_ * dt_;
-  if (moved_ < 0.9 * domain_.grid.h)
+  if (moved_ < domain_.sort_distance()) {
+    weigh_across(domain_);
     return;
-  for (Particles& set : domain_.sets) {
-    if (domain_.spec.periodic_sides)
-      wrap(set, domain_.spec.box);
-    sort_by_cell(set, domain_.grid, domain_.half_size());
   }
-  moved_ = max_speed_ * dt_;
+  if (domain_.spec.periodic_sides)
+    for (Particles& set : domain_.sets)
+      wrap(set, domain_.spec.box);
+  make_room(domain_, time_, steps_);
+  sort_particles(domain_);
+  moved_ = 0.0;
 }
 
 void Stepper::velocities() {
@@ -117,13 +125,23 @@ void Stepper::velocities() {
 
 void Stepper::exchange() {
   for (std::size_t f = 0; f < weights_.size(); ++f)
-    weights_[f] = face_weights(domain_.faces[f], domain_.sets[domain_.faces[f].set], domain_.grid);
+    face_weights(domain_, domain_.faces[f], weights_[f]);
   mpm_domain::face_velocities(domain_, weights_, v_face_);
   source_(steps_, time_, v_face_, traction_);
 }
 
+void Stepper::react() {
+  std::ranges::fill(reaction_, Vector{});
+  for (MatchedLayer& layer : domain_.layers)
+    layer.react(time_, v_face_, free_field_(), reaction_);
+  for (std::size_t f = 0; f < traction_.size(); ++f)
+    traction_[f] = {traction_[f].x + reaction_[f].x, traction_[f].y + reaction_[f].y};
+}
+
 void Stepper::boundary() {
   spread_tractions(domain_, weights_, traction_);
+  if (!domain_.layers.empty())
+    spread_layer_mass(domain_, weights_, dt_);
 }
 
 void Stepper::grid() {
@@ -144,7 +162,8 @@ void Stepper::book_boundary_work() {
   EnergyLedger& energy = domain_.energy;
   for (std::size_t f = 0; f < weights_.size(); ++f) {
     const BoundaryFace& face = domain_.faces[f];
-    const Vector own = eq6::viscous_traction(face.face, v_face_[f]);
+    const Vector viscous = eq6::viscous_traction(face.face, v_face_[f]);
+    const Vector own = {viscous.x + reaction_[f].x, viscous.y + reaction_[f].y};
     const Vector held = domain_.static_tractions[f];
     const auto work = [&](double tx, double ty) {
       return dt_ * face.length * (tx * v_mid_[f].x + ty * v_mid_[f].y);

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/gather.hpp"
+#include "mpm_domain/state.hpp"
 
 #include <functional>
 #include <span>
@@ -14,6 +15,9 @@ namespace tremolo::mpm_domain {
 /// velocities there (m/s). Called once a step.
 using TractionSource =
     std::function<void(long step, double time, std::span<const Vector> v_domain, std::span<Vector> traction)>;
+
+/// The free field at every face in the last call of the traction source, for matched layers.
+using FreeFieldOfFaces = std::function<std::span<const eq6::FreeField>()>;
 
 /// A named, timed part of a step.
 struct Pass {
@@ -33,8 +37,10 @@ struct Pass {
 /// before); particle velocities belong to velocity_time() = time() - dt/2.
 class Stepper {
 public:
-  /// @throws std::invalid_argument if the spec's fixed time step is over the critical one
-  Stepper(Domain& domain, double start_time, TractionSource source);
+  /// @param free_field needed by a domain with matched layers
+  /// @throws std::invalid_argument if the spec's fixed time step is over the critical one, or matched layers are
+  /// not told the free field
+  Stepper(Domain& domain, double start_time, TractionSource source, FreeFieldOfFaces free_field = {});
 
   void step();
 
@@ -47,11 +53,18 @@ public:
   std::span<const Vector> face_velocities() const { return v_face_; }
   std::span<const Vector> face_tractions() const { return traction_; }
 
+  /// Its part of a checkpoint, see state.hpp.
+  template <class Visit>
+  void visit_state(Visit& visit) {
+    visit_numbers(visit, "stepper", time_, dt_, steps_, max_speed_, moved_, kinetic_after_);
+  }
+
 private:
   void choose_dt();
   void sort();
   void velocities();
   void exchange();
+  void react();
   void boundary();
   void grid();
   void book_boundary_work();
@@ -60,6 +73,7 @@ private:
 
   Domain& domain_;
   TractionSource source_;
+  FreeFieldOfFaces free_field_;
   double time_;
   double dt_ = 0.0;
   long steps_ = 0;
@@ -68,6 +82,7 @@ private:
   double kinetic_after_ = 0.0; ///< K(v+) of the step before
   std::vector<FaceWeights> weights_;
   std::vector<Vector> v_face_, v_mid_, traction_;
+  std::vector<Vector> reaction_; ///< of matched layers, part of traction_
   std::vector<Pass> passes_;
 };
 

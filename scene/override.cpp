@@ -1,5 +1,7 @@
 #include "scene/override.hpp"
 
+#include "scene/text_edit.hpp"
+
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
@@ -10,45 +12,6 @@
 namespace tremolo::scene {
 
 namespace {
-
-/// Byte offset of a position; columns count characters of UTF-8.
-std::size_t offset(std::string_view text, toml::source_position position) {
-  std::size_t at = 0;
-  for (toml::source_index line = 1; line < position.line; ++line)
-    at = text.find('\n', at) + 1;
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-  for (toml::source_index column = 1; column < position.column && at < text.size(); ++column)
-    do {
-      ++at;
-    } while (at < text.size() && continues(text[at]));
-  return at;
-}
-
-/// Bytes of the text, and what stands there instead.
-struct Replacement {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  std::string value;
-};
-
-/// A pair of key and value as it stands in the text, with what parted it from its neighbours: the comma
-/// before it, or after it where it opens an inline table; outside of one the line, unless a comment ends it.
-Replacement without_pair(std::string_view text, std::size_t key, std::size_t value_end) {
-  constexpr std::string_view blank = " \t\r";
-  const auto past_blanks = [&](std::size_t at) {
-    return std::min(text.find_first_not_of(blank, at), text.size());
-  };
-  const auto before = text.find_last_of(",{\n", key); // a dotted key may begin before its last part
-  if (before != std::string_view::npos && text[before] == ',')
-    return {before, value_end, ""};
-  const auto begin = before == std::string_view::npos ? 0 : before + 1;
-  auto end = past_blanks(value_end);
-  if (before != std::string_view::npos && text[before] == '{')
-    return {past_blanks(begin), end < text.size() && text[end] == ',' ? past_blanks(end + 1) : value_end, ""};
-  if (end < text.size() && text[end] == '\n')
-    ++end;
-  return {begin, end, ""};
-}
 
 std::string quoted(const std::filesystem::path& path) {
   std::string escaped;
@@ -77,12 +40,9 @@ public:
                 const std::vector<std::pair<std::string, std::string>>& more) {
     const auto& keys = *root_.at_path(table).as_table();
     const auto begin = offset(scene_.text, keys.find(key)->first.source().begin);
-    const auto line = scene_.text.find_last_of(",{\n", begin == 0 ? 0 : begin - 1);
-    const auto first = scene_.text.find_first_not_of(" \t\r,{\n", line == std::string::npos ? 0 : line);
-    const std::string prefix = scene_.text.substr(first, begin - first);
-    const bool in_line = line != std::string::npos && scene_.text[line] != '\n';
+    const std::string separator = separator_after(scene_.text, begin);
     for (const auto& [name, text] : more)
-      value += fmt::format("{}{}{} = {}", in_line ? ", " : "\n", prefix, name, text);
+      value += fmt::format("{}{} = {}", separator, name, text);
     put(fmt::format("{}.{}", table, key), std::move(value));
   }
 

@@ -5,7 +5,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from tremolo import column, failure, fronts, histories, maps, motion, preview, soil_record, soiltest, swap, verification
+from tremolo import column, cost, failure, fronts, histories, maps, motion, preview, soil_record, soiltest, swap, verification
 from tremolo.run import Run
 
 
@@ -87,6 +87,10 @@ def swap_picture(arguments):
     yield swap.picture(arguments.path)
 
 
+def cost_picture(arguments):
+    yield cost.picture(arguments.path)
+
+
 def _parser():
     parser = argparse.ArgumentParser(prog="python3 -m tremolo", description="Pictures of tremolo runs.")
     commands = parser.add_subparsers(required=True)
@@ -120,6 +124,8 @@ def _parser():
                         help="of the stresses in REF.csv (default kPa); `tremolo soiltest --out X.csv` writes Pa")
     swapped = add("swap", swap_picture, "Picture of one case under several free-field models.")
     swapped.add_argument("path", help="the folder that `tremolo swap` wrote")
+    costly = add("cost-picture", cost_picture, "Work-precision diagram of a ladder of settings.")
+    costly.add_argument("path", help="the folder that `tremolo cost` wrote")
     verified = add("verify-picture", verify_picture, "Picture of a verification: error map and histories.")
     verified.add_argument("path", help="verify.json, or its folder")
     shaken = add("motion-picture", motion_picture, "Picture of a motion, from the tables of `tremolo motion`.")

@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto bytes = std::as_bytes(std::span(data, size));
   const auto decoded = decode(bytes, expected);
   if (const auto* frame = std::get_if<Frame>(&decoded)) {
-    const auto again = encode(frame->header, frame->values);
+    const auto again = encode(frame->header, frame->values());
     if (again.size() != bytes.size() || std::memcmp(again.data(), bytes.data(), again.size()) != 0)
       std::abort();
   }

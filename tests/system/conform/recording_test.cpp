@@ -144,14 +144,14 @@ TEST_F(Recording, ArrivesBitForBit) {
     while (!incoming || incoming->message)
       incoming = probe.receive(0.2);
     const auto frame =
-        coupler::decode(incoming->frame, {.session = probe.session(),
+        coupler::decode(incoming->frame(), {.session = probe.session(),
                                           .sender = 1,
                                           .field = f,
                                           .step = 0,
                                           .count = static_cast<std::uint32_t>(served.values_per_step()),
                                           .most_steps = 61});
     ASSERT_TRUE(std::holds_alternative<coupler::Frame>(frame)) << std::get<coupler::FrameError>(frame).text;
-    const auto& values = std::get<coupler::Frame>(frame).values;
+    const auto values = std::get<coupler::Frame>(frame).values();
     ASSERT_EQ(values.size(), values_[f].size());
     EXPECT_EQ(std::memcmp(values.data(), values_[f].data(), values.size() * sizeof(double)), 0);
   }

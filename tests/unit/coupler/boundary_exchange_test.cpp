@@ -45,7 +45,7 @@ TEST(BoundaryExchange, AppliesEquation6ToTheMappedFreeField) {
   EXPECT_EQ(exchange.find({1, 1}), nullptr);
   EXPECT_EQ(exchange.missing(0.25)->step, 0U);
   for (int n = 0; n < 3; ++n)
-    inlet->history.append(ramp_step(0.5 * n));
+    inlet->history.append(std::as_bytes(std::span<const double>(ramp_step(0.5 * n))));
   EXPECT_FALSE(exchange.missing(0.25));
   std::vector<eq6::FreeField> free_field(1);
   std::vector<eq6::Vector> tractions(1);

@@ -38,7 +38,7 @@ FreeFieldHistory filled(const FieldDescription& field, const Function& f, const 
       for (int c = 1; c <= 5; ++c)
         values.push_back(c * f_t(y, field.time(n)));
     }
-    history.append(values);
+    history.append(std::as_bytes(std::span(values)));
   }
   return history;
 }
@@ -206,8 +206,8 @@ TEST(FreeFieldHistory, HoldsABoundedWindowAndNothingStale) {
   history.release_before(0.5); // the earliest local time is 0.0 s, step 10
   EXPECT_EQ(history.credit(), 10U + 21U);
   while (history.next_step() < history.credit())
-    history.append(one_step);
-  EXPECT_THROW(history.append(one_step), std::length_error);
+    history.append(std::as_bytes(std::span(one_step)));
+  EXPECT_THROW(history.append(std::as_bytes(std::span(one_step))), std::length_error);
   EXPECT_FALSE(history.missing(0.5 + 0.8));
   EXPECT_EQ(history.missing(3.0), 31U);
   const FaceMap late{.first_point = 0, .points = 1, .weights = {1.0}, .delay = 0.5};

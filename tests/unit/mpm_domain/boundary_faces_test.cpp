@@ -48,7 +48,7 @@ struct Shifted {
       sort_by_cell(set, domain.grid, domain.half_size());
     }
     for (const BoundaryFace& face : domain.faces)
-      weights.push_back(face_weights(face, domain.sets[face.set], domain.grid));
+      face_weights(domain, face, weights.emplace_back());
   }
 };
 

@@ -72,8 +72,8 @@ TEST(Transfer, ScatterConservesMassMomentumAndAngularMomentum) {
     expected.momentum.x += p.mass[k] * p.vx[k];
     expected.momentum.y += p.mass[k] * p.vy[k];
     const auto moment = [](double x, const Axis& axis) {
-      const Weights w = gimp_weights(x, axis);
-      return second_moment(w, offsets(w, x, axis));
+      const double place = axis.cells(x);
+      return RowWeights<double>(place - std::floor(place - axis.l), axis).second_moment;
     };
     const double mx = moment(p.x[k], domain.x_axis());
     const double my = moment(p.y[k], domain.y_axis());
@@ -85,6 +85,109 @@ TEST(Transfer, ScatterConservesMassMomentumAndAngularMomentum) {
   EXPECT_NEAR(grid.momentum.x, expected.momentum.x, 1e-12 * scale);
   EXPECT_NEAR(grid.momentum.y, expected.momentum.y, 1e-12 * scale);
   EXPECT_NEAR(grid.spin, expected.spin, 1e-11 * scale);
+}
+
+/// The transfers again, one particle and node after the other.
+struct Node {
+  std::size_t index;
+  double s, gx, gy; ///< S, dS/dx, dS/dy
+  double dx, dy;    ///< node minus particle, m
+};
+
+std::vector<Node> nodes_of(const Domain& domain, double x, double y) {
+  const Grid& grid = domain.grid;
+  const Weights wx = gimp_weights(x, domain.x_axis());
+  const Weights wy = gimp_weights(y, domain.y_axis());
+  std::vector<Node> nodes;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i)
+      nodes.push_back({grid.index(wx.base + i, wy.base + j), wx.s[i] * wy.s[j], wx.g[i] * wy.s[j],
+                       wx.s[i] * wy.g[j], grid.x0 + (wx.base + i) * grid.h - x,
+                       grid.y0 + (wy.base + j) * grid.h - y});
+  return nodes;
+}
+
+TEST(Transfer, ScatterIsTheSumOverParticles) {
+  Domain domain = shuffled_box(Transfer::apic);
+  domain.spec.gravity = 9.81;
+  shuffle(domain);
+  Particles& p = domain.sets.front();
+  std::mt19937 random(6);
+  std::normal_distribution<double> stress(0.0, 1e5);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    p.sxx[k] = stress(random);
+    p.syy[k] = stress(random);
+    p.sxy[k] = stress(random);
+  }
+  scatter(domain, ScatterPart::both);
+  Grid expected;
+  for (NodeField* field :
+       {&expected.mass, &expected.momentum_x, &expected.momentum_y, &expected.force_x, &expected.force_y})
+    field->resize(domain.grid.size());
+  for (std::size_t k = 0; k < p.size(); ++k)
+    for (const Node& n : nodes_of(domain, p.x[k], p.y[k])) {
+      const double m = n.s * p.mass[k];
+      expected.mass[n.index] += m;
+      expected.momentum_x[n.index] += m * (p.vx[k] + p.cxx[k] * n.dx + p.cxy[k] * n.dy);
+      expected.momentum_y[n.index] += m * (p.vy[k] + p.cyx[k] * n.dx + p.cyy[k] * n.dy);
+      expected.force_x[n.index] -= p.volume[k] * (n.gx * p.sxx[k] + n.gy * p.sxy[k]);
+      expected.force_y[n.index] -= p.volume[k] * (n.gx * p.sxy[k] + n.gy * p.syy[k]) + m * 9.81;
+    }
+  for (std::size_t n = 0; n < domain.grid.size(); ++n) {
+    EXPECT_NEAR(domain.grid.mass[n], expected.mass[n], 1e-11);
+    EXPECT_NEAR(domain.grid.momentum_x[n], expected.momentum_x[n], 1e-10);
+    EXPECT_NEAR(domain.grid.momentum_y[n], expected.momentum_y[n], 1e-10);
+    EXPECT_NEAR(domain.grid.force_x[n], expected.force_x[n], 1e-8);
+    EXPECT_NEAR(domain.grid.force_y[n], expected.force_y[n], 1e-8);
+  }
+}
+
+TEST(Transfer, GatherIsTheSumOverNodes) {
+  for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
+    Domain domain = shuffled_box(transfer);
+    shuffle(domain);
+    Grid& grid = domain.grid;
+    std::mt19937 random(12);
+    std::normal_distribution<double> speed;
+    for (NodeField* field : {&grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new})
+      std::ranges::generate(*field, [&] { return speed(random); });
+    const Particles before = domain.sets.front();
+    const double dt = 1e-4;
+    gather(domain, dt, {.velocity = true, .position = true, .strain = true});
+    const Particles& p = domain.sets.front();
+    const materials::Elasticity& soil = materials::elasticity(p.law);
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      Vector v, v_new, x_moment, y_moment; // moments: of the x and y component with dx and dy
+      double mx = 0.0, my = 0.0, exx = 0.0, eyy = 0.0, gxy = 0.0;
+      for (const Node& n : nodes_of(domain, before.x[k], before.y[k])) {
+        const Vector u = grid.velocity(n.index);
+        const Vector w = grid.new_velocity(n.index);
+        v = {v.x + n.s * u.x, v.y + n.s * u.y};
+        v_new = {v_new.x + n.s * w.x, v_new.y + n.s * w.y};
+        x_moment = {x_moment.x + n.s * w.x * n.dx, x_moment.y + n.s * w.x * n.dy};
+        y_moment = {y_moment.x + n.s * w.y * n.dx, y_moment.y + n.s * w.y * n.dy};
+        mx += n.s * n.dx * n.dx;
+        my += n.s * n.dy * n.dy;
+        exx += dt * n.gx * w.x;
+        eyy += dt * n.gy * w.y;
+        gxy += dt * (n.gy * w.x + n.gx * w.y);
+      }
+      EXPECT_NEAR(p.x[k], before.x[k] + dt * v_new.x, 1e-14);
+      if (transfer == Transfer::apic) {
+        EXPECT_NEAR(p.vy[k], v_new.y, 1e-13);
+        EXPECT_NEAR(p.cxx[k], x_moment.x / mx, 1e-11);
+        EXPECT_NEAR(p.cxy[k], x_moment.y / my, 1e-11);
+        EXPECT_NEAR(p.cyx[k], y_moment.x / mx, 1e-11);
+        EXPECT_NEAR(p.cyy[k], y_moment.y / my, 1e-11);
+      } else {
+        EXPECT_NEAR(p.vx[k], before.vx[k] + v_new.x - v.x, 1e-13);
+        EXPECT_NEAR(p.vy[k], before.vy[k] + v_new.y - v.y, 1e-13);
+      }
+      EXPECT_NEAR(p.volume[k], before.volume[k] * (1.0 + exx + eyy), 1e-15);
+      EXPECT_NEAR(p.sxx[k], soil.p_modulus() * exx + soil.lame() * eyy, 1e-6); // of some 1e4 Pa
+      EXPECT_NEAR(p.sxy[k], soil.shear_modulus() * gxy, 1e-6);
+    }
+  }
 }
 
 TEST(Transfer, ApicGatherKeepsMomentumAndAngularMomentum) {

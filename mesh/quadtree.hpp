@@ -1,0 +1,92 @@
+#pragma once
+
+// A block of square root cells, each the root of a quadtree: the cells of a graded mesh. Cell (l, i, j) has
+// the side h_l = h/2^l and its lower left corner at (x0 + i h_l, y0 + j h_l). Leaves that share an edge or a
+// corner differ by one level at most (2:1 balance).
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tremolo::mesh {
+
+/// An axis-parallel rectangle, m.
+struct Rectangle {
+  double x_min = 0.0;
+  double y_min = 0.0;
+  double x_max = 0.0;
+  double y_max = 0.0;
+
+  double area() const { return (x_max - x_min) * (y_max - y_min); }
+};
+
+/// Where cells are wanted that are 2^level times smaller than the root cells.
+struct Refinement {
+  Rectangle box;
+  int level = 0;
+};
+
+/// The root cells.
+struct Roots {
+  double x0 = 0.0; ///< lower left corner, m
+  double y0 = 0.0;
+  double h = 0.0; ///< side, m
+  int nx = 0;     ///< cells in a row
+  int ny = 0;     ///< rows
+  /// Columns after which the cells repeat themselves, from `first_column` on; 0: they do not.
+  int period = 0;
+  int first_column = 0;
+};
+
+struct Cell {
+  int level = 0;
+  int i = 0;
+  int j = 0;
+
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// The finest level that can be asked for: cells 1/256 of the root's side.
+inline constexpr int finest_level_allowed = 8;
+
+class Quadtree {
+public:
+  /// Cuts every cell that overlaps a refinement's box until the level is reached, then more cells until the
+  /// balance holds.
+  /// @throws std::invalid_argument for a root block without cells or a level out of 0 to finest_level_allowed
+  Quadtree(const Roots& roots, std::span<const Refinement> refinements);
+
+  const Roots& roots() const { return roots_; }
+  /// The finest level that has leaves.
+  int finest() const { return static_cast<int>(cut_.size()); }
+  double size(int level) const { return roots_.h / static_cast<double>(1 << level); }
+  Rectangle rectangle(const Cell& cell) const;
+
+  /// False beyond the roots.
+  bool exists(const Cell& cell) const;
+  bool is_cut(const Cell& cell) const;
+  bool is_leaf(const Cell& cell) const { return exists(cell) && !is_cut(cell); }
+  /// Level by level, row by row; images of a period included.
+  std::vector<Cell> leaves() const;
+  /// The finest leaf level that overlaps a rectangle; 0 where there is none.
+  int finest_in(const Rectangle& rectangle) const;
+
+  /// Cells that were cut for the balance alone, by their level.
+  const std::vector<std::size_t>& cut_for_balance() const { return cut_for_balance_; }
+
+private:
+  int columns(int level) const { return roots_.nx << level; }
+  int rows(int level) const { return roots_.ny << level; }
+  int real_column(int level, int i) const;
+  /// Place of a cell in cut_[level]; npos beyond the roots.
+  std::size_t place(const Cell& cell) const;
+  void refine(const Refinement& refinement);
+  void balance();
+
+  Roots roots_;
+  std::vector<std::vector<std::uint8_t>> cut_; ///< [level][row, column]: the cell has children
+  std::vector<std::size_t> cut_for_balance_;
+};
+
+} // namespace tremolo::mesh

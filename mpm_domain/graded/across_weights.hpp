@@ -1,0 +1,30 @@
+#pragma once
+
+#include "mpm_domain/graded/box_average.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Weights of consecutive particles whose boxes touch several lattices, or are larger or smaller than those
+/// that belong to the cells there.
+class AcrossWeights {
+public:
+  /// Forgets all and starts with the weights of particle `first`.
+  void restart(std::size_t first);
+  /// The next particle's; each node stands once.
+  void add(const GradedMesh& mesh, const mesh::Rectangle& box);
+
+  std::span<const BoxWeight> of(std::size_t particle) const {
+    const std::size_t n = particle - first_;
+    return std::span(weights_).subspan(start_[n], start_[n + 1] - start_[n]);
+  }
+
+private:
+  std::size_t first_ = 0;
+  std::vector<std::size_t> start_{0};
+  std::vector<BoxWeight> weights_;
+};
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,38 @@
+#include "mpm_domain/graded/prolongation.hpp"
+
+namespace tremolo::mpm_domain {
+
+void Prolongation::tie(std::size_t node, std::span<const Share> to) {
+  tied_.push_back(node);
+  if (rows_.size() <= node)
+    rows_.resize(node + 1, 0);
+  rows_[node] = tied_.size();
+  shares_.insert(shares_.end(), to.begin(), to.end());
+  start_.push_back(shares_.size());
+}
+
+std::span<const Share> Prolongation::shares_of(std::size_t node) const {
+  if (node >= rows_.size() || rows_[node] == 0)
+    return {};
+  return row(rows_[node] - 1);
+}
+
+void Prolongation::prolong(std::span<double> field) const {
+  for (std::size_t r = 0; r < tied_.size(); ++r) {
+    double value = 0.0;
+    for (const Share& share : row(r))
+      value += share.weight * field[share.node];
+    field[tied_[r]] = value;
+  }
+}
+
+void Prolongation::restrict(std::span<double> field) const {
+  for (std::size_t r = 0; r < tied_.size(); ++r) {
+    const double value = field[tied_[r]];
+    field[tied_[r]] = 0.0;
+    for (const Share& share : row(r))
+      field[share.node] += share.weight * value;
+  }
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,38 @@
+#pragma once
+
+// Particles that come to the edge of the grid. Soil is never dropped: either the grid grows, or the run stops
+// and says which particle, where and when.
+//
+//   free surface, or a side without faces    the grid grows
+//   a side or base that carries faces        the grid follows its faces, for the whole model may drift; soil
+//                                            that has passed them by more than `overflow_cells` has left the
+//                                            model, which must be larger to hold it: stop
+//   a particle that has jumped               no step within the limit moves a particle so far: stop
+//   memory                                   the grid has a largest size: stop
+//
+// It is asked for when particles are sorted, when what the grid held is about to be made anew.
+
+#include "mpm_domain/domain.hpp"
+
+namespace tremolo::mpm_domain {
+
+/// Cells by which soil may stand out beyond the faces of a side.
+inline constexpr int overflow_cells = 4;
+
+/// Nodes that the grid may grow to: a million, or four times the model's cells if that is more.
+double largest_grid(const Spec& spec);
+
+/// Sets the number of nodes and makes every field zero.
+void resize(Grid& grid, int nx, int ny);
+
+/// Sets the number of nodes of all lattices and makes every field zero.
+void resize_fields(Grid& grid, std::size_t count);
+
+/// Makes the grid large enough for all particles and for what they move until the next sort. Fields of a grid
+/// that had to grow are zero.
+/// @param time,step  of the run, s; for the message
+/// @throws std::runtime_error naming the particle that has left the model, or needs a larger grid than
+/// allowed
+void make_room(Domain& domain, double time, long step);
+
+} // namespace tremolo::mpm_domain

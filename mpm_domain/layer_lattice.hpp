@@ -1,0 +1,102 @@
+#pragma once
+
+// A perfectly matched layer of an isotropic elastic half-space behind a straight boundary: bilinear finite
+// elements whose depth coordinate z is stretched (Berenger 1994; unsplit and shifted in frequency as by Basu
+// and Chopra 2004, Kuzuoglu and Mittra 1996),
+//
+//     d/dz -> (1/g) d/dz,        g(z, omega) = 1 + b(z)/(a + i omega),        b = b_max (z/d)^2.
+//
+// A wave that enters is not reflected, whatever its angle, but dies away, and comes back from the fixed end
+// at depth d as exp(-2 cos(theta)/c int b dz) of itself. With w the velocity, e the displacement gradient and
+// x along the boundary, the stretched equations of motion times g are
+//
+//     rho (dw/dt + b (w - a Z)) = d/dx (s_x + b S) + d/dz s_z,     dZ/dt = w - a Z,   dS/dt = s_x - a S,
+//     e_z = du/dz - b Q,                                           dQ/dt = du/dz - (a + b) Q,
+//
+// with Z a memory of each node, S (of the stress on planes across x) and Q memories of each integration
+// point. At rest g = 1 + b/a: the layer then stands for ground of finite depth on rigid rock and holds what
+// is put on it.
+
+#include "coupler/eq6/boundary_traction.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// A column of elements and what it is made of.
+struct LayerColumn {
+  double width = 0.0;         ///< along the boundary, m
+  double density = 0.0;       ///< kg/m3
+  double p_modulus = 0.0;     ///< rho c_p^2, Pa
+  double shear_modulus = 0.0; ///< rho c_s^2, Pa
+};
+
+/// What lies beyond the first and the last column.
+enum class LayerEnd {
+  dashpots, ///< more of the same layer, by dashpots stretched like it
+  free,     ///< nothing
+  repeated, ///< the other end; of both
+};
+
+struct LayerShape {
+  std::vector<LayerColumn> columns;
+  double depth = 0.0; ///< d, m
+  int cells = 0;      ///< elements over the depth
+  std::array<LayerEnd, 2> ends{LayerEnd::dashpots, LayerEnd::dashpots};
+};
+
+/// Motion in the layer's own directions: x along the boundary, y its outward normal.
+class LayerLattice {
+public:
+  /// @throws std::invalid_argument for a shape that is empty or has a value that is not positive
+  explicit LayerLattice(LayerShape shape);
+
+  /// From one time to the next, dt later (s), while the nodes on the boundary move at the given velocities
+  /// (m/s).
+  void advance(double dt, std::span<const eq6::Vector> boundary_velocity);
+
+  /// Nodes on the boundary.
+  [[nodiscard]] std::size_t width() const { return across_; }
+  /// What the layer exerts on its nodes on the boundary, besides their inertia, N/m.
+  [[nodiscard]] std::span<const eq6::Vector> boundary_force() const {
+    return std::span(force_).first(across_);
+  }
+  /// Mass of the layer at its nodes on the boundary, kg/m.
+  [[nodiscard]] std::span<const double> boundary_mass() const { return std::span(mass_).first(across_); }
+
+  /// All that changes with time, for a checkpoint.
+  [[nodiscard]] std::vector<double> state() const;
+  /// @throws std::invalid_argument for a state of another shape
+  void restore(std::span<const double> state);
+
+private:
+  /// What an integration point remembers.
+  struct Memory {
+    eq6::Vector q; ///< Q
+    eq6::Vector s; ///< S: of s_xx and s_xz
+  };
+  static constexpr std::size_t points = 4; ///< of an element, two by two
+
+  void lump();
+  void move(double dt, std::span<const eq6::Vector> boundary_velocity);
+  void sum_forces(double dt);
+  void strain_element(std::size_t column, std::size_t row, double dt);
+  [[nodiscard]] double stretch(double z) const; ///< b, 1/s
+  [[nodiscard]] std::size_t node(std::size_t i, std::size_t j) const { return j * across_ + i % across_; }
+
+  LayerShape shape_;
+  std::size_t across_ = 0;       ///< nodes along the boundary
+  double largest_stretch_ = 0.0; ///< b_max, 1/s
+  double shift_ = 0.0;           ///< a, 1/s
+
+  std::vector<double> mass_;
+  std::vector<double> damping_;          ///< b of each node, 1/s
+  std::vector<eq6::Vector> end_dashpot_; ///< of each node, Pa s
+  std::vector<eq6::Vector> u_, v_, z_, force_;
+  std::vector<Memory> memory_;
+};
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,75 @@
+#include "mpm_domain/tied_nodes.hpp"
+
+#include <initializer_list>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// act(image, real) for all images and the nodes that they stand for, row by row.
+template <typename Act>
+void for_images(Domain& domain, const Act& act) {
+  const Grid& grid = domain.grid;
+  domain.workers.run(static_cast<std::size_t>(grid.ny), [&](std::size_t row) {
+    for (int i = 0; i < grid.nx; ++i)
+      if (const int real = grid.real_column(i); real != i)
+        act(grid.index(i, static_cast<int>(row)), grid.index(real, static_cast<int>(row)));
+  });
+}
+
+void move(NodeField& field, std::size_t from, std::size_t to) {
+  field[to] += field[from];
+  field[from] = 0.0;
+}
+
+void prolong(const Prolongation& prolongation, std::vector<Vector>& field) {
+  for (std::size_t r = 0; r < prolongation.tied_count(); ++r) {
+    Vector value;
+    for (const Share& share : prolongation.row(r)) {
+      value.x += share.weight * field[share.node].x;
+      value.y += share.weight * field[share.node].y;
+    }
+    field[prolongation.tied(r)] = value;
+  }
+}
+
+void fold(Domain& domain, std::initializer_list<NodeField*> fields) {
+  if (domain.mesh)
+    for (NodeField* field : fields)
+      domain.mesh->prolongation().restrict(*field);
+  else
+    for_images(domain, [&](std::size_t image, std::size_t real) {
+      for (NodeField* field : fields)
+        move(*field, image, real);
+    });
+}
+
+} // namespace
+
+void fold_motion(Domain& domain) {
+  Grid& grid = domain.grid;
+  fold(domain, {&grid.mass, &grid.momentum_x, &grid.momentum_y});
+}
+
+void fold_forces(Domain& domain) {
+  Grid& grid = domain.grid;
+  fold(domain, {&grid.force_x, &grid.force_y, &grid.dashpot_x, &grid.dashpot_y});
+}
+
+void copy_to_tied(Domain& domain) {
+  Grid& grid = domain.grid;
+  const std::initializer_list<NodeField*> velocities{&grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new};
+  if (domain.mesh) {
+    for (NodeField* field : velocities)
+      domain.mesh->prolongation().prolong(*field);
+    prolong(domain.mesh->prolongation(), grid.acceleration);
+  } else {
+    for_images(domain, [&](std::size_t image, std::size_t real) {
+      for (NodeField* field : velocities)
+        (*field)[image] = (*field)[real];
+      grid.acceleration[image] = grid.acceleration[real];
+    });
+  }
+}
+
+} // namespace tremolo::mpm_domain

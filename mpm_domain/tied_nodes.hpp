@@ -1,0 +1,18 @@
+#pragma once
+
+// Nodes whose motion is that of others: the images of a periodic domain (periodic_sides.hpp) and the tied
+// nodes of a graded mesh (graded/graded_mesh.hpp), among which are its images.
+
+#include "mpm_domain/domain.hpp"
+
+namespace tremolo::mpm_domain {
+
+/// Adds what tied nodes have collected (mass and momentum, or forces) to the nodes that they follow, P^T, and
+/// leaves the tied ones empty.
+void fold_motion(Domain& domain);
+void fold_forces(Domain& domain);
+
+/// Gives tied nodes the velocities and accelerations of the nodes that they follow, P.
+void copy_to_tied(Domain& domain);
+
+} // namespace tremolo::mpm_domain

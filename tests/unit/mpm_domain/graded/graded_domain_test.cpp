@@ -1,0 +1,310 @@
+// The domain's step on a graded mesh: what a uniform mesh does, it must do too.
+
+#include "mpm_domain/gather.hpp"
+#include "mpm_domain/gravity_stage.hpp"
+#include "mpm_domain/grid_update.hpp"
+#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/static_traction.hpp"
+#include "tests/support/box_run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+namespace tremolo::mpm_domain {
+namespace {
+
+/// 12 m x 8 m of 1 m cells; half-metre cells around x = 6 m at the surface, quarter-metre ones in their
+/// corner.
+Spec graded_box(int per_cell = 2) {
+  Spec spec = test_support::elastic_box(12.0, 8.0, 1.0);
+  spec.particles_per_cell = per_cell;
+  spec.refine = {{{3.0, -5.0, 9.0, 0.0}, 1}, {{5.0, -3.0, 7.0, 0.0}, 2}};
+  return spec;
+}
+
+TractionSource no_traction() {
+  return [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); };
+}
+
+template <typename Act>
+void for_particles(Domain& domain, const Act& act) {
+  for (Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      act(set, k);
+}
+
+TEST(GradedDomain, ParticlesGoWithTheirCells) {
+  for (int per_cell = 1; per_cell <= 4; ++per_cell) {
+    Domain domain(graded_box(per_cell));
+    ASSERT_EQ(domain.sets.size(), 3U);
+    double volume = 0.0;
+    for_particles(domain, [&](Particles& set, std::size_t k) {
+      const double cell = 1.0 / (1 << set.level);
+      EXPECT_NEAR(set.half_size, 0.5 * cell / per_cell, 1e-15);
+      EXPECT_EQ(domain.mesh->tree().finest_in(box_of(set, k)), set.level);
+      volume += set.volume[k];
+    });
+    EXPECT_NEAR(volume, 12.0 * 8.0, 1e-10);
+    EXPECT_EQ(domain.sets[2].size(), 8U * 12U * static_cast<std::size_t>(per_cell * per_cell));
+  }
+}
+
+/// Which law holds in a cell depends on its size.
+TEST(GradedDomain, TakesTheLawOfTheCellsLevel) {
+  Spec spec = graded_box();
+  spec.soils.front().finer_laws = {materials::LinearElastic{{1701.0, 40e6, 0.28}},
+                                   materials::LinearElastic{{1702.0, 40e6, 0.28}}};
+  const Domain domain(spec);
+  for (const Particles& set : domain.sets)
+    EXPECT_EQ(materials::elasticity(set.law).density, 1700.0 + set.level);
+}
+
+/// Refined everywhere, the mesh is the uniform one of half the size.
+TEST(GradedDomain, RefinedEverywhereIsTheFinerUniformMesh) {
+  for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
+    Spec fine = test_support::elastic_box(10.0, 6.0, 0.5);
+    Spec refined = test_support::elastic_box(10.0, 6.0, 1.0);
+    refined.refine = {{refined.box, 1}};
+    std::map<std::pair<double, double>, std::array<double, 2>> results;
+    double difference = 0.0;
+    double largest = 0.0;
+    for (Spec* spec : {&fine, &refined}) {
+      spec->scheme.transfer = transfer;
+      Domain domain(*spec);
+      test_support::PlaneWave wave;
+      wave.angle = 15.0 * std::numbers::pi / 180.0;
+      wave.y_reference = -6.0;
+      Stepper stepper(domain, 0.8, test_support::plane_wave_source(domain, wave, true));
+      for (int step = 0; step < 100; ++step)
+        stepper.step();
+      for_particles(domain, [&](Particles& set, std::size_t k) {
+        const std::pair place{std::round(64.0 * set.x_initial[k]), std::round(64.0 * set.y_initial[k])};
+        if (spec == &fine) {
+          results[place] = {set.vx[k], set.sxy[k]};
+          return;
+        }
+        ASSERT_TRUE(results.contains(place));
+        largest = std::max(largest, std::abs(set.vx[k]));
+        difference = std::max({difference, std::abs(set.vx[k] - results[place][0]),
+                               std::abs(set.sxy[k] - results[place][1]) / 1e6});
+      });
+    }
+    EXPECT_GT(largest, 0.02);
+    EXPECT_LT(difference, 1e-12);
+  }
+}
+
+struct Totals {
+  double mass = 0.0;
+  Vector momentum;
+  double spin = 0.0;
+};
+
+Totals grid_totals(const Domain& domain) {
+  Totals total;
+  const Grid& grid = domain.grid;
+  for (int level = 0; level < domain.lattice_count(); ++level) {
+    const Lattice& lattice = domain.lattice(level);
+    for (int j = 0; j < lattice.ny; ++j)
+      for (int i = 0; i < lattice.nx; ++i) {
+        const std::size_t n = lattice.index(i, j);
+        total.mass += grid.mass[n];
+        total.momentum.x += grid.momentum_x[n];
+        total.momentum.y += grid.momentum_y[n];
+        total.spin += (lattice.x0 + i * lattice.h) * grid.momentum_y[n] -
+                      (lattice.y0 + j * lattice.h) * grid.momentum_x[n];
+      }
+  }
+  return total;
+}
+
+/// A uniform field v = a + A x, with C = A.
+void set_linear_field(Domain& domain, Vector a, const std::array<double, 4>& gradient) {
+  const auto [xx, xy, yx, yy] = gradient;
+  for_particles(domain, [&](Particles& p, std::size_t k) {
+    p.vx[k] = a.x + xx * p.x[k] + xy * p.y[k];
+    p.vy[k] = a.y + yx * p.x[k] + yy * p.y[k];
+    p.cxx[k] = xx;
+    p.cxy[k] = xy;
+    p.cyx[k] = yx;
+    p.cyy[k] = yy;
+  });
+}
+
+TEST(GradedDomain, ScatterConservesMassMomentumAndAngularMomentum) {
+  Domain domain(graded_box());
+  set_linear_field(domain, {0.3, -0.2}, {0.1, -0.4, 0.7, 0.2});
+  scatter(domain, ScatterPart::both);
+  Totals expected;
+  for_particles(domain, [&](Particles& p, std::size_t k) {
+    expected.mass += p.mass[k];
+    expected.momentum.x += p.mass[k] * p.vx[k];
+    expected.momentum.y += p.mass[k] * p.vy[k];
+    // The affine part about the particle: with D = sum S (x_i - x)(x_i - x)^T diagonal, of nodes that may be
+    // tied.
+    std::vector<BoxWeight> weights;
+    box_average(*domain.mesh, box_of(p, k), weights);
+    double spin = p.x[k] * p.vy[k] - p.y[k] * p.vx[k];
+    for (const BoxWeight& w : weights)
+      spin += w.s * (std::pow(w.x - p.x[k], 2) * p.cyx[k] - std::pow(w.y - p.y[k], 2) * p.cxy[k]);
+    expected.spin += p.mass[k] * spin;
+  });
+  const Totals grid = grid_totals(domain);
+  EXPECT_NEAR(grid.mass, expected.mass, 1e-12 * expected.mass);
+  EXPECT_NEAR(grid.momentum.x, expected.momentum.x, 1e-12 * expected.mass);
+  EXPECT_NEAR(grid.momentum.y, expected.momentum.y, 1e-12 * expected.mass);
+  EXPECT_NEAR(grid.spin, expected.spin, 1e-11 * expected.mass);
+}
+
+TEST(GradedDomain, RigidMotionCausesNoStressOnAnyLevel) {
+  Domain domain(graded_box());
+  const double spin = 0.1; // rad/s
+  set_linear_field(domain, {1.0, 2.0}, {0.0, -spin, spin, 0.0});
+  scatter(domain, ScatterPart::both);
+  grid_velocities(domain);
+  // The lumped grid velocity of a linear field is that field only where the weights are symmetric about the
+  // node: away from free edges and level interfaces. The exact field on the nodes must come back everywhere.
+  for (int level = 0; level < domain.lattice_count(); ++level) {
+    const Lattice& lattice = domain.lattice(level);
+    for (int j = 0; j < lattice.ny; ++j)
+      for (int i = 0; i < lattice.nx; ++i) {
+        const std::size_t n = lattice.index(i, j);
+        domain.grid.vx[n] = domain.grid.vx_new[n] = 1.0 - spin * (lattice.y0 + j * lattice.h);
+        domain.grid.vy[n] = domain.grid.vy_new[n] = 2.0 + spin * (lattice.x0 + i * lattice.h);
+      }
+  }
+  gather(domain, 1e-3, {.velocity = true, .position = true, .strain = true});
+  for_particles(domain, [&](Particles& p, std::size_t k) {
+    EXPECT_NEAR(p.sxx[k], 0.0, 1e-8);
+    EXPECT_NEAR(p.syy[k], 0.0, 1e-8);
+    EXPECT_NEAR(p.sxy[k], 0.0, 1e-8);
+    EXPECT_NEAR(p.cyx[k], spin, 1e-12);
+    EXPECT_NEAR(p.cxy[k], -spin, 1e-12);
+    EXPECT_NEAR(p.cxx[k], 0.0, 1e-12);
+  });
+}
+
+TEST(GradedDomain, TranslationThroughAllLevelsStaysRigid) {
+  for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
+    Spec spec = graded_box();
+    spec.scheme.transfer = transfer;
+    spec.regions = {{0, {{1.0, -4.0}, {3.0, -4.0}, {3.0, -2.0}, {1.0, -2.0}}}};
+    Domain domain(spec);
+    for_particles(domain, [](Particles& set, std::size_t k) { set.vx[k] = 20.0; });
+    Stepper stepper(domain, 0.0, no_traction());
+    while (stepper.time() < 0.4)
+      stepper.step();
+    for_particles(domain, [&](Particles& set, std::size_t k) {
+      EXPECT_NEAR(set.x[k] - set.x_initial[k], 20.0 * stepper.time(), 1e-10);
+      EXPECT_NEAR(set.vx[k], 20.0, 1e-10);
+      EXPECT_NEAR(set.sxx[k], 0.0, 1e-3); // Pa, of 40 MPa soil
+    });
+  }
+}
+
+/// The faces' shares of a node add up to the trapezoid of real edge lengths.
+TEST(GradedDomain, FacesGiveNodesTheirTributaryLengths) {
+  Spec spec = test_support::elastic_box(8.0, 6.0, 1.0);
+  spec.refine = {
+      {{0.0, -4.0, 3.0, -2.0}, 1}}; // at the left side: real nodes at y = -6, -5, -4, -3.5, -3, -2.5, -2 ...
+  const Domain domain(spec);
+  std::map<double, double> length; // by y
+  for (const BoundaryFace& face : domain.faces) {
+    if (face.side != Side::left)
+      continue;
+    FaceWeights weights;
+    face_weights(domain, face, weights);
+    for (const FaceWeight& w : weights)
+      for (int level = 0; level < domain.lattice_count(); ++level) {
+        const Lattice& lattice = domain.lattice(level);
+        if (w.node < lattice.first || w.node >= lattice.first + lattice.count() || w.w < 1e-12)
+          continue;
+        const std::size_t row = (w.node - lattice.first) / static_cast<std::size_t>(lattice.nx);
+        length[lattice.y0 + lattice.h * static_cast<double>(row)] += w.w * face.length;
+      }
+  }
+  const std::map<double, double> expected{{-6.0, 0.5}, {-5.0, 1.0},  {-4.0, 0.75}, {-3.5, 0.5}, {-3.0, 0.5},
+                                          {-2.5, 0.5}, {-2.0, 0.75}, {-1.0, 1.0},  {0.0, 0.5}};
+  ASSERT_EQ(length.size(), expected.size());
+  for (const auto& [y, l] : expected)
+    EXPECT_NEAR(length[y], l, 1e-12) << "y = " << y;
+}
+
+/// A stress that varies linearly with depth, on three levels and with the supports replaced by tractions.
+TEST(GradedDomain, StandsUnderItsWeightAndStaysSo) {
+  Spec spec = graded_box();
+  spec.gravity = 9.81;
+  Domain domain(spec);
+  replace_constraints(domain, relax_under_gravity(domain, {}, [](long, double) {}));
+  const double scale = 1700.0 * 9.81 * 8.0;
+  double worst = 0.0;
+  for_particles(domain, [&](Particles& set, std::size_t k) {
+    worst = std::max(worst, std::abs(set.syy[k] - 1700.0 * 9.81 * set.y[k]) / scale);
+  });
+  EXPECT_LT(worst, 0.25 * 0.25 / 8.0); // (l/h)^2 of the weight of a cell
+  Stepper stepper(domain, 0.0, [&](long, double, auto v, auto traction) {
+    for (std::size_t f = 0; f < v.size(); ++f)
+      traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f], {}, domain.static_tractions[f]);
+  });
+  while (stepper.time() < 0.3)
+    stepper.step();
+  double fastest = 0.0;
+  for_particles(domain, [&](Particles& set, std::size_t k) {
+    fastest = std::max(fastest, std::hypot(set.vx[k], set.vy[k]));
+  });
+  EXPECT_LT(fastest, 1e-6);
+}
+
+TEST(GradedDomain, TheStepIsThatOfTheFinestCellsInTheirSoil) {
+  Spec spec = graded_box();
+  spec.soils.push_back({"stiff", materials::LinearElastic{{1700.0, 16.0 * 40e6, 0.28}}});
+  spec.regions.push_back({1, {{0.0, -8.0}, {12.0, -8.0}, {12.0, -7.0}, {0.0, -7.0}}});
+  Domain domain(spec);
+  const double c = materials::elasticity(spec.soils.front().law).p_wave_speed();
+  // 0.25 m cells with c against 1 m cells with 4 c: the same.
+  EXPECT_NEAR(critical_time_step(domain, 0.0), 0.65 * 0.25 / c, 1e-12);
+}
+
+/// On a torus the seam cannot be seen, wherever the fine cells lie.
+TEST(GradedDomain, SeamOfAPeriodCannotBeSeen) {
+  std::vector<std::map<std::pair<long, long>, double>> results;
+  for (const double shift : {0.0, 5.0}) {
+    Spec spec = test_support::elastic_box(8.0, 4.0, 1.0);
+    spec.periodic_sides = true;
+    // [2, 4] m, and moved across the seam: [7, 9] m
+    if (shift == 0.0)
+      spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}};
+    else
+      spec.refine = {{{7.0, -2.0, 8.0, 0.0}, 1}, {{0.0, -2.0, 1.0, 0.0}, 1}};
+    Domain domain(spec);
+    const auto phase = [&](double x) { return 2.0 * std::numbers::pi * (x - shift) / 8.0; };
+    for_particles(domain, [&](Particles& set, std::size_t k) {
+      set.vx[k] = 3.0 + 0.4 * std::sin(phase(set.x[k]));
+      set.vy[k] = 0.2 * std::cos(phase(set.x[k]));
+    });
+    Stepper stepper(domain, 0.0, no_traction());
+    while (stepper.time() < 0.5)
+      stepper.step();
+    auto& result = results.emplace_back();
+    for_particles(domain, [&](Particles& set, std::size_t k) {
+      // x_initial moves with a particle that is wrapped; what counts is its place in the pattern.
+      const double x = set.x_initial[k] - shift;
+      result[{std::lround(64.0 * (x - 8.0 * std::floor(x / 8.0))), std::lround(64.0 * set.y_initial[k])}] =
+          set.sxy[k] + set.vx[k];
+    });
+  }
+  ASSERT_EQ(results[0].size(), results[1].size());
+  for (const auto& [place, value] : results[0]) {
+    ASSERT_TRUE(results[1].contains(place));
+    EXPECT_NEAR(value, results[1][place], 1e-6); // Pa, of some 1e5
+  }
+}
+
+} // namespace
+} // namespace tremolo::mpm_domain
