@@ -94,7 +94,7 @@ coupler::Elsewhere through_slurm(const scene::Host& host, const std::string& par
 
 coupler::Elsewhere elsewhere(const scene::Host& host, const std::string& participant, const fs::path& keys,
                              double connect_deadline, int number) {
-  const auto absolute = fs::absolute(keys);
+  const auto absolute = keys.empty() ? keys : fs::absolute(keys); // without, the hub does not listen
   switch (host.start) {
   case scene::StartBy::ssh:
     return through_ssh(host, participant, absolute, connect_deadline);

@@ -61,7 +61,9 @@ void Joining::look_at_line() {
     zmq::message_t address;
     std::ignore = monitor_.recv(address, zmq::recv_flags::dontwait);
     gone_ = gone_ || number == ZMQ_EVENT_DISCONNECTED;
-    if (const auto text = meaning(number, value, options_.name); !text.empty())
+    const auto text = meaning(number, value, options_.name);
+    // Another attempt follows every failure, and says less than that did.
+    if (!text.empty() && (trouble_.empty() || number != ZMQ_EVENT_CONNECT_RETRIED))
       trouble_ = text;
   }
 }

@@ -11,12 +11,12 @@ namespace tremolo::app {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 /// ssh and srun are files on a PATH of this test's own; nobody starts them here.
-class Hosts : public testing::Test {
+class Hosts : public ::testing::Test {
 protected:
   void SetUp() override {
     for (const char* program : {"ssh", "srun"})
@@ -40,7 +40,7 @@ TEST_F(Hosts, SshAsksNobodyAndGoesToTheHost) {
       words({scene::StartBy::ssh, "user@node2", "-p 2222 -o Compression=no", "tremolo", "/keys there"});
   EXPECT_THAT(found,
               ElementsAre(folder_ / "ssh", "-n", "-T", "-o", "BatchMode=yes", "-o", "ConnectTimeout=30", "-p",
-                          "2222", "-o", "Compression=no", "--", "user@node2", testing::_));
+                          "2222", "-o", "Compression=no", "--", "user@node2", ::testing::_));
 }
 
 TEST_F(Hosts, AShellThereReadsEachWordAsItIs) {
