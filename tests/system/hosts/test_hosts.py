@@ -159,7 +159,7 @@ class OverLoopback(HostsTest):
             script.write_text(subprocess.run([TREMOLO, "sbatch", str(work.case), "--keys", str(work.keys)], check=True,
                                              capture_output=True, text=True).stdout)
             self.assertIn("#SBATCH --nodes=3\n", script.read_text())
-            job = work.start(["bash", script], SLURM_JOB_ID="1", SLURM_JOB_NUM_NODES="3", SLURM_CPUS_ON_NODE="2")
+            job = work.start(["bash", script], SLURM_JOB_ID="1", SLURM_JOB_NUM_NODES="3", SLURM_CPUS_ON_NODE="1")
             self.assertEqual(0, job.end(), job.output())
             next((work.path / "runs").iterdir()).rename(work.path / "run")
             self.assert_same_bits(work, job)
@@ -258,13 +258,13 @@ class OverTwoMachines(HostsTest):
         with two_hosts.TwoHosts() as hosts, self.workspace(hosts) as work:
             data = work.path / "data"
             data.mkdir()
-            (data / "motion.csv").write_text("time,acceleration\n" + "".join(f"{0.01 * i},{(i % 7 - 3) * 0.01}\n" for i in range(200)))
+            (data / "motion.AT2").write_text("a record\nACCELERATION IN UNITS OF G\nNPTS= 200, DT= .01 SEC\n" + "0.0 0.01 -0.01 0.0\n" * 50)
             pulse = re.compile(r"pulse = .*\n")
-            work.case.write_text(pulse.sub('file = "data/motion.csv"\nquantity = "acceleration"\n', work.case.read_text()))
+            work.case.write_text(pulse.sub('file = "data/motion.AT2"\n', work.case.read_text()))
             run = work.run()
             words = run.find(r"tremolo (join .*)\n").group(1)
             hidden = work.start(["unshare", "--mount", "sh", "-c", f"mount -t tmpfs none {data} && exec {TREMOLO} {words}"], there=True)
-            self.assert_failed(hidden, f"{data}/motion.csv is missing on this machine")
+            self.assert_failed(hidden, f"{data}/motion.AT2 is missing on this machine")
 
 
 if __name__ == "__main__":

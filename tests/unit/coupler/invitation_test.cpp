@@ -8,8 +8,8 @@
 namespace tremolo::coupler {
 namespace {
 
-using testing::HasSubstr;
-using testing::Optional;
+using ::testing::HasSubstr;
+using ::testing::Optional;
 
 TEST(Invitation, ArrivesAsItWasSent) {
   const Invitation sent{0x0123456789abcdef,

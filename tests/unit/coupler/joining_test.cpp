@@ -19,14 +19,14 @@ namespace tremolo::coupler {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 constexpr std::uint64_t session = 0x0123456789abcdef;
 
 /// A hub that expects 'left' and 'right' from elsewhere and 'base' and 'domain' on this machine, at work in a
 /// thread of its own.
-class Joined : public testing::Test {
+class Joined : public ::testing::Test {
 protected:
   void SetUp() override {
     for (const char* name : {"hub", "left", "right", "base"})
