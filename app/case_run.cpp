@@ -1,6 +1,7 @@
 #include "app/case_run.hpp"
 
 #include "app/commands.hpp"
+#include "app/in_process.hpp"
 #include "app/run_display.hpp"
 #include "coupler/exchange_recorder.hpp"
 #include "coupler/process/recorded_case.hpp"
@@ -45,6 +46,11 @@ std::vector<std::string> own_arguments(const scene::FreeFieldModel& field) {
   return arguments;
 }
 
+/// Nothing where each participant has a process of its own.
+coupler::ParticipantMain main_for(const CaseRun& run, const std::string& program) {
+  return run.transport == "inproc" ? main_of(program) : coupler::ParticipantMain{};
+}
+
 coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run) {
   coupler::LaunchOptions options;
   options.case_file = scene.file;
@@ -59,8 +65,14 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& r
     options.processes.push_back({.name = source.name,
                                  .role = coupler::Role::source,
                                  .program = located(scene::program(source.field)),
-                                 .arguments = own_arguments(source.field)});
-  options.processes.push_back({"domain", coupler::Role::domain, located("tremolo-domain"), run.threads});
+                                 .arguments = own_arguments(source.field),
+                                 .main = main_for(run, scene::program(source.field))});
+  options.processes.push_back({"domain",
+                               coupler::Role::domain,
+                               located("tremolo-domain"),
+                               run.threads,
+                               {},
+                               main_for(run, "tremolo-domain")});
   return options;
 }
 
@@ -158,6 +170,8 @@ void finish_recording(coupler::ExchangeRecorder* recorder, const scene::Recordin
 } // namespace
 
 std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& run) {
+  if (run.transport == "inproc")
+    share_process();
   fs::create_directories(run.folder);
   scene.file = run.folder / "case.toml";
   write_text(scene.file, scene.text);

@@ -16,9 +16,9 @@ namespace tremolo::app {
 struct CaseRun {
   std::filesystem::path folder;    ///< empty, or not there yet
   std::optional<std::string> mode; ///< of the exchange, instead of the case's
-  std::string transport = "ipc";
-  int threads = 1;              ///< of the domain
-  std::filesystem::path keys{}; ///< folder of CURVE keys; empty: none
+  std::string transport = "ipc";   ///< "inproc": all participants are threads of this process
+  int threads = 1;                 ///< of the domain
+  std::filesystem::path keys{};    ///< folder of CURVE keys; empty: none
 };
 
 /// Runs a case in its folder.

@@ -1,5 +1,7 @@
 #include "coupler/launcher.hpp"
 
+#include "coupler/child_process.hpp"
+#include "coupler/child_thread.hpp"
 #include "coupler/messages.hpp"
 #include "coupler/sockets.hpp"
 #include "coupler/termination.hpp"
@@ -8,6 +10,7 @@
 #include <array>
 #include <chrono>
 #include <fmt/format.h>
+#include <memory>
 #include <optional>
 #include <random>
 
@@ -47,11 +50,12 @@ class Run {
 public:
   explicit Run(const LaunchOptions& options)
       : options_(options), endpoint_(options.transport), hub_options_(hub_options(options)),
-        context_(new_context(options.processes.size())), hub_(context_, endpoint_.address(), hub_options_) {
+        context_(std::make_shared<zmq::context_t>(new_context(options.processes.size()))),
+        hub_(*context_, endpoint_.address(), hub_options_) {
     const auto log_folder = options_.out / "log";
     std::filesystem::create_directories(log_folder);
     for (const auto& process : options_.processes)
-      children_.emplace_back(process.name, command(process), log_folder / (process.name + ".log"));
+      children_.push_back(started(process, log_folder / (process.name + ".log")));
   }
 
   std::vector<ProcessSummary> to_its_end() {
@@ -67,8 +71,8 @@ public:
       options_.on_progress(hub_.progress());
     }
     for (const auto& child : children_)
-      if (!child.succeeded() && !child.killed())
-        stop_failed({child.name(), ""});
+      if (!child->succeeded() && !child->killed())
+        stop_failed({child->name(), ""});
     return summaries();
   }
 
@@ -88,6 +92,12 @@ private:
     return words;
   }
 
+  std::unique_ptr<Child> started(const ProcessSpec& process, const std::filesystem::path& log) const {
+    if (options_.transport != Transport::inproc)
+      return std::make_unique<ChildProcess>(process.name, command(process), log);
+    return std::make_unique<ChildThread>(process.name, process.main, command(process), log, context_);
+  }
+
   void wait_for_news() {
     std::array<zmq::pollitem_t, 2> items{
         {{hub_.socket().handle(), 0, ZMQ_POLLIN, 0}, {nullptr, signals_.descriptor(), ZMQ_POLLIN, 0}}};
@@ -96,18 +106,18 @@ private:
   }
 
   bool all_ended() {
-    return std::all_of(children_.begin(), children_.end(), [](auto& child) { return child.ended(); });
+    return std::all_of(children_.begin(), children_.end(), [](auto& child) { return child->ended(); });
   }
 
   /// A process may end only after its BYE, and then well, unless we have ended it as a straggler.
   void watch_children() {
     for (auto& child : children_) {
-      if (!child.ended() || child.killed() || (hub_.has_left(child.name()) && child.succeeded()))
+      if (!child->ended() || child->killed() || (hub_.has_left(child->name()) && child->succeeded()))
         continue;
       // Its last words, BYE or the reason, may still be on their way through the sockets.
-      const double patience = child.succeeded() ? options_.deadlines.shutdown : last_words_s;
-      if (child.seconds_since_end() > patience)
-        stop_failed({child.name(), ""});
+      const double patience = child->succeeded() ? options_.deadlines.shutdown : last_words_s;
+      if (child->seconds_since_end() > patience)
+        stop_failed({child->name(), ""});
     }
   }
 
@@ -121,20 +131,21 @@ private:
     if (seconds_since(*domain_left_) < options_.deadlines.shutdown)
       return;
     for (auto& child : children_)
-      if (!child.ended()) {
+      if (!child->ended()) {
         options_.note(fmt::format("killed '{}', which was still there {} s after the domain had finished",
-                                  child.name(), options_.deadlines.shutdown));
-        child.kill();
+                                  child->name(), options_.deadlines.shutdown));
+        child->kill();
       }
   }
 
   [[noreturn]] void stop_failed(const Failure& failure) {
-    const auto culprit = std::find_if(children_.begin(), children_.end(),
-                                      [&](const auto& child) { return child.name() == failure.participant; });
-    if (culprit == children_.end()) {
+    const auto found = std::find_if(children_.begin(), children_.end(),
+                                    [&](const auto& child) { return child->name() == failure.participant; });
+    if (found == children_.end()) {
       stop_all(failure.text);
       throw RunFailed(failure.text, 1);
     }
+    const auto& culprit = *found;
     const bool died = failure.text.empty();
     std::string text =
         died ? fmt::format("'{}' {} before the run was over", culprit->name(), culprit->ending())
@@ -170,7 +181,7 @@ private:
     hub_.abort(reason);
     await([&] { return all_ended(); }, abort_grace_s);
     for (auto& child : children_)
-      child.kill();
+      child->kill();
   }
 
   /// Until it is done, the grace is over, or a signal calls for haste.
@@ -181,17 +192,17 @@ private:
       wait_for_news();
   }
 
-  ChildProcess& domain_process() {
+  Child& domain_process() {
     const auto spec = std::find_if(options_.processes.begin(), options_.processes.end(),
                                    [](const auto& p) { return p.role == Role::domain; });
-    return children_[static_cast<std::size_t>(spec - options_.processes.begin())];
+    return *children_[static_cast<std::size_t>(spec - options_.processes.begin())];
   }
 
   std::vector<ProcessSummary> summaries() const {
     std::vector<ProcessSummary> list;
     for (const auto& child : children_) {
-      const auto report = hub_.reports().find(child.name());
-      list.push_back({child.name(), child.wall_seconds(), child.cpu_seconds(),
+      const auto report = hub_.reports().find(child->name());
+      list.push_back({child->name(), child->wall_seconds(), child->cpu_seconds(),
                       report == hub_.reports().end() ? ParticipantReport{} : report->second});
     }
     return list;
@@ -201,9 +212,9 @@ private:
   SignalWatch signals_; // before the context, whose threads inherit the blocked signals
   RunEndpoint endpoint_;
   HubOptions hub_options_;
-  zmq::context_t context_;
+  std::shared_ptr<zmq::context_t> context_;
   Hub hub_;
-  std::vector<ChildProcess> children_;
+  std::vector<std::unique_ptr<Child>> children_;
   std::optional<Clock::time_point> domain_left_;
 };
 

@@ -4,7 +4,6 @@
 // end. A participant that dies, or that fails a deadline, ends the run at once with one message that names
 // it.
 
-#include "coupler/child_process.hpp"
 #include "coupler/error.hpp"
 #include "coupler/hub.hpp"
 #include "coupler/mode.hpp"
@@ -19,13 +18,15 @@
 
 namespace tremolo::coupler {
 
-/// A process to start. It gets its own arguments, then the command line of ParticipantOptions.
+/// A process to start, or a thread where all are in one process. It gets its own arguments, then the command
+/// line of ParticipantOptions.
 struct ProcessSpec {
   std::string name;
   Role role = Role::source;
   std::filesystem::path program;
   int threads = 1;
   std::vector<std::string> arguments{};
+  ParticipantMain main{}; ///< the program's, for Transport::inproc
 };
 
 struct LaunchOptions {
@@ -61,7 +62,7 @@ private:
 };
 
 /// Runs all processes to their end. On Ctrl-C or SIGTERM all are told to close their files; a second Ctrl-C
-/// kills them.
+/// kills them. A thread (Transport::inproc) that does not react is still there afterwards (child_thread.hpp).
 /// @throws RunFailed when no process is left; Error if the run cannot be set up
 std::vector<ProcessSummary> launch(const LaunchOptions& options);
 

@@ -33,11 +33,13 @@ std::vector<std::string> command_line(const ParticipantOptions& options) {
   return line;
 }
 
-int participant_main(const std::string& program, const std::string& description, int argc, char** argv,
+int participant_main(const std::string& program, const std::string& description, const CommandLine& command,
+                     const Surroundings& surroundings,
                      const std::function<void(const ParticipantOptions&)>& body,
                      const std::vector<OwnOption>& own_options) {
   CLI::App app(description, program);
   ParticipantOptions options;
+  options.surroundings = surroundings;
   std::string session;
   app.add_option("--case", options.case_file, "case file")->required();
   app.add_option("--name", options.name, "this participant's name in the run")->required();
@@ -51,7 +53,7 @@ int participant_main(const std::string& program, const std::string& description,
   for (const auto& own : own_options)
     app.add_option(own.flag, own.value, own.help);
   try {
-    app.parse(argc, argv);
+    app.parse(CommandLine(command.rbegin(), command.rend() - 1)); // CLI11 takes them from the back
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
@@ -63,9 +65,15 @@ int participant_main(const std::string& program, const std::string& description,
     return 0;
   } catch (const std::exception& error) {
     // fmt::print would throw where the log's disk is full.
-    std::fprintf(stderr, "%s: %s\n", program.c_str(), error.what());
+    std::fprintf(surroundings.errors, "%s: %s\n", program.c_str(), error.what());
     return 1;
   }
+}
+
+int participant_main(const std::string& program, const std::string& description, int argc, char** argv,
+                     const std::function<void(const ParticipantOptions&)>& body,
+                     const std::vector<OwnOption>& own_options) {
+  return participant_main(program, description, CommandLine(argv, argv + argc), {}, body, own_options);
 }
 
 } // namespace tremolo::coupler

@@ -120,6 +120,9 @@ struct NamedTable {
   Table table;
 };
 
+/// Whether several threads may use files at the same time: how the HDF5 library was built.
+bool is_thread_safe();
+
 /// Creates an HDF5 file of tables, e.g. verify.h5.
 /// @throws std::runtime_error where the file cannot be written
 void write_tables(const std::filesystem::path& file, std::span<const NamedTable> tables);

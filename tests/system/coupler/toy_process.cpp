@@ -1,8 +1,9 @@
 // A participant for tests of the coupler: role by name ("domain" or a source), misbehaviour by the case file,
 // whose lines read "NAME MISDEED STEP".
 
+#include "toy_process.hpp"
+
 #include "coupler/error.hpp"
-#include "coupler/participant.hpp"
 #include "toy_field.hpp"
 
 #include <chrono>
@@ -14,10 +15,9 @@
 #include <unistd.h>
 #include <zmq.hpp>
 
-namespace {
+namespace tremolo::coupler {
 
-using namespace tremolo;
-using namespace tremolo::coupler;
+namespace {
 
 struct Misdeed {
   std::string what;
@@ -129,8 +129,8 @@ void shake(const ParticipantOptions& options, const Misdeed& misdeed) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-  return participant_main("toy", "toy participant", argc, argv, [](ParticipantOptions options) {
+int toy_process(const CommandLine& command, const Surroundings& surroundings) {
+  return participant_main("toy", "toy participant", command, surroundings, [](ParticipantOptions options) {
     std::ofstream(options.out / (options.name + ".pid")) << ::getpid();
     const auto misdeed = misdeed_of(options);
     if (misdeed.what == "absent")
@@ -145,3 +145,5 @@ int main(int argc, char** argv) {
     die_if(misdeed, "killed-after-bye");
   });
 }
+
+} // namespace tremolo::coupler

@@ -3,7 +3,8 @@
 // brings it to rest under gravity, replaces the supports by tractions, and shakes it through its boundary
 // faces with what the coupler brings.
 
-#include "coupler/participant.hpp"
+#include "mpm_domain/process/domain_process.hpp"
+
 #include "mpm_domain/gravity_stage.hpp"
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/run_output.hpp"
@@ -15,10 +16,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+
+namespace tremolo::mpm_domain {
 
 namespace {
-
-using namespace tremolo;
 
 scene::Side scene_side(mpm_domain::Side side) {
   switch (side) {
@@ -47,7 +49,7 @@ std::vector<coupler::BoundaryFace> coupled_faces(const mpm_domain::Domain& domai
 
 /// Brings the domain to rest and returns the wall time it took, s.
 double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stage,
-                     coupler::DomainClient& client) {
+                     coupler::DomainClient& client, std::FILE* log) {
   coupler::Stopwatch watch;
   watch.start();
   const mpm_domain::GravitySettings settings{stage.residual, stage.max_time};
@@ -56,7 +58,8 @@ double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stag
   };
   const mpm_domain::Reactions reactions = mpm_domain::relax_under_gravity(domain, settings, progress);
   if (reactions.unheld > 0)
-    fmt::print("warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
+    fmt::print(log,
+               "warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
                "it: the soil "
                "there is not at rest; a gentler slope or stronger soil would be\n",
                reactions.unheld, domain.particle_count());
@@ -106,7 +109,8 @@ void run(const coupler::ParticipantOptions& options) {
   coupler::DomainClient client(options);
   try {
     mpm_domain::Domain domain(mpm_domain::spec_from_case(scene, options.threads));
-    const double gravity_seconds = scene.gravity ? gravity_stage(domain, *scene.gravity, client) : 0.0;
+    const double gravity_seconds =
+        scene.gravity ? gravity_stage(domain, *scene.gravity, client, options.surroundings.log) : 0.0;
     shake(domain, scene, plan, options, client, gravity_seconds);
   } catch (const std::exception& error) {
     client.abandon(error.what());
@@ -116,7 +120,9 @@ void run(const coupler::ParticipantOptions& options) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-  return tremolo::coupler::participant_main(
-      "tremolo-domain", "The Material Point Method domain of a tremolo run.", argc, argv, run);
+int domain_process(const coupler::CommandLine& command, const coupler::Surroundings& surroundings) {
+  return coupler::participant_main("tremolo-domain", "The Material Point Method domain of a tremolo run.",
+                                   command, surroundings, run);
 }
+
+} // namespace tremolo::mpm_domain
