@@ -17,9 +17,13 @@ struct CaseRun {
   std::filesystem::path folder;    ///< empty, or not there yet
   std::optional<std::string> mode; ///< of the exchange, instead of the case's
   std::string transport = "ipc";
-  int threads = 1;              ///< of the domain
-  std::filesystem::path keys{}; ///< folder of CURVE keys; empty: none
+  int threads = 1;                                ///< of the domain
+  std::filesystem::path keys{};                   ///< folder of CURVE keys; empty: none
+  std::optional<coupler::CheckpointSet> resume{}; ///< goes on from there, in a folder that has it
 };
+
+/// What the checkpoints of a run of this case depend on.
+coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<std::string>& mode);
 
 /// Runs a case in its folder.
 /// @param scene  its relative file names have been made absolute (scene/override.hpp)

@@ -75,8 +75,13 @@ BoundaryExchange::BoundaryExchange(const std::vector<SourceDescription>& sources
     inlets_.push_back({use.address, use.source->name,
                        FreeFieldHistory(*use.field, use.least_delay, use.largest_delay, look_ahead),
                        frame_steps});
-    inlets_.back().history.release_before(start_time);
   }
+  release_before(start_time);
+}
+
+void BoundaryExchange::release_before(double time) {
+  for (auto& inlet : inlets_)
+    inlet.history.release_before(time);
 }
 
 BoundaryExchange::Inlet* BoundaryExchange::find(FieldAddress address) {
@@ -108,8 +113,7 @@ std::optional<BoundaryExchange::Missing> BoundaryExchange::missing(double time) 
 
 void BoundaryExchange::evaluate(double time, std::span<const eq6::Vector> v_domain,
                                 std::span<eq6::FreeField> free_field, std::span<eq6::Vector> tractions) {
-  for (auto& inlet : inlets_)
-    inlet.history.release_before(time);
+  release_before(time);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     free_field[i] = inlets_[readers_[i].inlet].history.evaluate(readers_[i].map, time);
     tractions[i] =

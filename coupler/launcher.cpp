@@ -37,7 +37,9 @@ HubOptions hub_options(const LaunchOptions& launch) {
                  .deadlines = launch.deadlines,
                  .keys = launch.keys,
                  .note = launch.note,
-                 .observer = launch.observer};
+                 .observer = launch.observer,
+                 .checkpoints = launch.checkpoints,
+                 .resume = launch.resume};
   for (const auto& process : launch.processes)
     hub.participants.push_back({process.name, process.role});
   return hub;
@@ -76,14 +78,17 @@ private:
   std::vector<std::string> command(const ProcessSpec& process) const {
     std::vector<std::string> words{process.program.string()};
     words.insert(words.end(), process.arguments.begin(), process.arguments.end());
-    const auto common = command_line({.case_file = options_.case_file,
-                                      .name = process.name,
-                                      .endpoint = hub_.endpoint(),
-                                      .session = hub_options_.session,
-                                      .threads = process.threads,
-                                      .out = options_.out,
-                                      .deadlines = options_.deadlines,
-                                      .keys = options_.keys});
+    const auto common =
+        command_line({.case_file = options_.case_file,
+                      .name = process.name,
+                      .endpoint = hub_.endpoint(),
+                      .session = hub_options_.session,
+                      .threads = process.threads,
+                      .out = options_.out,
+                      .deadlines = options_.deadlines,
+                      .keys = options_.keys,
+                      .resume = options_.resume && process.role == Role::domain ? options_.resume->folder
+                                                                                : std::filesystem::path()});
     words.insert(words.end(), common.begin(), common.end());
     return words;
   }

@@ -213,6 +213,13 @@ struct Recording {
   OnFullDisk on_full_disk = OnFullDisk::stop;
 };
 
+/// [checkpoint]
+struct Checkpoints {
+  std::optional<int> every_steps; ///< of the domain; absent: by time
+  double every_wall = 0.0;        ///< wall time, s
+  int keep = 0;                   ///< 0: none are made
+};
+
 struct Monitor {
   std::string name;
   Point point;
@@ -258,6 +265,7 @@ struct Case {
   ShakingStage shaking;
   Coupling coupling;
   Recording recording;
+  Checkpoints checkpoints;
   std::vector<Monitor> monitors;
   Output output;
   double verify_tolerance = 0.0; ///< relative L2 error of particle velocity that `tremolo verify` allows

@@ -5,6 +5,7 @@
 
 #include "coupler/participant.hpp"
 #include "mpm_domain/gravity_stage.hpp"
+#include "mpm_domain/process/checkpoints.hpp"
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
@@ -15,6 +16,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 
 namespace {
 
@@ -66,8 +69,9 @@ double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stag
 }
 
 void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Plan& plan,
-           const coupler::ParticipantOptions& options, coupler::DomainClient& client,
-           double gravity_seconds) {
+           const coupler::ParticipantOptions& options, coupler::DomainClient& client, double gravity_seconds,
+           const results::CheckpointReader* saved) {
+  mpm_domain::Checkpoints checkpoints(scene.checkpoints, mpm_domain::faces_at_rest(domain));
   const std::vector<coupler::BoundaryFace> faces = coupled_faces(domain, scene, plan);
   const double end = scene.shaking.duration;
   coupler::DomainClient::Exchanged exchanged;
@@ -78,12 +82,23 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
   sources.reserve(faces.size());
   for (const coupler::BoundaryFace& face : faces)
     sources.push_back(face.source);
+  std::filesystem::path before;
+  std::optional<coupler::DomainClient::FirstStep> first;
+  if (saved != nullptr)
+    before = results::set_aside(options.out / "run.h5");
   mpm_domain::RunOutput output(options.out, scene, scene::to_json(plan), domain, sources);
   try {
-    client.ready(faces, 0.0, end);
+    if (saved != nullptr) {
+      mpm_domain::load_state(*saved, domain, stepper);
+      output.take_over(before, *saved);
+      std::filesystem::remove(before);
+      first = {static_cast<std::uint64_t>(stepper.steps()), stepper.time()};
+    }
+    client.ready(faces, 0.0, end, first);
     while (stepper.time() < end) {
       stepper.step();
       output.after_step(stepper, exchanged.free_field);
+      checkpoints.after_step(client, domain, stepper, output);
       client.progress("shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end);
     }
     output.finish(stepper, exchanged.free_field, gravity_seconds, exchanged.waiting_seconds);
@@ -106,8 +121,12 @@ void run(const coupler::ParticipantOptions& options) {
   coupler::DomainClient client(options);
   try {
     mpm_domain::Domain domain(mpm_domain::spec_from_case(scene, options.threads));
-    const double gravity_seconds = scene.gravity ? gravity_stage(domain, *scene.gravity, client) : 0.0;
-    shake(domain, scene, plan, options, client, gravity_seconds);
+    const auto saved = coupler::saved_state(options);
+    if (saved)
+      mpm_domain::load_faces(*saved, domain);
+    const double gravity_seconds =
+        scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client) : 0.0;
+    shake(domain, scene, plan, options, client, gravity_seconds, saved.get());
   } catch (const std::exception& error) {
     client.abandon(error.what());
     throw;
