@@ -168,8 +168,7 @@ private:
   void take_checkpoint(const nlohmann::json& body);
   void save_source(const Participant& source, const CheckpointSet& set) const;
   void load_source(Participant& source) const;
-  void remember_last_step(const Participant& source, Outlet& outlet, const FieldDescription& field,
-                          const Frame& frame);
+  static void remember_last_step(Outlet& outlet, const FieldDescription& field, const Frame& frame);
   void take_credit(const nlohmann::json& body);
   void take_beat(Participant& participant, const nlohmann::json& body);
   void take_progress(Participant& domain, const nlohmann::json& body);

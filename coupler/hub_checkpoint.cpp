@@ -39,6 +39,7 @@ void Hub::take_checkpoint(const json& body) {
   } catch (const std::exception& error) {
     options_.note(fmt::format("warning: no checkpoint at step {}: {}", step, error.what()));
   }
+  send(domain(), {"CHECKPOINT", {{"step", step}}});
 }
 
 void Hub::save_source(const Participant& source, const CheckpointSet& set) const {
@@ -63,8 +64,7 @@ void Hub::load_source(Participant& source) const {
   }
 }
 
-void Hub::remember_last_step(const Participant& source, Outlet& outlet, const FieldDescription& field,
-                             const Frame& frame) {
+void Hub::remember_last_step(Outlet& outlet, const FieldDescription& field, const Frame& frame) {
   const std::size_t count = frame.header.count;
   const auto values_of = [&](std::uint64_t step) {
     outlet.last.resize(count);
@@ -79,8 +79,6 @@ void Hub::remember_last_step(const Participant& source, Outlet& outlet, const Fi
         throw Error(fmt::format("field '{}', step {}: value {} is {} now, it was {} before the checkpoint; a "
                                 "source must compute the same bits again",
                                 field.name, steps - 1, i, outlet.last[i], values[i]));
-    options_.note(fmt::format("source '{}' has sent field '{}' again up to step {}, to the same bits",
-                              source.expected.name, field.name, steps - 1));
   }
   values_of(outlet.next_step - 1);
 }

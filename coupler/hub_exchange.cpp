@@ -131,7 +131,7 @@ void Hub::take_source_frame(Participant& source, zmq::message_t& raw) {
   source.last_heard = Clock::now();
   source.pace.advanced();
   outlet.next_step += frame.header.steps;
-  remember_last_step(source, outlet, description, frame);
+  remember_last_step(outlet, description, frame);
   if (wait_ && wait_->awaited.source == source.expected.name && wait_->awaited.field == description.name &&
       wait_->awaited.step < outlet.next_step)
     wait_.reset();

@@ -139,7 +139,7 @@ public:
   /// Makes the run one that can be resumed from here, by a domain that is given saved_state().
   /// @pre ready() was called, and not between tractions() and the end of its step; the run has a folder
   /// @param time of the next step, s
-  /// @post the domain's state is on the disk; the set counts as soon as the hub has added the sources'
+  /// @post the domain's state is on the disk, and the hub has let the set count or has said why it cannot
   /// @throws std::runtime_error where the disk does not take it; whatever save throws
   void checkpoint(double time, const Save& save);
 
@@ -175,6 +175,9 @@ private:
   void beat(const std::optional<BoundaryExchange::Missing>& awaited);
   void check_hub(const std::string& awaited);
   void drain();
+
+  /// Between two signs of life; a few a second make a lively progress line and cost nothing.
+  static constexpr double beat_interval_s = 0.2;
 
   ParticipantOptions options_;
   Connection connection_;

@@ -1,11 +1,13 @@
 // The domain's part in checkpoints: it saves itself between two steps, when the hub has the velocities of all
-// steps before, and says so. All else is the hub's (hub_checkpoint.cpp).
+// steps before, says so, and waits until the hub has done the rest (hub_checkpoint.cpp).
 
 #include "coupler/checkpoint_set.hpp"
+#include "coupler/incoming.hpp"
 #include "coupler/messages.hpp"
 #include "coupler/participant.hpp"
 
 #include <filesystem>
+#include <fmt/format.h>
 
 namespace tremolo::coupler {
 
@@ -21,6 +23,18 @@ void DomainClient::checkpoint(double time, const Save& save) {
   file.close();
   send_velocities();
   connection_.send({"CHECKPOINT", {{"step", next_step_}, {"time", time}}});
+  waiting_.start();
+  for (bool answered = false; !answered;) {
+    if (const auto incoming = connection_.receive(beat_interval_s)) {
+      answered = incoming->message && incoming->message->type == "CHECKPOINT";
+      if (!incoming->message)
+        take_source_frame(incoming->frame());
+      continue;
+    }
+    beat(std::nullopt);
+    check_hub(fmt::format("the checkpoint of step {}", next_step_));
+  }
+  waiting_.stop();
 }
 
 std::unique_ptr<results::CheckpointReader> saved_state(const ParticipantOptions& options) {

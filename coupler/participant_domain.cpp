@@ -14,9 +14,6 @@ namespace tremolo::coupler {
 
 namespace {
 
-/// Between two signs of life; a few a second make a lively progress line and cost nothing.
-constexpr double beat_interval_s = 0.2;
-
 /// Velocities flow back in batches of about this size.
 constexpr std::size_t batch_values = std::size_t{32} * 1024;
 constexpr std::uint64_t batch_steps = 64;

@@ -14,8 +14,8 @@ import h5py
 import numpy as np
 from recorded_case import BoxWorkspace, SlopeWorkspace, differences, model, record
 
-__all__ = ["BoxWorkspace", "SlopeWorkspace", "checkpoints", "differences", "exchange_differences", "killed", "model", "record",
-           "with_checkpoints"]
+__all__ = ["BoxWorkspace", "SlopeWorkspace", "checkpoints", "differences", "exchange_differences", "killed", "model", "record", "resumed",
+           "whole_run", "with_checkpoints"]
 
 
 def with_checkpoints(work, **settings):
@@ -29,6 +29,15 @@ def checkpoints(folder):
     """Steps of the complete sets, the oldest first."""
     found = folder / "checkpoints"
     return sorted(int(s.name) for s in found.iterdir() if s.suffix != ".part") if found.is_dir() else []
+
+
+def whole_run(work, *options):
+    """The folder of a run that nobody breaks."""
+    return work.run("whole", "--threads", 1, *options)
+
+
+def resumed(work, folder):
+    return work.command("resume", folder, "--threads", 1)
 
 
 def participants(launcher):
@@ -46,7 +55,7 @@ def killed(work, folder, command, after_step, victim=None, chance=random):
 
     Returns the victim's name and the output, or None for the name if the run was over before."""
     with open(work.path / "output.txt", "w+") as output:
-        run = subprocess.Popen([work.tremolo, *map(str, command)], cwd=work.path, stdout=output, stderr=subprocess.STDOUT)
+        run = subprocess.Popen([work.tremolo, *map(str, command), "--threads", "1"], cwd=work.path, stdout=output, stderr=subprocess.STDOUT)
         while run.poll() is None and max(checkpoints(folder), default=0) < after_step:
             time.sleep(0.002)
         time.sleep(chance.uniform(0.0, 0.05))

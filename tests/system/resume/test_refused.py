@@ -11,7 +11,7 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parent)]
 
 import h5py
-from broken_run import BoxWorkspace, checkpoints, differences, killed, model, with_checkpoints
+from broken_run import BoxWorkspace, checkpoints, differences, killed, model, resumed, whole_run, with_checkpoints
 
 SETTINGS = {"left": model("fe"), "right": model("ode"), "base": model("wave"), "duration": 1.0}
 
@@ -27,8 +27,8 @@ class Refused(unittest.TestCase):
         assert victim == "domain", text
         cls.set = cls.folder / "checkpoints" / f"{checkpoints(cls.folder)[-1]:010}"
 
-    def refusal(self, folder=None, *options):
-        result = self.work.command("resume", folder or self.folder, *options)
+    def refusal(self, folder=None):
+        result = resumed(self.work, folder or self.folder)
         self.assertNotEqual(0, result.returncode, result.stdout)
         self.assertNotIn("terminate", result.stderr)
         return result.stdout + result.stderr
@@ -88,12 +88,12 @@ class Refused(unittest.TestCase):
         message = self.refusal(empty)
         self.assertIn("no complete checkpoint", message)
         self.assertIn(f"tremolo run {empty / 'case.toml'}", message)
-        self.assertIn("is complete", self.refusal(self.work.run("complete")))
+        self.assertIn("is complete", self.refusal(self.work.run("complete", "--threads", 1)))
 
     def test_z_what_was_mended_goes_on(self):
-        result = self.work.command("resume", self.folder)
+        result = resumed(self.work, self.folder)
         self.assertEqual(0, result.returncode, result.stdout + result.stderr)
-        self.assertEqual([], differences(self.folder, self.work.run("whole")))
+        self.assertEqual([], differences(self.folder, whole_run(self.work)))
 
 
 if __name__ == "__main__":

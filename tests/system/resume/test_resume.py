@@ -16,7 +16,7 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parent)]
 
 from broken_run import (BoxWorkspace, SlopeWorkspace, checkpoints, differences, exchange_differences, killed, model, record,
-                        with_checkpoints)
+                        resumed, whole_run, with_checkpoints)
 
 KILLS = int(os.environ.get("TREMOLO_RESUME_KILLS", "2"))
 SEED = int(os.environ.get("TREMOLO_RESUME_SEED", random.randrange(10**6)))
@@ -31,13 +31,13 @@ class Resume(unittest.TestCase):
     def finish(self, work, folder, victim, text):
         """Says how to go on, and does."""
         self.assertIn(f"tremolo resume {folder}", text) if victim != "tremolo" else None
-        result = work.command("resume", folder)
+        result = resumed(work, folder)
         self.assertEqual(0, result.returncode, f"after the death of {victim}:\n{result.stdout}{result.stderr}")
         self.assertIn("going on from step", result.stdout)
 
     def broken_and_resumed(self, work, *options):
         """Kills anybody anywhere, several times, and compares."""
-        whole = work.run("whole", *options)
+        whole = whole_run(work, *options)
         last = checkpoints(whole)[-1]
         broken = 0
         for attempt in range(20 * KILLS):
@@ -78,7 +78,7 @@ class Resume(unittest.TestCase):
 
     def test_a_set_that_is_not_complete_does_not_count(self):
         with with_checkpoints(BoxWorkspace(TREMOLO, **MIXED, duration=1.0), every_steps=40) as work:
-            whole = work.run("whole")
+            whole = whole_run(work)
             folder = work.path / "broken"
             victim, text = killed(work, folder, ["run", work.case, "--out", folder], 80, victim="domain")
             self.assertEqual("domain", victim, text)
@@ -92,7 +92,7 @@ class Resume(unittest.TestCase):
 
     def test_a_resumed_run_that_dies_is_resumed_again(self):
         with with_checkpoints(record(BoxWorkspace(TREMOLO, **MIXED, duration=2.0)), every_steps=60) as work:
-            whole = work.run("whole")
+            whole = whole_run(work)
             folder = work.path / "broken"
             last = checkpoints(whole)[-1]
             first, _ = killed(work, folder, ["run", work.case, "--out", folder], last // 3, victim="domain")
@@ -112,7 +112,7 @@ class Resume(unittest.TestCase):
             victim, text = killed(work, folder, ["run", work.case, "--out", folder], 50, victim="left")
             self.assertEqual("left", victim, text)
             self.finish(work, folder, victim, text)
-            self.assertEqual([], differences(folder, work.run("whole")))
+            self.assertEqual([], differences(folder, whole_run(work)))
 
 
 if __name__ == "__main__":
