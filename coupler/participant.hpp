@@ -22,6 +22,7 @@
 #include "coupler/field.hpp"
 #include "coupler/mode.hpp"
 #include "coupler/participant_options.hpp"
+#include "coupler/timeline.hpp"
 #include "coupler/timing.hpp"
 #include "results/checkpoint_file.hpp"
 
@@ -88,6 +89,7 @@ private:
   std::vector<Outgoing> outgoing_;
   Stopwatch filling_;
   Stopwatch waiting_;
+  Timeline timeline_; ///< from WELCOME on
   bool finished_ = false;
 };
 
@@ -173,11 +175,9 @@ private:
   void take_source_frame(std::span<const std::byte> bytes);
   void grant_credits();
   void beat(const std::optional<BoundaryExchange::Missing>& awaited);
+  std::optional<Incoming> await(const std::string& whom);
   void check_hub(const std::string& awaited);
   void drain();
-
-  /// Between two signs of life; a few a second make a lively progress line and cost nothing.
-  static constexpr double beat_interval_s = 0.2;
 
   ParticipantOptions options_;
   Connection connection_;
@@ -197,6 +197,7 @@ private:
   double stage_end_time_ = 0.0;
   Clock::time_point last_beat_;
   Stopwatch waiting_;
+  Timeline timeline_; ///< from WELCOME on
 };
 
 /// What DomainClient::checkpoint() saved, in a run that is resumed; nothing in one that begins.

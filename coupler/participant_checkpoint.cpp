@@ -25,7 +25,7 @@ void DomainClient::checkpoint(double time, const Save& save) {
   connection_.send({"CHECKPOINT", {{"step", next_step_}, {"time", time}}});
   waiting_.start();
   for (bool answered = false; !answered;) {
-    if (const auto incoming = connection_.receive(beat_interval_s)) {
+    if (const auto incoming = await("hub")) {
       answered = incoming->message && incoming->message->type == "CHECKPOINT";
       if (!incoming->message)
         take_source_frame(incoming->frame());
