@@ -75,8 +75,13 @@ BoundaryExchange::BoundaryExchange(const std::vector<SourceDescription>& sources
     inlets_.push_back({use.address, use.source->name,
                        FreeFieldHistory(*use.field, use.least_delay, use.largest_delay, look_ahead),
                        frame_steps});
-    inlets_.back().history.release_before(start_time);
   }
+  release_before(start_time);
+}
+
+void BoundaryExchange::release_before(double time) {
+  for (auto& inlet : inlets_)
+    inlet.history.release_before(time);
 }
 
 void BoundaryExchange::add_reader(std::size_t inlet, const FaceMap& map) {
@@ -131,8 +136,7 @@ std::optional<BoundaryExchange::Missing> BoundaryExchange::missing(double time) 
 
 void BoundaryExchange::evaluate(double time, std::span<const eq6::Vector> v_domain,
                                 std::span<eq6::FreeField> free_field, std::span<eq6::Vector> tractions) {
-  for (auto& inlet : inlets_)
-    inlet.history.release_before(time);
+  release_before(time);
   for (auto& [inlet, delay, which, points] : stations_)
     inlets_[inlet].history.in_time(time - delay, which, points);
   for (std::size_t i = 0; i < faces_.size(); ++i) {

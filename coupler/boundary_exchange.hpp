@@ -57,6 +57,9 @@ public:
     FieldAddress address;
     std::uint64_t steps = 0;
   };
+  /// Forgets the steps that no face needs from this time on.
+  void release_before(double time);
+
   /// Credits that have grown by a frame or more since the last call, to be told to their sources.
   std::vector<Credit> new_credits();
 

@@ -44,7 +44,9 @@ HubOptions hub_options(const LaunchOptions& launch) {
                  .note = launch.note,
                  .observer = launch.observer,
                  .outer_endpoint = launch.outer_endpoint,
-                 .files = launch.files};
+                 .files = launch.files,
+                 .checkpoints = launch.checkpoints,
+                 .resume = launch.resume};
   for (const auto& process : launch.processes)
     hub.participants.push_back({process.name, process.role, process.elsewhere.has_value()});
   return hub;
@@ -103,7 +105,9 @@ private:
                       .threads = process.threads,
                       .out = options_.out,
                       .deadlines = options_.deadlines,
-                      .keys = options_.outer_endpoint.empty() ? options_.keys : std::filesystem::path{}});
+                      .keys = options_.outer_endpoint.empty() ? options_.keys : std::filesystem::path{},
+                      .resume = options_.resume && process.role == Role::domain ? options_.resume->folder
+                                                                                : std::filesystem::path()});
     words.insert(words.end(), common.begin(), common.end());
     return words;
   }

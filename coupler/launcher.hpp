@@ -52,6 +52,8 @@ struct LaunchOptions {
   std::function<void(const Progress&)> on_progress; ///< called several times a second
   std::function<void(const std::string&)> note;     ///< one line about something that does not end the run
   ExchangeObserver* observer = nullptr;             ///< none, or one that outlives the run
+  CheckpointOptions checkpoints{};
+  std::optional<CheckpointSet> resume{}; ///< none: from the beginning
 };
 
 struct ProcessSummary {

@@ -132,7 +132,8 @@ void FreeFieldHistory::release_before(double time) {
 }
 
 std::uint64_t FreeFieldHistory::credit() const {
-  return std::min(first_step_ + capacity_, field_.step_count);
+  // Steps that nobody needs come too, but never more of them at a time than would have to be held.
+  return std::min(std::min(first_step_, next_step_) + capacity_, field_.step_count);
 }
 
 std::optional<std::uint64_t> FreeFieldHistory::missing(double time) const {

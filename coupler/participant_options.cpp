@@ -30,6 +30,8 @@ std::vector<std::string> command_line(const ParticipantOptions& options) {
     line.insert(line.end(), {"--out", options.out.string()});
   if (!options.keys.empty())
     line.insert(line.end(), {"--keys", options.keys.string()});
+  if (!options.resume.empty())
+    line.insert(line.end(), {"--resume", options.resume.string()});
   return line;
 }
 
@@ -47,6 +49,7 @@ int participant_main(const std::string& program, const std::string& description,
   app.add_option("--session", session, "the run's session, 16 hexadecimal digits")->required();
   app.add_option("--threads", options.threads, "threads to compute with")->check(CLI::PositiveNumber);
   app.add_option("--out", options.out, "folder of the run");
+  app.add_option("--resume", options.resume, "folder of the checkpoint to go on from");
   app.add_option("--keys", options.keys, "folder of CURVE keys, for a hub on another machine");
   app.add_option("--connect-deadline", options.deadlines.connect, "s")->check(CLI::PositiveNumber);
   app.add_option("--step-deadline", options.deadlines.step, "s")->check(CLI::PositiveNumber);

@@ -42,7 +42,8 @@ struct ParticipantOptions {
   int threads = 1;
   std::filesystem::path out; ///< the run's folder; a participant that writes nothing ignores it
   Deadlines deadlines;
-  std::filesystem::path keys; ///< folder of CURVE keys (keys.hpp); empty: none, on this machine alone
+  std::filesystem::path keys;     ///< folder of CURVE keys (keys.hpp); empty: none, on this machine alone
+  std::filesystem::path resume{}; ///< folder of the checkpoint that the domain goes on from; empty: none
   Surroundings surroundings{};
 };
 
