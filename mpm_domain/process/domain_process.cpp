@@ -102,7 +102,8 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
     while (stepper.time() < end) {
       stepper.step();
       output.after_step(stepper, exchanged.free_field);
-      checkpoints.after_step(client, domain, stepper, output);
+      if (stepper.time() < end)
+        checkpoints.after_step(client, domain, stepper, output);
       client.progress("shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end);
     }
     output.finish(stepper, exchanged.free_field, gravity_seconds, exchanged.waiting_seconds);
