@@ -89,6 +89,8 @@ void serve(const ParticipantOptions& options, const Misdeed& misdeed) {
   die_if(misdeed, "killed-at-welcome");
   client.serve([&](std::size_t field, std::uint64_t step, std::span<double> values) {
     misbehave_at(options, misdeed, step);
+    if (misdeed.what == "late" && field == 0 && step == misdeed.step)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1500));
     const bool circles = misdeed.what == "circles";
     if (step == misdeed.step && (circles || misdeed.what == "works"))
       for (int done = 1; circles || done <= 20; ++done) {
