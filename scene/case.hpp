@@ -239,6 +239,13 @@ struct Hosts {
   std::map<Side, Host> sides; ///< those that are served from elsewhere; empty: all processes run here
 };
 
+/// [checkpoint]
+struct Checkpoints {
+  std::optional<int> every_steps; ///< of the domain; absent: by time
+  double every_wall = 0.0;        ///< wall time, s
+  int keep = 0;                   ///< 0: none are made
+};
+
 struct Monitor {
   std::string name;
   Point point;
@@ -285,6 +292,7 @@ struct Case {
   Coupling coupling;
   Recording recording;
   Hosts hosts;
+  Checkpoints checkpoints;
   std::vector<Monitor> monitors;
   Output output;
   double verify_tolerance = 0.0; ///< relative L2 error of particle velocity that `tremolo verify` allows

@@ -11,23 +11,10 @@ from pathlib import Path
 TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
-import h5py
 import numpy as np
+from run_files import arrays
 from small_case import Workspace
 from tremolo import Run
-
-
-def arrays(path):
-    """Every dataset of a run but its timings, as bytes."""
-    found = {}
-
-    def visit(name, item):
-        if isinstance(item, h5py.Dataset) and not name.startswith(("timings", "processes", "timeline")):
-            found[name] = item[()].tobytes() if item.shape != () else item[()]
-
-    with h5py.File(path / "run.h5") as file:
-        file.visititems(visit)
-    return found
 
 
 class Modes(unittest.TestCase):
