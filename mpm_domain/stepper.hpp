@@ -68,6 +68,7 @@ private:
   void boundary();
   void grid();
   void book_boundary_work();
+  void book_remap(double power);
   void book(const GatherSums& sums);
   std::vector<Pass> assemble();
 
@@ -81,7 +82,7 @@ private:
   double moved_ = 0.0;         ///< bound on any particle's way since the last sort, m
   double kinetic_after_ = 0.0; ///< K(v+) of the step before
   std::vector<FaceWeights> weights_;
-  std::vector<Vector> v_face_, v_mid_, traction_;
+  std::vector<Vector> v_face_, v_mid_, v_remapped_, traction_;
   std::vector<Vector> reaction_; ///< of matched layers, part of traction_
   std::vector<Pass> passes_;
 };
