@@ -35,7 +35,7 @@ std::vector<Pass> Stepper::assemble() {
   };
   const GatherParts all{.velocity = true, .position = true, .strain = true};
   const GatherParts strain{.strain = true};
-  std::vector<Pass> passes{{"time step", [this] { choose_dt(); }}, {"sort", [this] { sort(); }}};
+  std::vector<Pass> passes{{"time step", [this] { choose_step(); }}, {"sort", [this] { sort(); }}};
   const auto add = [&](std::string name, std::function<void()> run) {
     passes.push_back({std::move(name), std::move(run)});
   };
@@ -81,6 +81,12 @@ void Stepper::step() {
   moved_ += max_speed_ * dt_;
   time_ += dt_;
   ++steps_;
+}
+
+void Stepper::choose_step() {
+  const double before = dt_;
+  choose_dt();
+  kick_ = 0.5 * (before + dt_);
 }
 
 void Stepper::choose_dt() {
@@ -141,11 +147,11 @@ void Stepper::react() {
 void Stepper::boundary() {
   spread_tractions(domain_, weights_, traction_);
   if (!domain_.layers.empty())
-    spread_layer_mass(domain_, weights_, dt_);
+    spread_layer_mass(domain_, weights_, kick_);
 }
 
 void Stepper::grid() {
-  const GridUpdate update = update_grid(domain_, dt_);
+  const GridUpdate update = update_grid(domain_, kick_);
   if (!std::isfinite(update.kinetic))
     throw std::runtime_error(
         fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
@@ -166,7 +172,7 @@ void Stepper::book_boundary_work() {
     const Vector own = {viscous.x + reaction_[f].x, viscous.y + reaction_[f].y};
     const Vector held = domain_.static_tractions[f];
     const auto work = [&](double tx, double ty) {
-      return dt_ * face.length * (tx * v_mid_[f].x + ty * v_mid_[f].y);
+      return kick_ * face.length * (tx * v_mid_[f].x + ty * v_mid_[f].y);
     };
     energy.dashpots += work(own.x, own.y);
     energy.static_ += work(held.x, held.y);
@@ -184,7 +190,7 @@ void Stepper::book_remap(double power) {
                          2.0 * v_mid_[f].y - v_face_[f].y - v_remapped_[f].y};
     power -= domain_.faces[f].length * (traction_[f].x * lost.x + traction_[f].y * lost.y);
   }
-  domain_.energy.transfer += 0.5 * dt_ * power;
+  domain_.energy.transfer += 0.5 * kick_ * power;
 }
 
 void Stepper::book(const GatherSums& sums) {

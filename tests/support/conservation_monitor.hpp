@@ -51,7 +51,7 @@ public:
       : domain_(domain), bounds_(bounds), count_(domain.particle_count()), start_(totals()) {}
 
   void after(const mpm_domain::Stepper& stepper) {
-    const double dt = stepper.dt();
+    const double dt = stepper.kick();
     add_impulse({0.0, -domain_.spec.gravity * start_.mass}, dt);
     for (std::size_t f = 0; f < domain_.faces.size(); ++f) {
       const mpm_domain::Vector t = stepper.face_tractions()[f];
