@@ -43,6 +43,7 @@ struct MonitorBounds {
   double speed = 0.0; ///< m/s
   double momentum = 1e-10;
   double energy = 0.02;
+  double energy_floor = 0.0; ///< J/m; less than this is rounding, where hardly anything moves
 };
 
 class ConservationMonitor {
@@ -87,8 +88,9 @@ public:
     EXPECT_EQ(outside_, 0U) << "particles beyond the grid";
     monitored("mass", mass_ / start_.mass, 1e-12);
     monitored("momentum", momentum_ / std::max({speed_scale_, impulse_scale_, 1e-300}), bounds_.momentum);
-    if (energy_scale_ > 0.0)
-      monitored("energy", energy_ / energy_scale_, bounds_.energy);
+    const double scale = std::max(energy_scale_, bounds_.energy_floor);
+    if (scale > 0.0)
+      monitored("energy", energy_ / scale, bounds_.energy);
     monitored("largest speed", largest_speed_, bounds_.speed, "m/s");
   }
 
