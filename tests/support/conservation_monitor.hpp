@@ -184,7 +184,7 @@ inline Scene
 run_monitored(const MakeScene& make, MonitorBounds bounds,
               const std::function<bool(const mpm_domain::Stepper&)>& done,
               const std::function<void(mpm_domain::Domain&, const mpm_domain::Stepper&)>& after_step = {}) {
-  constexpr long compared_steps = 200;
+  constexpr long compared_steps = 40;
   Scene scene = make(1);
   std::vector<mpm_domain::Particles> early;
   long early_steps = 0;

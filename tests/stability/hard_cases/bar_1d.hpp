@@ -13,14 +13,12 @@ namespace tremolo::test_support {
 
 class Bar1D {
 public:
-  /// A ring of `cells` cells with two particles each under uniform stress -preload (Pa), drifting by
-  /// `crossings` cells at `drift` (m/s); its particles stand up to `jitter` cells off their lattice.
-  static Bar1D preloaded_ring(int cells, double h, double l, double preload, double drift, int crossings,
-                              double jitter) {
-    Bar1D bar(cells, h, l, 0.0);
+  /// A ring of `cells` cells and `particles` particles under uniform stress -preload (Pa), drifting by
+  /// `crossings` cells at `drift` (m/s).
+  static Bar1D preloaded_ring(int cells, int particles, double h, double l, double preload, double drift,
+                              int crossings) {
+    Bar1D bar(cells, particles, h, l, 0.0);
     bar.ring_ = true;
-    for (std::size_t k = 0; k < bar.x_.size(); ++k)
-      bar.x_[k] += jitter * h * std::sin(static_cast<double>(k * k));
     std::fill(bar.stress_.begin(), bar.stress_.end(), -preload);
     std::fill(bar.v_.begin(), bar.v_.end(), drift);
     const double dt = 0.3 * h / wave_speed;
@@ -33,9 +31,9 @@ public:
     return bar;
   }
 
-  /// A free block whose ends stand `offset` cells beyond nodes.
+  /// A free block, two particles a cell, whose ends stand `offset` cells beyond nodes.
   static Bar1D block(int cells, double h, double l, double offset) {
-    Bar1D bar(cells, h, l, offset * h);
+    Bar1D bar(cells, 2 * cells, h, l, offset * h);
     return bar;
   }
 
@@ -82,11 +80,11 @@ private:
     double s, g;
   };
 
-  Bar1D(int cells, double h, double l, double offset)
-      : cells_(cells), h_(h), l_(l), volume_(0.5 * h), v_(static_cast<std::size_t>(2 * cells), 0.0),
-        stress_(static_cast<std::size_t>(2 * cells), 0.0) {
-    for (int k = 0; k < 2 * cells; ++k)
-      x_.push_back((k + 0.5) * 0.5 * h + offset);
+  Bar1D(int cells, int particles, double h, double l, double offset)
+      : cells_(cells), h_(h), l_(l), volume_(cells * h / particles),
+        v_(static_cast<std::size_t>(particles), 0.0), stress_(static_cast<std::size_t>(particles), 0.0) {
+    for (int k = 0; k < particles; ++k)
+      x_.push_back((k + 0.5) * volume_ + offset);
   }
 
   static double modulus() { return density * wave_speed * wave_speed; }

@@ -85,7 +85,10 @@ TEST(HardCase15, ThePulseLeavesThroughACompliantBaseAndSides) {
   double highest = 0.0;
   double early = 0.0; // highest of 25 to 50 s
   double late = 0.0;  // of the last 25 s
-  const Scene end = run_monitored(make, {.speed = 0.3}, at_time(100.0), [&](Domain& d, const Stepper& s) {
+  // Momentum: a face that has come out of its cell by less than 1e-7 of it gives that share of its traction
+  // to nodes that count as empty (empty_mass); the soil comes to rest so near to where it began.
+  const MonitorBounds bounds{.speed = 0.3, .momentum = 1e-8};
+  const Scene end = run_monitored(make, bounds, at_time(100.0), [&](Domain& d, const Stepper& s) {
     if (s.steps() % 10 != 0)
       return;
     const double energy = kinetic_energy(d) + elastic_energy(d);
