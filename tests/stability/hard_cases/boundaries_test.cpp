@@ -293,7 +293,6 @@ TEST(HardCase19, ABaseThatDriftsLeavesRelativeDisplacementAlone) {
     spec.threads = threads;
     auto domain = std::make_unique<Domain>(spec);
     move_off_nodes(*domain);
-    move_off_nodes(*domain);
     TractionSource source = [&d = *domain, incident, &wave](long, double t, std::span<const Vector> v,
                                                             std::span<Vector> traction) {
       for (std::size_t f = 0; f < v.size(); ++f) {
