@@ -110,7 +110,7 @@ double run_out(double h) {
   const auto make = [h](int threads) {
     return failing(bank(5.0, 1.0, 4.0, 10.0, h), threads,
                    {.elastic = {1700.0, 40e6, 0.28},
-                    .cohesion_peak = 6e3,
+                    .cohesion_peak = 4e3,
                     .cohesion_residual = 500.0,
                     .friction_peak = 20.0 * degree,
                     .friction_residual = 12.0 * degree,
