@@ -68,12 +68,16 @@ double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stag
 void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Plan& plan,
            const coupler::ParticipantOptions& options, coupler::DomainClient& client,
            double gravity_seconds) {
+  mpm_domain::attach_matched_layers(domain);
   const std::vector<coupler::BoundaryFace> faces = coupled_faces(domain, scene, plan);
   const double end = scene.shaking.duration;
   coupler::DomainClient::Exchanged exchanged;
-  mpm_domain::Stepper stepper(domain, 0.0, [&](long step, double time, auto v, auto traction) {
-    exchanged = client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
-  });
+  mpm_domain::Stepper stepper(
+      domain, 0.0,
+      [&](long step, double time, auto v, auto traction) {
+        exchanged = client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
+      },
+      [&] { return exchanged.free_field; });
   std::vector<std::string> sources;
   sources.reserve(faces.size());
   for (const coupler::BoundaryFace& face : faces)
