@@ -177,6 +177,10 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
         "the wave reaches the model {:.3g} s before the shaking starts and finds it at rest: what "
         "came earlier is missing; a later pulse or a deeper [motion] reference avoids it",
         -arrival));
+  if (const auto& base = scene.boundary.base;
+      base.form == BaseForm::incident && base.absorber == Absorber::matched_layer)
+    notes.push_back("the base takes the incident wave alone, so all that comes down again meets its matched "
+                    "layer, whose ends do not know it: dashpots err less there (docs/boundaries.md)");
   for (const SourceProcess& source : plan_sources(scene))
     for (std::string& note : linearised_soils(scene, source))
       notes.push_back(std::move(note));
