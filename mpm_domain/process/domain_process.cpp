@@ -6,6 +6,7 @@
 #include "mpm_domain/process/domain_process.hpp"
 
 #include "mpm_domain/gravity_stage.hpp"
+#include "mpm_domain/matched_layer.hpp"
 #include "mpm_domain/process/checkpoints.hpp"
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/run_output.hpp"
@@ -76,12 +77,16 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
            const results::CheckpointReader* saved) {
   mpm_domain::Checkpoints checkpoints(scene.checkpoints, mpm_domain::faces_at_rest(domain),
                                       options.surroundings.log);
+  mpm_domain::attach_matched_layers(domain);
   const std::vector<coupler::BoundaryFace> faces = coupled_faces(domain, scene, plan);
   const double end = scene.shaking.duration;
   coupler::DomainClient::Exchanged exchanged;
-  mpm_domain::Stepper stepper(domain, 0.0, [&](long step, double time, auto v, auto traction) {
-    exchanged = client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
-  });
+  mpm_domain::Stepper stepper(
+      domain, 0.0,
+      [&](long step, double time, auto v, auto traction) {
+        exchanged = client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
+      },
+      [&] { return exchanged.free_field; });
   std::vector<std::string> sources;
   sources.reserve(faces.size());
   for (const coupler::BoundaryFace& face : faces)
