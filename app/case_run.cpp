@@ -1,14 +1,19 @@
 #include "app/case_run.hpp"
 
 #include "app/commands.hpp"
+#include "app/hosts.hpp"
+#include "app/participant_program.hpp"
 #include "app/run_display.hpp"
 #include "coupler/exchange_recorder.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "results/run_file.hpp"
+#include "scene/files.hpp"
+#include "scene/hosts.hpp"
 #include "scene/plan.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -29,20 +34,30 @@ void write_text(const fs::path& file, const std::string& text) {
     throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
 }
 
-/// Our programs lie beside this one; that of a user has a path of its own.
-fs::path located(const std::string& program) {
-  const bool ours = program.find('/') == std::string::npos;
-  return ours ? fs::read_symlink("/proc/self/exe").parent_path() / program : fs::absolute(program);
+/// Places the processes that [hosts] names on their machines.
+void place_elsewhere(const scene::Case& scene, const CaseRun& run, coupler::LaunchOptions& options) {
+  if (run.local || scene.hosts.sides.empty())
+    return;
+  options.outer_endpoint = scene.hosts.endpoint;
+  for (const auto& file : scene::data_files(scene))
+    options.files.push_back(coupler::described(file));
+  int by_slurm = 0;
+  for (const auto& source : scene::plan(scene).sources)
+    if (const auto* host = scene::host_of(scene, source)) {
+      by_slurm += host->start == scene::StartBy::slurm ? 1 : 0;
+      std::ranges::find(options.processes, source.name, &coupler::ProcessSpec::name)->elsewhere =
+          elsewhere(*host, source.name, run.keys, options.deadlines.connect, by_slurm);
+    }
 }
 
-/// What a source is told besides the options that all participants have.
-std::vector<std::string> own_arguments(const scene::FreeFieldModel& field) {
-  if (field.model != scene::SourceModel::recording)
-    return {};
-  std::vector<std::string> arguments{"--file", fs::absolute(field.file).string()};
-  if (field.side)
-    arguments.insert(arguments.end(), {"--side", std::string(scene::name(*field.side))});
-  return arguments;
+/// "tremolo-wave", and who starts it where it does not run here.
+std::string description(const coupler::ProcessSpec& process) {
+  const auto program = process.program.filename().string();
+  if (!process.elsewhere)
+    return program;
+  return fmt::format("{:<18} {}", program,
+                     process.elsewhere->started_by.empty() ? "by `tremolo join`"
+                                                           : "by " + process.elsewhere->started_by);
 }
 
 coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run) {
@@ -61,6 +76,7 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& r
                                  .program = located(scene::program(source.field)),
                                  .arguments = own_arguments(source.field)});
   options.processes.push_back({"domain", coupler::Role::domain, located("tremolo-domain"), run.threads});
+  place_elsewhere(scene, run, options);
   return options;
 }
 
@@ -167,7 +183,7 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
   options.note = [&](const std::string& note) { line.note(note); };
   fmt::print("{}\n", scene.title);
   for (const auto& process : options.processes)
-    fmt::print("  {:<12} {}\n", process.name, process.program.filename().string());
+    fmt::print("  {:<12} {}\n", process.name, description(process));
   fmt::print("results in {}, mode {}\n", run.folder.string(), coupler::name(options.mode));
   std::fflush(stdout);
   const fs::path file = run.folder / "run.h5";

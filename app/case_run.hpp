@@ -19,6 +19,7 @@ struct CaseRun {
   std::string transport = "ipc";
   int threads = 1;              ///< of the domain
   std::filesystem::path keys{}; ///< folder of CURVE keys; empty: none
+  bool local = false;           ///< all processes on this machine, whatever [hosts] says
 };
 
 /// Runs a case in its folder.

@@ -37,6 +37,7 @@ struct RunArguments {
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
   std::vector<std::string> replays;
+  bool local = false;
 };
 
 constexpr std::array all_sides{scene::Side::left, scene::Side::right, scene::Side::base};
@@ -103,8 +104,8 @@ void run(const RunArguments& arguments) {
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
-  const auto summaries =
-      run_case(scene, {folder, arguments.mode, arguments.transport, arguments.threads, arguments.keys});
+  const auto summaries = run_case(scene, {folder, arguments.mode, arguments.transport, arguments.threads,
+                                          arguments.keys, arguments.local});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
 }
 
@@ -127,6 +128,8 @@ void add_run(CLI::App& app) {
                    "Folder of CURVE keys (`tremolo keygen`): the exchange is encrypted, and only their "
                    "owners take part")
       ->check(CLI::ExistingDirectory);
+  command->add_flag("--local", arguments->local,
+                    "All processes on this machine, whatever the [hosts] of the case say");
   command->add_option("--threads", arguments->threads, "Threads of the domain; results do not depend on it")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

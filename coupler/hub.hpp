@@ -19,6 +19,7 @@
 #include "coupler/exchange_observer.hpp"
 #include "coupler/field.hpp"
 #include "coupler/frame.hpp"
+#include "coupler/invitation.hpp"
 #include "coupler/messages.hpp"
 #include "coupler/mode.hpp"
 #include "coupler/pace.hpp"
@@ -46,6 +47,7 @@ std::string_view name(Role role);
 struct ExpectedParticipant {
   std::string name;
   Role role = Role::source;
+  bool elsewhere = false; ///< it comes from another machine, by JOIN
 };
 
 struct HubOptions {
@@ -58,6 +60,8 @@ struct HubOptions {
   std::filesystem::path keys{};                 ///< folder of CURVE keys; empty: a local endpoint only
   std::function<void(const std::string&)> note; ///< told what was refused without ending the run
   ExchangeObserver* observer = nullptr;         ///< none, or one that outlives the hub
+  std::string outer_endpoint{};  ///< for those from elsewhere, who alone use the keys; or empty
+  std::vector<DataFile> files{}; ///< what they must have too
 };
 
 /// Why the run cannot go on.
@@ -90,7 +94,10 @@ public:
   Hub(zmq::context_t& context, const std::string& endpoint, HubOptions options);
 
   /// The address to give to participants: with the port that was found.
-  [[nodiscard]] std::string endpoint() const;
+  [[nodiscard]] const std::string& endpoint() const { return endpoint_; }
+
+  /// The same for participants from elsewhere.
+  [[nodiscard]] const std::string& outer_endpoint() const { return outer_endpoint_; }
 
   /// To poll on.
   [[nodiscard]] zmq::socket_ref socket() { return socket_; }
@@ -123,6 +130,8 @@ private:
     ExpectedParticipant expected;
     std::uint32_t number = 0;
     std::string routing_id; ///< empty before HELLO
+    std::string usher{};    ///< routing id of the `tremolo join` that was invited for it
+    std::optional<Clock::time_point> line_lost{};
     std::string build;
     Clock::time_point last_heard;
     Pace pace;
@@ -147,6 +156,11 @@ private:
 
   void take(const std::string& routing_id, zmq::message_t& raw);
   void take_hello(const std::string& routing_id, const Message& message);
+  void take_join(const std::string& routing_id, const nlohmann::json& join, zmq::message_t& raw);
+  bool has_foreign_key(const std::string& routing_id, const nlohmann::json& claim, zmq::message_t& raw);
+  bool is_word_of_usher(const std::string& routing_id, const Message& message);
+  void watch_line(Participant& participant, bool connected);
+  void listen_to_others();
   std::optional<std::string> objection(const Participant& participant, const nlohmann::json& hello) const;
   void welcome_all();
   void take_message(Participant& participant, const Message& message);
@@ -174,9 +188,10 @@ private:
   void refuse(const std::string& routing_id, const std::string& reason);
   void fail(const std::string& participant, const std::string& text);
   void send(const Participant& participant, const Message& message);
-  void send_to(const std::string& routing_id, const Message& message);
-  void send_bytes(const std::string& routing_id, std::span<const std::byte> bytes);
-  void send_raw(const std::string& routing_id, zmq::message_t& raw);
+  /// False where the connection is gone.
+  bool send_to(const std::string& routing_id, const Message& message);
+  bool send_bytes(const std::string& routing_id, std::span<const std::byte> bytes);
+  bool send_raw(const std::string& routing_id, zmq::message_t& raw);
 
   [[nodiscard]] Participant* find_name(const std::string& name);
   [[nodiscard]] Participant* find_routing_id(const std::string& routing_id);
@@ -186,6 +201,8 @@ private:
   HubOptions options_;
   std::optional<ClientGate> gate_;
   zmq::socket_t socket_;
+  std::string endpoint_;
+  std::string outer_endpoint_;
   std::vector<Participant> participants_;
   Clock::time_point start_;
   Clock::time_point last_beat_;

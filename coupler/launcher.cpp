@@ -8,6 +8,8 @@
 #include <array>
 #include <chrono>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <limits>
 #include <optional>
 #include <random>
 
@@ -37,9 +39,11 @@ HubOptions hub_options(const LaunchOptions& launch) {
                  .deadlines = launch.deadlines,
                  .keys = launch.keys,
                  .note = launch.note,
-                 .observer = launch.observer};
+                 .observer = launch.observer,
+                 .outer_endpoint = launch.outer_endpoint,
+                 .files = launch.files};
   for (const auto& process : launch.processes)
-    hub.participants.push_back({process.name, process.role});
+    hub.participants.push_back({process.name, process.role, process.elsewhere.has_value()});
   return hub;
 }
 
@@ -51,7 +55,11 @@ public:
     const auto log_folder = options_.out / "log";
     std::filesystem::create_directories(log_folder);
     for (const auto& process : options_.processes)
-      children_.emplace_back(process.name, command(process), log_folder / (process.name + ".log"));
+      if (is_awaited(process))
+        options_.note(fmt::format("waiting {} s for '{}'; on its machine: {}", options_.deadlines.connect,
+                                  process.name, fmt::join(command(process), " ")));
+      else
+        children_.emplace_back(process.name, command(process), log_folder / (process.name + ".log"));
   }
 
   std::vector<ProcessSummary> to_its_end() {
@@ -73,17 +81,25 @@ public:
   }
 
 private:
+  /// Whether the user starts it: there is no child then to watch, only what it says to the hub.
+  static bool is_awaited(const ProcessSpec& process) {
+    return process.elsewhere && process.elsewhere->started_by.empty();
+  }
+
   std::vector<std::string> command(const ProcessSpec& process) const {
+    if (process.elsewhere)
+      return process.elsewhere->command(hub_.outer_endpoint(), session_text(hub_options_.session));
     std::vector<std::string> words{process.program.string()};
     words.insert(words.end(), process.arguments.begin(), process.arguments.end());
-    const auto common = command_line({.case_file = options_.case_file,
-                                      .name = process.name,
-                                      .endpoint = hub_.endpoint(),
-                                      .session = hub_options_.session,
-                                      .threads = process.threads,
-                                      .out = options_.out,
-                                      .deadlines = options_.deadlines,
-                                      .keys = options_.keys});
+    const auto common =
+        command_line({.case_file = options_.case_file,
+                      .name = process.name,
+                      .endpoint = hub_.endpoint(),
+                      .session = hub_options_.session,
+                      .threads = process.threads,
+                      .out = options_.out,
+                      .deadlines = options_.deadlines,
+                      .keys = options_.outer_endpoint.empty() ? options_.keys : std::filesystem::path{}});
     words.insert(words.end(), common.begin(), common.end());
     return words;
   }
@@ -96,7 +112,9 @@ private:
   }
 
   bool all_ended() {
-    return std::all_of(children_.begin(), children_.end(), [](auto& child) { return child.ended(); });
+    return std::all_of(children_.begin(), children_.end(), [](auto& child) { return child.ended(); }) &&
+           (given_up_ || std::all_of(options_.processes.begin(), options_.processes.end(),
+                                     [&](const auto& p) { return !is_awaited(p) || hub_.has_left(p.name); }));
   }
 
   /// A process may end only after its BYE, and then well, unless we have ended it as a straggler.
@@ -126,6 +144,11 @@ private:
                                   child.name(), options_.deadlines.shutdown));
         child.kill();
       }
+    for (const auto& process : options_.processes)
+      if (is_awaited(process) && !hub_.has_left(process.name))
+        options_.note(fmt::format("'{}' on another machine was silent {} s after the domain had finished",
+                                  process.name, options_.deadlines.shutdown));
+    given_up_ = true;
   }
 
   [[noreturn]] void stop_failed(const Failure& failure) {
@@ -168,6 +191,7 @@ private:
   /// Tells all why, gives them a moment to close their files, and kills who is still there.
   void stop_all(const std::string& reason) {
     hub_.abort(reason);
+    given_up_ = true;
     await([&] { return all_ended(); }, abort_grace_s);
     for (auto& child : children_)
       child.kill();
@@ -184,14 +208,18 @@ private:
   ChildProcess& domain_process() {
     const auto spec = std::find_if(options_.processes.begin(), options_.processes.end(),
                                    [](const auto& p) { return p.role == Role::domain; });
-    return children_[static_cast<std::size_t>(spec - options_.processes.begin())];
+    return *std::find_if(children_.begin(), children_.end(),
+                         [&](const auto& child) { return child.name() == spec->name; });
   }
 
   std::vector<ProcessSummary> summaries() const {
     std::vector<ProcessSummary> list;
-    for (const auto& child : children_) {
-      const auto report = hub_.reports().find(child.name());
-      list.push_back({child.name(), child.wall_seconds(), child.cpu_seconds(),
+    for (const auto& process : options_.processes) {
+      const auto child = std::find_if(children_.begin(), children_.end(),
+                                      [&](const auto& c) { return c.name() == process.name; });
+      const auto report = hub_.reports().find(process.name);
+      list.push_back({process.name, child == children_.end() ? seconds_since(start_) : child->wall_seconds(),
+                      process.elsewhere ? std::numeric_limits<double>::quiet_NaN() : child->cpu_seconds(),
                       report == hub_.reports().end() ? ParticipantReport{} : report->second});
     }
     return list;
@@ -205,6 +233,8 @@ private:
   Hub hub_;
   std::vector<ChildProcess> children_;
   std::optional<Clock::time_point> domain_left_;
+  bool given_up_ = false; ///< waiting for those that the user starts
+  Clock::time_point start_ = Clock::now();
 };
 
 } // namespace

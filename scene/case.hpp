@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -213,6 +214,31 @@ struct Recording {
   OnFullDisk on_full_disk = OnFullDisk::stop;
 };
 
+/// Who starts a process on another machine.
+enum class StartBy {
+  ssh,   ///< `tremolo run`, through ssh
+  slurm, ///< `tremolo run`, as a step of its Slurm job (srun)
+  join   ///< the user, with `tremolo join`
+};
+
+/// [hosts.SIDE]: where the process that serves a side runs.
+struct Host {
+  StartBy start = StartBy::join;
+  std::string address; ///< of ssh: "user@node2"
+  std::string options; ///< of ssh or srun
+  std::string command; ///< the `tremolo` there, as a shell there reads it
+  std::string keys;    ///< folder of its CURVE keys there; empty: the same as here
+
+  bool operator==(const Host&) const = default;
+};
+
+/// [hosts]
+struct Hosts {
+  std::string endpoint;       ///< where processes on other machines reach the run
+  std::string slurm_options;  ///< of the job that `tremolo sbatch` writes
+  std::map<Side, Host> sides; ///< those that are served from elsewhere; empty: all processes run here
+};
+
 struct Monitor {
   std::string name;
   Point point;
@@ -258,6 +284,7 @@ struct Case {
   ShakingStage shaking;
   Coupling coupling;
   Recording recording;
+  Hosts hosts;
   std::vector<Monitor> monitors;
   Output output;
   double verify_tolerance = 0.0; ///< relative L2 error of particle velocity that `tremolo verify` allows
@@ -291,6 +318,7 @@ std::string_view name(SourceModel);
 std::string_view name(BaseForm);
 std::string_view name(ExchangeMode);
 std::string_view name(OnFullDisk);
+std::string_view name(StartBy);
 std::string_view name(OutputField);
 
 } // namespace tremolo::scene

@@ -124,6 +124,18 @@ std::string_view name(OnFullDisk policy) {
   return policy == OnFullDisk::stop ? "stop" : "go_on";
 }
 
+std::string_view name(StartBy start) {
+  switch (start) {
+  case StartBy::ssh:
+    return "ssh";
+  case StartBy::slurm:
+    return "slurm";
+  case StartBy::join:
+    return "join";
+  }
+  return {};
+}
+
 std::string_view name(OutputField field) {
   switch (field) {
   case OutputField::displacement:

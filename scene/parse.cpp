@@ -23,6 +23,7 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
   read_boundary(document, findings, scene);
   read_model(document, findings, scene);
   read_run(document, scene);
+  read_hosts(document, scene);
   for (const Rule rule : rules())
     rule(scene, findings);
 
