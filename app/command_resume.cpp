@@ -3,7 +3,6 @@
 #include "app/case_run.hpp"
 #include "app/commands.hpp"
 #include "app/run_display.hpp"
-#include "results/run_file.hpp"
 #include "scene/case.hpp"
 
 #include <fmt/format.h>
@@ -26,18 +25,12 @@ struct ResumeArguments {
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
-/// A file that an earlier resumption has set aside is of a run that was not.
-bool is_complete(const fs::path& file) {
-  return !fs::exists(file.string() + ".before") && fs::exists(file) &&
-         results::RunReader(file).status() == "complete";
-}
-
 void resume(const ResumeArguments& arguments) {
   const fs::path& folder = arguments.folder;
   const fs::path case_file = folder / "case.toml";
   if (!fs::exists(case_file))
     throw std::runtime_error(fmt::format("{} is no folder of a run: it has no case.toml", folder.string()));
-  if (is_complete(folder / "run.h5"))
+  if (has_all_results(folder))
     throw std::runtime_error(
         fmt::format("the run in {} is complete: there is nothing to go on with", folder.string()));
   const auto set = coupler::newest_set(folder / "checkpoints");
