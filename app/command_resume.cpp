@@ -22,6 +22,7 @@ struct ResumeArguments {
   fs::path folder;
   std::string transport = "ipc";
   fs::path keys;
+  bool local = false;
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
@@ -48,6 +49,7 @@ void resume(const ResumeArguments& arguments) {
                                           .transport = arguments.transport,
                                           .threads = arguments.threads,
                                           .keys = arguments.keys,
+                                          .local = arguments.local,
                                           .resume = set});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
 }
@@ -66,6 +68,8 @@ void add_resume(CLI::App& app) {
       ->check(CLI::IsMember({"ipc", "tcp"}));
   command->add_option("--keys", arguments->keys, "Folder of CURVE keys (`tremolo keygen`)")
       ->check(CLI::ExistingDirectory);
+  command->add_flag("--local", arguments->local,
+                    "All processes on this machine, whatever the [hosts] of the case say");
   command->add_option("--threads", arguments->threads, "Threads of the domain; results do not depend on it")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
