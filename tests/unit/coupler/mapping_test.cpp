@@ -203,7 +203,7 @@ TEST(FreeFieldHistory, HoldsABoundedWindowAndNothingStale) {
   const auto field = field_on({0.0}, 0.1, 1000);
   FreeFieldHistory history(field, -0.5, 0.5, 8); // 10 steps of delay, 3 of interpolation, 8 ahead
   const std::vector<double> one_step(values_per_point, 1.0);
-  history.release_before(0.5); // the earliest local time is 0.0 s, step 10
+  history.release_before(0.5);      // the earliest local time is 0.0 s, step 10
   EXPECT_EQ(history.credit(), 21U); // steps before it come too, but no more of them at a time
   while (history.next_step() < history.credit())
     history.append(std::as_bytes(std::span(one_step)));
