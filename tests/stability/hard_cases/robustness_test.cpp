@@ -86,7 +86,10 @@ TEST(Robustness, OneEightAndSixteenThreads) {
 /// A wave in a block on a grid with h = 1 m whose particles stand exactly on the faces of cells.
 TEST(Robustness, ParticlesExactlyOnCellFaces) {
   const auto make = [](int threads) {
-    return free_scene(elastic_box(4.0, 4.0, 1.0), threads, [](Domain& domain) {
+    Spec spec = elastic_box(4.0, 4.0, 1.0);
+    // In so few cells leapfrog's energy swings by (omega dt)^2/4, a tenth at the usual step.
+    spec.scheme.fraction *= 0.25;
+    return free_scene(spec, threads, [](Domain& domain) {
       Particles& p = domain.sets.front();
       for (std::size_t k = 0; k < p.size(); ++k) {
         p.x[k] += 0.25;
@@ -104,9 +107,15 @@ TEST(Robustness, ParticlesExactlyOnCellFaces) {
   for (std::size_t k = 0; k < p.size(); ++k)
     on_faces += p.x[k] == std::round(p.x[k]) && p.y[k] == std::round(p.y[k]);
   exactly("particles exactly on nodes", on_faces, 16.0);
+  // The grid's kinetic energy, which holds that of the particles' affine velocities.
+  double kinetic = 0.0;
+  double elastic = 0.0;
   double highest = 0.0;
-  const Scene end = run_monitored(make, {.speed = 0.05}, after_steps(2000), [&](Domain& d, const Stepper&) {
-    highest = std::max(highest, d.energy.kinetic + d.energy.elastic);
+  const Scene end = run_monitored(make, {.speed = 0.05}, after_steps(2000), [&](Domain& d, const Stepper& s) {
+    if (s.steps() > 1)
+      highest = std::max(highest, 0.5 * (kinetic + d.energy.kinetic) + elastic);
+    kinetic = d.energy.kinetic;
+    elastic = d.energy.elastic;
   });
   bounded("highest energy over that at the start", highest / end.domain->energy.kinetic_start, 1.02);
 }
