@@ -61,10 +61,16 @@ struct Arrays {
   /// From particle `first` on.
   Arrays(const Particles& p, std::size_t first, const Lattice& lattice, Grid& grid)
       : mass(&p.mass[first]), volume(&p.volume[first]), vx(&p.vx[first]), vy(&p.vy[first]),
-        bxx(p.bxx.data() + first), bxy(p.bxy.data() + first), byx(p.byx.data() + first),
-        byy(p.byy.data() + first), sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]),
-        node_mass(grid.mass.data()), momentum_x(grid.momentum_x.data()), momentum_y(grid.momentum_y.data()),
-        force_x(grid.force_x.data()), force_y(grid.force_y.data()), row(lattice.nx) {}
+        bxx(at(p.bxx, first)), bxy(at(p.bxy, first)), byx(at(p.byx, first)), byy(at(p.byy, first)),
+        sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]), node_mass(grid.mass.data()),
+        momentum_x(grid.momentum_x.data()), momentum_y(grid.momentum_y.data()), force_x(grid.force_x.data()),
+        force_y(grid.force_y.data()), row(lattice.nx) {}
+
+private:
+  /// Affine velocities need not be there.
+  static const double* at(const std::vector<double>& column, std::size_t first) {
+    return column.empty() ? nullptr : &column[first];
+  }
 };
 
 using Rows = std::array<Lanes, 3>;
