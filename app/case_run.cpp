@@ -165,6 +165,8 @@ std::unique_ptr<coupler::ExchangeRecorder> recorder_of(const scene::Case& scene,
 
 /// The command that goes on with a run that has ended early.
 std::string resume_hint(const fs::path& folder) {
+  if (has_all_results(folder))
+    return fmt::format("its results were complete before that: {}", (folder / "run.h5").string());
   const auto set = coupler::newest_set(folder / "checkpoints");
   return set ? fmt::format("to go on from step {} ({:.6g} s): tremolo resume {}", set->step, set->time,
                            folder.string())
@@ -204,6 +206,12 @@ void finish_recording(coupler::ExchangeRecorder* recorder, const scene::Recordin
 }
 
 } // namespace
+
+bool has_all_results(const fs::path& folder) {
+  const fs::path file = folder / "run.h5";
+  const fs::path before = folder / "run.h5.before"; // set aside by a resumption that died
+  return !fs::exists(before) && fs::exists(file) && results::RunReader(file).status() == "complete";
+}
 
 coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<std::string>& mode) {
   coupler::RunIdentity identity{

@@ -26,6 +26,9 @@ struct CaseRun {
 /// What the checkpoints of a run of this case depend on.
 coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<std::string>& mode);
 
+/// Whether the run in a folder has written all its results.
+bool has_all_results(const std::filesystem::path& folder);
+
 /// Runs a case in its folder.
 /// @param scene  its relative file names have been made absolute (scene/override.hpp)
 /// @returns what each process took

@@ -3,7 +3,6 @@
 #include "app/case_run.hpp"
 #include "app/commands.hpp"
 #include "app/run_display.hpp"
-#include "results/run_file.hpp"
 #include "scene/case.hpp"
 
 #include <fmt/format.h>
@@ -23,21 +22,16 @@ struct ResumeArguments {
   fs::path folder;
   std::string transport = "ipc";
   fs::path keys;
+  bool local = false;
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
-
-/// A file that an earlier resumption has set aside is of a run that was not.
-bool is_complete(const fs::path& file) {
-  return !fs::exists(file.string() + ".before") && fs::exists(file) &&
-         results::RunReader(file).status() == "complete";
-}
 
 void resume(const ResumeArguments& arguments) {
   const fs::path& folder = arguments.folder;
   const fs::path case_file = folder / "case.toml";
   if (!fs::exists(case_file))
     throw std::runtime_error(fmt::format("{} is no folder of a run: it has no case.toml", folder.string()));
-  if (is_complete(folder / "run.h5"))
+  if (has_all_results(folder))
     throw std::runtime_error(
         fmt::format("the run in {} is complete: there is nothing to go on with", folder.string()));
   const auto set = coupler::newest_set(folder / "checkpoints");
@@ -55,6 +49,7 @@ void resume(const ResumeArguments& arguments) {
                                           .transport = arguments.transport,
                                           .threads = arguments.threads,
                                           .keys = arguments.keys,
+                                          .local = arguments.local,
                                           .resume = set});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
 }
@@ -73,6 +68,8 @@ void add_resume(CLI::App& app) {
       ->check(CLI::IsMember({"ipc", "tcp"}));
   command->add_option("--keys", arguments->keys, "Folder of CURVE keys (`tremolo keygen`)")
       ->check(CLI::ExistingDirectory);
+  command->add_flag("--local", arguments->local,
+                    "All processes on this machine, whatever the [hosts] of the case say");
   command->add_option("--threads", arguments->threads, "Threads of the domain; results do not depend on it")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -217,7 +217,7 @@ TEST(Robustness, ARunThatIsCutInTwoHasTheSameBits) {
   const auto make = [] { return shaken_box(2, oblique_wave(10.0), elastic_box(20.0, 10.0, 1.0)); };
   const Scene whole = make();
   Stepper first(*whole.domain, 0.0, whole.source);
-  while (first.steps() < 250)
+  while (first.steps() < 150)
     first.step();
   Save saved;
   visit_state(*whole.domain, saved);
@@ -227,7 +227,7 @@ TEST(Robustness, ARunThatIsCutInTwoHasTheSameBits) {
   Restore restore{saved};
   visit_state(*again.domain, restore);
   second.visit_state(restore);
-  while (first.steps() < 500) {
+  while (first.steps() < 300) {
     first.step();
     second.step();
   }

@@ -69,7 +69,16 @@ def killed(work, folder, command, after_step, victim=None, chance=random):
         status = run.wait(timeout=60)
         output.seek(0)
         text = output.read()
-    return (None if status == 0 else name), text
+    return (None if status == 0 or is_complete(folder) else name), text
+
+
+def is_complete(folder):
+    """Whether the domain had written all its results before anybody was killed."""
+    try:
+        with h5py.File(folder / "run.h5") as file:
+            return file.attrs["status"] in ("complete", b"complete")
+    except OSError:
+        return False
 
 
 def exchange_differences(folder, reference):
