@@ -28,6 +28,7 @@ void add_motion(CLI::App& app);
 void add_plot(CLI::App& app);
 void add_wave(CLI::App& app);
 void add_verify(CLI::App& app);
+void add_resume(CLI::App& app);
 void add_run(CLI::App& app);
 void add_sbatch(CLI::App& app);
 void add_swap(CLI::App& app);

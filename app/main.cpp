@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
   tremolo::app::add_verify(app);
   tremolo::app::add_run(app);
   tremolo::app::add_sbatch(app);
+  tremolo::app::add_resume(app);
   tremolo::app::add_swap(app);
   tremolo::app::add_cost(app);
   tremolo::app::add_column(app);

@@ -156,6 +156,8 @@ void Hub::take_hello(const std::string& routing_id, const Message& message) {
       require_fits(frame_header_size + sizeof(double) * participant->fields.back().values_per_step());
     }
   participant->outlets.resize(participant->fields.size());
+  if (options_.resume)
+    load_source(*participant);
   if (std::none_of(participants_.begin(), participants_.end(),
                    [](const auto& p) { return p.routing_id.empty(); }))
     welcome_all();
@@ -213,6 +215,8 @@ void Hub::take_message(Participant& participant, const Message& message) {
     take_ready(participant, body);
   else if (type == "CREDIT" && from_domain && ready_ && options_.mode == Mode::window)
     take_credit(body);
+  else if (type == "CHECKPOINT" && from_domain && ready_)
+    take_checkpoint(body);
   else
     throw Error(fmt::format("{} was not expected now", type));
 }

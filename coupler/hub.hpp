@@ -10,11 +10,13 @@
 //       READY (domain) ---------->   faces checked against what sources serve
 //             <------------------  CREDIT to sources
 //       frames ------------------>   to the domain (window) or into Eq. (6) (lockstep)
+//       CHECKPOINT (domain) ----->   a set of files is complete, the run can be resumed from it
 //       BYE (domain) ------------>
 //             <------------------  BYE to sources
 //       BYE (sources) ----------->   finished
 
 #include "coupler/boundary_exchange.hpp"
+#include "coupler/checkpoint_set.hpp"
 #include "coupler/client_gate.hpp"
 #include "coupler/exchange_observer.hpp"
 #include "coupler/field.hpp"
@@ -50,6 +52,13 @@ struct ExpectedParticipant {
   bool elsewhere = false; ///< it comes from another machine, by JOIN
 };
 
+/// Where checkpoints of a run lie.
+struct CheckpointOptions {
+  std::filesystem::path folder{};              ///< RUN/checkpoints; empty: none are made
+  std::size_t keep = 0;                        ///< the newest ones
+  std::map<std::string, std::string> inputs{}; ///< see RunIdentity
+};
+
 struct HubOptions {
   std::uint64_t session = 0;
   Mode mode = Mode::window;
@@ -62,6 +71,8 @@ struct HubOptions {
   ExchangeObserver* observer = nullptr;         ///< none, or one that outlives the hub
   std::string outer_endpoint{};  ///< for those from elsewhere, who alone use the keys; or empty
   std::vector<DataFile> files{}; ///< what they must have too
+  CheckpointOptions checkpoints{};
+  std::optional<CheckpointSet> resume{}; ///< where the run goes on from; none: from its beginning
 };
 
 /// Why the run cannot go on.
@@ -125,6 +136,11 @@ private:
   struct Outlet {
     std::uint64_t next_step = 0;
     std::uint64_t credit = 0;
+    std::vector<double> last; ///< values of the step before next_step
+    struct {
+      std::uint64_t steps = 0;
+      std::vector<double> last;
+    } before; ///< the same at the checkpoint that the run was resumed from
   };
   struct Participant {
     ExpectedParticipant expected;
@@ -165,6 +181,10 @@ private:
   void welcome_all();
   void take_message(Participant& participant, const Message& message);
   void take_ready(Participant& domain, const nlohmann::json& body);
+  void take_checkpoint(const nlohmann::json& body);
+  void save_source(const Participant& source, const CheckpointSet& set) const;
+  void load_source(Participant& source) const;
+  static void remember_last_step(Outlet& outlet, const FieldDescription& field, const Frame& frame);
   void take_credit(const nlohmann::json& body);
   void take_beat(Participant& participant, const nlohmann::json& body);
   void take_progress(Participant& domain, const nlohmann::json& body);
@@ -172,6 +192,7 @@ private:
   void take_source_frame(Participant& source, zmq::message_t& raw);
   void take_velocities(Participant& domain, std::span<const std::byte> bytes);
   void answer_pending_step();
+  void grant_new_credits();
   void begin_observation(const BoundaryExchange& exchange, double start_time, double end_time);
   void observe(std::span<const std::byte> bytes);
   void request_needed_steps();

@@ -4,7 +4,6 @@
 // end. A participant that dies, or that fails a deadline, ends the run at once with one message that names
 // it.
 
-#include "coupler/child_process.hpp"
 #include "coupler/error.hpp"
 #include "coupler/hub.hpp"
 #include "coupler/mode.hpp"
@@ -27,8 +26,8 @@ struct Elsewhere {
   std::function<std::vector<std::string>(const std::string& endpoint, const std::string& session)> command;
 };
 
-/// A process to start. It gets its own arguments, then the command line of ParticipantOptions; one that is
-/// elsewhere learns all that from the hub (invitation.hpp).
+/// A process to start, or a thread where all are in one process. It gets its own arguments, then the command
+/// line of ParticipantOptions; one that is elsewhere learns all that from the hub (invitation.hpp).
 struct ProcessSpec {
   std::string name;
   Role role = Role::source;
@@ -36,6 +35,7 @@ struct ProcessSpec {
   int threads = 1;
   std::vector<std::string> arguments{};
   std::optional<Elsewhere> elsewhere{};
+  ParticipantMain main{}; ///< the program's, for Transport::inproc
 };
 
 struct LaunchOptions {
@@ -52,6 +52,8 @@ struct LaunchOptions {
   std::function<void(const Progress&)> on_progress; ///< called several times a second
   std::function<void(const std::string&)> note;     ///< one line about something that does not end the run
   ExchangeObserver* observer = nullptr;             ///< none, or one that outlives the run
+  CheckpointOptions checkpoints{};
+  std::optional<CheckpointSet> resume{}; ///< none: from the beginning
 };
 
 struct ProcessSummary {
@@ -73,7 +75,7 @@ private:
 };
 
 /// Runs all processes to their end. On Ctrl-C or SIGTERM all are told to close their files; a second Ctrl-C
-/// kills them.
+/// kills them. A thread (Transport::inproc) that does not react is still there afterwards (child_thread.hpp).
 /// @throws RunFailed when no process is left; Error if the run cannot be set up
 std::vector<ProcessSummary> launch(const LaunchOptions& options);
 

@@ -90,6 +90,16 @@ std::string_view name(Side side) {
   return {};
 }
 
+std::string_view name(Absorber absorber) {
+  switch (absorber) {
+  case Absorber::dashpots:
+    return "dashpots";
+  case Absorber::matched_layer:
+    return "matched_layer";
+  }
+  return {};
+}
+
 std::string_view name(SourceModel model) {
   switch (model) {
   case SourceModel::wave:
