@@ -3,6 +3,7 @@
 #include "free_block.hpp"
 #include "mpm_domain/gravity_stage.hpp"
 #include "mpm_domain/static_traction.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <gtest/gtest.h>
 
@@ -47,11 +48,7 @@ Scene failing(Spec spec, int threads, const materials::MohrCoulomb& law,
     p.law = materials::regularised(law, spec.cell_size / (1 << p.level), 0.5);
   if (add)
     add(*domain);
-  TractionSource source = [&d = *domain](long, double, std::span<const Vector> v,
-                                         std::span<Vector> traction) {
-    for (std::size_t f = 0; f < v.size(); ++f)
-      traction[f] = eq6::boundary_traction(d.faces[f].face, v[f], {}, d.static_tractions[f]);
-  };
+  TractionSource source = quiet_ground(*domain);
   return {std::move(domain), std::move(source)};
 }
 
