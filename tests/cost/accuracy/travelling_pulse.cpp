@@ -148,7 +148,7 @@ Deviation deviation(const Received& received) {
   for (int i = -500; i <= 1500; ++i) { // delays up to one and a half periods, in steps of a thousandth
     const double delay = 1e-3 * i * period;
     correlated(delay, exact2, product, error2);
-    if (product * product / exact2 > best) {
+    if (product > 0.0 && product * product / exact2 > best) {
       best = product * product / exact2;
       result.phase = delay / period;
       result.amplitude = product / exact2 - 1.0;
