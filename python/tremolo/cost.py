@@ -1,6 +1,7 @@
 """The work-precision diagram that `tremolo cost` measures: error against CPU time and against cell size."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +21,7 @@ def families(rungs):
 
 def short(family):
     """The setting without the tables that its keys stand in."""
-    return ", ".join(part.split(".")[-1] for part in family.split(", ")) if family else "all"
+    return re.sub(r"\b\w+\.(?=\w+ = )", "", family) or "all"
 
 
 def draw_front(ax, rungs):
@@ -45,7 +46,9 @@ def picture(folder):
     rungs = [rung for rung in study["rungs"] if "error" in rung]
     if not rungs:
         raise ValueError(f"{folder}: no rung has an error")
-    figure, (time_axes, size_axes) = style.plt.subplots(1, 2, figsize=(9.6, 4.2), layout="constrained")
+    figure, (time_axes, size_axes, names) = style.plt.subplots(
+        1, 3, figsize=(11.0, 4.2), width_ratios=[1.0, 1.0, 0.55], layout="constrained"
+    )
     draw_front(time_axes, rungs)
     for number, (family, members) in enumerate(families(rungs).items()):
         look = {"color": style.COLOURS[number % len(style.COLOURS)], "marker": MARKERS[number % len(MARKERS)], "markersize": 4}
@@ -55,7 +58,7 @@ def picture(folder):
     sizes = sorted({rung["size"] for rung in rungs})
     if len(sizes) > 1:
         draw_slope(size_axes, sizes, [100 * rung["error"] for rung in rungs], 2)
-        size_axes.legend(loc="upper left")
+        size_axes.legend(loc="lower right")
     if "target" in study:
         time_axes.axhline(100 * study["target"], color="0.4", linestyle="--", linewidth=0.8)
     if "prediction" in study:
@@ -64,6 +67,7 @@ def picture(folder):
     time_axes.set(xlabel="CPU time (s)", ylabel="error, relative L2 (%)")
     size_axes.set(xlabel="cell size h (m)", xticks=sizes, xticklabels=[f"{size:.3g}" for size in sizes])
     size_axes.minorticks_off()
-    time_axes.legend(loc="upper right", fontsize=7)
+    names.axis("off")
+    names.legend(*time_axes.get_legend_handles_labels(), loc="center left", fontsize=7)
     figure.suptitle(f"{study['title']}\n{study['error_of']}", fontsize=8)
     return style.save(figure, folder, "cost.png")
