@@ -3,6 +3,8 @@
 #include "free_block.hpp"
 #include "mpm_domain/gravity_stage.hpp"
 #include "mpm_domain/static_traction.hpp"
+#include "scene/motion.hpp"
+#include "tests/support/quiet_ground.hpp"
 #include "wavefield/layered_field.hpp"
 
 #include <gtest/gtest.h>
@@ -16,15 +18,6 @@ using namespace test_support;
 using namespace mpm_domain;
 
 constexpr double degree = std::numbers::pi / 180.0;
-
-/// Eq. (6) where nothing arrives; `held` tells whether the static tractions act.
-TractionSource quiet_source(const Domain& domain, bool held) {
-  return [&domain, held](long, double, std::span<const Vector> v, std::span<Vector> traction) {
-    for (std::size_t f = 0; f < v.size(); ++f)
-      traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f], {},
-                                           held ? domain.static_tractions[f] : Vector{});
-  };
-}
 
 double largest_displacement(const Domain& domain) {
   double largest = 0.0;
@@ -42,7 +35,9 @@ protected:
     spec.threads = threads;
     auto domain = std::make_unique<Domain>(spec);
     replace_constraints(*domain, relax_under_gravity(*domain, {}, [](long, double) {}));
-    TractionSource source = quiet_source(*domain, held);
+    if (!held)
+      std::ranges::fill(domain->static_tractions, Vector{});
+    TractionSource source = quiet_ground(*domain);
     return {std::move(domain), std::move(source)};
   }
 };
@@ -137,10 +132,10 @@ TEST(HardCase16, ObliqueWavesIntoTheCorners) {
 /// The total field of an SV wave at the faces of a box and its velocity at the particles, step by step.
 class ExactField {
 public:
-  ExactField(const Domain& domain, double angle, double dt, std::size_t steps) {
+  ExactField(const Domain& domain, double angle, double dt, std::size_t steps,
+             const wavefield::Signal& incident = wavefield::ricker(1.5, 1.0, 0.1)) {
     const wavefield::LayeredField field({.half_space = {1700.0, 95.87062360592131, 173.4364837735801}},
-                                        {wavefield::WaveType::SV, angle, 0.0, -10.0}, 0.0,
-                                        wavefield::ricker(1.5, 1.0, 0.1));
+                                        {wavefield::WaveType::SV, angle, 0.0, -10.0}, 0.0, incident);
     std::vector<wavefield::Point> points;
     for (const BoundaryFace& face : domain.faces)
       points.push_back({face.position.x, face.position.y});
@@ -167,6 +162,15 @@ private:
   std::vector<wavefield::History> faces_, particles_;
 };
 
+TractionSource exact_faces(const Domain& domain, std::shared_ptr<const ExactField> exact) {
+  return [&domain, exact = std::move(exact)](long step, double, std::span<const Vector> v,
+                                             std::span<Vector> traction) {
+    for (std::size_t f = 0; f < v.size(); ++f)
+      traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f],
+                                           exact->at_face(f, static_cast<std::size_t>(step)), {});
+  };
+}
+
 /// The critical angle of this soil is 33.56 degrees: below it P waves leave, beyond it they creep along.
 TEST(HardCase17, AtAndBeyondTheCriticalAngle) {
   constexpr double dt = 1.8e-3;
@@ -182,12 +186,7 @@ TEST(HardCase17, AtAndBeyondTheCriticalAngle) {
       auto domain = std::make_unique<Domain>(spec);
       if (!exact)
         exact = std::make_shared<ExactField>(*domain, angle * degree, dt, steps + 1);
-      TractionSource source = [&d = *domain, exact](long step, double, std::span<const Vector> v,
-                                                    std::span<Vector> traction) {
-        for (std::size_t f = 0; f < v.size(); ++f)
-          traction[f] = eq6::boundary_traction(d.faces[f].face, v[f],
-                                               exact->at_face(f, static_cast<std::size_t>(step)), {});
-      };
+      TractionSource source = exact_faces(*domain, exact);
       return Scene{std::move(domain), std::move(source)};
     };
     double difference = 0.0;
@@ -209,6 +208,47 @@ TEST(HardCase17, AtAndBeyondTheCriticalAngle) {
   }
   bounded("difference from the exact field at 32 to 35 degrees", error, 0.02);
   bounded("largest speed over the exact one", excess, 1.02);
+}
+
+/// One motion as records of 0.02 s and of 0.005 s: what is between the samples does not show.
+TEST(Robustness, RecordsOfCoarseAndOfFineSamples) {
+  constexpr double dt = 1.8e-3;
+  constexpr std::size_t steps = 1400;
+  const wavefield::Signal pulse = wavefield::ricker(1.5, 1.0, 0.1);
+  std::vector<std::vector<Vector>> surface;
+  for (const double sampling : {0.02, 0.005}) {
+    std::vector<double> samples;
+    for (std::size_t i = 0; static_cast<double>(i) * sampling < 2.0; ++i)
+      samples.push_back(pulse.velocity(static_cast<double>(i) * sampling));
+    const scene::Motion record = scene::Motion::record(samples, sampling);
+    const wavefield::Signal incident{[record](double t) { return record.velocity(t); }, record.begin(),
+                                     record.end(), record.highest_frequency()};
+    const auto make = [&](int threads) {
+      Spec spec = elastic_box(10.0, 10.0, 1.0);
+      spec.threads = threads;
+      spec.scheme.dt = dt;
+      auto domain = std::make_unique<Domain>(spec);
+      TractionSource source =
+          exact_faces(*domain, std::make_shared<ExactField>(*domain, 15.0 * degree, dt, steps + 1, incident));
+      return Scene{std::move(domain), std::move(source)};
+    };
+    surface.emplace_back();
+    run_monitored(make, {.speed = 1.0}, after_steps(steps), [&](Domain& d, const Stepper&) {
+      const Particles& p = d.sets.front();
+      const std::size_t last = p.index_of[p.size() - 1];
+      surface.back().push_back({p.vx[last], p.vy[last]});
+    });
+  }
+  double difference = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < surface[0].size(); ++i) {
+    const Vector a = surface[0][i];
+    const Vector b = surface[1][i];
+    difference = std::max(difference, std::hypot(a.x - b.x, a.y - b.y));
+    largest = std::max(largest, std::hypot(b.x, b.y));
+  }
+  bounded("difference of velocity over the largest", difference / largest, 1e-3);
+  reaches("largest velocity over that of the incident wave", largest / 0.1, 1.9);
 }
 
 class HardCase18 : public testing::Test {

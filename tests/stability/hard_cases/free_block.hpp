@@ -22,8 +22,7 @@ inline Scene free_scene(mpm_domain::Spec spec, int threads,
   Scene scene{std::make_unique<mpm_domain::Domain>(spec), no_traction()};
   scene.domain->faces.clear();
   set_up(*scene.domain);
-  for (mpm_domain::Particles& set : scene.domain->sets)
-    mpm_domain::sort_by_cell(set, scene.domain->grid, scene.domain->half_size());
+  mpm_domain::sort_particles(*scene.domain);
   return scene;
 }
 

@@ -83,15 +83,17 @@ TEST(Robustness, OneEightAndSixteenThreads) {
   exactly("difference of velocity", results[0].vx == results[2].vx ? 0.0 : 1.0, 0.0);
 }
 
-/// A wave in a block on a grid with h = 1 m whose particles stand exactly on the faces of cells.
-TEST(Robustness, ParticlesExactlyOnCellFaces) {
-  const auto make = [](int threads) {
-    return free_scene(elastic_box(4.0, 4.0, 1.0), threads, [](Domain& domain) {
-      Particles& p = domain.sets.front();
-      for (std::size_t k = 0; k < p.size(); ++k) {
-        p.x[k] += 0.25;
-        p.y[k] += 0.25;
-      }
+/// A wave in a block of 4 m whose particles have been moved by half their size to where places are exact, and
+/// how far its energy rises.
+void expect_a_calm_wave(const Spec& spec, double expected,
+                        const std::function<bool(const Particles&, std::size_t)>& is_exact) {
+  const auto make = [&spec](int threads) {
+    return free_scene(spec, threads, [](Domain& domain) {
+      for (Particles& p : domain.sets)
+        for (std::size_t k = 0; k < p.size(); ++k) {
+          p.x[k] += 0.25;
+          p.y[k] += 0.25;
+        }
       set_velocity(domain, [](double x, double y) {
         return Vector{0.01 * std::cos(std::numbers::pi * (x - 0.25) / 4.0),
                       0.01 * std::cos(std::numbers::pi * (y - 0.25) / 4.0)};
@@ -99,11 +101,11 @@ TEST(Robustness, ParticlesExactlyOnCellFaces) {
     });
   };
   const Scene start = make(1);
-  const Particles& p = start.domain->sets.front();
-  double on_faces = 0.0;
-  for (std::size_t k = 0; k < p.size(); ++k)
-    on_faces += p.x[k] == std::round(p.x[k]) && p.y[k] == std::round(p.y[k]);
-  exactly("particles exactly on nodes", on_faces, 16.0);
+  double exact = 0.0;
+  for (const Particles& p : start.domain->sets)
+    for (std::size_t k = 0; k < p.size(); ++k)
+      exact += is_exact(p, k);
+  exactly("particles there", exact, expected);
   // Leapfrog: the mean of the kinetic energies half a step before and after belongs to the elastic one.
   double kinetic = 0.0;
   double elastic = 0.0;
@@ -119,6 +121,23 @@ TEST(Robustness, ParticlesExactlyOnCellFaces) {
     highest = std::max(highest, energy);
   });
   bounded("highest energy over that at the start", highest / first, 1.02);
+}
+
+bool is_whole(double cells) {
+  return cells == std::round(cells);
+}
+
+TEST(Robustness, ParticlesExactlyOnNodes) {
+  expect_a_calm_wave(elastic_box(4.0, 4.0, 1.0), 16.0,
+                     [](const Particles& p, std::size_t k) { return is_whole(p.x[k]) && is_whole(p.y[k]); });
+}
+
+/// Cells of 1 m on the left, of 0.5 m on the right of x = 2 m.
+TEST(Robustness, ParticlesExactlyOnHangingNodes) {
+  Spec spec = elastic_box(4.0, 4.0, 1.0);
+  spec.refine = {{{2.0, -4.0, 4.0, 0.0}, 1}};
+  expect_a_calm_wave(
+      spec, 4.0, [](const Particles& p, std::size_t k) { return p.x[k] == 2.0 && is_whole(p.y[k] + 0.5); });
 }
 
 /// The same motion in a box that is nearly empty, to the rounding of coordinates.
