@@ -21,7 +21,7 @@ from tremolo import Run, style
 LINES = {
     "FE lumped": ("k", "--"),
     "APIC musl": (style.COLOURS[0], "-"),
-    "APIC musl step 0.95": (style.COLOURS[5], "-"),
+    "FE lumped, the domain's step": ("0.5", ":"),
     "APIC usl": (style.COLOURS[0], ":"),
     "FLIP musl": (style.COLOURS[1], "-"),
     "FLIP usl": (style.COLOURS[1], ":"),
