@@ -58,10 +58,16 @@ struct Arrays {
   /// From particle `first` on.
   Arrays(const Particles& p, std::size_t first, const Lattice& lattice, Grid& grid)
       : mass(&p.mass[first]), volume(&p.volume[first]), vx(&p.vx[first]), vy(&p.vy[first]),
-        cxx(p.cxx.data() + first), cxy(p.cxy.data() + first), cyx(p.cyx.data() + first),
-        cyy(p.cyy.data() + first), sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]),
-        node_mass(grid.mass.data()), momentum_x(grid.momentum_x.data()), momentum_y(grid.momentum_y.data()),
-        force_x(grid.force_x.data()), force_y(grid.force_y.data()), row(lattice.nx) {}
+        cxx(at(p.cxx, first)), cxy(at(p.cxy, first)), cyx(at(p.cyx, first)), cyy(at(p.cyy, first)),
+        sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]), node_mass(grid.mass.data()),
+        momentum_x(grid.momentum_x.data()), momentum_y(grid.momentum_y.data()), force_x(grid.force_x.data()),
+        force_y(grid.force_y.data()), row(lattice.nx) {}
+
+private:
+  /// Affine velocities need not be there.
+  static const double* at(const std::vector<double>& column, std::size_t first) {
+    return column.empty() ? nullptr : &column[first];
+  }
 };
 
 using Rows = std::array<Lanes, 3>;

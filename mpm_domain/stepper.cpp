@@ -5,6 +5,7 @@
 #include "mpm_domain/grid_update.hpp"
 #include "mpm_domain/periodic_sides.hpp"
 #include "mpm_domain/scatter.hpp"
+#include "mpm_domain/splitting.hpp"
 
 #include <fmt/format.h>
 
@@ -16,8 +17,7 @@
 
 namespace tremolo::mpm_domain {
 
-Stepper::Stepper(Domain& domain, double start_time, TractionSource source,
-                 FreeFieldOfFaces free_field)
+Stepper::Stepper(Domain& domain, double start_time, TractionSource source, FreeFieldOfFaces free_field)
     : domain_(domain), source_(std::move(source)), free_field_(std::move(free_field)), time_(start_time),
       weights_(domain.faces.size()), v_face_(domain.faces.size()), v_mid_(domain.faces.size()),
       traction_(domain.faces.size()), reaction_(domain.faces.size()), passes_(assemble()) {
@@ -110,6 +110,7 @@ void Stepper::sort() {
     for (Particles& set : domain_.sets)
       wrap(set, domain_.spec.box);
   make_room(domain_, time_, steps_);
+  split_particles(domain_);
   sort_particles(domain_);
   moved_ = 0.0;
 }
