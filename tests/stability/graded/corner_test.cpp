@@ -19,6 +19,7 @@ using namespace test_support;
 Spec corners() {
   Spec spec = elastic_box(10.0, 8.0, 1.0);
   spec.gravity = 9.81;
+  spec.threads = 1;
   spec.refine = {{{2.0, -6.0, 8.0, -4.0}, 1},
                  {{2.0, -4.0, 5.0, 0.0}, 1},
                  {{3.0, -5.0, 4.0, -3.0}, 2},

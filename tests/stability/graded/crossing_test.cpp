@@ -21,6 +21,7 @@ constexpr double drift = 30.0;  // m/s
 Spec strip() {
   Spec spec = elastic_box(length, 6.0, 1.0);
   spec.periodic_sides = true;
+  spec.threads = 1;
   spec.refine = {{{6.0, -6.0, length, 0.0}, 1}};
   spec.regions = {{0, {{1.0, -4.0}, {5.0, -4.0}, {5.0, -2.0}, {1.0, -2.0}}}};
   return spec;

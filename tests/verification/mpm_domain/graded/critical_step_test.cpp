@@ -59,6 +59,7 @@ double critical_step(Domain& domain) {
 /// A block whose fine cells have outer and re-entrant corners and reach its surface.
 Spec graded(double shift) {
   Spec spec = test_support::elastic_box(8.0, 8.0, 1.0);
+  spec.threads = 1;
   spec.refine = {{{2.0, -6.0, 6.0, -4.0}, 1}, {{2.0, -4.0, 4.0, 0.0}, 1}, {{3.0, -5.0, 4.0, -3.0}, 2}};
   for (Vector& corner : spec.regions.front().polygon) {
     corner.x = 1.0 + 0.75 * corner.x + shift;
@@ -69,6 +70,7 @@ Spec graded(double shift) {
 
 TEST(CriticalStep, HangingNodesCostNothing) {
   Spec uniform = test_support::elastic_box(2.0, 2.0, 0.25);
+  uniform.threads = 1;
   Domain fine(uniform);
   const double reference = critical_step(fine);
   EXPECT_GT(reference, 0.7); // of a free corner, which rules

@@ -32,6 +32,7 @@ Spec strip() {
   spec.box = {0.0, -half, width, half};
   spec.regions = {{0, {{0.0, -half}, {width, -half}, {width, half}, {0.0, half}}}};
   spec.periodic_sides = true;
+  spec.threads = 1;
   spec.refine = {{{0.0, 0.0, width, half}, 1}};
   spec.scheme.transfer = Transfer::flip;
   spec.scheme.fraction = 0.3;
@@ -117,9 +118,9 @@ TEST_P(LevelInterface, ReflectsNoMoreThanTheImpedanceOfItsCells) {
 
 INSTANTIATE_TEST_SUITE_P(Waves, LevelInterface,
                          testing::Combine(testing::Values(Body::p, Body::sv), testing::Bool()),
-                         [](const auto& info) {
-                           return std::string(std::get<0>(info.param) == Body::p ? "P" : "Sv") +
-                                  (std::get<1>(info.param) ? "FromTheCoarseSide" : "FromTheFineSide");
+                         [](const auto& of) {
+                           return std::string(std::get<0>(of.param) == Body::p ? "P" : "Sv") +
+                                  (std::get<1>(of.param) ? "FromTheCoarseSide" : "FromTheFineSide");
                          });
 
 } // namespace
