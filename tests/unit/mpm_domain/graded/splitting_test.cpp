@@ -189,6 +189,7 @@ TEST(SplittingOnTheWay, ABlockKeepsItsMotionThroughAllLevels) {
     for (double& v : domain.sets[0].vx)
       v = 20.0;
     const Sums before = sums_of(domain);
+    const std::size_t count = domain.particle_count();
     Stepper stepper(domain, 0.0,
                     [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); });
     while (stepper.time() < 0.42)
