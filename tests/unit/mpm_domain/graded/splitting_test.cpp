@@ -119,6 +119,7 @@ TEST_P(Splitting, HandsStressStateAndDisplacementDown) {
       coarse.state[k * coarse.state_size + s] = coarse.sxx[k] + static_cast<double>(s);
   const std::size_t before = coarse.size();
   const std::size_t cut = split_particles(domain);
+  sort_particles(domain);
   const Particles& fine = domain.sets[1];
   EXPECT_EQ(coarse.size(), before - cut);
   EXPECT_EQ(fine.size(), 4 * cut);
