@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -32,11 +34,13 @@ struct RunArguments {
   fs::path out;
   std::optional<std::string> mode;
   std::string transport = "ipc";
+  bool in_process = false;
   fs::path keys;
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
   std::vector<std::string> replays;
+  bool local = false;
 };
 
 constexpr std::array all_sides{scene::Side::left, scene::Side::right, scene::Side::base};
@@ -103,9 +107,23 @@ void run(const RunArguments& arguments) {
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
-  const auto summaries =
-      run_case(scene, {folder, arguments.mode, arguments.transport, arguments.threads, arguments.keys});
+  const auto transport = arguments.in_process ? "inproc" : arguments.transport;
+  const auto summaries = run_case(scene, {folder, arguments.mode, transport, arguments.threads,
+                                          arguments.keys, arguments.local || arguments.in_process});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
+}
+
+/// Runs and ends this process: a thread that does not react when it is told to end can be ended in no other
+/// way, and must not meet the destructors of what it uses.
+[[noreturn]] void run_in_process(const RunArguments& arguments) {
+  int status = 0;
+  try {
+    run(arguments);
+  } catch (const Exit& exit) {
+    status = exit.status;
+  }
+  std::fflush(nullptr);
+  std::_Exit(status);
 }
 
 } // namespace
@@ -123,10 +141,16 @@ void add_run(CLI::App& app) {
   command->add_option("--transport", arguments->transport, "ipc (default) or tcp on the loopback interface")
       ->check(CLI::IsMember({"ipc", "tcp"}));
   command
+      ->add_flag("--in-process", arguments->in_process,
+                 "All participants are threads of this process: the same bits; for a debugger or a profiler")
+      ->excludes("--transport");
+  command
       ->add_option("--keys", arguments->keys,
                    "Folder of CURVE keys (`tremolo keygen`): the exchange is encrypted, and only their "
                    "owners take part")
       ->check(CLI::ExistingDirectory);
+  command->add_flag("--local", arguments->local,
+                    "All processes on this machine, whatever the [hosts] of the case say");
   command->add_option("--threads", arguments->threads, "Threads of the domain; results do not depend on it")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -136,7 +160,7 @@ void add_run(CLI::App& app) {
   command->add_option("--replay", arguments->replays,
                       "RUN:left, RUN:right or RUN:base: this side is served from the recorded exchange of an "
                       "earlier run instead of its model; RUN alone: all sides. Several are allowed");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { arguments->in_process ? run_in_process(*arguments) : run(*arguments); });
 }
 
 } // namespace tremolo::app

@@ -4,6 +4,7 @@
 // first byte tells them apart ('{' or 'T').
 
 #include "coupler/field.hpp"
+#include "coupler/timeline.hpp"
 #include "coupler/timing.hpp"
 
 #include <cstddef>
@@ -17,7 +18,8 @@
 
 namespace tremolo::coupler {
 
-/// A control message: HELLO, WELCOME, REFUSE, READY, CREDIT, BEAT, BYE or ABORT, and its other keys.
+/// A control message: JOIN, INVITE, HELLO, WELCOME, REFUSE, READY, CREDIT, CHECKPOINT, BEAT, BYE or ABORT,
+/// and its other keys.
 struct Message {
   std::string type;
   nlohmann::json body = nlohmann::json::object();
@@ -34,6 +36,7 @@ nlohmann::json to_json(const FieldDescription& field);
 nlohmann::json to_json(const SourceDescription& source);
 nlohmann::json to_json(const std::vector<BoundaryFace>& faces);
 nlohmann::json to_json(const std::vector<PassTime>& passes);
+nlohmann::json to_json(const TimelineReport& timeline);
 
 /// The inverse functions; they check what they read.
 /// @throws Error naming the missing or wrong key
@@ -41,6 +44,7 @@ FieldDescription field_from(const nlohmann::json& json);
 SourceDescription source_from(const nlohmann::json& json);
 std::vector<BoundaryFace> faces_from(const nlohmann::json& json);
 std::vector<PassTime> passes_from(const nlohmann::json& json);
+TimelineReport timeline_from(const nlohmann::json& json);
 
 /// The session as in messages and on command lines: 16 hexadecimal digits.
 std::string session_text(std::uint64_t session);

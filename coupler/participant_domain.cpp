@@ -26,24 +26,31 @@ constexpr std::uint64_t batch_steps = 64;
 DomainClient::DomainClient(const ParticipantOptions& options)
     : options_(options), connection_(options), last_beat_(Clock::now()) {
   const Message welcome = connection_.introduce({"HELLO", {{"role", "domain"}}});
+  timeline_ = Timeline();
   mode_ = mode_from(welcome.body.at("mode").get<std::string>());
   window_steps_ = welcome.body.at("window_steps").get<std::uint32_t>();
   for (const auto& source : welcome.body.at("sources"))
     sources_.push_back(source_from(source));
 }
 
-void DomainClient::ready(const std::vector<BoundaryFace>& faces, double start_time, double end_time) {
+void DomainClient::ready(const std::vector<BoundaryFace>& faces, double start_time, double end_time,
+                         const std::optional<FirstStep>& first) {
   face_count_ = faces.size();
   free_field_.resize(face_count_);
-  last_time_ = start_time;
+  last_time_ = first ? first->time : start_time;
+  next_step_ = batch_first_step_ = first ? first->step : 0;
   // Both modes build it, so that a mistake is told by whoever finds it first, in the same words.
   try {
     exchange_.emplace(sources_, faces, start_time, end_time, window_steps_);
+    exchange_->release_before(last_time_);
   } catch (const std::invalid_argument& error) {
     connection_.fail(fmt::format("domain '{}': {}", options_.name, error.what()));
   }
-  connection_.send(
-      {"READY", {{"faces", to_json(faces)}, {"start_time", start_time}, {"end_time", end_time}}});
+  connection_.send({"READY",
+                    {{"faces", to_json(faces)},
+                     {"start_time", start_time},
+                     {"end_time", end_time},
+                     {"first_step", next_step_}}});
   if (mode_ == Mode::window)
     grant_credits();
 }
@@ -51,6 +58,7 @@ void DomainClient::ready(const std::vector<BoundaryFace>& faces, double start_ti
 DomainClient::Exchanged DomainClient::tractions(std::uint64_t step, double time,
                                                 std::span<const eq6::Vector> v_domain,
                                                 std::span<eq6::Vector> tractions) {
+  const auto exchanging = timeline_.enter(mapping);
   check_step(step, time, v_domain);
   append_velocities(time, v_domain);
   if (mode_ == Mode::lockstep) {
@@ -85,12 +93,19 @@ void DomainClient::check_step(std::uint64_t step, double time, std::span<const e
   last_time_ = time;
 }
 
+std::optional<Incoming> DomainClient::await(const std::string& whom) {
+  const auto waiting = timeline_.enter(waiting_for(whom));
+  return connection_.receive(beat_interval_s);
+}
+
 void DomainClient::wait_for_sources(std::uint64_t step, double time) {
   waiting_.start();
   while (const auto missing = exchange_->missing(time)) {
-    if (auto incoming = connection_.receive(beat_interval_s)) {
-      if (!incoming->message)
+    if (auto incoming = await(missing->source)) {
+      if (!incoming->message) {
         take_source_frame(incoming->frame());
+        grant_credits();
+      }
       continue;
     }
     beat(missing);
@@ -103,7 +118,7 @@ void DomainClient::wait_for_sources(std::uint64_t step, double time) {
 void DomainClient::wait_for_hub(std::uint64_t step, std::span<eq6::Vector> tractions) {
   waiting_.start();
   for (bool arrived = false; !arrived;) {
-    if (auto incoming = connection_.receive(beat_interval_s)) {
+    if (auto incoming = await("hub")) {
       arrived = !incoming->message;
       if (arrived)
         take_tractions(step, incoming->frame(), tractions);
@@ -221,6 +236,7 @@ void DomainClient::finish(const std::vector<PassTime>& passes, double particle_u
   connection_.send({"BYE",
                     {{"passes", to_json(passes)},
                      {"waiting", waiting_.seconds()},
+                     {"timeline", to_json(timeline_.report())},
                      {"particle_updates", particle_updates}}});
 }
 

@@ -3,6 +3,7 @@
 #include "mpm_domain/tied_nodes.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace tremolo::mpm_domain {
 
@@ -43,20 +44,25 @@ double grid_velocities(Domain& domain) {
   return kinetic;
 }
 
-void remap_velocities(Domain& domain) {
+double remap_velocities(Domain& domain) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
-  domain.workers.run(domain.row_count(), [&](std::size_t row) {
-    const auto nodes = domain.row(row);
+  const double gravity = domain.spec.gravity;
+  const std::vector<double> sums = over_rows<double>(domain, [&](const Domain::NodeRange& nodes) {
+    double power = 0.0;
     for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
       const double m = grid.mass[n];
       const bool full = m > empty;
       grid.vx[n] = full ? grid.momentum_x[n] / m : 0.0;
       grid.vy[n] = full ? grid.momentum_y[n] / m : 0.0;
+      power += grid.force_x[n] * (grid.vx_new[n] - grid.vx[n]) +
+               (grid.force_y[n] + m * gravity) * (grid.vy_new[n] - grid.vy[n]);
     }
+    return power;
   });
   if (domain.has_tied_nodes())
     copy_to_tied(domain);
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 GridUpdate update_grid(Domain& domain, double dt) {

@@ -11,7 +11,8 @@ namespace tremolo::mpm_domain {
 double grid_velocities(Domain& domain);
 
 /// Replaces v- by the velocity that the particles' new momenta give the node; v+ stays. For musl.
-void remap_velocities(Domain& domain);
+/// @returns power of the nodal forces, weight aside, on what v+ differs from the remapped velocity by, W/m
+double remap_velocities(Domain& domain);
 
 /// What the grid update adds up, J/m.
 struct GridUpdate {

@@ -29,7 +29,7 @@ std::vector<Array*> columns_of(Set& p, bool affine) {
   std::vector<Array*> all{&p.x,   &p.y,   &p.vx,   &p.vy,     &p.sxx,       &p.syy,
                           &p.szz, &p.sxy, &p.mass, &p.volume, &p.x_initial, &p.y_initial};
   if (affine)
-    all.insert(all.end(), {&p.cxx, &p.cxy, &p.cyx, &p.cyy});
+    all.insert(all.end(), {&p.bxx, &p.bxy, &p.byx, &p.byy});
   return all;
 }
 

@@ -18,8 +18,30 @@ bool is_to_be_cut(const Particles& p, std::size_t k, const mesh::Quadtree& tree)
          tree.coarsest_in(box) == finest && !std::ranges::binary_search(p.whole, p.id[k]);
 }
 
-void add_quarters(const Particles& whole, std::size_t k, Particles& to) {
-  const bool affine = !whole.cxx.empty();
+/// D of a particle, m2.
+SecondMoments second_moments(const Particles& p, std::size_t k, const GradedMesh& mesh) {
+  std::vector<BoxWeight> weights;
+  box_average(mesh, box_of(p, k), weights);
+  return second_moments(weights, p.x[k], p.y[k]);
+}
+
+/// The affine velocity of the four is that of the one, C = B D^-1, each with its own D.
+void share_affine_velocity(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
+  const SecondMoments d = second_moments(whole, k, mesh);
+  const std::size_t quarter = to.size() - 1;
+  const double dx = to.x[quarter] - whole.x[k];
+  const double dy = to.y[quarter] - whole.y[k];
+  to.vx[quarter] += whole.bxx[k] / d.x * dx + whole.bxy[k] / d.y * dy;
+  to.vy[quarter] += whole.byx[k] / d.x * dx + whole.byy[k] / d.y * dy;
+  const SecondMoments own = second_moments(to, quarter, mesh);
+  to.bxx[quarter] *= own.x / d.x;
+  to.bxy[quarter] *= own.y / d.y;
+  to.byx[quarter] *= own.x / d.x;
+  to.byy[quarter] *= own.y / d.y;
+}
+
+void add_quarters(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
+  const bool affine = !whole.bxx.empty();
   const auto from = whole.columns(affine);
   const auto into = to.columns(affine);
   for (int quarter = 0; quarter < 4; ++quarter) {
@@ -33,10 +55,8 @@ void add_quarters(const Particles& whole, std::size_t k, Particles& to) {
     to.y.back() += dy;
     to.x_initial.back() += dx;
     to.y_initial.back() += dy;
-    if (affine) {
-      to.vx.back() += whole.cxx[k] * dx + whole.cxy[k] * dy;
-      to.vy.back() += whole.cyx[k] * dx + whole.cyy[k] * dy;
-    }
+    if (affine)
+      share_affine_velocity(whole, k, to, mesh);
     const auto state = whole.state.begin() + static_cast<std::ptrdiff_t>(k * whole.state_size);
     to.state.insert(to.state.end(), state, state + static_cast<std::ptrdiff_t>(whole.state_size));
     to.id.push_back(static_cast<std::uint32_t>(to.index_of.size()));
@@ -80,7 +100,7 @@ std::size_t split_particles(Domain& domain) {
     std::vector<std::size_t> gone;
     for (std::size_t k = 0; k < set.size(); ++k)
       if (is_to_be_cut(set, k, domain.mesh->tree())) {
-        add_quarters(set, k, domain.sets[s + soils]);
+        add_quarters(set, k, domain.sets[s + soils], *domain.mesh);
         gone.push_back(k);
       }
     if (!gone.empty())

@@ -20,7 +20,8 @@ namespace tremolo::mpm_domain {
 Stepper::Stepper(Domain& domain, double start_time, TractionSource source, FreeFieldOfFaces free_field)
     : domain_(domain), source_(std::move(source)), free_field_(std::move(free_field)), time_(start_time),
       weights_(domain.faces.size()), v_face_(domain.faces.size()), v_mid_(domain.faces.size()),
-      traction_(domain.faces.size()), reaction_(domain.faces.size()), passes_(assemble()) {
+      v_remapped_(domain.faces.size()), traction_(domain.faces.size()), reaction_(domain.faces.size()),
+      passes_(assemble()) {
   if (!domain.layers.empty() && !free_field_)
     throw std::invalid_argument("matched layers take up what differs from the free field, which is not told");
   for (const Particles& set : domain.sets)
@@ -35,7 +36,7 @@ std::vector<Pass> Stepper::assemble() {
   };
   const GatherParts all{.velocity = true, .position = true, .strain = true};
   const GatherParts strain{.strain = true};
-  std::vector<Pass> passes{{"time step", [this] { choose_dt(); }}, {"sort", [this] { sort(); }}};
+  std::vector<Pass> passes{{"time step", [this] { choose_step(); }}, {"sort", [this] { sort(); }}};
   const auto add = [&](std::string name, std::function<void()> run) {
     passes.push_back({std::move(name), std::move(run)});
   };
@@ -62,7 +63,7 @@ std::vector<Pass> Stepper::assemble() {
   case StepOrder::musl:
     add("grid to particles", gather_pass({.velocity = true}, false));
     add("velocities to grid again", [this] { scatter(domain_, ScatterPart::motion); });
-    add("remapped velocities", [this] { remap_velocities(domain_); });
+    add("remapped velocities", [this] { book_remap(remap_velocities(domain_)); });
     add("strain and stress", gather_pass({.position = true, .strain = true}, true));
     break;
   }
@@ -81,6 +82,12 @@ void Stepper::step() {
   moved_ += max_speed_ * dt_;
   time_ += dt_;
   ++steps_;
+}
+
+void Stepper::choose_step() {
+  const double before = dt_;
+  choose_dt();
+  kick_ = 0.5 * (before + dt_);
 }
 
 void Stepper::choose_dt() {
@@ -142,11 +149,11 @@ void Stepper::react() {
 void Stepper::boundary() {
   spread_tractions(domain_, weights_, traction_);
   if (!domain_.layers.empty())
-    spread_layer_mass(domain_, weights_, dt_);
+    spread_layer_mass(domain_, weights_, kick_);
 }
 
 void Stepper::grid() {
-  const GridUpdate update = update_grid(domain_, dt_);
+  const GridUpdate update = update_grid(domain_, kick_);
   if (!std::isfinite(update.kinetic))
     throw std::runtime_error(
         fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
@@ -167,12 +174,25 @@ void Stepper::book_boundary_work() {
     const Vector own = {viscous.x + reaction_[f].x, viscous.y + reaction_[f].y};
     const Vector held = domain_.static_tractions[f];
     const auto work = [&](double tx, double ty) {
-      return dt_ * face.length * (tx * v_mid_[f].x + ty * v_mid_[f].y);
+      return kick_ * face.length * (tx * v_mid_[f].x + ty * v_mid_[f].y);
     };
     energy.dashpots += work(own.x, own.y);
     energy.static_ += work(held.x, held.y);
     energy.input += work(traction_[f].x - own.x - held.x, traction_[f].y - own.y - held.y);
   }
+}
+
+void Stepper::book_remap(double power) {
+  // Stresses work on the remapped velocity u of this step and, with trapezoidal work, of the one before,
+  // which is v-, while K grows by their power on (v- + v+)/2: half of their power on v+ - u is the
+  // transfer's. What weight and boundary do is booked on v+.
+  mpm_domain::face_velocities(domain_, weights_, v_remapped_);
+  for (std::size_t f = 0; f < weights_.size(); ++f) {
+    const Vector lost = {2.0 * v_mid_[f].x - v_face_[f].x - v_remapped_[f].x,
+                         2.0 * v_mid_[f].y - v_face_[f].y - v_remapped_[f].y};
+    power -= domain_.faces[f].length * (traction_[f].x * lost.x + traction_[f].y * lost.y);
+  }
+  domain_.energy.transfer += 0.5 * kick_ * power;
 }
 
 void Stepper::book(const GatherSums& sums) {

@@ -34,19 +34,21 @@ struct Pass {
 ///   musl:  scatter | velocities | boundary | grid | gather velocity | scatter motion | remap | gather rest
 ///
 /// Time levels are those of leapfrog: at time() places and stresses are known (with usf, stresses of one step
-/// before); particle velocities belong to velocity_time() = time() - dt/2.
+/// before); particle velocities belong to velocity_time() = time() - dt/2. Where the step changes, from dt'
+/// to dt, the grid update takes velocities from t - dt'/2 to t + dt/2: kick() = (dt' + dt)/2.
 class Stepper {
 public:
   /// @param free_field needed by a domain with matched layers
-  /// @throws std::invalid_argument if the spec's fixed time step is over the critical one, or matched layers are
-  /// not told the free field
+  /// @throws std::invalid_argument if the spec's fixed time step is over the critical one, or matched layers
+  /// are not told the free field
   Stepper(Domain& domain, double start_time, TractionSource source, FreeFieldOfFaces free_field = {});
 
   void step();
 
   double time() const { return time_; }
   double velocity_time() const { return time_ - 0.5 * dt_; }
-  double dt() const { return dt_; } ///< of the step just made, or of the first
+  double dt() const { return dt_; }     ///< of the step just made, or of the first
+  double kick() const { return kick_; } ///< time that the forces of the step just made have acted for, s
   long steps() const { return steps_; }
   const std::vector<Pass>& passes() const { return passes_; }
   /// Of the step just made, per face: v^m before the update (m/s) and the traction (Pa).
@@ -60,6 +62,7 @@ public:
   }
 
 private:
+  void choose_step();
   void choose_dt();
   void sort();
   void velocities();
@@ -68,6 +71,7 @@ private:
   void boundary();
   void grid();
   void book_boundary_work();
+  void book_remap(double power);
   void book(const GatherSums& sums);
   std::vector<Pass> assemble();
 
@@ -76,12 +80,13 @@ private:
   FreeFieldOfFaces free_field_;
   double time_;
   double dt_ = 0.0;
+  double kick_ = 0.0;
   long steps_ = 0;
   double max_speed_ = 0.0;
   double moved_ = 0.0;         ///< bound on any particle's way since the last sort, m
   double kinetic_after_ = 0.0; ///< K(v+) of the step before
   std::vector<FaceWeights> weights_;
-  std::vector<Vector> v_face_, v_mid_, traction_;
+  std::vector<Vector> v_face_, v_mid_, v_remapped_, traction_;
   std::vector<Vector> reaction_; ///< of matched layers, part of traction_
   std::vector<Pass> passes_;
 };

@@ -5,7 +5,7 @@
 namespace tremolo::scene {
 
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 18> all = {
+  static constexpr std::array<Rule, 19> all = {
       record_is_readable,
       strength_is_ordered,
       box_fits_lattice,
@@ -24,6 +24,7 @@ std::span<const Rule> rules() {
       incident_base_lies_in_halfspace,
       time_step_is_stable,
       monitors_lie_in_soil,
+      hosts_can_meet,
   };
   return all;
 }
