@@ -114,7 +114,6 @@ TEST_P(LevelInterface, ReflectsNoMoreThanTheImpedanceOfItsCells) {
   const auto [wave, is_fine_below] = GetParam();
   for (const double cells : {10.0, 15.0}) {
     const Reflection r = reflection(wave, cells, is_fine_below);
-    std::printf("%g: %g %g\n", cells, r.measured, r.closed);
     EXPECT_LT(r.measured, 1.1 * r.closed) << cells << " coarse cells a wave length";
     EXPECT_GT(r.measured, 0.3 * r.closed) << "nothing has come back: the packet was not where it should be";
   }
