@@ -2,15 +2,14 @@
 
 #include "app/case_run.hpp"
 #include "app/commands.hpp"
+#include "app/local_options.hpp"
 #include "app/run_display.hpp"
 #include "scene/case.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 namespace tremolo::app {
 
@@ -20,10 +19,7 @@ namespace {
 
 struct ResumeArguments {
   fs::path folder;
-  std::string transport = "ipc";
-  fs::path keys;
-  bool local = false;
-  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  LocalOptions local;
 };
 
 void resume(const ResumeArguments& arguments) {
@@ -46,10 +42,10 @@ void resume(const ResumeArguments& arguments) {
   fmt::print("going on from step {}, {:.6g} s\n", set->step, set->time);
   const auto summaries = run_case(scene, {.folder = folder,
                                           .mode = mode,
-                                          .transport = arguments.transport,
-                                          .threads = arguments.threads,
-                                          .keys = arguments.keys,
-                                          .local = arguments.local,
+                                          .transport = arguments.local.transport,
+                                          .threads = arguments.local.threads,
+                                          .keys = arguments.local.keys,
+                                          .local = arguments.local.local,
                                           .resume = set});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
 }
@@ -64,15 +60,7 @@ void add_resume(CLI::App& app) {
   command->add_option("RUN", arguments->folder, "Folder of the run")
       ->required()
       ->check(CLI::ExistingDirectory);
-  command->add_option("--transport", arguments->transport, "ipc (default) or tcp on the loopback interface")
-      ->check(CLI::IsMember({"ipc", "tcp"}));
-  command->add_option("--keys", arguments->keys, "Folder of CURVE keys (`tremolo keygen`)")
-      ->check(CLI::ExistingDirectory);
-  command->add_flag("--local", arguments->local,
-                    "All processes on this machine, whatever the [hosts] of the case say");
-  command->add_option("--threads", arguments->threads, "Threads of the domain; results do not depend on it")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_local_options(*command, arguments->local);
   command->callback([arguments] { resume(*arguments); });
 }
 

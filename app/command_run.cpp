@@ -2,6 +2,7 @@
 
 #include "app/case_run.hpp"
 #include "app/commands.hpp"
+#include "app/local_options.hpp"
 #include "app/recording_name.hpp"
 #include "app/run_display.hpp"
 #include "results/exchange_file.hpp"
@@ -20,7 +21,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace tremolo::app {
@@ -33,14 +33,11 @@ struct RunArguments {
   std::string case_file;
   fs::path out;
   std::optional<std::string> mode;
-  std::string transport = "ipc";
   bool in_process = false;
-  fs::path keys;
-  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
   std::vector<std::string> replays;
-  bool local = false;
+  LocalOptions local;
 };
 
 constexpr std::array all_sides{scene::Side::left, scene::Side::right, scene::Side::base};
@@ -107,9 +104,10 @@ void run(const RunArguments& arguments) {
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
-  const auto transport = arguments.in_process ? "inproc" : arguments.transport;
-  const auto summaries = run_case(scene, {folder, arguments.mode, transport, arguments.threads,
-                                          arguments.keys, arguments.local || arguments.in_process});
+  const auto transport = arguments.in_process ? "inproc" : arguments.local.transport;
+  const auto summaries =
+      run_case(scene, {folder, arguments.mode, transport, arguments.local.threads, arguments.local.keys,
+                       arguments.local.local || arguments.in_process});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
 }
 
@@ -138,22 +136,11 @@ void add_run(CLI::App& app) {
       ->add_option("--mode", arguments->mode,
                    "Exchange: window or lockstep; the same bits (default: the case's)")
       ->check(CLI::IsMember({"window", "lockstep"}));
-  command->add_option("--transport", arguments->transport, "ipc (default) or tcp on the loopback interface")
-      ->check(CLI::IsMember({"ipc", "tcp"}));
+  add_local_options(*command, arguments->local);
   command
       ->add_flag("--in-process", arguments->in_process,
                  "All participants are threads of this process: the same bits; for a debugger or a profiler")
       ->excludes("--transport");
-  command
-      ->add_option("--keys", arguments->keys,
-                   "Folder of CURVE keys (`tremolo keygen`): the exchange is encrypted, and only their "
-                   "owners take part")
-      ->check(CLI::ExistingDirectory);
-  command->add_flag("--local", arguments->local,
-                    "All processes on this machine, whatever the [hosts] of the case say");
-  command->add_option("--threads", arguments->threads, "Threads of the domain; results do not depend on it")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
   command->add_option("--motion", arguments->motion, "Record to use instead of the case's")
       ->check(CLI::ExistingFile);
   command->add_option("--angle", arguments->angle_deg, "Angle of incidence instead of the case's, degrees");

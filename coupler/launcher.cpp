@@ -69,7 +69,7 @@ public:
   }
 
   std::vector<ProcessSummary> to_its_end() {
-    while (!all_ended()) {
+    while (!all_ended() || !all_heard()) {
       wait_for_news();
       if (const auto signal = signals_.termination())
         stop_interrupted(*signal);
@@ -129,6 +129,13 @@ private:
     return std::all_of(children_.begin(), children_.end(), [](auto& child) { return child->ended(); }) &&
            (given_up_ || std::all_of(options_.processes.begin(), options_.processes.end(),
                                      [&](const auto& p) { return !is_awaited(p) || hub_.has_left(p.name); }));
+  }
+
+  /// Whether all that have ended, and well, have been heard to their end: a BYE may still be on its way.
+  bool all_heard() {
+    return std::all_of(children_.begin(), children_.end(), [&](auto& child) {
+      return child->killed() || !child->succeeded() || hub_.has_left(child->name());
+    });
   }
 
   /// A process may end only after its BYE, and then well, unless we have ended it as a straggler.

@@ -9,7 +9,7 @@
 // When the packet has met the base, the energy left in the domain over the one at the start is what came
 // back, P and SV together, averaged over the packet's angles.
 
-#include "mpm_domain/stepper.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <cmath>
 #include <complex>
@@ -110,14 +110,7 @@ inline double reflected_energy(const WavePacket& packet, double h, double height
   mpm_domain::Domain domain(spec);
   mpm_domain::attach_matched_layers(domain);
   lay(packet, domain, 1e-3);
-  const std::vector<eq6::FreeField> rest(domain.faces.size());
-  mpm_domain::Stepper stepper(
-      domain, 0.0,
-      [&](long, double, auto v, auto traction) {
-        for (std::size_t f = 0; f < v.size(); ++f)
-          traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f], {}, {});
-      },
-      [&] { return std::span<const eq6::FreeField>(rest); });
+  mpm_domain::Stepper stepper = quiet_stepper(domain);
   stepper.step();
   const double before = wave_energy(domain);
   // Until the packet's centre would be as far below the base as it was above it.

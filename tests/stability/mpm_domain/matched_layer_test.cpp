@@ -4,6 +4,7 @@
 #include "mpm_domain/gravity_stage.hpp"
 #include "mpm_domain/static_traction.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,17 +17,6 @@ namespace tremolo {
 namespace {
 
 using mpm_domain::Side;
-
-/// Nothing comes from outside: every wave is scattered.
-mpm_domain::Stepper without_motion(mpm_domain::Domain& domain, const std::vector<eq6::FreeField>& rest) {
-  return {domain, 0.0,
-          [&domain](long, double, auto v, auto traction) {
-            for (std::size_t f = 0; f < v.size(); ++f)
-              traction[f] =
-                  eq6::boundary_traction(domain.faces[f].face, v[f], {}, domain.static_tractions[f]);
-          },
-          [&rest] { return std::span<const eq6::FreeField>(rest); }};
-}
 
 /// Every particle gets a velocity of its own, up to 1 m/s: waves of all lengths and directions.
 void strike(mpm_domain::Domain& domain) {
@@ -54,8 +44,7 @@ TEST(MatchedLayers, AreQuietAfterAHundredThousandSteps) {
   mpm_domain::Domain domain(spec);
   mpm_domain::attach_matched_layers(domain);
   strike(domain);
-  const std::vector<eq6::FreeField> rest(domain.faces.size());
-  mpm_domain::Stepper stepper = without_motion(domain, rest);
+  mpm_domain::Stepper stepper = test_support::quiet_stepper(domain);
   stepper.step();
   const double before = domain.energy.kinetic;
   double after_a_tenth = 0.0;
@@ -76,8 +65,7 @@ TEST(MatchedLayers, HoldTheGroundUnderItsWeightForSixtySeconds) {
   mpm_domain::Domain domain(spec);
   mpm_domain::replace_constraints(domain, mpm_domain::relax_under_gravity(domain, {}, [](long, double) {}));
   mpm_domain::attach_matched_layers(domain);
-  const std::vector<eq6::FreeField> rest(domain.faces.size());
-  mpm_domain::Stepper stepper = without_motion(domain, rest);
+  mpm_domain::Stepper stepper = test_support::quiet_stepper(domain);
   while (stepper.time() < 60.0)
     stepper.step();
   EXPECT_LT(largest_displacement(domain), 1e-4);

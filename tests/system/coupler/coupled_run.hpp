@@ -9,9 +9,11 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace tremolo::coupler {
@@ -57,6 +59,17 @@ protected:
       EXPECT_TRUE(pid == 0 || (::kill(pid, 0) < 0 && errno == ESRCH)) << process.name << " is still there";
     }
     return text;
+  }
+
+  /// Ctrl-C as soon as the run shakes.
+  void ends_on_interrupt(LaunchOptions what) {
+    bool sent = false;
+    what.on_progress = [&](const Progress& progress) {
+      if (progress.stage == "shaking" && !std::exchange(sent, true))
+        ::kill(::getpid(), SIGINT);
+    };
+    EXPECT_THAT(failure(what), testing::HasSubstr("interrupted by Ctrl-C"));
+    EXPECT_EQ(exit_status_, 128 + SIGINT);
   }
 
   std::vector<eq6::Vector> tractions() const {

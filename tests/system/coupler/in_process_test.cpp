@@ -62,14 +62,7 @@ TEST_F(RunInProcess, AThreadThatDoesNotReactIsNamedAtTheStepDeadline) {
 }
 
 TEST_F(RunInProcess, InterruptEndsAllInOrder) {
-  auto what = threads("domain slow 0\n");
-  bool sent = false;
-  what.on_progress = [&](const Progress& progress) {
-    if (progress.stage == "shaking" && !std::exchange(sent, true))
-      ::kill(::getpid(), SIGINT);
-  };
-  EXPECT_THAT(failure(what), HasSubstr("interrupted by Ctrl-C"));
-  EXPECT_EQ(exit_status_, 128 + SIGINT);
+  ends_on_interrupt(threads("domain slow 0\n"));
 }
 
 } // namespace

@@ -201,14 +201,7 @@ TEST_F(CoupledRun, ProgramThatDoesNotExistIsToldAtOnce) {
 }
 
 TEST_F(CoupledRun, InterruptEndsAllInOrder) {
-  auto what = options("domain slow 0\n");
-  bool sent = false;
-  what.on_progress = [&](const Progress& progress) {
-    if (progress.stage == "shaking" && !std::exchange(sent, true))
-      ::kill(::getpid(), SIGINT);
-  };
-  EXPECT_THAT(failure(what), HasSubstr("interrupted by Ctrl-C"));
-  EXPECT_EQ(exit_status_, 128 + SIGINT);
+  ends_on_interrupt(options("domain slow 0\n"));
 }
 
 } // namespace

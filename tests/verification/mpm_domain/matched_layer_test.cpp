@@ -3,6 +3,7 @@
 
 #include "tests/support/box_run.hpp"
 #include "tests/support/lysmer_reflection.hpp"
+#include "tests/support/quiet_ground.hpp"
 #include "tests/support/wave_packet.hpp"
 
 #include <gtest/gtest.h>
@@ -148,14 +149,7 @@ std::vector<double> after(const Blow& blow) {
            std::tuple(std::round(4.0 * set.y[j]), set.x[j]);
   };
   std::ranges::sort(watched, by_place);
-  const std::vector<eq6::FreeField> rest(domain.faces.size());
-  mpm_domain::Stepper stepper(
-      domain, 0.0,
-      [&](long, double, auto v, auto traction) {
-        for (std::size_t f = 0; f < v.size(); ++f)
-          traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f], {}, {});
-      },
-      [&] { return std::span<const eq6::FreeField>(rest); });
+  mpm_domain::Stepper stepper = test_support::quiet_stepper(domain);
   std::vector<double> seen;
   while (stepper.time() < 0.6) {
     stepper.step();
@@ -199,14 +193,7 @@ TEST(MatchedLayers, StandInTheEnergyLedger) {
   mpm_domain::Particles& set = domain.sets.front();
   for (std::size_t k = 0; k < set.size(); ++k)
     set.vx[k] = 0.01 * std::exp(-(std::pow(set.x[k] - 10.0, 2) + std::pow(set.y[k] + 5.0, 2)) / 9.0);
-  const std::vector<eq6::FreeField> rest(domain.faces.size());
-  mpm_domain::Stepper stepper(
-      domain, 0.0,
-      [&](long, double, auto v, auto traction) {
-        for (std::size_t f = 0; f < v.size(); ++f)
-          traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f], {}, {});
-      },
-      [&] { return std::span<const eq6::FreeField>(rest); });
+  mpm_domain::Stepper stepper = test_support::quiet_stepper(domain);
   while (stepper.time() < 0.6)
     stepper.step();
   const mpm_domain::EnergyLedger& energy = domain.energy;
