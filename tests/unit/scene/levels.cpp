@@ -52,7 +52,7 @@ TEST(Refine, RefusesWhatMakesNoSenseWithItsPlace) {
 TEST(Refine, AFixedStepIsThatOfTheFinestCells) {
   EXPECT_THAT(
       errors_of(refined("box = [5.0, -4.0, 15.0, 0.0]\nlevel = 1") + "[time]\ndt = 2e-3\n"),
-      ElementsAre(HasSubstr("[time] 'dt' = 0.002 exceeds the critical step 0.65 h/c_p = 0.00187386 s")));
+      ElementsAre(HasSubstr("[time] 'dt' = 0.002 exceeds the critical step 0.65 h/c_p = 0.00187388 s")));
 }
 
 TEST(Levels, OfAUniformMeshThereIsOne) {
