@@ -5,6 +5,7 @@
 #include "mpm_domain/grid_update.hpp"
 #include "mpm_domain/periodic_sides.hpp"
 #include "mpm_domain/scatter.hpp"
+#include "mpm_domain/splitting.hpp"
 
 #include <fmt/format.h>
 
@@ -116,6 +117,7 @@ void Stepper::sort() {
     for (Particles& set : domain_.sets)
       wrap(set, domain_.spec.box);
   make_room(domain_, time_, steps_);
+  split_particles(domain_);
   sort_particles(domain_);
   moved_ = 0.0;
 }
