@@ -2,7 +2,10 @@
 """Draws the studies of docs/accuracy-and-cost.md into a folder.
 
     cost_travelling_pulse > pulse.csv
-    accuracy_plots.py docs/pictures --pulse pulse.csv --slope runs/w7-regular runs/w7-plain
+    cost_manufactured > manufactured.csv
+    cost_scatterer > scatterer.csv
+    accuracy_plots.py docs/pictures --pulse pulse.csv --manufactured manufactured.csv --scatterer scatterer.csv \\
+        --slope runs/softening-scaled runs/softening-as-given
 """
 
 import argparse
@@ -21,7 +24,7 @@ from tremolo import Run, style
 LINES = {
     "FE lumped": ("k", "--"),
     "APIC musl": (style.COLOURS[0], "-"),
-    "FE lumped, the domain's step": ("0.5", ":"),
+    "FE lumped same step": ("0.5", ":"),
     "APIC usl": (style.COLOURS[0], ":"),
     "FLIP musl": (style.COLOURS[1], "-"),
     "FLIP usl": (style.COLOURS[1], ":"),
@@ -30,12 +33,18 @@ LINES = {
 }
 
 
-def pulse(path, folder):
-    """Error, phase and amplitude after ten wavelengths against cells per wavelength, and error against work."""
-    schemes = defaultdict(list)
+def rows(path):
+    """Rows of a table as dictionaries, numbers as such."""
     with open(path, encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
-            schemes[row["scheme"]].append({key: float(value) for key, value in row.items() if key != "scheme"})
+            yield {key: value if key in ("scheme", "mesh") else float(value) for key, value in row.items()}
+
+
+def pulse(path, folder):
+    """Error, phase and amplitude after ten wavelengths against cells per wavelength."""
+    schemes = defaultdict(list)
+    for row in rows(path):
+        schemes[row["scheme"]].append(row)
     figure, axes = style.plt.subplots(1, 3, figsize=(10.5, 3.8), layout="constrained")
     for scheme, (colour, line) in LINES.items():
         cells, error, phase, amplitude = (
@@ -56,6 +65,54 @@ def pulse(path, folder):
     axes[2].legend(fontsize=6.5)
     figure.suptitle("SV pulse after ten wavelengths", fontsize=9)
     return style.save(figure, folder, "cost_pulse.png")
+
+
+def manufactured(path, folder):
+    """Error of displacement against cells along the block, a panel for each amplitude."""
+    panels = defaultdict(lambda: defaultdict(list))
+    for row in rows(path):
+        if row["scheme"].endswith("musl"):
+            label = f"{row['scheme'].split()[0]}, {row['particles_per_cell']:.0f} a direction"
+            panels[row["amplitude"]][label].append((row["cells"], row["relative_error"]))
+    figure, axes = style.plt.subplots(1, len(panels), figsize=(10.5, 3.6), sharey=True, layout="constrained")
+    for ax, (amplitude, curves) in zip(axes, panels.items()):
+        for label, points in curves.items():
+            cells, error = np.array(points).T
+            particles = int(label.split()[1])
+            ax.loglog(
+                cells,
+                100 * error,
+                "-" if label.startswith("APIC") else "--",
+                color=style.COLOURS[particles - 1],
+                marker="o",
+                markersize=3,
+                label=label,
+            )
+        slope = 100 * 0.03 * (8 / cells) ** 2
+        ax.loglog(cells, slope, "k:", linewidth=0.8, label="second order")
+        ax.set(xlabel="cells along the block", title=f"A/L = {amplitude:g}", xticks=cells)
+        ax.set_xticklabels([f"{n:.0f}" for n in cells])
+        ax.minorticks_off()
+    axes[0].set_ylabel("error of displacement (% of A)")
+    axes[0].legend(fontsize=6)
+    return style.save(figure, folder, "cost_manufactured.png")
+
+
+def scatterer(path, folder):
+    """Error against CPU time of uniform and graded meshes."""
+    meshes = defaultdict(list)
+    for row in rows(path):
+        meshes[row["mesh"]].append(row)
+    figure, ax = style.plt.subplots(figsize=(5.2, 3.8), layout="constrained")
+    for mesh, look in (("uniform", "o-"), ("graded", "s--")):
+        table = meshes[mesh]
+        ax.loglog([r["cpu_s"] for r in table], [100 * r["relative_error"] for r in table], look, label=mesh)
+        for r in table:
+            size = f"{r['coarsest']:g} m" + (f" to 0.25 m" if r["levels"] else "")
+            ax.annotate(size, (r["cpu_s"], 100 * r["relative_error"]), fontsize=7, xytext=(4, 4), textcoords="offset points")
+    ax.set(xlabel="CPU time (s)", ylabel="error at the surface (%)")
+    ax.legend()
+    return style.save(figure, folder, "cost_scatterer.png")
 
 
 def crest(folder):
@@ -83,10 +140,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--pulse", type=Path)
+    parser.add_argument("--manufactured", type=Path)
+    parser.add_argument("--scatterer", type=Path)
     parser.add_argument("--slope", type=Path, nargs=2)
     given = parser.parse_args()
     if given.pulse:
         print(pulse(given.pulse, given.folder))
+    if given.manufactured:
+        print(manufactured(given.manufactured, given.folder))
+    if given.scatterer:
+        print(scatterer(given.scatterer, given.folder))
     if given.slope:
         print(slope(*given.slope, given.folder))
 
