@@ -150,6 +150,7 @@ void Stepper::boundary() {
   spread_tractions(domain_, weights_, traction_);
   if (!domain_.layers.empty())
     spread_layer_mass(domain_, weights_, kick_);
+  dashpots_.correct(domain_, weights_, kick_);
 }
 
 void Stepper::grid() {
@@ -160,7 +161,9 @@ void Stepper::grid() {
   EnergyLedger& energy = domain_.energy;
   energy.kinetic = update.kinetic;
   energy.gravity += update.gravity_work;
-  energy.dashpots += update.dashpot_relief;
+  const Grid& grid = domain_.grid;
+  const double power = 0.5 * (dashpots_.power(grid.vx, grid.vy) + dashpots_.power(grid.vx_new, grid.vy_new));
+  energy.dashpots += update.dashpot_relief + kick_ * power;
   kinetic_after_ = update.kinetic;
   book_boundary_work();
 }
@@ -192,6 +195,8 @@ void Stepper::book_remap(double power) {
                          2.0 * v_mid_[f].y - v_face_[f].y - v_remapped_[f].y};
     power -= domain_.faces[f].length * (traction_[f].x * lost.x + traction_[f].y * lost.y);
   }
+  const Grid& grid = domain_.grid;
+  power -= dashpots_.power(grid.vx_new, grid.vy_new) - dashpots_.power(grid.vx, grid.vy);
   domain_.energy.transfer += 0.5 * kick_ * power;
 }
 
