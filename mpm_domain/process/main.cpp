@@ -94,7 +94,7 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
   std::vector<coupler::PassTime> passes{{"gravity stage", gravity_seconds}};
   for (const mpm_domain::Pass& pass : stepper.passes())
     passes.push_back({pass.name, pass.seconds});
-  client.finish(passes, static_cast<double>(domain.particle_count()) * static_cast<double>(stepper.steps()));
+  client.finish(passes, stepper.particle_updates());
 }
 
 void run(const coupler::ParticipantOptions& options) {
