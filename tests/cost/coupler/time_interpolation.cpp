@@ -130,7 +130,7 @@ int main() {
       const FieldDescription field = field_of(omega_dt / omega);
       const auto values = values_of(field, signal);
       FreeFieldHistory history(field, 0.0, 0.0, field.step_count);
-      history.append(values);
+      history.append(std::as_bytes(std::span(values)));
       std::vector<FaceMap> maps;
       for (std::size_t i = 0; i < faces; ++i)
         maps.push_back(map_face(field, {0.0, -39.9 + 0.249 * static_cast<double>(i)}));

@@ -21,6 +21,7 @@
 #include "coupler/boundary_exchange.hpp"
 #include "coupler/connection.hpp"
 #include "coupler/error.hpp"
+#include "coupler/incoming.hpp"
 #include "coupler/messages.hpp"
 #include "scene/service.hpp"
 #include "travelling_pulse.hpp"
@@ -34,6 +35,7 @@
 #include <string>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -118,7 +120,9 @@ private:
       body.resize(steps * header.count);
     } else if (now && is("nan"))
       body.back() = std::numeric_limits<double>::quiet_NaN();
-    connection_.send(header, body);
+    FrameDraft draft(body.size());
+    std::ranges::copy(body, draft.values().begin());
+    connection_.send(header, std::move(draft));
     next_step_ += steps;
   }
 

@@ -4,6 +4,7 @@
 
 #include "tests/support/exact_run.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <set>
@@ -113,7 +114,7 @@ TEST(Ladder, FindsTheLargestSizeThatTheCaseTakes) {
   ASSERT_TRUE(size);
   EXPECT_LE(*size, wanted);
   EXPECT_GT(*size, 0.5 * wanted);
-  EXPECT_TRUE(rung_with(scene, knobs, {std::to_string(*size)}).refused.empty());
+  EXPECT_TRUE(rung_with(scene, knobs, {fmt::format("{}", *size)}).refused.empty());
 }
 
 TEST(Ladder, TheDefaultOneIsTakenByTheCase) {
