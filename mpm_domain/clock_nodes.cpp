@@ -75,7 +75,11 @@ private:
   }
 
   void take(std::size_t node, int clock) {
-    nodes_.clock_[node] = std::max(nodes_.clock_[node], static_cast<std::uint32_t>(clock + 1));
+    const auto number = static_cast<std::uint32_t>(clock + 1);
+    std::uint32_t& fastest = nodes_.clock_[node];
+    std::uint32_t& slowest = nodes_.slowest_[node];
+    slowest = fastest == 0 ? number : std::min(slowest, number);
+    fastest = std::max(fastest, number);
   }
 
   const Domain& domain_;
@@ -85,7 +89,8 @@ private:
 };
 
 ClockNodes::ClockNodes(const Domain& domain)
-    : clock_(domain.grid.size(), 0), ties_(static_cast<std::size_t>(domain.clocks.count())) {
+    : clock_(domain.grid.size(), 0), slowest_(domain.grid.size(), 0),
+      ties_(static_cast<std::size_t>(domain.clocks.count())) {
   Builder builder(domain, *this);
   for (const Particles& set : domain.sets) {
     for (std::size_t block = 0; block < domain.block_count(); ++block)
@@ -101,11 +106,12 @@ ClockNodes::ClockNodes(const Domain& domain)
 void ClockNodes::collect(const Domain& domain) {
   const std::size_t clocks = ties_.size();
   of_.assign(clocks, {});
-  from_.assign(clocks + 1, {});
+  from_.assign(clocks, {});
+  shared_.assign(clocks, {});
   const auto add_runs = [&](const NodeRange& row, const auto& wanted, std::vector<NodeRange>& runs) {
     for (std::size_t n = row.begin; n < row.end; ++n) {
       const std::size_t begin = n;
-      while (n < row.end && wanted(clock_[n]))
+      while (n < row.end && wanted(n))
         ++n;
       if (n > begin)
         runs.push_back({begin, n});
@@ -113,10 +119,14 @@ void ClockNodes::collect(const Domain& domain) {
   };
   for (std::size_t r = 0; r < domain.row_count(); ++r)
     for (std::size_t clock = 0; clock < clocks; ++clock) {
+      const NodeRange row = domain.row(r);
       add_runs(
-          domain.row(r), [&](std::size_t number) { return number == clock + 1; }, of_[clock]);
+          row, [&](std::size_t n) { return clock_[n] == clock + 1; }, of_[clock]);
       add_runs(
-          domain.row(r), [&](std::size_t number) { return number >= clock + 1; }, from_[clock]);
+          row, [&](std::size_t n) { return clock_[n] >= clock + 1; }, from_[clock]);
+      add_runs(
+          row, [&](std::size_t n) { return clock_[n] > clock + 1 && slowest_[n] <= clock + 1; },
+          shared_[clock]);
     }
 }
 

@@ -65,13 +65,18 @@ void Subcycling::over(std::span<const NodeRange> rows, const Act& act) {
 /// The nodes of a clock and faster ones start with what slower particles brought.
 void Subcycling::take_held(int first, bool with_forces) {
   Grid& grid = domain_.grid;
-  const Shared* const held = first > 0 ? &shared(first - 1) : nullptr;
   over(nodes_.from(first), [&](std::size_t n) {
-    grid.mass[n] = held ? held->mass[n] : 0.0;
-    grid.momentum_x[n] = held ? held->momentum_x[n] : 0.0;
-    grid.momentum_y[n] = held ? held->momentum_y[n] : 0.0;
+    grid.mass[n] = grid.momentum_x[n] = grid.momentum_y[n] = 0.0;
     if (with_forces)
       grid.force_x[n] = grid.force_y[n] = grid.dashpot_x[n] = grid.dashpot_y[n] = 0.0;
+  });
+  if (first == 0)
+    return;
+  const Shared& held = shared(first - 1);
+  over(nodes_.shared(first - 1), [&](std::size_t n) {
+    grid.mass[n] = held.mass[n];
+    grid.momentum_x[n] = held.momentum_x[n];
+    grid.momentum_y[n] = held.momentum_y[n];
   });
 }
 
@@ -96,7 +101,7 @@ void Subcycling::prolong(int clock) {
 void Subcycling::keep(int clock) {
   Grid& grid = domain_.grid;
   Shared& s = shared(clock);
-  over(nodes_.from(clock + 1), [&](std::size_t n) {
+  over(nodes_.shared(clock), [&](std::size_t n) {
     s.mass[n] = grid.mass[n];
     s.momentum_x[n] = grid.momentum_x[n];
     s.momentum_y[n] = grid.momentum_y[n];
@@ -139,7 +144,9 @@ GridUpdate Subcycling::update() {
   const Grid& grid = domain_.grid;
   for (int clock = 0; shares(clock); ++clock) {
     Shared& s = shared(clock);
-    over(nodes_.from(std::max(clock + 1, first_due())), [&](std::size_t n) {
+    over(nodes_.shared(clock), [&](std::size_t n) {
+      if (nodes_.clock_of(n) < first_due())
+        return;
       const double change_x = grid.vx_new[n] - grid.vx[n];
       const double change_y = grid.vy_new[n] - grid.vy[n];
       s.change_x[n] += change_x;
@@ -158,7 +165,7 @@ void Subcycling::gather_velocities() {
   for (int clock = clocks_ - 1; clock >= first_ending(); --clock) {
     if (shares(clock)) {
       const Shared& s = shared(clock);
-      over(nodes_.from(clock + 1), [&](std::size_t n) {
+      over(nodes_.shared(clock), [&](std::size_t n) {
         grid.vx[n] = grid.vx_new[n] - s.change_x[n];
         grid.vy[n] = grid.vy_new[n] - s.change_y[n];
       });
@@ -182,7 +189,7 @@ void Subcycling::remap() {
 void Subcycling::add_mean(int clock) {
   const Grid& grid = domain_.grid;
   Shared& s = shared(clock - 1);
-  over(nodes_.from(clock), [&](std::size_t n) {
+  over(nodes_.shared(clock - 1), [&](std::size_t n) {
     s.vx_mean[n] += 0.5 * grid.vx[n];
     s.vy_mean[n] += 0.5 * grid.vy[n];
     s.vx_new_mean[n] += 0.5 * grid.vx_new[n];
@@ -193,7 +200,7 @@ void Subcycling::add_mean(int clock) {
 void Subcycling::take_mean(int clock) {
   Grid& grid = domain_.grid;
   const Shared& s = shared(clock);
-  over(nodes_.from(clock + 1), [&](std::size_t n) {
+  over(nodes_.shared(clock), [&](std::size_t n) {
     grid.vx[n] = s.vx_mean[n];
     grid.vy[n] = s.vy_mean[n];
     grid.vx_new[n] = s.vx_new_mean[n];
@@ -220,13 +227,15 @@ GatherSums Subcycling::gather_rest() {
   return sums;
 }
 
-/// For output: of a step of clock 0 where a node has made several.
+/// For output: of the step of the slowest particles that share a node, who gave it impulses.
 void Subcycling::mean_acceleration() {
   Grid& grid = domain_.grid;
-  if (shares(0))
-    over(nodes_.from(1), [&](std::size_t n) {
-      grid.acceleration[n] = {shared(0).change_x[n] / dt_, shared(0).change_y[n] / dt_};
+  for (int clock = clocks_ - 2; clock >= 0; --clock) {
+    const Shared& s = shared(clock);
+    over(nodes_.shared(clock), [&](std::size_t n) {
+      grid.acceleration[n] = {s.change_x[n] / dt_of(clock), s.change_y[n] / dt_of(clock)};
     });
+  }
   for (int clock = 0; clock < clocks_; ++clock)
     for (const std::size_t row : nodes_.ties_of(clock)) {
       Vector value;

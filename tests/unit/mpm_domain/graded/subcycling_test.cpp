@@ -36,6 +36,7 @@ Spec shaken_box(Transfer transfer, bool subcycle) {
   spec.refine = {{{0.0, -6.0, 6.0, 0.0}, 1}, {{0.0, -3.0, 3.0, 0.0}, 2}};
   spec.scheme.transfer = transfer;
   spec.scheme.subcycle = subcycle;
+  spec.threads = 1;
   return spec;
 }
 
@@ -66,6 +67,7 @@ TEST(Subcycling, OnOneClockIsTheSingleStep) {
     refined.refine = {{refined.box, 1}};
     fine.scheme.transfer = refined.scheme.transfer = transfer;
     refined.scheme.subcycle = true;
+    fine.threads = refined.threads = 1;
     test_support::PlaneWave wave = oblique_wave();
     // The exchange holds the free field over two ticks: without one both runs are the same.
     const TractionSource none = [](long, double, auto, auto traction) {
