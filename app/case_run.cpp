@@ -80,6 +80,31 @@ results::Table process_table(const std::vector<coupler::ProcessSummary>& summari
       {{"process", "1", names}, {"wall_time", "s", wall}, {"cpu_time", "s", cpu}, {"waiting", "s", waiting}}};
 }
 
+/// /timeline of the run file: what each process did when, in seconds of each slice of wall time.
+results::Table timeline_table(const std::vector<coupler::ProcessSummary>& summaries) {
+  std::vector<std::string> names;
+  std::vector<std::string> activities;
+  std::vector<double> times;
+  std::vector<double> slices;
+  std::vector<double> durations;
+  for (const auto& summary : summaries) {
+    const auto& timeline = summary.report.timeline;
+    for (const auto& [activity, seconds] : timeline.activities)
+      for (std::size_t i = 0; i < seconds.size(); ++i) {
+        names.push_back(summary.name);
+        activities.push_back(activity);
+        times.push_back(timeline.slice * static_cast<double>(i));
+        slices.push_back(timeline.slice);
+        durations.push_back(seconds[i]);
+      }
+  }
+  return {{{"process", "1", names},
+           {"activity", "1", activities},
+           {"time", "s", times},
+           {"slice", "s", slices},
+           {"duration", "s", durations}}};
+}
+
 /// Where the case asks for a recording of the exchange.
 std::unique_ptr<coupler::ExchangeRecorder> recorder_of(const scene::Case& scene, const CaseRun& run,
                                                        const coupler::LaunchOptions& options) {
@@ -152,6 +177,7 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
     auto summaries = coupler::launch(options);
     finish_recording(recorder.get(), scene.recording, line);
     results::append_table(file, "/processes", process_table(summaries));
+    results::append_table(file, "/timeline", timeline_table(summaries));
     line.note("finished");
     for (const auto& process : options.processes)
       for (const auto& warning : warnings_of(process.name, run.folder))

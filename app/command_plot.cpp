@@ -18,6 +18,8 @@ void add_python_command(CLI::App& app, const std::string& name, const std::strin
 void add_plot(CLI::App& app) {
   add_python_command(app, "plot",
                      "Pictures of a run: model, accelerations, shear bands, histories, energy, fronts");
+  add_python_command(app, "timeline",
+                     "What the processes of a run did when, drawn and in words: who waited for whom");
   add_python_command(app, "compare", "Pictures of two runs side by side");
   add_python_command(app, "failure", "When a shear band first connects the toe of a slope with its crest");
 }

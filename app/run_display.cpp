@@ -83,6 +83,9 @@ std::string summary_text(const std::vector<coupler::ProcessSummary>& processes) 
                           share(pass.seconds));
     text += fmt::format("  {:<32} {:>10.2f} {:>10} {:>6.1f} %\n", "waiting for exchange",
                         process.report.waiting, "", share(process.report.waiting));
+    for (const auto& [activity, slices] : process.report.timeline.activities)
+      if (const double seconds = process.report.timeline.seconds(activity); activity != coupler::computing)
+        text += fmt::format("    {:<30} {:>10.2f} {:>10} {:>6.1f} %\n", activity, seconds, "", share(seconds));
     if (process.report.particle_updates > 0.0)
       text += fmt::format("  {:.3g} particle updates, {:.3g} per second of wall time\n",
                           process.report.particle_updates,

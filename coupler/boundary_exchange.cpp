@@ -118,7 +118,7 @@ void BoundaryExchange::evaluate(double time, std::span<const eq6::Vector> v_doma
 }
 
 std::uint32_t steps_per_frame(const FieldDescription& field, std::uint32_t window_steps) {
-  constexpr std::size_t most_bytes = 4 << 20;
+  constexpr std::size_t most_bytes = 1 << 20;
   const std::size_t fitting = most_bytes / (field.values_per_step() * sizeof(double));
   return static_cast<std::uint32_t>(std::clamp<std::size_t>(fitting, 1, window_steps));
 }

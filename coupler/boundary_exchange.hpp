@@ -25,7 +25,8 @@ struct FieldAddress {
 
 inline constexpr std::uint32_t default_window_steps = 64;
 
-/// Steps that a source sends in one frame: window_steps, but not more than 4 MiB.
+/// Steps that a source sends in one frame: window_steps, but not more than 1 MiB. What is larger leaves the
+/// caches before it is mapped.
 std::uint32_t steps_per_frame(const FieldDescription& field, std::uint32_t window_steps);
 
 class BoundaryExchange {

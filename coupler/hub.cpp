@@ -177,6 +177,7 @@ std::optional<std::string> Hub::objection(const Participant& participant, const 
 
 void Hub::welcome_all() {
   welcomed_ = true;
+  timeline_ = Timeline();
   json list = json::array();
   for (const auto& source : sources())
     list.push_back(to_json(source));
@@ -210,10 +211,16 @@ void Hub::take_message(Participant& participant, const Message& message) {
 
 void Hub::take_bye(Participant& participant, const json& body) {
   participant.left = true;
-  reports_[participant.expected.name] = {passes_from(body.at("passes")), body.at("waiting").get<double>(),
-                                         body.value("particle_updates", 0.0)};
+  reports_[participant.expected.name] = {passes_from(body.at("passes")),
+                                         body.at("waiting").get<double>(),
+                                         body.value("particle_updates", 0.0),
+                                         {}};
+  auto& report = reports_[participant.expected.name];
+  if (const auto timeline = body.find("timeline"); timeline != body.end())
+    report.timeline = timeline_from(*timeline);
   if (participant.expected.role != Role::domain)
     return;
+  report.timeline.resolve_waits("hub", timeline_.report());
   wait_.reset();
   request_needed_steps();
   dismiss_sources();

@@ -23,6 +23,7 @@
 #include "coupler/mode.hpp"
 #include "coupler/pace.hpp"
 #include "coupler/participant_options.hpp"
+#include "coupler/timeline.hpp"
 #include "coupler/timing.hpp"
 
 #include <cstdint>
@@ -79,6 +80,7 @@ struct ParticipantReport {
   std::vector<PassTime> passes;
   double waiting = 0.0;          ///< for the exchange, s
   double particle_updates = 0.0; ///< the domain's; 0 otherwise
+  TimelineReport timeline;       ///< empty of a participant that keeps none
 };
 
 class Hub {
@@ -195,6 +197,7 @@ private:
   std::optional<PendingStep> pending_;       ///< mode lockstep
   bool dismissed_ = false;                   ///< the sources have been sent BYE
   std::optional<Wait> wait_;
+  Timeline timeline_; ///< mode lockstep: for whom the hub lets the domain wait
   std::optional<Failure> failure_;
   Progress progress_;
   std::map<std::string, ParticipantReport> reports_;

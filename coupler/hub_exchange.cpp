@@ -93,6 +93,7 @@ void Hub::take_progress(Participant& domain, const json& body) {
 }
 
 void Hub::note_wait(const std::optional<BoundaryExchange::Missing>& awaited) {
+  timeline_.turn_to(awaited ? waiting_for(awaited->source) : std::string(computing));
   if (!awaited)
     wait_.reset();
   else if (!wait_ || wait_->awaited != *awaited)

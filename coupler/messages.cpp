@@ -100,6 +100,10 @@ json to_json(const std::vector<PassTime>& passes) {
   return list;
 }
 
+json to_json(const TimelineReport& timeline) {
+  return {{"slice", timeline.slice}, {"activities", timeline.activities}};
+}
+
 FieldDescription field_from(const json& j) {
   return checked("field", [&] {
     FieldDescription field{.name = j.at("name").get<std::string>(),
@@ -143,6 +147,17 @@ std::vector<PassTime> passes_from(const json& j) {
     for (const auto& p : j)
       passes.push_back({p.at("name").get<std::string>(), p.at("seconds").get<double>()});
     return passes;
+  });
+}
+
+TimelineReport timeline_from(const json& j) {
+  return checked("timeline", [&] {
+    TimelineReport timeline{j.at("slice").get<double>(), {}};
+    if (!(timeline.slice > 0.0))
+      throw Error(fmt::format("timeline: slice is {} s, expected a positive number", timeline.slice));
+    for (const auto& [activity, seconds] : j.at("activities").items())
+      timeline.activities[activity] = seconds.get<std::vector<double>>();
+    return timeline;
   });
 }
 

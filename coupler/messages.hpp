@@ -4,6 +4,7 @@
 // first byte tells them apart ('{' or 'T').
 
 #include "coupler/field.hpp"
+#include "coupler/timeline.hpp"
 #include "coupler/timing.hpp"
 
 #include <cstddef>
@@ -34,6 +35,7 @@ nlohmann::json to_json(const FieldDescription& field);
 nlohmann::json to_json(const SourceDescription& source);
 nlohmann::json to_json(const std::vector<BoundaryFace>& faces);
 nlohmann::json to_json(const std::vector<PassTime>& passes);
+nlohmann::json to_json(const TimelineReport& timeline);
 
 /// The inverse functions; they check what they read.
 /// @throws Error naming the missing or wrong key
@@ -41,6 +43,7 @@ FieldDescription field_from(const nlohmann::json& json);
 SourceDescription source_from(const nlohmann::json& json);
 std::vector<BoundaryFace> faces_from(const nlohmann::json& json);
 std::vector<PassTime> passes_from(const nlohmann::json& json);
+TimelineReport timeline_from(const nlohmann::json& json);
 
 /// The session as in messages and on command lines: 16 hexadecimal digits.
 std::string session_text(std::uint64_t session);

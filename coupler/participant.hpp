@@ -22,6 +22,7 @@
 #include "coupler/field.hpp"
 #include "coupler/mode.hpp"
 #include "coupler/participant_options.hpp"
+#include "coupler/timeline.hpp"
 #include "coupler/timing.hpp"
 
 #include <cstdint>
@@ -86,6 +87,7 @@ private:
   std::vector<Outgoing> outgoing_;
   Stopwatch filling_;
   Stopwatch waiting_;
+  Timeline timeline_; ///< from WELCOME on
   bool finished_ = false;
 };
 
@@ -153,6 +155,7 @@ private:
   void take_source_frame(std::span<const std::byte> bytes);
   void grant_credits();
   void beat(const std::optional<BoundaryExchange::Missing>& awaited);
+  std::optional<Incoming> await(const std::string& whom);
   void check_hub(const std::string& awaited);
   void drain();
 
@@ -174,6 +177,7 @@ private:
   double stage_end_time_ = 0.0;
   Clock::time_point last_beat_;
   Stopwatch waiting_;
+  Timeline timeline_; ///< from WELCOME on
 };
 
 } // namespace tremolo::coupler

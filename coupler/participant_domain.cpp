@@ -26,6 +26,7 @@ constexpr std::uint64_t batch_steps = 64;
 DomainClient::DomainClient(const ParticipantOptions& options)
     : options_(options), connection_(options), last_beat_(Clock::now()) {
   const Message welcome = connection_.introduce({"HELLO", {{"role", "domain"}}});
+  timeline_ = Timeline();
   mode_ = mode_from(welcome.body.at("mode").get<std::string>());
   window_steps_ = welcome.body.at("window_steps").get<std::uint32_t>();
   for (const auto& source : welcome.body.at("sources"))
@@ -51,6 +52,7 @@ void DomainClient::ready(const std::vector<BoundaryFace>& faces, double start_ti
 DomainClient::Exchanged DomainClient::tractions(std::uint64_t step, double time,
                                                 std::span<const eq6::Vector> v_domain,
                                                 std::span<eq6::Vector> tractions) {
+  const auto exchanging = timeline_.enter(mapping);
   check_step(step, time, v_domain);
   append_velocities(time, v_domain);
   if (mode_ == Mode::lockstep) {
@@ -85,10 +87,15 @@ void DomainClient::check_step(std::uint64_t step, double time, std::span<const e
   last_time_ = time;
 }
 
+std::optional<Incoming> DomainClient::await(const std::string& whom) {
+  const auto waiting = timeline_.enter(waiting_for(whom));
+  return connection_.receive(beat_interval_s);
+}
+
 void DomainClient::wait_for_sources(std::uint64_t step, double time) {
   waiting_.start();
   while (const auto missing = exchange_->missing(time)) {
-    if (auto incoming = connection_.receive(beat_interval_s)) {
+    if (auto incoming = await(missing->source)) {
       if (!incoming->message)
         take_source_frame(incoming->frame());
       continue;
@@ -103,7 +110,7 @@ void DomainClient::wait_for_sources(std::uint64_t step, double time) {
 void DomainClient::wait_for_hub(std::uint64_t step, std::span<eq6::Vector> tractions) {
   waiting_.start();
   for (bool arrived = false; !arrived;) {
-    if (auto incoming = connection_.receive(beat_interval_s)) {
+    if (auto incoming = await("hub")) {
       arrived = !incoming->message;
       if (arrived)
         take_tractions(step, incoming->frame(), tractions);
@@ -221,6 +228,7 @@ void DomainClient::finish(const std::vector<PassTime>& passes, double particle_u
   connection_.send({"BYE",
                     {{"passes", to_json(passes)},
                      {"waiting", waiting_.seconds()},
+                     {"timeline", to_json(timeline_.report())},
                      {"particle_updates", particle_updates}}});
 }
 

@@ -17,6 +17,7 @@ SourceClient::SourceClient(const ParticipantOptions& options, std::vector<FieldD
     hello.body["fields"].push_back(to_json(field));
   }
   const Message welcome = connection_.introduce(std::move(hello));
+  timeline_ = Timeline();
   const auto window_steps = welcome.body.at("window_steps").get<std::uint32_t>();
   for (const auto& field : fields_)
     outgoing_.push_back({.steps_per_frame = steps_per_frame(field, window_steps)});
@@ -31,6 +32,7 @@ void SourceClient::serve(const Fill& fill, const std::vector<PassTime>& passes) 
       if (connection_.hub_is_silent())
         connection_.fail(fmt::format("source '{}' waits for credit or BYE (deadline {} s); {}", options_.name,
                                      options_.deadlines.step, connection_.sign_of_life()));
+      const auto waiting = timeline_.enter(waiting_for("domain"));
       waiting_.start();
       take_messages(0.5);
       waiting_.stop();
@@ -82,6 +84,7 @@ void SourceClient::send_frame(std::size_t field, std::uint32_t steps, const Fill
   for (std::uint32_t i = 0; i < steps; ++i)
     fill(field, first + i, values.subspan(i * count, count));
   filling_.stop();
+  const auto exchanging = timeline_.enter(mapping);
   if (const auto bad = first_not_finite(std::as_bytes(values)))
     connection_.fail(fmt::format("source '{}', field '{}': the value at step {} is {}", options_.name,
                                  fields_[field].name, first + *bad / count, values[*bad]));
@@ -98,7 +101,10 @@ void SourceClient::send_frame(std::size_t field, std::uint32_t steps, const Fill
 void SourceClient::say_bye(const std::vector<PassTime>& passes) {
   std::vector<PassTime> all{{"fill", filling_.seconds()}};
   all.insert(all.end(), passes.begin(), passes.end());
-  connection_.send({"BYE", {{"passes", to_json(all)}, {"waiting", waiting_.seconds()}}});
+  connection_.send({"BYE",
+                    {{"passes", to_json(all)},
+                     {"waiting", waiting_.seconds()},
+                     {"timeline", to_json(timeline_.report())}}});
 }
 
 } // namespace tremolo::coupler

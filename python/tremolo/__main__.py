@@ -1,11 +1,11 @@
-"""Commands: python3 -m tremolo plot RUN | compare RUN_A RUN_B | failure RUN ... | column OUT.h5 | soiltest OUT.h5
+"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | failure RUN ... | column OUT.h5 | soiltest OUT.h5
 | verify-picture PATH | motion-picture FOLDER OUT."""
 
 import argparse
 import sys
 from pathlib import Path
 
-from tremolo import column, cost, failure, fronts, histories, maps, motion, preview, soil_record, soiltest, swap, verification
+from tremolo import column, cost, failure, fronts, histories, maps, motion, preview, soil_record, soiltest, swap, timeline, verification
 from tremolo.run import Run
 
 
@@ -45,6 +45,13 @@ def plot(arguments):
         yield histories.energy(run, folder)
     if run.boundary is not None and len(run.boundary["time"]) > 10:
         yield fronts.fronts(run, folder)
+
+
+def waits(arguments):
+    """Yields in words what each process did, then the path of the picture."""
+    run = Run(arguments.run)
+    yield from timeline.sentences(timeline.timelines(run))
+    yield timeline.picture(run, _folder(arguments.out, run))
 
 
 def compare(arguments):
@@ -107,6 +114,9 @@ def _parser():
     single = add("plot", plot, "Model preview, acceleration contours, shear bands, histories, energy, wave fronts.")
     single.add_argument("run", help="folder of the run, or its run.h5")
     add_picture_options(single)
+    waited = add("timeline", waits, "What the processes of a run did when, drawn and in words: who waited for whom.")
+    waited.add_argument("run", help="folder of the run, or its run.h5")
+    waited.add_argument("--out", metavar="DIR", help="folder of the picture (default: pictures/ beside the run)")
     pair = add("compare", compare, "Contours of two runs side by side at the same times.")
     pair.add_argument("run")
     pair.add_argument("other")

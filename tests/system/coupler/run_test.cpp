@@ -119,6 +119,24 @@ TEST_F(CoupledRun, SummaryHasTheReportsOfAll) {
   EXPECT_GT(summaries[2].wall_seconds, 0.0);
 }
 
+TEST_F(CoupledRun, TheTimelineNamesTheSlowSource) {
+  for (const Mode mode : {Mode::window, Mode::lockstep}) {
+    const auto summaries = launch(options("right pauses 100\n", mode));
+    for (const auto& summary : summaries) {
+      double total = 0.0;
+      for (const auto& [activity, slices] : summary.report.timeline.activities)
+        total += summary.report.timeline.seconds(activity);
+      EXPECT_GE(total, 0.4) << summary.name; // the pause, which all live to see
+      EXPECT_LE(total, summary.wall_seconds) << summary.name;
+    }
+    EXPECT_GE(summaries[1].report.timeline.seconds(computing), 0.4);
+    const auto& domain = summaries[2].report.timeline;
+    EXPECT_GT(domain.seconds("waiting for right"), domain.seconds("waiting for left"));
+    EXPECT_GT(domain.seconds("waiting for right"), domain.seconds("waiting for hub"));
+    EXPECT_GT(domain.seconds(mapping), 0.0);
+  }
+}
+
 TEST_F(CoupledRun, PauseWithinTheDeadlineChangesNothing) {
   launch(options(""));
   const auto smooth = tractions();

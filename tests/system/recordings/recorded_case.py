@@ -27,7 +27,7 @@ def arrays(folder):
     found = {}
 
     def visit(name, item):
-        if isinstance(item, h5py.Dataset) and not name.startswith(("timings", "processes", "case", "plan")):
+        if isinstance(item, h5py.Dataset) and not name.startswith(("timings", "processes", "timeline", "case", "plan")):
             found[name] = item[()].tobytes()
 
     with h5py.File(folder / "run.h5") as file:

@@ -22,7 +22,7 @@ def arrays(path):
     found = {}
 
     def visit(name, item):
-        if isinstance(item, h5py.Dataset) and not name.startswith(("timings", "processes")):
+        if isinstance(item, h5py.Dataset) and not name.startswith(("timings", "processes", "timeline")):
             found[name] = item[()].tobytes() if item.shape != () else item[()]
 
     with h5py.File(path / "run.h5") as file:

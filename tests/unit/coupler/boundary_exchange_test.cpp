@@ -64,6 +64,32 @@ TEST(BoundaryExchange, CreditsGrowOnceAndUpToTheFieldsEnd) {
   EXPECT_TRUE(exchange.new_credits().empty());
 }
 
+TEST(BoundaryExchange, AFrameIsBoundInStepsAndInBytes) {
+  const auto steps = [](std::size_t points, std::uint32_t window_steps) {
+    auto field = ramp();
+    field.y.assign(points, 0.0);
+    return steps_per_frame(field, window_steps);
+  };
+  constexpr std::size_t mebibyte = 1 << 20;
+  EXPECT_EQ(steps(100, 64), 64U);
+  EXPECT_EQ(steps(1000, 64), mebibyte / (1000 * 80));
+  EXPECT_EQ(steps(10000, 64), 1U);
+  EXPECT_EQ(steps(1'000'000, 64), 1U); // never less than a step
+}
+
+TEST(BoundaryExchange, WhatASourceMaySendAheadIsFourFrames) {
+  auto field = ramp();
+  field.y.clear();
+  for (int i = 0; i < 1000; ++i)
+    field.y.push_back(-10.0 + 0.01 * i);
+  field.step_count = 100'000;
+  BoundaryExchange exchange({{"left", 1, {field}}}, {left_face(-5.0)}, 0.0, 4.0, 64);
+  const auto credits = exchange.new_credits();
+  ASSERT_EQ(credits.size(), 1U);
+  const std::uint64_t of_the_face = 3; // an interval has two ends, and time lies between two
+  EXPECT_LE(credits[0].steps, 4 * steps_per_frame(field, 64) + of_the_face);
+}
+
 TEST(BoundaryExchange, RefusesWhatTheSourceDoesNotCover) {
   auto unknown = left_face(-5.0);
   unknown.field = "incident";
