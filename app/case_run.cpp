@@ -1,14 +1,22 @@
 #include "app/case_run.hpp"
 
 #include "app/commands.hpp"
+#include "app/hosts.hpp"
+#include "app/in_process.hpp"
+#include "app/participant_program.hpp"
 #include "app/run_display.hpp"
+#include "app/run_lock.hpp"
 #include "coupler/exchange_recorder.hpp"
+#include "coupler/messages.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "results/run_file.hpp"
+#include "scene/files.hpp"
+#include "scene/hosts.hpp"
 #include "scene/plan.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -29,28 +37,48 @@ void write_text(const fs::path& file, const std::string& text) {
     throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
 }
 
-/// Our programs lie beside this one; that of a user has a path of its own.
-fs::path located(const std::string& program) {
-  const bool ours = program.find('/') == std::string::npos;
-  return ours ? fs::read_symlink("/proc/self/exe").parent_path() / program : fs::absolute(program);
+/// Places the processes that [hosts] names on their machines.
+void place_elsewhere(const scene::Case& scene, const CaseRun& run, coupler::LaunchOptions& options) {
+  if (run.local || scene.hosts.sides.empty())
+    return;
+  options.outer_endpoint = scene.hosts.endpoint;
+  for (const auto& file : scene::data_files(scene))
+    options.files.push_back(coupler::described(file));
+  int by_slurm = 0;
+  for (const auto& source : scene::plan(scene).sources)
+    if (const auto* host = scene::host_of(scene, source)) {
+      by_slurm += host->start == scene::StartBy::slurm ? 1 : 0;
+      std::ranges::find(options.processes, source.name, &coupler::ProcessSpec::name)->elsewhere =
+          elsewhere(*host, source.name, run.keys, options.deadlines.connect, by_slurm);
+    }
 }
 
-/// What a source is told besides the options that all participants have.
-std::vector<std::string> own_arguments(const scene::FreeFieldModel& field) {
-  if (field.model != scene::SourceModel::recording)
-    return {};
-  std::vector<std::string> arguments{"--file", fs::absolute(field.file).string()};
-  if (field.side)
-    arguments.insert(arguments.end(), {"--side", std::string(scene::name(*field.side))});
-  return arguments;
+/// "tremolo-wave", and who starts it where it does not run here.
+std::string description(const coupler::ProcessSpec& process) {
+  const auto program = process.program.filename().string();
+  if (!process.elsewhere)
+    return program;
+  return fmt::format("{:<18} {}", program,
+                     process.elsewhere->started_by.empty() ? "by `tremolo join`"
+                                                           : "by " + process.elsewhere->started_by);
+}
+
+/// Nothing where each participant has a process of its own.
+coupler::ParticipantMain main_for(const CaseRun& run, const std::string& program) {
+  return run.transport == "inproc" ? main_of(program) : coupler::ParticipantMain{};
 }
 
 coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run) {
   coupler::LaunchOptions options;
   options.case_file = scene.file;
   options.out = run.folder;
-  options.mode = coupler::mode_from(run.mode.value_or(std::string(scene::name(scene.coupling.mode))));
-  options.window_steps = static_cast<std::uint32_t>(scene.coupling.window_steps);
+  const coupler::RunIdentity identity = identity_of(scene, run.mode);
+  options.mode = identity.mode;
+  options.window_steps = identity.window_steps;
+  if (scene.checkpoints.keep > 0)
+    options.checkpoints = {run.folder / "checkpoints", static_cast<std::size_t>(scene.checkpoints.keep),
+                           identity.inputs};
+  options.resume = run.resume;
   options.transport = coupler::transport_from(run.transport);
   options.keys = run.keys;
   options.deadlines = {scene.coupling.connect_deadline, scene.coupling.step_deadline,
@@ -59,8 +87,14 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& r
     options.processes.push_back({.name = source.name,
                                  .role = coupler::Role::source,
                                  .program = located(scene::program(source.field)),
-                                 .arguments = own_arguments(source.field)});
-  options.processes.push_back({"domain", coupler::Role::domain, located("tremolo-domain"), run.threads});
+                                 .arguments = own_arguments(source.field),
+                                 .main = main_for(run, scene::program(source.field))});
+  options.processes.push_back({.name = "domain",
+                               .role = coupler::Role::domain,
+                               .program = located("tremolo-domain"),
+                               .threads = run.threads,
+                               .main = main_for(run, "tremolo-domain")});
+  place_elsewhere(scene, run, options);
   return options;
 }
 
@@ -117,11 +151,27 @@ std::unique_ptr<coupler::ExchangeRecorder> recorder_of(const scene::Case& scene,
                                     .case_text = scene.text,
                                     .case_values = coupler::recorded_values(scene),
                                     .serves = {},
-                                    .note = options.note};
+                                    .note = options.note,
+                                    .resume = run.resume};
+  if (run.resume && !fs::exists(run.resume->folder / coupler::recording_checkpoint)) {
+    options.note("warning: the exchange was not recorded any more at the checkpoint; it is not recorded now");
+    return nullptr;
+  }
   for (const auto& source : scene::plan(scene).sources)
     for (const auto& served : source.serves)
       recorder.serves[source.name].emplace_back(scene::name(served.side));
   return std::make_unique<coupler::ExchangeRecorder>(std::move(recorder));
+}
+
+/// The command that goes on with a run that has ended early.
+std::string resume_hint(const fs::path& folder) {
+  if (has_all_results(folder))
+    return fmt::format("its results were complete before that: {}", (folder / "run.h5").string());
+  const auto set = coupler::newest_set(folder / "checkpoints");
+  return set ? fmt::format("to go on from step {} ({:.6g} s): tremolo resume {}", set->step, set->time,
+                           folder.string())
+             : fmt::format("it had made no checkpoint yet: to begin again: tremolo run {}",
+                           (folder / "case.toml").string());
 }
 
 /// A domain that was killed could not say so in its file; the launcher does it for it.
@@ -157,17 +207,43 @@ void finish_recording(coupler::ExchangeRecorder* recorder, const scene::Recordin
 
 } // namespace
 
+bool has_all_results(const fs::path& folder) {
+  const fs::path file = folder / "run.h5";
+  const fs::path before = folder / "run.h5.before"; // set aside by a resumption that died
+  return !fs::exists(before) && fs::exists(file) && results::RunReader(file).status() == "complete";
+}
+
+coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<std::string>& mode) {
+  coupler::RunIdentity identity{
+      .case_text = scene.text,
+      .mode = coupler::mode_from(mode.value_or(std::string(scene::name(scene.coupling.mode)))),
+      .window_steps = static_cast<std::uint32_t>(scene.coupling.window_steps)};
+  const auto add = [&](const fs::path& file) {
+    identity.inputs["CRC-32 of " + fs::absolute(file).string()] = coupler::text_crc(coupler::file_text(file));
+  };
+  if (const auto* record = std::get_if<scene::MotionFile>(&scene.motion.source))
+    add(record->path);
+  for (const auto& source : scene::plan(scene).sources)
+    if (source.field.model == scene::SourceModel::recording)
+      add(source.field.file);
+  return identity;
+}
+
 std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& run) {
+  if (run.transport == "inproc")
+    share_process();
   fs::create_directories(run.folder);
+  const RunLock lock(run.folder);
   scene.file = run.folder / "case.toml";
-  write_text(scene.file, scene.text);
+  if (!run.resume)
+    write_text(scene.file, scene.text);
   auto options = launch_options(scene, run);
   ProgressLine line;
   options.on_progress = [&](const coupler::Progress& progress) { line.show(progress); };
   options.note = [&](const std::string& note) { line.note(note); };
   fmt::print("{}\n", scene.title);
   for (const auto& process : options.processes)
-    fmt::print("  {:<12} {}\n", process.name, process.program.filename().string());
+    fmt::print("  {:<12} {}\n", process.name, description(process));
   fmt::print("results in {}, mode {}\n", run.folder.string(), coupler::name(options.mode));
   std::fflush(stdout);
   const fs::path file = run.folder / "run.h5";
@@ -188,6 +264,7 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
     if (recorder)
       recorder->finish(failure.what());
     mark_aborted(file, failure.what());
+    line.note(resume_hint(run.folder));
     throw Exit{failure.exit_status()};
   }
 }

@@ -14,12 +14,20 @@
 namespace tremolo::app {
 
 struct CaseRun {
-  std::filesystem::path folder;    ///< empty, or not there yet
-  std::optional<std::string> mode; ///< of the exchange, instead of the case's
-  std::string transport = "ipc";
-  int threads = 1;              ///< of the domain
-  std::filesystem::path keys{}; ///< folder of CURVE keys; empty: none
+  std::filesystem::path folder;                   ///< empty, or not there yet
+  std::optional<std::string> mode;                ///< of the exchange, instead of the case's
+  std::string transport = "ipc";                  ///< "inproc": all participants are threads of this process
+  int threads = 1;                                ///< of the domain
+  std::filesystem::path keys{};                   ///< folder of CURVE keys; empty: none
+  bool local = false;                             ///< all processes on this machine, whatever [hosts] says
+  std::optional<coupler::CheckpointSet> resume{}; ///< goes on from there, in a folder that has it
 };
+
+/// What the checkpoints of a run of this case depend on.
+coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<std::string>& mode);
+
+/// Whether the run in a folder has written all its results.
+bool has_all_results(const std::filesystem::path& folder);
 
 /// Runs a case in its folder.
 /// @param scene  its relative file names have been made absolute (scene/override.hpp)

@@ -2,6 +2,7 @@
 
 #include "app/case_run.hpp"
 #include "app/commands.hpp"
+#include "app/local_options.hpp"
 #include "app/recording_name.hpp"
 #include "app/run_display.hpp"
 #include "results/exchange_file.hpp"
@@ -12,13 +13,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace tremolo::app {
@@ -31,12 +33,11 @@ struct RunArguments {
   std::string case_file;
   fs::path out;
   std::optional<std::string> mode;
-  std::string transport = "ipc";
-  fs::path keys;
-  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  bool in_process = false;
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
   std::vector<std::string> replays;
+  LocalOptions local;
 };
 
 constexpr std::array all_sides{scene::Side::left, scene::Side::right, scene::Side::base};
@@ -103,9 +104,24 @@ void run(const RunArguments& arguments) {
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
+  const auto transport = arguments.in_process ? "inproc" : arguments.local.transport;
   const auto summaries =
-      run_case(scene, {folder, arguments.mode, arguments.transport, arguments.threads, arguments.keys});
+      run_case(scene, {folder, arguments.mode, transport, arguments.local.threads, arguments.local.keys,
+                       arguments.local.local || arguments.in_process});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
+}
+
+/// Runs and ends this process: a thread that does not react when it is told to end can be ended in no other
+/// way, and must not meet the destructors of what it uses.
+[[noreturn]] void run_in_process(const RunArguments& arguments) {
+  int status = 0;
+  try {
+    run(arguments);
+  } catch (const Exit& exit) {
+    status = exit.status;
+  }
+  std::fflush(nullptr);
+  std::_Exit(status);
 }
 
 } // namespace
@@ -120,23 +136,18 @@ void add_run(CLI::App& app) {
       ->add_option("--mode", arguments->mode,
                    "Exchange: window or lockstep; the same bits (default: the case's)")
       ->check(CLI::IsMember({"window", "lockstep"}));
-  command->add_option("--transport", arguments->transport, "ipc (default) or tcp on the loopback interface")
-      ->check(CLI::IsMember({"ipc", "tcp"}));
+  add_local_options(*command, arguments->local);
   command
-      ->add_option("--keys", arguments->keys,
-                   "Folder of CURVE keys (`tremolo keygen`): the exchange is encrypted, and only their "
-                   "owners take part")
-      ->check(CLI::ExistingDirectory);
-  command->add_option("--threads", arguments->threads, "Threads of the domain; results do not depend on it")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->add_flag("--in-process", arguments->in_process,
+                 "All participants are threads of this process: the same bits; for a debugger or a profiler")
+      ->excludes("--transport");
   command->add_option("--motion", arguments->motion, "Record to use instead of the case's")
       ->check(CLI::ExistingFile);
   command->add_option("--angle", arguments->angle_deg, "Angle of incidence instead of the case's, degrees");
   command->add_option("--replay", arguments->replays,
                       "RUN:left, RUN:right or RUN:base: this side is served from the recorded exchange of an "
                       "earlier run instead of its model; RUN alone: all sides. Several are allowed");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { arguments->in_process ? run_in_process(*arguments) : run(*arguments); });
 }
 
 } // namespace tremolo::app

@@ -17,6 +17,7 @@ int run(int argc, char** argv) {
   tremolo::app::add_check(app);
   tremolo::app::add_conform(app);
   tremolo::app::add_explain(app);
+  tremolo::app::add_join(app);
   tremolo::app::add_keygen(app);
   tremolo::app::add_docs(app);
   tremolo::app::add_export(app);
@@ -26,6 +27,8 @@ int run(int argc, char** argv) {
   tremolo::app::add_wave(app);
   tremolo::app::add_verify(app);
   tremolo::app::add_run(app);
+  tremolo::app::add_sbatch(app);
+  tremolo::app::add_resume(app);
   tremolo::app::add_swap(app);
   tremolo::app::add_cost(app);
   tremolo::app::add_column(app);

@@ -76,8 +76,9 @@ std::string summary_text(const std::vector<coupler::ProcessSummary>& processes) 
       fmt::format("{:<34} {:>10} {:>10} {:>8}\n", "process / pass", "wall s", "cpu s", "share");
   for (const auto& process : processes) {
     const auto share = [&](double seconds) { return 100.0 * seconds / process.wall_seconds; };
-    text +=
-        fmt::format("{:<34} {:>10.2f} {:>10.2f}\n", process.name, process.wall_seconds, process.cpu_seconds);
+    text += fmt::format("{:<34} {:>10.2f} {:>10}\n", process.name, process.wall_seconds,
+                        std::isnan(process.cpu_seconds) ? "elsewhere"
+                                                        : fmt::format("{:.2f}", process.cpu_seconds));
     for (const auto& pass : process.report.passes)
       text += fmt::format("  {:<32} {:>10.2f} {:>10} {:>6.1f} %\n", pass.name, pass.seconds, "",
                           share(pass.seconds));
@@ -85,7 +86,8 @@ std::string summary_text(const std::vector<coupler::ProcessSummary>& processes) 
                         process.report.waiting, "", share(process.report.waiting));
     for (const auto& [activity, slices] : process.report.timeline.activities)
       if (const double seconds = process.report.timeline.seconds(activity); activity != coupler::computing)
-        text += fmt::format("    {:<30} {:>10.2f} {:>10} {:>6.1f} %\n", activity, seconds, "", share(seconds));
+        text +=
+            fmt::format("    {:<30} {:>10.2f} {:>10} {:>6.1f} %\n", activity, seconds, "", share(seconds));
     if (process.report.particle_updates > 0.0)
       text += fmt::format("  {:.3g} particle updates, {:.3g} per second of wall time\n",
                           process.report.particle_updates,

@@ -57,8 +57,7 @@ BoundaryExchange::BoundaryExchange(const std::vector<SourceDescription>& sources
     if (use == uses.end())
       use = uses.insert(uses.end(), found);
     try {
-      readers_.push_back(
-          {static_cast<std::size_t>(use - uses.begin()), map_face(*use->field, face.position)});
+      add_reader(static_cast<std::size_t>(use - uses.begin()), map_face(*use->field, face.position));
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(
           fmt::format("source '{}' does not cover the domain: {}", face.source, error.what()));
@@ -67,6 +66,7 @@ BoundaryExchange::BoundaryExchange(const std::vector<SourceDescription>& sources
     use->least_delay = std::min(use->least_delay, delay);
     use->largest_delay = std::max(use->largest_delay, delay);
   }
+  finish_stations();
   for (const auto& use : uses) {
     check_time(use, start_time, end_time);
     // Four frames in flight hide the source's latency.
@@ -75,7 +75,35 @@ BoundaryExchange::BoundaryExchange(const std::vector<SourceDescription>& sources
     inlets_.push_back({use.address, use.source->name,
                        FreeFieldHistory(*use.field, use.least_delay, use.largest_delay, look_ahead),
                        frame_steps});
-    inlets_.back().history.release_before(start_time);
+  }
+  release_before(start_time);
+}
+
+void BoundaryExchange::release_before(double time) {
+  for (auto& inlet : inlets_)
+    inlet.history.release_before(time);
+}
+
+void BoundaryExchange::add_reader(std::size_t inlet, const FaceMap& map) {
+  auto station = std::find_if(stations_.begin(), stations_.end(),
+                              [&](const Station& s) { return s.inlet == inlet && s.delay == map.delay; });
+  if (station == stations_.end())
+    station = stations_.insert(station, {inlet, map.delay, {}, {}});
+  for (std::size_t k = 0; k < map.points; ++k)
+    station->which.push_back(map.first_point + k);
+  readers_.push_back({static_cast<std::size_t>(station - stations_.begin()), 0, map});
+}
+
+void BoundaryExchange::finish_stations() {
+  for (auto& [inlet, delay, which, points] : stations_) {
+    std::ranges::sort(which);
+    const auto doubles = std::ranges::unique(which);
+    which.erase(doubles.begin(), doubles.end());
+    points.resize(components * which.size());
+  }
+  for (auto& [station, first, map] : readers_) {
+    const auto& which = stations_[station].which;
+    first = static_cast<std::size_t>(std::ranges::lower_bound(which, map.first_point) - which.begin());
   }
 }
 
@@ -108,10 +136,12 @@ std::optional<BoundaryExchange::Missing> BoundaryExchange::missing(double time) 
 
 void BoundaryExchange::evaluate(double time, std::span<const eq6::Vector> v_domain,
                                 std::span<eq6::FreeField> free_field, std::span<eq6::Vector> tractions) {
-  for (auto& inlet : inlets_)
-    inlet.history.release_before(time);
+  release_before(time);
+  for (auto& [inlet, delay, which, points] : stations_)
+    inlets_[inlet].history.in_time(time - delay, which, points);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
-    free_field[i] = inlets_[readers_[i].inlet].history.evaluate(readers_[i].map, time);
+    const auto& [station, first, map] = readers_[i];
+    free_field[i] = in_depth(map, stations_[station].points.data() + components * first);
     tractions[i] =
         eq6::boundary_traction(faces_[i].dashpot, v_domain[i], free_field[i], faces_[i].static_traction);
   }

@@ -57,6 +57,9 @@ public:
     FieldAddress address;
     std::uint64_t steps = 0;
   };
+  /// Forgets the steps that no face needs from this time on.
+  void release_before(double time);
+
   /// Credits that have grown by a frame or more since the last call, to be told to their sources.
   std::vector<Credit> new_credits();
 
@@ -77,12 +80,25 @@ public:
                 std::span<eq6::Vector> tractions);
 
 private:
-  struct Reader {
+  /// Faces that read a field at one local time, as those of a vertical side do: a point that several of them
+  /// need is interpolated in time once.
+  struct Station {
     std::size_t inlet = 0;
+    double delay = 0.0;             ///< s
+    std::vector<std::size_t> which; ///< points of the field, ascending
+    std::vector<double> points;     ///< as in_time() gives them
+  };
+  struct Reader {
+    std::size_t station = 0;
+    std::size_t first = 0; ///< its first point among the station's
     FaceMap map;
   };
+  void add_reader(std::size_t inlet, const FaceMap& map);
+  void finish_stations();
+
   std::vector<BoundaryFace> faces_;
   std::vector<Reader> readers_;
+  std::vector<Station> stations_;
   std::vector<Inlet> inlets_;
 };
 

@@ -6,10 +6,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <deque>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -56,7 +54,7 @@ double seconds(const timeval& t) {
 
 ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& command,
                            std::filesystem::path log_file)
-    : name_(std::move(name)), log_file_(std::move(log_file)), start_(Clock::now()) {
+    : Child(std::move(name), std::move(log_file)) {
   Descriptor log(::open(log_file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0644));
   if (log.fd < 0)
     throw Error(fmt::format("cannot write {}: {}", log_file_.string(), std::strerror(errno)));
@@ -87,11 +85,6 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
     throw Error(fmt::format("cannot start '{}' as {}: {}", name_, command.front(), std::strerror(error)));
   }
 }
-
-ChildProcess::ChildProcess(ChildProcess&& other) noexcept
-    : name_(std::move(other.name_)), log_file_(std::move(other.log_file_)),
-      pid_(std::exchange(other.pid_, -1)), start_(other.start_), status_(other.status_),
-      killed_(other.killed_), end_(other.end_), cpu_seconds_(other.cpu_seconds_) {}
 
 ChildProcess::~ChildProcess() {
   if (pid_ > 0)
@@ -137,21 +130,6 @@ std::string ChildProcess::ending() const {
   if (WIFSIGNALED(*status_))
     return fmt::format("was killed by signal {} ({})", WTERMSIG(*status_), ::strsignal(WTERMSIG(*status_)));
   return fmt::format("exited with code {}", WEXITSTATUS(*status_));
-}
-
-double ChildProcess::wall_seconds() const {
-  return std::chrono::duration<double>(end_ - start_).count();
-}
-
-std::vector<std::string> ChildProcess::last_lines(std::size_t most) const {
-  std::ifstream log(log_file_);
-  std::deque<std::string> lines;
-  for (std::string line; std::getline(log, line);) {
-    lines.push_back(line);
-    if (lines.size() > most)
-      lines.pop_front();
-  }
-  return {lines.begin(), lines.end()};
 }
 
 } // namespace tremolo::coupler

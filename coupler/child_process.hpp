@@ -4,7 +4,7 @@
 // Ctrl-C reaches only the launcher, which then ends the run in order), killed by the kernel if the launcher
 // dies.
 
-#include "coupler/timing.hpp"
+#include "coupler/child.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace tremolo::coupler {
 
-class ChildProcess {
+class ChildProcess final : public Child {
 public:
   /// @param command program and its arguments
   /// @param log_file receives stdout and stderr
@@ -22,44 +22,19 @@ public:
   ChildProcess(std::string name, const std::vector<std::string>& command, std::filesystem::path log_file);
 
   /// Kills and reaps a process that is still there.
-  ~ChildProcess();
-  ChildProcess(ChildProcess&& other) noexcept;
-  ChildProcess(const ChildProcess&) = delete;
-  ChildProcess& operator=(const ChildProcess&) = delete;
+  ~ChildProcess() override;
 
-  /// Looks, without waiting, whether the process has ended.
-  bool ended();
-
-  /// Kills a process that is still there and waits for its end, which the kernel guarantees.
-  void kill();
-
-  [[nodiscard]] const std::string& name() const { return name_; }
-  /// After the end: whether it was exit code 0.
-  [[nodiscard]] bool succeeded() const;
-  /// By kill(): it did not end by itself.
-  [[nodiscard]] bool killed() const { return killed_; }
-  /// How it ended: "exited with code 3", "was killed by signal 9 (Killed)", or by kill().
-  [[nodiscard]] std::string ending() const;
-  /// From start to end, s.
-  [[nodiscard]] double wall_seconds() const;
-  /// After the end.
-  [[nodiscard]] double seconds_since_end() const { return seconds_since(end_); }
-  /// User and system time, s.
-  [[nodiscard]] double cpu_seconds() const { return cpu_seconds_; }
-  /// The last lines it wrote.
-  [[nodiscard]] std::vector<std::string> last_lines(std::size_t most) const;
+  bool ended() override;
+  /// The kernel guarantees its end, which is waited for.
+  void kill() override;
+  [[nodiscard]] bool succeeded() const override;
+  [[nodiscard]] std::string ending() const override;
 
 private:
   bool reap(int wait_options);
 
-  std::string name_;
-  std::filesystem::path log_file_;
   pid_t pid_ = -1;
-  Clock::time_point start_;
   std::optional<int> status_;
-  bool killed_ = false; ///< by kill()
-  Clock::time_point end_;
-  double cpu_seconds_ = 0.0;
 };
 
 } // namespace tremolo::coupler

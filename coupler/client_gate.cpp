@@ -25,7 +25,7 @@ std::string z85(const std::string& binary) {
 
 } // namespace
 
-ClientGate::ClientGate(zmq::context_t& context, std::vector<std::string> allowed)
+ClientGate::ClientGate(zmq::context_t& context, std::map<std::string, std::string> allowed)
     : allowed_(std::move(allowed)), socket_(context, zmq::socket_type::router) {
   socket_.set(zmq::sockopt::linger, 0);
   socket_.bind("inproc://zeromq.zap.01");
@@ -42,11 +42,18 @@ void ClientGate::answer() {
     question.erase(question.begin());
     if (question.size() <= mechanism)
       continue;
-    const bool known = question[mechanism] == "CURVE" && question.size() > key &&
-                       std::ranges::find(allowed_, z85(question[key])) != allowed_.end();
-    const std::array<std::string_view, 8> answer{
-        peer.to_string_view(),      "", "1.0", question[request_id], known ? "200" : "400",
-        known ? "" : "unknown key", "", ""};
+    const auto owner = question[mechanism] == "CURVE" && question.size() > key
+                           ? allowed_.find(z85(question[key]))
+                           : allowed_.end();
+    const bool known = owner != allowed_.end();
+    const std::array<std::string_view, 8> answer{peer.to_string_view(),
+                                                 "",
+                                                 "1.0",
+                                                 question[request_id],
+                                                 known ? "200" : "400",
+                                                 known ? "" : "unknown key",
+                                                 known ? std::string_view(owner->second) : "",
+                                                 ""};
     for (std::size_t i = 0; i < answer.size(); ++i)
       socket_.send(zmq::buffer(answer[i]),
                    i + 1 < answer.size() ? zmq::send_flags::sndmore : zmq::send_flags::none);

@@ -3,8 +3,8 @@
 // Lets in the participants of a run and nobody else: answers ZeroMQ's question, before a CURVE connection
 // stands, whether a client's key is known (ZAP, https://rfc.zeromq.org/spec/27).
 
+#include <map>
 #include <string>
-#include <vector>
 #include <zmq.hpp>
 
 namespace tremolo::coupler {
@@ -12,14 +12,15 @@ namespace tremolo::coupler {
 class ClientGate {
 public:
   /// To be made before the socket it guards is bound.
-  /// @param allowed public keys, Z85
-  ClientGate(zmq::context_t& context, std::vector<std::string> allowed);
+  /// @param allowed public keys, Z85, and the names of their owners: what comes over such a connection has
+  /// the name as its "User-Id"
+  ClientGate(zmq::context_t& context, std::map<std::string, std::string> allowed);
 
   /// Answers all questions that wait; never blocks.
   void answer();
 
 private:
-  std::vector<std::string> allowed_;
+  std::map<std::string, std::string> allowed_;
   zmq::socket_t socket_;
 };
 

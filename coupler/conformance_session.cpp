@@ -75,8 +75,10 @@ void Session::exchange(double end_time) {
   for (std::uint64_t n = 0; n <= count; ++n) {
     const double now = std::min(demand_.start_time + static_cast<double>(n) * step, end_time);
     grant_credits();
-    while (const auto missing = exchange_->missing(now))
+    while (const auto missing = exchange_->missing(now)) {
       wait_for(*missing);
+      grant_credits();
+    }
     exchange_->evaluate(now, v_domain, free_field, tractions);
   }
   std::string counts;

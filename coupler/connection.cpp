@@ -20,9 +20,10 @@ void free_values(void* values, void* /*hint*/) {
 } // namespace
 
 Connection::Connection(const ParticipantOptions& options)
-    : context_(std::make_unique<zmq::context_t>(new_context(1))), name_(options.name),
-      case_text_(file_text(options.case_file)), session_(options.session), deadlines_(options.deadlines),
-      last_heard_(Clock::now()) {
+    : context_(options.surroundings.context ? options.surroundings.context
+                                            : std::make_shared<zmq::context_t>(new_context(1))),
+      name_(options.name), case_text_(file_text(options.case_file)), session_(options.session),
+      deadlines_(options.deadlines), last_heard_(Clock::now()) {
   try {
     std::optional<CurveKeys> keys;
     if (!options.keys.empty())

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,9 @@ public:
   virtual void begin(const ExchangeStart& start) = 0;
   /// A frame that the hub has accepted, or its own (tractions, mode lockstep), in the order of the exchange.
   virtual void frame(std::span<const std::byte> bytes) = 0;
+  /// Saves what it has seen, for a checkpoint between two steps of the domain.
+  /// @param folder for its file
+  virtual void save(const std::filesystem::path& folder, std::uint64_t step) = 0;
 };
 
 } // namespace tremolo::coupler

@@ -94,6 +94,7 @@ void ExchangeRecorder::begin(const ExchangeStart& start) {
   start_ = start;
   for (const auto& source : start.sources)
     seen_.emplace_back(source.fields.size(), 0);
+  domain_steps_ = options_.resume ? options_.resume->step : 0;
   thread_ = quiet_thread([this, description = recorded(start, options_)] { write(description); });
 }
 
@@ -134,6 +135,15 @@ void ExchangeRecorder::frame(std::span<const std::byte> bytes) {
   work_.notify_one();
 }
 
+void ExchangeRecorder::save(const std::filesystem::path& folder, std::uint64_t step) {
+  std::unique_lock lock(mutex_);
+  if (failure_)
+    return;
+  save_ = {folder / recording_checkpoint, {"recording", text_crc(options_.case_text), step}};
+  work_.notify_one();
+  room_.wait(lock, [&] { return failure_ || !save_; });
+}
+
 void ExchangeRecorder::report_failure(const std::string& failure) {
   if (options_.on_full_disk == OnFullDisk::stop)
     throw Error(fmt::format("the exchange cannot be recorded any more: {} ([record] on_full_disk = \"stop\")",
@@ -170,7 +180,13 @@ std::optional<std::string> ExchangeRecorder::lacking() const {
 
 void ExchangeRecorder::write(const results::ExchangeDescription& description) {
   try {
+    const auto before = options_.resume ? results::set_aside(options_.file) : std::filesystem::path();
     results::ExchangeWriter writer(options_.file, description);
+    if (options_.resume) {
+      writer.take_over(before, {options_.resume->folder / recording_checkpoint,
+                                {"recording", text_crc(options_.case_text), options_.resume->step}});
+      std::filesystem::remove(before);
+    }
     write_until_closed(writer);
   } catch (const std::exception& error) {
     fail(error.what());
@@ -186,6 +202,7 @@ void ExchangeRecorder::write_until_closed(results::ExchangeWriter& writer) {
       writer.flush();
       last_flush = Clock::now();
     }
+    save_if_asked(writer);
     const std::lock_guard lock(mutex_);
     if (failure_)
       throw Error(*failure_);
@@ -195,11 +212,25 @@ void ExchangeRecorder::write_until_closed(results::ExchangeWriter& writer) {
   writer.close(status_);
 }
 
+/// What was queued before the question is written already: the hub's thread, which fills the queue, waits.
+void ExchangeRecorder::save_if_asked(results::ExchangeWriter& writer) {
+  std::unique_lock lock(mutex_);
+  if (!save_ || !queue_.empty())
+    return;
+  lock.unlock();
+  results::CheckpointWriter file(save_->first, save_->second);
+  writer.save(file);
+  file.close();
+  lock.lock();
+  save_.reset();
+  room_.notify_one();
+}
+
 /// Waits for work, but not longer than a flush may wait.
 std::vector<ExchangeRecorder::Job> ExchangeRecorder::next_jobs() {
   std::unique_lock lock(mutex_);
   work_.wait_for(lock, std::chrono::duration<double>(flush_interval_s),
-                 [&] { return !queue_.empty() || !status_.empty() || failure_; });
+                 [&] { return !queue_.empty() || !status_.empty() || failure_ || save_; });
   std::vector<Job> jobs(std::make_move_iterator(queue_.begin()), std::make_move_iterator(queue_.end()));
   queue_.clear();
   return jobs;

@@ -5,6 +5,7 @@
 // or too slow, is loud: the run ends, or goes on with a note, as the case chose; never is anything left out
 // in silence.
 
+#include "coupler/checkpoint_set.hpp"
 #include "coupler/exchange_observer.hpp"
 #include "results/exchange_file.hpp"
 
@@ -18,9 +19,13 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace tremolo::coupler {
+
+/// Its file in a set of checkpoint files.
+inline constexpr const char* recording_checkpoint = "recording.h5";
 
 /// What becomes of the run when the recording cannot go on.
 enum class OnFullDisk { stop, go_on };
@@ -32,6 +37,7 @@ struct RecorderOptions {
   std::vector<results::RecordedValue> case_values;
   std::map<std::string, std::vector<std::string>> serves; ///< the sides of each source
   std::function<void(const std::string&)> note;           ///< told, from the hub's thread, that it goes on
+  std::optional<CheckpointSet> resume{}; ///< goes on in a new file from what was recorded until then
 };
 
 class ExchangeRecorder : public ExchangeObserver {
@@ -44,6 +50,8 @@ public:
   /// @throws Error if the recording has failed and the run is to stop
   void begin(const ExchangeStart& start) override;
   void frame(std::span<const std::byte> bytes) override;
+  /// Waits until all is written; a recording that has failed saves nothing.
+  void save(const std::filesystem::path& folder, std::uint64_t step) override;
 
   /// Writes what is left and marks the recording as complete, or as aborted with the reason why the run was.
   /// @returns why the recording is not complete; nothing if it is, or if the run never came to an exchange
@@ -61,6 +69,7 @@ private:
 
   void write(const results::ExchangeDescription& description);
   void write_until_closed(results::ExchangeWriter& writer);
+  void save_if_asked(results::ExchangeWriter& writer);
   void write_job(results::ExchangeWriter& writer, const Job& job);
   std::vector<Job> next_jobs();
   void fail(const std::string& reason);
@@ -79,6 +88,7 @@ private:
   std::condition_variable room_;
   std::deque<Job> queue_;
   std::size_t queued_values_ = 0;
+  std::optional<std::pair<std::filesystem::path, results::CheckpointIdentity>> save_; ///< asked for
   std::string status_;                 ///< to close with; empty until finish()
   std::optional<std::string> failure_; ///< of writing
 };

@@ -20,15 +20,22 @@ constexpr double beat_interval_s = 0.25;
 std::optional<ClientGate> gate_of(zmq::context_t& context, const HubOptions& options) {
   if (options.keys.empty())
     return std::nullopt;
-  std::vector<std::string> allowed;
+  std::map<std::string, std::string> allowed;
   for (const auto& participant : options.participants)
-    allowed.push_back(read_public_key(options.keys, participant.name));
+    if (participant.elsewhere || options.outer_endpoint.empty())
+      if (const auto [other, fresh] =
+              allowed.try_emplace(read_public_key(options.keys, participant.name), participant.name);
+          !fresh)
+        throw Error(
+            fmt::format("{0}.public and {1}.public in {2} hold the same key: each participant needs its "
+                        "own",
+                        other->second, participant.name, options.keys.string()));
   return std::optional<ClientGate>(std::in_place, context, std::move(allowed));
 }
 
 zmq::socket_t listening(zmq::context_t& context, const std::string& endpoint, const HubOptions& options) {
   std::optional<CurveKeys> keys;
-  if (!options.keys.empty())
+  if (!options.keys.empty() && options.outer_endpoint.empty())
     keys = read_keys(options.keys, hub_key);
   try {
     return bound_router(context, endpoint, keys);
@@ -45,7 +52,10 @@ std::string_view name(Role role) {
 
 Hub::Hub(zmq::context_t& context, const std::string& endpoint, HubOptions options)
     : options_(std::move(options)), gate_(gate_of(context, options_)),
-      socket_(listening(context, endpoint, options_)), start_(Clock::now()), last_beat_(start_) {
+      socket_(listening(context, endpoint, options_)), endpoint_(socket_.get(zmq::sockopt::last_endpoint)),
+      start_(Clock::now()), last_beat_(start_) {
+  if (!options_.outer_endpoint.empty())
+    listen_to_others();
   for (const auto& expected : options_.participants) {
     if (find_name(expected.name) != nullptr)
       throw Error(fmt::format("two participants are called '{}'", expected.name));
@@ -62,10 +72,6 @@ Hub::Hub(zmq::context_t& context, const std::string& endpoint, HubOptions option
                                      [](const auto& p) { return p.expected.role == Role::domain; });
   if (domains != 1)
     throw Error(fmt::format("a run has one domain, {} were given", domains));
-}
-
-std::string Hub::endpoint() const {
-  return socket_.get(zmq::sockopt::last_endpoint);
 }
 
 void Hub::take_messages() {
@@ -101,9 +107,11 @@ void Hub::take(const std::string& routing_id, zmq::message_t& raw) {
     const Message message = parse_message(bytes);
     if (participant != nullptr)
       take_message(*participant, message);
-    else if (message.type == "HELLO")
+    else if (message.type == "JOIN")
+      take_join(routing_id, message.body, raw);
+    else if (message.type == "HELLO" && !has_foreign_key(routing_id, message.body, raw))
       take_hello(routing_id, message);
-    else
+    else if (message.type != "HELLO" && !is_word_of_usher(routing_id, message))
       refuse(routing_id, fmt::format("{} before HELLO", message.type));
   } catch (const std::exception& error) {
     if (participant == nullptr)
@@ -148,6 +156,8 @@ void Hub::take_hello(const std::string& routing_id, const Message& message) {
       require_fits(frame_header_size + sizeof(double) * participant->fields.back().values_per_step());
     }
   participant->outlets.resize(participant->fields.size());
+  if (options_.resume)
+    load_source(*participant);
   if (std::none_of(participants_.begin(), participants_.end(),
                    [](const auto& p) { return p.routing_id.empty(); }))
     welcome_all();
@@ -205,6 +215,8 @@ void Hub::take_message(Participant& participant, const Message& message) {
     take_ready(participant, body);
   else if (type == "CREDIT" && from_domain && ready_ && options_.mode == Mode::window)
     take_credit(body);
+  else if (type == "CHECKPOINT" && from_domain && ready_)
+    take_checkpoint(body);
   else
     throw Error(fmt::format("{} was not expected now", type));
 }
@@ -247,9 +259,9 @@ void Hub::tick() {
     return;
   last_beat_ = Clock::now();
   const std::string beat = to_text({"BEAT"});
-  for (const auto& participant : participants_)
+  for (auto& participant : participants_)
     if (!participant.left)
-      send_bytes(participant.routing_id, std::as_bytes(std::span(beat)));
+      watch_line(participant, send_bytes(participant.routing_id, std::as_bytes(std::span(beat))));
 }
 
 void Hub::abort(const std::string& reason) {
@@ -274,26 +286,28 @@ void Hub::send(const Participant& participant, const Message& message) {
   send_to(participant.routing_id, message);
 }
 
-void Hub::send_to(const std::string& routing_id, const Message& message) {
+bool Hub::send_to(const std::string& routing_id, const Message& message) {
   const std::string text = to_text(message);
-  send_bytes(routing_id, std::as_bytes(std::span(text)));
+  return send_bytes(routing_id, std::as_bytes(std::span(text)));
 }
 
-void Hub::send_bytes(const std::string& routing_id, std::span<const std::byte> bytes) {
+bool Hub::send_bytes(const std::string& routing_id, std::span<const std::byte> bytes) {
   zmq::message_t raw(bytes.data(), bytes.size());
-  send_raw(routing_id, raw);
+  return send_raw(routing_id, raw);
 }
 
-void Hub::send_raw(const std::string& routing_id, zmq::message_t& raw) {
+bool Hub::send_raw(const std::string& routing_id, zmq::message_t& raw) {
   require_fits(raw.size());
   try {
     socket_.send(zmq::const_buffer(routing_id.data(), routing_id.size()),
                  zmq::send_flags::sndmore | zmq::send_flags::dontwait);
     socket_.send(raw, zmq::send_flags::dontwait);
+    return true;
   } catch (const zmq::error_t& error) {
     // It is gone: its BYE is on its way, or its process's end will be seen.
     if (error.num() != EHOSTUNREACH)
       throw;
+    return false;
   }
 }
 

@@ -10,15 +10,18 @@
 //       READY (domain) ---------->   faces checked against what sources serve
 //             <------------------  CREDIT to sources
 //       frames ------------------>   to the domain (window) or into Eq. (6) (lockstep)
+//       CHECKPOINT (domain) ----->   a set of files is complete, the run can be resumed from it
 //       BYE (domain) ------------>
 //             <------------------  BYE to sources
 //       BYE (sources) ----------->   finished
 
 #include "coupler/boundary_exchange.hpp"
+#include "coupler/checkpoint_set.hpp"
 #include "coupler/client_gate.hpp"
 #include "coupler/exchange_observer.hpp"
 #include "coupler/field.hpp"
 #include "coupler/frame.hpp"
+#include "coupler/invitation.hpp"
 #include "coupler/messages.hpp"
 #include "coupler/mode.hpp"
 #include "coupler/pace.hpp"
@@ -46,6 +49,14 @@ std::string_view name(Role role);
 struct ExpectedParticipant {
   std::string name;
   Role role = Role::source;
+  bool elsewhere = false; ///< it comes from another machine, by JOIN
+};
+
+/// Where checkpoints of a run lie.
+struct CheckpointOptions {
+  std::filesystem::path folder{};              ///< RUN/checkpoints; empty: none are made
+  std::size_t keep = 0;                        ///< the newest ones
+  std::map<std::string, std::string> inputs{}; ///< see RunIdentity
 };
 
 struct HubOptions {
@@ -58,6 +69,10 @@ struct HubOptions {
   std::filesystem::path keys{};                 ///< folder of CURVE keys; empty: a local endpoint only
   std::function<void(const std::string&)> note; ///< told what was refused without ending the run
   ExchangeObserver* observer = nullptr;         ///< none, or one that outlives the hub
+  std::string outer_endpoint{};  ///< for those from elsewhere, who alone use the keys; or empty
+  std::vector<DataFile> files{}; ///< what they must have too
+  CheckpointOptions checkpoints{};
+  std::optional<CheckpointSet> resume{}; ///< where the run goes on from; none: from its beginning
 };
 
 /// Why the run cannot go on.
@@ -90,7 +105,10 @@ public:
   Hub(zmq::context_t& context, const std::string& endpoint, HubOptions options);
 
   /// The address to give to participants: with the port that was found.
-  [[nodiscard]] std::string endpoint() const;
+  [[nodiscard]] const std::string& endpoint() const { return endpoint_; }
+
+  /// The same for participants from elsewhere.
+  [[nodiscard]] const std::string& outer_endpoint() const { return outer_endpoint_; }
 
   /// To poll on.
   [[nodiscard]] zmq::socket_ref socket() { return socket_; }
@@ -118,11 +136,18 @@ private:
   struct Outlet {
     std::uint64_t next_step = 0;
     std::uint64_t credit = 0;
+    std::vector<double> last; ///< values of the step before next_step
+    struct {
+      std::uint64_t steps = 0;
+      std::vector<double> last;
+    } before; ///< the same at the checkpoint that the run was resumed from
   };
   struct Participant {
     ExpectedParticipant expected;
     std::uint32_t number = 0;
     std::string routing_id; ///< empty before HELLO
+    std::string usher{};    ///< routing id of the `tremolo join` that was invited for it
+    std::optional<Clock::time_point> line_lost{};
     std::string build;
     Clock::time_point last_heard;
     Pace pace;
@@ -147,10 +172,19 @@ private:
 
   void take(const std::string& routing_id, zmq::message_t& raw);
   void take_hello(const std::string& routing_id, const Message& message);
+  void take_join(const std::string& routing_id, const nlohmann::json& join, zmq::message_t& raw);
+  bool has_foreign_key(const std::string& routing_id, const nlohmann::json& claim, zmq::message_t& raw);
+  bool is_word_of_usher(const std::string& routing_id, const Message& message);
+  void watch_line(Participant& participant, bool connected);
+  void listen_to_others();
   std::optional<std::string> objection(const Participant& participant, const nlohmann::json& hello) const;
   void welcome_all();
   void take_message(Participant& participant, const Message& message);
   void take_ready(Participant& domain, const nlohmann::json& body);
+  void take_checkpoint(const nlohmann::json& body);
+  void save_source(const Participant& source, const CheckpointSet& set) const;
+  void load_source(Participant& source) const;
+  static void remember_last_step(Outlet& outlet, const FieldDescription& field, const Frame& frame);
   void take_credit(const nlohmann::json& body);
   void take_beat(Participant& participant, const nlohmann::json& body);
   void take_progress(Participant& domain, const nlohmann::json& body);
@@ -158,6 +192,7 @@ private:
   void take_source_frame(Participant& source, zmq::message_t& raw);
   void take_velocities(Participant& domain, std::span<const std::byte> bytes);
   void answer_pending_step();
+  void grant_new_credits();
   void begin_observation(const BoundaryExchange& exchange, double start_time, double end_time);
   void observe(std::span<const std::byte> bytes);
   void request_needed_steps();
@@ -174,9 +209,10 @@ private:
   void refuse(const std::string& routing_id, const std::string& reason);
   void fail(const std::string& participant, const std::string& text);
   void send(const Participant& participant, const Message& message);
-  void send_to(const std::string& routing_id, const Message& message);
-  void send_bytes(const std::string& routing_id, std::span<const std::byte> bytes);
-  void send_raw(const std::string& routing_id, zmq::message_t& raw);
+  /// False where the connection is gone.
+  bool send_to(const std::string& routing_id, const Message& message);
+  bool send_bytes(const std::string& routing_id, std::span<const std::byte> bytes);
+  bool send_raw(const std::string& routing_id, zmq::message_t& raw);
 
   [[nodiscard]] Participant* find_name(const std::string& name);
   [[nodiscard]] Participant* find_routing_id(const std::string& routing_id);
@@ -186,6 +222,8 @@ private:
   HubOptions options_;
   std::optional<ClientGate> gate_;
   zmq::socket_t socket_;
+  std::string endpoint_;
+  std::string outer_endpoint_;
   std::vector<Participant> participants_;
   Clock::time_point start_;
   Clock::time_point last_beat_;

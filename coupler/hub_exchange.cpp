@@ -21,8 +21,13 @@ void Hub::take_ready(Participant& participant, const json& body) {
   const auto end_time = body.at("end_time").get<double>();
   ready_ = true;
   face_count_ = faces.size();
+  next_domain_step_ = body.value("first_step", std::uint64_t{0});
+  if (next_domain_step_ != (options_.resume ? options_.resume->step : 0))
+    throw Error(fmt::format("READY for step {}, the run is to begin at step {}", next_domain_step_,
+                            options_.resume ? options_.resume->step : 0));
   try {
     BoundaryExchange exchange(sources(), std::move(faces), start_time, end_time, options_.window_steps);
+    exchange.release_before(options_.resume ? options_.resume->time : start_time);
     begin_observation(exchange, start_time, end_time);
     if (options_.mode == Mode::lockstep)
       exchange_.emplace(std::move(exchange));
@@ -31,8 +36,12 @@ void Hub::take_ready(Participant& participant, const json& body) {
     return;
   }
   if (exchange_)
-    for (const auto& credit : exchange_->new_credits())
-      grant(participants_.at(credit.address.sender - 1), credit.address.field, credit.steps);
+    grant_new_credits();
+}
+
+void Hub::grant_new_credits() {
+  for (const auto& credit : exchange_->new_credits())
+    grant(participants_.at(credit.address.sender - 1), credit.address.field, credit.steps);
 }
 
 void Hub::take_credit(const json& body) {
@@ -57,7 +66,8 @@ void Hub::grant(Participant& source, std::uint32_t field, std::uint64_t steps) {
 
 bool Hub::owes_a_frame(const Participant& source) const {
   for (std::size_t i = 0; i < source.outlets.size(); ++i) {
-    const auto& [next_step, credit] = source.outlets[i];
+    const auto next_step = source.outlets[i].next_step;
+    const auto credit = source.outlets[i].credit;
     const auto& field = source.fields[i];
     if (credit - next_step >= steps_per_frame(field, options_.window_steps) ||
         (next_step < credit && credit == field.step_count))
@@ -122,6 +132,7 @@ void Hub::take_source_frame(Participant& source, zmq::message_t& raw) {
   source.last_heard = Clock::now();
   source.pace.advanced();
   outlet.next_step += frame.header.steps;
+  remember_last_step(outlet, description, frame);
   if (wait_ && wait_->awaited.source == source.expected.name && wait_->awaited.field == description.name &&
       wait_->awaited.step < outlet.next_step)
     wait_.reset();
@@ -136,6 +147,7 @@ void Hub::take_source_frame(Participant& source, zmq::message_t& raw) {
     return;
   }
   exchange_->find({source.number, field})->history.append(frame.body);
+  grant_new_credits();
   answer_pending_step();
 }
 
@@ -195,8 +207,7 @@ void Hub::answer_pending_step() {
   observe(bytes);
   send_raw(domain().routing_id, raw);
   pending_.reset();
-  for (const auto& credit : exchange_->new_credits())
-    grant(participants_.at(credit.address.sender - 1), credit.address.field, credit.steps);
+  grant_new_credits();
 }
 
 } // namespace tremolo::coupler

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
+#include <numeric>
 #include <stdexcept>
+#include <tuple>
 
 namespace tremolo::coupler {
 
@@ -130,7 +132,8 @@ void FreeFieldHistory::release_before(double time) {
 }
 
 std::uint64_t FreeFieldHistory::credit() const {
-  return std::min(first_step_ + capacity_, field_.step_count);
+  // Steps that nobody needs come too, but never more of them at a time than would have to be held.
+  return std::min(std::min(first_step_, next_step_) + capacity_, field_.step_count);
 }
 
 std::optional<std::uint64_t> FreeFieldHistory::missing(double time) const {
@@ -139,25 +142,34 @@ std::optional<std::uint64_t> FreeFieldHistory::missing(double time) const {
   return next_step_;
 }
 
-eq6::FreeField FreeFieldHistory::evaluate(const FaceMap& face, double time) const {
-  const double local_time = time - face.delay;
+void FreeFieldHistory::in_time(double local_time, std::span<const std::size_t> which,
+                               std::span<double> points) const {
   const std::uint64_t i = interval(local_time);
   if (i < first_step_ || i + 1 >= next_step_)
     throw std::out_of_range(fmt::format("field '{}': steps {} and {} are not held, only {} to {}",
                                         field_.name, i, i + 1, first_step_, next_step_));
   const double dt = field_.time_step;
   const Hermite hermite((local_time - field_.start_time) / dt - static_cast<double>(i));
-  const double* before = step(i) + face.first_point * values_per_point;
-  const double* after = step(i + 1) + face.first_point * values_per_point;
+  const double slope0 = dt * hermite.slope0;
+  const double slope1 = dt * hermite.slope1;
+  const double* first_step = step(i);
+  const double* second_step = step(i + 1);
+  double* point = points.data();
+  for (const std::size_t number : which) {
+    const double* before = first_step + number * values_per_point;
+    const double* after = second_step + number * values_per_point;
+    for (std::size_t c = 0; c < components; ++c)
+      *point++ = hermite.value0 * before[c] + hermite.value1 * after[c] + slope0 * before[c + components] +
+                 slope1 * after[c + components];
+  }
+}
 
-  std::array<double, values_per_point / 2> sum{};
-  for (std::size_t k = 0; k < face.points; ++k, before += values_per_point, after += values_per_point)
-    for (std::size_t c = 0; c < sum.size(); ++c) {
-      const double values = hermite.value0 * before[c] + hermite.value1 * after[c];
-      const double slopes = hermite.slope0 * before[c + sum.size()] + hermite.slope1 * after[c + sum.size()];
-      sum[c] += face.weights[k] * (values + dt * slopes);
-    }
-  return {{sum[0], sum[1]}, {sum[2], sum[3], sum[4]}};
+eq6::FreeField FreeFieldHistory::evaluate(const FaceMap& face, double time) const {
+  std::array<std::size_t, std::tuple_size_v<decltype(face.weights)>> which{};
+  std::iota(which.begin(), which.end(), face.first_point);
+  std::array<double, components * which.size()> points{};
+  in_time(time - face.delay, std::span(which).first(face.points), points);
+  return in_depth(face, points.data());
 }
 
 std::uint64_t FreeFieldHistory::interval(double local_time) const {

@@ -38,6 +38,19 @@ struct FaceMap {
   double delay = 0.0; ///< s, p (x - x_reference)
 };
 
+/// What is served at a point: velocity x and y, stress xx, yy and xy.
+inline constexpr std::size_t components = values_per_point / 2;
+
+/// The sum over a face's points.
+/// @param points components of each, the face's first point first
+inline eq6::FreeField in_depth(const FaceMap& face, const double* points) {
+  std::array<double, components> sum{};
+  for (std::size_t k = 0; k < face.points; ++k)
+    for (std::size_t c = 0; c < components; ++c)
+      sum[c] += face.weights[k] * points[components * k + c];
+  return {{sum[0], sum[1]}, {sum[2], sum[3], sum[4]}};
+}
+
 /// @throws std::invalid_argument if the face lies above or below the source's points by more than a
 /// thousandth of their
 ///         range
@@ -72,8 +85,14 @@ public:
   /// @throws std::out_of_range for a time outside the field
   [[nodiscard]] std::uint64_t needed_until(double time) const { return interval(time - least_delay_) + 2; }
 
-  /// Free-field velocity and dynamic stress at a face.
+  /// The field at some of its points in time.
+  /// @param which numbers of the points
+  /// @param points out: components of each
   /// @throws std::out_of_range for a local time outside the steps held
+  void in_time(double local_time, std::span<const std::size_t> which, std::span<double> points) const;
+
+  /// Free-field velocity and dynamic stress at a face.
+  /// @throws as in_time
   [[nodiscard]] eq6::FreeField evaluate(const FaceMap& face, double time) const;
 
 private:

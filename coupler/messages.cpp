@@ -17,8 +17,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::string_view, 8> types{"HELLO",  "WELCOME", "REFUSE", "READY",
-                                                "CREDIT", "BEAT",    "BYE",    "ABORT"};
+constexpr std::array<std::string_view, 11> types{
+    "JOIN", "INVITE", "HELLO", "WELCOME", "REFUSE", "READY", "CREDIT", "BEAT", "CHECKPOINT", "BYE", "ABORT"};
 
 /// Reading JSON from another process: a missing key or a wrong type is its mistake, told in our words.
 template <typename Read>

@@ -18,7 +18,8 @@
 
 namespace tremolo::coupler {
 
-/// A control message: HELLO, WELCOME, REFUSE, READY, CREDIT, BEAT, BYE or ABORT, and its other keys.
+/// A control message: JOIN, INVITE, HELLO, WELCOME, REFUSE, READY, CREDIT, CHECKPOINT, BEAT, BYE or ABORT,
+/// and its other keys.
 struct Message {
   std::string type;
   nlohmann::json body = nlohmann::json::object();

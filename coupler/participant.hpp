@@ -24,9 +24,11 @@
 #include "coupler/participant_options.hpp"
 #include "coupler/timeline.hpp"
 #include "coupler/timing.hpp"
+#include "results/checkpoint_file.hpp"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -102,11 +104,18 @@ public:
   /// @throws Error if the hub refuses or the connect deadline passes
   explicit DomainClient(const ParticipantOptions& options);
 
+  /// The step that a resumed run goes on with.
+  struct FirstStep {
+    std::uint64_t step = 0;
+    double time = 0.0; ///< s
+  };
+
   /// Declares the boundary and the time it will be shaken (s, on the sources' clock).
-  /// @pre called once, before the first tractions()
+  /// @pre called once, before the first tractions(); first as in the checkpoint that the run is resumed from
   /// @post the sources compute ahead
   /// @throws Error if a source does not exist or does not cover a face's elevation or the time
-  void ready(const std::vector<BoundaryFace>& faces, double start_time, double end_time);
+  void ready(const std::vector<BoundaryFace>& faces, double start_time, double end_time,
+             const std::optional<FirstStep>& first = {});
 
   /// What came with the tractions of a step.
   struct Exchanged {
@@ -115,8 +124,9 @@ public:
   };
 
   /// Eq. (6) for all faces at one time.
-  /// @pre ready() was called; step is 0, 1, 2, ...; start_time <= time <= end_time of ready(); time is not
-  /// before that of the last step; both spans are as long as the list of faces
+  /// @pre ready() was called; step is 0, or the first one, and one more every time; start_time <= time <=
+  /// end_time of ready(); time is not before that of the last step; both spans are as long as the list of
+  /// faces
   /// @param v_domain the domain's velocity at each face, m/s
   /// @post tractions holds Eq. (6) of this time at each face, Pa
   /// @throws Aborted when the run was ended by another; Error if a source does not deliver within the step
@@ -124,6 +134,16 @@ public:
   /// not hold
   Exchanged tractions(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain,
                       std::span<eq6::Vector> tractions);
+
+  /// Writes what the domain would go on from.
+  using Save = std::function<void(results::CheckpointWriter& file)>;
+
+  /// Makes the run one that can be resumed from here, by a domain that is given saved_state().
+  /// @pre ready() was called, and not between tractions() and the end of its step; the run has a folder
+  /// @param time of the next step, s
+  /// @post the domain's state is on the disk, and the hub has let the set count or has said why it cannot
+  /// @throws std::runtime_error where the disk does not take it; whatever save throws
+  void checkpoint(double time, const Save& save);
 
   /// A sign of life for the progress line and the deadlines, also of stages that exchange nothing; cheap, may
   /// be called every step.
@@ -179,5 +199,9 @@ private:
   Stopwatch waiting_;
   Timeline timeline_; ///< from WELCOME on
 };
+
+/// What DomainClient::checkpoint() saved, in a run that is resumed; nothing in one that begins.
+/// @throws std::runtime_error with both values for the file of another case or schema; or damaged
+std::unique_ptr<results::CheckpointReader> saved_state(const ParticipantOptions& options);
 
 } // namespace tremolo::coupler

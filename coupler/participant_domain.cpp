@@ -33,18 +33,24 @@ DomainClient::DomainClient(const ParticipantOptions& options)
     sources_.push_back(source_from(source));
 }
 
-void DomainClient::ready(const std::vector<BoundaryFace>& faces, double start_time, double end_time) {
+void DomainClient::ready(const std::vector<BoundaryFace>& faces, double start_time, double end_time,
+                         const std::optional<FirstStep>& first) {
   face_count_ = faces.size();
   free_field_.resize(face_count_);
-  last_time_ = start_time;
+  last_time_ = first ? first->time : start_time;
+  next_step_ = batch_first_step_ = first ? first->step : 0;
   // Both modes build it, so that a mistake is told by whoever finds it first, in the same words.
   try {
     exchange_.emplace(sources_, faces, start_time, end_time, window_steps_);
+    exchange_->release_before(last_time_);
   } catch (const std::invalid_argument& error) {
     connection_.fail(fmt::format("domain '{}': {}", options_.name, error.what()));
   }
-  connection_.send(
-      {"READY", {{"faces", to_json(faces)}, {"start_time", start_time}, {"end_time", end_time}}});
+  connection_.send({"READY",
+                    {{"faces", to_json(faces)},
+                     {"start_time", start_time},
+                     {"end_time", end_time},
+                     {"first_step", next_step_}}});
   if (mode_ == Mode::window)
     grant_credits();
 }
@@ -96,8 +102,10 @@ void DomainClient::wait_for_sources(std::uint64_t step, double time) {
   waiting_.start();
   while (const auto missing = exchange_->missing(time)) {
     if (auto incoming = await(missing->source)) {
-      if (!incoming->message)
+      if (!incoming->message) {
         take_source_frame(incoming->frame());
+        grant_credits();
+      }
       continue;
     }
     beat(missing);

@@ -60,12 +60,15 @@ Transport transport_from(std::string_view name) {
     return Transport::ipc;
   if (name == "tcp")
     return Transport::tcp;
-  throw std::invalid_argument(fmt::format("transport '{}' does not exist, expected ipc or tcp", name));
+  if (name == "inproc")
+    return Transport::inproc;
+  throw std::invalid_argument(
+      fmt::format("transport '{}' does not exist, expected ipc, tcp or inproc", name));
 }
 
 RunEndpoint::RunEndpoint(Transport transport) {
-  if (transport == Transport::tcp) {
-    address_ = "tcp://127.0.0.1:*";
+  if (transport != Transport::ipc) {
+    address_ = transport == Transport::tcp ? "tcp://127.0.0.1:*" : "inproc://hub";
     return;
   }
   const fs::path parent = parent_folder();

@@ -8,11 +8,12 @@ namespace tremolo::coupler {
 
 /// How processes of a run reach the hub.
 enum class Transport {
-  ipc, ///< a socket file in a folder that only this user can enter
-  tcp  ///< a free port of the loopback interface
+  ipc,   ///< a socket file in a folder that only this user can enter
+  tcp,   ///< a free port of the loopback interface
+  inproc ///< all are threads of the hub's process
 };
 
-/// @throws std::invalid_argument naming the value and the two that exist
+/// @throws std::invalid_argument naming the value and those that exist
 Transport transport_from(std::string_view name);
 
 /// The address that the hub of one run binds. For ipc it owns a fresh folder of mode 0700 under

@@ -75,14 +75,19 @@ zmq::socket_t bound_router(zmq::context_t& context, const std::string& endpoint,
   socket.set(zmq::sockopt::router_mandatory, true);
   // What one stranger can pile up; the hub takes messages at once and never blocks.
   socket.set(zmq::sockopt::rcvhwm, 1000);
-  if (keys) {
-    socket.set(zmq::sockopt::curve_server, true);
-    socket.set(zmq::sockopt::curve_secretkey, keys->own_secret);
-    // Without a domain libzmq asks nobody (client_gate.hpp) and lets every key in.
-    socket.set(zmq::sockopt::zap_domain, std::string("tremolo"));
-  }
-  socket.bind(endpoint);
+  if (keys)
+    bind_also(socket, endpoint, *keys);
+  else
+    socket.bind(endpoint);
   return socket;
+}
+
+void bind_also(zmq::socket_t& router, const std::string& endpoint, const CurveKeys& keys) {
+  router.set(zmq::sockopt::curve_server, true);
+  router.set(zmq::sockopt::curve_secretkey, keys.own_secret);
+  // Without a domain libzmq asks nobody (client_gate.hpp) and lets every key in.
+  router.set(zmq::sockopt::zap_domain, std::string("tremolo"));
+  router.bind(endpoint);
 }
 
 zmq::socket_t connected_dealer(zmq::context_t& context, const std::string& endpoint,
@@ -95,6 +100,8 @@ zmq::socket_t connected_dealer(zmq::context_t& context, const std::string& endpo
   // Bounded by this participant's own credit.
   socket.set(zmq::sockopt::rcvhwm, 0);
   if (keys) {
+    // A BYE that a slow network loses once or twice still arrives.
+    socket.set(zmq::sockopt::linger, 2000);
     socket.set(zmq::sockopt::curve_serverkey, keys->hub_public);
     socket.set(zmq::sockopt::curve_publickey, keys->own_public);
     socket.set(zmq::sockopt::curve_secretkey, keys->own_secret);

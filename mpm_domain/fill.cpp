@@ -103,7 +103,7 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
   }
   if (spec.scheme.transfer == Transfer::apic)
     for (Particles& set : sets)
-      for (std::vector<double>* affine : {&set.cxx, &set.cxy, &set.cyx, &set.cyy})
+      for (std::vector<double>* affine : {&set.bxx, &set.bxy, &set.byx, &set.byy})
         affine->assign(set.size(), 0.0);
   return sets;
 }

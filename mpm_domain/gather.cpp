@@ -106,7 +106,7 @@ struct Samples {
   Vectors v;                            ///< sum S v, before the update
   Vectors v_new;                        ///< after it
   Lanes vx_x{}, vx_y{}, vy_x{}, vy_y{}; ///< d v_a/d x_b of the velocity that strains
-  Lanes cxx{}, cxy{}, cyx{}, cyy{};     ///< sum S v_new (x_i - x)^T D^-1
+  Lanes bxx{}, bxy{}, byx{}, byy{};     ///< sum S v_new (x_i - x)^T
 };
 
 /// Which velocities a gather samples, and which of them strains.
@@ -137,34 +137,25 @@ template <Wanted wanted>
   }
   const Component& ux = wanted.of_v ? vx : vx_new;
   const Component& uy = wanted.of_v ? vy : vy_new;
-  const Lanes per_x = 1.0 / at.x.second_moment;
-  const Lanes per_y = 1.0 / at.y.second_moment;
   return {.v = {vx.value, vy.value},
           .v_new = {vx_new.value, vy_new.value},
           .vx_x = ux.d_dx,
           .vx_y = ux.d_dy,
           .vy_x = uy.d_dx,
           .vy_y = uy.d_dy,
-          .cxx = vx_new.moment_x * per_x,
-          .cxy = vx_new.moment_y * per_y,
-          .cyx = vy_new.moment_x * per_x,
-          .cyy = vy_new.moment_y * per_y};
+          .bxx = vx_new.moment_x,
+          .bxy = vx_new.moment_y,
+          .byx = vy_new.moment_x,
+          .byy = vy_new.moment_y};
 }
 
 /// The same for particles that touch several lattices, node by node.
-///
-/// D is diagonal there too: over the parts R of a box, sum |R| (x_R - x)(y_R - y) = int (x - x_p)(y - y_p) dA
-/// = 0.
 template <Wanted wanted>
 Samples sample_across(const Grid& grid, const AcrossWeights& weights, const Particles& p, std::size_t first,
                       std::size_t count) {
   Samples q;
-  Lanes moment_x = all(1.0);
-  Lanes moment_y = all(1.0);
   for (std::size_t lane = 0; lane < count; ++lane) {
     const std::size_t k = first + lane;
-    double dxx = 0.0;
-    double dyy = 0.0;
     for (const BoxWeight& w : weights.of(k)) {
       const Vector v = grid.velocity(w.node);
       const Vector v_new = grid.new_velocity(w.node);
@@ -179,20 +170,12 @@ Samples sample_across(const Grid& grid, const AcrossWeights& weights, const Part
       q.vx_y[lane] += w.gy * u.x;
       q.vy_x[lane] += w.gx * u.y;
       q.vy_y[lane] += w.gy * u.y;
-      q.cxx[lane] += w.s * dx * v_new.x;
-      q.cxy[lane] += w.s * dy * v_new.x;
-      q.cyx[lane] += w.s * dx * v_new.y;
-      q.cyy[lane] += w.s * dy * v_new.y;
-      dxx += w.s * dx * dx;
-      dyy += w.s * dy * dy;
+      q.bxx[lane] += w.s * dx * v_new.x;
+      q.bxy[lane] += w.s * dy * v_new.x;
+      q.byx[lane] += w.s * dx * v_new.y;
+      q.byy[lane] += w.s * dy * v_new.y;
     }
-    moment_x[lane] = dxx;
-    moment_y[lane] = dyy;
   }
-  q.cxx /= moment_x;
-  q.cyx /= moment_x;
-  q.cxy /= moment_y;
-  q.cyy /= moment_y;
   return q;
 }
 
@@ -218,10 +201,10 @@ template <typename Group>
 [[gnu::always_inline]] inline void take_affine(Particles& p, std::size_t k, Group group, const Samples& q) {
   group.store(&p.vx[k], q.v_new.x);
   group.store(&p.vy[k], q.v_new.y);
-  group.store(&p.cxx[k], q.cxx);
-  group.store(&p.cyx[k], q.cyx);
-  group.store(&p.cxy[k], q.cxy);
-  group.store(&p.cyy[k], q.cyy);
+  group.store(&p.bxx[k], q.bxx);
+  group.store(&p.byx[k], q.byx);
+  group.store(&p.bxy[k], q.bxy);
+  group.store(&p.byy[k], q.byy);
 }
 
 template <typename Group>
@@ -359,7 +342,7 @@ GatherSums gather_blocks(Domain& domain, const Settings& settings) {
     const std::size_t block = task < lattice_blocks ? settings.blocks.lattice.first + task
                                                     : settings.blocks.across.first + task - lattice_blocks;
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-      const GatherSums work = domain.sets[s].cxx.empty()
+      const GatherSums work = domain.sets[s].bxx.empty()
                                   ? gather_block<parts, strain_of_first, false>(domain, s, block, settings)
                                   : gather_block<parts, strain_of_first, true>(domain, s, block, settings);
       sums[task].elastic += work.elastic;

@@ -3,6 +3,7 @@
 #include "mpm_domain/tied_nodes.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace tremolo::mpm_domain {
 
@@ -55,23 +56,30 @@ double grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
   return kinetic;
 }
 
-void remap_velocities(Domain& domain) {
-  remap_velocities(domain, all_rows(domain));
+double remap_velocities(Domain& domain) {
+  const double power = remap_velocities(domain, all_rows(domain));
   if (domain.has_tied_nodes())
     copy_to_tied(domain);
+  return power;
 }
 
-void remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
+double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
-  domain.workers.run(rows.size(), [&](std::size_t row) {
-    for (std::size_t n = rows[row].begin; n < rows[row].end; ++n) {
+  const double gravity = domain.spec.gravity;
+  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
+    double power = 0.0;
+    for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
       const double m = grid.mass[n];
       const bool full = m > empty;
       grid.vx[n] = full ? grid.momentum_x[n] / m : 0.0;
       grid.vy[n] = full ? grid.momentum_y[n] / m : 0.0;
+      power += grid.force_x[n] * (grid.vx_new[n] - grid.vx[n]) +
+               (grid.force_y[n] + m * gravity) * (grid.vy_new[n] - grid.vy[n]);
     }
+    return power;
   });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 GridUpdate update_grid(Domain& domain, double dt) {

@@ -13,9 +13,10 @@ double grid_velocities(Domain& domain);
 double grid_velocities(Domain& domain, std::span<const NodeRange> nodes);
 
 /// Replaces v- by the velocity that the particles' new momenta give the node; v+ stays. For musl.
-void remap_velocities(Domain& domain);
+/// @returns power of the nodal forces, weight aside, on what v+ differs from the remapped velocity by, W/m
+double remap_velocities(Domain& domain);
 /// The same on some nodes alone; tied ones are left.
-void remap_velocities(Domain& domain, std::span<const NodeRange> nodes);
+double remap_velocities(Domain& domain, std::span<const NodeRange> nodes);
 
 /// What the grid update adds up, J/m.
 struct GridUpdate {

@@ -24,8 +24,8 @@ materials::Points Particles::points(std::size_t first, std::size_t count) {
 std::vector<std::vector<double>*> Particles::columns() {
   std::vector<std::vector<double>*> all{&x,   &y,   &vx,   &vy,     &sxx,       &syy,
                                         &szz, &sxy, &mass, &volume, &x_initial, &y_initial};
-  if (!cxx.empty())
-    all.insert(all.end(), {&cxx, &cxy, &cyx, &cyy});
+  if (!bxx.empty())
+    all.insert(all.end(), {&bxx, &bxy, &byx, &byy});
   return all;
 }
 

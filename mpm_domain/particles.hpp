@@ -30,7 +30,10 @@ struct Particles {
 
   std::vector<std::uint32_t> id; ///< number at creation; the same for the whole run
   std::vector<double> x, y, vx, vy;
-  std::vector<double> cxx, cxy, cyx, cyy; ///< affine velocity d v_a/d x_b, 1/s; empty unless APIC
+  /// B_ab = sum S v_a (x_b,i - x_b), m2/s; empty unless APIC. Kept rather than the affine velocity C = B
+  /// D^-1, for B moves with the particle and D, the second moment of its weights, does not: so angular
+  /// momentum stays (Jiang, Schroeder and Teran 2017).
+  std::vector<double> bxx, bxy, byx, byy;
   std::vector<double> sxx, syy, szz, sxy; ///< Cauchy stress, Pa, tension positive
   std::vector<double> mass, volume;       ///< per metre out of plane, kg/m and m2
   std::vector<double> x_initial, y_initial;

@@ -18,7 +18,8 @@ struct ChunkWeights {
   std::array<std::int32_t, chunk> first; ///< node
   std::array<Lanes, chunk> xs, xg;
   std::array<std::array<double, chunk>, 3> ys, yg;
-  std::array<double, chunk> xi, eta; ///< cells above node 1 of a row, above row 0
+  std::array<double, chunk> xi, eta;      ///< cells above node 1 of a row, above row 0
+  std::array<double, chunk> per_x, per_y; ///< of D^-1, 1/m2
 };
 
 template <bool force, bool affine, typename Group>
@@ -45,23 +46,31 @@ template <bool force, bool affine, typename Group>
   if constexpr (affine) {
     store(&w.xi[c], at.xi);
     store(&w.eta[c], at.eta);
+    store(&w.per_x[c], 1.0 / wx.second_moment);
+    store(&w.per_y[c], 1.0 / wy.second_moment);
   }
 }
 
 /// Arrays of particles and nodes by their first element: a pointer in a vector would be read anew after every
 /// store.
 struct Arrays {
-  const double *mass, *volume, *vx, *vy, *cxx, *cxy, *cyx, *cyy, *sxx, *syy, *sxy;
+  const double *mass, *volume, *vx, *vy, *bxx, *bxy, *byx, *byy, *sxx, *syy, *sxy;
   double *node_mass, *momentum_x, *momentum_y, *force_x, *force_y;
   std::ptrdiff_t row; ///< nodes
 
   /// From particle `first` on.
   Arrays(const Particles& p, std::size_t first, const Lattice& lattice, Grid& grid)
       : mass(&p.mass[first]), volume(&p.volume[first]), vx(&p.vx[first]), vy(&p.vy[first]),
-        cxx(p.cxx.data() + first), cxy(p.cxy.data() + first), cyx(p.cyx.data() + first),
-        cyy(p.cyy.data() + first), sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]),
-        node_mass(grid.mass.data()), momentum_x(grid.momentum_x.data()), momentum_y(grid.momentum_y.data()),
-        force_x(grid.force_x.data()), force_y(grid.force_y.data()), row(lattice.nx) {}
+        bxx(at(p.bxx, first)), bxy(at(p.bxy, first)), byx(at(p.byx, first)), byy(at(p.byy, first)),
+        sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]), node_mass(grid.mass.data()),
+        momentum_x(grid.momentum_x.data()), momentum_y(grid.momentum_y.data()), force_x(grid.force_x.data()),
+        force_y(grid.force_y.data()), row(lattice.nx) {}
+
+private:
+  /// Affine velocities need not be there.
+  static const double* at(const std::vector<double>& column, std::size_t first) {
+    return column.empty() ? nullptr : &column[first];
+  }
 };
 
 using Rows = std::array<Lanes, 3>;
@@ -78,7 +87,7 @@ using Rows = std::array<Lanes, 3>;
 struct MotionSums {
   Rows mass{}, momentum_x{}, momentum_y{};
 
-  /// S m and S m (v + C (x_i - x)). Lanes run along x: for each row only the factor of y remains.
+  /// S m and S m (v + C (x_i - x)), C = B D^-1. Lanes run along x: for each row only the factor of y remains.
   template <bool affine>
   [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights& w, std::size_t c, double h) {
     const Lanes m = a.mass[c] * w.xs[c];
@@ -90,10 +99,12 @@ struct MotionSums {
       constexpr Lanes node = {-1.0, 0.0, 1.0, 2.0};
       const Lanes dx = h * (node - w.xi[c]);
       const double dy = -h * w.eta[c];
-      vx += a.cxx[c] * dx + a.cxy[c] * dy;
-      vy += a.cyx[c] * dx + a.cyy[c] * dy;
-      row_x = a.cxy[c] * h * m;
-      row_y = a.cyy[c] * h * m;
+      const double cxy = a.bxy[c] * w.per_y[c];
+      const double cyy = a.byy[c] * w.per_y[c];
+      vx += a.bxx[c] * w.per_x[c] * dx + cxy * dy;
+      vy += a.byx[c] * w.per_x[c] * dx + cyy * dy;
+      row_x = cxy * h * m;
+      row_y = cyy * h * m;
     }
     Lanes px = m * vx;
     Lanes py = m * vy;
@@ -180,19 +191,33 @@ template <bool motion, bool force, bool affine>
   }
 }
 
+/// D of the weights of a particle. It is diagonal across lattices too: over the parts R of a box, sum |R|
+/// (x_R - x)(y_R - y) = int (x - x_p)(y - y_p) dA = 0.
+Vector second_moments(std::span<const BoxWeight> weights, double x, double y) {
+  Vector d;
+  for (const BoxWeight& w : weights) {
+    d.x += w.s * (w.x - x) * (w.x - x);
+    d.y += w.s * (w.y - y) * (w.y - y);
+  }
+  return d;
+}
+
 /// The same for particles that touch several lattices, node by node.
 template <bool motion, bool force, bool affine>
 void scatter_across(const Particles& p, const AcrossWeights& weights, Domain& domain) {
   Grid& grid = domain.grid;
-  for (std::size_t k = weights.first(); k < weights.end(); ++k)
+  for (std::size_t k = weights.first(); k < weights.end(); ++k) {
+    Vector d;
+    if constexpr (motion && affine)
+      d = second_moments(weights.of(k), p.x[k], p.y[k]);
     for (const BoxWeight& w : weights.of(k)) {
       const double m = w.s * p.mass[k];
       if constexpr (motion) {
         double vx = p.vx[k];
         double vy = p.vy[k];
         if constexpr (affine) {
-          vx += p.cxx[k] * (w.x - p.x[k]) + p.cxy[k] * (w.y - p.y[k]);
-          vy += p.cyx[k] * (w.x - p.x[k]) + p.cyy[k] * (w.y - p.y[k]);
+          vx += p.bxx[k] / d.x * (w.x - p.x[k]) + p.bxy[k] / d.y * (w.y - p.y[k]);
+          vy += p.byx[k] / d.x * (w.x - p.x[k]) + p.byy[k] / d.y * (w.y - p.y[k]);
         }
         grid.mass[w.node] += m;
         grid.momentum_x[w.node] += m * vx;
@@ -204,6 +229,7 @@ void scatter_across(const Particles& p, const AcrossWeights& weights, Domain& do
         grid.force_y[w.node] -= v * (p.sxy[k] * w.gx + p.syy[k] * w.gy) + m * domain.spec.gravity;
       }
     }
+  }
 }
 
 template <bool motion, bool force>
@@ -231,7 +257,7 @@ void add_clock(Domain& domain, int clock) {
       for (const Particles& p : domain.sets) {
         const std::size_t begin = p.block_start[block];
         const std::size_t end = p.block_start[block + 1];
-        if (p.cxx.empty())
+        if (p.bxx.empty())
           scatter_range<motion, force, false>(p, begin, end, lattice, domain.grid, domain.spec.gravity);
         else
           scatter_range<motion, force, true>(p, begin, end, lattice, domain.grid, domain.spec.gravity);
@@ -240,7 +266,7 @@ void add_clock(Domain& domain, int clock) {
   if (domain.mesh)
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
       const Particles& p = domain.sets[s];
-      if (p.cxx.empty())
+      if (p.bxx.empty())
         scatter_across<motion, force, false>(p, domain.across_of(s, clock), domain);
       else
         scatter_across<motion, force, true>(p, domain.across_of(s, clock), domain);

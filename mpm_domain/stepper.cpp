@@ -19,7 +19,7 @@ namespace tremolo::mpm_domain {
 Stepper::Stepper(Domain& domain, double start_time, TractionSource source, FreeFieldOfFaces free_field)
     : domain_(domain), source_(std::move(source)), free_field_(std::move(free_field)), time_(start_time),
       weights_(domain.faces.size()), v_face_(domain.faces.size()), v_mid_(domain.faces.size()),
-      traction_(domain.faces.size()), reaction_(domain.faces.size()) {
+      v_remapped_(domain.faces.size()), traction_(domain.faces.size()), reaction_(domain.faces.size()) {
   if (!domain.layers.empty() && !free_field_)
     throw std::invalid_argument("matched layers take up what differs from the free field, which is not told");
   for (const Particles& set : domain.sets)
@@ -39,7 +39,7 @@ std::vector<Pass> Stepper::assemble() {
   };
   const GatherParts all{.velocity = true, .position = true, .strain = true};
   const GatherParts strain{.strain = true};
-  std::vector<Pass> passes{{"time step", [this] { choose_dt(); }}, {"sort", [this] { sort(); }}};
+  std::vector<Pass> passes{{"time step", [this] { choose_step(); }}, {"sort", [this] { sort(); }}};
   const auto add = [&](std::string name, std::function<void()> run) {
     passes.push_back({std::move(name), std::move(run)});
   };
@@ -66,7 +66,7 @@ std::vector<Pass> Stepper::assemble() {
   case StepOrder::musl:
     add("grid to particles", gather_pass({.velocity = true}, false));
     add("velocities to grid again", [this] { scatter(domain_, ScatterPart::motion); });
-    add("remapped velocities", [this] { remap_velocities(domain_); });
+    add("remapped velocities", [this] { book_remap(remap_velocities(domain_)); });
     add("strain and stress", gather_pass({.position = true, .strain = true}, true));
     break;
   }
@@ -76,7 +76,11 @@ std::vector<Pass> Stepper::assemble() {
 std::vector<Pass> Stepper::assemble_subcycled() {
   Subcycling& levels = *subcycling_;
   SubcycledBoundary& faces = *subcycled_boundary_;
-  return {{"time step", [this] { choose_dt(); }},
+  return {{"time step",
+           [this, &levels] {
+             choose_step();
+             levels.set_step(dt_, kick_);
+           }},
           {"sort", [this] { sort(); }},
           {"particles to grid", [&levels] { levels.scatter(); }},
           {"grid velocities", [this, &levels] { book(levels.velocities()); }},
@@ -121,6 +125,12 @@ void Stepper::step() {
   ++steps_;
 }
 
+void Stepper::choose_step() {
+  const double before = dt_;
+  choose_dt();
+  kick_ = 0.5 * (before + dt_);
+}
+
 void Stepper::choose_dt() {
   const Scheme& scheme = domain_.spec.scheme;
   const double critical =
@@ -143,8 +153,6 @@ void Stepper::choose_dt() {
     if (dt_ == 0.0 || dt_ > std::min(1.02 * wanted, critical) || dt_ < 0.8 * wanted)
       dt_ = wanted;
   }
-  if (subcycling_)
-    subcycling_->set_dt(dt_);
 }
 
 void Stepper::sort() {
@@ -195,11 +203,11 @@ void Stepper::react() {
 void Stepper::boundary() {
   spread_tractions(domain_, weights_, traction_);
   if (!domain_.layers.empty())
-    spread_layer_mass(domain_, weights_, dt_);
+    spread_layer_mass(domain_, weights_, kick_);
 }
 
 void Stepper::grid() {
-  book(update_grid(domain_, dt_));
+  book(update_grid(domain_, kick_));
   book_boundary_work();
 }
 
@@ -219,8 +227,21 @@ void Stepper::book_boundary_work() {
   for (std::size_t f = 0; f < weights_.size(); ++f) {
     const Vector viscous = eq6::viscous_traction(domain_.faces[f].face, v_face_[f]);
     const Vector own = {viscous.x + reaction_[f].x, viscous.y + reaction_[f].y};
-    book_face_work(domain_, f, dt_, own, traction_[f], v_mid_[f]);
+    book_face_work(domain_, f, kick_, own, traction_[f], v_mid_[f]);
   }
+}
+
+void Stepper::book_remap(double power) {
+  // Stresses work on the remapped velocity u of this step and, with trapezoidal work, of the one before,
+  // which is v-, while K grows by their power on (v- + v+)/2: half of their power on v+ - u is the
+  // transfer's. What weight and boundary do is booked on v+.
+  mpm_domain::face_velocities(domain_, weights_, v_remapped_);
+  for (std::size_t f = 0; f < weights_.size(); ++f) {
+    const Vector lost = {2.0 * v_mid_[f].x - v_face_[f].x - v_remapped_[f].x,
+                         2.0 * v_mid_[f].y - v_face_[f].y - v_remapped_[f].y};
+    power -= domain_.faces[f].length * (traction_[f].x * lost.x + traction_[f].y * lost.y);
+  }
+  domain_.energy.transfer += 0.5 * kick_ * power;
 }
 
 void Stepper::book(const GatherSums& sums) {

@@ -39,7 +39,8 @@ struct Pass {
 /// after the sort run at each of its ticks.
 ///
 /// Time levels are those of leapfrog: at time() places and stresses are known (with usf, stresses of one step
-/// before); particle velocities belong to velocity_time() = time() - dt/2.
+/// before); particle velocities belong to velocity_time() = time() - dt/2. Where the step changes, from dt'
+/// to dt, the grid update takes velocities from t - dt'/2 to t + dt/2: kick() = (dt' + dt)/2.
 class Stepper {
 public:
   /// @param free_field needed by a domain with matched layers
@@ -51,9 +52,10 @@ public:
 
   double time() const { return time_; }
   double velocity_time() const { return time_ - 0.5 * dt_; }
-  double dt() const { return dt_; } ///< of the step just made, or of the first
+  double dt() const { return dt_; }     ///< of the step just made, or of the first
+  double kick() const { return kick_; } ///< time that the forces of the step just made have acted for, s
   long steps() const { return steps_; }
-  /// Of all particles so far: how often one was moved.
+  /// Of all particles, by this stepper: how often one was moved.
   double particle_updates() const { return updates_; }
   const std::vector<Pass>& passes() const { return passes_; }
   /// Of the step just made, per face: v^m before the update (m/s) and the traction (Pa).
@@ -63,12 +65,13 @@ public:
   /// Its part of a checkpoint, see state.hpp.
   template <class Visit>
   void visit_state(Visit& visit) {
-    visit_numbers(visit, "stepper", time_, dt_, steps_, max_speed_, moved_, kinetic_after_, updates_);
+    visit_numbers(visit, "stepper", time_, dt_, steps_, max_speed_, moved_, kinetic_after_);
     if (subcycling_)
       subcycling_->visit_state(visit);
   }
 
 private:
+  void choose_step();
   void choose_dt();
   void sort();
   void velocities();
@@ -77,6 +80,7 @@ private:
   void boundary();
   void grid();
   void book_boundary_work();
+  void book_remap(double power);
   void book(const GatherSums& sums);
   void book(double kinetic_gain);
   void book(const GridUpdate& update);
@@ -89,13 +93,14 @@ private:
   FreeFieldOfFaces free_field_;
   double time_;
   double dt_ = 0.0;
+  double kick_ = 0.0;
   long steps_ = 0;
   double max_speed_ = 0.0;
   double moved_ = 0.0;         ///< bound on any particle's way since the last sort, m
   double kinetic_after_ = 0.0; ///< K(v+) of the step before
   double updates_ = 0.0;
   std::vector<FaceWeights> weights_;
-  std::vector<Vector> v_face_, v_mid_, traction_;
+  std::vector<Vector> v_face_, v_mid_, v_remapped_, traction_;
   std::vector<Vector> reaction_; ///< of matched layers, part of traction_
   std::optional<Subcycling> subcycling_;
   std::optional<SubcycledBoundary> subcycled_boundary_;

@@ -57,7 +57,7 @@ void SubcycledBoundary::book() {
   face_mid_velocities(domain_, weights_, v_mid_);
   for (std::size_t f = 0; f < weights_.size(); ++f)
     if (!weights_[f].empty())
-      book_face_work(domain_, f, subcycling_.dt_of(clock_[f]),
+      book_face_work(domain_, f, subcycling_.kick_of(clock_[f]),
                      eq6::viscous_traction(domain_.faces[f].face, v_[f]), traction_[f], v_mid_[f]);
 }
 

@@ -135,7 +135,7 @@ double Subcycling::velocities() {
 GridUpdate Subcycling::update() {
   GridUpdate sum;
   for (int clock = first_due(); clock < clocks_; ++clock) {
-    const GridUpdate part = update_grid(domain_, dt_of(clock), nodes_.of(clock));
+    const GridUpdate part = update_grid(domain_, kick_of(clock), nodes_.of(clock));
     kinetic_[static_cast<std::size_t>(clock)] = part.kinetic;
     sum.gravity_work += part.gravity_work;
     sum.dashpot_relief += part.dashpot_relief;

@@ -37,8 +37,12 @@ public:
 
   /// After a sort: which nodes belong to which clock, all fields of the grid being zero.
   void restart();
-  /// Of the step that begins, s.
-  void set_dt(double dt) { dt_ = dt; }
+  /// Of the step that begins, s: its length and the time that forces act for at its first tick, see
+  /// Stepper::kick.
+  void set_step(double dt, double kick) {
+    dt_ = dt;
+    kick_ = kick;
+  }
 
   int ticks() const { return 1 << (clocks_ - 1); }
   int tick() const { return tick_; }
@@ -47,6 +51,8 @@ public:
   int first_due() const { return slowest_at(tick_); }
   int first_ending() const { return slowest_at(tick_ + 1); }
   double dt_of(int clock) const { return dt_ / static_cast<double>(1 << clock); }
+  /// Time that forces of a clock act for at this tick: all clocks change their step together.
+  double kick_of(int clock) const { return (tick_ == 0 ? kick_ : dt_) / static_cast<double>(1 << clock); }
   const ClockNodes& nodes() const { return nodes_; }
   /// How often particles are moved in a step, all together.
   double updates_per_step() const;
@@ -101,6 +107,7 @@ private:
   int clocks_;
   bool affine_;
   double dt_ = 0.0;
+  double kick_ = 0.0;
   int tick_ = 0;
   ClockNodes nodes_;
   std::vector<Shared> shared_;

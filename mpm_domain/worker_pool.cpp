@@ -28,6 +28,14 @@ void WorkerPool::take_tasks() {
   }
 }
 
+bool WorkerPool::enter() {
+  std::size_t now = working_.load();
+  while ((now & closed) == 0)
+    if (working_.compare_exchange_weak(now, now + 1))
+      return true;
+  return false;
+}
+
 void WorkerPool::work() {
   std::uint64_t seen = 0;
   while (true) {
@@ -35,9 +43,11 @@ void WorkerPool::work() {
     seen = generation_.load();
     if (stop_)
       return;
+    if (!enter())
+      continue;
     take_tasks();
-    if (--running_ == 0)
-      running_.notify_one();
+    if (--working_ == closed)
+      working_.notify_one();
   }
 }
 
@@ -45,12 +55,13 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& 
   task_ = &task;
   count_ = count;
   next_ = 0;
-  running_ = threads_.size();
+  working_ = 0;
   ++generation_;
   generation_.notify_all();
   take_tasks();
-  for (std::size_t left = running_.load(); left != 0; left = running_.load())
-    running_.wait(left);
+  working_ |= closed;
+  for (std::size_t now = working_.load(); now != closed; now = working_.load())
+    working_.wait(now);
   if (failed_.exchange(false))
     std::rethrow_exception(std::exchange(failure_, nullptr));
 }

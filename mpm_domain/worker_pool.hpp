@@ -13,7 +13,8 @@ namespace tremolo::mpm_domain {
 /// A fixed set of threads that share the tasks 0..n-1 of one loop at a time. The caller works too.
 ///
 /// Which thread runs a task is left open, so tasks must not depend on it: results are the same for any thread
-/// count.
+/// count. Nobody waits for a thread that has not woken up yet: where the processors are busy with other
+/// programs, the caller does its work.
 class WorkerPool {
 public:
   explicit WorkerPool(int threads);
@@ -27,13 +28,17 @@ public:
 private:
   void work();
   void take_tasks();
+  /// Counts this thread among those at work, unless the loop has no tasks left to begin.
+  bool enter();
 
   std::vector<std::thread> threads_;
   const std::function<void(std::size_t)>* task_ = nullptr;
   std::size_t count_ = 0;
   std::atomic<std::size_t> next_{0};
   std::atomic<std::uint64_t> generation_{0};
-  std::atomic<std::size_t> running_{0};
+  static constexpr std::size_t closed = std::size_t{1} << 63U;
+  /// Threads at work beside the caller; `closed` is added while no more may enter.
+  std::atomic<std::size_t> working_{closed};
   std::atomic<bool> stop_{false};
   std::atomic<bool> failed_{false};
   std::exception_ptr failure_;

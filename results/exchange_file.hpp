@@ -4,6 +4,7 @@
 // that the domain gave back, in mode lockstep the tractions it was sent, each with the headers of its frames.
 // A recording is complete only if its status says so.
 
+#include "results/checkpoint_file.hpp"
 #include "results/free_field_recording.hpp"
 
 #include <cstdint>
@@ -87,6 +88,13 @@ public:
   void traction_frame(const RecordedFrame& frame, std::span<const double> values);
 
   void flush();
+
+  /// Writes what a recording that goes on from here needs besides the file: what the domain sent and was
+  /// sent. Sources send all their steps again.
+  void save(CheckpointWriter& checkpoint);
+  /// Goes on from there in a new file, before the first frame.
+  /// @param before the file then, or as it was left later
+  void take_over(const std::filesystem::path& before, const CheckpointReader& checkpoint);
 
   /// Writes what is kept, and the status: "complete", or "aborted at step K: REASON".
   void close(std::string_view status);

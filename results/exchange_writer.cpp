@@ -2,6 +2,7 @@
 
 #include "results/exchange_layout.hpp"
 #include "results/growing_dataset.hpp"
+#include "results/hdf5_read.hpp"
 #include "results/run_status.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ class PackedRows {
 public:
   PackedRows(Place place, std::string_view name, std::span<const hsize_t> row_shape, hsize_t chunk_rows,
              std::string_view unit)
-      : dataset_(place, name, row_shape, Storage::packed, chunk_rows) {
+      : name_(name), dataset_(place, name, row_shape, Storage::packed, chunk_rows) {
     write_attribute({dataset_.id(), place.file}, "unit", std::string(unit));
   }
 
@@ -29,6 +30,7 @@ public:
     const std::size_t chunk = dataset_.chunk_rows() * dataset_.row_size();
     const std::size_t whole = kept_.size() / chunk * chunk;
     dataset_.append(std::span(kept_).first(whole));
+    written_ += whole / dataset_.row_size();
     kept_.erase(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(whole));
   }
 
@@ -37,10 +39,31 @@ public:
     kept_.clear();
   }
 
+  void save(CheckpointWriter& checkpoint) const {
+    checkpoint.write(name_ + ".written", std::span<const std::uint64_t>(&written_, 1));
+    checkpoint.write(name_ + ".kept", std::span<const double>(kept_));
+  }
+
+  /// @param group of the dataset in the file before
+  void take_over(const FileReader& before, const std::string& group, const CheckpointReader& checkpoint) {
+    const std::string path = fmt::format("{}/{}", group, name_);
+    const Handle dataset = before.dataset(path);
+    const std::uint64_t rows = checkpoint.integers(name_ + ".written").at(0);
+    const std::uint64_t chunk = dataset_.chunk_rows();
+    for (std::uint64_t first = 0; first < rows; first += chunk) {
+      append(before.rows(dataset, first, std::min(chunk, rows - first), path));
+    }
+    append(checkpoint.numbers(name_ + ".kept"));
+  }
+
 private:
+  std::string name_;
   GrowingDataset dataset_;
+  std::uint64_t written_ = 0; ///< rows in the file
   std::vector<double> kept_;
 };
+
+constexpr const char* domain_group = "domain";
 
 /// Numbers of the chunks of all datasets of a track together, 1 MiB; they hold the same steps.
 constexpr hsize_t chunk_values = 131072;
@@ -94,6 +117,26 @@ public:
     }
     frames_->append(std::array{static_cast<double>(frame.step), static_cast<double>(frame.steps),
                                static_cast<double>(frame.crc)});
+  }
+
+  void save(CheckpointWriter& checkpoint) const {
+    for (const PackedRows& dataset : datasets_) {
+      dataset.save(checkpoint);
+    }
+    if (time_) {
+      time_->save(checkpoint);
+    }
+    frames_->save(checkpoint);
+  }
+
+  void take_over(const FileReader& before, const std::string& group, const CheckpointReader& checkpoint) {
+    for (PackedRows& dataset : datasets_) {
+      dataset.take_over(before, group, checkpoint);
+    }
+    if (time_) {
+      time_->take_over(before, group, checkpoint);
+    }
+    frames_->take_over(before, group, checkpoint);
   }
 
   void write_kept() {
@@ -219,7 +262,7 @@ public:
 
   void add_domain(const ExchangeDescription& description) {
     constexpr std::size_t links = 8;
-    const Handle group = create_group(root(), "domain", links);
+    const Handle group = create_group(root(), domain_group, links);
     const Place inside{group.get(), path_};
     write_attribute(inside, "name", description.domain);
     write_attribute(inside, "number", description.domain_number);
@@ -231,6 +274,23 @@ public:
   }
 
   void flush() { flush_file(file_, path_); }
+
+  void save(CheckpointWriter& checkpoint) {
+    flush();
+    sync_to_disk(path_);
+    velocities_->save(checkpoint);
+    if (tractions_) {
+      tractions_->save(checkpoint);
+    }
+  }
+
+  void take_over(const FileReader& before, const CheckpointReader& checkpoint) {
+    velocities_->take_over(before, domain_group, checkpoint);
+    if (tractions_) {
+      tractions_->take_over(before, domain_group, checkpoint);
+    }
+    flush();
+  }
 
   void close(std::string_view status) {
     for (auto& tracks : sources_) {
@@ -286,6 +346,15 @@ void ExchangeWriter::traction_frame(const RecordedFrame& frame, std::span<const 
 
 void ExchangeWriter::flush() {
   implementation_->guarded([&] { implementation_->flush(); });
+}
+
+void ExchangeWriter::save(CheckpointWriter& checkpoint) {
+  implementation_->guarded([&] { implementation_->save(checkpoint); });
+}
+
+void ExchangeWriter::take_over(const std::filesystem::path& before, const CheckpointReader& checkpoint) {
+  const FileReader file(before, "recording");
+  implementation_->guarded([&] { implementation_->take_over(file, checkpoint); });
 }
 
 void ExchangeWriter::close(std::string_view status) {

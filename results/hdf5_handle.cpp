@@ -1,5 +1,7 @@
 #include "results/hdf5_handle.hpp"
 
+#include "results/run_file.hpp"
+
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -33,6 +35,11 @@ void prepare_hdf5() {
   // damaged, would make the library's own clean-up at exit crash. The first call of all must be this one.
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+bool is_thread_safe() {
+  bool safe = false;
+  return H5is_library_threadsafe(&safe) >= 0 && safe;
 }
 
 void throw_hdf5_error(const std::filesystem::path& file, std::string_view action) {

@@ -42,6 +42,9 @@ public:
     checked(H5Dread(id, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_, "read " + name);
     return values;
   }
+  /// Some rows of a dataset of numbers.
+  std::vector<double> rows(const Handle& dataset, hsize_t first, hsize_t count,
+                           const std::string& name) const;
   std::string text(const std::string& name) const;
   std::vector<std::string> strings(hid_t id, hid_t type, const std::string& name) const;
   Table table(const std::string& name) const;

@@ -28,6 +28,15 @@ struct FieldData {
   std::string unit;
   std::size_t components = 1;
   std::vector<double> values; ///< [particles * components]
+  bool integers = false;      ///< they are whole numbers of 32 bits in the file
+};
+
+/// The boundary exchange as read: time after time, all faces.
+struct BoundaryHistory {
+  std::vector<double> time;                ///< s
+  std::vector<double> free_field_velocity; ///< [times * faces * 2], as the others, m/s
+  std::vector<double> domain_velocity;     ///< m/s
+  std::vector<double> traction;            ///< Pa
 };
 
 /// A time series as read.

@@ -90,6 +90,9 @@ public:
   /// Makes everything written so far durable against the end of this process.
   void flush();
 
+  /// The same against the end of the machine: waits for the disk.
+  void sync();
+
   /// Writes a table of named columns, e.g. /timings.
   void table(std::string_view path, const Table& table);
 
@@ -119,6 +122,9 @@ struct NamedTable {
   std::string path; ///< e.g. "/histories/toe"
   Table table;
 };
+
+/// Whether several threads may use files at the same time: how the HDF5 library was built.
+bool is_thread_safe();
 
 /// Creates an HDF5 file of tables, e.g. verify.h5.
 /// @throws std::runtime_error where the file cannot be written
@@ -154,6 +160,7 @@ public:
   std::vector<std::string> monitors() const;
   /// A series by its path, e.g. "/monitors/toe".
   SeriesData series(std::string_view path) const;
+  BoundaryHistory boundary() const;
 
   bool has_table(std::string_view path) const;
   Table table(std::string_view path) const;

@@ -70,10 +70,21 @@ FieldData RunReader::frame_field(std::size_t frame, std::string_view name) const
   const std::string path = fmt::format("{}/{}", implementation_->frame_path(frame), name);
   const Handle data = source.dataset(path);
   const Handle space(H5Dget_space(data.get()), H5Sclose);
+  const Handle type(H5Dget_type(data.get()), H5Tclose);
   const auto shape = source.shape(space.get());
   return {source.attribute_as<std::string>(path, "unit"),
           shape.size() > 1 ? static_cast<std::size_t>(shape[1]) : 1,
-          source.numbers<double>(data.get(), H5T_NATIVE_DOUBLE, path)};
+          source.numbers<double>(data.get(), H5T_NATIVE_DOUBLE, path),
+          H5Tget_class(type.get()) == H5T_INTEGER};
+}
+
+BoundaryHistory RunReader::boundary() const {
+  const FileReader& source = implementation_->source;
+  const auto read = [&](const std::string& name) {
+    const std::string path = "/boundary/" + name;
+    return source.numbers<double>(source.dataset(path).get(), H5T_NATIVE_DOUBLE, path);
+  };
+  return {read("time"), read("free_field_velocity"), read("domain_velocity"), read("traction")};
 }
 
 std::vector<std::string> RunReader::monitors() const {

@@ -1,3 +1,4 @@
+#include "results/checkpoint_file.hpp"
 #include "results/growing_dataset.hpp"
 #include "results/hdf5_write.hpp"
 #include "results/run_file.hpp"
@@ -321,6 +322,11 @@ void RunWriter::write_frame(double time, std::span<const Field> fields) {
 
 void RunWriter::flush() {
   implementation_->guarded([&] { implementation_->flush(); });
+}
+
+void RunWriter::sync() {
+  flush();
+  sync_to_disk(implementation_->root().file);
 }
 
 void RunWriter::table(std::string_view path, const Table& table) {

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -126,6 +127,7 @@ struct Mesh {
   double size = 0.0;          ///< h, m
   Box box;                    ///< the model; its left, right and lower edges carry boundary faces
   int particles_per_cell = 2; ///< per direction
+  int layer_cells = 10;       ///< depth of matched layers behind the box, in cells
 };
 
 enum class Transfer { apic, flip, pic_blend };
@@ -155,6 +157,12 @@ enum class BaseForm {
   incident, ///< the incident wave alone: Eqs. (4) and (5) of the method, dashpots take up the reflected waves
 };
 
+/// What takes up waves that leave the model.
+enum class Absorber {
+  dashpots,     ///< of Eq. (6)
+  matched_layer ///< a perfectly matched layer behind the faces
+};
+
 /// Who computes a free field.
 struct FreeFieldModel {
   SourceModel model = SourceModel::wave;
@@ -169,11 +177,13 @@ struct LateralBoundary {
   FreeFieldModel field;
   double surface = 0.0;           ///< y of its free surface, m
   std::vector<Layer> own_profile; ///< its own layers; empty: Case::profile
+  Absorber absorber = Absorber::dashpots;
 };
 
 struct BaseBoundary {
   FreeFieldModel field;
   BaseForm form = BaseForm::total;
+  Absorber absorber = Absorber::dashpots;
 };
 
 struct Boundary {
@@ -211,6 +221,38 @@ enum class OnFullDisk { stop, go_on };
 struct Recording {
   bool exchange = false;
   OnFullDisk on_full_disk = OnFullDisk::stop;
+};
+
+/// Who starts a process on another machine.
+enum class StartBy {
+  ssh,   ///< `tremolo run`, through ssh
+  slurm, ///< `tremolo run`, as a step of its Slurm job (srun)
+  join   ///< the user, with `tremolo join`
+};
+
+/// [hosts.SIDE]: where the process that serves a side runs.
+struct Host {
+  StartBy start = StartBy::join;
+  std::string address; ///< of ssh: "user@node2"
+  std::string options; ///< of ssh or srun
+  std::string command; ///< the `tremolo` there, as a shell there reads it
+  std::string keys;    ///< folder of its CURVE keys there; empty: the same as here
+
+  bool operator==(const Host&) const = default;
+};
+
+/// [hosts]
+struct Hosts {
+  std::string endpoint;       ///< where processes on other machines reach the run
+  std::string slurm_options;  ///< of the job that `tremolo sbatch` writes
+  std::map<Side, Host> sides; ///< those that are served from elsewhere; empty: all processes run here
+};
+
+/// [checkpoint]
+struct Checkpoints {
+  std::optional<int> every_steps; ///< of the domain; absent: by time
+  double every_wall = 0.0;        ///< wall time, s
+  int keep = 0;                   ///< 0: none are made
 };
 
 struct Monitor {
@@ -258,6 +300,8 @@ struct Case {
   ShakingStage shaking;
   Coupling coupling;
   Recording recording;
+  Hosts hosts;
+  Checkpoints checkpoints;
   std::vector<Monitor> monitors;
   Output output;
   double verify_tolerance = 0.0; ///< relative L2 error of particle velocity that `tremolo verify` allows
@@ -289,8 +333,10 @@ std::string_view name(StepOrder);
 std::string_view name(Side);
 std::string_view name(SourceModel);
 std::string_view name(BaseForm);
+std::string_view name(Absorber);
 std::string_view name(ExchangeMode);
 std::string_view name(OnFullDisk);
+std::string_view name(StartBy);
 std::string_view name(OutputField);
 
 } // namespace tremolo::scene

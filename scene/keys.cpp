@@ -1,6 +1,7 @@
 #include "scene/keys.hpp"
 
 #include "scene/keys_field.hpp"
+#include "scene/keys_hosts.hpp"
 #include "scene/keys_model.hpp"
 #include "scene/keys_run.hpp"
 
@@ -43,7 +44,8 @@ KeyTable case_keys() {
                                          .type = Type::text,
                                          .meaning = "One line that names the case.",
                                          .required = true}}}};
-    for (const auto& group : {field_keys(), boundary_keys(), numerics_keys(), model_keys(), run_keys()})
+    for (const auto& group :
+         {field_keys(), boundary_keys(), numerics_keys(), model_keys(), run_keys(), hosts_keys()})
       all.insert(all.end(), group.begin(), group.end());
     return all;
   }();

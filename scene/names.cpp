@@ -90,6 +90,16 @@ std::string_view name(Side side) {
   return {};
 }
 
+std::string_view name(Absorber absorber) {
+  switch (absorber) {
+  case Absorber::dashpots:
+    return "dashpots";
+  case Absorber::matched_layer:
+    return "matched_layer";
+  }
+  return {};
+}
+
 std::string_view name(SourceModel model) {
   switch (model) {
   case SourceModel::wave:
@@ -122,6 +132,18 @@ std::string_view name(ExchangeMode mode) {
 
 std::string_view name(OnFullDisk policy) {
   return policy == OnFullDisk::stop ? "stop" : "go_on";
+}
+
+std::string_view name(StartBy start) {
+  switch (start) {
+  case StartBy::ssh:
+    return "ssh";
+  case StartBy::slurm:
+    return "slurm";
+  case StartBy::join:
+    return "join";
+  }
+  return {};
 }
 
 std::string_view name(OutputField field) {

@@ -22,7 +22,8 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
   read_free_field(document, findings, scene);
   read_boundary(document, findings, scene);
   read_model(document, findings, scene);
-  read_run(document, scene);
+  read_run(document, findings, scene);
+  read_hosts(document, scene);
   for (const Rule rule : rules())
     rule(scene, findings);
 

@@ -84,6 +84,9 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const bool softening = any_soil(scene, softens);
   const bool hysteretic = any_soil(scene, is_hysteretic);
   const bool liquefies = any_soil(scene, follows_pressure);
+  const auto& [left, right, base] = scene.boundary;
+  const bool layered = left.absorber == Absorber::matched_layer ||
+                       right.absorber == Absorber::matched_layer || base.absorber == Absorber::matched_layer;
   const bool damped = scene.damping.model != DampingModel::none;
   return {
       {"soil skeleton", true, "always: uGIMP particles, plane strain", particle_bytes, base_cost_ns},
@@ -111,6 +114,8 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"oblique incidence", scene.motion.angle_deg > 0.0,
        fmt::format("[motion] angle_deg = {}", scene.motion.angle_deg)},
       {"free field", true, "[boundary]: " + listed(sources)},
+      {"matched layers", layered,
+       layered ? "[boundary]: absorber = \"matched_layer\"" : "all sides of [boundary] have dashpots"},
       {"material damping", damped,
        fmt::format("[damping] model = \"{}\", of the free field", name(scene.damping.model))},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
@@ -172,6 +177,10 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
         "the wave reaches the model {:.3g} s before the shaking starts and finds it at rest: what "
         "came earlier is missing; a later pulse or a deeper [motion] reference avoids it",
         -arrival));
+  if (const auto& base = scene.boundary.base;
+      base.form == BaseForm::incident && base.absorber == Absorber::matched_layer)
+    notes.push_back("the base takes the incident wave alone, so all that comes down again meets its matched "
+                    "layer, whose ends do not know it: dashpots err less there (docs/boundaries.md)");
   for (const SourceProcess& source : plan_sources(scene))
     for (std::string& note : linearised_soils(scene, source))
       notes.push_back(std::move(note));

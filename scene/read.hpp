@@ -27,8 +27,10 @@ void read_mesh(Document& document, Case& scene);
 void read_stages(Document& document, Findings& findings, Case& scene);
 /// Regions, time stepping and stages; after read_free_field.
 void read_model(Document& document, Findings& findings, Case& scene);
+/// Which processes run on other machines.
+void read_hosts(Document& document, Case& scene);
 /// Coupling, monitors, output and verification.
-void read_run(Document& document, Case& scene);
+void read_run(Document& document, Findings& findings, Case& scene);
 
 /// density and young + poisson or vs + vp of a table; zeros where they are missing.
 materials::Elasticity read_elasticity(const TableReader& table, Findings& findings);

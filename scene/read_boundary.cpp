@@ -21,10 +21,15 @@ FreeFieldModel read_model(const TableReader& table, const Case& scene) {
   return field;
 }
 
+Absorber read_absorber(const TableReader& table) {
+  return from_name(table.text("absorber"), std::array{Absorber::dashpots, Absorber::matched_layer});
+}
+
 LateralBoundary read_side(Document& document, const char* name, Findings& findings, const Case& scene) {
   const auto table = document.table(name);
   return {read_model(table, scene), table.optional_number("surface").value_or(scene.surface_level),
-          read_layers(document, fmt::format("{}.profile", name).c_str(), findings, scene)};
+          read_layers(document, fmt::format("{}.profile", name).c_str(), findings, scene),
+          read_absorber(table)};
 }
 
 } // namespace
@@ -35,7 +40,8 @@ void read_boundary(Document& document, Findings& findings, Case& scene) {
   scene.boundary.right = read_side(document, "boundary.right", findings, scene);
   const auto base = document.table("boundary.base");
   scene.boundary.base = {read_model(base, scene),
-                         from_name(base.text("form"), std::array{BaseForm::total, BaseForm::incident})};
+                         from_name(base.text("form"), std::array{BaseForm::total, BaseForm::incident}),
+                         read_absorber(base)};
 }
 
 } // namespace tremolo::scene

@@ -50,7 +50,7 @@ void read_mesh(Document& document, Case& scene) {
   const auto table = document.table("mesh");
   const auto box = table.numbers("box");
   scene.mesh = {table.number("size"), box.empty() ? Box{} : Box{box[0], box[1], box[2], box[3]},
-                table.integer("particles_per_cell")};
+                table.integer("particles_per_cell"), table.integer("layer_cells")};
 }
 
 void read_model(Document& document, Findings& findings, Case& scene) {

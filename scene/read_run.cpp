@@ -18,6 +18,17 @@ Recording read_recording(Document& document) {
           from_name(table.text("on_full_disk"), std::array{OnFullDisk::stop, OnFullDisk::go_on})};
 }
 
+Checkpoints read_checkpoints(Document& document, Findings& findings) {
+  const auto table = document.table("checkpoint");
+  if (table.given("every_steps") && table.given("every_wall_s"))
+    findings.add(table.path("every_wall_s"),
+                 "'every_steps' and 'every_wall_s' exclude each other: remove one");
+  Checkpoints checkpoints{{}, table.number("every_wall_s"), table.integer("keep")};
+  if (table.given("every_steps"))
+    checkpoints.every_steps = table.integer("every_steps");
+  return checkpoints;
+}
+
 Output read_output(Document& document) {
   const auto table = document.table("output");
   Output output{table.number("every_s"), table.number("history_every_s"), {}};
@@ -30,9 +41,10 @@ Output read_output(Document& document) {
 
 } // namespace
 
-void read_run(Document& document, Case& scene) {
+void read_run(Document& document, Findings& findings, Case& scene) {
   scene.coupling = read_coupling(document);
   scene.recording = read_recording(document);
+  scene.checkpoints = read_checkpoints(document, findings);
   for (const auto& table : document.array("monitor"))
     scene.monitors.push_back({table.text("name"), table.point("point")});
   scene.output = read_output(document);

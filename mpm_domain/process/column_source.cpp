@@ -36,6 +36,7 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   spec.box.y_max = source.surface;
   spec.soils.clear();
   spec.regions.clear();
+  spec.matched_sides.clear();
   const double half_space = scene::base_level(source.surface, scene::layers(scene, source));
   spec.box.y_min -=
       spec.cell_size * std::ceil(std::max(0.0, spec.box.y_min - half_space) / spec.cell_size - 1e-9);

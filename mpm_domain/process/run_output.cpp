@@ -25,6 +25,10 @@ bool wants(const scene::Case& scene, scene::OutputField field) {
          scene.output.fields.end();
 }
 
+/// Fields of a frame, before those of the laws.
+constexpr std::array<std::string_view, 7> field_order{"position",     "soil",   "displacement", "velocity",
+                                                      "acceleration", "stress", "volume"};
+
 /// Arrays of a frame: all soils one after the other, each in the order of particle ids.
 struct Frame {
   std::vector<double> position, displacement, velocity, acceleration, stress, volume;
@@ -157,6 +161,7 @@ void RunOutput::after_step(const Stepper& stepper, std::span<const eq6::FreeFiel
 
 void RunOutput::write_history(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
   const double dt = stepper.dt();
+  ++history_rows_;
   last_history_ = stepper.velocity_time();
   std::vector<double> row{last_history_};
   for (const double value : domain_.energy.row())
@@ -201,6 +206,70 @@ void RunOutput::write_boundary(const Stepper& stepper, std::span<const eq6::Free
     traction.insert(traction.end(), {stepper.face_tractions()[f].x, stepper.face_tractions()[f].y});
   }
   writer_.append_boundary(stepper.time() - stepper.dt(), {v_free, v_domain, traction});
+}
+
+void RunOutput::save(results::CheckpointWriter& checkpoint) {
+  writer_.sync();
+  checkpoint.write("output.rows", std::array<std::uint64_t, 2>{history_rows_, writer_.frame_count()});
+  checkpoint.write("output.times", std::array{next_history_, next_frame_, last_history_, last_frame_});
+}
+
+void RunOutput::take_over(const std::filesystem::path& before, const results::CheckpointReader& checkpoint) {
+  const results::RunReader old(before);
+  const auto rows = checkpoint.integers("output.rows");
+  take_over_histories(old, rows.at(0));
+  for (std::size_t frame = 0; frame < rows.at(1); ++frame)
+    take_over_frame(old, frame);
+  writer_.sync();
+  const auto times = checkpoint.numbers("output.times");
+  next_history_ = times.at(0);
+  next_frame_ = times.at(1);
+  last_history_ = times.at(2);
+  last_frame_ = times.at(3);
+}
+
+void RunOutput::take_over_histories(const results::RunReader& before, std::size_t rows) {
+  const auto append = [&](const std::string& path, results::TimeSeries& series) {
+    const results::SeriesData data = before.series(path);
+    const std::size_t width = data.columns.size();
+    for (std::size_t row = 0; row < rows; ++row)
+      series.append(std::span(data.values).subspan(row * width, width));
+  };
+  append("/energy", *energy_);
+  for (std::size_t m = 0; m < followers_.size(); ++m)
+    append("/monitors/" + scene_.monitors[m].name, *followers_[m].series);
+  const results::BoundaryHistory boundary = before.boundary();
+  const std::size_t width = 2 * domain_.faces.size();
+  const auto row_of = [&](const std::vector<double>& values, std::size_t row) {
+    return std::span(values).subspan(row * width, width);
+  };
+  for (std::size_t row = 0; row < rows; ++row)
+    writer_.append_boundary(boundary.time.at(row),
+                            {row_of(boundary.free_field_velocity, row), row_of(boundary.domain_velocity, row),
+                             row_of(boundary.traction, row)});
+  history_rows_ = rows;
+}
+
+void RunOutput::take_over_frame(const results::RunReader& before, std::size_t frame) {
+  std::vector<std::string> names = before.frame_fields(frame);
+  std::ranges::stable_sort(names, {}, [](const std::string& name) {
+    return std::ranges::find(field_order, name) - field_order.begin();
+  });
+  std::vector<results::FieldData> data;
+  std::vector<std::vector<std::int32_t>> integers(names.size());
+  std::vector<results::Field> fields;
+  for (const std::string& name : names)
+    data.push_back(before.frame_field(frame, name));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    results::Field field{names[i], data[i].unit, data[i].components, std::span<const double>(data[i].values)};
+    if (data[i].integers) {
+      for (const double value : data[i].values)
+        integers[i].push_back(static_cast<std::int32_t>(value));
+      field.values = std::span<const std::int32_t>(integers[i]);
+    }
+    fields.push_back(field);
+  }
+  writer_.write_frame(before.frame_times().at(frame), fields);
 }
 
 void RunOutput::finish(const Stepper& stepper, std::span<const eq6::FreeField> free_field,

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "mpm_domain/stepper.hpp"
+#include "results/checkpoint_file.hpp"
 #include "results/run_file.hpp"
 #include "scene/case.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -29,6 +31,11 @@ public:
   void finish(const Stepper& stepper, std::span<const eq6::FreeField> free_field, double gravity_seconds,
               double waiting_seconds);
 
+  /// Writes what an output that goes on from here needs, besides the file as it is now.
+  void save(results::CheckpointWriter& checkpoint);
+  /// Goes on from there in a new file: takes over what the file before held then.
+  void take_over(const std::filesystem::path& before, const results::CheckpointReader& checkpoint);
+
   /// Closes the file with the reason why the run ended early.
   void abort(const std::string& reason) { writer_.abort(reason); }
 
@@ -41,6 +48,8 @@ private:
   };
 
   void add_monitors();
+  void take_over_histories(const results::RunReader& before, std::size_t rows);
+  void take_over_frame(const results::RunReader& before, std::size_t frame);
   void write_history(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
   void write_frame(const Stepper& stepper);
   void write_boundary(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
@@ -54,6 +63,7 @@ private:
   double next_frame_ = 0.0;
   double last_history_ = 0.0; ///< times of what was written last
   double last_frame_ = 0.0;
+  std::uint64_t history_rows_ = 0;
 };
 
 } // namespace tremolo::mpm_domain

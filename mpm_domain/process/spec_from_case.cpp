@@ -46,6 +46,14 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   }
   spec.scheme = {transfer(scene.time.transfer), order(scene.time.order), scene.time.blend_time,
                  scene.time.fraction, scene.time.dt};
+  const auto& [left, right, base] = scene.boundary;
+  if (left.absorber == scene::Absorber::matched_layer)
+    spec.matched_sides.push_back(Side::left);
+  if (right.absorber == scene::Absorber::matched_layer)
+    spec.matched_sides.push_back(Side::right);
+  if (base.absorber == scene::Absorber::matched_layer)
+    spec.matched_sides.push_back(Side::base);
+  spec.layer_cells = scene.mesh.layer_cells;
   spec.threads = threads;
   return spec;
 }

@@ -51,4 +51,7 @@ void time_step_is_stable(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.
 void monitors_lie_in_soil(const Case& scene, Findings& findings);
 
+/// [hosts] places sides, one host for a process, at an endpoint that other machines can be told.
+void hosts_can_meet(const Case& scene, Findings& findings);
+
 } // namespace tremolo::scene

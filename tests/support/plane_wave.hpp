@@ -20,10 +20,11 @@ struct PlaneWave {
   double density = 1700.0, vs = 95.87062360592131, vp = 173.4364837735801;
   double angle = 0.0; ///< rad
   double frequency = 3.0, arrival = 1.0, amplitude = 0.1;
+  double repeat = 1e9;        ///< s from one pulse to the next
   double y_reference = -40.0; ///< the incident wave passes (0, y_reference) at `arrival`
 
   double ricker(double t) const {
-    const double a = std::pow(std::numbers::pi * frequency * (t - arrival), 2);
+    const double a = std::pow(std::numbers::pi * frequency * std::remainder(t - arrival, repeat), 2);
     return amplitude * (1.0 - 2.0 * a) * std::exp(-a);
   }
 

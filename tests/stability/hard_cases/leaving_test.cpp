@@ -85,8 +85,7 @@ std::string refusal(mpm_domain::Domain& domain, mpm_domain::Stepper& stepper) {
 /// A grain that flies over a side with faces finds no model there; gravity is off so that it does fly.
 TEST(LeavingParticles, SoilOverASideStopsTheRunWithWhichWhereAndWhen) {
   for (const auto& [x, y, vx, vy, side] :
-       {std::tuple{4.0, 2.0, 5.0, 0.0,
-                   "over its right side: 4 cells beyond the faces there, at x = 12 m"},
+       {std::tuple{4.0, 2.0, 5.0, 0.0, "over its right side: 4 cells beyond the faces there, at x = 12 m"},
         {4.0, 2.0, -5.0, 0.0, "over its left side: 4 cells beyond the faces there, at x = -2 m"},
         {-1.0, 2.0, 0.0, -5.0, "over its base: 4 cells beyond the faces there, at y = -4 m"}}) {
     mpm_domain::Spec spec = elastic_box(10.0, 2.0, 0.5);

@@ -3,6 +3,7 @@
 #include "mpm_domain/gravity_stage.hpp"
 #include "mpm_domain/static_traction.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +17,7 @@ namespace {
 double speed_after_switch(mpm_domain::Domain& domain) {
   const mpm_domain::Reactions reactions = mpm_domain::relax_under_gravity(domain, {}, [](long, double) {});
   mpm_domain::replace_constraints(domain, reactions);
-  mpm_domain::Stepper stepper(domain, 0.0, [&](long, double, auto v, auto traction) {
-    for (std::size_t f = 0; f < v.size(); ++f)
-      traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f], {}, domain.static_tractions[f]);
-  });
+  mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground(domain));
   double fastest = 0.0;
   while (stepper.time() < 1.0) {
     stepper.step();

@@ -145,11 +145,11 @@ TEST_F(Recording, ArrivesBitForBit) {
       incoming = probe.receive(0.2);
     const auto frame =
         coupler::decode(incoming->frame(), {.session = probe.session(),
-                                          .sender = 1,
-                                          .field = f,
-                                          .step = 0,
-                                          .count = static_cast<std::uint32_t>(served.values_per_step()),
-                                          .most_steps = 61});
+                                            .sender = 1,
+                                            .field = f,
+                                            .step = 0,
+                                            .count = static_cast<std::uint32_t>(served.values_per_step()),
+                                            .most_steps = 61});
     ASSERT_TRUE(std::holds_alternative<coupler::Frame>(frame)) << std::get<coupler::FrameError>(frame).text;
     const auto values = std::get<coupler::Frame>(frame).values();
     ASSERT_EQ(values.size(), values_[f].size());

@@ -15,6 +15,7 @@ from pathlib import Path
 TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
+from run_files import wait_for_frames
 from small_case import Workspace
 from tremolo import Run
 
@@ -32,19 +33,6 @@ def children(pid):
 
 def program(pid):
     return Path(f"/proc/{pid}/comm").read_text().strip()
-
-
-def wait_for_frames(work, count=3):
-    """Until the run has written some frames."""
-    deadline = time.monotonic() + 60.0
-    while time.monotonic() < deadline:
-        try:
-            if len(Run(work.path / "run").times) >= count:
-                return
-        except (OSError, KeyError):
-            pass
-        time.sleep(0.05)
-    raise AssertionError("the run wrote no frames within 60 s")
 
 
 class Mishaps(unittest.TestCase):

@@ -11,23 +11,10 @@ from pathlib import Path
 TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
-import h5py
 import numpy as np
+from run_files import arrays
 from small_case import Workspace
 from tremolo import Run
-
-
-def arrays(path):
-    """Every dataset of a run but its timings, as bytes."""
-    found = {}
-
-    def visit(name, item):
-        if isinstance(item, h5py.Dataset) and not name.startswith(("timings", "processes", "timeline")):
-            found[name] = item[()].tobytes() if item.shape != () else item[()]
-
-    with h5py.File(path / "run.h5") as file:
-        file.visititems(visit)
-    return found
 
 
 class Modes(unittest.TestCase):
@@ -74,6 +61,25 @@ class Physics(unittest.TestCase):
             energy = Run(work.run("run")).energy
             self.assertLess(np.max(np.abs(energy["residual"])), 0.02 * np.max(energy["kinetic"]))
             self.assertLessEqual(np.max(np.diff(energy["dashpots"])), 0.0)
+
+    def test_matched_layers_let_the_free_field_in(self):
+        """In both modes, to the bit; and what they take up is in the energy."""
+        with Workspace(TREMOLO) as work:
+            dashpots = work.run("dashpots")
+            text = work.case.read_text()
+            for side in ("left", "right", "base"):
+                text = text.replace(f'{side} = {{ model = "wave"', f'{side} = {{ model = "wave", absorber = "matched_layer"')
+            work.case.write_text(text.replace("size = 1.0", "size = 1.0\nlayer_cells = 6"))
+            layers = work.run("layers")
+            lockstep = arrays(work.run("lockstep", "--mode", "lockstep"))
+            window = arrays(layers)
+            self.assertEqual([], [name for name in window if window[name] != lockstep[name]])
+            for folder in (dashpots, layers):
+                verified = work.command("verify", folder)
+                self.assertEqual(0, verified.returncode, verified.stdout + verified.stderr)
+            self.assertIn("matched layers", Run(layers).table("timings")["pass"])
+            energy = Run(layers).energy
+            self.assertLess(np.max(np.abs(energy["residual"])), 0.02 * np.max(energy["kinetic"]))
 
     def test_a_monitors_acceleration_is_the_derivative_of_its_velocity(self):
         for order in ("usl", "usf", "musl"):

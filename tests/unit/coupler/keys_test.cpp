@@ -43,7 +43,7 @@ TEST_F(Keys, NonsenseIsRefused) {
 
 TEST_F(Keys, HubTakesItsParticipantsAndNoStranger) {
   zmq::context_t context;
-  ClientGate gate(context, {read_public_key(folder_ / "", "left")});
+  ClientGate gate(context, {{read_public_key(folder_ / "", "left"), "left"}});
   auto hub = bound_router(context, "tcp://0.0.0.0:*", read_keys(folder_ / "", "hub"));
   const auto bound = hub.get(zmq::sockopt::last_endpoint);
   const auto address = "tcp://127.0.0.1" + bound.substr(bound.rfind(':'));

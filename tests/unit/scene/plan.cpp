@@ -68,6 +68,13 @@ TEST(Plan, EffectsFollowTheCase) {
   const auto heavy = plan_of(with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]"));
   EXPECT_TRUE(is_on(heavy, "gravity"));
   EXPECT_FALSE(is_on(plan_of(plus("[time]\ntransfer = \"flip\"\n")), "affine velocity"));
+  EXPECT_FALSE(is_on(flat, "matched layers"));
+  const auto layered =
+      with("base = { model = \"wave\"", "base = { model = \"wave\", absorber = \"matched_layer\"");
+  EXPECT_TRUE(is_on(plan_of(layered), "matched layers"));
+  EXPECT_EQ(parse_case(layered).boundary.base.absorber, Absorber::matched_layer);
+  EXPECT_EQ(parse_case(layered).boundary.left.absorber, Absorber::dashpots);
+  EXPECT_EQ(parse_case(layered).mesh.layer_cells, 10);
 }
 
 TEST(Plan, ShippedCasesAreGood) {

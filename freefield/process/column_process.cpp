@@ -1,6 +1,7 @@
 // tremolo-column: serves a laterally uniform free field, marched in time as the domain asks for it.
 
-#include "coupler/participant.hpp"
+#include "freefield/process/column_process.hpp"
+
 #include "freefield/process/column_from_case.hpp"
 #include "freefield/process/column_values.hpp"
 #include "freefield/process/incident_field.hpp"
@@ -14,9 +15,9 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace tremolo::freefield {
 
-using namespace tremolo;
+namespace {
 
 void write(const freefield::ColumnSample& sample, std::span<double> values) {
   std::ranges::copy(freefield::served_values(sample), values.begin());
@@ -76,12 +77,14 @@ void run(const coupler::ParticipantOptions& options) {
       total.fill(step, fields[f].y, values);
   });
   if (const std::string report = column->report(); !report.empty())
-    fmt::print("column: {}\n", report);
+    fmt::print(options.surroundings.log, "column: {}\n", report);
 }
 
 } // namespace
 
-int main(int argc, char** argv) {
-  return tremolo::coupler::participant_main("tremolo-column", "A 1D free-field column, as a source.", argc,
-                                            argv, run);
+int column_process(const coupler::CommandLine& command, const coupler::Surroundings& surroundings) {
+  return coupler::participant_main("tremolo-column", "A 1D free-field column, as a source.", command,
+                                   surroundings, run);
 }
+
+} // namespace tremolo::freefield

@@ -2,7 +2,8 @@
 // computed at once for the whole run on a vertical line; along x it is the same, delayed by the horizontal
 // slowness.
 
-#include "coupler/participant.hpp"
+#include "wavefield/process/wave_process.hpp"
+
 #include "scene/case.hpp"
 #include "scene/motion.hpp"
 #include "scene/service.hpp"
@@ -12,14 +13,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace {
+namespace tremolo::wavefield {
 
-using namespace tremolo;
+namespace {
 
 /// Samples per period of the highest frequency. The Hermite interpolation between them errs by (omega
 /// dt)^4/384: at a third of that frequency, where motions end in practice, by 3e-7.
@@ -68,11 +70,13 @@ std::vector<wavefield::History> histories(const wavefield::LayeredField& field,
 }
 
 /// Says in the log what an equivalent-linear iteration did.
-wavefield::LayeredField field_of(const scene::Case& scene, const scene::SourceProcess& source) {
+wavefield::LayeredField field_of(const scene::Case& scene, const scene::SourceProcess& source,
+                                 std::FILE* log) {
   if (source.field.model != scene::SourceModel::eql)
     return wavefield::field_from_case(scene, source);
   const auto result = wavefield::equivalent_linear_from_case(scene, source);
-  fmt::print("{}equivalent linear: {}\n", result.converged ? "" : "warning: ", wavefield::summary(result));
+  fmt::print(log, "{}equivalent linear: {}\n",
+             result.converged ? "" : "warning: ", wavefield::summary(result));
   return wavefield::field_from_case(scene, source, result);
 }
 
@@ -80,7 +84,7 @@ void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
-  const wavefield::LayeredField field = field_of(scene, source);
+  const wavefield::LayeredField field = field_of(scene, source, options.surroundings.log);
   const double dt = 1.0 / (samples_per_period * scene::motion(scene.motion).highest_frequency());
   const std::vector<coupler::FieldDescription> fields =
       descriptions(scene::service(scene, source, field.slowness_x()), field.slowness_x(), dt);
@@ -110,7 +114,9 @@ void run(const coupler::ParticipantOptions& options) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-  return tremolo::coupler::participant_main(
-      "tremolo-wave", "The exact free field of an oblique wave, as a source.", argc, argv, run);
+int wave_process(const coupler::CommandLine& command, const coupler::Surroundings& surroundings) {
+  return coupler::participant_main("tremolo-wave", "The exact free field of an oblique wave, as a source.",
+                                   command, surroundings, run);
 }
+
+} // namespace tremolo::wavefield

@@ -1,8 +1,9 @@
 // A participant for tests of the coupler: role by name ("domain" or a source), misbehaviour by the case file,
 // whose lines read "NAME MISDEED STEP".
 
+#include "toy_process.hpp"
+
 #include "coupler/error.hpp"
-#include "coupler/participant.hpp"
 #include "toy_field.hpp"
 
 #include <chrono>
@@ -14,10 +15,9 @@
 #include <unistd.h>
 #include <zmq.hpp>
 
-namespace {
+namespace tremolo::coupler {
 
-using namespace tremolo;
-using namespace tremolo::coupler;
+namespace {
 
 struct Misdeed {
   std::string what;
@@ -89,6 +89,8 @@ void serve(const ParticipantOptions& options, const Misdeed& misdeed) {
   die_if(misdeed, "killed-at-welcome");
   client.serve([&](std::size_t field, std::uint64_t step, std::span<double> values) {
     misbehave_at(options, misdeed, step);
+    if (misdeed.what == "late" && field == 0 && step == misdeed.step)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1500));
     const bool circles = misdeed.what == "circles";
     if (step == misdeed.step && (circles || misdeed.what == "works"))
       for (int done = 1; circles || done <= 20; ++done) {
@@ -129,8 +131,8 @@ void shake(const ParticipantOptions& options, const Misdeed& misdeed) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-  return participant_main("toy", "toy participant", argc, argv, [](ParticipantOptions options) {
+int toy_process(const CommandLine& command, const Surroundings& surroundings) {
+  return participant_main("toy", "toy participant", command, surroundings, [](ParticipantOptions options) {
     std::ofstream(options.out / (options.name + ".pid")) << ::getpid();
     const auto misdeed = misdeed_of(options);
     if (misdeed.what == "absent")
@@ -145,3 +147,5 @@ int main(int argc, char** argv) {
     die_if(misdeed, "killed-after-bye");
   });
 }
+
+} // namespace tremolo::coupler

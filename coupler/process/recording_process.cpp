@@ -1,7 +1,8 @@
 // tremolo-recording: serves a recorded free field, bit for bit as it was recorded: one that was recorded
 // alone, or what served a side in the recorded exchange of a run.
 
-#include "coupler/participant.hpp"
+#include "coupler/process/recording_process.hpp"
+
 #include "coupler/process/recorded_case.hpp"
 #include "results/exchange_file.hpp"
 #include "results/free_field_recording.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
 #include <ranges>
 #include <span>
 #include <stdexcept>
@@ -19,9 +21,9 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace tremolo::coupler {
 
-using namespace tremolo;
+namespace {
 
 struct Range {
   double first = 0.0;
@@ -108,13 +110,13 @@ void require_same_free_field(const results::ExchangeReader& exchange, const scen
 
 /// Opens what served a side in a recorded exchange, or a free field that was recorded alone.
 results::FreeFieldRecording opened(const std::string& file, const std::string& side, const scene::Case& scene,
-                                   const scene::SourceProcess& source) {
+                                   const scene::SourceProcess& source, std::FILE* log) {
   if (side.empty())
     return results::FreeFieldRecording(file);
   const results::ExchangeReader exchange(file);
   require_same_free_field(exchange, scene, source, side, file);
   if (!exchange.complete())
-    fmt::print("warning: {} is not complete ({})\n", file, exchange.status());
+    fmt::print(log, "warning: {} is not complete ({})\n", file, exchange.status());
   return results::FreeFieldRecording(file, exchange.source_of(side).name);
 }
 
@@ -132,7 +134,7 @@ void run(const coupler::ParticipantOptions& options, const std::string& file, co
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
-  const results::FreeFieldRecording recording = opened(file, side, scene, source);
+  const results::FreeFieldRecording recording = opened(file, side, scene, source, options.surroundings.log);
 
   std::vector<std::size_t> recorded;
   std::vector<coupler::FieldDescription> fields;
@@ -162,12 +164,14 @@ void run(const coupler::ParticipantOptions& options, const std::string& file, co
 
 } // namespace
 
-int main(int argc, char** argv) {
+int recording_process(const CommandLine& command, const Surroundings& surroundings) {
   std::string file;
   std::string side;
-  return tremolo::coupler::participant_main(
-      "tremolo-recording", "A recorded free field, as a source.", argc, argv,
-      [&](const coupler::ParticipantOptions& options) { run(options, file, side); },
+  return participant_main(
+      "tremolo-recording", "A recorded free field, as a source.", command, surroundings,
+      [&](const ParticipantOptions& options) { run(options, file, side); },
       {{"--file", "recording (HDF5) to serve; required", file},
        {"--side", "left, right or base: what served this side in a recorded exchange", side}});
 }
+
+} // namespace tremolo::coupler

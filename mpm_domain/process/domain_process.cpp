@@ -3,8 +3,11 @@
 // brings it to rest under gravity, replaces the supports by tractions, and shakes it through its boundary
 // faces with what the coupler brings.
 
-#include "coupler/participant.hpp"
+#include "mpm_domain/process/domain_process.hpp"
+
 #include "mpm_domain/gravity_stage.hpp"
+#include "mpm_domain/matched_layer.hpp"
+#include "mpm_domain/process/checkpoints.hpp"
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
@@ -15,10 +18,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+namespace tremolo::mpm_domain {
 
 namespace {
-
-using namespace tremolo;
 
 scene::Side scene_side(mpm_domain::Side side) {
   switch (side) {
@@ -47,7 +53,7 @@ std::vector<coupler::BoundaryFace> coupled_faces(const mpm_domain::Domain& domai
 
 /// Brings the domain to rest and returns the wall time it took, s.
 double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stage,
-                     coupler::DomainClient& client) {
+                     coupler::DomainClient& client, std::FILE* log) {
   coupler::Stopwatch watch;
   watch.start();
   const mpm_domain::GravitySettings settings{stage.residual, stage.max_time};
@@ -56,7 +62,8 @@ double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stag
   };
   const mpm_domain::Reactions reactions = mpm_domain::relax_under_gravity(domain, settings, progress);
   if (reactions.unheld > 0)
-    fmt::print("warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
+    fmt::print(log,
+               "warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
                "it: the soil "
                "there is not at rest; a gentler slope or stronger soil would be\n",
                reactions.unheld, domain.particle_count());
@@ -66,24 +73,42 @@ double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stag
 }
 
 void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Plan& plan,
-           const coupler::ParticipantOptions& options, coupler::DomainClient& client,
-           double gravity_seconds) {
+           const coupler::ParticipantOptions& options, coupler::DomainClient& client, double gravity_seconds,
+           const results::CheckpointReader* saved) {
+  mpm_domain::Checkpoints checkpoints(scene.checkpoints, mpm_domain::faces_at_rest(domain),
+                                      options.surroundings.log);
+  mpm_domain::attach_matched_layers(domain);
   const std::vector<coupler::BoundaryFace> faces = coupled_faces(domain, scene, plan);
   const double end = scene.shaking.duration;
   coupler::DomainClient::Exchanged exchanged;
-  mpm_domain::Stepper stepper(domain, 0.0, [&](long step, double time, auto v, auto traction) {
-    exchanged = client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
-  });
+  mpm_domain::Stepper stepper(
+      domain, 0.0,
+      [&](long step, double time, auto v, auto traction) {
+        exchanged = client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
+      },
+      [&] { return exchanged.free_field; });
   std::vector<std::string> sources;
   sources.reserve(faces.size());
   for (const coupler::BoundaryFace& face : faces)
     sources.push_back(face.source);
+  std::filesystem::path before;
+  std::optional<coupler::DomainClient::FirstStep> first;
+  if (saved != nullptr)
+    before = results::set_aside(options.out / "run.h5");
   mpm_domain::RunOutput output(options.out, scene, scene::to_json(plan), domain, sources);
   try {
-    client.ready(faces, 0.0, end);
+    if (saved != nullptr) {
+      mpm_domain::load_state(*saved, domain, stepper);
+      output.take_over(before, *saved);
+      std::filesystem::remove(before);
+      first = {static_cast<std::uint64_t>(stepper.steps()), stepper.time()};
+    }
+    client.ready(faces, 0.0, end, first);
     while (stepper.time() < end) {
       stepper.step();
       output.after_step(stepper, exchanged.free_field);
+      if (stepper.time() < end)
+        checkpoints.after_step(client, domain, stepper, output);
       client.progress("shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end);
     }
     output.finish(stepper, exchanged.free_field, gravity_seconds, exchanged.waiting_seconds);
@@ -106,8 +131,13 @@ void run(const coupler::ParticipantOptions& options) {
   coupler::DomainClient client(options);
   try {
     mpm_domain::Domain domain(mpm_domain::spec_from_case(scene, options.threads));
-    const double gravity_seconds = scene.gravity ? gravity_stage(domain, *scene.gravity, client) : 0.0;
-    shake(domain, scene, plan, options, client, gravity_seconds);
+    const auto saved = coupler::saved_state(options);
+    if (saved)
+      mpm_domain::load_faces(*saved, domain);
+    const double gravity_seconds =
+        scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client, options.surroundings.log)
+                                : 0.0;
+    shake(domain, scene, plan, options, client, gravity_seconds, saved.get());
   } catch (const std::exception& error) {
     client.abandon(error.what());
     throw;
@@ -116,7 +146,9 @@ void run(const coupler::ParticipantOptions& options) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-  return tremolo::coupler::participant_main(
-      "tremolo-domain", "The Material Point Method domain of a tremolo run.", argc, argv, run);
+int domain_process(const coupler::CommandLine& command, const coupler::Surroundings& surroundings) {
+  return coupler::participant_main("tremolo-domain", "The Material Point Method domain of a tremolo run.",
+                                   command, surroundings, run);
 }
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,24 @@
+#pragma once
+
+// What the command line says about how a run's processes are started and talk; `run` and `resume` share it.
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace tremolo::app {
+
+struct LocalOptions {
+  std::string transport = "ipc";
+  std::filesystem::path keys; ///< folder of CURVE keys; empty: none
+  bool local = false;         ///< whatever [hosts] says
+  int threads;                ///< of the domain; the machine's unless said
+
+  LocalOptions();
+};
+
+/// @param options  outlives the command
+void add_local_options(CLI::App& command, LocalOptions& options);
+
+} // namespace tremolo::app

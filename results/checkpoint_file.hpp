@@ -1,0 +1,75 @@
+#pragma once
+
+// The state of one participant at one step, an HDF5 file in the folder of its set:
+// RUN/checkpoints/STEP/PARTICIPANT.h5 (docs/checkpoints.md). Named arrays, each chunk with a checksum.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tremolo::results {
+
+/// Version of what the files of a set hold; a set of another version is refused.
+inline constexpr std::string_view checkpoint_schema_version = "1.0";
+
+/// What a file belongs to. It is read again only where all of it is the same.
+struct CheckpointIdentity {
+  std::string participant;
+  std::string case_crc;   ///< CRC-32 of the case's text, 8 hexadecimal digits
+  std::uint64_t step = 0; ///< of the domain, the next one
+};
+
+/// Writes a file that is on the disk when close() returns.
+///
+/// @throws std::runtime_error with file and reason where it cannot be written
+class CheckpointWriter {
+public:
+  CheckpointWriter(const std::filesystem::path& file, const CheckpointIdentity& identity);
+  ~CheckpointWriter();
+  CheckpointWriter(const CheckpointWriter&) = delete;
+  CheckpointWriter& operator=(const CheckpointWriter&) = delete;
+
+  /// Names may be used once.
+  void write(const std::string& name, std::span<const double> values);
+  void write(const std::string& name, std::span<const std::uint64_t> values);
+
+  /// Waits until the disk has everything.
+  void close();
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// @throws std::runtime_error with file and reason where the file is absent, damaged, of another schema
+/// version or identity (with both values), or lacks what is asked for
+class CheckpointReader {
+public:
+  CheckpointReader(const std::filesystem::path& file, const CheckpointIdentity& expected);
+  ~CheckpointReader();
+  CheckpointReader(const CheckpointReader&) = delete;
+  CheckpointReader& operator=(const CheckpointReader&) = delete;
+
+  [[nodiscard]] std::vector<double> numbers(const std::string& name) const;
+  [[nodiscard]] std::vector<std::uint64_t> integers(const std::string& name) const;
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// Moves a file that a run which is resumed writes anew out of the way, to FILE.before, from which it takes
+/// over what the checkpoint knows of; a resumption that was ended in the middle of that has left it there.
+/// @returns FILE.before, to be removed when all is taken over
+/// @throws std::filesystem::filesystem_error where there is no such file
+std::filesystem::path set_aside(const std::filesystem::path& file);
+
+/// Waits until the disk has what was written to a file, or the entries of a folder.
+/// @throws std::runtime_error with path and reason
+void sync_to_disk(const std::filesystem::path& path);
+
+} // namespace tremolo::results

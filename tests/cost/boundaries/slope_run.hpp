@@ -1,0 +1,173 @@
+#pragma once
+
+// An elastic 10 m slope at 45 degrees, its left free surface at y = 0 and its right one at y = 10 m, in a box
+// that is cut out of the ground in different ways, shaken by a plane SV wave.
+
+#include "mpm_domain/stepper.hpp"
+#include "tests/support/box_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tremolo::cost {
+
+/// What enters through the base under two surfaces.
+enum class BaseField {
+  incident, ///< the incident wave alone
+  left,     ///< total field under the left surface, all along
+  step,     ///< that of the left surface up to the middle of the slope, then that of the right one
+  blend,    ///< the two blended linearly from toe to crest
+  across,   ///< the two blended linearly over the whole base
+  ends,  ///< the incident wave under the middle half, blended into the total field of the side to either end
+  local, ///< total field under a level surface as high as the ground above the face
+};
+enum class Absorber { dashpots, layer_below, layers };
+
+struct SlopeRun {
+  double width = 0.0; ///< of the box, the slope in its middle, m
+  BaseField field = BaseField::incident;
+  Absorber absorber = Absorber::dashpots;
+  double angle_deg = 0.0;
+  int layer_cells = 10;
+};
+
+inline constexpr double crest_height = 10.0; ///< m
+inline constexpr double cell = 2.0;          ///< m
+inline constexpr double base_level = -20.0;  ///< m
+inline constexpr double end_time = 3.5;      ///< s
+
+inline double surface_above(double x) {
+  return std::clamp(x + 0.5 * crest_height, 0.0, crest_height);
+}
+
+/// The same incident wave under a level surface at y = `surface`.
+inline eq6::FreeField under_surface(test_support::PlaneWave wave, double surface, double x, double y,
+                                    double t, int rays = 3) {
+  wave.y_reference -= surface;
+  return wave.at(x, y - surface, t, rays);
+}
+
+inline eq6::FreeField mixed(const eq6::FreeField& a, const eq6::FreeField& b, double share) {
+  const auto of = [share](double p, double q) { return (1.0 - share) * p + share * q; };
+  return {{of(a.velocity.x, b.velocity.x), of(a.velocity.y, b.velocity.y)},
+          {of(a.stress.xx, b.stress.xx), of(a.stress.yy, b.stress.yy), of(a.stress.xy, b.stress.xy)}};
+}
+
+inline eq6::FreeField free_field(const SlopeRun& run, const test_support::PlaneWave& wave,
+                                 const mpm_domain::BoundaryFace& face, double t) {
+  const auto [x, y] = face.position;
+  const auto under = [&](double surface) { return under_surface(wave, surface, x, y, t); };
+  if (face.side == mpm_domain::Side::left)
+    return under(0.0);
+  if (face.side == mpm_domain::Side::right)
+    return under(crest_height);
+  switch (run.field) {
+  case BaseField::incident:
+    break;
+  case BaseField::left:
+    return under(0.0);
+  case BaseField::step:
+    return under(x < 0.0 ? 0.0 : crest_height);
+  case BaseField::blend:
+    return mixed(under(0.0), under(crest_height), surface_above(x) / crest_height);
+  case BaseField::across:
+    return mixed(under(0.0), under(crest_height), x / run.width + 0.5);
+  case BaseField::ends: {
+    const double share = std::clamp(4.0 * std::abs(x) / run.width - 1.0, 0.0, 1.0);
+    return mixed(under_surface(wave, 0.0, x, y, t, 1), under(x < 0.0 ? 0.0 : crest_height), share);
+  }
+  case BaseField::local:
+    return under(surface_above(x));
+  }
+  return under_surface(wave, 0.0, x, y, t, 1);
+}
+
+inline mpm_domain::Spec slope_spec(const SlopeRun& run) {
+  const double half = 0.5 * run.width;
+  mpm_domain::Spec spec = test_support::elastic_box(run.width, 1.0, cell);
+  spec.box = {-half, base_level, half, crest_height};
+  spec.regions = {{0,
+                   {{-half, base_level},
+                    {half, base_level},
+                    {half, crest_height},
+                    {5.0, crest_height},
+                    {-5.0, 0.0},
+                    {-half, 0.0}}}};
+  spec.threads = 1;
+  spec.layer_cells = run.layer_cells;
+  using enum mpm_domain::Side;
+  if (run.absorber == Absorber::layer_below)
+    spec.matched_sides = {base};
+  if (run.absorber == Absorber::layers)
+    spec.matched_sides = {left, right, base};
+  return spec;
+}
+
+/// Velocity of the particles around the slope, sampled in time: what a user would look at.
+struct SlopeMotion {
+  std::vector<double> velocity; ///< [sample][particle][2]
+  double largest = 0.0;         ///< of any velocity component, m/s
+};
+
+inline constexpr double sample = 0.015; ///< s, four steps
+
+inline SlopeMotion shake(const SlopeRun& run) {
+  mpm_domain::Spec spec = slope_spec(run);
+  spec.scheme.dt = 0.25 * sample;
+  mpm_domain::Domain domain(spec);
+  mpm_domain::attach_matched_layers(domain);
+  test_support::PlaneWave wave;
+  wave.angle = run.angle_deg * std::numbers::pi / 180.0;
+  wave.frequency = 2.0;
+  wave.y_reference = base_level;
+  std::vector<eq6::FreeField> field(domain.faces.size());
+  // The wave reaches the left end of a wide box long before the slope; one second before its pulse all is
+  // quiet.
+  const double lead = std::max(0.0, 0.5 * run.width * wave.p());
+  mpm_domain::Stepper stepper(
+      domain, -sample * std::ceil(lead / sample),
+      [&](long, double t, auto v, auto traction) {
+        for (std::size_t f = 0; f < v.size(); ++f) {
+          field[f] = free_field(run, wave, domain.faces[f], t);
+          traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f], field[f], {});
+        }
+      },
+      [&] { return std::span<const eq6::FreeField>(field); });
+
+  const mpm_domain::Particles& set = domain.sets.front();
+  std::vector<std::pair<std::pair<double, double>, std::uint32_t>> watched; // by place, for all cuts alike
+  for (std::size_t k = 0; k < set.size(); ++k)
+    if (std::abs(set.x[k]) < 15.0 && set.y[k] > -10.0)
+      watched.push_back({{std::round(8.0 * set.x[k]), std::round(8.0 * set.y[k])}, set.id[k]});
+  std::ranges::sort(watched);
+  SlopeMotion motion;
+  while (stepper.time() < end_time) {
+    stepper.step();
+    if (stepper.time() < 0.5 * spec.scheme.dt.value() || stepper.steps() % 4 != 0)
+      continue;
+    for (const auto& [place, id] : watched) {
+      const std::size_t k = set.index_of[id];
+      motion.velocity.insert(motion.velocity.end(), {set.vx[k], set.vy[k]});
+      motion.largest = std::max({motion.largest, std::abs(set.vx[k]), std::abs(set.vy[k])});
+    }
+  }
+  return motion;
+}
+
+/// Relative L2 difference over what both have sampled.
+inline double difference(const SlopeMotion& run, const SlopeMotion& reference) {
+  double error = 0.0;
+  double norm = 0.0;
+  for (std::size_t i = 0; i < std::min(run.velocity.size(), reference.velocity.size()); ++i) {
+    error += std::pow(run.velocity[i] - reference.velocity[i], 2);
+    norm += std::pow(reference.velocity[i], 2);
+  }
+  return std::sqrt(error / norm);
+}
+
+} // namespace tremolo::cost

@@ -1,0 +1,53 @@
+#pragma once
+
+// The affine velocity C = B D^-1 of a particle, whose moment B is what it keeps (particles.hpp).
+
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/graded/box_average.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace tremolo::test_support {
+
+/// d v_a / d x_b, 1/s
+struct AffineVelocity {
+  double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
+};
+
+/// D of a particle's weights, which is diagonal, m2: sum S (x_i - x)^2 and sum S (y_i - y)^2.
+inline mpm_domain::Vector second_moments(const mpm_domain::Domain& domain, const mpm_domain::Particles& p,
+                                         std::size_t k) {
+  mpm_domain::Vector d;
+  if (domain.mesh) {
+    std::vector<mpm_domain::BoxWeight> weights;
+    mpm_domain::box_average(*domain.mesh, mpm_domain::box_of(p, k), weights);
+    for (const mpm_domain::BoxWeight& w : weights) {
+      d.x += w.s * (w.x - p.x[k]) * (w.x - p.x[k]);
+      d.y += w.s * (w.y - p.y[k]) * (w.y - p.y[k]);
+    }
+    return d;
+  }
+  const auto moment = [](double x, const mpm_domain::Axis& axis) {
+    const double place = axis.cells(x);
+    return mpm_domain::RowWeights<double>(place - std::floor(place - axis.l), axis).second_moment;
+  };
+  return {moment(p.x[k], domain.x_axis()), moment(p.y[k], domain.y_axis())};
+}
+
+inline void set_affine_velocity(const mpm_domain::Domain& domain, mpm_domain::Particles& p, std::size_t k,
+                                const AffineVelocity& c) {
+  const mpm_domain::Vector d = second_moments(domain, p, k);
+  p.bxx[k] = c.xx * d.x;
+  p.bxy[k] = c.xy * d.y;
+  p.byx[k] = c.yx * d.x;
+  p.byy[k] = c.yy * d.y;
+}
+
+inline AffineVelocity affine_velocity(const mpm_domain::Domain& domain, const mpm_domain::Particles& p,
+                                      std::size_t k) {
+  const mpm_domain::Vector d = second_moments(domain, p, k);
+  return {p.bxx[k] / d.x, p.bxy[k] / d.y, p.byx[k] / d.x, p.byy[k] / d.y};
+}
+
+} // namespace tremolo::test_support
