@@ -104,11 +104,11 @@ def scatterer(path, folder):
     for row in rows(path):
         meshes[row["mesh"]].append(row)
     figure, ax = style.plt.subplots(figsize=(5.2, 3.8), layout="constrained")
-    for mesh, look in (("uniform", "o-"), ("graded", "s--")):
+    for mesh, look in (("uniform", "o-"), ("graded", "s--"), ("graded with sub-cycling", "^:")):
         table = meshes[mesh]
         ax.loglog([r["cpu_s"] for r in table], [100 * r["relative_error"] for r in table], look, label=mesh)
         for r in table:
-            size = f"{r['coarsest']:g} m" + (f" to 0.25 m" if r["levels"] else "")
+            size = f"{r['coarsest']:g} m" + (" to 0.25 m" if r["levels"] else "")
             ax.annotate(size, (r["cpu_s"], 100 * r["relative_error"]), fontsize=7, xytext=(4, 4), textcoords="offset points")
     ax.set(xlabel="CPU time (s)", ylabel="error at the surface (%)")
     ax.legend()

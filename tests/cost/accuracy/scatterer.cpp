@@ -41,9 +41,10 @@ mpm_domain::Region inclusion() {
   return region;
 }
 
-mpm_domain::Spec ground(double cell_size, int levels) {
+mpm_domain::Spec ground(double cell_size, int levels, bool subcycle) {
   mpm_domain::Spec spec = test_support::elastic_box(width, depth, cell_size);
   spec.threads = 1;
+  spec.scheme.subcycle = subcycle;
   spec.soils.push_back({"inclusion", materials::LinearElastic{{1700.0, 4e6, 0.28}}});
   spec.regions.push_back(inclusion());
   if (levels > 0)
@@ -74,11 +75,11 @@ void block_means(const Domain& domain, std::vector<eq6::Vector>& means) {
     means[b] = {means[b].x / masses[b], means[b].y / masses[b]};
 }
 
-Motion run(double cell_size, int levels) {
+Motion run(double cell_size, int levels, bool subcycle = false) {
   const test_support::PlaneWave wave{
       .angle = 15.0 * std::numbers::pi / 180.0, .frequency = 2.0, .arrival = 0.6, .y_reference = -depth};
   const std::clock_t begin = std::clock();
-  Domain domain(ground(cell_size, levels));
+  Domain domain(ground(cell_size, levels, subcycle));
   mpm_domain::Stepper stepper(domain, 0.0, test_support::plane_wave_source(domain, wave, true));
   Motion motion;
   motion.particles = domain.particle_count();
@@ -121,8 +122,8 @@ double relative_error(const Motion& motion, const Motion& reference) {
 int main() {
   const Motion reference = run(0.5 * finest, 0);
   fmt::print("mesh,coarsest,levels,particles,relative_error,cpu_s,updates\n");
-  const auto print = [&](const std::string& mesh, double cell_size, int levels) {
-    const Motion motion = run(cell_size, levels);
+  const auto print = [&](const std::string& mesh, double cell_size, int levels, bool subcycle = false) {
+    const Motion motion = run(cell_size, levels, subcycle);
     fmt::print("{},{:g},{},{},{:.6g},{:.4g},{:.6g}\n", mesh, cell_size, levels, motion.particles,
                relative_error(motion, reference), motion.cpu, motion.updates);
     std::fflush(stdout);
@@ -133,4 +134,6 @@ int main() {
     print("uniform", cell_size, 0);
   for (const int levels : {1, 2, 3})
     print("graded", finest * (1 << levels), levels);
+  for (const int levels : {1, 2, 3})
+    print("graded with sub-cycling", finest * (1 << levels), levels, true);
 }

@@ -190,7 +190,6 @@ int main() {
     for (const Named& named : schemes)
       print(named.name, cells, through_column(cells, named.scheme, named.particles_per_cell));
     print("FE lumped", cells, through_elements(cells, 0.5));
-    print("FE lumped same step", cells,
-          through_elements(cells, 0.5 * 0.65 * speed / soil.p_wave_speed()));
+    print("FE lumped same step", cells, through_elements(cells, 0.5 * 0.65 * speed / soil.p_wave_speed()));
   }
 }
