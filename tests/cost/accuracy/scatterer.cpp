@@ -101,8 +101,8 @@ Motion run(double cell_size, int levels, bool subcycle = false) {
     before = after;
     stepper.step();
     block_means(domain, after);
-    motion.updates += static_cast<double>(motion.particles);
   }
+  motion.updates = stepper.particle_updates();
   motion.cpu = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   return motion;
 }
