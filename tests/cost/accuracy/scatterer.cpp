@@ -1,7 +1,7 @@
 // Graded against uniform meshes: an oblique SV pulse meets a soft circular inclusion below the surface. Fine
 // cells stand around the inclusion alone; the other ground, where wavelengths are long, has cells up to eight
-// times wider. The error is that of the mean velocities of 2 m blocks along the surface, relative L2 over
-// time, against a uniform mesh of half the finest cells. Prints CSV:
+// times wider, which may take longer steps (sub-cycling). The error is that of the mean velocities of all
+// blocks of 2 m, relative L2 over time, against a uniform mesh of half the finest cells. Prints CSV:
 //
 //     cost_scatterer > scatterer.csv
 
@@ -21,16 +21,16 @@ namespace {
 using namespace tremolo;
 using mpm_domain::Domain;
 
-constexpr double width = 48.0;     // m
-constexpr double depth = 20.0;     // m
-constexpr double block = 2.0;      // m: the widest cells
-constexpr double finest = 0.25;    // m
-constexpr double end_time = 1.8;   // s
-constexpr double sampling = 0.005; // s
-constexpr eq6::Vector centre{24.0, -6.0};
+constexpr double width = 48.0;      // m
+constexpr double depth = 20.0;      // m
+constexpr double block = 2.0;       // m: the widest cells
+constexpr double finest = 0.25;     // m
+constexpr double end_time = 1.2;    // s
+constexpr double sampling = 0.0025; // s
+constexpr eq6::Vector centre{16.0, -6.0};
 constexpr double radius = 2.0;
 
-/// Ten times softer ground in a circle, drawn as a polygon of the same area.
+/// Ground of a fifth of the wave speeds in a circle, drawn as a polygon of the same area.
 mpm_domain::Region inclusion() {
   constexpr int corners = 64;
   const double step = 2.0 * std::numbers::pi / corners;
@@ -45,14 +45,14 @@ mpm_domain::Spec ground(double cell_size, int levels, bool subcycle) {
   mpm_domain::Spec spec = test_support::elastic_box(width, depth, cell_size);
   spec.threads = 1;
   spec.scheme.subcycle = subcycle;
-  spec.soils.push_back({"inclusion", materials::LinearElastic{{1700.0, 4e6, 0.28}}});
+  spec.soils.push_back({"inclusion", materials::LinearElastic{{1700.0, 1.6e6, 0.28}}});
   spec.regions.push_back(inclusion());
   if (levels > 0)
     spec.refine = {{{centre.x - 3.0, centre.y - 3.0, centre.x + 3.0, centre.y + 3.0}, levels}};
   return spec;
 }
 
-/// Mean velocities (m/s) of the blocks at the surface at equal times, and what they took.
+/// Mean velocities (m/s) of the blocks at equal times, and what they took.
 struct Motion {
   std::vector<eq6::Vector> v;
   double cpu = 0.0; ///< s
@@ -61,23 +61,24 @@ struct Motion {
 };
 
 void block_means(const Domain& domain, std::vector<eq6::Vector>& means) {
-  means.assign(static_cast<std::size_t>(width / block), {});
+  constexpr auto columns = static_cast<std::size_t>(width / block);
+  means.assign(columns * static_cast<std::size_t>(depth / block), {});
   std::vector<double> masses(means.size(), 0.0);
   for (const mpm_domain::Particles& p : domain.sets)
-    for (std::size_t k = 0; k < p.size(); ++k)
-      if (p.y_initial[k] > -block) {
-        const auto b = static_cast<std::size_t>(p.x_initial[k] / block);
-        means[b].x += p.mass[k] * p.vx[k];
-        means[b].y += p.mass[k] * p.vy[k];
-        masses[b] += p.mass[k];
-      }
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const std::size_t b = columns * static_cast<std::size_t>(-p.y_initial[k] / block) +
+                            static_cast<std::size_t>(p.x_initial[k] / block);
+      means[b].x += p.mass[k] * p.vx[k];
+      means[b].y += p.mass[k] * p.vy[k];
+      masses[b] += p.mass[k];
+    }
   for (std::size_t b = 0; b < means.size(); ++b)
     means[b] = {means[b].x / masses[b], means[b].y / masses[b]};
 }
 
 Motion run(double cell_size, int levels, bool subcycle = false) {
   const test_support::PlaneWave wave{
-      .angle = 15.0 * std::numbers::pi / 180.0, .frequency = 2.0, .arrival = 0.6, .y_reference = -depth};
+      .angle = 15.0 * std::numbers::pi / 180.0, .frequency = 4.0, .arrival = 0.3, .y_reference = -depth};
   const std::clock_t begin = std::clock();
   Domain domain(ground(cell_size, levels, subcycle));
   mpm_domain::Stepper stepper(domain, 0.0, test_support::plane_wave_source(domain, wave, true));
