@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -26,6 +27,24 @@ Range overlapped(double a, double b, double origin, double h, int count) {
 }
 
 } // namespace
+
+std::vector<Refinement> beyond_edges(std::span<const Refinement> refinements, const Rectangle& model,
+                                     double near, bool sides) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  std::vector<Refinement> all(refinements.begin(), refinements.end());
+  for (Refinement& refinement : all) {
+    Rectangle& box = refinement.box;
+    if (sides && box.x_min < model.x_min + near)
+      box.x_min = -far;
+    if (sides && box.x_max > model.x_max - near)
+      box.x_max = far;
+    if (box.y_min < model.y_min + near)
+      box.y_min = -far;
+    if (box.y_max > model.y_max - near)
+      box.y_max = far;
+  }
+  return all;
+}
 
 Quadtree::Quadtree(const Roots& roots, std::span<const Refinement> refinements) : roots_(roots) {
   if (roots.nx < 1 || roots.ny < 1 || !(roots.h > 0.0) || roots.period < 0 || roots.period > roots.nx)
@@ -125,16 +144,28 @@ std::vector<Cell> Quadtree::leaves() const {
   return all;
 }
 
+bool Quadtree::has_leaf_in(int level, const Rectangle& box) const {
+  const Range x = overlapped(box.x_min, box.x_max, roots_.x0, size(level), columns(level));
+  const Range y = overlapped(box.y_min, box.y_max, roots_.y0, size(level), rows(level));
+  for (int j = y.first; j < y.last; ++j)
+    for (int i = x.first; i < x.last; ++i)
+      if (is_leaf({level, i, j}))
+        return true;
+  return false;
+}
+
 int Quadtree::finest_in(const Rectangle& box) const {
-  for (int level = finest(); level > 0; --level) {
-    const Range x = overlapped(box.x_min, box.x_max, roots_.x0, size(level), columns(level));
-    const Range y = overlapped(box.y_min, box.y_max, roots_.y0, size(level), rows(level));
-    for (int j = y.first; j < y.last; ++j)
-      for (int i = x.first; i < x.last; ++i)
-        if (is_leaf({level, i, j}))
-          return level;
-  }
-  return 0;
+  int level = finest();
+  while (level > 0 && !has_leaf_in(level, box))
+    --level;
+  return level;
+}
+
+int Quadtree::coarsest_in(const Rectangle& box) const {
+  int level = 0;
+  while (level < finest() && !has_leaf_in(level, box))
+    ++level;
+  return level;
 }
 
 } // namespace tremolo::mesh

@@ -27,6 +27,12 @@ struct Refinement {
   int level = 0;
 };
 
+/// Refinements of a model: those that reach one of its edges go on beyond it without end.
+/// @param near   m
+/// @param sides  whether the left and the right edge count
+std::vector<Refinement> beyond_edges(std::span<const Refinement> refinements, const Rectangle& model,
+                                     double near, bool sides);
+
 /// The root cells.
 struct Roots {
   double x0 = 0.0; ///< lower left corner, m
@@ -71,6 +77,8 @@ public:
   std::vector<Cell> leaves() const;
   /// The finest leaf level that overlaps a rectangle; 0 where there is none.
   int finest_in(const Rectangle& rectangle) const;
+  /// The coarsest one; the finest level where there is none.
+  int coarsest_in(const Rectangle& rectangle) const;
 
   /// Cells that were cut for the balance alone, by their level.
   const std::vector<std::size_t>& cut_for_balance() const { return cut_for_balance_; }
@@ -81,6 +89,7 @@ private:
   int real_column(int level, int i) const;
   /// Place of a cell in cut_[level]; npos beyond the roots.
   std::size_t place(const Cell& cell) const;
+  bool has_leaf_in(int level, const Rectangle& rectangle) const;
   void refine(const Refinement& refinement);
   void balance();
 

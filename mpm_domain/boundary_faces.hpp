@@ -40,6 +40,12 @@ struct FaceWeight {
 
 using FaceWeights = std::vector<FaceWeight>;
 
+/// Diagonal of the dashpots rho c_p n n^T + rho c_s t t^T of a face, whose normal lies along an axis, Pa s/m.
+inline Vector dashpots(const BoundaryFace& face) {
+  const auto& [n, p, s] = face.face;
+  return {p * n.x * n.x + s * n.y * n.y, p * n.y * n.y + s * n.x * n.x};
+}
+
 /// The faces of the model's left, right and lower edge, in this order, each from low to high coordinate.
 /// Their impedances are those of the soil in its present stress.
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);

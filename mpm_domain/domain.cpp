@@ -41,25 +41,6 @@ mesh::Roots roots_of(const Grid& grid) {
   return {grid.x0, grid.y0, grid.h, grid.nx - 1, grid.ny - 1, grid.period, grid.first_column};
 }
 
-/// The spec's refinements, those that reach an edge of the model, unless it is a period's, without end there.
-std::vector<mesh::Refinement> refinements_of(const Spec& spec) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  const double near = 1e-6 * spec.cell_size;
-  std::vector<mesh::Refinement> all = spec.refine;
-  for (mesh::Refinement& refinement : all) {
-    Box& box = refinement.box;
-    if (!spec.periodic_sides && box.x_min < spec.box.x_min + near)
-      box.x_min = -far;
-    if (!spec.periodic_sides && box.x_max > spec.box.x_max - near)
-      box.x_max = far;
-    if (box.y_min < spec.box.y_min + near)
-      box.y_min = -far;
-    if (box.y_max > spec.box.y_max - near)
-      box.y_max = far;
-  }
-  return all;
-}
-
 std::size_t blocks_of(const Lattice& lattice) {
   return static_cast<std::size_t>((lattice.ny + rows_per_block - 1) / rows_per_block);
 }
@@ -122,8 +103,17 @@ std::vector<ParticleRange> ranges_of(const Domain& domain, const Particles& set,
 void rebuild_mesh(Domain& domain) {
   if (domain.spec.refine.empty())
     return;
-  domain.mesh.emplace(roots_of(domain.grid), refinements_of(domain.spec));
+  const Spec& spec = domain.spec;
+  domain.mesh.emplace(roots_of(domain.grid),
+                      mesh::beyond_edges(spec.refine, spec.box, 1e-6 * spec.cell_size, !spec.periodic_sides));
   resize_fields(domain.grid, domain.mesh->node_count());
+}
+
+void keep_whole(Domain& domain, std::size_t set, std::uint32_t id) {
+  std::vector<std::uint32_t>& whole = domain.sets[set].whole;
+  const auto at = std::ranges::lower_bound(whole, id);
+  if (at == whole.end() || *at != id)
+    whole.insert(at, id);
 }
 
 void sort_particles(Domain& domain) {
@@ -154,6 +144,8 @@ Domain::Domain(const Spec& specification)
   rebuild_mesh(*this);
   sets = fill(spec, mesh ? &mesh->tree() : nullptr);
   faces = find_faces(sets, spec);
+  for (const BoundaryFace& face : faces)
+    keep_whole(*this, face.set, face.id);
   static_tractions.resize(faces.size());
   sort_particles(*this);
 }

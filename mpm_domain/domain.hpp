@@ -66,6 +66,9 @@ struct Domain {
 /// Builds the graded mesh, if the spec refines, on the present extent of the grid; all fields become zero.
 void rebuild_mesh(Domain& domain);
 
+/// Names a particle that something rides on, which is then never cut (splitting.hpp).
+void keep_whole(Domain& domain, std::size_t set, std::uint32_t id);
+
 /// Orders all particles by lattice and cell, and finds those that touch several lattices.
 /// @throws std::runtime_error if a particle has left the grid, naming its place
 void sort_particles(Domain& domain);

@@ -129,17 +129,14 @@ void spread_tractions(Domain& domain, std::span<const FaceWeights> weights,
                       std::span<const Vector> tractions) {
   for (std::size_t f = 0; f < weights.size(); ++f) {
     const BoundaryFace& face = domain.faces[f];
-    const Vector n = face.face.normal;
-    // Diagonal of the dashpot matrix rho c_p n n^T + rho c_s t t^T.
-    const double zx = face.face.impedance_p * n.x * n.x + face.face.impedance_s * n.y * n.y;
-    const double zy = face.face.impedance_p * n.y * n.y + face.face.impedance_s * n.x * n.x;
+    const Vector z = dashpots(face);
     Grid& grid = domain.grid;
     for (const auto& [node, w] : weights[f]) {
       const double share = w * face.length;
       grid.force_x[node] += share * tractions[f].x;
       grid.force_y[node] += share * tractions[f].y;
-      grid.dashpot_x[node] += share * zx;
-      grid.dashpot_y[node] += share * zy;
+      grid.dashpot_x[node] += share * z.x;
+      grid.dashpot_y[node] += share * z.y;
     }
   }
 }

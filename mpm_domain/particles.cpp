@@ -21,12 +21,26 @@ materials::Points Particles::points(std::size_t first, std::size_t count) {
   return points;
 }
 
-std::vector<std::vector<double>*> Particles::columns() {
-  std::vector<std::vector<double>*> all{&x,   &y,   &vx,   &vy,     &sxx,       &syy,
-                                        &szz, &sxy, &mass, &volume, &x_initial, &y_initial};
-  if (!bxx.empty())
-    all.insert(all.end(), {&bxx, &bxy, &byx, &byy});
+namespace {
+
+/// Of particles, const or not.
+template <typename Array, typename Set>
+std::vector<Array*> columns_of(Set& p, bool affine) {
+  std::vector<Array*> all{&p.x,   &p.y,   &p.vx,   &p.vy,     &p.sxx,       &p.syy,
+                          &p.szz, &p.sxy, &p.mass, &p.volume, &p.x_initial, &p.y_initial};
+  if (affine)
+    all.insert(all.end(), {&p.bxx, &p.bxy, &p.byx, &p.byy});
   return all;
+}
+
+} // namespace
+
+std::vector<std::vector<double>*> Particles::columns(bool affine) {
+  return columns_of<std::vector<double>>(*this, affine);
+}
+
+std::vector<const std::vector<double>*> Particles::columns(bool affine) const {
+  return columns_of<const std::vector<double>>(*this, affine);
 }
 
 namespace {
@@ -76,7 +90,7 @@ std::vector<std::size_t> order_by(Particles& particles, std::span<const std::siz
     for (std::size_t s = 0; s < width; ++s)
       particles.state[k * width + s] = old[from[k] * width + s];
   const std::vector<std::uint32_t> old_id = particles.id;
-  particles.index_of.resize(n);
+  particles.index_of.resize(std::max(n, particles.index_of.size())); // ids of cut particles stay
   for (std::size_t k = 0; k < n; ++k) {
     particles.id[k] = old_id[from[k]];
     particles.index_of[particles.id[k]] = static_cast<std::uint32_t>(k);

@@ -6,6 +6,7 @@
 #include "mpm_domain/spec.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -39,13 +40,20 @@ struct Particles {
   std::vector<double> state; ///< [particle][state_size]
 
   std::vector<std::size_t> block_start; ///< first particle of each of the domain's blocks, and the end
-  std::vector<std::uint32_t> index_of;  ///< place of each id in the arrays
+  std::vector<std::uint32_t> index_of;  ///< place of each id in the arrays, or nowhere
+  std::vector<std::uint32_t> whole;     ///< ids, rising, of particles that are never cut (splitting.hpp)
+
+  /// Of an id whose particle has been cut.
+  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
   std::size_t size() const { return x.size(); }
   /// Stress and state of particles [first, first + count), as laws see them; who steps adds the increments.
   materials::Points points(std::size_t first, std::size_t count);
   /// Every array of one double a particle, for passes that treat all alike.
-  std::vector<std::vector<double>*> columns();
+  std::vector<std::vector<double>*> columns() { return columns(!bxx.empty()); }
+  /// The same, with or without affine velocities.
+  std::vector<std::vector<double>*> columns(bool affine);
+  std::vector<const std::vector<double>*> columns(bool affine) const;
 };
 
 /// Orders the particles by cell, rows first, keeping the order of those that share a cell.

@@ -191,23 +191,12 @@ template <bool motion, bool force, bool affine>
   }
 }
 
-/// D of the weights of a particle. It is diagonal across lattices too: over the parts R of a box, sum |R|
-/// (x_R - x)(y_R - y) = int (x - x_p)(y - y_p) dA = 0.
-Vector second_moments(std::span<const BoxWeight> weights, double x, double y) {
-  Vector d;
-  for (const BoxWeight& w : weights) {
-    d.x += w.s * (w.x - x) * (w.x - x);
-    d.y += w.s * (w.y - y) * (w.y - y);
-  }
-  return d;
-}
-
 /// The same for particles that touch several lattices, node by node.
 template <bool motion, bool force, bool affine>
 void scatter_across(const Particles& p, const AcrossWeights& weights, std::size_t begin, Domain& domain) {
   Grid& grid = domain.grid;
   for (std::size_t k = begin; k < p.size(); ++k) {
-    Vector d;
+    SecondMoments d;
     if constexpr (motion && affine)
       d = second_moments(weights.of(k), p.x[k], p.y[k]);
     for (const BoxWeight& w : weights.of(k)) {

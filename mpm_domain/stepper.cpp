@@ -5,6 +5,7 @@
 #include "mpm_domain/grid_update.hpp"
 #include "mpm_domain/periodic_sides.hpp"
 #include "mpm_domain/scatter.hpp"
+#include "mpm_domain/splitting.hpp"
 
 #include <fmt/format.h>
 
@@ -116,6 +117,7 @@ void Stepper::sort() {
     for (Particles& set : domain_.sets)
       wrap(set, domain_.spec.box);
   make_room(domain_, time_, steps_);
+  split_particles(domain_);
   sort_particles(domain_);
   moved_ = 0.0;
 }
@@ -148,6 +150,7 @@ void Stepper::boundary() {
   spread_tractions(domain_, weights_, traction_);
   if (!domain_.layers.empty())
     spread_layer_mass(domain_, weights_, kick_);
+  dashpots_.correct(domain_, weights_, kick_);
 }
 
 void Stepper::grid() {
@@ -158,7 +161,9 @@ void Stepper::grid() {
   EnergyLedger& energy = domain_.energy;
   energy.kinetic = update.kinetic;
   energy.gravity += update.gravity_work;
-  energy.dashpots += update.dashpot_relief;
+  const Grid& grid = domain_.grid;
+  const double power = 0.5 * (dashpots_.power(grid.vx, grid.vy) + dashpots_.power(grid.vx_new, grid.vy_new));
+  energy.dashpots += update.dashpot_relief + kick_ * power;
   kinetic_after_ = update.kinetic;
   book_boundary_work();
 }
@@ -190,6 +195,8 @@ void Stepper::book_remap(double power) {
                          2.0 * v_mid_[f].y - v_face_[f].y - v_remapped_[f].y};
     power -= domain_.faces[f].length * (traction_[f].x * lost.x + traction_[f].y * lost.y);
   }
+  const Grid& grid = domain_.grid;
+  power -= dashpots_.power(grid.vx_new, grid.vy_new) - dashpots_.power(grid.vx, grid.vy);
   domain_.energy.transfer += 0.5 * kick_ * power;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm_domain/consistent_dashpots.hpp"
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/gather.hpp"
 #include "mpm_domain/state.hpp"
@@ -88,6 +89,7 @@ private:
   std::vector<FaceWeights> weights_;
   std::vector<Vector> v_face_, v_mid_, v_remapped_, traction_;
   std::vector<Vector> reaction_; ///< of matched layers, part of traction_
+  ConsistentDashpots dashpots_;
   std::vector<Pass> passes_;
 };
 

@@ -123,11 +123,18 @@ struct EquivalentLinearNumerics {
   bool allow_unconverged = false;
 };
 
+/// [[refine]]: where cells are 2^level times smaller than the mesh's.
+struct Refinement {
+  Box box;
+  int level = 0;
+};
+
 struct Mesh {
-  double size = 0.0;          ///< h, m
+  double size = 0.0;          ///< h, of the coarsest cells, m
   Box box;                    ///< the model; its left, right and lower edges carry boundary faces
   int particles_per_cell = 2; ///< per direction
   int layer_cells = 10;       ///< depth of matched layers behind the box, in cells
+  std::vector<Refinement> refine;
 };
 
 enum class Transfer { apic, flip, pic_blend };

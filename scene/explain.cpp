@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace tremolo::scene {
 
 namespace {
@@ -56,6 +58,27 @@ std::string layers_text(const std::vector<Layer>& layers) {
                         : fmt::format("{} layer{}", layers.size(), layers.size() == 1 ? "" : "s");
 }
 
+/// "0.5 m", or "1 to 0.25 m"
+std::string cell_sizes_text(const std::vector<Level>& levels) {
+  return levels.size() == 1 ? fmt::format("{} m", levels.front().cell_size)
+                            : fmt::format("{} to {} m", levels.front().cell_size, levels.back().cell_size);
+}
+
+/// A line for each of several levels.
+std::string levels_text(const std::vector<Level>& levels) {
+  if (levels.size() == 1)
+    return {};
+  std::string text;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    const Level& of = levels[level];
+    text += fmt::format("    level {}  {:.0f} cells of {} m, {:.0f} particles of {} m, ", level, of.cells,
+                        of.cell_size, of.particles, of.particle_size);
+    text += std::isfinite(of.critical_dt) ? fmt::format("critical step {:.4g} s\n", of.critical_dt)
+                                          : std::string("no soil\n");
+  }
+  return text;
+}
+
 std::string soils_text(const Case& scene) {
   std::string lines = "\nSoils\n";
   for (const Soil& soil : scene.soils)
@@ -80,14 +103,15 @@ std::string explain(const Case& scene, const Plan& plan) {
   text += fmt::format("  base       {}\n", plan.base);
   text +=
       fmt::format("\nSize\n"
-                  "  particles  {}, in a grid of {} cells of {} m\n"
+                  "  particles  {}, in a grid of {} cells of {}\n{}"
                   "  time step  {:.4g} s ({:.2f} of the critical {:.4g} s), {} steps for {} s of shaking\n"
                   "  memory     {} of arrays in the domain\n"
                   "  output     at most {}, {} particle frames\n"
                   "  time       about {} on one thread for the shaking, of the order of magnitude\n",
-                  plan.particles, plan.cells, scene.mesh.size, plan.dt, plan.dt / plan.critical_dt,
-                  plan.critical_dt, plan.steps, scene.shaking.duration, size_text(plan.memory_bytes),
-                  size_text(plan.output_bytes), plan.frames, duration_text(plan.estimated_time));
+                  plan.particles, plan.cells, cell_sizes_text(plan.levels), levels_text(plan.levels), plan.dt,
+                  plan.dt / plan.critical_dt, plan.critical_dt, plan.steps, scene.shaking.duration,
+                  size_text(plan.memory_bytes), size_text(plan.output_bytes), plan.frames,
+                  duration_text(plan.estimated_time));
   text += soils_text(scene);
   text += "\nNotes\n";
   for (const std::string& note : plan.notes)
@@ -116,6 +140,12 @@ std::string to_json(const Plan& plan) {
   }
   json["base"] = plan.base;
   json["notes"] = plan.notes;
+  for (const Level& level : plan.levels)
+    json["levels"].push_back({{"cell_size_m", level.cell_size},
+                              {"particle_size_m", level.particle_size},
+                              {"cells", level.cells},
+                              {"particles", level.particles},
+                              {"critical_dt_s", level.critical_dt}});
   json["particles"] = plan.particles;
   json["cells"] = plan.cells;
   json["critical_dt_s"] = plan.critical_dt;

@@ -1,5 +1,6 @@
 #include "scene/keys_model.hpp"
 
+#include "mesh/quadtree.hpp"
 #include "scene/keys_elastic.hpp"
 #include "scene/keys_soil.hpp"
 
@@ -38,6 +39,30 @@ Table time() {
                  "When stress is updated in a step: last, first, or last with "
                  "remapped velocity.",
                  "musl")}};
+}
+
+Table refine() {
+  return {
+      .name = "refine",
+      .kind = Kind::array,
+      .meaning = "Where cells are finer than `size` of the mesh, see docs/mesh.md. Neighbouring cells differ "
+                 "by one level at most: cells around a box are cut by themselves where that needs it. "
+                 "Particles go with their cells, `particles_per_cell` of each.",
+      .keys = {{.name = "box",
+                .type = Type::numbers,
+                .unit = "m",
+                .meaning = "Every cell that overlaps it is cut. One that reaches an edge of the mesh's box "
+                           "goes on beyond it.",
+                .required = true,
+                .count = 4,
+                .form = "[x_min, y_min, x_max, y_max]"},
+               {.name = "level",
+                .type = Type::integer,
+                .unit = "1",
+                .meaning = "Cells there are 2^level times smaller than `size` of the mesh, or smaller still "
+                           "where another box says so.",
+                .required = true,
+                .range = {.low = 1.0, .high = mesh::finest_level_allowed}}}};
 }
 
 Table stage() {
@@ -119,6 +144,7 @@ std::vector<Table> model_keys() {
                  .meaning = "Depth of matched layers behind the box, where `[boundary]` asks for them.",
                  .fallback = "10",
                  .range = {.low = 4.0, .high = 200.0}}}},
+      refine(),
       time(),
       stage(),
   };

@@ -23,7 +23,6 @@ constexpr double particle_bytes =
     12 * 8 + 2 * 4; // place, velocity, stress, mass, volume, first place; id, index
 constexpr double affine_bytes = 4 * 8;
 constexpr double node_bytes = 14 * 8; // sums, velocities, acceleration
-constexpr int padding = 6;            // cells around the box
 
 // CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
 // plasticity where the soil yields.
@@ -242,59 +241,27 @@ std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess
   return notes;
 }
 
-namespace {
-
-/// c_p of a soil, m/s: that of sand in the stress that its own weight would cause at the base of the model.
-double p_wave_speed(const Case& scene, const materials::Law& law) {
-  const auto& elastic = materials::elasticity(law);
-  if (!follows_pressure(law) || !scene.gravity)
-    return elastic.p_wave_speed();
-  double syy = -elastic.density * scene.gravity->acceleration * scene.mesh.box.height();
-  double sxx = elastic.rest_coefficient() * syy;
-  double szz = sxx;
-  double sxy = 0.0;
-  std::vector<double> state(materials::state_variables(law).size());
-  materials::Points point;
-  point.count = 1;
-  point.sxx = &sxx;
-  point.syy = &syy;
-  point.szz = &szz;
-  point.sxy = &sxy;
-  point.state = state.data();
-  materials::initialise(law, point);
-  return materials::p_wave_speed_bound(law, point);
-}
-
-} // namespace
-
-double critical_time_step(const Case& scene) {
-  double fastest = 0.0;
-  for (const Soil& soil : domain_soils(scene))
-    if (const auto& elastic = materials::elasticity(soil.law); elastic.density > 0.0 && elastic.young > 0.0)
-      fastest = std::max(fastest, p_wave_speed(scene, soil.law));
-  constexpr double largest_courant_number = 0.65;
-  return largest_courant_number * scene.mesh.size / fastest;
-}
-
 Plan plan(const Case& scene) {
   Plan result;
   result.sources = plan_sources(scene);
   result.effects = plan_effects(scene, result.sources);
   result.base = describe_base(scene, result.sources);
-  result.critical_dt = critical_time_step(scene);
+  result.levels = levels(scene);
+  result.critical_dt = std::ranges::min(result.levels, {}, &Level::critical_dt).critical_dt;
   result.notes = plan_notes(scene, scene.mesh.size / result.critical_dt);
   result.dt = scene.time.dt.value_or(scene.time.fraction * result.critical_dt);
   result.steps = std::llround(std::ceil(scene.shaking.duration / result.dt));
 
-  double soil_area = 0.0;
-  for (const Region& region : scene.regions)
-    soil_area += area(region.polygon);
-  const double spacing = scene.mesh.size / scene.mesh.particles_per_cell;
-  const double particles = std::round(soil_area / (spacing * spacing));
-  const auto cells = [&](double length) { return std::ceil(length / scene.mesh.size - 1e-6) + 2 * padding; };
-  const double grid_cells = cells(scene.mesh.box.width()) * cells(scene.mesh.box.height());
+  double particles = 0.0;
+  double cells = 0.0;
+  double nodes = 0.0;
+  for (const Level& level : result.levels) {
+    particles += level.particles;
+    cells += level.cells;
+    nodes += level.nodes;
+  }
   result.particles = static_cast<std::size_t>(particles);
-  result.cells = static_cast<std::size_t>(grid_cells);
+  result.cells = static_cast<std::size_t>(cells);
 
   double bytes = 0.0;
   double ns = 0.0;
@@ -302,7 +269,7 @@ Plan plan(const Case& scene) {
     bytes += effect.bytes_per_particle;
     ns += effect.ns_per_particle_step;
   }
-  result.memory_bytes = particles * bytes + grid_cells * node_bytes;
+  result.memory_bytes = particles * bytes + nodes * node_bytes;
   result.estimated_time = static_cast<double>(result.steps) * particles * ns * 1e-9;
   result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
   const double rows = scene.shaking.duration / scene.output.history_every;

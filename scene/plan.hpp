@@ -4,6 +4,7 @@
 // run costs. Nobody switches effects by hand.
 
 #include "scene/case.hpp"
+#include "scene/levels.hpp"
 
 #include <cstdint>
 #include <string>
@@ -43,8 +44,9 @@ struct Plan {
   std::string base;               ///< in words: what the base uses
   std::vector<std::string> notes; ///< what the user should know of this case, e.g. a coarse mesh
 
+  std::vector<Level> levels; ///< of the mesh, coarse to fine
   std::size_t particles = 0;
-  std::size_t cells = 0;       ///< of the padded grid
+  std::size_t cells = 0;       ///< of all levels, see Level
   double critical_dt = 0.0;    ///< s
   double dt = 0.0;             ///< s
   std::int64_t steps = 0;      ///< of the shaking stage

@@ -9,6 +9,11 @@ Region read_region(const TableReader& table, const std::vector<Soil>& soils, Fin
   return {soil_index(table, soils, findings).value_or(0), table.polygon("polygon")};
 }
 
+Box read_box(const TableReader& table) {
+  const auto box = table.numbers("box");
+  return box.empty() ? Box{} : Box{box[0], box[1], box[2], box[3]};
+}
+
 TimeStepping read_time(Document& document, Findings& findings) {
   const auto table = document.table("time");
   if (table.given("dt") && table.given("fraction"))
@@ -48,9 +53,10 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
 
 void read_mesh(Document& document, Case& scene) {
   const auto table = document.table("mesh");
-  const auto box = table.numbers("box");
-  scene.mesh = {table.number("size"), box.empty() ? Box{} : Box{box[0], box[1], box[2], box[3]},
-                table.integer("particles_per_cell"), table.integer("layer_cells")};
+  scene.mesh = {table.number("size"), read_box(table), table.integer("particles_per_cell"),
+                table.integer("layer_cells"), {}};
+  for (const auto& refine : document.array("refine"))
+    scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});
 }
 
 void read_model(Document& document, Findings& findings, Case& scene) {

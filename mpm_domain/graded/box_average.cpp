@@ -31,4 +31,13 @@ void box_average(const GradedMesh& mesh, const mesh::Rectangle& box, std::vector
   });
 }
 
+SecondMoments second_moments(std::span<const BoxWeight> weights, double x, double y) {
+  SecondMoments d;
+  for (const BoxWeight& w : weights) {
+    d.x += w.s * (w.x - x) * (w.x - x);
+    d.y += w.s * (w.y - y) * (w.y - y);
+  }
+  return d;
+}
+
 } // namespace tremolo::mpm_domain

@@ -13,6 +13,7 @@
 
 #include "mpm_domain/graded/graded_mesh.hpp"
 
+#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -30,5 +31,13 @@ struct BoxWeight {
 /// Adds the weights of a box to a list. A box without width or height gives the means along the line or at
 /// the point; what lies beyond the mesh is left out.
 void box_average(const GradedMesh& mesh, const mesh::Rectangle& box, std::vector<BoxWeight>& weights);
+
+/// D of weights about a place, m2. It is diagonal across lattices too: over the parts R of a box, sum |R|
+/// (x_R - x)(y_R - y) = int (x - x_p)(y - y_p) dA = 0.
+struct SecondMoments {
+  double x = 0.0;
+  double y = 0.0;
+};
+SecondMoments second_moments(std::span<const BoxWeight> weights, double x, double y);
 
 } // namespace tremolo::mpm_domain

@@ -29,6 +29,7 @@ struct Saver {
 /// Replaces what visit_state() shows it by what was saved.
 struct Loader {
   const results::CheckpointReader& file;
+  bool may_be_cut; ///< particles
 
   template <class Number>
   void operator()(const std::string& name, std::vector<Number>& values) const {
@@ -44,9 +45,10 @@ struct Loader {
   }
 
   template <class Number>
-  static void replace(const std::string& name, std::vector<Number>& values, std::vector<Number> saved) {
-    // A grid that has grown has more blocks; nothing else changes its length.
-    if (saved.size() != values.size() && !name.ends_with(".block_start"))
+  void replace(const std::string& name, std::vector<Number>& values, std::vector<Number> saved) const {
+    // A grid that has grown has more blocks, and cut particles are more; nothing else changes its length.
+    const bool may_differ = name.ends_with(".block_start") || (may_be_cut && name.starts_with("soil"));
+    if (saved.size() != values.size() && !may_differ)
       throw std::runtime_error(fmt::format("the checkpoint holds {} numbers of {}, the domain has {}",
                                            saved.size(), name, values.size()));
     values = std::move(saved);
@@ -54,6 +56,18 @@ struct Loader {
 };
 
 constexpr const char* faces_name = "faces";
+
+/// The arrays of a set of particles that were cut must still go together.
+void check_lengths(Particles& set) {
+  const auto check = [](std::size_t found, std::size_t wanted) {
+    if (found != wanted)
+      throw std::runtime_error(fmt::format(
+          "the checkpoint holds arrays of {} and of {} numbers of the same particles", found, wanted));
+  };
+  for (const std::vector<double>* column : set.columns())
+    check(column->size(), set.id.size());
+  check(set.state.size(), set.id.size() * set.state_size);
+}
 
 } // namespace
 
@@ -89,8 +103,10 @@ void load_faces(const results::CheckpointReader& saved, Domain& domain) {
 }
 
 void load_state(const results::CheckpointReader& saved, Domain& domain, Stepper& stepper) {
-  Loader loader{saved};
+  Loader loader{saved, domain.mesh.has_value()};
   visit_state(domain, loader);
+  for (Particles& set : domain.sets)
+    check_lengths(set);
   stepper.visit_state(loader);
 }
 

@@ -28,10 +28,11 @@ void add_layer(Spec& spec, const materials::Law& law, double top, double bottom)
   spec.soils.push_back({std::to_string(spec.soils.size() + 1), law});
 }
 
-/// One column of the model's cells under the source's surface: its layers, then the half-space. It reaches
-/// down to the base of the model, or by whole cells more to where the half-space begins.
+/// One column of the model's coarsest cells under the source's surface: its layers, then the half-space. It
+/// reaches down to the base of the model, or by whole cells more to where the half-space begins.
 Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   Spec spec = spec_from_case(scene, 1);
+  spec.refine.clear();
   spec.box.x_max = spec.box.x_min + spec.cell_size;
   spec.box.y_max = source.surface;
   spec.soils.clear();

@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 7> field_order{"position",     "soil",   
 
 /// Arrays of a frame: all soils one after the other, each in the order of particle ids.
 struct Frame {
-  std::vector<double> position, displacement, velocity, acceleration, stress, volume;
+  std::vector<double> position, displacement, velocity, acceleration, stress, volume, size;
   std::vector<std::int32_t> soil;
   std::vector<materials::StateVariable> variables; ///< of all soils, each name once
   std::vector<std::vector<double>> states; ///< one array a variable; 0 where a soil has no such variable
@@ -67,6 +67,8 @@ Frame collect(const Domain& domain, double dt) {
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     const Particles& set = domain.sets[s];
     for (const std::uint32_t k : set.index_of) {
+      if (k == Particles::nowhere)
+        continue;
       const Vector acceleration = particle_acceleration(domain, set, k);
       const auto [x, y] = place(set, k, dt);
       frame.position.insert(frame.position.end(), {x, y});
@@ -75,7 +77,8 @@ Frame collect(const Domain& domain, double dt) {
       frame.acceleration.insert(frame.acceleration.end(), {acceleration.x, acceleration.y});
       frame.stress.insert(frame.stress.end(), {set.sxx[k], set.syy[k], set.szz[k], set.sxy[k]});
       frame.volume.push_back(set.volume[k]);
-      frame.soil.push_back(static_cast<std::int32_t>(s));
+      frame.soil.push_back(static_cast<std::int32_t>(set.soil_index));
+      frame.size.push_back(2.0 * set.half_size);
       for (std::size_t v = 0; v < frame.variables.size(); ++v)
         frame.states[v].push_back(state_value(set, k, frame.variables[v].name));
     }
@@ -98,7 +101,7 @@ results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std:
 } // namespace
 
 RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& scene,
-                     const std::string& plan, const Domain& domain, std::span<const std::string> face_sources)
+                     const std::string& plan, Domain& domain, std::span<const std::string> face_sources)
     : scene_(scene), domain_(domain), writer_(directory / "run.h5", description(scene, plan)) {
   const scene::Box& box = scene.mesh.box;
   writer_.attribute("mesh_size", scene.mesh.size);
@@ -141,6 +144,7 @@ void RunOutput::add_monitors() {
         }
       }
     }
+    keep_whole(domain_, follower.set, follower.id);
     follower.series = &writer_.add_series("/monitors/" + monitor.name, columns, units);
     followers_.push_back(follower);
   }
@@ -181,6 +185,8 @@ void RunOutput::write_history(const Stepper& stepper, std::span<const eq6::FreeF
 void RunOutput::write_frame(const Stepper& stepper) {
   const Frame frame = collect(domain_, stepper.dt());
   std::vector<results::Field> fields{{"position", "m", 2, frame.position}, {"soil", "1", 1, frame.soil}};
+  if (domain_.mesh)
+    fields.push_back({"size", "m", 1, frame.size});
   if (wants(scene_, scene::OutputField::displacement))
     fields.push_back({"displacement", "m", 2, frame.displacement});
   if (wants(scene_, scene::OutputField::velocity))

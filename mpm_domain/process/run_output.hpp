@@ -20,9 +20,9 @@ namespace tremolo::mpm_domain {
 /// usf, before).
 class RunOutput {
 public:
-  /// Creates DIR/run.h5 for a domain at the start of shaking.
+  /// Creates DIR/run.h5 for a domain at the start of shaking; particles that monitors follow stay whole.
   RunOutput(const std::filesystem::path& directory, const scene::Case& scene, const std::string& plan,
-            const Domain& domain, std::span<const std::string> face_sources);
+            Domain& domain, std::span<const std::string> face_sources);
 
   /// Called after every step; writes what is due.
   void after_step(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
@@ -55,7 +55,7 @@ private:
   void write_boundary(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
 
   const scene::Case& scene_;
-  const Domain& domain_;
+  Domain& domain_;
   results::RunWriter writer_;
   results::TimeSeries* energy_ = nullptr;
   std::vector<Follower> followers_;

@@ -1,5 +1,7 @@
 #include "mpm_domain/process/spec_from_case.hpp"
 
+#include <algorithm>
+
 namespace tremolo::mpm_domain {
 
 namespace {
@@ -28,6 +30,18 @@ StepOrder order(scene::StepOrder choice) {
   return StepOrder::musl;
 }
 
+/// Softening goes with the size of the cells that it happens in.
+std::vector<materials::Law> finer_laws(const scene::Soil& soil, const scene::Mesh& mesh) {
+  const auto* softening = std::get_if<materials::MohrCoulomb>(&soil.law);
+  if (softening == nullptr || !soil.softening_size || mesh.refine.empty())
+    return {};
+  const int finest = std::ranges::max(mesh.refine, {}, &scene::Refinement::level).level;
+  std::vector<materials::Law> laws;
+  for (int level = 1; level <= finest; ++level)
+    laws.push_back(materials::regularised(*softening, mesh.size / (1 << level), *soil.softening_size));
+  return laws;
+}
+
 } // namespace
 
 Spec spec_from_case(const scene::Case& scene, int threads) {
@@ -36,8 +50,11 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   spec.cell_size = scene.mesh.size;
   spec.particles_per_cell = scene.mesh.particles_per_cell;
   spec.gravity = scene.gravity ? scene.gravity->acceleration : 0.0;
+  for (const scene::Refinement& refine : scene.mesh.refine)
+    spec.refine.push_back(
+        {{refine.box.x_min, refine.box.y_min, refine.box.x_max, refine.box.y_max}, refine.level});
   for (const scene::Soil& soil : scene.soils)
-    spec.soils.push_back({soil.name, soil.law});
+    spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh)});
   for (const scene::Region& region : scene.regions) {
     Region& copy = spec.regions.emplace_back();
     copy.soil = region.soil;

@@ -1,21 +1,33 @@
 """When a slope fails: the first time at which a shear band connects its toe with the ground behind its crest.
 
-The band is made of the cells of the undeformed model whose mean equivalent plastic strain is at least `strain`; two cells
-are connected where they touch, corners included. It connects toe and crest when one piece of it comes within a fifth of the
-slope's height of the monitor `toe` and within two cells of the higher ground.
+The band is made of the cells of the undeformed model whose mean equivalent plastic strain is at least `strain`; a cell of a
+graded mesh counts as all the smallest cells that it covers. Two cells are connected where they touch, corners included. The
+band connects toe and crest when one piece of it comes within a fifth of the slope's height of the monitor `toe` and within
+two cells of the higher ground.
 """
 
 import numpy as np
 
+from tremolo import style
+
 
 def _band(run, index, strain):
-    """Cells of the band as a set of (column, row), and the cell size (m)."""
-    size = run.attribute("mesh_size")
+    """Cells of the band as a set of (column, row) of the smallest cells, and their size (m)."""
     material = run.field(index, "position") - run.field(index, "displacement")
-    cells = np.floor(material / size).astype(int)
-    keys, inverse = np.unique(cells, axis=0, return_inverse=True)
-    mean = np.bincount(inverse.ravel(), run.field(index, "equivalent_plastic_strain")) / np.bincount(inverse.ravel())
-    return {tuple(int(v) for v in key) for key in keys[mean >= strain]}, size
+    strains = run.field(index, "equivalent_plastic_strain")
+    cell_per_particle = run.attribute("mesh_size") / style.spacing(run)
+    sizes = np.broadcast_to(style.sizes(run, index) * cell_per_particle, len(strains))
+    finest = sizes.min()
+    band = set()
+    for size in np.unique(sizes):
+        of_size = sizes == size
+        cells = np.floor(material[of_size] / size).astype(int)
+        keys, inverse = np.unique(cells, axis=0, return_inverse=True)
+        mean = np.bincount(inverse.ravel(), strains[of_size]) / np.bincount(inverse.ravel())
+        parts = round(size / finest)
+        for i, j in keys[mean >= strain]:
+            band |= {(int(i) * parts + a, int(j) * parts + b) for a in range(parts) for b in range(parts)}
+    return band, finest
 
 
 def _pieces(cells):

@@ -47,11 +47,10 @@ def _panels(runs, frames, name, component, colouring, label, colour_extend):
             ax.set_title(f"{_angle(run)},  {title}" if len(runs) > 1 else title, loc="left")
     style.fix_layout(figure)
     for column, run in enumerate(runs):
-        size = style.spacing(run)
         for ax, index in zip(axes[:, column], frames[column]):
             values = run.field(index, name)
             values = values[:, component] if values.ndim > 1 else values
-            style.fill_particles(ax, run.field(index, "position"), values, size, **colouring)
+            style.fill_particles(ax, run.field(index, "position"), values, style.sizes(run, index), **colouring)
     return figure
 
 

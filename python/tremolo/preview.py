@@ -34,12 +34,14 @@ def _soils(ax, run, position):
     soil = run.field(0, "soil") if run.has_field("soil") else np.zeros(len(position))
     colours = [style.SOIL_COLOURS[i % len(style.SOIL_COLOURS)] for i in range(len(names))]
     style.fill_particles(
-        ax, position, soil, style.spacing(run), cmap=ListedColormap(colours), vmin=-0.5, vmax=len(names) - 0.5
+        ax, position, soil, style.sizes(run, 0), cmap=ListedColormap(colours), vmin=-0.5, vmax=len(names) - 0.5
     )
     handles = [Patch(color=colour, label=name) for colour, name in zip(colours, names)]
     mesh = run.attribute("mesh_size")
     if mesh:
-        handles.append(Line2D([], [], linestyle="", label=f"mesh size {mesh:g} m, {len(position):,} particles"))
+        finest = mesh * np.min(style.sizes(run, 0)) / style.spacing(run)
+        cells = f"mesh size {mesh:g} m" if finest == mesh else f"mesh size {mesh:g} to {finest:g} m"
+        handles.append(Line2D([], [], linestyle="", label=f"{cells}, {len(position):,} particles"))
     ax.legend(handles=handles, loc="lower right", handlelength=1.2)
 
 

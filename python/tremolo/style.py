@@ -32,8 +32,13 @@ plt.rcParams.update(
 
 
 def spacing(run):
-    """Distance of neighbouring particles at the start, m."""
+    """Distance of neighbouring particles of the coarsest cells at the start, m."""
     return run.attribute("particle_size") or run.attribute("mesh_size") / 2.0
+
+
+def sizes(run, index):
+    """Side of the particles of a frame, m: one of all, or one each on a graded mesh."""
+    return run.field(index, "size") if run.has_field("size") else spacing(run)
 
 
 def extent(run, indices):
@@ -71,7 +76,7 @@ def fix_layout(figure):
 
 
 def fill_particles(ax, position, values, size, **colouring):
-    """Particles as squares of `size` metres that leave no gap, coloured by value.
+    """Particles as squares of `size` metres, one of all or one each, that leave no gap, coloured by value.
 
     The marker's area follows from the scale of the axes: their limits and its layout must be final (fix_layout).
     """

@@ -5,13 +5,26 @@
 namespace tremolo::scene {
 
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 18> all = {
-      record_is_readable,      strength_is_ordered,         box_fits_lattice,
-      regions_are_simple,      regions_lie_in_mesh,         regions_are_apart,
-      soil_reaches_boundaries, total_base_has_one_surface,  models_take_the_wave,
-      model_files_exist,       damping_suits_models,        soils_suit_models,
-      sand_has_weight,         reference_lies_in_halfspace, incident_base_lies_in_halfspace,
-      time_step_is_stable,     monitors_lie_in_soil,        hosts_can_meet,
+  static constexpr std::array<Rule, 19> all = {
+      record_is_readable,
+      strength_is_ordered,
+      box_fits_lattice,
+      refinements_suit_mesh,
+      regions_are_simple,
+      regions_lie_in_mesh,
+      regions_are_apart,
+      soil_reaches_boundaries,
+      total_base_has_one_surface,
+      models_take_the_wave,
+      model_files_exist,
+      damping_suits_models,
+      soils_suit_models,
+      sand_has_weight,
+      reference_lies_in_halfspace,
+      incident_base_lies_in_halfspace,
+      time_step_is_stable,
+      monitors_lie_in_soil,
+      hosts_can_meet,
   };
   return all;
 }

@@ -22,6 +22,8 @@ void record_is_readable(const Case& scene, Findings& findings);
 void strength_is_ordered(const Case& scene, Findings& findings);
 /// The box has a width and a height that the particle lattice divides, and not too many particles.
 void box_fits_lattice(const Case& scene, Findings& findings);
+/// Boxes to refine reach into the model, and the cells are not too many.
+void refinements_suit_mesh(const Case& scene, Findings& findings);
 /// Polygons have an area and do not cross themselves.
 void regions_are_simple(const Case& scene, Findings& findings);
 /// Polygons lie in the box.

@@ -15,8 +15,10 @@ from pathlib import Path
 TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parent)]
 
+import h5py
 from broken_run import (BoxWorkspace, SlopeWorkspace, checkpoints, differences, exchange_differences, killed, model, record,
                         resumed, whole_run, with_checkpoints)
+from small_case import SLOPE_BOXES, refine
 
 KILLS = int(os.environ.get("TREMOLO_RESUME_KILLS", "2"))
 SEED = int(os.environ.get("TREMOLO_RESUME_SEED", random.randrange(10**6)))
@@ -70,6 +72,13 @@ class Resume(unittest.TestCase):
     def test_a_slope_with_gravity_and_softening(self):
         with with_checkpoints(SlopeWorkspace(TREMOLO, duration=1.5), every_steps=50) as work:
             self.broken_and_resumed(work)
+
+    def test_a_slope_whose_particles_are_cut_on_three_levels(self):
+        with with_checkpoints(refine(SlopeWorkspace(TREMOLO, velocity=2.0, duration=1.0), *SLOPE_BOXES), every_steps=150) as work:
+            whole = self.broken_and_resumed(work)
+            with h5py.File(whole / "run.h5") as file:
+                counts = [len(frame["position"]) for frame in file["frames"].values()]
+            self.assertGreater(counts[-1], counts[0], "nothing was cut")
 
     def test_death_while_a_checkpoint_is_written_costs_nothing(self):
         # With one after every step there is hardly a moment in which none is being written.

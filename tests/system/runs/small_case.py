@@ -152,3 +152,14 @@ class SlopeWorkspace(Workspace):
     """An 8 m slope with all that the oblique slope has: gravity, softening, two wave fields, incident base."""
 
     template, defaults = SLOPE, {"velocity": 0.5, "duration": 1.5}
+
+
+def refine(work, *boxes):
+    """Adds [[refine]] to the case of a workspace: a box and its level each."""
+    lines = "".join(f"\n[[refine]]\nbox = {list(box)}\nlevel = {level}\n" for box, level in boxes)
+    work.case.write_text(work.case.read_text() + lines)
+    return work
+
+
+# Around face and toe of the small slope, and a finest box that soil moves into when the wave is strong.
+SLOPE_BOXES = (([6.0, -3.0, 22.0, 8.0], 1), ([9.0, -1.0, 11.8, 2.0], 2))

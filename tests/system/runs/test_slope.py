@@ -11,7 +11,7 @@ TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
 import numpy as np
-from small_case import SlopeWorkspace
+from small_case import SLOPE_BOXES, SlopeWorkspace, refine
 from tremolo import Run
 
 
@@ -46,6 +46,28 @@ class Slope(unittest.TestCase):
             run = Run(work.run("run"))
             for index in range(len(run.times)):
                 self.assertLess(np.max(np.abs(run.field(index, "velocity"))), 1e-5)
+
+    def test_on_three_levels_particles_are_cut_where_they_enter_finer_cells(self):
+        with refine(SlopeWorkspace(TREMOLO, velocity=2.0), *SLOPE_BOXES) as work:
+            run = Run(work.run("run", "--threads", "1"))
+            last = len(run.times) - 1
+            sizes = [run.field(index, "size") for index in (0, last)]
+            for of_frame in sizes:
+                self.assertEqual({0.5, 0.25, 0.125}, set(of_frame))
+            self.assertGreater(len(sizes[1]), len(sizes[0]))
+            self.assertEqual(0, (len(sizes[1]) - len(sizes[0])) % 3, "one particle becomes four")
+            # What each particle stood for at the start: cuts share it out, and no soil is lost.
+            self.assertAlmostEqual(np.sum(sizes[0] ** 2), np.sum(sizes[1] ** 2), places=9)
+            energy = run.energy
+            self.assertLess(np.max(np.abs(energy["residual"])), 1e-3 * np.max(energy["input"]))
+            picture = work.command("plot", work.path / "run", "--out", work.path / "pictures")
+            self.assertEqual(0, picture.returncode, picture.stderr)
+
+    def test_on_three_levels_it_stays_at_rest(self):
+        with refine(SlopeWorkspace(TREMOLO, velocity=1e-12, duration=0.5), *SLOPE_BOXES) as work:
+            run = Run(work.run("run"))
+            for index in range(len(run.times)):
+                self.assertLess(np.max(np.abs(run.field(index, "velocity"))), 1e-8)
 
     def test_another_motion_replaces_that_of_the_case(self):
         with SlopeWorkspace(TREMOLO, duration=0.3) as work:

@@ -40,6 +40,43 @@ def diagonal(first, last):
     return [(21 + i, i) for i in range(first, last)]
 
 
+def write_graded(path, strained):
+    """A 4 m slope of 1 m cells beneath y = 0 and half-metre ones above; `strained` are points in strained cells."""
+    cells = [((i + 0.5, j - 3.5), 1.0) for i in range(10) for j in range(4)]
+    cells += [((0.5 * i + 0.25, 0.5 * j + 0.25), 0.5) for i in range(20) for j in range(8) if i > 4 + j]
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"schema_version": np.bytes_("1.0"), "mesh_size": 1.0, "particle_size": 1.0,
+                           "surface_levels": [0.0, 4.0], "angle_deg": 0.0})
+        frame = file.create_group("frames/0000")
+        frame.attrs["time"] = 0.0
+        frame["position"] = [centre for centre, _ in cells]
+        frame["displacement"] = np.zeros((len(cells), 2))
+        frame["size"] = [size for _, size in cells]
+        frame["equivalent_plastic_strain"] = [
+            0.2 if any(np.max(np.abs(np.subtract(centre, point))) < 0.5 * size for point in strained) else 0.0
+            for centre, size in cells
+        ]
+        toe = file.create_dataset("monitors/toe", data=np.array([[0.0, 2.5, 0.0]]))
+        toe.attrs["columns"] = np.array([b"time", b"x", b"y"])
+        toe.attrs["units"] = np.array([b"s", b"m", b"m"])
+
+
+class FailureOnAGradedMesh(unittest.TestCase):
+    def failure_time(self, strained):
+        with tempfile.TemporaryDirectory() as folder:
+            write_graded(Path(folder) / "run.h5", strained)
+            with Run(folder) as run:
+                return failure.failure_time(run)
+
+    ABOVE = [(3.75 + 0.5 * i, 0.25 + 0.5 * i) for i in range(8)]
+
+    def test_a_band_goes_on_in_cells_of_another_size(self):
+        self.assertEqual(0.0, self.failure_time([(2.5, -0.5), (3.5, -0.5), *self.ABOVE]))
+
+    def test_a_gap_between_the_levels_does_not_connect(self):
+        self.assertIsNone(self.failure_time([(2.5, -0.5), *self.ABOVE[1:]]))
+
+
 class FailureTime(unittest.TestCase):
     def failure_time(self, bands, strain=0.1):
         with tempfile.TemporaryDirectory() as folder:

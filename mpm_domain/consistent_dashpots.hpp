@@ -1,0 +1,56 @@
+#pragma once
+
+// The half step of the boundary dashpots that belongs to the unknown velocities. With the faces' own weights,
+//
+//     (M + dt/2 C) a = f,      C = sum_f L_f Z_f W_f W_f^T,      f holds -C v- in full,
+//
+// dashpots act on -C (v- + v+)/2 and nothing else, and a free field of the domain's own discretisation passes
+// them unnoticed. The grid update lumps C to the nodes, C_L >= C. The difference goes to its right-hand side,
+// found by three fixed-point steps from g_0 = 0:
+//
+//     (M + dt/2 C_L) a_k = f + g_k,      g_k+1 = dt/2 (C_L - C) a_k.
+//
+// The iteration's matrix has all its eigenvalues in [0, 1), of the order of (k h)^2 for motion that is smooth
+// along the boundary: what the lumping did to it is gone, while a node that has lost nearly all its soil
+// stays bound to its C_L.
+
+#include "mpm_domain/domain.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+class ConsistentDashpots {
+public:
+  /// Adds g to the nodal forces; the faces' tractions and lumped dashpots are there already.
+  /// @param dt time that the forces act for, s
+  void correct(Domain& domain, std::span<const FaceWeights> weights, double dt);
+
+  /// Power of g on velocities of the grid's nodes, W/m.
+  double power(const NodeField& vx, const NodeField& vy) const;
+
+private:
+  /// W of a node, by its place among those that faces touch.
+  struct Entry {
+    std::size_t place;
+    double w;
+  };
+  /// L Z dt/2 of a face, by direction, and where its entries end.
+  struct Dashpot {
+    double x, y;
+    std::size_t end;
+  };
+
+  void collect(const Domain& domain, std::span<const FaceWeights> weights, double dt);
+  void find_accelerations(const Domain& domain, double dt);
+  void find_forces();
+
+  std::vector<std::size_t> nodes_; ///< that faces with dashpots touch
+  std::vector<std::size_t> place_; ///< of a node among them
+  std::vector<Entry> entries_;
+  std::vector<Dashpot> dashpots_;
+  std::vector<Vector> a_, g_; ///< of those nodes
+};
+
+} // namespace tremolo::mpm_domain

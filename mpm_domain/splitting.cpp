@@ -1,0 +1,113 @@
+#include "mpm_domain/splitting.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Particles wider than this share of a cell are too few in it: three of four a cell and direction, and finer
+/// ones, are not.
+constexpr double widest_share = 0.75;
+
+bool is_to_be_cut(const Particles& p, std::size_t k, const mesh::Quadtree& tree) {
+  const mesh::Rectangle box = box_of(p, k);
+  const int finest = tree.finest_in(box);
+  return finest > p.level && 2.0 * p.half_size > widest_share * tree.size(finest) &&
+         tree.coarsest_in(box) == finest && !std::ranges::binary_search(p.whole, p.id[k]);
+}
+
+/// D of a particle, m2.
+SecondMoments second_moments(const Particles& p, std::size_t k, const GradedMesh& mesh) {
+  std::vector<BoxWeight> weights;
+  box_average(mesh, box_of(p, k), weights);
+  return second_moments(weights, p.x[k], p.y[k]);
+}
+
+/// The affine velocity of the four is that of the one, C = B D^-1, each with its own D.
+void share_affine_velocity(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
+  const SecondMoments d = second_moments(whole, k, mesh);
+  const std::size_t quarter = to.size() - 1;
+  const double dx = to.x[quarter] - whole.x[k];
+  const double dy = to.y[quarter] - whole.y[k];
+  to.vx[quarter] += whole.bxx[k] / d.x * dx + whole.bxy[k] / d.y * dy;
+  to.vy[quarter] += whole.byx[k] / d.x * dx + whole.byy[k] / d.y * dy;
+  const SecondMoments own = second_moments(to, quarter, mesh);
+  to.bxx[quarter] *= own.x / d.x;
+  to.bxy[quarter] *= own.y / d.y;
+  to.byx[quarter] *= own.x / d.x;
+  to.byy[quarter] *= own.y / d.y;
+}
+
+void add_quarters(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
+  const bool affine = !whole.bxx.empty();
+  const auto from = whole.columns(affine);
+  const auto into = to.columns(affine);
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    for (std::size_t c = 0; c < from.size(); ++c)
+      into[c]->push_back((*from[c])[k]);
+    const double dx = (quarter % 2 == 0 ? -0.5 : 0.5) * whole.half_size;
+    const double dy = (quarter / 2 == 0 ? -0.5 : 0.5) * whole.half_size;
+    to.mass.back() *= 0.25;
+    to.volume.back() *= 0.25;
+    to.x.back() += dx;
+    to.y.back() += dy;
+    to.x_initial.back() += dx;
+    to.y_initial.back() += dy;
+    if (affine)
+      share_affine_velocity(whole, k, to, mesh);
+    const auto state = whole.state.begin() + static_cast<std::ptrdiff_t>(k * whole.state_size);
+    to.state.insert(to.state.end(), state, state + static_cast<std::ptrdiff_t>(whole.state_size));
+    to.id.push_back(static_cast<std::uint32_t>(to.index_of.size()));
+    to.index_of.push_back(static_cast<std::uint32_t>(to.size() - 1));
+  }
+}
+
+/// Takes the particles of these places, in rising order, out of a set.
+void remove(Particles& p, const std::vector<std::size_t>& gone) {
+  for (const std::size_t k : gone)
+    p.index_of[p.id[k]] = Particles::nowhere;
+  const auto keep = [&](auto& array, std::size_t width) {
+    std::size_t end = gone.front() * width;
+    auto next = gone.begin();
+    for (std::size_t k = gone.front(); k * width < array.size() && width > 0; ++k) {
+      if (next != gone.end() && *next == k) {
+        ++next;
+        continue;
+      }
+      for (std::size_t i = 0; i < width; ++i)
+        array[end++] = array[k * width + i];
+    }
+    array.resize(end);
+  };
+  keep(p.state, p.state_size);
+  for (std::vector<double>* column : p.columns())
+    keep(*column, 1);
+  keep(p.id, 1);
+}
+
+} // namespace
+
+std::size_t split_particles(Domain& domain) {
+  if (!domain.mesh)
+    return 0;
+  const std::size_t soils = domain.spec.soils.size();
+  std::size_t count = 0;
+  // From coarse to fine, so that a particle that has passed two levels is cut twice.
+  for (std::size_t s = 0; s + soils < domain.sets.size(); ++s) {
+    Particles& set = domain.sets[s];
+    std::vector<std::size_t> gone;
+    for (std::size_t k = 0; k < set.size(); ++k)
+      if (is_to_be_cut(set, k, domain.mesh->tree())) {
+        add_quarters(set, k, domain.sets[s + soils], *domain.mesh);
+        gone.push_back(k);
+      }
+    if (!gone.empty())
+      remove(set, gone);
+    count += gone.size();
+  }
+  return count;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,25 @@
+#pragma once
+
+// The levels of a case's mesh, coarse to fine, as the domain will build it. A mesh without [[refine]] has
+// one.
+
+#include "scene/case.hpp"
+
+#include <vector>
+
+namespace tremolo::scene {
+
+struct Level {
+  double cell_size = 0.0;     ///< m
+  double particle_size = 0.0; ///< m
+  double cells = 0.0;         ///< of one level: of the padded grid; of several: those in the model's box
+  double particles = 0.0;
+  double nodes = 0.0;
+  /// 0.65 h/c_p of the fastest soil whose particles touch cells of this level, s; infinite where none does.
+  double critical_dt = 0.0;
+};
+
+/// For a mesh with a size, a box and soils.
+std::vector<Level> levels(const Case& scene);
+
+} // namespace tremolo::scene

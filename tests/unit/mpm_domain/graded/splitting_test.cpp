@@ -1,0 +1,233 @@
+// Particles that enter finer cells: nothing that the grid or the sums see may change when they are cut.
+
+#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/splitting.hpp"
+#include "tests/support/box_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace tremolo::mpm_domain {
+namespace {
+
+/// 1 m cells; half-metre cells for x > 6 m, quarter-metre ones for x > 9 m.
+Spec steps_in_x(Transfer transfer, int per_cell = 2) {
+  Spec spec = test_support::elastic_box(12.0, 8.0, 1.0);
+  spec.particles_per_cell = per_cell;
+  spec.refine = {{{6.0, -8.0, 12.0, 0.0}, 1}, {{9.0, -8.0, 12.0, 0.0}, 2}};
+  spec.regions = {{0, {{1.0, -6.0}, {4.0, -6.0}, {4.0, -3.0}, {1.0, -3.0}}}};
+  spec.scheme.transfer = transfer;
+  spec.threads = 1;
+  return spec;
+}
+
+/// Random velocities and stresses, and a way in x.
+void disturb(Domain& domain, double shift) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> any;
+  for (Particles& p : domain.sets)
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      p.x[k] += shift;
+      for (std::vector<double>* column : {&p.vx, &p.vy, &p.sxx, &p.syy, &p.szz, &p.sxy})
+        (*column)[k] = any(random);
+      if (!p.bxx.empty())
+        for (std::vector<double>* column : {&p.bxx, &p.bxy, &p.byx, &p.byy})
+          (*column)[k] = 0.1 * any(random);
+    }
+}
+
+struct Sums {
+  double mass = 0.0, volume = 0.0, px = 0.0, py = 0.0, spin = 0.0, kinetic = 0.0;
+};
+
+Sums sums_of(const Domain& domain) {
+  Sums sum;
+  for (const Particles& p : domain.sets)
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const double m = p.mass[k];
+      sum.mass += m;
+      sum.volume += p.volume[k];
+      sum.px += m * p.vx[k];
+      sum.py += m * p.vy[k];
+      sum.spin += m * (p.x[k] * p.vy[k] - p.y[k] * p.vx[k]);
+      if (!p.bxx.empty())
+        sum.spin += m * (p.byx[k] - p.bxy[k]);
+      sum.kinetic += 0.5 * m * (p.vx[k] * p.vx[k] + p.vy[k] * p.vy[k]);
+    }
+  return sum;
+}
+
+class Splitting : public testing::TestWithParam<Transfer> {};
+
+/// S and G of the four, a quarter each, are those of the one: to the grid nothing has happened.
+TEST_P(Splitting, LeavesTheGridAsItIs) {
+  Domain domain(steps_in_x(GetParam()));
+  disturb(domain, 5.3); // across the first interface
+  sort_particles(domain);
+  scatter(domain, ScatterPart::both);
+  const Grid before = domain.grid;
+  const double scale = 1700.0;
+
+  ASSERT_GT(split_particles(domain), 0U);
+  sort_particles(domain);
+  scatter(domain, ScatterPart::both);
+  for (const NodeField Grid::*field :
+       {&Grid::mass, &Grid::momentum_x, &Grid::momentum_y, &Grid::force_x, &Grid::force_y})
+    for (std::size_t n = 0; n < before.size(); ++n)
+      EXPECT_NEAR((domain.grid.*field)[n], (before.*field)[n], 1e-14 * 10.0 * scale);
+}
+
+TEST_P(Splitting, KeepsMassVolumeMomentumAndSpin) {
+  Domain domain(steps_in_x(GetParam()));
+  disturb(domain, 5.3);
+  const Sums before = sums_of(domain);
+  const std::size_t cut = split_particles(domain);
+  ASSERT_GT(cut, 0U);
+  const Sums after = sums_of(domain);
+  EXPECT_NEAR(after.mass, before.mass, 1e-14 * before.mass);
+  EXPECT_NEAR(after.volume, before.volume, 1e-14 * before.volume);
+  EXPECT_NEAR(after.px, before.px, 1e-14 * before.mass);
+  EXPECT_NEAR(after.py, before.py, 1e-14 * before.mass);
+  EXPECT_NEAR(after.spin, before.spin, 1e-13 * before.mass * 10.0);
+  if (GetParam() == Transfer::flip) {
+    EXPECT_NEAR(after.kinetic, before.kinetic, 1e-14 * before.mass);
+  }
+}
+
+TEST_P(Splitting, HandsStressStateAndDisplacementDown) {
+  Spec spec = steps_in_x(GetParam());
+  spec.soils = {{"clay", materials::MohrCoulomb{.elastic = {1700.0, 40e6, 0.28},
+                                                .cohesion_peak = 4e3,
+                                                .friction_peak = 0.5,
+                                                .friction_residual = 0.4,
+                                                .softening = 10.0}}};
+  Domain domain(spec);
+  disturb(domain, 5.3);
+  Particles& coarse = domain.sets[0];
+  for (std::size_t k = 0; k < coarse.size(); ++k)
+    for (std::size_t s = 0; s < coarse.state_size; ++s)
+      coarse.state[k * coarse.state_size + s] = coarse.sxx[k] + static_cast<double>(s);
+  const std::size_t before = coarse.size();
+  const std::size_t cut = split_particles(domain);
+  sort_particles(domain);
+  const Particles& fine = domain.sets[1];
+  EXPECT_EQ(coarse.size(), before - cut);
+  EXPECT_EQ(fine.size(), 4 * cut);
+  for (const Particles* set : {static_cast<const Particles*>(&coarse), &fine}) {
+    ASSERT_EQ(set->state.size(), set->size() * set->state_size);
+    for (std::size_t k = 0; k < set->size(); ++k) {
+      EXPECT_EQ(set->index_of[set->id[k]], k);
+      EXPECT_NEAR(set->x[k] - set->x_initial[k], 5.3, 1e-12);
+      for (std::size_t s = 0; s < set->state_size; ++s)
+        EXPECT_EQ(set->state[k * set->state_size + s], set->sxx[k] + static_cast<double>(s));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Transfers, Splitting, testing::Values(Transfer::apic, Transfer::flip),
+                         [](const auto& of) { return of.param == Transfer::apic ? "Apic" : "Flip"; });
+
+/// Only those wholly inside, and only where cells would run short of particles.
+TEST(SplittingRule, CutsWhatLiesInFinerCellsAndIsTooWideForThem) {
+  for (int per_cell = 1; per_cell <= 4; ++per_cell) {
+    Domain domain(steps_in_x(Transfer::apic, per_cell));
+    disturb(domain, 3.6); // from 4.6 m to 7.6 m: the interface at 6 m goes through
+    const double size = 2.0 * domain.sets[0].half_size;
+    std::size_t inside = 0;
+    for (const double x : domain.sets[0].x)
+      inside += x - 0.5 * size > 6.0 - 1e-9 ? 1 : 0;
+    EXPECT_EQ(split_particles(domain), per_cell <= 2 ? inside : 0U) << per_cell;
+    EXPECT_EQ(split_particles(domain), 0U);
+  }
+}
+
+TEST(SplittingRule, CutsTwiceWhatHasPassedTwoLevels) {
+  Domain domain(steps_in_x(Transfer::flip));
+  const std::size_t before = domain.particle_count();
+  disturb(domain, 8.05 - 0.05); // from 9 m to 12 m
+  split_particles(domain);
+  EXPECT_EQ(domain.sets[0].size(), 0U);
+  EXPECT_EQ(domain.sets[2].size(), 16U * before);
+}
+
+/// Faces and monitors ride on particles, which therefore stay.
+TEST(SplittingRule, LeavesParticlesWholeThatSomethingRidesOn) {
+  Domain domain(steps_in_x(Transfer::apic));
+  keep_whole(domain, 0, 17);
+  keep_whole(domain, 0, 5);
+  keep_whole(domain, 0, 17);
+  disturb(domain, 5.9);
+  split_particles(domain);
+  const Particles& set = domain.sets[0];
+  EXPECT_NE(set.index_of[5], Particles::nowhere);
+  EXPECT_NE(set.index_of[17], Particles::nowhere);
+  EXPECT_EQ(set.whole.size(), 2U);
+
+  Spec with_faces = steps_in_x(Transfer::apic);
+  with_faces.regions = {{0, {{0.0, -8.0}, {4.0, -8.0}, {4.0, 0.0}, {0.0, 0.0}}}};
+  Domain other(with_faces);
+  disturb(other, 6.1);
+  split_particles(other);
+  ASSERT_FALSE(other.faces.empty());
+  for (const BoundaryFace& face : other.faces)
+    EXPECT_NE(other.sets[face.set].index_of[face.id], Particles::nowhere);
+}
+
+/// A block that flies through all levels: cut on the way, moving as one.
+TEST(SplittingOnTheWay, ABlockKeepsItsMotionThroughAllLevels) {
+  for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
+    Domain domain(steps_in_x(transfer));
+    for (double& v : domain.sets[0].vx)
+      v = 20.0;
+    const Sums before = sums_of(domain);
+    const std::size_t count = domain.particle_count();
+    Stepper stepper(domain, 0.0,
+                    [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); });
+    while (stepper.time() < 0.42)
+      stepper.step();
+    EXPECT_EQ(domain.particle_count(), domain.sets[2].size()); // 9.4 m and more: all on the finest level
+    EXPECT_EQ(domain.particle_count(), 16U * count);
+    const Sums after = sums_of(domain);
+    EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
+    EXPECT_NEAR(after.px, before.px, 1e-12 * before.px);
+    for (const Particles& set : domain.sets)
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        EXPECT_NEAR(set.x[k] - set.x_initial[k], 20.0 * stepper.time(), 1e-10);
+        EXPECT_NEAR(set.sxx[k], 0.0, 1e-3); // Pa, of 40 MPa soil
+      }
+  }
+}
+
+/// A grid that must grow keeps its levels where they are.
+TEST(GradedGrowth, ABlockThatFliesOutOfTheGridTakesItAlong) {
+  Spec spec = steps_in_x(Transfer::apic);
+  spec.refine.push_back({{1.0, -5.0, 5.0, 0.0}, 1}); // reaches the surface, so it has no end above
+  Domain domain(spec);
+  for (Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      set.vy[k] = 30.0;
+  const Sums before = sums_of(domain);
+  const int rows = domain.grid.ny;
+  Stepper stepper(domain, 0.0,
+                  [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); });
+  while (stepper.time() < 0.5)
+    stepper.step();
+  EXPECT_GT(domain.grid.ny, rows);
+  EXPECT_EQ(domain.mesh->tree().finest_in({2.0, 10.0, 4.0, 11.0}), 1);
+  EXPECT_EQ(domain.mesh->tree().finest_in({6.5, -5.0, 7.0, -4.0}), 1);
+  EXPECT_EQ(domain.mesh->tree().finest_in({9.5, -5.0, 10.0, -4.0}), 2);
+  const Sums after = sums_of(domain);
+  EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
+  EXPECT_NEAR(after.py, before.py, 1e-12 * before.py);
+  for (const Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      EXPECT_NEAR(set.y[k] - set.y_initial[k], 30.0 * stepper.time(), 1e-10);
+      EXPECT_NEAR(set.syy[k], 0.0, 1e-3);
+    }
+}
+
+} // namespace
+} // namespace tremolo::mpm_domain
