@@ -258,7 +258,7 @@ void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments
 
 template <GatherParts parts, bool strain_of_first, bool affine>
 constexpr Wanted wanted_by{.v = parts.velocity && !affine,
-                           .v_new = parts.velocity || parts.position,
+                           .v_new = parts.velocity || (parts.position && !affine),
                            .gradient = parts.strain,
                            .of_v = strain_of_first,
                            .affine = (parts.velocity && affine)};
@@ -285,9 +285,11 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
       if constexpr (parts.strain)
         take_strain(p, k, group, q, set.dt, c, inc, sums);
       if constexpr (parts.position) {
-        group.store(&p.x[k], x + set.dt * q.v_new.x);
-        group.store(&p.y[k], y + set.dt * q.v_new.y);
-        sums.max_speed2 = larger(q.v_new.x * q.v_new.x + q.v_new.y * q.v_new.y, sums.max_speed2);
+        constexpr bool known = affine && !parts.velocity; // since the pass that gathered velocities
+        const Vectors v = known ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_new;
+        group.store(&p.x[k], x + set.dt * v.x);
+        group.store(&p.y[k], y + set.dt * v.y);
+        sums.max_speed2 = larger(v.x * v.x + v.y * v.y, sums.max_speed2);
       }
     });
     if constexpr (parts.strain)
@@ -370,8 +372,8 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_f
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {
   Vector a;
   const auto add = [&](std::size_t n, double s) {
-    a.x += s * domain.grid.acceleration[n].x;
-    a.y += s * domain.grid.acceleration[n].y;
+    a.x += s * domain.grid.ax[n];
+    a.y += s * domain.grid.ay[n];
   };
   if (domain.mesh) {
     std::vector<BoxWeight> weights;

@@ -8,7 +8,7 @@ namespace tremolo::mpm_domain {
 /// without position.
 struct GatherParts {
   bool velocity = false; ///< v_p (and C_p with APIC)
-  bool position = false; ///< x_p += dt sum_i S_ip v+_i
+  bool position = false; ///< x_p += dt sum_i S_ip v+_i, which with apic v_p is since velocities were gathered
   bool strain = false;   ///< strain increment from the grid velocity, then stress, state and volume
 
   friend constexpr bool operator==(const GatherParts&, const GatherParts&) = default;

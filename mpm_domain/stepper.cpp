@@ -62,7 +62,7 @@ std::vector<Pass> Stepper::assemble() {
     break;
   case StepOrder::musl:
     add("grid to particles", gather_pass({.velocity = true}, false));
-    add("velocities to grid again", [this] { scatter(domain_, ScatterPart::motion); });
+    add("velocities to grid again", [this] { scatter(domain_, ScatterPart::momentum); });
     add("remapped velocities", [this] { book_remap(remap_velocities(domain_)); });
     add("strain and stress", gather_pass({.position = true, .strain = true}, true));
     break;
