@@ -179,7 +179,20 @@ Samples sample_across(const Grid& grid, const AcrossWeights& weights, const Part
   return q;
 }
 
+/// Consecutive blocks.
+struct BlockRange {
+  std::size_t first;
+  std::size_t count;
+};
+
+/// Which particles: those on one lattice, those across several.
+struct Blocks {
+  BlockRange lattice;
+  BlockRange across;
+};
+
 struct Settings {
+  Blocks blocks;
   double dt;
   double flip_share; ///< exp(-dt/tau); 1 for pure FLIP
 };
@@ -258,7 +271,7 @@ void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments
 
 template <GatherParts parts, bool strain_of_first, bool affine>
 constexpr Wanted wanted_by{.v = parts.velocity && !affine,
-                           .v_new = parts.velocity || (parts.position && !affine),
+                           .v_new = parts.velocity || parts.position,
                            .gradient = parts.strain,
                            .of_v = strain_of_first,
                            .affine = (parts.velocity && affine)};
@@ -284,9 +297,8 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
       }
       if constexpr (parts.strain)
         take_strain(p, k, group, q, set.dt, c, inc, sums);
-      if constexpr (parts.position) {
-        constexpr bool known = affine && !parts.velocity; // since the pass that gathered velocities
-        const Vectors v = known ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_new;
+      if constexpr (parts.position || parts.drift) {
+        const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_new;
         group.store(&p.x[k], x + set.dt * v.x);
         group.store(&p.y[k], y + set.dt * v.y);
         sums.max_speed2 = larger(v.x * v.x + v.y * v.y, sums.max_speed2);
@@ -306,11 +318,13 @@ GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const 
   const Grid& grid = domain.grid;
   const std::size_t begin = p.block_start[block];
   const std::size_t end = p.block_start[block + 1];
-  if (block >= domain.block_count())
+  if (block >= domain.block_count()) {
+    const AcrossWeights& weights = domain.across_of(s, domain.clock_of_block(block));
     return gather_range<parts, affine>(p, begin, end, settings,
                                        [&](std::size_t k, const Lanes&, const Lanes&, std::size_t count) {
-                                         return sample_across<wanted>(grid, domain.across[s], p, k, count);
+                                         return sample_across<wanted>(grid, weights, p, k, count);
                                        });
+  }
   const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
   const Axis x_axis(lattice.x0, lattice.h, p.half_size);
   const Axis y_axis(lattice.y0, lattice.h, p.half_size);
@@ -323,15 +337,18 @@ GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const 
 
 template <GatherParts parts, bool strain_of_first>
 GatherSums gather_blocks(Domain& domain, const Settings& settings) {
-  std::vector<GatherSums> sums(domain.block_count() + domain.across_block_count());
-  domain.workers.run(sums.size(), [&](std::size_t block) {
+  const std::size_t lattice_blocks = settings.blocks.lattice.count;
+  std::vector<GatherSums> sums(lattice_blocks + settings.blocks.across.count);
+  domain.workers.run(sums.size(), [&](std::size_t task) {
+    const std::size_t block = task < lattice_blocks ? settings.blocks.lattice.first + task
+                                                    : settings.blocks.across.first + task - lattice_blocks;
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
       const GatherSums work = domain.sets[s].bxx.empty()
                                   ? gather_block<parts, strain_of_first, false>(domain, s, block, settings)
                                   : gather_block<parts, strain_of_first, true>(domain, s, block, settings);
-      sums[block].elastic += work.elastic;
-      sums[block].plastic += work.plastic;
-      sums[block].max_speed = std::max(sums[block].max_speed, work.max_speed);
+      sums[task].elastic += work.elastic;
+      sums[task].plastic += work.plastic;
+      sums[task].max_speed = std::max(sums[task].max_speed, work.max_speed);
     }
   });
   GatherSums total;
@@ -347,14 +364,18 @@ constexpr GatherParts all_parts{.velocity = true, .position = true, .strain = tr
 constexpr GatherParts motion_parts{.velocity = true, .position = true};
 constexpr GatherParts velocity_part{.velocity = true};
 constexpr GatherParts rest_parts{.position = true, .strain = true};
+constexpr GatherParts drift_parts{.drift = true, .strain = true};
 constexpr GatherParts strain_part{.strain = true};
 
 } // namespace
 
-GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first) {
+namespace {
+
+GatherSums gather_from(Domain& domain, double dt, GatherParts parts, bool strain_of_first,
+                       const Blocks& blocks) {
   const Scheme& scheme = domain.spec.scheme;
   const double flip_share = scheme.transfer == Transfer::pic_blend ? std::exp(-dt / scheme.blend_time) : 1.0;
-  const Settings settings{dt, flip_share};
+  const Settings settings{blocks, dt, flip_share};
   if (parts == all_parts && !strain_of_first)
     return gather_blocks<all_parts, false>(domain, settings);
   if (parts == motion_parts)
@@ -363,10 +384,28 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_f
     return gather_blocks<velocity_part, false>(domain, settings);
   if (parts == rest_parts && strain_of_first)
     return gather_blocks<rest_parts, true>(domain, settings);
+  if (parts == drift_parts && strain_of_first)
+    return gather_blocks<drift_parts, true>(domain, settings);
   if (parts == strain_part)
     return strain_of_first ? gather_blocks<strain_part, true>(domain, settings)
                            : gather_blocks<strain_part, false>(domain, settings);
   throw std::logic_error("gather: no scheme asks for this combination of parts");
+}
+
+} // namespace
+
+GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first) {
+  const std::size_t blocks = domain.block_count();
+  return gather_from(domain, dt, parts, strain_of_first,
+                     {{0, blocks}, {blocks, domain.across_block_count()}});
+}
+
+GatherSums gather_clock(Domain& domain, double dt, GatherParts parts, bool strain_of_first, int clock) {
+  const auto c = static_cast<std::size_t>(clock);
+  const std::size_t blocks = domain.blocks_per_clock();
+  const std::size_t levels = domain.mesh ? domain.mesh->lattices().size() : 0;
+  return gather_from(domain, dt, parts, strain_of_first,
+                     {{c * blocks, blocks}, {domain.block_count() + c * levels, levels}});
 }
 
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {

@@ -5,10 +5,11 @@
 namespace tremolo::mpm_domain {
 
 /// What a gather pass brings to the particles: all, velocity with or without position, or strain with or
-/// without position.
+/// without position or drift.
 struct GatherParts {
   bool velocity = false; ///< v_p (and C_p with APIC)
-  bool position = false; ///< x_p += dt sum_i S_ip v+_i, which with apic v_p is since velocities were gathered
+  bool position = false; ///< x_p += dt sum_i S_ip v+_i
+  bool drift = false;    ///< x_p += dt v_p: the same, once apic has gathered v_p
   bool strain = false;   ///< strain increment from the grid velocity, then stress, state and volume
 
   friend constexpr bool operator==(const GatherParts&, const GatherParts&) = default;
@@ -31,6 +32,9 @@ struct GatherSums {
 /// `strain_of_first`, the grid's velocity v before the update: v- (usf) or the remapped one (musl). Volumes
 /// grow by tr(de).
 GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first = false);
+
+/// The same for the particles of one clock alone.
+GatherSums gather_clock(Domain& domain, double dt, GatherParts parts, bool strain_of_first, int clock);
 
 /// The grid's acceleration of the last update at particle k of one soil, m/s2, for output.
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k);
