@@ -25,7 +25,7 @@ constexpr double width = 48.0;      // m
 constexpr double depth = 20.0;      // m
 constexpr double block = 2.0;       // m: the widest cells
 constexpr double finest = 0.25;     // m
-constexpr double end_time = 1.2;    // s
+constexpr double end_time = 1.4;    // s
 constexpr double sampling = 0.0025; // s
 constexpr eq6::Vector centre{16.0, -6.0};
 constexpr double radius = 2.0;
@@ -78,7 +78,7 @@ void block_means(const Domain& domain, std::vector<eq6::Vector>& means) {
 
 Motion run(double cell_size, int levels, bool subcycle = false) {
   const test_support::PlaneWave wave{
-      .angle = 15.0 * std::numbers::pi / 180.0, .frequency = 4.0, .arrival = 0.3, .y_reference = -depth};
+      .angle = 15.0 * std::numbers::pi / 180.0, .frequency = 3.0, .arrival = 0.4, .y_reference = -depth};
   const std::clock_t begin = std::clock();
   Domain domain(ground(cell_size, levels, subcycle));
   mpm_domain::Stepper stepper(domain, 0.0, test_support::plane_wave_source(domain, wave, true));
