@@ -5,7 +5,7 @@
     cost_manufactured > manufactured.csv
     cost_scatterer > scatterer.csv
     accuracy_plots.py docs/pictures --pulse pulse.csv --manufactured manufactured.csv --scatterer scatterer.csv \\
-        --slope runs/softening-scaled runs/softening-as-given
+        --slope runs/softening-scaled runs/softening-as-given runs/uniform
 """
 
 import argparse
@@ -116,20 +116,20 @@ def scatterer(path, folder):
 
 
 def crest(folder):
-    """Cell size and velocity, time and displacement of the crest of every rung of a ladder."""
-    study = json.loads((folder / "cost.json").read_text())
-    for rung in study["rungs"]:
-        with Run(folder / rung["folder"]) as run:
-            series = run.monitor("crest")
-            yield rung["size"], series["time"], np.hypot(series["ux"], series["uy"])
+    """Time and displacement of the crest in a run."""
+    with Run(folder) as run:
+        series = run.monitor("crest")
+        return series["time"], np.hypot(series["ux"], series["uy"])
 
 
-def slope(regular, plain, folder):
-    """Displacement of the crest over time for every cell size, softening scaled to the cells and not."""
+def slope(regular, plain, finest, folder):
+    """Displacement of the crest over time for every cell size, softening scaled to the cells and not; the finest
+    run, with the cells that the softening is given for, belongs to both."""
     figure, axes = style.plt.subplots(1, 2, figsize=(9.6, 3.6), sharey=True, layout="constrained")
     for ax, ladder, title in zip(axes, (regular, plain), ("softening scaled to the cells", "softening as given")):
-        for size, time, displacement in crest(ladder):
-            ax.plot(time, displacement, label=f"h = {size:g} m")
+        for rung in json.loads((ladder / "cost.json").read_text())["rungs"]:
+            ax.plot(*crest(ladder / rung["folder"]), label=f"h = {rung['size']:g} m")
+        ax.plot(*crest(finest), "k", label="h = 0.25 m")
         ax.set(xlabel="t (s)", title=title)
         ax.legend(loc="upper left")
     axes[0].set_ylabel("displacement of the crest (m)")
@@ -142,7 +142,7 @@ def main():
     parser.add_argument("--pulse", type=Path)
     parser.add_argument("--manufactured", type=Path)
     parser.add_argument("--scatterer", type=Path)
-    parser.add_argument("--slope", type=Path, nargs=2)
+    parser.add_argument("--slope", type=Path, nargs=3, metavar=("SCALED", "AS_GIVEN", "FINEST"))
     given = parser.parse_args()
     if given.pulse:
         print(pulse(given.pulse, given.folder))
