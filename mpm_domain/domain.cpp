@@ -217,7 +217,7 @@ double critical_time_step(Domain& domain, double max_speed) {
     for (int level = 0; level < domain.lattice_count(); ++level)
       for (const auto& [begin, end] : ranges_of(domain, set, level)) {
         const double c = materials::p_wave_speed_bound(set.law, set.points(begin, end - begin));
-        critical = std::min(critical, 0.65 * domain.lattice(level).h / (c + max_speed));
+        critical = std::min(critical, largest_courant_number * domain.lattice(level).h / (c + max_speed));
       }
   return critical;
 }
