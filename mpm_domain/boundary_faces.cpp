@@ -119,4 +119,12 @@ void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& w
   weights.assign(all.begin(), all.end());
 }
 
+void book_face_work(Domain& domain, std::size_t f, double dt, Vector own, Vector traction, Vector v) {
+  const Vector held = domain.static_tractions[f];
+  const auto work = [&](double tx, double ty) { return dt * domain.faces[f].length * (tx * v.x + ty * v.y); };
+  domain.energy.dashpots += work(own.x, own.y);
+  domain.energy.static_ += work(held.x, held.y);
+  domain.energy.input += work(traction.x - own.x - held.x, traction.y - own.y - held.y);
+}
+
 } // namespace tremolo::mpm_domain

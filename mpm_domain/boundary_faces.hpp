@@ -53,4 +53,9 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
 /// Weights of a face at its particle's present place.
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights);
 
+/// Books the work of a face's traction (Pa) over a time (s) at the velocity v (m/s): `own` of it, of the
+/// soil's velocity on dashpots and matched layers, as theirs, what held the model at rest as static, and the
+/// rest as input.
+void book_face_work(Domain& domain, std::size_t face, double dt, Vector own, Vector traction, Vector v);
+
 } // namespace tremolo::mpm_domain

@@ -17,6 +17,9 @@ namespace {
 /// Cells of empty grid around the model, room for soil that moves out of its box.
 constexpr int margin_cells = 6;
 
+/// Layers of coarser cells that run on the clock of finer ones beside them.
+constexpr int buffer_layers = 2;
+
 /// Way of a particle on a graded mesh from one sort to the next, in finest cells. Particles that near to
 /// other levels are weighed the general way: the less of them, the more often is sorted.
 constexpr double across_margin = 0.25;
@@ -65,6 +68,11 @@ const Spec& checked(const Spec& spec) {
                 "the fraction of the critical time step", spec.scheme.fraction, "in (0, 1]");
   refuse_unless(spec.scheme.transfer != Transfer::pic_blend || spec.scheme.blend_time > 0.0,
                 "the time constant of the PIC blend (s)", spec.scheme.blend_time, "> 0");
+  if (spec.scheme.subcycle && (spec.refine.empty() || spec.scheme.transfer == Transfer::pic_blend ||
+                               spec.scheme.order != StepOrder::musl || !spec.matched_sides.empty()))
+    throw std::invalid_argument(
+        "sub-cycling needs a refined mesh, the transfer apic or flip, the order musl, "
+        "and dashpots instead of matched layers");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");
@@ -79,9 +87,9 @@ struct ParticleRange {
   std::size_t end;
 };
 
-/// The particles of a set whose finest cells are of a level: those of its lattice, and those that touch
-/// others too. Without particles, a range is left out.
-std::vector<ParticleRange> ranges_of(const Domain& domain, const Particles& set, int level) {
+/// The particles of a set on a clock whose finest cells are of a level: those of its lattice, and those that
+/// touch others too. Without particles, a range is left out.
+std::vector<ParticleRange> ranges_of(const Domain& domain, const Particles& set, int level, int clock) {
   std::vector<ParticleRange> ranges;
   const auto add = [&](std::size_t first_block, std::size_t blocks) {
     const std::size_t begin = set.block_start[first_block];
@@ -89,12 +97,12 @@ std::vector<ParticleRange> ranges_of(const Domain& domain, const Particles& set,
     if (begin < end)
       ranges.push_back({begin, end});
   };
-  std::size_t first = 0;
+  std::size_t first = static_cast<std::size_t>(clock) * domain.blocks_per_clock();
   for (int coarser = 0; coarser < level; ++coarser)
     first += blocks_of(domain.lattice(coarser));
   add(first, blocks_of(domain.lattice(level)));
   if (domain.mesh)
-    add(domain.block_count() + static_cast<std::size_t>(level), 1);
+    add(domain.block_count() + static_cast<std::size_t>(clock * domain.lattice_count() + level), 1);
   return ranges;
 }
 
@@ -106,6 +114,8 @@ void rebuild_mesh(Domain& domain) {
   const Spec& spec = domain.spec;
   domain.mesh.emplace(roots_of(domain.grid),
                       mesh::beyond_edges(spec.refine, spec.box, 1e-6 * spec.cell_size, !spec.periodic_sides));
+  if (spec.scheme.subcycle)
+    domain.clocks = ClockMap(domain.mesh->tree(), buffer_layers);
   resize_fields(domain.grid, domain.mesh->node_count());
 }
 
@@ -117,24 +127,30 @@ void keep_whole(Domain& domain, std::size_t set, std::uint32_t id) {
 }
 
 void sort_particles(Domain& domain) {
-  domain.across.resize(domain.sets.size());
+  domain.across.resize(domain.sets.size() * static_cast<std::size_t>(domain.clocks.count()));
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     if (domain.mesh)
-      sort_by_lattice(domain.sets[s], *domain.mesh, domain.sort_distance());
+      sort_by_lattice(domain.sets[s], *domain.mesh, domain.clocks, domain.sort_distance());
     else
       sort_by_cell(domain.sets[s], domain.grid, domain.sets[s].half_size);
   weigh_across(domain);
 }
 
-void weigh_across(Domain& domain) {
+void weigh_across(Domain& domain, int slowest_clock) {
   if (!domain.mesh)
     return;
-  domain.workers.run(domain.sets.size(), [&](std::size_t s) {
-    const Particles& set = domain.sets[s];
-    AcrossWeights& weights = domain.across[s];
-    const std::size_t first = set.block_start[domain.block_count()];
+  const std::size_t sets = domain.sets.size();
+  const std::size_t levels = domain.mesh->lattices().size();
+  const std::size_t skipped = sets * static_cast<std::size_t>(slowest_clock);
+  domain.workers.run(domain.across.size() - skipped, [&](std::size_t task) {
+    const std::size_t n = skipped + task;
+    const Particles& set = domain.sets[n % sets];
+    AcrossWeights& weights = domain.across[n];
+    const std::size_t block = domain.block_count() + n / sets * levels;
+    const std::size_t first = set.block_start[block];
+    const std::size_t end = set.block_start[block + levels];
     weights.restart(first);
-    for (std::size_t k = first; k < set.size(); ++k)
+    for (std::size_t k = first; k < end; ++k)
       weights.add(*domain.mesh, box_of(set, k));
   });
 }
@@ -154,14 +170,21 @@ double Domain::half_size(int level) const {
   return 0.5 * particle_size(spec, level);
 }
 
-std::size_t Domain::block_count() const {
+std::size_t Domain::blocks_per_clock() const {
   std::size_t count = 0;
   for (int level = 0; level < lattice_count(); ++level)
     count += blocks_of(lattice(level));
   return count;
 }
 
+int Domain::clock_of_block(std::size_t block) const {
+  const std::size_t blocks = block_count();
+  return static_cast<int>(block < blocks ? block / blocks_per_clock()
+                                         : (block - blocks) / static_cast<std::size_t>(lattice_count()));
+}
+
 int Domain::lattice_of_block(std::size_t block) const {
+  block %= blocks_per_clock();
   int level = 0;
   while (block >= blocks_of(lattice(level)))
     block -= blocks_of(lattice(level++));
@@ -175,7 +198,7 @@ std::size_t Domain::row_count() const {
   return count;
 }
 
-Domain::NodeRange Domain::row(std::size_t row) const {
+NodeRange Domain::row(std::size_t row) const {
   int level = 0;
   while (row >= static_cast<std::size_t>(lattice(level).ny))
     row -= static_cast<std::size_t>(lattice(level++).ny);
@@ -211,15 +234,33 @@ double empty_mass(const Domain& domain) {
   return share_of_full_cell * density * h * h;
 }
 
-double critical_time_step(Domain& domain, double max_speed) {
+namespace {
+
+/// The least over all particles of steps_of(clock) 0.65 h/(c_p + |v|).
+template <typename StepsOf>
+double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
   double critical = std::numeric_limits<double>::infinity();
   for (Particles& set : domain.sets)
-    for (int level = 0; level < domain.lattice_count(); ++level)
-      for (const auto& [begin, end] : ranges_of(domain, set, level)) {
-        const double c = materials::p_wave_speed_bound(set.law, set.points(begin, end - begin));
-        critical = std::min(critical, largest_courant_number * domain.lattice(level).h / (c + max_speed));
-      }
+    for (int clock = 0; clock < domain.clocks.count(); ++clock)
+      for (int level = 0; level < domain.lattice_count(); ++level)
+        for (const auto& [begin, end] : ranges_of(domain, set, level, clock)) {
+          const double c = materials::p_wave_speed_bound(set.law, set.points(begin, end - begin));
+          critical = std::min(critical, steps_of(clock) * largest_courant_number * domain.lattice(level).h /
+                                            (c + max_speed));
+        }
   return critical;
+}
+
+} // namespace
+
+double critical_time_step(Domain& domain, double max_speed) {
+  return least_step(domain, max_speed, [](int) { return 1.0; });
+}
+
+double critical_subcycled_step(Domain& domain, double max_speed) {
+  const double stable =
+      least_step(domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); });
+  return max_speed > 0.0 ? std::min(stable, 0.5 * domain.sort_distance() / max_speed) : stable;
 }
 
 } // namespace tremolo::mpm_domain

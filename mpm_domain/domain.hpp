@@ -25,12 +25,14 @@ struct Domain {
   Spec spec;
   Grid grid;
   std::optional<GradedMesh> mesh; ///< where the spec refines; without it the grid is one lattice
+  ClockMap clocks;                ///< one clock unless the spec sub-cycles
   std::vector<Particles> sets;    ///< one per soil
   std::vector<BoundaryFace> faces;
   std::vector<Vector> static_tractions; ///< f^st of Eq. (6), Pa, one per face
   std::vector<MatchedLayer> layers;     ///< see attach_matched_layers
   EnergyLedger energy;
-  std::vector<AcrossWeights> across; ///< per soil: of the particles that touch several lattices
+  /// Of the particles that touch several lattices; clock by clock and in it set by set.
+  std::vector<AcrossWeights> across;
   WorkerPool workers;
 
   int lattice_count() const { return mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
@@ -43,18 +45,21 @@ struct Domain {
   Axis x_axis(int level = 0) const { return {lattice(level).x0, lattice(level).h, half_size(level)}; }
   Axis y_axis(int level = 0) const { return {lattice(level).y0, lattice(level).h, half_size(level)}; }
   std::size_t particle_count() const;
-  /// Blocks of rows, lattice after lattice. Behind them, one for each level, stand the blocks of particles
-  /// that touch several lattices, the finest of them this one.
-  std::size_t block_count() const;
+  /// Blocks of rows: clock after clock, lattice after lattice. Behind them, clock after clock and one for
+  /// each level, stand the blocks of particles that touch several lattices, the finest of them this one.
+  std::size_t block_count() const { return static_cast<std::size_t>(clocks.count()) * blocks_per_clock(); }
+  std::size_t blocks_per_clock() const;
+  std::size_t across_block_count() const {
+    return mesh ? static_cast<std::size_t>(clocks.count()) * mesh->lattices().size() : 0;
+  }
   int lattice_of_block(std::size_t block) const;
-  std::size_t across_block_count() const { return mesh ? mesh->lattices().size() : 0; }
+  int clock_of_block(std::size_t block) const;
+  const AcrossWeights& across_of(std::size_t set, int clock) const {
+    return across[static_cast<std::size_t>(clock) * sets.size() + set];
+  }
   /// Rows of nodes of all lattices.
   std::size_t row_count() const;
-  /// Nodes [begin, end) of one of them.
-  struct NodeRange {
-    std::size_t begin;
-    std::size_t end;
-  };
+  /// One of them.
   NodeRange row(std::size_t row) const;
   /// Nodes whose motion is that of others: images of a period, or the tied nodes of a graded mesh.
   bool has_tied_nodes() const { return spec.periodic_sides || mesh.has_value(); }
@@ -73,8 +78,9 @@ void keep_whole(Domain& domain, std::size_t set, std::uint32_t id);
 /// @throws std::runtime_error if a particle has left the grid, naming its place
 void sort_particles(Domain& domain);
 
-/// The weights of particles that touch several lattices, at their present places.
-void weigh_across(Domain& domain);
+/// The weights of particles that touch several lattices, at their present places; those of the given clock
+/// and faster ones.
+void weigh_across(Domain& domain, int slowest_clock = 0);
 
 /// A node with less mass (kg/m) is empty: rounding of weights, not soil.
 double empty_mass(const Domain& domain);
@@ -87,5 +93,9 @@ inline constexpr double largest_courant_number = 0.65;
 
 /// The critical time step, s: the least of 0.65 h / (c_p + |v|) over the cells' levels and the soil in them.
 double critical_time_step(Domain& domain, double max_speed);
+
+/// The same for the step of clock 0 where every clock keeps to the limit of its own particles: the least of
+/// 2^r 0.65 h / (c_p + |v|). Nor may a particle come near other cells within it, unsorted.
+double critical_subcycled_step(Domain& domain, double max_speed);
 
 } // namespace tremolo::mpm_domain

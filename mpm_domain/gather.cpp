@@ -179,7 +179,20 @@ Samples sample_across(const Grid& grid, const AcrossWeights& weights, const Part
   return q;
 }
 
+/// Consecutive blocks.
+struct BlockRange {
+  std::size_t first;
+  std::size_t count;
+};
+
+/// Which particles: those on one lattice, those across several.
+struct Blocks {
+  BlockRange lattice;
+  BlockRange across;
+};
+
 struct Settings {
+  Blocks blocks;
   double dt;
   double flip_share; ///< exp(-dt/tau); 1 for pure FLIP
 };
@@ -304,11 +317,13 @@ GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const 
   const Grid& grid = domain.grid;
   const std::size_t begin = p.block_start[block];
   const std::size_t end = p.block_start[block + 1];
-  if (block >= domain.block_count())
+  if (block >= domain.block_count()) {
+    const AcrossWeights& weights = domain.across_of(s, domain.clock_of_block(block));
     return gather_range<parts, affine>(p, begin, end, settings,
                                        [&](std::size_t k, const Lanes&, const Lanes&, std::size_t count) {
-                                         return sample_across<wanted>(grid, domain.across[s], p, k, count);
+                                         return sample_across<wanted>(grid, weights, p, k, count);
                                        });
+  }
   const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
   const Axis x_axis(lattice.x0, lattice.h, p.half_size);
   const Axis y_axis(lattice.y0, lattice.h, p.half_size);
@@ -321,15 +336,18 @@ GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const 
 
 template <GatherParts parts, bool strain_of_first>
 GatherSums gather_blocks(Domain& domain, const Settings& settings) {
-  std::vector<GatherSums> sums(domain.block_count() + domain.across_block_count());
-  domain.workers.run(sums.size(), [&](std::size_t block) {
+  const std::size_t lattice_blocks = settings.blocks.lattice.count;
+  std::vector<GatherSums> sums(lattice_blocks + settings.blocks.across.count);
+  domain.workers.run(sums.size(), [&](std::size_t task) {
+    const std::size_t block = task < lattice_blocks ? settings.blocks.lattice.first + task
+                                                    : settings.blocks.across.first + task - lattice_blocks;
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
       const GatherSums work = domain.sets[s].bxx.empty()
                                   ? gather_block<parts, strain_of_first, false>(domain, s, block, settings)
                                   : gather_block<parts, strain_of_first, true>(domain, s, block, settings);
-      sums[block].elastic += work.elastic;
-      sums[block].plastic += work.plastic;
-      sums[block].max_speed = std::max(sums[block].max_speed, work.max_speed);
+      sums[task].elastic += work.elastic;
+      sums[task].plastic += work.plastic;
+      sums[task].max_speed = std::max(sums[task].max_speed, work.max_speed);
     }
   });
   GatherSums total;
@@ -349,10 +367,13 @@ constexpr GatherParts strain_part{.strain = true};
 
 } // namespace
 
-GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first) {
+namespace {
+
+GatherSums gather_from(Domain& domain, double dt, GatherParts parts, bool strain_of_first,
+                       const Blocks& blocks) {
   const Scheme& scheme = domain.spec.scheme;
   const double flip_share = scheme.transfer == Transfer::pic_blend ? std::exp(-dt / scheme.blend_time) : 1.0;
-  const Settings settings{dt, flip_share};
+  const Settings settings{blocks, dt, flip_share};
   if (parts == all_parts && !strain_of_first)
     return gather_blocks<all_parts, false>(domain, settings);
   if (parts == motion_parts)
@@ -365,6 +386,22 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_f
     return strain_of_first ? gather_blocks<strain_part, true>(domain, settings)
                            : gather_blocks<strain_part, false>(domain, settings);
   throw std::logic_error("gather: no scheme asks for this combination of parts");
+}
+
+} // namespace
+
+GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first) {
+  const std::size_t blocks = domain.block_count();
+  return gather_from(domain, dt, parts, strain_of_first,
+                     {{0, blocks}, {blocks, domain.across_block_count()}});
+}
+
+GatherSums gather_clock(Domain& domain, double dt, GatherParts parts, bool strain_of_first, int clock) {
+  const auto c = static_cast<std::size_t>(clock);
+  const std::size_t blocks = domain.blocks_per_clock();
+  const std::size_t levels = domain.mesh ? domain.mesh->lattices().size() : 0;
+  return gather_from(domain, dt, parts, strain_of_first,
+                     {{c * blocks, blocks}, {domain.block_count() + c * levels, levels}});
 }
 
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {

@@ -32,6 +32,9 @@ struct GatherSums {
 /// grow by tr(de).
 GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first = false);
 
+/// The same for the particles of one clock alone.
+GatherSums gather_clock(Domain& domain, double dt, GatherParts parts, bool strain_of_first, int clock);
+
 /// The grid's acceleration of the last update at particle k of one soil, m/s2, for output.
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k);
 

@@ -12,18 +12,32 @@ namespace {
 /// Runs `row_sum(nodes)` for all rows of nodes and adds the results in order of the rows, for the same bits
 /// with any thread count.
 template <typename Sum, typename RowSum>
-std::vector<Sum> over_rows(Domain& domain, const RowSum& row_sum) {
-  std::vector<Sum> sums(domain.row_count());
-  domain.workers.run(sums.size(), [&](std::size_t row) { sums[row] = row_sum(domain.row(row)); });
+std::vector<Sum> over_rows(Domain& domain, std::span<const NodeRange> rows, const RowSum& row_sum) {
+  std::vector<Sum> sums(rows.size());
+  domain.workers.run(sums.size(), [&](std::size_t row) { sums[row] = row_sum(rows[row]); });
   return sums;
+}
+
+std::vector<NodeRange> all_rows(const Domain& domain) {
+  std::vector<NodeRange> rows;
+  for (std::size_t row = 0; row < domain.row_count(); ++row)
+    rows.push_back(domain.row(row));
+  return rows;
 }
 
 } // namespace
 
 double grid_velocities(Domain& domain) {
+  const double kinetic = grid_velocities(domain, all_rows(domain));
+  if (domain.has_tied_nodes())
+    copy_to_tied(domain);
+  return kinetic;
+}
+
+double grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
-  const std::vector<double> sums = over_rows<double>(domain, [&](const Domain::NodeRange& nodes) {
+  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
     double kinetic = 0.0;
     for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
       const double m = grid.mass[n];
@@ -36,8 +50,6 @@ double grid_velocities(Domain& domain) {
     }
     return kinetic;
   });
-  if (domain.has_tied_nodes())
-    copy_to_tied(domain);
   double kinetic = 0.0;
   for (const double sum : sums)
     kinetic += sum;
@@ -45,10 +57,17 @@ double grid_velocities(Domain& domain) {
 }
 
 double remap_velocities(Domain& domain) {
+  const double power = remap_velocities(domain, all_rows(domain));
+  if (domain.has_tied_nodes())
+    copy_to_tied(domain);
+  return power;
+}
+
+double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
-  const std::vector<double> sums = over_rows<double>(domain, [&](const Domain::NodeRange& nodes) {
+  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
     double power = 0.0;
     for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
       const double m = grid.mass[n];
@@ -60,16 +79,21 @@ double remap_velocities(Domain& domain) {
     }
     return power;
   });
-  if (domain.has_tied_nodes())
-    copy_to_tied(domain);
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 GridUpdate update_grid(Domain& domain, double dt) {
+  const GridUpdate update = update_grid(domain, dt, all_rows(domain));
+  if (domain.has_tied_nodes())
+    copy_to_tied(domain);
+  return update;
+}
+
+GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
-  const std::vector<GridUpdate> sums = over_rows<GridUpdate>(domain, [&](const Domain::NodeRange& nodes) {
+  const std::vector<GridUpdate> sums = over_rows<GridUpdate>(domain, rows, [&](const NodeRange& nodes) {
     GridUpdate sum;
     for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
       const double m = grid.mass[n];
@@ -91,8 +115,6 @@ GridUpdate update_grid(Domain& domain, double dt) {
     }
     return sum;
   });
-  if (domain.has_tied_nodes())
-    copy_to_tied(domain);
   GridUpdate total;
   for (const GridUpdate& sum : sums) {
     total.kinetic += sum.kinetic;

@@ -9,10 +9,14 @@ namespace tremolo::mpm_domain {
 /// v- = p/m at every node; nodes without soil rest.
 /// @returns the grid's kinetic energy, J/m
 double grid_velocities(Domain& domain);
+/// The same on some nodes alone; tied ones are left.
+double grid_velocities(Domain& domain, std::span<const NodeRange> nodes);
 
 /// Replaces v- by the velocity that the particles' new momenta give the node; v+ stays. For musl.
 /// @returns power of the nodal forces, weight aside, on what v+ differs from the remapped velocity by, W/m
 double remap_velocities(Domain& domain);
+/// The same on some nodes alone; tied ones are left.
+double remap_velocities(Domain& domain, std::span<const NodeRange> nodes);
 
 /// What the grid update adds up, J/m.
 struct GridUpdate {
@@ -27,6 +31,8 @@ struct GridUpdate {
 /// small the mass of a node, |v+ - v-| stays below 2 |f|/C: a boundary node that has lost nearly all its soil
 /// remains stable.
 GridUpdate update_grid(Domain& domain, double dt);
+/// The same on some nodes alone; tied ones are left.
+GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> nodes);
 
 /// Reads face velocities v^m_f = sum_i W_if v_i (m/s), before (v-) the update.
 void face_velocities(const Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v);

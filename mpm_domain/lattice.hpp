@@ -19,4 +19,10 @@ struct Lattice {
   std::size_t count() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
 };
 
+/// Nodes [begin, end) of a row.
+struct NodeRange {
+  std::size_t begin;
+  std::size_t end;
+};
+
 } // namespace tremolo::mpm_domain

@@ -131,11 +131,13 @@ void sort_by_cell(Particles& particles, const Grid& grid, double half_size) {
   particles.block_start.push_back(particles.size());
 }
 
-void sort_by_lattice(Particles& particles, const GradedMesh& mesh, double margin) {
+void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMap& clocks, double margin) {
   const mesh::Roots& roots = mesh.tree().roots();
   const double reach = particles.half_size + margin;
   const mesh::Rectangle allowed{roots.x0 + reach, roots.y0 + reach, roots.x0 + roots.nx * roots.h - reach,
                                 roots.y0 + roots.ny * roots.h - reach};
+  const std::size_t levels = mesh.lattices().size();
+  const std::size_t across = static_cast<std::size_t>(clocks.count()) * mesh.node_count();
   std::vector<std::size_t> key(particles.size());
   for (std::size_t k = 0; k < key.size(); ++k) {
     const double x = particles.x[k];
@@ -143,19 +145,23 @@ void sort_by_lattice(Particles& particles, const GradedMesh& mesh, double margin
     // NaN fails every comparison.
     if (!(x > allowed.x_min && x < allowed.x_max && y > allowed.y_min && y < allowed.y_max))
       refuse_outside(particles, k, allowed);
-    const Touched levels = touched(mesh, box_of(particles, k, margin));
-    const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(levels.finest)];
-    const bool on_one = levels.coarsest == levels.finest && particles.half_size < 0.5001 * lattice.h;
-    key[k] = on_one ? lattice.index(cell_weights(x, {lattice.x0, lattice.h, particles.half_size}).base,
-                                    gimp_weights(y, {lattice.y0, lattice.h, particles.half_size}).base)
-                    : mesh.node_count() + static_cast<std::size_t>(levels.finest);
+    const Touched touches = touched(mesh, box_of(particles, k, margin));
+    const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(touches.finest)];
+    const bool on_one = touches.coarsest == touches.finest && particles.half_size < 0.5001 * lattice.h;
+    const auto clock = static_cast<std::size_t>(clocks.at(x, y));
+    key[k] = on_one ? clock * mesh.node_count() +
+                          lattice.index(cell_weights(x, {lattice.x0, lattice.h, particles.half_size}).base,
+                                        gimp_weights(y, {lattice.y0, lattice.h, particles.half_size}).base)
+                    : across + clock * levels + static_cast<std::size_t>(touches.finest);
   }
-  const std::vector<std::size_t> start = order_by(particles, key, mesh.node_count() + mesh.lattices().size());
+  const std::size_t across_blocks = static_cast<std::size_t>(clocks.count()) * levels;
+  const std::vector<std::size_t> start = order_by(particles, key, across + across_blocks);
   particles.block_start.clear();
-  for (const Lattice& lattice : mesh.lattices())
-    add_block_starts(lattice, lattice.first, start, particles.block_start);
-  for (std::size_t level = 0; level <= mesh.lattices().size(); ++level)
-    particles.block_start.push_back(start[mesh.node_count() + level]);
+  for (std::size_t first = 0; first < across; first += mesh.node_count())
+    for (const Lattice& lattice : mesh.lattices())
+      add_block_starts(lattice, first + lattice.first, start, particles.block_start);
+  for (std::size_t block = 0; block <= across_blocks; ++block)
+    particles.block_start.push_back(start[across + block]);
 }
 
 } // namespace tremolo::mpm_domain

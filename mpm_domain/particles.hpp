@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm_domain/graded/clock_map.hpp"
 #include "mpm_domain/graded/graded_mesh.hpp"
 #include "mpm_domain/grid.hpp"
 #include "mpm_domain/kernel.hpp"
@@ -66,11 +67,11 @@ inline mesh::Rectangle box_of(const Particles& p, std::size_t k, double margin =
   return {p.x[k] - l, p.y[k] - l, p.x[k] + l, p.y[k] + l};
 }
 
-/// The same on a graded mesh: by lattice, then by cell. Behind them stand, level by level of the finest cells
-/// that they touch, the particles whose box touches cells of several lattices or might before the next sort,
-/// and those larger than half a cell.
+/// The same on a graded mesh: by clock, then by lattice, then by cell. Behind them stand, clock by clock and
+/// level by level of the finest cells that they touch, the particles whose box touches cells of several
+/// lattices or might before the next sort, and those larger than half a cell.
 /// @param margin  how far particles may move until the next sort, m
 /// @throws std::runtime_error if a particle has left the mesh, naming its place
-void sort_by_lattice(Particles& particles, const GradedMesh& mesh, double margin);
+void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMap& clocks, double margin);
 
 } // namespace tremolo::mpm_domain

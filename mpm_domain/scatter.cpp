@@ -193,9 +193,9 @@ template <bool motion, bool force, bool affine>
 
 /// The same for particles that touch several lattices, node by node.
 template <bool motion, bool force, bool affine>
-void scatter_across(const Particles& p, const AcrossWeights& weights, std::size_t begin, Domain& domain) {
+void scatter_across(const Particles& p, const AcrossWeights& weights, Domain& domain) {
   Grid& grid = domain.grid;
-  for (std::size_t k = begin; k < p.size(); ++k) {
+  for (std::size_t k = weights.first(); k < weights.end(); ++k) {
     SecondMoments d;
     if constexpr (motion && affine)
       d = second_moments(weights.of(k), p.x[k], p.y[k]);
@@ -222,7 +222,7 @@ void scatter_across(const Particles& p, const AcrossWeights& weights, std::size_
 }
 
 template <bool motion, bool force>
-void clear_row(Grid& grid, const Domain::NodeRange& nodes) {
+void clear_row(Grid& grid, const NodeRange& nodes) {
   const auto clear = [&](NodeField& field) {
     std::fill(field.begin() + static_cast<std::ptrdiff_t>(nodes.begin),
               field.begin() + static_cast<std::ptrdiff_t>(nodes.end), 0.0);
@@ -236,13 +236,12 @@ void clear_row(Grid& grid, const Domain::NodeRange& nodes) {
 }
 
 template <bool motion, bool force>
-void scatter_blocks(Domain& domain) {
-  domain.workers.run(domain.row_count(),
-                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, domain.row(row)); });
-  const std::size_t blocks = domain.block_count();
+void add_clock(Domain& domain, int clock) {
+  const std::size_t blocks = domain.blocks_per_clock();
+  const std::size_t first = static_cast<std::size_t>(clock) * blocks;
   for (std::size_t colour = 0; colour < 2; ++colour)
     domain.workers.run((blocks + 1 - colour) / 2, [&](std::size_t task) {
-      const std::size_t block = 2 * task + colour;
+      const std::size_t block = first + 2 * task + colour;
       const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
       for (const Particles& p : domain.sets) {
         const std::size_t begin = p.block_start[block];
@@ -257,10 +256,18 @@ void scatter_blocks(Domain& domain) {
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
       const Particles& p = domain.sets[s];
       if (p.bxx.empty())
-        scatter_across<motion, force, false>(p, domain.across[s], p.block_start[blocks], domain);
+        scatter_across<motion, force, false>(p, domain.across_of(s, clock), domain);
       else
-        scatter_across<motion, force, true>(p, domain.across[s], p.block_start[blocks], domain);
+        scatter_across<motion, force, true>(p, domain.across_of(s, clock), domain);
     }
+}
+
+template <bool motion, bool force>
+void scatter_blocks(Domain& domain) {
+  domain.workers.run(domain.row_count(),
+                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, domain.row(row)); });
+  for (int clock = 0; clock < domain.clocks.count(); ++clock)
+    add_clock<motion, force>(domain, clock);
   if (domain.has_tied_nodes()) {
     if constexpr (motion)
       fold_motion(domain);
@@ -279,6 +286,17 @@ void scatter(Domain& domain, ScatterPart part) {
     return scatter_blocks<false, true>(domain);
   case ScatterPart::both:
     return scatter_blocks<true, true>(domain);
+  }
+}
+
+void scatter_clock(Domain& domain, ScatterPart part, int clock) {
+  switch (part) {
+  case ScatterPart::motion:
+    return add_clock<true, false>(domain, clock);
+  case ScatterPart::force:
+    return add_clock<false, true>(domain, clock);
+  case ScatterPart::both:
+    return add_clock<true, true>(domain, clock);
   }
 }
 

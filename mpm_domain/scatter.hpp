@@ -16,4 +16,7 @@ enum class ScatterPart { motion, force, both };
 /// contributions in the same order for any thread count.
 void scatter(Domain& domain, ScatterPart part);
 
+/// Adds what the particles of one clock bring to what the nodes hold; tied nodes keep their part.
+void scatter_clock(Domain& domain, ScatterPart part, int clock);
+
 } // namespace tremolo::mpm_domain

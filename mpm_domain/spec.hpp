@@ -47,6 +47,9 @@ struct Scheme {
   double blend_time = 0.0;  ///< time constant of pic_blend, s
   double fraction = 0.5;    ///< of the critical time step, in (0, 1]
   std::optional<double> dt; ///< a fixed time step instead, s
+  /// Each level of a graded mesh takes a step of its own, half of the coarser one's (subcycling.hpp);
+  /// fraction and dt are of the coarsest one's. For transfers other than pic_blend and the order musl.
+  bool subcycle = false;
 };
 
 /// Everything the domain is built from.

@@ -20,13 +20,17 @@ namespace tremolo::mpm_domain {
 Stepper::Stepper(Domain& domain, double start_time, TractionSource source, FreeFieldOfFaces free_field)
     : domain_(domain), source_(std::move(source)), free_field_(std::move(free_field)), time_(start_time),
       weights_(domain.faces.size()), v_face_(domain.faces.size()), v_mid_(domain.faces.size()),
-      v_remapped_(domain.faces.size()), traction_(domain.faces.size()), reaction_(domain.faces.size()),
-      passes_(assemble()) {
+      v_remapped_(domain.faces.size()), traction_(domain.faces.size()), reaction_(domain.faces.size()) {
   if (!domain.layers.empty() && !free_field_)
     throw std::invalid_argument("matched layers take up what differs from the free field, which is not told");
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       max_speed_ = std::max(max_speed_, std::hypot(set.vx[k], set.vy[k]));
+  if (domain.spec.scheme.subcycle) {
+    subcycling_.emplace(domain);
+    subcycled_boundary_.emplace(domain, *subcycling_);
+  }
+  passes_ = subcycling_ ? assemble_subcycled() : assemble();
   choose_dt();
 }
 
@@ -70,16 +74,54 @@ std::vector<Pass> Stepper::assemble() {
   return passes;
 }
 
-void Stepper::step() {
+std::vector<Pass> Stepper::assemble_subcycled() {
+  Subcycling& levels = *subcycling_;
+  SubcycledBoundary& faces = *subcycled_boundary_;
+  return {{"time step",
+           [this, &levels] {
+             choose_step();
+             levels.set_step(dt_, kick_);
+           }},
+          {"sort", [this] { sort(); }},
+          {"particles to grid", [&levels] { levels.scatter(); }},
+          {"grid velocities", [this, &levels] { book(levels.velocities()); }},
+          {"boundary exchange",
+           [this, &levels, &faces] {
+             if (levels.tick() > 0)
+               return;
+             exchange();
+             faces.hold(v_face_, traction_);
+           }},
+          {"boundary tractions", [&faces] { faces.spread(); }},
+          {"grid update",
+           [this, &levels, &faces] {
+             book(levels.update());
+             faces.book();
+           }},
+          {"grid to particles", [&levels] { levels.gather_velocities(); }},
+          {"velocities to grid again", [&levels] { levels.remap(); }},
+          {"strain and stress", [this, &levels] { book(levels.gather_rest()); }}};
+}
+
+void Stepper::run(std::span<Pass> passes) {
   using Clock = std::chrono::steady_clock;
   Clock::time_point before = Clock::now();
-  for (Pass& pass : passes_) {
+  for (Pass& pass : passes) {
     pass.run();
     const Clock::time_point after = Clock::now();
     pass.seconds += std::chrono::duration<double>(after - before).count();
     before = after;
   }
+}
+
+void Stepper::step() {
+  constexpr std::size_t once = 2; // time step and sort
+  run(std::span(passes_).first(once));
+  do
+    run(std::span(passes_).subspan(once));
+  while (subcycling_ && subcycling_->next());
   moved_ += max_speed_ * dt_;
+  updates_ += subcycling_ ? subcycling_->updates_per_step() : static_cast<double>(domain_.particle_count());
   time_ += dt_;
   ++steps_;
 }
@@ -92,24 +134,32 @@ void Stepper::choose_step() {
 
 void Stepper::choose_dt() {
   const Scheme& scheme = domain_.spec.scheme;
-  const double critical = critical_time_step(domain_, max_speed_);
+  const double critical =
+      subcycling_ ? critical_subcycled_step(domain_, max_speed_) : critical_time_step(domain_, max_speed_);
   if (scheme.dt) {
+    if (*scheme.dt > critical && subcycling_)
+      throw std::invalid_argument(fmt::format(
+          "the time step {:.6g} s of the coarsest level is over the limit {:.6g} s: the least of 2^k 0.65 "
+          "h/(c_p + |v|), k the level whose step a particle takes",
+          *scheme.dt, critical));
     if (*scheme.dt > critical)
       throw std::invalid_argument(fmt::format(
           "the time step {:.6g} s is over the limit {:.6g} s = 0.65 h/(c_p + |v|) with h = {:.6g} m, c_p = "
           "{:.6g} m/s, |v| = {:.3g} m/s",
           *scheme.dt, critical, domain_.finest_lattice().h, domain_.fastest_wave(), max_speed_));
     dt_ = *scheme.dt;
-    return;
+  } else {
+    // Leapfrog is second order only while dt stays the same, so small changes of the limit are let pass.
+    const double wanted = scheme.fraction * critical;
+    if (dt_ == 0.0 || dt_ > std::min(1.02 * wanted, critical) || dt_ < 0.8 * wanted)
+      dt_ = wanted;
   }
-  // Leapfrog is second order only while dt stays the same, so small changes of the limit are let pass.
-  const double wanted = scheme.fraction * critical;
-  if (dt_ == 0.0 || dt_ > std::min(1.02 * wanted, critical) || dt_ < 0.8 * wanted)
-    dt_ = wanted;
 }
 
 void Stepper::sort() {
-  if (moved_ < domain_.sort_distance()) {
+  // On a graded mesh a particle must not come near another lattice within the step either.
+  const double moves = domain_.mesh ? max_speed_ * dt_ : 0.0;
+  if (moved_ + moves < domain_.sort_distance()) {
     weigh_across(domain_);
     return;
   }
@@ -119,16 +169,22 @@ void Stepper::sort() {
   make_room(domain_, time_, steps_);
   split_particles(domain_);
   sort_particles(domain_);
+  if (subcycling_)
+    subcycling_->restart();
   moved_ = 0.0;
 }
 
 void Stepper::velocities() {
-  const double kinetic = grid_velocities(domain_);
+  book(grid_velocities(domain_) - kinetic_after_);
+}
+
+/// Kinetic energy of the grid that a transfer from the particles has brought; before the first, all of it.
+void Stepper::book(double kinetic_gain) {
   EnergyLedger& energy = domain_.energy;
-  if (steps_ == 0)
-    energy.kinetic_start = kinetic;
+  if (steps_ == 0 && !(subcycling_ && subcycling_->tick() > 0))
+    energy.kinetic_start = kinetic_gain;
   else
-    energy.transfer += kinetic - kinetic_after_;
+    energy.transfer += kinetic_gain;
 }
 
 void Stepper::exchange() {
@@ -154,7 +210,11 @@ void Stepper::boundary() {
 }
 
 void Stepper::grid() {
-  const GridUpdate update = update_grid(domain_, kick_);
+  book(update_grid(domain_, kick_));
+  book_boundary_work();
+}
+
+void Stepper::book(const GridUpdate& update) {
   if (!std::isfinite(update.kinetic))
     throw std::runtime_error(
         fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
@@ -165,23 +225,14 @@ void Stepper::grid() {
   const double power = 0.5 * (dashpots_.power(grid.vx, grid.vy) + dashpots_.power(grid.vx_new, grid.vy_new));
   energy.dashpots += update.dashpot_relief + kick_ * power;
   kinetic_after_ = update.kinetic;
-  book_boundary_work();
 }
 
 void Stepper::book_boundary_work() {
   face_mid_velocities(domain_, weights_, v_mid_);
-  EnergyLedger& energy = domain_.energy;
   for (std::size_t f = 0; f < weights_.size(); ++f) {
-    const BoundaryFace& face = domain_.faces[f];
-    const Vector viscous = eq6::viscous_traction(face.face, v_face_[f]);
+    const Vector viscous = eq6::viscous_traction(domain_.faces[f].face, v_face_[f]);
     const Vector own = {viscous.x + reaction_[f].x, viscous.y + reaction_[f].y};
-    const Vector held = domain_.static_tractions[f];
-    const auto work = [&](double tx, double ty) {
-      return kick_ * face.length * (tx * v_mid_[f].x + ty * v_mid_[f].y);
-    };
-    energy.dashpots += work(own.x, own.y);
-    energy.static_ += work(held.x, held.y);
-    energy.input += work(traction_[f].x - own.x - held.x, traction_[f].y - own.y - held.y);
+    book_face_work(domain_, f, kick_, own, traction_[f], v_mid_[f]);
   }
 }
 

@@ -4,8 +4,10 @@
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/gather.hpp"
 #include "mpm_domain/state.hpp"
+#include "mpm_domain/subcycled_boundary.hpp"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,6 +36,9 @@ struct Pass {
 ///   usf:   scatter | velocities | strain | scatter force | boundary | grid | gather velocity
 ///   musl:  scatter | velocities | boundary | grid | gather velocity | scatter motion | remap | gather rest
 ///
+/// Where levels have steps of their own (subcycling.hpp) a step is that of the coarsest one, and all passes
+/// after the sort run at each of its ticks.
+///
 /// Time levels are those of leapfrog: at time() places and stresses are known (with usf, stresses of one step
 /// before); particle velocities belong to velocity_time() = time() - dt/2. Where the step changes, from dt'
 /// to dt, the grid update takes velocities from t - dt'/2 to t + dt/2: kick() = (dt' + dt)/2.
@@ -51,6 +56,8 @@ public:
   double dt() const { return dt_; }     ///< of the step just made, or of the first
   double kick() const { return kick_; } ///< time that the forces of the step just made have acted for, s
   long steps() const { return steps_; }
+  /// Of all particles, by this stepper: how often one was moved.
+  double particle_updates() const { return updates_; }
   const std::vector<Pass>& passes() const { return passes_; }
   /// Of the step just made, per face: v^m before the update (m/s) and the traction (Pa).
   std::span<const Vector> face_velocities() const { return v_face_; }
@@ -60,6 +67,8 @@ public:
   template <class Visit>
   void visit_state(Visit& visit) {
     visit_numbers(visit, "stepper", time_, dt_, steps_, max_speed_, moved_, kinetic_after_);
+    if (subcycling_)
+      subcycling_->visit_state(visit);
   }
 
 private:
@@ -74,7 +83,11 @@ private:
   void book_boundary_work();
   void book_remap(double power);
   void book(const GatherSums& sums);
+  void book(double kinetic_gain);
+  void book(const GridUpdate& update);
   std::vector<Pass> assemble();
+  std::vector<Pass> assemble_subcycled();
+  void run(std::span<Pass> passes);
 
   Domain& domain_;
   TractionSource source_;
@@ -86,10 +99,13 @@ private:
   double max_speed_ = 0.0;
   double moved_ = 0.0;         ///< bound on any particle's way since the last sort, m
   double kinetic_after_ = 0.0; ///< K(v+) of the step before
+  double updates_ = 0.0;
   std::vector<FaceWeights> weights_;
   std::vector<Vector> v_face_, v_mid_, v_remapped_, traction_;
   std::vector<Vector> reaction_; ///< of matched layers, part of traction_
   ConsistentDashpots dashpots_;
+  std::optional<Subcycling> subcycling_;
+  std::optional<SubcycledBoundary> subcycled_boundary_;
   std::vector<Pass> passes_;
 };
 

@@ -16,6 +16,10 @@ public:
   /// The next particle's; each node stands once.
   void add(const GradedMesh& mesh, const mesh::Rectangle& box);
 
+  /// Particles [first, end).
+  std::size_t first() const { return first_; }
+  std::size_t end() const { return first_ + start_.size() - 1; }
+
   std::span<const BoxWeight> of(std::size_t particle) const {
     const std::size_t n = particle - first_;
     return std::span(weights_).subspan(start_[n], start_[n + 1] - start_[n]);

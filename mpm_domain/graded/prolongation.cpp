@@ -11,28 +11,49 @@ void Prolongation::tie(std::size_t node, std::span<const Share> to) {
   start_.push_back(shares_.size());
 }
 
-std::span<const Share> Prolongation::shares_of(std::size_t node) const {
+std::optional<std::size_t> Prolongation::row_of(std::size_t node) const {
   if (node >= rows_.size() || rows_[node] == 0)
     return {};
-  return row(rows_[node] - 1);
+  return rows_[node] - 1;
+}
+
+std::span<const Share> Prolongation::shares_of(std::size_t node) const {
+  const std::optional<std::size_t> r = row_of(node);
+  return r ? row(*r) : std::span<const Share>();
+}
+
+void Prolongation::prolong_row(std::span<double> field, std::size_t r) const {
+  double value = 0.0;
+  for (const Share& share : row(r))
+    value += share.weight * field[share.node];
+  field[tied_[r]] = value;
+}
+
+void Prolongation::restrict_row(std::span<double> field, std::size_t r) const {
+  const double value = field[tied_[r]];
+  field[tied_[r]] = 0.0;
+  for (const Share& share : row(r))
+    field[share.node] += share.weight * value;
 }
 
 void Prolongation::prolong(std::span<double> field) const {
-  for (std::size_t r = 0; r < tied_.size(); ++r) {
-    double value = 0.0;
-    for (const Share& share : row(r))
-      value += share.weight * field[share.node];
-    field[tied_[r]] = value;
-  }
+  for (std::size_t r = 0; r < tied_.size(); ++r)
+    prolong_row(field, r);
+}
+
+void Prolongation::prolong(std::span<double> field, std::span<const std::size_t> rows) const {
+  for (const std::size_t r : rows)
+    prolong_row(field, r);
 }
 
 void Prolongation::restrict(std::span<double> field) const {
-  for (std::size_t r = 0; r < tied_.size(); ++r) {
-    const double value = field[tied_[r]];
-    field[tied_[r]] = 0.0;
-    for (const Share& share : row(r))
-      field[share.node] += share.weight * value;
-  }
+  for (std::size_t r = 0; r < tied_.size(); ++r)
+    restrict_row(field, r);
+}
+
+void Prolongation::restrict(std::span<double> field, std::span<const std::size_t> rows) const {
+  for (const std::size_t r : rows)
+    restrict_row(field, r);
 }
 
 } // namespace tremolo::mpm_domain

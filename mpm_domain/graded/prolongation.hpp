@@ -5,6 +5,7 @@
 // Rows of P sum to one and P x_real = x, so that uniform and linear fields pass unchanged.
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,12 +33,20 @@ public:
   /// The row of a node; empty if it is not tied.
   std::span<const Share> shares_of(std::size_t node) const;
 
+  /// Its number; none if the node is not tied.
+  std::optional<std::size_t> row_of(std::size_t node) const;
+
   /// field[tied] = sum of shares of field[real]: P, for velocities and accelerations.
   void prolong(std::span<double> field) const;
+  void prolong(std::span<double> field, std::span<const std::size_t> rows) const;
   /// field[real] += shares of field[tied], which becomes zero: P^T, for mass, momentum and force.
   void restrict(std::span<double> field) const;
+  void restrict(std::span<double> field, std::span<const std::size_t> rows) const;
 
 private:
+  void prolong_row(std::span<double> field, std::size_t row) const;
+  void restrict_row(std::span<double> field, std::size_t row) const;
+
   std::vector<std::size_t> tied_;
   std::vector<std::size_t> rows_; ///< by node: 1 + its row, 0 if it has none
   std::vector<std::size_t> start_{0};

@@ -130,8 +130,7 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
   std::vector<coupler::PassTime> passes{{"gravity stage", gravity_seconds}};
   for (const mpm_domain::Pass& pass : stepper.passes())
     passes.push_back({pass.name, pass.seconds});
-  const long steps = stepper.steps() - static_cast<long>(first ? first->step : 0);
-  client.finish(passes, static_cast<double>(domain.particle_count()) * static_cast<double>(steps));
+  client.finish(passes, stepper.particle_updates());
 }
 
 void run(const coupler::ParticipantOptions& options) {

@@ -158,6 +158,16 @@ TEST(State, OnAGradedMeshGoesOnWithTheSameBits) {
   expect_exact_resumption(spec);
 }
 
+TEST(State, OfLevelsWithStepsOfTheirOwnGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(softening_soil());
+  spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}, {{3.0, -1.0, 4.0, 0.0}, 2}};
+  spec.scheme.subcycle = true;
+  for (const auto transfer : {mpm_domain::Transfer::apic, mpm_domain::Transfer::flip}) {
+    spec.scheme.transfer = transfer;
+    expect_exact_resumption(spec);
+  }
+}
+
 TEST(State, FacesOfAnotherBoundaryAreRefused) {
   mpm_domain::Domain domain(box(softening_soil()));
   EXPECT_THROW(mpm_domain::set_faces_at_rest(domain, std::vector<double>(3)), std::invalid_argument);

@@ -1,0 +1,52 @@
+#pragma once
+
+// Which nodes move on which clock. A node belongs to the fastest clock among the particles that touch it,
+// directly or through a tie: slower particles give it mass and an impulse now and then, and between their
+// steps read it as a mean.
+
+#include "mpm_domain/domain.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+class ClockNodes {
+public:
+  /// By the particles' blocks as of the last sort, wherever they move until the next one.
+  explicit ClockNodes(const Domain& domain);
+
+  /// Real nodes of a clock, by rows.
+  std::span<const NodeRange> of(int clock) const { return of_[static_cast<std::size_t>(clock)]; }
+  /// Real nodes of a clock and of all faster ones.
+  std::span<const NodeRange> from(int clock) const { return from_[static_cast<std::size_t>(clock)]; }
+  /// Those of clocks faster than this one that particles of this or a slower one touch too.
+  std::span<const NodeRange> shared(int clock) const { return shared_[static_cast<std::size_t>(clock)]; }
+  /// Rows of the prolongation whose tied nodes the particles of a clock touch.
+  std::span<const std::size_t> ties_of(int clock) const { return ties_[static_cast<std::size_t>(clock)]; }
+  /// Of a real node; -1 if no particle touches it.
+  int clock_of(std::size_t node) const { return static_cast<int>(clock_[node]) - 1; }
+
+  /// Its part of a checkpoint, see state.hpp.
+  template <class Visit>
+  void visit_state(const Domain& domain, Visit& visit) {
+    visit("clock_nodes.clock", clock_);
+    visit("clock_nodes.slowest", slowest_);
+    for (std::size_t clock = 0; clock < ties_.size(); ++clock)
+      visit("clock_nodes.ties" + std::to_string(clock), ties_[clock]);
+    collect(domain);
+  }
+
+private:
+  class Builder;
+  void collect(const Domain& domain);
+
+  std::vector<std::uint32_t> clock_;   ///< 1 + the clock, or 0
+  std::vector<std::uint32_t> slowest_; ///< of the particles that touch a node, likewise
+  std::vector<std::vector<NodeRange>> of_, from_, shared_;
+  std::vector<std::vector<std::size_t>> ties_;
+};
+
+} // namespace tremolo::mpm_domain

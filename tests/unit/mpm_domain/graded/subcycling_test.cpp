@@ -1,0 +1,185 @@
+// Steps of their own for the levels of a graded mesh, against the same steps for all.
+
+#include "mpm_domain/clock_nodes.hpp"
+#include "mpm_domain/stepper.hpp"
+#include "tests/support/box_run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+
+namespace tremolo::mpm_domain {
+namespace {
+
+TEST(ClockMap, TwoLayersOfCoarserCellsRunOnTheFinerClock) {
+  const std::vector<mesh::Refinement> boxes{{{0.0, 0.0, 2.0, 16.0}, 1}, {{0.0, 0.0, 1.0, 16.0}, 2}};
+  const mesh::Quadtree tree({.h = 1.0, .nx = 16, .ny = 16}, boxes);
+  const ClockMap clocks(tree, 2);
+  EXPECT_EQ(clocks.count(), 3);
+  EXPECT_EQ(clocks.at(0.9, 8.0), 2); // finest cells
+  EXPECT_EQ(clocks.at(1.9, 8.0), 2); // two half-metre cells beside them
+  EXPECT_EQ(clocks.at(2.1, 8.0), 1); // two one-metre cells beside those
+  EXPECT_EQ(clocks.at(3.9, 8.0), 1);
+  EXPECT_EQ(clocks.at(4.1, 8.0), 0);
+  EXPECT_EQ(ClockMap().at(3.0, 3.0), 0);
+}
+
+/// Boundaries across levels: fine cells reach the left side and the surface.
+Spec shaken_box(Transfer transfer, bool subcycle) {
+  Spec spec = test_support::elastic_box(16.0, 12.0, 1.0);
+  spec.refine = {{{0.0, -6.0, 6.0, 0.0}, 1}, {{0.0, -3.0, 3.0, 0.0}, 2}};
+  spec.scheme.transfer = transfer;
+  spec.scheme.subcycle = subcycle;
+  spec.threads = 1;
+  return spec;
+}
+
+test_support::PlaneWave oblique_wave() {
+  test_support::PlaneWave wave;
+  wave.angle = 15.0 * std::numbers::pi / 180.0;
+  wave.y_reference = -12.0;
+  return wave;
+}
+
+/// Velocity and stress of all particles by their first place.
+using Fields = std::map<std::pair<long, long>, std::array<double, 3>>;
+
+Fields fields_of(const Domain& domain) {
+  Fields fields;
+  for (const Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      fields[{std::lround(64.0 * set.x_initial[k]), std::lround(64.0 * set.y_initial[k])}] = {
+          set.vx[k], set.vy[k], set.sxy[k]};
+  return fields;
+}
+
+/// All particles on the fastest clock: a step is two of the uniform mesh of half the size.
+TEST(Subcycling, OnOneClockIsTheSingleStep) {
+  for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
+    Spec fine = test_support::elastic_box(10.0, 6.0, 0.5);
+    Spec refined = test_support::elastic_box(10.0, 6.0, 1.0);
+    refined.refine = {{refined.box, 1}};
+    fine.scheme.transfer = refined.scheme.transfer = transfer;
+    refined.scheme.subcycle = true;
+    fine.threads = refined.threads = 1;
+    test_support::PlaneWave wave = oblique_wave();
+    // The exchange holds the free field over two ticks: without one both runs are the same.
+    const TractionSource none = [](long, double, auto, auto traction) {
+      std::ranges::fill(traction, Vector{});
+    };
+    std::vector<Fields> results;
+    for (Spec* spec : {&fine, &refined}) {
+      Domain domain(*spec);
+      domain.faces.clear();
+      domain.static_tractions.clear();
+      for (Particles& set : domain.sets)
+        for (std::size_t k = 0; k < set.size(); ++k) {
+          const eq6::Vector v = wave.at(set.x[k], set.y[k], 1.0).velocity;
+          set.vx[k] = v.x + 0.01 * std::sin(set.x[k]);
+          set.vy[k] = v.y + 0.01 * std::cos(set.x[k] + set.y[k]);
+        }
+      Stepper stepper(domain, 0.0, none);
+      for (int step = 0; step < (spec == &fine ? 80 : 40); ++step)
+        stepper.step();
+      results.push_back(fields_of(domain));
+    }
+    ASSERT_EQ(results[0].size(), results[1].size());
+    for (const auto& [place, values] : results[0])
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(results[1].at(place)[i], values[i], i == 2 ? 1e-6 : 1e-12);
+  }
+}
+
+/// The error of a wave that comes in through faces of all levels, against its closed form.
+double wave_error(bool subcycle, double fraction) {
+  Spec spec = shaken_box(Transfer::apic, subcycle);
+  spec.scheme.fraction = fraction;
+  Domain domain(spec);
+  const test_support::PlaneWave wave = oblique_wave();
+  Stepper stepper(domain, 0.5, test_support::plane_wave_source(domain, wave, true));
+  test_support::VelocityError error;
+  while (stepper.time() < 1.7) {
+    stepper.step();
+    if (stepper.steps() % 8 == 0)
+      error.add(domain, wave, stepper.velocity_time());
+  }
+  return error.relative();
+}
+
+TEST(Subcycling, IsAsGoodAsTheSingleStepForAWaveThroughAllLevels) {
+  const double single = wave_error(false, 0.5);
+  const double levels = wave_error(true, 0.5);
+  RecordProperty("single", std::to_string(single));
+  RecordProperty("levels", std::to_string(levels));
+  EXPECT_LT(levels, 1.25 * single);
+  EXPECT_LT(levels, 0.05);
+}
+
+TEST(Subcycling, IsTheSameForAnyThreadCount) {
+  std::vector<Fields> results;
+  for (const int threads : {1, 3}) {
+    Spec spec = shaken_box(Transfer::flip, true);
+    spec.threads = threads;
+    Domain domain(spec);
+    const test_support::PlaneWave wave = oblique_wave();
+    Stepper stepper(domain, 0.9, test_support::plane_wave_source(domain, wave, true));
+    for (int step = 0; step < 30; ++step)
+      stepper.step();
+    results.push_back(fields_of(domain));
+  }
+  EXPECT_EQ(results[0], results[1]);
+}
+
+/// What is booked: the residual of the ledger is the error of the time integration.
+TEST(Subcycling, KeepsTheEnergyLedger) {
+  Domain domain(shaken_box(Transfer::apic, true));
+  const test_support::PlaneWave wave = oblique_wave();
+  Stepper stepper(domain, 0.5, test_support::plane_wave_source(domain, wave, true));
+  double largest = 0.0;
+  while (stepper.time() < 1.7) {
+    stepper.step();
+    largest = std::max(largest, domain.energy.kinetic);
+  }
+  EXPECT_GT(largest, 0.0);
+  EXPECT_LT(std::abs(domain.energy.residual()), 0.05 * largest);
+}
+
+TEST(Subcycling, MovesParticlesAsOftenAsTheirClockTicks) {
+  Domain domain(shaken_box(Transfer::apic, true));
+  Stepper stepper(domain, 0.0, test_support::plane_wave_source(domain, oblique_wave(), true));
+  stepper.step();
+  double expected = 0.0;
+  for (const Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      expected += std::exp2(domain.clocks.at(set.x_initial[k], set.y_initial[k]));
+  EXPECT_EQ(stepper.particle_updates(), expected);
+  EXPECT_LT(expected, 4.0 * static_cast<double>(domain.particle_count()));
+}
+
+TEST(Subcycling, RefusesWhatItIsNotMadeFor) {
+  for (const auto& change :
+       std::vector<std::function<void(Spec&)>>{[](Spec& spec) { spec.refine.clear(); },
+                                               [](Spec& spec) {
+                                                 spec.scheme.transfer = Transfer::pic_blend;
+                                                 spec.scheme.blend_time = 1.0;
+                                               },
+                                               [](Spec& spec) { spec.scheme.order = StepOrder::usf; },
+                                               [](Spec& spec) { spec.matched_sides = {Side::base}; }}) {
+    Spec spec = shaken_box(Transfer::apic, true);
+    change(spec);
+    EXPECT_THROW(Domain{spec}, std::invalid_argument);
+  }
+  Spec spec = shaken_box(Transfer::apic, true);
+  spec.scheme.dt = 1.0;
+  Domain domain(spec);
+  EXPECT_THROW(Stepper(domain, 0.0, [](long, double, auto, auto) {}), std::invalid_argument);
+}
+
+} // namespace
+} // namespace tremolo::mpm_domain
