@@ -142,9 +142,10 @@ TEST(Rules, PeriodicSidesSuitTheRest) {
   EXPECT_THAT(errors_of(periodic("periodic_springs")), IsEmpty());
   EXPECT_THAT(
       errors_of(periodic("free_field")),
-      ElementsAre("[boundary.left]: missing table [boundary.left]: the free field of this side, unless "
-                  "[boundary] sides = \"periodic\"",
-                  ::testing::HasSubstr("missing table [boundary.right]")));
+      ElementsAre(
+          "case.toml:24:1: [boundary] missing table [boundary.left]: the free field of this side, unless "
+          "[boundary] sides = \"periodic\"",
+          ::testing::HasSubstr("missing table [boundary.right]")));
   EXPECT_THAT(errors_of(with("left = {", "sides = \"periodic\"\nleft = {")),
               ElementsAre(::testing::HasSubstr("[boundary.left] is the free field of a side, but sides = "
                                                "\"periodic\" have none; remove it"),
