@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mpm_domain/boundary_faces.hpp"
+#include "mpm_domain/effects.hpp"
 #include "mpm_domain/energy_ledger.hpp"
 #include "mpm_domain/graded/across_weights.hpp"
 #include "mpm_domain/graded/graded_mesh.hpp"
@@ -35,9 +36,9 @@ struct Domain {
   std::vector<AcrossWeights> across;
   WorkerPool workers;
 
-  int lattice_count() const { return mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
+  int lattice_count() const { return all_effects && mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
   const Lattice& lattice(int level) const {
-    return level == 0 ? grid : mesh->lattices()[static_cast<std::size_t>(level)];
+    return !all_effects || level == 0 ? grid : mesh->lattices()[static_cast<std::size_t>(level)];
   }
   const Lattice& finest_lattice() const { return lattice(lattice_count() - 1); }
   /// l of the box of particles that belong to the cells of a level, m
@@ -62,7 +63,7 @@ struct Domain {
   /// One of them.
   NodeRange row(std::size_t row) const;
   /// Nodes whose motion is that of others: images of a period, or the tied nodes of a graded mesh.
-  bool has_tied_nodes() const { return spec.periodic_sides || mesh.has_value(); }
+  bool has_tied_nodes() const { return all_effects && (spec.periodic_sides || mesh.has_value()); }
   /// How far particles may move from one sort to the next, m.
   double sort_distance() const;
   double fastest_wave(); ///< largest c_p of the particles in their present stress, m/s
@@ -85,10 +86,13 @@ void weigh_across(Domain& domain, int slowest_clock = 0);
 /// A node with less mass (kg/m) is empty: rounding of weights, not soil.
 double empty_mass(const Domain& domain);
 
-/// The critical time step, s: the least of 0.65 h / (c_p + |v|) over the cells' levels and the soil in them.
+/// Of the critical time step: dt c_p/h.
 ///
 /// 0.746 h/c_p is what two-dimensional uGIMP with two particles a cell and direction allows inside; dashpots
 /// at a corner, taken centred with lumped damping, allow 0.65 (measured; tests/stability/mpm_domain).
+inline constexpr double largest_courant_number = 0.65;
+
+/// The critical time step, s: the least of 0.65 h / (c_p + |v|) over the cells' levels and the soil in them.
 double critical_time_step(Domain& domain, double max_speed);
 
 /// The same for the step of clock 0 where every clock keeps to the limit of its own particles: the least of
