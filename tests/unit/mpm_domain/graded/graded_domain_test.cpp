@@ -187,6 +187,43 @@ TEST(GradedDomain, RigidMotionCausesNoStressOnAnyLevel) {
   });
 }
 
+/// v = A x, told by particles wherever they stand, comes to every node as A x: APIC smooths no linear field.
+TEST(GradedDomain, ApicHandsLinearVelocitiesToNodesOfAllLevels) {
+  for (const int per_cell : {1, 2, 4})
+    for (const double shift : {0.0, 0.13}) {
+      Spec spec = graded_box(per_cell);
+      spec.scheme.transfer = Transfer::apic;
+      Domain domain(spec);
+      const test_support::AffineVelocity a{.xx = 0.3, .xy = -1.1, .yx = 0.7, .yy = 0.9};
+      for_particles(domain, [&](Particles& set, std::size_t k) {
+        set.x[k] += shift;
+        set.y[k] -= 0.6 * shift;
+        set.vx[k] = a.xx * set.x[k] + a.xy * set.y[k];
+        set.vy[k] = a.yx * set.x[k] + a.yy * set.y[k];
+        test_support::set_affine_velocity(domain, set, k, a);
+      });
+      sort_particles(domain);
+      scatter(domain, ScatterPart::motion);
+      grid_velocities(domain);
+      const Grid& grid = domain.grid;
+      for (int level = 0; level < domain.lattice_count(); ++level) {
+        const Lattice& lattice = domain.lattice(level);
+        for (int j = 0; j < lattice.ny; ++j)
+          for (int i = 0; i < lattice.nx; ++i) {
+            const std::size_t n = lattice.index(i, j);
+            if (grid.mass[n] <= 1e-6 * 1700.0)
+              continue;
+            const double x = lattice.x0 + i * lattice.h;
+            const double y = lattice.y0 + j * lattice.h;
+            EXPECT_NEAR(grid.vx[n], a.xx * x + a.xy * y, 1e-11)
+                << x << ", " << y << ", per cell " << per_cell;
+            EXPECT_NEAR(grid.vy[n], a.yx * x + a.yy * y, 1e-11)
+                << x << ", " << y << ", per cell " << per_cell;
+          }
+      }
+    }
+}
+
 TEST(GradedDomain, TranslationThroughAllLevelsStaysRigid) {
   for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
     Spec spec = graded_box();
