@@ -1,5 +1,7 @@
 #include "mpm_domain/graded/across_weights.hpp"
 
+#include <cmath>
+
 namespace tremolo::mpm_domain {
 
 namespace {
@@ -26,13 +28,14 @@ void resolve(const Prolongation& prolongation, std::vector<BoxWeight>& weights, 
   }
 }
 
-/// Adds up the entries of one node from `first` on; lists are short.
-void merge(std::vector<BoxWeight>& weights, std::size_t first) {
+/// Adds up the entries of one node from `first` on, but of none of its images, which lie a period >= h apart.
+/// Lists are short.
+void merge(std::vector<BoxWeight>& weights, std::size_t first, double h) {
   std::size_t end = first;
   for (std::size_t n = first; n < weights.size(); ++n) {
     const BoxWeight w = weights[n];
     std::size_t m = first;
-    while (m < end && weights[m].node != w.node)
+    while (m < end && (weights[m].node != w.node || std::abs(weights[m].x - w.x) > 0.5 * h))
       ++m;
     if (m == end) {
       weights[end++] = w;
@@ -56,7 +59,7 @@ void AcrossWeights::restart(std::size_t first) {
 void AcrossWeights::add(const GradedMesh& mesh, const mesh::Rectangle& box) {
   box_average(mesh, box, weights_);
   resolve(mesh.prolongation(), weights_, start_.back());
-  merge(weights_, start_.back());
+  merge(weights_, start_.back(), mesh.tree().roots().h);
   start_.push_back(weights_.size());
 }
 

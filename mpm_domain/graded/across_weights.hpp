@@ -15,7 +15,7 @@ class AcrossWeights {
 public:
   /// Forgets all and starts with the weights of particle `first`.
   void restart(std::size_t first);
-  /// The next particle's; each node stands once.
+  /// The next particle's; each node, or image of one, stands once.
   void add(const GradedMesh& mesh, const mesh::Rectangle& box);
 
   /// Particles [first, end).

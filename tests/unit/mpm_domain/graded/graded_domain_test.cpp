@@ -302,6 +302,38 @@ TEST(GradedDomain, TheStepIsThatOfTheFinestCellsInTheirSoil) {
   EXPECT_NEAR(critical_time_step(domain, 0.0), 0.65 * 0.25 / c, 1e-12);
 }
 
+/// A particle of a narrow period may touch a node and its image, which are two places.
+TEST(GradedDomain, APeriodOfTwoCellsIsTwiceInOneOfFour) {
+  const auto velocities = [](double width) {
+    Spec spec = test_support::elastic_box(width, 6.0, 1.0);
+    spec.periodic_sides = true;
+    spec.scheme.transfer = Transfer::apic;
+    spec.refine = {{{0.0, -3.0, width, 0.0}, 1}};
+    Domain domain(spec);
+    for_particles(domain, [](Particles& set, std::size_t k) {
+      set.vx[k] = 0.1 * std::cos(std::numbers::pi * set.x[k]) * set.y[k];
+      set.vy[k] = 0.1 * std::sin(std::numbers::pi * set.x[k]) + 0.02 * set.y[k];
+    });
+    Stepper stepper(domain, 0.0, no_traction());
+    for (int step = 0; step < 100; ++step)
+      stepper.step();
+    std::map<std::pair<long, long>, Vector> found; // by place, mm
+    for_particles(domain, [&](Particles& set, std::size_t k) {
+      if (set.x_initial[k] < 2.0)
+        found[{std::lround(1e3 * set.x_initial[k]), std::lround(1e3 * set.y_initial[k])}] = {set.vx[k],
+                                                                                             set.vy[k]};
+    });
+    return found;
+  };
+  const auto narrow = velocities(2.0);
+  const auto wide = velocities(4.0);
+  ASSERT_EQ(narrow.size(), wide.size());
+  for (const auto& [place, v] : narrow) {
+    EXPECT_NEAR(v.x, wide.at(place).x, 1e-9);
+    EXPECT_NEAR(v.y, wide.at(place).y, 1e-9);
+  }
+}
+
 /// On a torus the seam cannot be seen, wherever the fine cells lie.
 TEST(GradedDomain, SeamOfAPeriodCannotBeSeen) {
   std::vector<std::map<std::pair<long, long>, double>> results;
