@@ -63,7 +63,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   }
   spec.scheme = {transfer(scene.time.transfer), order(scene.time.order), scene.time.blend_time,
                  scene.time.fraction, scene.time.dt};
-  const auto& [left, right, base] = scene.boundary;
+  const auto& [sides, left, right, base] = scene.boundary;
+  spec.periodic_sides = sides == scene::Sides::periodic;
   if (left.absorber == scene::Absorber::matched_layer)
     spec.matched_sides.push_back(Side::left);
   if (right.absorber == scene::Absorber::matched_layer)
