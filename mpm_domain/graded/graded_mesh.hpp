@@ -55,12 +55,10 @@ public:
   template <typename Act>
   void for_parts(const mesh::Rectangle& box, const Act& act) const {
     const mesh::Roots& roots = tree_.roots();
-    constexpr double rounding = 1e-9; // cells
-    const auto cell = [&](double x, double x0, double more) {
-      return static_cast<int>(std::floor((x - x0) / roots.h + more));
-    };
-    for (int j = cell(box.y_min, roots.y0, -rounding); j <= cell(box.y_max, roots.y0, rounding); ++j)
-      for (int i = cell(box.x_min, roots.x0, -rounding); i <= cell(box.x_max, roots.x0, rounding); ++i)
+    const auto cell = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / roots.h)); };
+    const double rounding = 1e-9 * roots.h;
+    for (int j = cell(box.y_min - rounding, roots.y0); j <= cell(box.y_max + rounding, roots.y0); ++j)
+      for (int i = cell(box.x_min - rounding, roots.x0); i <= cell(box.x_max + rounding, roots.x0); ++i)
         if (tree_.exists({0, i, j}))
           for_parts_in({0, i, j}, box, act);
   }
