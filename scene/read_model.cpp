@@ -18,10 +18,12 @@ TimeStepping read_time(Document& document, Findings& findings) {
   const auto table = document.table("time");
   if (table.given("dt") && table.given("fraction"))
     findings.add(table.path("dt"), "'dt' and 'fraction' exclude each other: remove one");
-  return {table.number("fraction"), table.optional_number("dt"),
+  return {table.number("fraction"),
+          table.optional_number("dt"),
           from_name(table.text("transfer"), std::array{Transfer::apic, Transfer::flip, Transfer::pic_blend}),
           table.number("blend_time"),
-          from_name(table.text("order"), std::array{StepOrder::usl, StepOrder::usf, StepOrder::musl})};
+          from_name(table.text("order"), std::array{StepOrder::usl, StepOrder::usf, StepOrder::musl}),
+          table.boolean("subcycle")};
 }
 
 } // namespace
@@ -53,8 +55,11 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
 
 void read_mesh(Document& document, Case& scene) {
   const auto table = document.table("mesh");
-  scene.mesh = {table.number("size"), read_box(table), table.integer("particles_per_cell"),
-                table.integer("layer_cells"), {}};
+  scene.mesh = {table.number("size"),
+                read_box(table),
+                table.integer("particles_per_cell"),
+                table.integer("layer_cells"),
+                {}};
   for (const auto& refine : document.array("refine"))
     scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});
 }
