@@ -5,6 +5,7 @@
 #include "materials/mohr_coulomb_main_plane.hpp"
 #include "materials/mohr_coulomb_softening.hpp"
 #include "materials/parameter_check.hpp"
+#include "materials/plastic_work.hpp"
 
 #include <fmt/format.h>
 
@@ -65,50 +66,6 @@ Principal sorted(const Spectrum& s, std::size_t place) {
   }
 }
 
-/// Stress, or change of stress, of one point, Pa.
-struct Stress {
-  double xx = 0.0;
-  double yy = 0.0;
-  double zz = 0.0;
-  double xy = 0.0;
-};
-
-/// sigma : D^-1 d, the work of a stress on the strain that belongs to a change d of elastic stress, J/m3.
-double work_on_strain(const Stress& s, const Stress& d, const Elasticity& elastic) {
-  const double products = s.xx * d.xx + s.yy * d.yy + s.zz * d.zz + 2.0 * s.xy * d.xy;
-  const double traces = (s.xx + s.yy + s.zz) * (d.xx + d.yy + d.zz);
-  return ((1.0 + elastic.poisson) * products - elastic.poisson * traces) / elastic.young;
-}
-
-/// Plastic work of a step with the mean of first and last stress, as the trapezoidal rule takes the whole
-/// work of the step: total = elastic + plastic then holds without remainder.
-double plastic_work(const Elasticity& elastic, const Points& points, std::size_t i, const Stress& trial,
-                    const Stress& last) {
-  const double lame = elastic.lame();
-  const double shear = elastic.shear_modulus();
-  const double dezz = out_of_plane_strain(points, i);
-  const double pressure = lame * (points.dexx[i] + points.deyy[i] + dezz);
-  const Stress first = {trial.xx - pressure - 2.0 * shear * points.dexx[i],
-                        trial.yy - pressure - 2.0 * shear * points.deyy[i],
-                        trial.zz - pressure - 2.0 * shear * dezz, trial.xy - shear * points.dgxy[i]};
-  const Stress mean = {0.5 * (first.xx + last.xx), 0.5 * (first.yy + last.yy), 0.5 * (first.zz + last.zz),
-                       0.5 * (first.xy + last.xy)};
-  const Stress relaxed = {trial.xx - last.xx, trial.yy - last.yy, trial.zz - last.zz, trial.xy - last.xy};
-  return work_on_strain(mean, relaxed, elastic);
-}
-
-/// Writes the end of the step of point i, whose arrays hold the trial stress, and adds its plastic work.
-void finish(const Elasticity& elastic, const Points& points, std::size_t i, const Stress& last,
-            double plastic_strain) {
-  const Stress trial = {points.sxx[i], points.syy[i], points.szz[i], points.sxy[i]};
-  points.plastic_work[i] += plastic_work(elastic, points, i, trial, last);
-  points.state[i] = plastic_strain;
-  points.sxx[i] = last.xx;
-  points.syy[i] = last.yy;
-  points.szz[i] = last.zz;
-  points.sxy[i] = last.xy;
-}
-
 /// Brings point i, whose arrays hold the trial stress, back to its surface if it lies outside.
 void correct(const MohrCoulomb& law, const FadingStrength& peak, const Points& points, std::size_t i) {
   const Stress trial = {points.sxx[i], points.syy[i], points.szz[i], points.sxy[i]};
@@ -128,38 +85,40 @@ void correct(const MohrCoulomb& law, const FadingStrength& peak, const Points& p
   const double half = 0.5 * (larger - smaller);
   const Stress last = {mean + half * directions.cosine2, mean - half * directions.cosine2, end.stress[place],
                        half * directions.sine2};
-  finish(law.elastic, points, i, last, end.plastic_strain);
+  const Stress relaxed = {trial.xx - last.xx, trial.yy - last.yy, trial.zz - last.zz, trial.xy - last.xy};
+  const StrainIncrement de = {points.dexx[i], points.deyy[i], out_of_plane_strain(points, i), points.dgxy[i]};
+  points.plastic_work[i] += plastic_work(law.elastic, de, trial, relaxed);
+  points.state[i] = end.plastic_strain;
+  points.sxx[i] = last.xx;
+  points.syy[i] = last.yy;
+  points.szz[i] = last.zz;
+  points.sxy[i] = last.xy;
 }
 
 /// Brings the marked points of a block back to their surface: those that end on the main plane together, the
-/// others one by one.
+/// others one by one. Which points are marked no processor can foretell: no branch until few are left.
 void return_suspects(const MohrCoulomb& law, const FadingStrength& peak, const Points& points,
                      std::size_t begin, std::size_t count, const std::uint8_t* suspect) {
   PlasticPoints some;
   std::array<std::size_t, block_size> place;
   some.count = 0;
-  for (std::size_t i = begin; i < begin + count; ++i) {
-    if (suspect[i - begin] != 0) {
-      const std::size_t k = some.count++;
-      place[k] = i;
-      some.sxx[k] = points.sxx[i];
-      some.syy[k] = points.syy[i];
-      some.szz[k] = points.szz[i];
-      some.sxy[k] = points.sxy[i];
-      some.plastic_strain[k] = points.state[i];
-    }
+  for (std::size_t i = 0; i < count; ++i) {
+    place[some.count] = begin + i;
+    some.count += suspect[i];
   }
   if (some.count == 0) {
     return;
   }
+  for (std::size_t k = 0; k < some.count; ++k) {
+    some.take(points, place[k], k);
+  }
   return_to_main_plane(law, some);
   for (std::size_t k = 0; k < some.count; ++k) {
-    const std::size_t i = place[k];
+    some.give(points, place[k], k);
+  }
+  for (std::size_t k = 0; k < some.count; ++k) {
     if (some.left[k] != 0.0) {
-      correct(law, peak, points, i);
-    } else {
-      finish(law.elastic, points, i, {some.sxx[k], some.syy[k], some.szz[k], some.sxy[k]},
-             some.plastic_strain[k]);
+      correct(law, peak, points, place[k]);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include "materials/independent_loop.hpp"
 #include "materials/mohr_coulomb_softening.hpp"
+#include "materials/plastic_work.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ struct MainPlane {
   return 1.0 + slope * (1.0 + slope * (1.0 + slope));
 }
 
-using Lane = std::array<double, PlasticPoints::capacity>;
+using Lane = PlasticPoints::Lane;
 
 /// In-plane principal stresses: mean + radius and mean - radius.
 struct Circle {
@@ -58,7 +59,7 @@ struct Drop {
   Lane zz_first, zz_last; ///< 1 if s_zz is the largest, the smallest stress
 };
 
-template <bool softens>
+template <bool softens, bool fading_dilation>
 void find(const MohrCoulomb law, PlasticPoints& points, Drop& drop) { // a copy: nothing stored can change it
   const double shear = law.elastic.shear_modulus();
   const double bulk = law.elastic.bulk_modulus();
@@ -84,7 +85,7 @@ void find(const MohrCoulomb law, PlasticPoints& points, Drop& drop) { // a copy:
     const double s2 = (larger + smaller + zz) - (s1 + s3); // for the order alone
 
     FadingStrength strength =
-        softens ? strength_after(law, limit, elementary::exp(-law.softening * e)) : peak;
+        softens ? strength_after<fading_dilation>(law, limit, elementary::exp(-law.softening * e)) : peak;
     const double tension = strength.now.tension;
     MainPlane plane = main_plane(strength, shear, bulk, s1, s3);
     const double f = plane.multiplier;
@@ -92,10 +93,10 @@ void find(const MohrCoulomb law, PlasticPoints& points, Drop& drop) { // a copy:
     double gap = 0.0;
     if constexpr (softens) {
       x *= newton(plane.slope);
-      strength = strength_after(law, limit, elementary::exp(-law.softening * (e + x)));
+      strength = strength_after<fading_dilation>(law, limit, elementary::exp(-law.softening * (e + x)));
       plane = main_plane(strength, shear, bulk, s1, s3);
       x += (plane.step - x) * newton(plane.slope);
-      strength = strength_after(law, limit, elementary::exp(-law.softening * (e + x)));
+      strength = strength_after<fading_dilation>(law, limit, elementary::exp(-law.softening * (e + x)));
       plane = main_plane(strength, shear, bulk, s1, s3);
       gap = std::abs(plane.step - x) - 1e-12 * x;
     }
@@ -118,7 +119,7 @@ void find(const MohrCoulomb law, PlasticPoints& points, Drop& drop) { // a copy:
   }
 }
 
-void apply(PlasticPoints& points, const Drop& drop) {
+void apply(const Elasticity elastic, PlasticPoints& points, const Drop& drop) {
   const std::size_t count = points.count;
   TREMOLO_INDEPENDENT_LOOP
   for (std::size_t i = 0; i < count; ++i) {
@@ -130,10 +131,16 @@ void apply(PlasticPoints& points, const Drop& drop) {
     const double smaller = d3 + drop.zz_last[i] * (d2 - d3);
     const double mean = 0.5 * (larger + smaller);
     const double share = 0.5 * (larger - smaller) / std::max(in_plane.radius, 1e-300);
-    points.sxx[i] -= mean + share * in_plane.half;
-    points.syy[i] -= mean - share * in_plane.half;
-    points.szz[i] -= d2 + drop.zz_first[i] * (d1 - d2) + drop.zz_last[i] * (d3 - d2);
-    points.sxy[i] -= share * points.sxy[i];
+    const Stress trial = {points.sxx[i], points.syy[i], points.szz[i], points.sxy[i]};
+    const Stress relaxed = {mean + share * in_plane.half, mean - share * in_plane.half,
+                            d2 + drop.zz_first[i] * (d1 - d2) + drop.zz_last[i] * (d3 - d2),
+                            share * trial.xy};
+    const StrainIncrement de = {points.dexx[i], points.deyy[i], points.dezz[i], points.dgxy[i]};
+    points.plastic_work[i] = plastic_work(elastic, de, trial, relaxed);
+    points.sxx[i] = trial.xx - relaxed.xx;
+    points.syy[i] = trial.yy - relaxed.yy;
+    points.szz[i] = trial.zz - relaxed.zz;
+    points.sxy[i] = trial.xy - relaxed.xy;
     points.plastic_strain[i] += drop.taken[i] * drop.plastic_strain[i];
   }
 }
@@ -146,13 +153,20 @@ void return_to_main_plane(const MohrCoulomb& law, PlasticPoints& points) {
   constexpr std::size_t vector = 4;
   const std::size_t count = points.count;
   for (; points.count % vector != 0; ++points.count) {
-    for (Lane* lane : {&points.sxx, &points.syy, &points.szz, &points.sxy, &points.plastic_strain}) {
+    for (Lane* lane : {&points.sxx, &points.syy, &points.szz, &points.sxy, &points.plastic_strain,
+                       &points.dexx, &points.deyy, &points.dezz, &points.dgxy}) {
       (*lane)[points.count] = (*lane)[0];
     }
   }
   Drop drop;
-  law.softening > 0.0 ? find<true>(law, points, drop) : find<false>(law, points, drop);
-  apply(points, drop);
+  if (law.softening == 0.0) {
+    find<false, false>(law, points, drop);
+  } else if (law.dilation_peak == law.dilation_residual) {
+    find<true, false>(law, points, drop);
+  } else {
+    find<true, true>(law, points, drop);
+  }
+  apply(law.elastic, points, drop);
   points.count = count;
 }
 

@@ -34,18 +34,20 @@ inline double cutoff(const MohrCoulomb& law) {
 }
 
 /// The strength after a decay; no branch, and inlined so that a loop over points runs on vectors.
+/// @tparam fading_dilation  false if peak and residual dilation are the same: a loop then finds its sine once
+template <bool fading_dilation>
 [[gnu::always_inline]] inline FadingStrength strength_after(const MohrCoulomb& law, double cutoff,
                                                             double decay) {
   const double cohesion_left = (law.cohesion_peak - law.cohesion_residual) * decay;
   const double friction_left = (law.friction_peak - law.friction_residual) * decay;
   const double cohesion = law.cohesion_residual + cohesion_left;
   const double friction = law.friction_residual + friction_left;
-  const double dilation = law.dilation_residual + (law.dilation_peak - law.dilation_residual) * decay;
+  const double dilation_left = fading_dilation ? (law.dilation_peak - law.dilation_residual) * decay : 0.0;
   const SineCosine angle = sine_cosine(friction);
   FadingStrength strength;
   strength.now.cohesive = 2.0 * cohesion * angle.cosine;
   strength.now.sin_friction = angle.sine;
-  strength.now.sin_dilation = sine_cosine(dilation).sine;
+  strength.now.sin_dilation = sine_cosine(law.dilation_residual + dilation_left).sine;
   strength.now.apex = cohesion * angle.cosine / angle.sine; // infinite for phi = 0
   strength.now.tension = std::min(cutoff, strength.now.apex);
   strength.cohesive_rate =
@@ -56,7 +58,7 @@ inline double cutoff(const MohrCoulomb& law) {
 
 /// The strength at an equivalent plastic strain e.
 inline FadingStrength strength_at(const MohrCoulomb& law, double e) {
-  return strength_after(law, cutoff(law), law.softening > 0.0 ? decay_at(law, e) : 1.0);
+  return strength_after<true>(law, cutoff(law), law.softening > 0.0 ? decay_at(law, e) : 1.0);
 }
 
 /// End of a step: principal stresses and equivalent plastic strain.

@@ -297,10 +297,11 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
       }
       if constexpr (parts.strain)
         take_strain(p, k, group, q, set.dt, c, inc, sums);
-      if constexpr (parts.position) {
-        group.store(&p.x[k], x + set.dt * q.v_new.x);
-        group.store(&p.y[k], y + set.dt * q.v_new.y);
-        sums.max_speed2 = larger(q.v_new.x * q.v_new.x + q.v_new.y * q.v_new.y, sums.max_speed2);
+      if constexpr (parts.position || parts.drift) {
+        const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_new;
+        group.store(&p.x[k], x + set.dt * v.x);
+        group.store(&p.y[k], y + set.dt * v.y);
+        sums.max_speed2 = larger(v.x * v.x + v.y * v.y, sums.max_speed2);
       }
     });
     if constexpr (parts.strain)
@@ -363,6 +364,7 @@ constexpr GatherParts all_parts{.velocity = true, .position = true, .strain = tr
 constexpr GatherParts motion_parts{.velocity = true, .position = true};
 constexpr GatherParts velocity_part{.velocity = true};
 constexpr GatherParts rest_parts{.position = true, .strain = true};
+constexpr GatherParts drift_parts{.drift = true, .strain = true};
 constexpr GatherParts strain_part{.strain = true};
 
 } // namespace
@@ -382,6 +384,8 @@ GatherSums gather_from(Domain& domain, double dt, GatherParts parts, bool strain
     return gather_blocks<velocity_part, false>(domain, settings);
   if (parts == rest_parts && strain_of_first)
     return gather_blocks<rest_parts, true>(domain, settings);
+  if (parts == drift_parts && strain_of_first)
+    return gather_blocks<drift_parts, true>(domain, settings);
   if (parts == strain_part)
     return strain_of_first ? gather_blocks<strain_part, true>(domain, settings)
                            : gather_blocks<strain_part, false>(domain, settings);
@@ -407,8 +411,8 @@ GatherSums gather_clock(Domain& domain, double dt, GatherParts parts, bool strai
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {
   Vector a;
   const auto add = [&](std::size_t n, double s) {
-    a.x += s * domain.grid.acceleration[n].x;
-    a.y += s * domain.grid.acceleration[n].y;
+    a.x += s * domain.grid.ax[n];
+    a.y += s * domain.grid.ay[n];
   };
   if (domain.mesh) {
     std::vector<BoxWeight> weights;

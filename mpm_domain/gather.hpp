@@ -5,10 +5,11 @@
 namespace tremolo::mpm_domain {
 
 /// What a gather pass brings to the particles: all, velocity with or without position, or strain with or
-/// without position.
+/// without position or drift.
 struct GatherParts {
   bool velocity = false; ///< v_p (and C_p with APIC)
   bool position = false; ///< x_p += dt sum_i S_ip v+_i
+  bool drift = false;    ///< x_p += dt v_p: the same, once apic has gathered v_p
   bool strain = false;   ///< strain increment from the grid velocity, then stress, state and volume
 
   friend constexpr bool operator==(const GatherParts&, const GatherParts&) = default;

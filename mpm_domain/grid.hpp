@@ -24,11 +24,9 @@ struct Grid : Lattice {
   NodeField force_x, force_y;       ///< N/m
   NodeField dashpot_x, dashpot_y;   ///< boundary dashpots lumped to the node, Pa s
 
-  // Velocities, m/s.
-  NodeField vx, vy;         ///< before the update, or remapped after it
-  NodeField vx_new, vy_new; ///< after the update
-
-  std::vector<eq6::Vector> acceleration; ///< of the last update, m/s2
+  NodeField vx, vy;         ///< velocity before the update, or remapped after it, m/s
+  NodeField vx_new, vy_new; ///< after the update, m/s
+  NodeField ax, ay;         ///< acceleration of the last update, m/s2
 
   /// The column that column i stands for: itself, or the one of the period that it is an image of.
   int real_column(int i) const {
@@ -41,6 +39,7 @@ struct Grid : Lattice {
   /// Velocities before and after the update.
   eq6::Vector velocity(std::size_t n) const { return {vx[n], vy[n]}; }
   eq6::Vector new_velocity(std::size_t n) const { return {vx_new[n], vy_new[n]}; }
+  eq6::Vector acceleration(std::size_t n) const { return {ax[n], ay[n]}; }
 };
 
 } // namespace tremolo::mpm_domain

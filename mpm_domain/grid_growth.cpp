@@ -112,10 +112,10 @@ void resize(Grid& grid, int nx, int ny) {
 }
 
 void resize_fields(Grid& grid, std::size_t count) {
-  for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y, &grid.force_x, &grid.force_y,
-                           &grid.dashpot_x, &grid.dashpot_y, &grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new})
+  for (NodeField* field :
+       {&grid.mass, &grid.momentum_x, &grid.momentum_y, &grid.force_x, &grid.force_y, &grid.dashpot_x,
+        &grid.dashpot_y, &grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new, &grid.ax, &grid.ay})
     field->assign(count, 0.0);
-  grid.acceleration.assign(count, {});
 }
 
 void make_room(Domain& domain, double time, long step) {

@@ -1,5 +1,6 @@
 #include "mpm_domain/grid_update.hpp"
 
+#include "mpm_domain/lanes.hpp"
 #include "mpm_domain/tied_nodes.hpp"
 
 #include <algorithm>
@@ -16,6 +17,19 @@ std::vector<Sum> over_rows(Domain& domain, std::span<const NodeRange> rows, cons
   std::vector<Sum> sums(rows.size());
   domain.workers.run(sums.size(), [&](std::size_t row) { sums[row] = row_sum(rows[row]); });
   return sums;
+}
+
+/// Velocities of four nodes.
+struct Vectors {
+  Lanes x, y;
+};
+
+/// p/m; zero where the mass m is that of an empty node.
+template <typename Group>
+Vectors velocities(const Grid& grid, std::size_t n, Group group, const Lanes& m, double empty) {
+  const LaneMask full = m > empty;
+  const Lanes per_mass = choose(full, 1.0 / choose(full, m, all(1.0)), Lanes{});
+  return {group.load(&grid.momentum_x[n]) * per_mass, group.load(&grid.momentum_y[n]) * per_mass};
 }
 
 std::vector<NodeRange> all_rows(const Domain& domain) {
@@ -38,22 +52,19 @@ double grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
-    double kinetic = 0.0;
-    for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
-      const double m = grid.mass[n];
-      const bool full = m > empty;
-      const double vx = full ? grid.momentum_x[n] / m : 0.0;
-      const double vy = full ? grid.momentum_y[n] / m : 0.0;
-      grid.vx[n] = grid.vx_new[n] = vx;
-      grid.vy[n] = grid.vy_new[n] = vy;
-      kinetic += 0.5 * m * (vx * vx + vy * vy);
-    }
-    return kinetic;
+    Lanes kinetic{};
+    by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
+      const Lanes m = group.load(&grid.mass[n]);
+      const Vectors v = velocities(grid, n, group, m, empty);
+      for (NodeField* field : {&grid.vx, &grid.vx_new})
+        group.store(&(*field)[n], v.x);
+      for (NodeField* field : {&grid.vy, &grid.vy_new})
+        group.store(&(*field)[n], v.y);
+      kinetic += 0.5 * m * (v.x * v.x + v.y * v.y);
+    });
+    return sum(kinetic);
   });
-  double kinetic = 0.0;
-  for (const double sum : sums)
-    kinetic += sum;
-  return kinetic;
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 double remap_velocities(Domain& domain) {
@@ -68,16 +79,16 @@ double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
   const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
-    double power = 0.0;
-    for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
-      const double m = grid.mass[n];
-      const bool full = m > empty;
-      grid.vx[n] = full ? grid.momentum_x[n] / m : 0.0;
-      grid.vy[n] = full ? grid.momentum_y[n] / m : 0.0;
-      power += grid.force_x[n] * (grid.vx_new[n] - grid.vx[n]) +
-               (grid.force_y[n] + m * gravity) * (grid.vy_new[n] - grid.vy[n]);
-    }
-    return power;
+    Lanes power{};
+    by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
+      const Lanes m = group.load(&grid.mass[n]);
+      const Vectors v = velocities(grid, n, group, m, empty);
+      group.store(&grid.vx[n], v.x);
+      group.store(&grid.vy[n], v.y);
+      power += group.load(&grid.force_x[n]) * (group.load(&grid.vx_new[n]) - v.x) +
+               (group.load(&grid.force_y[n]) + m * gravity) * (group.load(&grid.vy_new[n]) - v.y);
+    });
+    return sum(power);
   });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
@@ -94,26 +105,31 @@ GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> row
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
   const std::vector<GridUpdate> sums = over_rows<GridUpdate>(domain, rows, [&](const NodeRange& nodes) {
-    GridUpdate sum;
-    for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
-      const double m = grid.mass[n];
-      grid.acceleration[n] = {};
-      if (m <= empty)
-        continue;
-      const Vector v = grid.velocity(n);
-      const Vector dashpot = {grid.dashpot_x[n], grid.dashpot_y[n]};
-      const double ax = grid.force_x[n] / (m + 0.5 * dt * dashpot.x);
-      const double ay = grid.force_y[n] / (m + 0.5 * dt * dashpot.y);
-      grid.acceleration[n] = {ax, ay};
-      const double ux = grid.vx_new[n] = v.x + dt * ax;
-      const double uy = grid.vy_new[n] = v.y + dt * ay;
-      const double mid_x = v.x + 0.5 * dt * ax;
-      const double mid_y = v.y + 0.5 * dt * ay;
-      sum.kinetic += 0.5 * m * (ux * ux + uy * uy);
-      sum.gravity_work -= dt * m * gravity * mid_y;
-      sum.dashpot_relief -= 0.5 * dt * dt * (dashpot.x * ax * mid_x + dashpot.y * ay * mid_y);
-    }
-    return sum;
+    Lanes kinetic{};
+    Lanes weight_work{}; // of the weight per m/s2, downwards
+    Lanes relief{};
+    by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
+      const Lanes m = group.load(&grid.mass[n]);
+      const LaneMask full = m > empty;
+      // One component; returns its mean velocity over the step.
+      const auto kick = [&](const NodeField& force, const NodeField& dashpot, const NodeField& before,
+                            NodeField& acceleration, NodeField& after) {
+        const Lanes c = group.load(&dashpot[n]);
+        const Lanes v = group.load(&before[n]);
+        const Lanes inertia = choose(full, m + 0.5 * dt * c, all(1.0));
+        const Lanes a = choose(full, group.load(&force[n]) / inertia, Lanes{});
+        const Lanes u = v + dt * a;
+        const Lanes mid = v + 0.5 * dt * a;
+        group.store(&acceleration[n], a);
+        group.store(&after[n], u);
+        kinetic += 0.5 * m * u * u;
+        relief -= c * a * mid;
+        return mid;
+      };
+      kick(grid.force_x, grid.dashpot_x, grid.vx, grid.ax, grid.vx_new);
+      weight_work -= m * kick(grid.force_y, grid.dashpot_y, grid.vy, grid.ay, grid.vy_new);
+    });
+    return GridUpdate{sum(kinetic), dt * gravity * sum(weight_work), 0.5 * dt * dt * sum(relief)};
   });
   GridUpdate total;
   for (const GridUpdate& sum : sums) {

@@ -36,6 +36,11 @@ inline Lanes floor(const Lanes& a) {
   return _mm256_floor_pd(a);
 }
 
+/// a in the lanes of a mask, b in the others.
+inline Lanes choose(const LaneMask& mask, const Lanes& a, const Lanes& b) {
+  return mask ? a : b;
+}
+
 /// The part of a above zero; zero for what is not a number.
 inline Lanes positive(const Lanes& a) {
   return _mm256_max_pd(a, Lanes{});

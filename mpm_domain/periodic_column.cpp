@@ -140,7 +140,7 @@ void PeriodicColumn::record(const std::vector<eq6::Stress>& after) {
 /// At the faces of the base, at the particles' rows, and at the surface, as side faces of a domain would.
 void PeriodicColumn::sample_velocities(std::vector<Vector>& v, bool accelerations) const {
   const Grid& grid = domain_.grid;
-  const auto node = [&](std::size_t n) { return accelerations ? grid.acceleration[n] : grid.velocity(n); };
+  const auto node = [&](std::size_t n) { return accelerations ? grid.acceleration(n) : grid.velocity(n); };
   const auto column = static_cast<int>(std::lround((spec_.domain.box.x_min - grid.x0) / grid.h));
   const BoundaryFace& base = domain_.faces.front();
   v.front() = {};

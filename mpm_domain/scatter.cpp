@@ -10,6 +10,9 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
+/// What a pass scatters of the particles' motion.
+enum class Motion { none, momentum, mass_and_momentum };
+
 /// Particles whose weights are held at a time, in the first-level cache.
 constexpr std::size_t chunk = 64;
 
@@ -46,8 +49,9 @@ template <bool force, bool affine, typename Group>
   if constexpr (affine) {
     store(&w.xi[c], at.xi);
     store(&w.eta[c], at.eta);
-    store(&w.per_x[c], 1.0 / wx.second_moment);
-    store(&w.per_y[c], 1.0 / wy.second_moment);
+    const Lanes per_both = 1.0 / (wx.second_moment * wy.second_moment); // a division costs more than all else
+    store(&w.per_x[c], wy.second_moment * per_both);
+    store(&w.per_y[c], wx.second_moment * per_both);
   }
 }
 
@@ -84,6 +88,7 @@ using Rows = std::array<Lanes, 3>;
 /// What the particles of one cell add to the nodes that they share, three rows of four: held in registers
 /// while they stream through, written to the grid once. Motion and force go one after the other: together
 /// they are more than the registers hold.
+template <Motion motion>
 struct MotionSums {
   Rows mass{}, momentum_x{}, momentum_y{};
 
@@ -110,7 +115,8 @@ struct MotionSums {
     Lanes py = m * vy;
     for (std::size_t j = 0; j < 3; ++j) {
       const double s = w.ys[j][c];
-      mass[j] += s * m;
+      if constexpr (motion == Motion::mass_and_momentum)
+        mass[j] += s * m;
       momentum_x[j] += s * px;
       momentum_y[j] += s * py;
       if constexpr (affine) {
@@ -121,7 +127,8 @@ struct MotionSums {
   }
 
   [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
-    add_rows(a.node_mass + first, a.row, mass);
+    if constexpr (motion == Motion::mass_and_momentum)
+      add_rows(a.node_mass + first, a.row, mass);
     add_rows(a.momentum_x + first, a.row, momentum_x);
     add_rows(a.momentum_y + first, a.row, momentum_y);
   }
@@ -170,7 +177,7 @@ template <typename Sums, typename Add>
 }
 
 /// Flattened: the sums leave the registers if anything that touches them is a call.
-template <bool motion, bool force, bool affine>
+template <Motion motion, bool force, bool affine>
 [[gnu::flatten]] void scatter_range(const Particles& p, std::size_t begin, std::size_t end,
                                     const Lattice& lattice, Grid& grid, double gravity) {
   const Axis x_axis(lattice.x0, lattice.h, p.half_size);
@@ -180,35 +187,37 @@ template <bool motion, bool force, bool affine>
   for (std::size_t k = begin; k < end; k += chunk) {
     const std::size_t count = std::min(chunk, end - k);
     by_fours(0, count, [&](std::size_t c, auto group) {
-      take_weights<force, motion && affine>(p, k + c, c, group, lattice, x_axis, y_axis, w);
+      take_weights<force, motion != Motion::none && affine>(p, k + c, c, group, lattice, x_axis, y_axis, w);
     });
     const Arrays arrays(p, k, lattice, grid);
-    if constexpr (motion)
-      stream<MotionSums>(w, count, arrays,
-                         [&](MotionSums& sums, std::size_t c) { sums.add<affine>(arrays, w, c, lattice.h); });
+    if constexpr (motion != Motion::none)
+      stream<MotionSums<motion>>(w, count, arrays, [&](MotionSums<motion>& sums, std::size_t c) {
+        sums.template add<affine>(arrays, w, c, lattice.h);
+      });
     if constexpr (force)
       stream<ForceSums>(w, count, arrays, [&](ForceSums& sums, std::size_t c) { sums.add(arrays, w, c, g); });
   }
 }
 
 /// The same for particles that touch several lattices, node by node.
-template <bool motion, bool force, bool affine>
+template <Motion motion, bool force, bool affine>
 void scatter_across(const Particles& p, const AcrossWeights& weights, Domain& domain) {
   Grid& grid = domain.grid;
   for (std::size_t k = weights.first(); k < weights.end(); ++k) {
     SecondMoments d;
-    if constexpr (motion && affine)
+    if constexpr (motion != Motion::none && affine)
       d = second_moments(weights.of(k), p.x[k], p.y[k]);
     for (const BoxWeight& w : weights.of(k)) {
       const double m = w.s * p.mass[k];
-      if constexpr (motion) {
+      if constexpr (motion != Motion::none) {
         double vx = p.vx[k];
         double vy = p.vy[k];
         if constexpr (affine) {
           vx += p.bxx[k] / d.x * (w.x - p.x[k]) + p.bxy[k] / d.y * (w.y - p.y[k]);
           vy += p.byx[k] / d.x * (w.x - p.x[k]) + p.byy[k] / d.y * (w.y - p.y[k]);
         }
-        grid.mass[w.node] += m;
+        if constexpr (motion == Motion::mass_and_momentum)
+          grid.mass[w.node] += m;
         grid.momentum_x[w.node] += m * vx;
         grid.momentum_y[w.node] += m * vy;
       }
@@ -221,21 +230,23 @@ void scatter_across(const Particles& p, const AcrossWeights& weights, Domain& do
   }
 }
 
-template <bool motion, bool force>
+template <Motion motion, bool force>
 void clear_row(Grid& grid, const NodeRange& nodes) {
   const auto clear = [&](NodeField& field) {
     std::fill(field.begin() + static_cast<std::ptrdiff_t>(nodes.begin),
               field.begin() + static_cast<std::ptrdiff_t>(nodes.end), 0.0);
   };
-  if constexpr (motion)
-    for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y})
+  if constexpr (motion != Motion::none)
+    for (NodeField* field : {&grid.momentum_x, &grid.momentum_y})
       clear(*field);
+  if constexpr (motion == Motion::mass_and_momentum)
+    clear(grid.mass);
   if constexpr (force)
     for (NodeField* field : {&grid.force_x, &grid.force_y, &grid.dashpot_x, &grid.dashpot_y})
       clear(*field);
 }
 
-template <bool motion, bool force>
+template <Motion motion, bool force>
 void add_clock(Domain& domain, int clock) {
   const std::size_t blocks = domain.blocks_per_clock();
   const std::size_t first = static_cast<std::size_t>(clock) * blocks;
@@ -262,15 +273,17 @@ void add_clock(Domain& domain, int clock) {
     }
 }
 
-template <bool motion, bool force>
+template <Motion motion, bool force>
 void scatter_blocks(Domain& domain) {
   domain.workers.run(domain.row_count(),
                      [&](std::size_t row) { clear_row<motion, force>(domain.grid, domain.row(row)); });
   for (int clock = 0; clock < domain.clocks.count(); ++clock)
     add_clock<motion, force>(domain, clock);
   if (domain.has_tied_nodes()) {
-    if constexpr (motion)
+    if constexpr (motion == Motion::mass_and_momentum)
       fold_motion(domain);
+    if constexpr (motion == Motion::momentum)
+      fold_momentum(domain);
     if constexpr (force)
       fold_forces(domain);
   }
@@ -281,22 +294,26 @@ void scatter_blocks(Domain& domain) {
 void scatter(Domain& domain, ScatterPart part) {
   switch (part) {
   case ScatterPart::motion:
-    return scatter_blocks<true, false>(domain);
+    return scatter_blocks<Motion::mass_and_momentum, false>(domain);
+  case ScatterPart::momentum:
+    return scatter_blocks<Motion::momentum, false>(domain);
   case ScatterPart::force:
-    return scatter_blocks<false, true>(domain);
+    return scatter_blocks<Motion::none, true>(domain);
   case ScatterPart::both:
-    return scatter_blocks<true, true>(domain);
+    return scatter_blocks<Motion::mass_and_momentum, true>(domain);
   }
 }
 
 void scatter_clock(Domain& domain, ScatterPart part, int clock) {
   switch (part) {
   case ScatterPart::motion:
-    return add_clock<true, false>(domain, clock);
+    return add_clock<Motion::mass_and_momentum, false>(domain, clock);
+  case ScatterPart::momentum:
+    return add_clock<Motion::momentum, false>(domain, clock);
   case ScatterPart::force:
-    return add_clock<false, true>(domain, clock);
+    return add_clock<Motion::none, true>(domain, clock);
   case ScatterPart::both:
-    return add_clock<true, true>(domain, clock);
+    return add_clock<Motion::mass_and_momentum, true>(domain, clock);
   }
 }
 

@@ -5,7 +5,12 @@
 namespace tremolo::mpm_domain {
 
 /// What a scatter pass brings to the nodes.
-enum class ScatterPart { motion, force, both };
+enum class ScatterPart {
+  motion,
+  momentum, ///< of motion without the masses, which stay while particles stay where they are
+  force,
+  both, ///< motion and force
+};
 
 /// Particles to grid; sums of the chosen part are zeroed first.
 ///

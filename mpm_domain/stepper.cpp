@@ -45,6 +45,7 @@ std::vector<Pass> Stepper::assemble() {
     passes.push_back({std::move(name), std::move(run)});
   };
   const bool first = domain_.spec.scheme.order == StepOrder::usf;
+  const bool affine = domain_.spec.scheme.transfer == Transfer::apic;
   add("particles to grid",
       [this, first] { scatter(domain_, first ? ScatterPart::motion : ScatterPart::both); });
   add("grid velocities", [this] { velocities(); });
@@ -66,9 +67,11 @@ std::vector<Pass> Stepper::assemble() {
     break;
   case StepOrder::musl:
     add("grid to particles", gather_pass({.velocity = true}, false));
-    add("velocities to grid again", [this] { scatter(domain_, ScatterPart::motion); });
+    add("velocities to grid again", [this] { scatter(domain_, ScatterPart::momentum); });
     add("remapped velocities", [this] { book_remap(remap_velocities(domain_)); });
-    add("strain and stress", gather_pass({.position = true, .strain = true}, true));
+    add("strain and stress", gather_pass(affine ? GatherParts{.drift = true, .strain = true}
+                                                : GatherParts{.position = true, .strain = true},
+                                         true));
     break;
   }
   return passes;

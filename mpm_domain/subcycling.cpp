@@ -21,7 +21,8 @@ void Subcycling::restart() {
   for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y, &grid.force_x, &grid.force_y,
                            &grid.dashpot_x, &grid.dashpot_y, &grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new})
     std::ranges::fill(*field, 0.0);
-  std::ranges::fill(grid.acceleration, Vector{});
+  for (NodeField* field : {&grid.ax, &grid.ay})
+    std::ranges::fill(*field, 0.0);
   resize_shared();
 }
 
@@ -233,18 +234,13 @@ void Subcycling::mean_acceleration() {
   for (int clock = clocks_ - 2; clock >= 0; --clock) {
     const Shared& s = shared(clock);
     over(nodes_.shared(clock), [&](std::size_t n) {
-      grid.acceleration[n] = {s.change_x[n] / dt_of(clock), s.change_y[n] / dt_of(clock)};
+      grid.ax[n] = s.change_x[n] / dt_of(clock);
+      grid.ay[n] = s.change_y[n] / dt_of(clock);
     });
   }
   for (int clock = 0; clock < clocks_; ++clock)
-    for (const std::size_t row : nodes_.ties_of(clock)) {
-      Vector value;
-      for (const Share& share : domain_.mesh->prolongation().row(row)) {
-        value.x += share.weight * grid.acceleration[share.node].x;
-        value.y += share.weight * grid.acceleration[share.node].y;
-      }
-      grid.acceleration[domain_.mesh->prolongation().tied(row)] = value;
-    }
+    for (NodeField* field : {&grid.ax, &grid.ay})
+      domain_.mesh->prolongation().prolong(*field, nodes_.ties_of(clock));
 }
 
 } // namespace tremolo::mpm_domain

@@ -22,17 +22,6 @@ void move(NodeField& field, std::size_t from, std::size_t to) {
   field[from] = 0.0;
 }
 
-void prolong(const Prolongation& prolongation, std::vector<Vector>& field) {
-  for (std::size_t r = 0; r < prolongation.tied_count(); ++r) {
-    Vector value;
-    for (const Share& share : prolongation.row(r)) {
-      value.x += share.weight * field[share.node].x;
-      value.y += share.weight * field[share.node].y;
-    }
-    field[prolongation.tied(r)] = value;
-  }
-}
-
 void fold(Domain& domain, std::initializer_list<NodeField*> fields) {
   if (domain.mesh)
     for (NodeField* field : fields)
@@ -51,6 +40,10 @@ void fold_motion(Domain& domain) {
   fold(domain, {&grid.mass, &grid.momentum_x, &grid.momentum_y});
 }
 
+void fold_momentum(Domain& domain) {
+  fold(domain, {&domain.grid.momentum_x, &domain.grid.momentum_y});
+}
+
 void fold_forces(Domain& domain) {
   Grid& grid = domain.grid;
   fold(domain, {&grid.force_x, &grid.force_y, &grid.dashpot_x, &grid.dashpot_y});
@@ -58,18 +51,16 @@ void fold_forces(Domain& domain) {
 
 void copy_to_tied(Domain& domain) {
   Grid& grid = domain.grid;
-  const std::initializer_list<NodeField*> velocities{&grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new};
-  if (domain.mesh) {
-    for (NodeField* field : velocities)
+  const std::initializer_list<NodeField*> fields{&grid.vx,     &grid.vy, &grid.vx_new,
+                                                 &grid.vy_new, &grid.ax, &grid.ay};
+  if (domain.mesh)
+    for (NodeField* field : fields)
       domain.mesh->prolongation().prolong(*field);
-    prolong(domain.mesh->prolongation(), grid.acceleration);
-  } else {
+  else
     for_images(domain, [&](std::size_t image, std::size_t real) {
-      for (NodeField* field : velocities)
+      for (NodeField* field : fields)
         (*field)[image] = (*field)[real];
-      grid.acceleration[image] = grid.acceleration[real];
     });
-  }
 }
 
 } // namespace tremolo::mpm_domain

@@ -7,9 +7,10 @@
 
 namespace tremolo::mpm_domain {
 
-/// Adds what tied nodes have collected (mass and momentum, or forces) to the nodes that they follow, P^T, and
-/// leaves the tied ones empty.
+/// Adds what tied nodes have collected (mass and momentum, momentum alone, or forces) to the nodes that they
+/// follow, P^T, and leaves the tied ones empty.
 void fold_motion(Domain& domain);
+void fold_momentum(Domain& domain);
 void fold_forces(Domain& domain);
 
 /// Gives tied nodes the velocities and accelerations of the nodes that they follow, P.

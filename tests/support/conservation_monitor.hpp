@@ -61,8 +61,8 @@ public:
     if (!domain_.faces.empty()) {
       const mpm_domain::Grid& grid = domain_.grid;
       for (std::size_t n = 0; n < grid.size(); ++n) {
-        impulse_.x -= 0.5 * dt * dt * grid.dashpot_x[n] * grid.acceleration[n].x;
-        impulse_.y -= 0.5 * dt * dt * grid.dashpot_y[n] * grid.acceleration[n].y;
+        impulse_.x -= 0.5 * dt * dt * grid.dashpot_x[n] * grid.ax[n];
+        impulse_.y -= 0.5 * dt * dt * grid.dashpot_y[n] * grid.ay[n];
       }
     }
     const mpm_domain::EnergyLedger& e = domain_.energy;
