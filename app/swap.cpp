@@ -73,7 +73,9 @@ double difference(const SideFields& fields, const SideFields& reference) {
 }
 
 std::vector<scene::Side> different_sides(const scene::Case& scene) {
-  const auto& [left, right, base] = scene.boundary;
+  const auto& [sides, left, right, base] = scene.boundary;
+  if (scene.boundary.periodic())
+    return {scene::Side::base};
   if (left.surface == right.surface && left.own_profile.empty() && right.own_profile.empty())
     return {scene::Side::left};
   return {scene::Side::left, scene::Side::right};
@@ -103,7 +105,7 @@ std::optional<SideFields> side_fields(const scene::Case& scene, scene::SourceMod
   try {
     SideFields fields;
     for (const scene::Side side : different_sides(scene)) {
-      const double x = side == scene::Side::left ? scene.mesh.box.x_min : scene.mesh.box.x_max;
+      const double x = side == scene::Side::right ? scene.mesh.box.x_max : scene.mesh.box.x_min;
       fields.push_back(side_field(scene, scene::source_of(plan, side), x, model));
     }
     return fields;
@@ -121,7 +123,7 @@ bool is_linear(const scene::Case& scene, const std::vector<scene::Layer>& layers
 
 /// Where the case can be computed by plane waves.
 std::optional<SideFields> exact_fields(const scene::Case& scene) {
-  const auto& [left, right, base] = scene.boundary;
+  const auto& [sides, left, right, base] = scene.boundary;
   if (!is_linear(scene, scene::layers(scene, left)) || !is_linear(scene, scene::layers(scene, right)) ||
       scene.damping.model == scene::DampingModel::rayleigh)
     return std::nullopt;

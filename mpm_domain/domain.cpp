@@ -245,7 +245,8 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
       for (int level = 0; level < domain.lattice_count(); ++level)
         for (const auto& [begin, end] : ranges_of(domain, set, level, clock)) {
           const double c = materials::p_wave_speed_bound(set.law, set.points(begin, end - begin));
-          critical = std::min(critical, steps_of(clock) * 0.65 * domain.lattice(level).h / (c + max_speed));
+          critical = std::min(critical, steps_of(clock) * largest_courant_number * domain.lattice(level).h /
+                                            (c + max_speed));
         }
   return critical;
 }

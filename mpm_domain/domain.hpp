@@ -85,10 +85,13 @@ void weigh_across(Domain& domain, int slowest_clock = 0);
 /// A node with less mass (kg/m) is empty: rounding of weights, not soil.
 double empty_mass(const Domain& domain);
 
-/// The critical time step, s: the least of 0.65 h / (c_p + |v|) over the cells' levels and the soil in them.
+/// Of the critical time step: dt c_p/h.
 ///
 /// 0.746 h/c_p is what two-dimensional uGIMP with two particles a cell and direction allows inside; dashpots
 /// at a corner, taken centred with lumped damping, allow 0.65 (measured; tests/stability/mpm_domain).
+inline constexpr double largest_courant_number = 0.65;
+
+/// The critical time step, s: the least of 0.65 h / (c_p + |v|) over the cells' levels and the soil in them.
 double critical_time_step(Domain& domain, double max_speed);
 
 /// The same for the step of clock 0 where every clock keeps to the limit of its own particles: the least of

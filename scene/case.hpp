@@ -194,10 +194,20 @@ struct BaseBoundary {
   Absorber absorber = Absorber::dashpots;
 };
 
+/// What the sides are.
+enum class Sides {
+  free_field,      ///< driven by their free fields
+  periodic,        ///< one and the same: the model repeats itself beyond them
+  periodic_springs ///< the same by a penalty: springs between particles of equal height
+};
+
 struct Boundary {
-  LateralBoundary left;
+  Sides sides = Sides::free_field;
+  LateralBoundary left; ///< of periodic sides, the surface alone
   LateralBoundary right;
   BaseBoundary base;
+
+  bool periodic() const { return sides != Sides::free_field; }
 };
 
 /// [[stage]] kind = "gravity": base fixed, sides on rollers, damped relaxation to rest.
@@ -341,6 +351,7 @@ std::string_view name(StepOrder);
 std::string_view name(Side);
 std::string_view name(SourceModel);
 std::string_view name(BaseForm);
+std::string_view name(Sides);
 std::string_view name(Absorber);
 std::string_view name(ExchangeMode);
 std::string_view name(OnFullDisk);

@@ -47,6 +47,16 @@ Key absorber() {
       "dashpots");
 }
 
+Key sides() {
+  return choice("sides", {"free_field", "periodic", "periodic_springs"},
+                "What the sides are. `free_field`: each is driven by its free field. `periodic`: they are "
+                "one, and the model "
+                "repeats itself beyond them; for vertical incidence, exact. `periodic_springs`: the same by "
+                "stiff springs "
+                "between the particles of both sides, an error of first order in the cell size.",
+                "free_field");
+}
+
 Table lateral(std::string_view name, std::string_view meaning) {
   auto keys = field_model();
   keys.push_back({.name = "surface",
@@ -54,7 +64,7 @@ Table lateral(std::string_view name, std::string_view meaning) {
                   .meaning = "y of the free surface on this side; the soil of the model must reach up to it.",
                   .otherwise = "`[surface] level`"});
   keys.push_back(absorber());
-  return {.name = name, .required = true, .meaning = meaning, .keys = std::move(keys)};
+  return {.name = name, .meaning = meaning, .keys = std::move(keys)};
 }
 
 Table own_profile(std::string_view name) {
@@ -88,10 +98,12 @@ std::vector<Table> boundary_keys() {
       {.name = "boundary",
        .required = true,
        .meaning = "Which free field drives each side, and how.",
-       .keys = {}},
-      lateral("boundary.left", "Free field at the left side."),
+       .keys = {sides()}},
+      lateral("boundary.left",
+              "Free field at the left side. Required unless `[boundary] sides` are periodic."),
       own_profile("boundary.left.profile"),
-      lateral("boundary.right", "Free field at the right side."),
+      lateral("boundary.right",
+              "Free field at the right side. Required unless `[boundary] sides` are periodic."),
       own_profile("boundary.right.profile"),
       base(),
   };

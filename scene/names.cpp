@@ -90,6 +90,18 @@ std::string_view name(Side side) {
   return {};
 }
 
+std::string_view name(Sides sides) {
+  switch (sides) {
+  case Sides::free_field:
+    return "free_field";
+  case Sides::periodic:
+    return "periodic";
+  case Sides::periodic_springs:
+    return "periodic_springs";
+  }
+  return {};
+}
+
 std::string_view name(Absorber absorber) {
   switch (absorber) {
   case Absorber::dashpots:

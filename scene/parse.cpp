@@ -49,7 +49,7 @@ Case load_free_field(const std::filesystem::path& file, SourceModel model) {
   read_free_field(document, findings, scene);
   if (document.has("stage"))
     read_stages(document, findings, scene);
-  auto& [left, right, base] = scene.boundary;
+  auto& [sides, left, right, base] = scene.boundary;
   left.field.model = right.field.model = base.field.model = model;
   left.surface = right.surface = scene.surface_level;
   for (const Rule rule : {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models,

@@ -83,13 +83,28 @@ std::string subcycling_text(const Case& scene) {
                              : "[time] subcycle = false: one step for all levels";
 }
 
+std::string periodic_text(Sides sides) {
+  switch (sides) {
+  case Sides::free_field:
+    break;
+  case Sides::periodic:
+    return "[boundary] sides = \"periodic\": the grid is wrapped, waves that leave at one side enter at the "
+           "other";
+  case Sides::periodic_springs:
+    return "[boundary] sides = \"periodic_springs\": springs between the particles of both sides, rho h/(4 "
+           "dt2) "
+           "stiff; an error of first order in the cell size, which \"periodic\" has not";
+  }
+  return "[boundary] sides = \"free_field\"";
+}
+
 std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources) {
   const bool apic = scene.time.transfer == Transfer::apic;
   const bool plastic = any_soil(scene, is_plastic);
   const bool softening = any_soil(scene, softens);
   const bool hysteretic = any_soil(scene, is_hysteretic);
   const bool liquefies = any_soil(scene, follows_pressure);
-  const auto& [left, right, base] = scene.boundary;
+  const auto& [sides, left, right, base] = scene.boundary;
   const bool layered = left.absorber == Absorber::matched_layer ||
                        right.absorber == Absorber::matched_layer || base.absorber == Absorber::matched_layer;
   const bool damped = scene.damping.model != DampingModel::none;
@@ -119,6 +134,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"oblique incidence", scene.motion.angle_deg > 0.0,
        fmt::format("[motion] angle_deg = {}", scene.motion.angle_deg)},
       {"free field", true, "[boundary]: " + listed(sources)},
+      {"periodic sides", scene.boundary.periodic(), periodic_text(scene.boundary.sides)},
       {"matched layers", layered,
        layered ? "[boundary]: absorber = \"matched_layer\"" : "all sides of [boundary] have dashpots"},
       {"material damping", damped,

@@ -65,6 +65,7 @@ bool follows_pressure(const materials::Law& law);
 std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess& source);
 
 /// The source that serves a side.
+/// @throws std::invalid_argument for a periodic side
 const SourceProcess& source_of(const Plan& plan, Side side);
 
 /// The plan as text for people.

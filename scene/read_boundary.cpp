@@ -26,18 +26,40 @@ Absorber read_absorber(const TableReader& table) {
 }
 
 LateralBoundary read_side(Document& document, const char* name, Findings& findings, const Case& scene) {
+  if (!document.has(name))
+    findings.add(name,
+                 fmt::format("missing table [{}]: the free field of this side, unless [boundary] sides = "
+                             "\"periodic\"",
+                             name));
   const auto table = document.table(name);
   return {read_model(table, scene), table.optional_number("surface").value_or(scene.surface_level),
           read_layers(document, fmt::format("{}.profile", name).c_str(), findings, scene),
           read_absorber(table)};
 }
 
+/// Where the model repeats itself there is no free field, only the level of its surface.
+LateralBoundary read_periodic_side(Document& document, const char* name, Findings& findings,
+                                   const Case& scene) {
+  if (document.has(name)) {
+    document.table(name);
+    findings.add(name,
+                 fmt::format("[{}] is the free field of a side, but sides = \"{}\" have none; remove it, "
+                             "or choose sides = \"free_field\"",
+                             name, scene::name(scene.boundary.sides)));
+  }
+  LateralBoundary side;
+  side.surface = scene.surface_level;
+  return side;
+}
+
 } // namespace
 
 void read_boundary(Document& document, Findings& findings, Case& scene) {
-  document.table("boundary");
-  scene.boundary.left = read_side(document, "boundary.left", findings, scene);
-  scene.boundary.right = read_side(document, "boundary.right", findings, scene);
+  scene.boundary.sides = from_name(document.table("boundary").text("sides"),
+                                   std::array{Sides::free_field, Sides::periodic, Sides::periodic_springs});
+  const auto read = scene.boundary.periodic() ? read_periodic_side : read_side;
+  scene.boundary.left = read(document, "boundary.left", findings, scene);
+  scene.boundary.right = read(document, "boundary.right", findings, scene);
   const auto base = document.table("boundary.base");
   scene.boundary.base = {read_model(base, scene),
                          from_name(base.text("form"), std::array{BaseForm::total, BaseForm::incident}),

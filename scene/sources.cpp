@@ -29,19 +29,21 @@ void serve(std::vector<SourceProcess>& sources, const FreeFieldModel& field, dou
 } // namespace
 
 std::vector<SourceProcess> plan_sources(const Case& scene) {
-  const auto& [left, right, base] = scene.boundary;
+  const auto& [sides, left, right, base] = scene.boundary;
   std::vector<SourceProcess> sources;
   const auto own = [](const LateralBoundary& boundary, Side side) {
     return boundary.own_profile.empty() ? std::nullopt : std::optional(side);
   };
-  serve(sources, left.field, left.surface, own(left, Side::left), {Side::left, BaseForm::total});
-  serve(sources, right.field, right.surface, own(right, Side::right), {Side::right, BaseForm::total});
+  if (!scene.boundary.periodic()) {
+    serve(sources, left.field, left.surface, own(left, Side::left), {Side::left, BaseForm::total});
+    serve(sources, right.field, right.surface, own(right, Side::right), {Side::right, BaseForm::total});
+  }
   serve(sources, base.field, left.surface, own(left, Side::left), {Side::base, base.form});
   return sources;
 }
 
 std::string describe_base(const Case& scene, const std::vector<SourceProcess>& sources) {
-  const auto& [left, right, base] = scene.boundary;
+  const auto& [sides, left, right, base] = scene.boundary;
   const auto& source = sources[source_index(sources, Side::base)];
   if (base.form == BaseForm::total)
     return fmt::format("total: velocity and stress of the whole free field with its surface at y = {} m, "
@@ -64,7 +66,8 @@ std::size_t source_index(const std::vector<SourceProcess>& sources, Side side) {
   for (std::size_t i = 0; i < sources.size(); ++i)
     if (std::ranges::find(sources[i].serves, side, &Served::side) != sources[i].serves.end())
       return i;
-  throw std::logic_error(fmt::format("the plan has no source for the {} side", name(side)));
+  throw std::invalid_argument(
+      fmt::format("the case has no free field at the {}: its sides are periodic", name(side)));
 }
 
 std::string program(const FreeFieldModel& field) {

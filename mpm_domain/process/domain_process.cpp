@@ -7,6 +7,7 @@
 
 #include "mpm_domain/gravity_stage.hpp"
 #include "mpm_domain/matched_layer.hpp"
+#include "mpm_domain/periodic_springs.hpp"
 #include "mpm_domain/process/checkpoints.hpp"
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/run_output.hpp"
@@ -38,10 +39,11 @@ scene::Side scene_side(mpm_domain::Side side) {
   return scene::Side::base;
 }
 
+/// The faces that a free field drives: all, or from the first behind those of sides tied to each other.
 std::vector<coupler::BoundaryFace> coupled_faces(const mpm_domain::Domain& domain, const scene::Case& scene,
-                                                 const scene::Plan& plan) {
+                                                 const scene::Plan& plan, std::size_t first) {
   std::vector<coupler::BoundaryFace> faces;
-  for (std::size_t f = 0; f < domain.faces.size(); ++f) {
+  for (std::size_t f = first; f < domain.faces.size(); ++f) {
     const mpm_domain::BoundaryFace& face = domain.faces[f];
     const scene::Side side = scene_side(face.side);
     const bool incident = side == scene::Side::base && scene.boundary.base.form == scene::BaseForm::incident;
@@ -78,17 +80,26 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
   mpm_domain::Checkpoints checkpoints(scene.checkpoints, mpm_domain::faces_at_rest(domain),
                                       options.surroundings.log);
   mpm_domain::attach_matched_layers(domain);
-  const std::vector<coupler::BoundaryFace> faces = coupled_faces(domain, scene, plan);
+  std::optional<mpm_domain::PeriodicSprings> springs;
+  if (scene.boundary.sides == scene::Sides::periodic_springs)
+    springs.emplace(domain);
+  const std::size_t tied = springs ? springs->face_count() : 0;
+  const std::vector<coupler::BoundaryFace> faces = coupled_faces(domain, scene, plan, tied);
   const double end = scene.shaking.duration;
-  coupler::DomainClient::Exchanged exchanged;
+  std::vector<eq6::FreeField> free_field(domain.faces.size());
+  double waiting_seconds = 0.0;
   mpm_domain::Stepper stepper(
       domain, 0.0,
       [&](long step, double time, auto v, auto traction) {
-        exchanged = client.tractions(static_cast<std::uint64_t>(step), time, v, traction);
+        const auto exchanged =
+            client.tractions(static_cast<std::uint64_t>(step), time, v.subspan(tied), traction.subspan(tied));
+        std::ranges::copy(exchanged.free_field, free_field.begin() + static_cast<std::ptrdiff_t>(tied));
+        waiting_seconds = exchanged.waiting_seconds;
+        if (springs)
+          springs->pull(v, traction, free_field);
       },
-      [&] { return exchanged.free_field; });
-  std::vector<std::string> sources;
-  sources.reserve(faces.size());
+      [&] { return std::span<const eq6::FreeField>(free_field); });
+  std::vector<std::string> sources(tied, "periodic");
   for (const coupler::BoundaryFace& face : faces)
     sources.push_back(face.source);
   std::filesystem::path before;
@@ -106,12 +117,12 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
     client.ready(faces, 0.0, end, first);
     while (stepper.time() < end) {
       stepper.step();
-      output.after_step(stepper, exchanged.free_field);
+      output.after_step(stepper, free_field);
       if (stepper.time() < end)
         checkpoints.after_step(client, domain, stepper, output);
       client.progress("shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end);
     }
-    output.finish(stepper, exchanged.free_field, gravity_seconds, exchanged.waiting_seconds);
+    output.finish(stepper, free_field, gravity_seconds, waiting_seconds);
   } catch (const std::exception& error) {
     output.abort(error.what());
     throw;

@@ -52,7 +52,7 @@ void damping_suits_models(const Case& scene, Findings& findings) {
   if (model == DampingModel::none)
     return ratios_have_model(scene, findings);
 
-  const auto& [left, right, base] = scene.boundary;
+  const auto& [sides, left, right, base] = scene.boundary;
   const std::array sources = {left.field.model, right.field.model, base.field.model};
   if (scene.halfspace_damping > 0.0 && std::ranges::any_of(sources, marched_in_time) &&
       findings.sound("halfspace.damping"))

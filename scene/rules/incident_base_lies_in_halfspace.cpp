@@ -8,7 +8,7 @@
 namespace tremolo::scene {
 
 void incident_base_lies_in_halfspace(const Case& scene, Findings& findings) {
-  const auto& [left, right, base] = scene.boundary;
+  const auto& [sides, left, right, base] = scene.boundary;
   if (base.form != BaseForm::incident || !findings.sound("boundary.base.form") || !findings.sound("mesh.box"))
     return;
   const double top = std::min(base_level(left.surface, layers(scene, left)),

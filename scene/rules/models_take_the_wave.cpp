@@ -96,9 +96,11 @@ void models_take_the_wave(const Case& scene, Findings& findings) {
       if (!why.empty())
         findings.add(path, why);
   };
-  const auto& [left, right, base] = scene.boundary;
-  check(left.field.model, left.surface, layers(scene, left), "boundary.left.model");
-  check(right.field.model, right.surface, layers(scene, right), "boundary.right.model");
+  const auto& [sides, left, right, base] = scene.boundary;
+  if (!scene.boundary.periodic()) {
+    check(left.field.model, left.surface, layers(scene, left), "boundary.left.model");
+    check(right.field.model, right.surface, layers(scene, right), "boundary.right.model");
+  }
   check(base.field.model, left.surface, layers(scene, left), "boundary.base.model");
 }
 

@@ -29,7 +29,7 @@ void reference_lies_in_halfspace(const Case& scene, Findings& findings) {
                       "half-space{}, y = {}",
                       y, where, top));
   };
-  const auto& [left, right, base] = scene.boundary;
+  const auto& [sides, left, right, base] = scene.boundary;
   const bool differ =
       right.surface != left.surface || !right.own_profile.empty() || !left.own_profile.empty();
   check(left, differ ? " of the left side" : "");

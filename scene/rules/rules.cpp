@@ -5,7 +5,7 @@
 namespace tremolo::scene {
 
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 20> all = {
+  static constexpr std::array<Rule, 21> all = {
       record_is_readable,
       strength_is_ordered,
       box_fits_lattice,
@@ -14,6 +14,7 @@ std::span<const Rule> rules() {
       regions_lie_in_mesh,
       regions_are_apart,
       soil_reaches_boundaries,
+      sides_can_be_periodic,
       total_base_has_one_surface,
       models_take_the_wave,
       model_files_exist,

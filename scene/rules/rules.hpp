@@ -32,6 +32,8 @@ void regions_lie_in_mesh(const Case& scene, Findings& findings);
 void regions_are_apart(const Case& scene, Findings& findings);
 /// Soil reaches along both sides up to the free field's surface, and along the whole base.
 void soil_reaches_boundaries(const Case& scene, Findings& findings);
+/// Periodic sides go with waves that are the same all along the base, and with what can be tied or wrapped.
+void sides_can_be_periodic(const Case& scene, Findings& findings);
 /// A total base field needs one surface level and one profile.
 void total_base_has_one_surface(const Case& scene, Findings& findings);
 /// Each free-field model can compute this wave, given as this kind of motion.

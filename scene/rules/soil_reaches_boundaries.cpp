@@ -52,14 +52,15 @@ void soil_reaches_boundaries(const Case& scene, Findings& findings) {
   const double tolerance = 1e-6 * scene.mesh.size;
 
   const auto check_side = [&](const char* side, double x, double surface) {
-    const std::string path = fmt::format("boundary.{}", side);
-    if (!findings.sound(path + ".surface") || !findings.sound("surface.level"))
+    const std::string path =
+        scene.boundary.periodic() ? "boundary.sides" : fmt::format("boundary.{}.surface", side);
+    if (!findings.sound(path) || !findings.sound("surface.level"))
       return;
     const double top =
         covered_from(box.y_min, edges_on(scene, &Point::x, x, &Point::y, tolerance), tolerance);
     if (std::abs(top - surface) > tolerance)
       findings.add(
-          path + ".surface",
+          path,
           fmt::format(
               "soil along the {} side, x = {}, reaches from the base to y = {} without a gap, but the free "
               "field's surface lies at y = {}; both must agree",

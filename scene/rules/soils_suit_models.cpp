@@ -58,9 +58,11 @@ void soils_suit_models(const Case& scene, Findings& findings) {
     if (const auto why = refused(scene, model, layers); !why.empty() && findings.sound(path))
       findings.add(path, why);
   };
-  const auto& [left, right, base] = scene.boundary;
-  check(left.field.model, layers(scene, left), "boundary.left.model");
-  check(right.field.model, layers(scene, right), "boundary.right.model");
+  const auto& [sides, left, right, base] = scene.boundary;
+  if (!scene.boundary.periodic()) {
+    check(left.field.model, layers(scene, left), "boundary.left.model");
+    check(right.field.model, layers(scene, right), "boundary.right.model");
+  }
   check(base.field.model, layers(scene, left), "boundary.base.model");
 }
 

@@ -17,25 +17,42 @@ LAYERS = {"incident": "incident", "step": "left total field, then right", "blend
           "local": "total field under the ground above"}
 
 
-def main(table, picture):
-    curves = defaultdict(list)
+def read(table):
+    """Width (m) and error (%) by angle, base field and absorber."""
+    curves = defaultdict(lambda: defaultdict(list))
     with open(table) as file:
         for row in csv.DictReader(file):
             if row["absorber"] in ("dashpots", "layers"):
-                curves[row["base"], row["absorber"]].append((float(row["width_m"]), 100.0 * float(row["error"])))
-    figure, axes = plt.subplots(figsize=(7.0, 4.2), layout="constrained")
-    axes.plot(*zip(*curves["incident", "dashpots"]), "k--o", label="dashpots, any field")
+                curves[float(row["angle_deg"])][row["base"], row["absorber"]].append((float(row["width_m"]), 100.0 * float(row["error"])))
+    return curves
+
+
+def draw(axes, curves):
+    colours = {base: f"C{i}" for i, base in enumerate(LAYERS)}
+    at_one_place = len({tuple(points) for (base, absorber), points in curves.items() if absorber == "dashpots"}) == 1
     for (base, absorber), points in curves.items():
         if absorber == "layers":
-            axes.plot(*zip(*points), "-o", markersize=4, label=f"layers, {LAYERS[base]}")
-    axes.set(xscale="log", yscale="log", xlabel="width of the box (m), slope of 10 m in its middle",
-             ylabel="error of particle velocity (%)")
+            axes.plot(*zip(*points), "-o", color=colours[base], markersize=4, label=f"layers, {LAYERS[base]}")
+        elif not at_one_place:
+            axes.plot(*zip(*points), "--o", color=colours[base], markersize=3, label=f"dashpots, {LAYERS[base]}")
+    if at_one_place:
+        axes.plot(*zip(*curves["incident", "dashpots"]), "k--o", label="dashpots, any field")
     ticks = sorted({width for points in curves.values() for width, _ in points})
+    axes.set(xscale="log", yscale="log", xlabel="width of the box (m), slope of 10 m in its middle")
     axes.set_xticks(ticks, [f"{width:g}" for width in ticks])
+    axes.set_yticks([1, 2, 5, 10, 20, 50], ["1", "2", "5", "10", "20", "50"])
     axes.minorticks_off()
-    axes.set_yticks([1, 2, 5, 10, 20], ["1", "2", "5", "10", "20"])
     axes.grid(alpha=0.3)
-    axes.legend(fontsize=8)
+    axes.legend(fontsize=7)
+
+
+def main(table, picture):
+    angles = read(table)
+    figure, panels = plt.subplots(1, len(angles), figsize=(6.0 * len(angles), 5.0), layout="constrained", sharey=True, squeeze=False)
+    for axes, (angle, curves) in zip(panels[0], sorted(angles.items())):
+        draw(axes, curves)
+        axes.set_title(f"SV at {angle:g} degrees")
+    panels[0][0].set_ylabel("error of particle velocity (%)")
     figure.savefig(picture, dpi=120)
 
 

@@ -18,7 +18,7 @@ sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parent)]
 import h5py
 from broken_run import (BoxWorkspace, SlopeWorkspace, checkpoints, differences, exchange_differences, killed, model, record,
                         resumed, whole_run, with_checkpoints)
-from small_case import SLOPE_BOXES, refine
+from small_case import SLOPE_BOXES, PeriodicWorkspace, refine
 
 KILLS = int(os.environ.get("TREMOLO_RESUME_KILLS", "2"))
 SEED = int(os.environ.get("TREMOLO_RESUME_SEED", random.randrange(10**6)))
@@ -79,6 +79,12 @@ class Resume(unittest.TestCase):
             with h5py.File(whole / "run.h5") as file:
                 counts = [len(frame["position"]) for frame in file["frames"].values()]
             self.assertGreater(counts[-1], counts[0], "nothing was cut")
+
+    def test_periodic_sides_that_soil_crosses(self):
+        for sides in ("periodic", "periodic_springs"):
+            with PeriodicWorkspace(TREMOLO, sides=sides, duration=1.5) as work:
+                work.case.write_text(work.case.read_text().replace("velocity = 0.1", "velocity = 10.0"))
+                self.broken_and_resumed(with_checkpoints(work, every_steps=60))
 
     def test_death_while_a_checkpoint_is_written_costs_nothing(self):
         # With one after every step there is hardly a moment in which none is being written.

@@ -98,6 +98,26 @@ class Workspace:
         return self.path / name
 
 
+class PeriodicWorkspace(Workspace):
+    """The box without free fields at its sides, which are what `sides` says."""
+
+    template = CASE.replace("""left = {{ model = "{side}" }}
+right = {{ model = "{side}" }}""", 'sides = "{sides}"')
+    defaults = {**DEFAULTS, "angle": 0.0, "sides": "periodic"}
+
+
+def add_inclusion(work, x):
+    """Soft soil of 4 m by 4 m at the surface of the small box, its left end at x, and the monitor 5 m right of it."""
+    polygons = (f"[[{x}, -4.0], [{x + 4}, -4.0], [{x + 4}, 0.0], [{x}, 0.0]]",
+                f"[[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [{x + 4}, 0.0], [{x + 4}, -4.0], [{x}, -4.0], [{x}, 0.0], [0.0, 0.0]]")
+    text = work.case.read_text()
+    text = text.replace("[[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]", polygons[1])
+    text = text.replace("point = [10.0, 0.0]", f"point = [{x + 5.25}, -0.25]")
+    soft = '[soil.soft]\nmodel = "linear_elastic"\ndensity = 1700.0\nyoung = 10e6\npoisson = 0.28\n'
+    work.case.write_text(f'{text}\n{soft}\n[[region]]\nsoil = "soft"\npolygon = {polygons[0]}\n')
+    return work
+
+
 SLOPE = """
 title = "small slope"
 

@@ -66,10 +66,13 @@ TEST(Subcycle, NeedsLevelsAndWhatItIsMadeFor) {
               ElementsAre(HasSubstr("[time] 'subcycle' = true needs transfer = \"apic\", found \"flip\"")));
   EXPECT_THAT(errors_of(refined(levels + "[time]\nsubcycle = true\norder = \"usf\"")),
               ElementsAre(HasSubstr("[time] 'subcycle' = true needs order = \"musl\", found \"usf\"")));
-  EXPECT_THAT(errors_of(with("right = { model = \"wave\"",
-                             "right = { model = \"wave\", absorber = \"matched_layer\"",
-                             refined(levels + "[time]\nsubcycle = true"))),
-              ElementsAre(HasSubstr("needs absorber = \"dashpots\" on all sides of [boundary]")));
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n",
+                             "sides = \"periodic_springs\"\n", refined(levels + "[time]\nsubcycle = true"))),
+              ElementsAre(HasSubstr("needs sides = \"free_field\" or \"periodic\"")));
+  EXPECT_THAT(
+      errors_of(with("right = { model = \"wave\"", "right = { model = \"wave\", absorber = \"matched_layer\"",
+                     refined(levels + "[time]\nsubcycle = true"))),
+      ElementsAre(HasSubstr("needs absorber = \"dashpots\" on all sides of [boundary]")));
 }
 
 TEST(Subcycle, TheStepIsThatOfTheCoarsestCells) {

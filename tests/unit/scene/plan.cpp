@@ -40,6 +40,15 @@ TEST(Plan, DifferentSurfacesNeedTwoAndTheBaseTakesTheIncidentWaveOfOne) {
   EXPECT_THAT(sloping.base, ::testing::HasSubstr("do not enter"));
 }
 
+TEST(Plan, PeriodicSidesNeedNoFreeField) {
+  const auto periodic =
+      plan_of(with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n", "sides = \"periodic\"\n"));
+  ASSERT_EQ(periodic.sources.size(), 1U);
+  EXPECT_EQ(periodic.sources[0].name, "base");
+  EXPECT_TRUE(std::ranges::find(periodic.effects, "periodic sides", &Effect::name)->on);
+  EXPECT_THROW(source_of(periodic, Side::left), std::invalid_argument);
+}
+
 TEST(Plan, BaseOfAnotherModelHasItsOwnProcess) {
   const auto mixed = plan_of(with("base = { model = \"wave\"", "base = { model = \"fe\""));
   ASSERT_EQ(mixed.sources.size(), 2U);
@@ -69,6 +78,7 @@ TEST(Plan, EffectsFollowTheCase) {
   EXPECT_TRUE(is_on(heavy, "gravity"));
   EXPECT_FALSE(is_on(plan_of(plus("[time]\ntransfer = \"flip\"\n")), "affine velocity"));
   EXPECT_FALSE(is_on(flat, "matched layers"));
+  EXPECT_FALSE(is_on(flat, "periodic sides"));
   const auto layered =
       with("base = { model = \"wave\"", "base = { model = \"wave\", absorber = \"matched_layer\"");
   EXPECT_TRUE(is_on(plan_of(layered), "matched layers"));

@@ -133,6 +133,37 @@ TEST(Rules, TotalBaseHasOneSurface) {
   EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"incident\"", sloping)), IsEmpty());
 }
 
+TEST(Rules, PeriodicSidesSuitTheRest) {
+  const auto periodic = [](const std::string& sides, const std::string& text = std::string(flat_case)) {
+    return with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n", "sides = \"" + sides + "\"\n",
+                text);
+  };
+  EXPECT_THAT(errors_of(periodic("periodic")), IsEmpty());
+  EXPECT_THAT(errors_of(periodic("periodic_springs")), IsEmpty());
+  EXPECT_THAT(
+      errors_of(periodic("free_field")),
+      ElementsAre(
+          "case.toml:24:1: [boundary] missing table [boundary.left]: the free field of this side, unless "
+          "[boundary] sides = \"periodic\"",
+          ::testing::HasSubstr("missing table [boundary.right]")));
+  EXPECT_THAT(errors_of(with("left = {", "sides = \"periodic\"\nleft = {")),
+              ElementsAre(::testing::HasSubstr("[boundary.left] is the free field of a side, but sides = "
+                                               "\"periodic\" have none; remove it"),
+                          ::testing::HasSubstr("[boundary.right] is the free field of a side")));
+  EXPECT_THAT(errors_of(with("angle_deg = 0.0", "angle_deg = 15.0", periodic("periodic"))),
+              ElementsAre(::testing::HasSubstr("[motion] angle_deg = 15 reaches its right side later")));
+  const std::string layered =
+      with("form = \"total\"", "form = \"total\", absorber = \"matched_layer\"", std::string(flat_case));
+  EXPECT_THAT(errors_of(periodic("periodic", layered)), IsEmpty());
+  EXPECT_THAT(errors_of(periodic("periodic_springs", layered)),
+              ElementsAre(::testing::HasSubstr("would end at sides that springs tie above it")));
+  const std::string sloping =
+      with(polygon, "[[0.0, -10.0], [20.0, -10.0], [20.0, -2.0], [0.0, 0.0]]", std::string(flat_case));
+  EXPECT_THAT(errors_of(periodic("periodic", sloping)),
+              ElementsAre(::testing::HasSubstr(
+                  "soil along the right side, x = 20, reaches from the base to y = -2")));
+}
+
 TEST(Rules, ColumnsAreShakenVertically) {
   EXPECT_THAT(errors_of(with_columns()), IsEmpty());
   EXPECT_THAT(
