@@ -62,7 +62,7 @@ void SubcycledBoundary::spread_static() {
   Grid& grid = domain_.grid;
   for (std::size_t f = 0; f < steady_.size(); ++f) {
     const Vector held = domain_.static_tractions[f];
-    const double share = subcycling_.steady_share() * domain_.faces[f].length;
+    const double share = subcycling_.steady_share(clock_[f]) * domain_.faces[f].length;
     for (const auto& [node, w] : steady_[f]) {
       if (subcycling_.nodes().clock_of(node) < subcycling_.first_due())
         continue;

@@ -129,11 +129,12 @@ void Subcycling::add_steady() {
   Grid& grid = domain_.grid;
   for (int clock = 0; shares(clock); ++clock) {
     const Shared& s = shared(clock);
+    const double share = steady_share(clock);
     over(nodes_.shared(clock), [&](std::size_t n) {
       if (nodes_.clock_of(n) < first_due())
         return;
-      grid.force_x[n] += steady_share() * s.steady_x[n];
-      grid.force_y[n] += steady_share() * s.steady_y[n];
+      grid.force_x[n] += share * s.steady_x[n];
+      grid.force_y[n] += share * s.steady_y[n];
     });
   }
 }

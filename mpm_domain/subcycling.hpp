@@ -63,9 +63,9 @@ public:
   double dt_of(int clock) const { return dt_ / static_cast<double>(1 << clock); }
   /// Time that forces of a clock act for at this tick: all clocks change their step together.
   double kick_of(int clock) const { return (tick_ == 0 ? kick_ : dt_) / static_cast<double>(1 << clock); }
-  /// What a force that acts at every tick is multiplied with, so that it adds up to kick_of its clock in the
-  /// step.
-  double steady_share() const { return tick_ == 0 ? 1.0 : kick_ / dt_; }
+  /// What a force of a clock that acts at every tick is multiplied with, so that it adds up to kick_of(clock)
+  /// in the clock's step.
+  double steady_share(int clock) const { return tick_ > 0 && tick_ < ticks() >> clock ? kick_ / dt_ : 1.0; }
   const ClockNodes& nodes() const { return nodes_; }
   /// How often particles are moved in a step, all together.
   double updates_per_step() const;
