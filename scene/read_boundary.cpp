@@ -61,9 +61,10 @@ void read_boundary(Document& document, Findings& findings, Case& scene) {
   scene.boundary.left = read(document, "boundary.left", findings, scene);
   scene.boundary.right = read(document, "boundary.right", findings, scene);
   const auto base = document.table("boundary.base");
-  scene.boundary.base = {read_model(base, scene),
-                         from_name(base.text("form"), std::array{BaseForm::total, BaseForm::incident}),
-                         read_absorber(base)};
+  scene.boundary.base = {
+      read_model(base, scene),
+      from_name(base.text("form"), std::array{BaseForm::total, BaseForm::incident, BaseForm::blended}),
+      read_absorber(base)};
 }
 
 } // namespace tremolo::scene
