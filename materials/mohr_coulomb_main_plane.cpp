@@ -35,6 +35,17 @@ struct MainPlane {
   return 1.0 + slope * (1.0 + slope * (1.0 + slope));
 }
 
+/// A change of eta e that is slight: what is linear in it is right to its square, 1e-14.
+constexpr double slight = 1e-7;
+
+/// The strength after another slight step of plastic strain, its limit in tension aside.
+[[gnu::always_inline]] inline FadingStrength continued(FadingStrength strength, double step) {
+  strength.now.cohesive += step * strength.cohesive_rate;
+  strength.now.sin_friction += step * strength.sin_friction_rate;
+  strength.now.sin_dilation += step * strength.sin_dilation_rate;
+  return strength;
+}
+
 using Lane = PlasticPoints::Lane;
 
 /// In-plane principal stresses: mean + radius and mean - radius.
@@ -91,12 +102,14 @@ void find(const MohrCoulomb law, PlasticPoints& points, Drop& drop) { // a copy:
     const double f = plane.multiplier;
     double x = plane.step;
     double gap = 0.0;
+    double last = 0.0; // step of Newton's method
     if constexpr (softens) {
       x *= newton(plane.slope);
       strength = strength_after<fading_dilation>(law, limit, elementary::exp(-law.softening * (e + x)));
       plane = main_plane(strength, shear, bulk, s1, s3);
-      x += (plane.step - x) * newton(plane.slope);
-      strength = strength_after<fading_dilation>(law, limit, elementary::exp(-law.softening * (e + x)));
+      last = (plane.step - x) * newton(plane.slope);
+      x += last;
+      strength = continued(strength, last);
       plane = main_plane(strength, shear, bulk, s1, s3);
       gap = std::abs(plane.step - x) - 1e-12 * x;
     }
@@ -106,8 +119,9 @@ void find(const MohrCoulomb law, PlasticPoints& points, Drop& drop) { // a copy:
     const double d2 = plane.multiplier * pressure;
     const double d3 = plane.multiplier * (2.0 * shear * (flow - 1.0) + pressure);
     const bool yields = f > 0.0;
-    const bool fits =
-        (s1 - d1 >= s2 - d2) & (s2 - d2 >= s3 - d3) & (s1 - d1 <= strength.now.tension) & (gap <= negligible);
+    const bool fits = (s1 - d1 >= s2 - d2) & (s2 - d2 >= s3 - d3) &
+                      (s1 - d1 <= (1.0 - 10.0 * slight) * strength.now.tension) & (gap <= negligible) &
+                      (law.softening * std::abs(last) <= slight);
     drop.first[i] = d1;
     drop.second[i] = d2;
     drop.third[i] = d3;

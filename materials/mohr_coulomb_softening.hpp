@@ -21,6 +21,7 @@ struct FadingStrength {
   Strength now;
   double cohesive_rate = 0.0;     ///< d (2 c cos(phi))/de, Pa
   double sin_friction_rate = 0.0; ///< d sin(phi)/de
+  double sin_dilation_rate = 0.0; ///< d sin(psi)/de
 };
 
 /// exp(-eta e); below 1e-304 it stays as it is.
@@ -47,12 +48,14 @@ template <bool fading_dilation>
   FadingStrength strength;
   strength.now.cohesive = 2.0 * cohesion * angle.cosine;
   strength.now.sin_friction = angle.sine;
-  strength.now.sin_dilation = sine_cosine(law.dilation_residual + dilation_left).sine;
+  const SineCosine dilation = sine_cosine(law.dilation_residual + dilation_left);
+  strength.now.sin_dilation = dilation.sine;
   strength.now.apex = cohesion * angle.cosine / angle.sine; // infinite for phi = 0
   strength.now.tension = std::min(cutoff, strength.now.apex);
   strength.cohesive_rate =
       2.0 * law.softening * (cohesion * angle.sine * friction_left - cohesion_left * angle.cosine);
   strength.sin_friction_rate = -law.softening * angle.cosine * friction_left;
+  strength.sin_dilation_rate = -law.softening * dilation.cosine * dilation_left;
   return strength;
 }
 

@@ -76,6 +76,7 @@ void graded_weights(const BoundaryFace& face, const Particles& set, const Graded
   const double y = set.y[k] + half * n.y;
   const bool vertical = face.side != Side::base;
   std::vector<BoxWeight> parts;
+  parts.reserve(16);
   box_average(
       mesh, vertical ? mesh::Rectangle{x, y - half, x, y + half} : mesh::Rectangle{x - half, y, x + half, y},
       parts);

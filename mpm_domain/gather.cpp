@@ -259,7 +259,10 @@ void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments
   points.deyy = inc.eyy.data();
   points.dgxy = inc.gxy.data();
   points.dwxy = inc.wxy.data();
-  materials::update(p.law, points);
+  if constexpr (all_effects)
+    materials::update(p.law, points);
+  else
+    materials::update(std::get<materials::LinearElastic>(p.law), points);
   by_fours(0, count, [&](std::size_t c, auto group) {
     const std::size_t k = begin + c;
     const Lanes volume = group.load(&p.volume[k]);
@@ -318,7 +321,7 @@ GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const 
   const Grid& grid = domain.grid;
   const std::size_t begin = p.block_start[block];
   const std::size_t end = p.block_start[block + 1];
-  if (block >= domain.block_count()) {
+  if (all_effects && block >= domain.block_count()) {
     const AcrossWeights& weights = domain.across_of(s, domain.clock_of_block(block));
     return gather_range<parts, affine>(p, begin, end, settings,
                                        [&](std::size_t k, const Lanes&, const Lanes&, std::size_t count) {
@@ -343,7 +346,7 @@ GatherSums gather_blocks(Domain& domain, const Settings& settings) {
     const std::size_t block = task < lattice_blocks ? settings.blocks.lattice.first + task
                                                     : settings.blocks.across.first + task - lattice_blocks;
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-      const GatherSums work = domain.sets[s].bxx.empty()
+      const GatherSums work = !all_effects || domain.sets[s].bxx.empty()
                                   ? gather_block<parts, strain_of_first, false>(domain, s, block, settings)
                                   : gather_block<parts, strain_of_first, true>(domain, s, block, settings);
       sums[task].elastic += work.elastic;

@@ -16,9 +16,9 @@ namespace tremolo::mpm_domain {
 /// Rows of cells that one task of a particle loop owns.
 ///
 /// A block's particles touch nodes of its own rows and, because they may have moved by up to a cell since the
-/// last sort, one row below and three above; with eight rows every second block can therefore be scattered at
+/// last sort, one row below and three above; with four rows every second block can therefore be scattered at
 /// once.
-inline constexpr int rows_per_block = 8;
+inline constexpr int rows_per_block = 4;
 
 /// All particles of one soil and of one size, one array a quantity, ordered by grid cell.
 struct Particles {

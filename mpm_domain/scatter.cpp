@@ -257,13 +257,13 @@ void add_clock(Domain& domain, int clock) {
       for (const Particles& p : domain.sets) {
         const std::size_t begin = p.block_start[block];
         const std::size_t end = p.block_start[block + 1];
-        if (p.bxx.empty())
+        if (!all_effects || p.bxx.empty())
           scatter_range<motion, force, false>(p, begin, end, lattice, domain.grid, domain.spec.gravity);
         else
           scatter_range<motion, force, true>(p, begin, end, lattice, domain.grid, domain.spec.gravity);
       }
     });
-  if (domain.mesh)
+  if (all_effects && domain.mesh)
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
       const Particles& p = domain.sets[s];
       if (p.bxx.empty())

@@ -14,7 +14,8 @@ namespace tremolo::mpm_domain {
 ///
 /// Which thread runs a task is left open, so tasks must not depend on it: results are the same for any thread
 /// count. Nobody waits for a thread that has not woken up yet: where the processors are busy with other
-/// programs, the caller does its work.
+/// programs, the caller does its work. Threads look out for the next loop for some microseconds before they
+/// sleep, since the loops of a step follow each other faster than a thread wakes up.
 class WorkerPool {
 public:
   explicit WorkerPool(int threads);
@@ -27,6 +28,7 @@ public:
 
 private:
   void work();
+  void await_loop(std::uint64_t seen) const;
   void take_tasks();
   /// Counts this thread among those at work, unless the loop has no tasks left to begin.
   bool enter();
@@ -34,6 +36,7 @@ private:
   std::vector<std::thread> threads_;
   const std::function<void(std::size_t)>* task_ = nullptr;
   std::size_t count_ = 0;
+  std::size_t portion_ = 1; ///< tasks taken at a time
   std::atomic<std::size_t> next_{0};
   std::atomic<std::uint64_t> generation_{0};
   static constexpr std::size_t closed = std::size_t{1} << 63U;

@@ -55,11 +55,10 @@ public:
   template <typename Act>
   void for_parts(const mesh::Rectangle& box, const Act& act) const {
     const mesh::Roots& roots = tree_.roots();
-    const auto column = [&](double x) { return static_cast<int>(std::floor((x - roots.x0) / roots.h)); };
-    const auto row = [&](double y) { return static_cast<int>(std::floor((y - roots.y0) / roots.h)); };
-    // One more on either side, for rounding.
-    for (int j = row(box.y_min) - 1; j <= row(box.y_max) + 1; ++j)
-      for (int i = column(box.x_min) - 1; i <= column(box.x_max) + 1; ++i)
+    const auto cell = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / roots.h)); };
+    const double rounding = 1e-9 * roots.h;
+    for (int j = cell(box.y_min - rounding, roots.y0); j <= cell(box.y_max + rounding, roots.y0); ++j)
+      for (int i = cell(box.x_min - rounding, roots.x0); i <= cell(box.x_max + rounding, roots.x0); ++i)
         if (tree_.exists({0, i, j}))
           for_parts_in({0, i, j}, box, act);
   }

@@ -6,7 +6,9 @@
 //   threads/<n>                   the wall clock, for n threads on as many free cores
 //   softening/<c>                 Mohr-Coulomb that softens, cohesion c (Pa): `yielding` tells the share of
 //                                 particles that yield in a step
-//   particles/<n>                 cost against their number, with the bytes that one takes
+//   graded                        cells of 1, 0.5 and 0.25 m, a third of the depth or less each
+//   particles/<n>                 cost against their number, with the bytes that one takes: `arrays` its own,
+//                                 `peak` the memory of the process, grid, filling and sorting included
 //   triad                         a = b + s c over 3 x 64 MiB: what the memory gives, 24 bytes a number
 
 #include "mpm_domain/stepper.hpp"
@@ -16,7 +18,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <string>
 
 namespace tremolo::cost {
 namespace {
@@ -114,16 +118,51 @@ void softening(benchmark::State& run) {
   run.counters["yielding"] = yielded / updates;
 }
 
+/// Three levels, in bands, with about as many particles as the square.
+void graded(benchmark::State& run, Transfer transfer, StepOrder order) {
+  mpm_domain::Spec spec = square(cells, elastic(), transfer, order, 1);
+  constexpr double width = 112.0;
+  constexpr double depth = 56.0;
+  spec.box = {0.0, 0.0, width, depth};
+  spec.cell_size = 1.0;
+  spec.regions = {{0, {{0.0, 0.0}, {width, 0.0}, {width, depth}, {0.0, depth}}}};
+  spec.refine = {{{0.0, 32.0, width, depth}, 1}, {{0.0, 48.0, width, depth}, 2}};
+  Shaken shaken(spec);
+  step_on(run, shaken);
+  run.counters["particles"] = static_cast<double>(shaken.domain.particle_count());
+}
+
 /// What a particle of a set takes: its arrays, and what finds it.
 double bytes_a_particle(Particles& set) {
   return 8.0 * static_cast<double>(set.columns().size() + set.state_size) + 4.0 + 4.0;
 }
 
+/// A line of /proc/self/status, e.g. "VmRSS", bytes.
+double memory(const std::string& line) {
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while (status >> word)
+    if (word == line + ":") {
+      double kib = 0.0;
+      status >> kib;
+      return 1024.0 * kib;
+    }
+  return 0.0;
+}
+
+/// From here on VmHWM is the peak since now.
+void forget_peak() {
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
 void particles(benchmark::State& run) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(run.range(0)) / 4.0)));
+  forget_peak();
+  const double before = memory("VmRSS");
   Shaken shaken(square(side, elastic(), Transfer::flip, StepOrder::usl, 1));
   step_on(run, shaken);
-  run.counters["bytes"] = bytes_a_particle(shaken.domain.sets.front());
+  run.counters["arrays"] = bytes_a_particle(shaken.domain.sets.front());
+  run.counters["peak"] = (memory("VmHWM") - before) / static_cast<double>(shaken.domain.particle_count());
 }
 
 void plain(benchmark::State& run) {
@@ -154,6 +193,8 @@ BENCHMARK_CAPTURE(domain, usl_apic, Transfer::apic, StepOrder::usl);
 BENCHMARK_CAPTURE(domain, usf_flip, Transfer::flip, StepOrder::usf);
 BENCHMARK_CAPTURE(domain, musl_flip, Transfer::flip, StepOrder::musl);
 BENCHMARK_CAPTURE(domain, musl_apic, Transfer::apic, StepOrder::musl);
+BENCHMARK_CAPTURE(graded, usl_flip, Transfer::flip, StepOrder::usl);
+BENCHMARK_CAPTURE(graded, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK(threads)->Arg(1)->Arg(2)->UseRealTime();
 BENCHMARK(softening)->Arg(100)->Arg(1000)->Arg(1400)->Arg(2000);
 BENCHMARK(particles)->Arg(10'000)->Arg(102'400)->Arg(1'000'000)->Arg(10'000'000);
