@@ -69,7 +69,7 @@ inline mesh::Rectangle box_of(const Particles& p, std::size_t k, double margin =
 
 /// The same on a graded mesh: by clock, then by lattice, then by cell. Behind them stand, clock by clock and
 /// level by level of the finest cells that they touch, the particles whose box touches cells of several
-/// lattices or might before the next sort, and those larger than half a cell.
+/// lattices or of a virtually split leaf, or might before the next sort, and those larger than half a cell.
 /// @param margin  how far particles may move until the next sort, m
 /// @throws std::runtime_error if a particle has left the mesh, naming its place
 void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMap& clocks, double margin);

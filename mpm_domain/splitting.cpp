@@ -20,9 +20,10 @@ bool is_to_be_cut(const Particles& p, std::size_t k, const mesh::Quadtree& tree)
 
 /// D of a particle, m2.
 SecondMoments second_moments(const Particles& p, std::size_t k, const GradedMesh& mesh) {
-  std::vector<BoxWeight> weights;
-  box_average(mesh, box_of(p, k), weights);
-  return second_moments(weights, p.x[k], p.y[k]);
+  AcrossWeights weights;
+  weights.restart(k);
+  weights.add(mesh, box_of(p, k));
+  return second_moments(weights.of(k), p.x[k], p.y[k]);
 }
 
 /// The affine velocity of the four is that of the one, C = B D^-1, each with its own D.

@@ -7,13 +7,15 @@
 
 namespace tremolo::mpm_domain {
 
-/// Weights of consecutive particles whose boxes touch several lattices, or are larger or smaller than those
-/// that belong to the cells there.
+/// Weights of real nodes of consecutive particles whose boxes touch several lattices or a virtual node, or
+/// are larger than half a cell. An affine velocity v_p + C (x - x_p) is told to nodes at their own places:
+/// told to virtual ones and shared out, it would come to their real nodes as that of places in between, and a
+/// linear field would be smoothed in every step.
 class AcrossWeights {
 public:
   /// Forgets all and starts with the weights of particle `first`.
   void restart(std::size_t first);
-  /// The next particle's; each node stands once.
+  /// The next particle's; each node, or image of one, stands once.
   void add(const GradedMesh& mesh, const mesh::Rectangle& box);
 
   /// Particles [first, end).

@@ -33,7 +33,8 @@ struct BoxWeight {
 void box_average(const GradedMesh& mesh, const mesh::Rectangle& box, std::vector<BoxWeight>& weights);
 
 /// D of weights about a place, m2. It is diagonal across lattices too: over the parts R of a box, sum |R|
-/// (x_R - x)(y_R - y) = int (x - x_p)(y - y_p) dA = 0.
+/// (x_R - x)(y_R - y) = int (x - x_p)(y - y_p) dA = 0; and the nodes that a virtual one follows lie about it
+/// symmetrically in x or in y.
 struct SecondMoments {
   double x = 0.0;
   double y = 0.0;

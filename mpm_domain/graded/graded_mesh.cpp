@@ -1,6 +1,8 @@
 #include "mpm_domain/graded/graded_mesh.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <unordered_map>
@@ -112,12 +114,27 @@ public:
   }
 
 private:
-  void tie(const Cell& at, const Shares& to) {
+  void tie(const Cell& at, Shares to) {
     const std::size_t node = mesh_.node(at.level, at.i, at.j);
     if (done_[node] || (to.size() == 1 && to.front().node == node))
       return;
     done_[node] = true;
+    for (Share& share : to)
+      place(share, at);
     prolongation_.tie(node, to);
+  }
+
+  void place(Share& share, const Cell& tied) const {
+    const Roots& roots = mesh_.tree().roots();
+    const auto lattice = std::ranges::find_if(
+        mesh_.lattices(), [&](const Lattice& one) { return share.node < one.first + one.count(); });
+    const auto n = static_cast<int>(share.node - lattice->first);
+    const double h = mesh_.tree().size(tied.level);
+    const double period = roots.period * roots.h;
+    share.dx = lattice->x0 + n % lattice->nx * lattice->h - (roots.x0 + tied.i * h);
+    share.dy = lattice->y0 + n / lattice->nx * lattice->h - (roots.y0 + tied.j * h);
+    if (roots.period > 0)
+      share.dx -= period * std::round(share.dx / period);
   }
 
   const GradedMesh& mesh_;

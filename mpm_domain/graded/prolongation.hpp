@@ -11,10 +11,13 @@
 
 namespace tremolo::mpm_domain {
 
-/// A node and its share.
+/// A node and its share in a tied one, and where it lies from that (of a periodic mesh, its nearest image),
+/// m.
 struct Share {
   std::size_t node = 0;
   double weight = 0.0;
+  double dx = 0.0;
+  double dy = 0.0;
 };
 
 /// The sparse prolongation P; nodes that are not tied have no row and keep their values.

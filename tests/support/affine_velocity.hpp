@@ -3,10 +3,8 @@
 // The affine velocity C = B D^-1 of a particle, whose moment B is what it keeps (particles.hpp).
 
 #include "mpm_domain/domain.hpp"
-#include "mpm_domain/graded/box_average.hpp"
 
 #include <cmath>
-#include <vector>
 
 namespace tremolo::test_support {
 
@@ -18,15 +16,12 @@ struct AffineVelocity {
 /// D of a particle's weights, which is diagonal, m2: sum S (x_i - x)^2 and sum S (y_i - y)^2.
 inline mpm_domain::Vector second_moments(const mpm_domain::Domain& domain, const mpm_domain::Particles& p,
                                          std::size_t k) {
-  mpm_domain::Vector d;
   if (domain.mesh) {
-    std::vector<mpm_domain::BoxWeight> weights;
-    mpm_domain::box_average(*domain.mesh, mpm_domain::box_of(p, k), weights);
-    for (const mpm_domain::BoxWeight& w : weights) {
-      d.x += w.s * (w.x - p.x[k]) * (w.x - p.x[k]);
-      d.y += w.s * (w.y - p.y[k]) * (w.y - p.y[k]);
-    }
-    return d;
+    mpm_domain::AcrossWeights weights;
+    weights.restart(k);
+    weights.add(*domain.mesh, mpm_domain::box_of(p, k));
+    const auto d = mpm_domain::second_moments(weights.of(k), p.x[k], p.y[k]);
+    return {d.x, d.y};
   }
   const auto moment = [](double x, const mpm_domain::Axis& axis) {
     const double place = axis.cells(x);

@@ -187,6 +187,43 @@ TEST(GradedDomain, RigidMotionCausesNoStressOnAnyLevel) {
   });
 }
 
+/// v = A x, told by particles wherever they stand, comes to every node as A x: APIC smooths no linear field.
+TEST(GradedDomain, ApicHandsLinearVelocitiesToNodesOfAllLevels) {
+  for (const int per_cell : {1, 2, 4})
+    for (const double shift : {0.0, 0.13}) {
+      Spec spec = graded_box(per_cell);
+      spec.scheme.transfer = Transfer::apic;
+      Domain domain(spec);
+      const test_support::AffineVelocity a{.xx = 0.3, .xy = -1.1, .yx = 0.7, .yy = 0.9};
+      for_particles(domain, [&](Particles& set, std::size_t k) {
+        set.x[k] += shift;
+        set.y[k] -= 0.6 * shift;
+        set.vx[k] = a.xx * set.x[k] + a.xy * set.y[k];
+        set.vy[k] = a.yx * set.x[k] + a.yy * set.y[k];
+        test_support::set_affine_velocity(domain, set, k, a);
+      });
+      sort_particles(domain);
+      scatter(domain, ScatterPart::motion);
+      grid_velocities(domain);
+      const Grid& grid = domain.grid;
+      for (int level = 0; level < domain.lattice_count(); ++level) {
+        const Lattice& lattice = domain.lattice(level);
+        for (int j = 0; j < lattice.ny; ++j)
+          for (int i = 0; i < lattice.nx; ++i) {
+            const std::size_t n = lattice.index(i, j);
+            if (grid.mass[n] <= 1e-6 * 1700.0)
+              continue;
+            const double x = lattice.x0 + i * lattice.h;
+            const double y = lattice.y0 + j * lattice.h;
+            EXPECT_NEAR(grid.vx[n], a.xx * x + a.xy * y, 1e-11)
+                << x << ", " << y << ", per cell " << per_cell;
+            EXPECT_NEAR(grid.vy[n], a.yx * x + a.yy * y, 1e-11)
+                << x << ", " << y << ", per cell " << per_cell;
+          }
+      }
+    }
+}
+
 TEST(GradedDomain, TranslationThroughAllLevelsStaysRigid) {
   for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
     Spec spec = graded_box();
@@ -263,6 +300,38 @@ TEST(GradedDomain, TheStepIsThatOfTheFinestCellsInTheirSoil) {
   const double c = materials::elasticity(spec.soils.front().law).p_wave_speed();
   // 0.25 m cells with c against 1 m cells with 4 c: the same.
   EXPECT_NEAR(critical_time_step(domain, 0.0), 0.65 * 0.25 / c, 1e-12);
+}
+
+/// A particle of a narrow period may touch a node and its image, which are two places.
+TEST(GradedDomain, APeriodOfTwoCellsIsTwiceInOneOfFour) {
+  const auto velocities = [](double width) {
+    Spec spec = test_support::elastic_box(width, 6.0, 1.0);
+    spec.periodic_sides = true;
+    spec.scheme.transfer = Transfer::apic;
+    spec.refine = {{{0.0, -3.0, width, 0.0}, 1}};
+    Domain domain(spec);
+    for_particles(domain, [](Particles& set, std::size_t k) {
+      set.vx[k] = 0.1 * std::cos(std::numbers::pi * set.x[k]) * set.y[k];
+      set.vy[k] = 0.1 * std::sin(std::numbers::pi * set.x[k]) + 0.02 * set.y[k];
+    });
+    Stepper stepper(domain, 0.0, no_traction());
+    for (int step = 0; step < 100; ++step)
+      stepper.step();
+    std::map<std::pair<long, long>, Vector> found; // by place, mm
+    for_particles(domain, [&](Particles& set, std::size_t k) {
+      if (set.x_initial[k] < 2.0)
+        found[{std::lround(1e3 * set.x_initial[k]), std::lround(1e3 * set.y_initial[k])}] = {set.vx[k],
+                                                                                             set.vy[k]};
+    });
+    return found;
+  };
+  const auto narrow = velocities(2.0);
+  const auto wide = velocities(4.0);
+  ASSERT_EQ(narrow.size(), wide.size());
+  for (const auto& [place, v] : narrow) {
+    EXPECT_NEAR(v.x, wide.at(place).x, 1e-9);
+    EXPECT_NEAR(v.y, wide.at(place).y, 1e-9);
+  }
 }
 
 /// On a torus the seam cannot be seen, wherever the fine cells lie.
