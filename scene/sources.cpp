@@ -31,10 +31,6 @@ std::optional<Side> own(const LateralBoundary& boundary, Side side) {
   return boundary.own_profile.empty() ? std::nullopt : std::optional(side);
 }
 
-bool differ(const LateralBoundary& left, const LateralBoundary& right) {
-  return left.surface != right.surface || !left.own_profile.empty() || !right.own_profile.empty();
-}
-
 /// That of the base under one side's ground.
 const SourceProcess& under_side(const Plan& plan, const LateralBoundary& boundary, Side side) {
   const auto source = std::ranges::find_if(plan.sources, [&](const SourceProcess& candidate) {
@@ -55,13 +51,11 @@ std::vector<SourceProcess> plan_sources(const Case& scene) {
     serve(sources, left.field, left.surface, own(left, Side::left), {Side::left, BaseForm::total});
     serve(sources, right.field, right.surface, own(right, Side::right), {Side::right, BaseForm::total});
   }
-  if (base.form == BaseForm::blended) {
-    serve(sources, base.field, left.surface, own(left, Side::left), {Side::base, BaseForm::total});
-    if (differ(left, right))
-      serve(sources, base.field, right.surface, own(right, Side::right), {Side::base, BaseForm::total});
-  } else {
-    serve(sources, base.field, left.surface, own(left, Side::left), {Side::base, base.form});
-  }
+  const bool blended = base.form == BaseForm::blended;
+  serve(sources, base.field, left.surface, own(left, Side::left),
+        {Side::base, blended ? BaseForm::total : base.form});
+  if (blended)
+    serve(sources, base.field, right.surface, own(right, Side::right), {Side::base, BaseForm::total});
   return sources;
 }
 
@@ -118,7 +112,7 @@ std::string program(const FreeFieldModel& field) {
 
 BaseSources base_sources(const Case& scene, const Plan& plan) {
   const auto& [sides, left, right, base] = scene.boundary;
-  if (base.form != BaseForm::blended || !differ(left, right))
+  if (base.form != BaseForm::blended)
     return {source_of(plan, Side::base).name, std::nullopt};
   return {under_side(plan, left, Side::left).name, under_side(plan, right, Side::right).name};
 }
