@@ -13,8 +13,9 @@ constexpr double negligible = 1e-12;
 
 SubcycledBoundary::SubcycledBoundary(Domain& domain, const Subcycling& subcycling)
     : domain_(domain), subcycling_(subcycling), weights_(domain.faces.size()), scaled_(domain.faces.size()),
-      clock_(domain.faces.size()), v_exchange_(domain.faces.size()), v_(domain.faces.size()),
-      v_mid_(domain.faces.size()), exchanged_(domain.faces.size()), traction_(domain.faces.size()) {}
+      steady_(domain.faces.size()), clock_(domain.faces.size()), v_exchange_(domain.faces.size()),
+      v_(domain.faces.size()), v_mid_(domain.faces.size()), exchanged_(domain.faces.size()),
+      traction_(domain.faces.size()), moving_(domain.faces.size()) {}
 
 void SubcycledBoundary::hold(std::span<const Vector> velocities, std::span<const Vector> tractions) {
   v_exchange_.assign(velocities.begin(), velocities.end());
@@ -32,7 +33,7 @@ void SubcycledBoundary::weigh(std::size_t f) {
     for (const FaceWeight& w : weights_[f])
       clock_[f] = std::min(clock_[f], nodes.clock_of(w.node));
   }
-  scaled_[f] = weights_[f];
+  scaled_[f] = steady_[f] = weights_[f];
   for (FaceWeight& w : scaled_[f])
     w.w *= static_cast<double>(1 << (nodes.clock_of(w.node) - clock_[f]));
 }
@@ -49,8 +50,26 @@ void SubcycledBoundary::spread() {
     const Vector more = {v_[f].x - v_exchange_[f].x, v_[f].y - v_exchange_[f].y};
     const Vector viscous = eq6::viscous_traction(domain_.faces[f].face, more);
     traction_[f] = {exchanged_[f].x + viscous.x, exchanged_[f].y + viscous.y};
+    const Vector held = domain_.static_tractions[f];
+    moving_[f] = {traction_[f].x - held.x, traction_[f].y - held.y};
   }
-  spread_tractions(domain_, scaled_, traction_);
+  spread_tractions(domain_, scaled_, moving_);
+  spread_static();
+}
+
+/// Static tractions act at every tick of a node, like the steady forces of the soil that they hold.
+void SubcycledBoundary::spread_static() {
+  Grid& grid = domain_.grid;
+  for (std::size_t f = 0; f < steady_.size(); ++f) {
+    const Vector held = domain_.static_tractions[f];
+    const double share = subcycling_.steady_share(clock_[f]) * domain_.faces[f].length;
+    for (const auto& [node, w] : steady_[f]) {
+      if (subcycling_.nodes().clock_of(node) < subcycling_.first_due())
+        continue;
+      grid.force_x[node] += share * w * held.x;
+      grid.force_y[node] += share * w * held.y;
+    }
+  }
 }
 
 void SubcycledBoundary::book() {

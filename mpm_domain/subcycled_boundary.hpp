@@ -6,7 +6,9 @@
 //
 //     t(tick) = t(exchange) + t_vis(v^m(tick)) - t_vis(v^m(exchange)),
 //
-// since at a node of fine cells the damping of a whole coarse step would be past its limit.
+// (at nodes that are faster than their face as an impulse at the start of its step, except for the static
+// traction, which acts at every tick) since at a node of fine cells the damping of a whole coarse step would
+// be past its limit.
 
 #include "mpm_domain/subcycling.hpp"
 
@@ -28,13 +30,17 @@ public:
 
 private:
   void weigh(std::size_t face);
+  void spread_static();
 
   Domain& domain_;
   const Subcycling& subcycling_;
   std::vector<FaceWeights> weights_; ///< of the faces that are due; none of the others
   std::vector<FaceWeights> scaled_;  ///< by steps of the node's clock in one of the face's
+  std::vector<FaceWeights> steady_;  ///< of all faces, as of the start of their present step
   std::vector<int> clock_;
-  std::vector<Vector> v_exchange_, v_, v_mid_, exchanged_, traction_;
+  std::vector<Vector> v_exchange_, v_, v_mid_, exchanged_;
+  std::vector<Vector> traction_;
+  std::vector<Vector> moving_; ///< traction_ less the static one
 };
 
 } // namespace tremolo::mpm_domain

@@ -1,9 +1,8 @@
 #include "mpm_domain/subcycling.hpp"
 
-#include "mpm_domain/scatter.hpp"
-
 #include <algorithm>
 #include <bit>
+#include <initializer_list>
 #include <numeric>
 
 namespace tremolo::mpm_domain {
@@ -24,6 +23,10 @@ void Subcycling::restart() {
   for (NodeField* field : {&grid.ax, &grid.ay})
     std::ranges::fill(*field, 0.0);
   resize_shared();
+  for (Shared& s : shared_)
+    for (NodeField* field : {&s.steady_x, &s.steady_y})
+      field->assign(grid.size(), 0.0);
+  steady_known_ = 0.0;
 }
 
 void Subcycling::resize_shared() {
@@ -63,32 +66,36 @@ void Subcycling::over(std::span<const NodeRange> rows, const Act& act) {
   });
 }
 
-/// The nodes of a clock and faster ones start with what slower particles brought.
-void Subcycling::take_held(int first, bool with_forces) {
+/// The nodes of a clock and faster ones start with what slower particles brought of motion or of momentum
+/// alone.
+void Subcycling::take_held(int first, ScatterPart part) {
   Grid& grid = domain_.grid;
+  const bool all = part == ScatterPart::both;
   over(nodes_.from(first), [&](std::size_t n) {
-    grid.mass[n] = grid.momentum_x[n] = grid.momentum_y[n] = 0.0;
-    if (with_forces)
-      grid.force_x[n] = grid.force_y[n] = grid.dashpot_x[n] = grid.dashpot_y[n] = 0.0;
+    grid.momentum_x[n] = grid.momentum_y[n] = 0.0;
+    if (all)
+      grid.mass[n] = grid.force_x[n] = grid.force_y[n] = grid.dashpot_x[n] = grid.dashpot_y[n] = 0.0;
   });
   if (first == 0)
     return;
   const Shared& held = shared(first - 1);
   over(nodes_.shared(first - 1), [&](std::size_t n) {
-    grid.mass[n] = held.mass[n];
     grid.momentum_x[n] = held.momentum_x[n];
     grid.momentum_y[n] = held.momentum_y[n];
+    if (all)
+      grid.mass[n] = held.mass[n];
   });
 }
 
-void Subcycling::fold(int clock, bool with_forces) {
+void Subcycling::fold(int clock, ScatterPart part) {
   Grid& grid = domain_.grid;
-  const Prolongation& prolongation = domain_.mesh->prolongation();
-  for (NodeField* field : {&grid.mass, &grid.momentum_x, &grid.momentum_y})
-    prolongation.restrict(*field, nodes_.ties_of(clock));
-  if (with_forces)
-    for (NodeField* field : {&grid.force_x, &grid.force_y})
-      prolongation.restrict(*field, nodes_.ties_of(clock));
+  const auto restrict = [&](std::initializer_list<NodeField*> fields) {
+    for (NodeField* field : fields)
+      domain_.mesh->prolongation().restrict(*field, nodes_.ties_of(clock));
+  };
+  restrict({&grid.momentum_x, &grid.momentum_y});
+  if (part == ScatterPart::both)
+    restrict({&grid.mass, &grid.force_x, &grid.force_y});
 }
 
 void Subcycling::prolong(int clock) {
@@ -97,33 +104,54 @@ void Subcycling::prolong(int clock) {
     domain_.mesh->prolongation().prolong(*field, nodes_.ties_of(clock));
 }
 
-/// Shared nodes remember what this and slower clocks brought. They count forces in steps of the faster clock
-/// from here on: dt_q f_q = dt_(q+1) (2 f_q).
+/// Shared nodes remember what this and slower clocks brought. They count what forces are more than steady in
+/// steps of the faster clock from here on: dt_q f_q = dt_(q+1) (2 f_q).
 void Subcycling::keep(int clock) {
   Grid& grid = domain_.grid;
   Shared& s = shared(clock);
+  const bool first = steady_known_ == 0.0;
   over(nodes_.shared(clock), [&](std::size_t n) {
     s.mass[n] = grid.mass[n];
     s.momentum_x[n] = grid.momentum_x[n];
     s.momentum_y[n] = grid.momentum_y[n];
     s.change_x[n] = s.change_y[n] = 0.0;
     s.vx_mean[n] = s.vy_mean[n] = s.vx_new_mean[n] = s.vy_new_mean[n] = 0.0;
-    grid.force_x[n] *= 2.0;
-    grid.force_y[n] *= 2.0;
+    if (first) {
+      s.steady_x[n] = grid.force_x[n];
+      s.steady_y[n] = grid.force_y[n];
+    }
+    grid.force_x[n] = 2.0 * (grid.force_x[n] - s.steady_x[n]);
+    grid.force_y[n] = 2.0 * (grid.force_y[n] - s.steady_y[n]);
   });
+}
+
+void Subcycling::add_steady() {
+  Grid& grid = domain_.grid;
+  for (int clock = 0; shares(clock); ++clock) {
+    const Shared& s = shared(clock);
+    const double share = steady_share(clock);
+    over(nodes_.shared(clock), [&](std::size_t n) {
+      if (nodes_.clock_of(n) < first_due())
+        return;
+      grid.force_x[n] += share * s.steady_x[n];
+      grid.force_y[n] += share * s.steady_y[n];
+    });
+  }
 }
 
 void Subcycling::scatter() {
   const int first = first_due();
   if (tick_ > 0)
     weigh_across(domain_, first);
-  take_held(first, true);
+  take_held(first, ScatterPart::both);
   for (int clock = first; clock < clocks_; ++clock) {
     scatter_clock(domain_, ScatterPart::both, clock);
-    fold(clock, true);
+    fold(clock, ScatterPart::both);
     if (shares(clock))
       keep(clock);
   }
+  add_steady();
+  steady_known_ = 1.0;
 }
 
 double Subcycling::velocities() {
@@ -178,10 +206,10 @@ void Subcycling::gather_velocities() {
 
 void Subcycling::remap() {
   const int first = first_ending();
-  take_held(first, false);
+  take_held(first, ScatterPart::momentum);
   for (int clock = first; clock < clocks_; ++clock) {
-    scatter_clock(domain_, ScatterPart::motion, clock);
-    fold(clock, false);
+    scatter_clock(domain_, ScatterPart::momentum, clock);
+    fold(clock, ScatterPart::momentum);
   }
   remap_velocities(domain_, nodes_.from(first));
 }

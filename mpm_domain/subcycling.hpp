@@ -11,6 +11,13 @@
 // particles: a force is one particle's, pulls its nodes with equal and opposite impulses, and momentum is
 // conserved to rounding.
 //
+// What a slow force was at the first step after a sort, mostly that of the soil's weight, gives no impulses
+// but acts at every tick,
+//
+//     at each tick dt_r f_0, and at the start of the step dt_q (f_q - f_0):        dt_q f_q in all.
+//
+// Soil at rest under its weight thus stays there: whole impulses would shake it by dt_q f_q/m.
+//
 // Particles bring mass and momentum to the grid at the start of their step. A node that particles of several
 // clocks share (it moves on the fastest of them) keeps what the slow ones brought until their step ends,
 //
@@ -24,7 +31,10 @@
 #include "mpm_domain/clock_nodes.hpp"
 #include "mpm_domain/gather.hpp"
 #include "mpm_domain/grid_update.hpp"
+#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/state.hpp"
 
+#include <string>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -53,6 +63,9 @@ public:
   double dt_of(int clock) const { return dt_ / static_cast<double>(1 << clock); }
   /// Time that forces of a clock act for at this tick: all clocks change their step together.
   double kick_of(int clock) const { return (tick_ == 0 ? kick_ : dt_) / static_cast<double>(1 << clock); }
+  /// What a force of a clock that acts at every tick is multiplied with, so that it adds up to kick_of(clock)
+  /// in the clock's step.
+  double steady_share(int clock) const { return tick_ > 0 && tick_ < ticks() >> clock ? kick_ / dt_ : 1.0; }
   const ClockNodes& nodes() const { return nodes_; }
   /// How often particles are moved in a step, all together.
   double updates_per_step() const;
@@ -76,7 +89,12 @@ public:
   template <class Visit>
   void visit_state(Visit& visit) {
     visit("subcycling.kinetic", kinetic_);
+    visit_numbers(visit, "subcycling.steady_known", steady_known_);
     nodes_.visit_state(domain_, visit);
+    for (int clock = 0; shares(clock); ++clock) {
+      visit("subcycling.steady_x" + std::to_string(clock), shared(clock).steady_x);
+      visit("subcycling.steady_y" + std::to_string(clock), shared(clock).steady_y);
+    }
     resize_shared();
   }
 
@@ -84,6 +102,7 @@ private:
   /// What nodes that a clock shares with faster ones keep over its step.
   struct Shared {
     NodeField mass, momentum_x, momentum_y; ///< of the particles of this and all slower clocks
+    NodeField steady_x, steady_y;           ///< of this one's forces, N/m
     NodeField change_x, change_y;           ///< sum of v+ - v-
     NodeField vx_mean, vy_mean;             ///< of the velocity that strains
     NodeField vx_new_mean, vy_new_mean;     ///< of v+
@@ -95,10 +114,11 @@ private:
   Shared& shared(int clock) { return shared_[static_cast<std::size_t>(clock)]; }
   template <typename Act>
   void over(std::span<const NodeRange> rows, const Act& act);
-  void take_held(int first, bool with_forces);
+  void take_held(int first, ScatterPart part);
   void keep(int clock);
-  void fold(int clock, bool with_forces);
+  void fold(int clock, ScatterPart part);
   void prolong(int clock);
+  void add_steady();
   void add_mean(int clock);
   void take_mean(int clock);
   void mean_acceleration();
@@ -109,6 +129,7 @@ private:
   double dt_ = 0.0;
   double kick_ = 0.0;
   int tick_ = 0;
+  double steady_known_ = 0.0; ///< 1 once the first step after a sort has found the steady forces
   ClockNodes nodes_;
   std::vector<Shared> shared_;
   std::vector<double> kinetic_; ///< of each clock's nodes after their last update, J/m

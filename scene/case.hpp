@@ -146,6 +146,7 @@ struct TimeStepping {
   Transfer transfer = Transfer::apic;
   double blend_time = 0.0; ///< tau of pic_blend, s
   StepOrder order = StepOrder::musl;
+  bool subcycle = false; ///< each level of the mesh takes a step of its own
 };
 
 enum class Side { left, right, base };

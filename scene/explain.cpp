@@ -64,17 +64,23 @@ std::string cell_sizes_text(const std::vector<Level>& levels) {
                             : fmt::format("{} to {} m", levels.front().cell_size, levels.back().cell_size);
 }
 
+std::string steps_text(int steps) {
+  return steps == 1 ? "1 step" : fmt::format("{} steps", steps);
+}
+
 /// A line for each of several levels.
 std::string levels_text(const std::vector<Level>& levels) {
   if (levels.size() == 1)
     return {};
+  const bool own_steps = levels.back().dt < levels.front().dt;
   std::string text;
   for (std::size_t level = 0; level < levels.size(); ++level) {
     const Level& of = levels[level];
     text += fmt::format("    level {}  {:.0f} cells of {} m, {:.0f} particles of {} m, ", level, of.cells,
                         of.cell_size, of.particles, of.particle_size);
-    text += std::isfinite(of.critical_dt) ? fmt::format("critical step {:.4g} s\n", of.critical_dt)
-                                          : std::string("no soil\n");
+    text += std::isfinite(of.critical_dt) ? fmt::format("critical step {:.4g} s", of.critical_dt)
+                                          : std::string("no soil");
+    text += own_steps ? fmt::format(", {} of {:.4g} s\n", steps_text(1 << level), of.dt) : "\n";
   }
   return text;
 }
@@ -145,7 +151,8 @@ std::string to_json(const Plan& plan) {
                               {"particle_size_m", level.particle_size},
                               {"cells", level.cells},
                               {"particles", level.particles},
-                              {"critical_dt_s", level.critical_dt}});
+                              {"critical_dt_s", level.critical_dt},
+                              {"dt_s", level.dt}});
   json["particles"] = plan.particles;
   json["cells"] = plan.cells;
   json["critical_dt_s"] = plan.critical_dt;

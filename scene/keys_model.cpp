@@ -38,7 +38,12 @@ Table time() {
           choice("order", {"usl", "usf", "musl"},
                  "When stress is updated in a step: last, first, or last with "
                  "remapped velocity.",
-                 "musl")}};
+                 "musl"),
+          {.name = "subcycle",
+           .type = Type::boolean,
+           .meaning = "Each level of a refined mesh takes a step of its own, half of the next coarser one's; "
+                      "`fraction` and `dt` are then of the coarsest. See docs/subcycling.md.",
+           .fallback = "false"}}};
 }
 
 Table refine() {

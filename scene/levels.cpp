@@ -142,8 +142,15 @@ std::vector<Level> levels(const Case& scene) {
   return all;
 }
 
-double critical_time_step(const Case& scene) {
-  return std::ranges::min(levels(scene), {}, &Level::critical_dt).critical_dt;
+double critical_time_step(const Case& scene, std::span<const Level> levels) {
+  double critical = std::numeric_limits<double>::infinity();
+  double steps = 1.0; // of a level in one of the coarsest
+  for (const Level& level : levels) {
+    critical = std::min(critical, steps * level.critical_dt);
+    if (scene.time.subcycle)
+      steps *= 2.0;
+  }
+  return critical;
 }
 
 } // namespace tremolo::scene

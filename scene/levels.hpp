@@ -5,6 +5,7 @@
 
 #include "scene/case.hpp"
 
+#include <span>
 #include <vector>
 
 namespace tremolo::scene {
@@ -17,9 +18,14 @@ struct Level {
   double nodes = 0.0;
   /// 0.65 h/c_p of the fastest soil whose particles touch cells of this level, s; infinite where none does.
   double critical_dt = 0.0;
+  double dt = 0.0; ///< that they take, s; set by the plan
 };
 
 /// For a mesh with a size, a box and soils.
 std::vector<Level> levels(const Case& scene);
+
+/// The critical time step of the domain at rest: the least of its levels, s. Where each has a step of its
+/// own, half of the next coarser one's, it is that of the coarsest.
+double critical_time_step(const Case& scene, std::span<const Level> levels);
 
 } // namespace tremolo::scene

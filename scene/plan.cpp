@@ -77,6 +77,12 @@ std::string listed(const std::vector<SourceProcess>& sources) {
   return text;
 }
 
+std::string subcycling_text(const Case& scene) {
+  return scene.time.subcycle ? "[time] subcycle = true: a step for each level of the mesh, the boundary "
+                               "exchanged once in the coarsest's"
+                             : "[time] subcycle = false: one step for all levels";
+}
+
 std::string periodic_text(Sides sides) {
   switch (sides) {
   case Sides::free_field:
@@ -133,6 +139,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        layered ? "[boundary]: absorber = \"matched_layer\"" : "all sides of [boundary] have dashpots"},
       {"material damping", damped,
        fmt::format("[damping] model = \"{}\", of the free field", name(scene.damping.model))},
+      {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
   };
@@ -264,7 +271,7 @@ Plan plan(const Case& scene) {
   result.effects = plan_effects(scene, result.sources);
   result.base = describe_base(scene, result.sources);
   result.levels = levels(scene);
-  result.critical_dt = std::ranges::min(result.levels, {}, &Level::critical_dt).critical_dt;
+  result.critical_dt = critical_time_step(scene, result.levels);
   result.notes = plan_notes(scene, scene.mesh.size / result.critical_dt);
   result.dt = scene.time.dt.value_or(scene.time.fraction * result.critical_dt);
   result.steps = std::llround(std::ceil(scene.shaking.duration / result.dt));
@@ -272,7 +279,13 @@ Plan plan(const Case& scene) {
   double particles = 0.0;
   double cells = 0.0;
   double nodes = 0.0;
-  for (const Level& level : result.levels) {
+  double updates = 0.0;
+  double steps = 1.0; // of a level in one of the coarsest
+  for (Level& level : result.levels) {
+    level.dt = result.dt / steps;
+    updates += steps * level.particles;
+    if (scene.time.subcycle)
+      steps *= 2.0;
     particles += level.particles;
     cells += level.cells;
     nodes += level.nodes;
@@ -287,7 +300,7 @@ Plan plan(const Case& scene) {
     ns += effect.ns_per_particle_step;
   }
   result.memory_bytes = particles * bytes + nodes * node_bytes;
-  result.estimated_time = static_cast<double>(result.steps) * particles * ns * 1e-9;
+  result.estimated_time = static_cast<double>(result.steps) * updates * ns * 1e-9;
   result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
   const double rows = scene.shaking.duration / scene.output.history_every;
   result.output_bytes =

@@ -56,10 +56,6 @@ struct Plan {
   double estimated_time = 0.0; ///< wall-clock of the shaking stage on one thread, s
 };
 
-/// The critical time step of the domain at rest: 0.65 h / c_p of the fastest soil, s (2D uGIMP with dashpots
-/// at corners).
-double critical_time_step(const Case& scene);
-
 Plan plan(const Case& scene);
 
 /// Whether the law's stiffness and memory begin with the effective stress that gravity makes.

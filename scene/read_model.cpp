@@ -18,10 +18,12 @@ TimeStepping read_time(Document& document, Findings& findings) {
   const auto table = document.table("time");
   if (table.given("dt") && table.given("fraction"))
     findings.add(table.path("dt"), "'dt' and 'fraction' exclude each other: remove one");
-  return {table.number("fraction"), table.optional_number("dt"),
+  return {table.number("fraction"),
+          table.optional_number("dt"),
           from_name(table.text("transfer"), std::array{Transfer::apic, Transfer::flip, Transfer::pic_blend}),
           table.number("blend_time"),
-          from_name(table.text("order"), std::array{StepOrder::usl, StepOrder::usf, StepOrder::musl})};
+          from_name(table.text("order"), std::array{StepOrder::usl, StepOrder::usf, StepOrder::musl}),
+          table.boolean("subcycle")};
 }
 
 } // namespace

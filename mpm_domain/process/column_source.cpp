@@ -33,6 +33,7 @@ void add_layer(Spec& spec, const materials::Law& law, double top, double bottom)
 Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   Spec spec = spec_from_case(scene, 1);
   spec.refine.clear();
+  spec.scheme.subcycle = false;
   spec.box.x_max = spec.box.x_min + spec.cell_size;
   spec.box.y_max = source.surface;
   spec.soils.clear();

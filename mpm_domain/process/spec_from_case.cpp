@@ -62,7 +62,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
       copy.polygon.push_back({point.x, point.y});
   }
   spec.scheme = {transfer(scene.time.transfer), order(scene.time.order), scene.time.blend_time,
-                 scene.time.fraction, scene.time.dt};
+                 scene.time.fraction,           scene.time.dt,           scene.time.subcycle};
   const auto& [sides, left, right, base] = scene.boundary;
   spec.periodic_sides = sides == scene::Sides::periodic;
   if (left.absorber == scene::Absorber::matched_layer)

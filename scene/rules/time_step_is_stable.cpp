@@ -1,4 +1,4 @@
-#include "scene/plan.hpp"
+#include "scene/levels.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ void time_step_is_stable(const Case& scene, Findings& findings) {
     for (const char* key : {"box", "level"})
       if (!findings.sound(fmt::format("refine[{}].{}", i, key)))
         return;
-  const double limit = critical_time_step(scene);
+  const double limit = critical_time_step(scene, levels(scene));
   if (*scene.time.dt > limit)
     findings.add("time.dt",
                  fmt::format("'dt' = {} exceeds the critical step 0.65 h/c_p = {:.6g} s of this mesh and its "

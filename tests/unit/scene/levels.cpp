@@ -55,6 +55,39 @@ TEST(Refine, AFixedStepIsThatOfTheFinestCells) {
       ElementsAre(HasSubstr("[time] 'dt' = 0.002 exceeds the critical step 0.65 h/c_p = 0.00187388 s")));
 }
 
+TEST(Subcycle, NeedsLevelsAndWhatItIsMadeFor) {
+  const std::string levels = "box = [5.0, -4.0, 15.0, 0.0]\nlevel = 1\n";
+  EXPECT_THAT(errors_of(refined(levels + "[time]\nsubcycle = true")), ::testing::IsEmpty());
+  EXPECT_FALSE(parse_case(refined(levels)).time.subcycle);
+  EXPECT_THAT(errors_of(plus("[time]\nsubcycle = true\n")),
+              ElementsAre("case.toml:32:12: [time] 'subcycle' = true needs levels: add [[refine]], or set it "
+                          "to false"));
+  EXPECT_THAT(errors_of(refined(levels + "[time]\nsubcycle = true\ntransfer = \"flip\"")),
+              ElementsAre(HasSubstr("[time] 'subcycle' = true needs transfer = \"apic\", found \"flip\"")));
+  EXPECT_THAT(errors_of(refined(levels + "[time]\nsubcycle = true\norder = \"usf\"")),
+              ElementsAre(HasSubstr("[time] 'subcycle' = true needs order = \"musl\", found \"usf\"")));
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n",
+                             "sides = \"periodic_springs\"\n", refined(levels + "[time]\nsubcycle = true"))),
+              ElementsAre(HasSubstr("needs sides = \"free_field\" or \"periodic\"")));
+  EXPECT_THAT(
+      errors_of(with("right = { model = \"wave\"", "right = { model = \"wave\", absorber = \"matched_layer\"",
+                     refined(levels + "[time]\nsubcycle = true"))),
+      ElementsAre(HasSubstr("needs absorber = \"dashpots\" on all sides of [boundary]")));
+}
+
+TEST(Subcycle, TheStepIsThatOfTheCoarsestCells) {
+  const auto text = refined("box = [5.0, -4.0, 15.0, 0.0]\nlevel = 1\n[time]\nsubcycle = true");
+  const auto scene = parse_case(text);
+  const Plan whole = plan(scene);
+  EXPECT_NEAR(whole.critical_dt, 3.7477e-3, 1e-7);
+  EXPECT_EQ(whole.steps, 1068);
+  EXPECT_EQ(whole.levels[1].dt, 0.5 * whole.dt);
+  EXPECT_THAT(explain(scene, whole),
+              HasSubstr("particles of 0.25 m, critical step 0.001874 s, 2 steps of 0.0009369 s\n"));
+  EXPECT_THAT(errors_of(text + "dt = 3e-3\n"), ::testing::IsEmpty());
+  EXPECT_THAT(errors_of(text + "dt = 4e-3\n"), ElementsAre(HasSubstr("exceeds the critical step")));
+}
+
 TEST(Levels, OfAUniformMeshThereIsOne) {
   const auto all = levels(parse_case(std::string(flat_case)));
   ASSERT_EQ(all.size(), 1U);

@@ -122,6 +122,39 @@ TEST(Subcycling, IsNearTheSingleStepForAWaveThroughAllLevels) {
   EXPECT_LT(levels, 0.015);
 }
 
+/// Under stress from the start, whose forces act at every tick, and with steps that change.
+TEST(Subcycling, KeepsMomentumUnderInitialStress) {
+  Spec spec = test_support::elastic_box(4.0, 16.0, 1.0);
+  spec.periodic_sides = true;
+  spec.refine = {{{0.0, -6.0, 4.0, 0.0}, 1}, {{0.0, -3.0, 4.0, 0.0}, 2}};
+  spec.scheme.subcycle = true;
+  spec.threads = 1;
+  Domain domain(spec);
+  domain.faces.clear();
+  domain.static_tractions.clear();
+  double scale = 0.0;
+  for (Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      set.sxx[k] = set.syy[k] = 1e4 * std::sin(set.x[k] + 2.0 * set.y[k]);
+      set.sxy[k] = 1e4 * std::cos(3.0 * set.y[k]);
+      scale += set.mass[k] * 0.1;
+    }
+  const auto momentum = [&] {
+    Vector sum;
+    for (const Particles& set : domain.sets)
+      for (std::size_t k = 0; k < set.size(); ++k)
+        sum = {sum.x + set.mass[k] * set.vx[k], sum.y + set.mass[k] * set.vy[k]};
+    return sum;
+  };
+  Stepper stepper(domain, 0.0, [](long, double, auto, auto) {});
+  for (const double fraction : {0.5, 0.3, 0.7}) {
+    domain.spec.scheme.fraction = fraction;
+    for (int step = 0; step < 20; ++step)
+      stepper.step();
+  }
+  EXPECT_LT(std::hypot(momentum().x, momentum().y), 1e-12 * scale);
+}
+
 TEST(Subcycling, IsTheSameForAnyThreadCount) {
   std::vector<Fields> results;
   for (const int threads : {1, 3}) {
