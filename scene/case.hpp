@@ -163,6 +163,9 @@ enum class SourceModel {
 enum class BaseForm {
   total, ///< free-field velocity and stress of the whole (incident and reflected) field: exact at any angle
   incident, ///< the incident wave alone: Eqs. (4) and (5) of the method, dashpots take up the reflected waves
+  /// the total fields under the surfaces of both sides, blended linearly from one side to the other; only
+  /// where these differ
+  blended
 };
 
 /// What takes up waves that leave the model.

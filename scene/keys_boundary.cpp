@@ -77,13 +77,16 @@ Table own_profile(std::string_view name) {
 
 Table base() {
   auto keys = field_model();
-  keys.push_back(
-      choice("form", {"total", "incident"},
-             "`total`: velocity and stress of the whole free field, exact at any angle; needs the same "
-             "surface level and layers on both sides. `incident`: the incident wave alone, dashpots take up "
-             "what comes down again; exact at vertical incidence, about 3 % off at 15 degrees and 16 % at 30 "
-             "degrees.",
-             "total"));
+  keys.push_back(choice(
+      "form", {"total", "incident", "blended"},
+      "`total`: velocity and stress of the whole free field, exact at any angle; needs the same "
+      "surface level and layers on both sides. `blended`: the total fields of both sides, each under its own "
+      "surface and layers, blended linearly from the left side to the right one; the same as `total` where "
+      "they are equal, best where they differ, with matched layers on all sides and room. `incident`: the "
+      "incident wave alone, dashpots take up what comes down again; exact at vertical incidence, 3 % off at "
+      "15 "
+      "degrees and 16 % at 30 degrees.",
+      "blended"));
   keys.push_back(absorber());
   return {.name = "boundary.base",
           .required = true,

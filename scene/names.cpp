@@ -135,7 +135,15 @@ std::string_view name(SourceModel model) {
 }
 
 std::string_view name(BaseForm form) {
-  return form == BaseForm::total ? "total" : "incident";
+  switch (form) {
+  case BaseForm::total:
+    return "total";
+  case BaseForm::incident:
+    return "incident";
+  case BaseForm::blended:
+    return "blended";
+  }
+  return {};
 }
 
 std::string_view name(ExchangeMode mode) {

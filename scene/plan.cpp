@@ -202,7 +202,8 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
   if (const auto& base = scene.boundary.base;
       base.form == BaseForm::incident && base.absorber == Absorber::matched_layer)
     notes.push_back("the base takes the incident wave alone, so all that comes down again meets its matched "
-                    "layer, whose ends do not know it: dashpots err less there (docs/boundaries.md)");
+                    "layer, whose ends do not know it: form = \"blended\", or dashpots, err less there "
+                    "(docs/boundaries.md)");
   for (const SourceProcess& source : plan_sources(scene))
     for (std::string& note : linearised_soils(scene, source))
       notes.push_back(std::move(note));

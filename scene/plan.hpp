@@ -68,6 +68,13 @@ std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess
 /// @throws std::invalid_argument for a periodic side
 const SourceProcess& source_of(const Plan& plan, Side side);
 
+/// Who serves the base.
+struct BaseSources {
+  std::string left;                 ///< at the left end, or everywhere
+  std::optional<std::string> right; ///< at the right end, of a base that is blended from two
+};
+BaseSources base_sources(const Case& scene, const Plan& plan);
+
 /// The plan as text for people.
 std::string explain(const Case& scene, const Plan& plan);
 

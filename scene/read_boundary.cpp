@@ -52,6 +52,14 @@ LateralBoundary read_periodic_side(Document& document, const char* name, Finding
   return side;
 }
 
+/// Between equal grounds a blend of both total fields is the one total field.
+BaseForm read_form(const TableReader& table, const LateralBoundary& left, const LateralBoundary& right) {
+  const auto form =
+      from_name(table.text("form"), std::array{BaseForm::total, BaseForm::incident, BaseForm::blended});
+  const bool equal = left.surface == right.surface && left.own_profile.empty() && right.own_profile.empty();
+  return form == BaseForm::blended && equal ? BaseForm::total : form;
+}
+
 } // namespace
 
 void read_boundary(Document& document, Findings& findings, Case& scene) {
@@ -61,8 +69,7 @@ void read_boundary(Document& document, Findings& findings, Case& scene) {
   scene.boundary.left = read(document, "boundary.left", findings, scene);
   scene.boundary.right = read(document, "boundary.right", findings, scene);
   const auto base = document.table("boundary.base");
-  scene.boundary.base = {read_model(base, scene),
-                         from_name(base.text("form"), std::array{BaseForm::total, BaseForm::incident}),
+  scene.boundary.base = {read_model(base, scene), read_form(base, scene.boundary.left, scene.boundary.right),
                          read_absorber(base)};
 }
 

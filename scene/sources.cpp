@@ -26,19 +26,36 @@ void serve(std::vector<SourceProcess>& sources, const FreeFieldModel& field, dou
   source.name += fmt::format("{}{}", source.name.empty() ? "" : "-", name(served.side));
 }
 
+/// The side, if it has layers of its own.
+std::optional<Side> own(const LateralBoundary& boundary, Side side) {
+  return boundary.own_profile.empty() ? std::nullopt : std::optional(side);
+}
+
+/// That of the base under one side's ground.
+const SourceProcess& under_side(const Plan& plan, const LateralBoundary& boundary, Side side) {
+  const auto source = std::ranges::find_if(plan.sources, [&](const SourceProcess& candidate) {
+    return candidate.surface == boundary.surface && candidate.profile == own(boundary, side) &&
+           std::ranges::find(candidate.serves, Side::base, &Served::side) != candidate.serves.end();
+  });
+  if (source == plan.sources.end())
+    throw std::logic_error(fmt::format("no source of the base has the ground of the {} side", name(side)));
+  return *source;
+}
+
 } // namespace
 
 std::vector<SourceProcess> plan_sources(const Case& scene) {
   const auto& [sides, left, right, base] = scene.boundary;
   std::vector<SourceProcess> sources;
-  const auto own = [](const LateralBoundary& boundary, Side side) {
-    return boundary.own_profile.empty() ? std::nullopt : std::optional(side);
-  };
   if (!scene.boundary.periodic()) {
     serve(sources, left.field, left.surface, own(left, Side::left), {Side::left, BaseForm::total});
     serve(sources, right.field, right.surface, own(right, Side::right), {Side::right, BaseForm::total});
   }
-  serve(sources, base.field, left.surface, own(left, Side::left), {Side::base, base.form});
+  const bool blended = base.form == BaseForm::blended;
+  serve(sources, base.field, left.surface, own(left, Side::left),
+        {Side::base, blended ? BaseForm::total : base.form});
+  if (blended)
+    serve(sources, base.field, right.surface, own(right, Side::right), {Side::base, BaseForm::total});
   return sources;
 }
 
@@ -50,6 +67,10 @@ std::string describe_base(const Case& scene, const std::vector<SourceProcess>& s
                        "from '{}'; dashpots "
                        "see scattered waves only, exact at any angle",
                        left.surface, source.name);
+  if (base.form == BaseForm::blended)
+    return fmt::format("blended: the total free fields with their surfaces at y = {} m (left) and y = {} m "
+                       "(right), blended linearly from the left side to the right one",
+                       left.surface, right.surface);
   std::string text =
       fmt::format("incident: velocity and stress of the incident wave alone, from '{}'; dashpots take up all "
                   "waves that come down, exact at vertical incidence",
@@ -87,6 +108,13 @@ std::string program(const FreeFieldModel& field) {
     return field.file.string();
   }
   return {};
+}
+
+BaseSources base_sources(const Case& scene, const Plan& plan) {
+  const auto& [sides, left, right, base] = scene.boundary;
+  if (base.form != BaseForm::blended)
+    return {source_of(plan, Side::base).name, std::nullopt};
+  return {under_side(plan, left, Side::left).name, under_side(plan, right, Side::right).name};
 }
 
 const SourceProcess& source_of(const Plan& plan, Side side) {

@@ -10,6 +10,7 @@
 #include "mpm_domain/periodic_springs.hpp"
 #include "mpm_domain/process/checkpoints.hpp"
 #include "mpm_domain/process/column_source.hpp"
+#include "mpm_domain/process/coupled_faces.hpp"
 #include "mpm_domain/process/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 #include "mpm_domain/static_traction.hpp"
@@ -26,32 +27,6 @@
 namespace tremolo::mpm_domain {
 
 namespace {
-
-scene::Side scene_side(mpm_domain::Side side) {
-  switch (side) {
-  case mpm_domain::Side::left:
-    return scene::Side::left;
-  case mpm_domain::Side::right:
-    return scene::Side::right;
-  case mpm_domain::Side::base:
-    break;
-  }
-  return scene::Side::base;
-}
-
-/// The faces that a free field drives: all, or from the first behind those of sides tied to each other.
-std::vector<coupler::BoundaryFace> coupled_faces(const mpm_domain::Domain& domain, const scene::Case& scene,
-                                                 const scene::Plan& plan, std::size_t first) {
-  std::vector<coupler::BoundaryFace> faces;
-  for (std::size_t f = first; f < domain.faces.size(); ++f) {
-    const mpm_domain::BoundaryFace& face = domain.faces[f];
-    const scene::Side side = scene_side(face.side);
-    const bool incident = side == scene::Side::base && scene.boundary.base.form == scene::BaseForm::incident;
-    faces.push_back({face.position, face.face, domain.static_tractions[f], scene::source_of(plan, side).name,
-                     incident ? "incident" : "total"});
-  }
-  return faces;
-}
 
 /// Brings the domain to rest and returns the wall time it took, s.
 double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stage,
@@ -83,30 +58,24 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
   std::optional<mpm_domain::PeriodicSprings> springs;
   if (scene.boundary.sides == scene::Sides::periodic_springs)
     springs.emplace(domain);
-  const std::size_t tied = springs ? springs->face_count() : 0;
-  const std::vector<coupler::BoundaryFace> faces = coupled_faces(domain, scene, plan, tied);
+  mpm_domain::CoupledFaces coupled(domain, scene, plan, springs ? springs->face_count() : 0);
   const double end = scene.shaking.duration;
   std::vector<eq6::FreeField> free_field(domain.faces.size());
   double waiting_seconds = 0.0;
   mpm_domain::Stepper stepper(
       domain, 0.0,
       [&](long step, double time, auto v, auto traction) {
-        const auto exchanged =
-            client.tractions(static_cast<std::uint64_t>(step), time, v.subspan(tied), traction.subspan(tied));
-        std::ranges::copy(exchanged.free_field, free_field.begin() + static_cast<std::ptrdiff_t>(tied));
-        waiting_seconds = exchanged.waiting_seconds;
+        waiting_seconds =
+            coupled.exchange(client, static_cast<std::uint64_t>(step), time, v, traction, free_field);
         if (springs)
           springs->pull(v, traction, free_field);
       },
       [&] { return std::span<const eq6::FreeField>(free_field); });
-  std::vector<std::string> sources(tied, "periodic");
-  for (const coupler::BoundaryFace& face : faces)
-    sources.push_back(face.source);
   std::filesystem::path before;
   std::optional<coupler::DomainClient::FirstStep> first;
   if (saved != nullptr)
     before = results::set_aside(options.out / "run.h5");
-  mpm_domain::RunOutput output(options.out, scene, scene::to_json(plan), domain, sources);
+  mpm_domain::RunOutput output(options.out, scene, scene::to_json(plan), domain, coupled.sources());
   try {
     if (saved != nullptr) {
       mpm_domain::load_state(*saved, domain, stepper);
@@ -114,7 +83,7 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
       std::filesystem::remove(before);
       first = {static_cast<std::uint64_t>(stepper.steps()), stepper.time()};
     }
-    client.ready(faces, 0.0, end, first);
+    client.ready(coupled.faces(), 0.0, end, first);
     while (stepper.time() < end) {
       stepper.step();
       output.after_step(stepper, free_field);

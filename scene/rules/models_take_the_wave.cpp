@@ -102,6 +102,13 @@ void models_take_the_wave(const Case& scene, Findings& findings) {
     check(right.field.model, right.surface, layers(scene, right), "boundary.right.model");
   }
   check(base.field.model, left.surface, layers(scene, left), "boundary.base.model");
+  if (base.form == BaseForm::blended && findings.sound("boundary.base.model"))
+    check(base.field.model, right.surface, layers(scene, right), "boundary.base.model");
+  if (base.form == BaseForm::blended && base.field.model == SourceModel::recording)
+    findings.add(
+        "boundary.base.model",
+        "model = \"recording\" serves one free field again, but form = \"blended\" needs those of both "
+        "sides; use a model that computes them, or form = \"incident\"");
 }
 
 } // namespace tremolo::scene

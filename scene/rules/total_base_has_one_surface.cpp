@@ -14,14 +14,13 @@ void total_base_has_one_surface(const Case& scene, Findings& findings) {
         "boundary.base.form",
         fmt::format(
             "form = \"total\" needs one free field, but the surface lies at {} m on the left and at {} m on "
-            "the right, and no total field has both; use form = \"incident\"",
+            "the right, and no total field has both; use form = \"blended\" or \"incident\"",
             left, right));
   const bool own = !scene.boundary.left.own_profile.empty() || !scene.boundary.right.own_profile.empty();
   if (scene.boundary.base.form == BaseForm::total && own && findings.sound("boundary.base.form"))
-    findings.add(
-        "boundary.base.form",
-        "form = \"total\" needs one free field, but a side has layers of its own; use form = \"incident\", "
-        "or [[profile]] for both sides");
+    findings.add("boundary.base.form", "form = \"total\" needs one free field, but a side has layers of its "
+                                       "own; use form = \"blended\", \"incident\", "
+                                       "or [[profile]] for both sides");
 }
 
 } // namespace tremolo::scene

@@ -26,6 +26,10 @@ class Modes(unittest.TestCase):
         self.assertGreater(len(window), 50)
         self.assertEqual([], [name for name in window if window[name] != lockstep[name]])
 
+    def test_a_base_blended_from_equal_fields_is_the_total_one(self):
+        with Workspace(TREMOLO) as total, Workspace(TREMOLO, base="blended") as blended:
+            self.assertEqual(arrays(total.run("run"))["boundary/traction"], arrays(blended.run("run"))["boundary/traction"])
+
     def test_thread_count_does_not_change_a_bit(self):
         with Workspace(TREMOLO) as work:
             one = arrays(work.run("one", "--threads", "1"))

@@ -41,6 +41,27 @@ class Slope(unittest.TestCase):
             self.assertEqual(0, failure.returncode, failure.stderr)
             self.assertIn("15 degrees", failure.stdout)
 
+    def test_a_blended_base_takes_the_field_of_each_side_at_its_end(self):
+        def ricker(t):
+            a = (np.pi * 2.0 * (t - 0.7)) ** 2
+            return 0.01 * (1.0 - 2.0 * a) * np.exp(-a)
+
+        with SlopeWorkspace(TREMOLO, velocity=0.01) as work:
+            text = work.case.read_text().replace("angle_deg = 15.0", "angle_deg = 0.0")
+            work.case.write_text(text.replace('form = "incident"', 'form = "blended"'))
+            run = Run(work.run("run"))
+            self.assertEqual(["domain", "left-base", "right-base"], sorted(run.table("processes")["process"]))
+            lockstep = Run(work.run("lockstep", "--mode", "lockstep"))
+            self.assertTrue(np.array_equal(run.boundary["traction"], lockstep.boundary["traction"]))
+            boundary = run.boundary
+            base = boundary["normal"][:, 1] == -1.0
+            share = boundary["position"][base, 0] / 40.0
+            t = boundary["time"][:, None]
+            # What comes down again has been at the surface: 6 m above the base at the left, 14 m at the right.
+            speed = np.sqrt(40e6 / (2.0 * 1.28) / 1700.0)
+            exact = ricker(t) + (1.0 - share) * ricker(t - 12.0 / speed) + share * ricker(t - 28.0 / speed)
+            self.assertLess(np.max(np.abs(boundary["free_field_velocity"][:, base, 0] - exact)), 1e-3 * 0.02)
+
     def test_without_motion_it_stays_at_rest(self):
         with SlopeWorkspace(TREMOLO, velocity=1e-12, duration=1.0) as work:
             run = Run(work.run("run"))

@@ -40,6 +40,24 @@ TEST(Plan, DifferentSurfacesNeedTwoAndTheBaseTakesTheIncidentWaveOfOne) {
   EXPECT_THAT(sloping.base, ::testing::HasSubstr("do not enter"));
 }
 
+TEST(Plan, ABlendedBaseTakesTheFieldsOfBothSides) {
+  const auto scene = parse_case(with("form = \"incident\"", "form = \"blended\"", slope()));
+  const auto sloping = plan(scene);
+  ASSERT_EQ(sloping.sources.size(), 2U);
+  EXPECT_EQ(sloping.sources[0].name, "left-base");
+  EXPECT_EQ(sloping.sources[1].name, "right-base");
+  EXPECT_EQ(sloping.sources[1].serves.at(1).field, BaseForm::total);
+  EXPECT_EQ(base_sources(scene, sloping).left, "left-base");
+  EXPECT_EQ(base_sources(scene, sloping).right, "right-base");
+  const auto level = parse_case(with("form = \"total\"", "form = \"blended\""));
+  EXPECT_EQ(base_sources(level, plan(level)).right, std::nullopt);
+  // Another model at the left: the base's field of that side stands behind that of the right one.
+  const auto mixed = parse_case(with("left = { model = \"wave\"", "left = { model = \"fe\"",
+                                     with("form = \"incident\"", "form = \"blended\"", slope())));
+  EXPECT_EQ(base_sources(mixed, plan(mixed)).left, "base");
+  EXPECT_EQ(base_sources(mixed, plan(mixed)).right, "right-base");
+}
+
 TEST(Plan, PeriodicSidesNeedNoFreeField) {
   const auto periodic =
       plan_of(with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n", "sides = \"periodic\"\n"));

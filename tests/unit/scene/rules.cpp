@@ -129,8 +129,10 @@ TEST(Rules, TotalBaseHasOneSurface) {
       errors_of(sloping),
       ElementsAre("case.toml:27:33: [boundary.base] form = \"total\" needs one free field, but the surface "
                   "lies at 0 m on "
-                  "the left and at -2 m on the right, and no total field has both; use form = \"incident\""));
+                  "the left and at -2 m on the right, and no total field has both; use form = \"blended\" or "
+                  "\"incident\""));
   EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"incident\"", sloping)), IsEmpty());
+  EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"blended\"", sloping)), IsEmpty());
 }
 
 TEST(Rules, PeriodicSidesSuitTheRest) {

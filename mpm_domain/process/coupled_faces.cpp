@@ -1,0 +1,90 @@
+#include "mpm_domain/process/coupled_faces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+scene::Side scene_side(Side side) {
+  switch (side) {
+  case Side::left:
+    return scene::Side::left;
+  case Side::right:
+    return scene::Side::right;
+  case Side::base:
+    break;
+  }
+  return scene::Side::base;
+}
+
+Vector mixed(Vector a, Vector b, double s) {
+  return {(1.0 - s) * a.x + s * b.x, (1.0 - s) * a.y + s * b.y};
+}
+
+eq6::FreeField mixed(const eq6::FreeField& a, const eq6::FreeField& b, double s) {
+  const auto of = [s](double p, double q) { return (1.0 - s) * p + s * q; };
+  return {mixed(a.velocity, b.velocity, s),
+          {of(a.stress.xx, b.stress.xx), of(a.stress.yy, b.stress.yy), of(a.stress.xy, b.stress.xy)}};
+}
+
+} // namespace
+
+CoupledFaces::CoupledFaces(const Domain& domain, const scene::Case& scene, const scene::Plan& plan,
+                           std::size_t first)
+    : first_(first) {
+  const scene::BaseSources base = scene::base_sources(scene, plan);
+  const bool incident = scene.boundary.base.form == scene::BaseForm::incident;
+  const auto add = [&](std::size_t f, const std::string& source, bool incident_alone) {
+    const BoundaryFace& face = domain.faces[f];
+    faces_.push_back({face.position, face.face, domain.static_tractions[f], source,
+                      incident_alone ? "incident" : "total"});
+  };
+  for (std::size_t f = first; f < domain.faces.size(); ++f) {
+    const Side side = domain.faces[f].side;
+    add(f, side == Side::base ? base.left : scene::source_of(plan, scene_side(side)).name,
+        side == Side::base && incident);
+  }
+  single_ = faces_.size();
+  const Box& box = domain.spec.box;
+  for (std::size_t f = first; base.right && f < domain.faces.size(); ++f)
+    if (domain.faces[f].side == Side::base) {
+      add(f, *base.right, false);
+      shares_.push_back((domain.faces[f].position.x - box.x_min) / (box.x_max - box.x_min));
+    }
+  v_.resize(faces_.size());
+  traction_.resize(faces_.size());
+}
+
+std::vector<std::string> CoupledFaces::sources() const {
+  std::vector<std::string> names(first_, "periodic");
+  for (std::size_t f = 0; f < single_; ++f)
+    names.push_back(faces_[f].source);
+  const std::size_t base = names.size() - shares_.size();
+  for (std::size_t i = 0; i < shares_.size(); ++i)
+    names[base + i] += fmt::format(", {}", faces_[single_ + i].source);
+  return names;
+}
+
+double CoupledFaces::exchange(coupler::DomainClient& client, std::uint64_t step, double time,
+                              std::span<const Vector> v, std::span<Vector> traction,
+                              std::span<eq6::FreeField> field) {
+  const auto driven = v.subspan(first_);
+  std::ranges::copy(driven, v_.begin());
+  std::ranges::copy(driven.last(shares_.size()), v_.begin() + static_cast<std::ptrdiff_t>(single_));
+  const auto exchanged = client.tractions(step, time, v_, traction_);
+  const auto base = single_ - shares_.size();
+  for (std::size_t f = 0; f < single_; ++f) {
+    const bool blended = f >= base;
+    const double s = blended ? shares_[f - base] : 0.0;
+    const std::size_t second = blended ? single_ + f - base : f;
+    traction[first_ + f] = blended ? mixed(traction_[f], traction_[second], s) : traction_[f];
+    field[first_ + f] =
+        blended ? mixed(exchanged.free_field[f], exchanged.free_field[second], s) : exchanged.free_field[f];
+  }
+  return exchanged.waiting_seconds;
+}
+
+} // namespace tremolo::mpm_domain
