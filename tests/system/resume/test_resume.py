@@ -18,7 +18,7 @@ sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parent)]
 import h5py
 from broken_run import (BoxWorkspace, SlopeWorkspace, checkpoints, differences, exchange_differences, killed, model, record,
                         resumed, whole_run, with_checkpoints)
-from small_case import SLOPE_BOXES, PeriodicWorkspace, refine
+from small_case import SLOPE_BOXES, PeriodicWorkspace, refine, subcycled
 
 KILLS = int(os.environ.get("TREMOLO_RESUME_KILLS", "2"))
 SEED = int(os.environ.get("TREMOLO_RESUME_SEED", random.randrange(10**6)))
@@ -79,6 +79,11 @@ class Resume(unittest.TestCase):
             with h5py.File(whole / "run.h5") as file:
                 counts = [len(frame["position"]) for frame in file["frames"].values()]
             self.assertGreater(counts[-1], counts[0], "nothing was cut")
+
+    def test_levels_with_steps_of_their_own(self):
+        slope = subcycled(refine(SlopeWorkspace(TREMOLO, velocity=2.0, duration=1.0), *SLOPE_BOXES))
+        with with_checkpoints(slope, every_steps=40) as work:
+            self.broken_and_resumed(work)
 
     def test_periodic_sides_that_soil_crosses(self):
         for sides in ("periodic", "periodic_springs"):

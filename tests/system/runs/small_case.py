@@ -181,5 +181,13 @@ def refine(work, *boxes):
     return work
 
 
+def subcycled(work):
+    """Adds the key to the case of a workspace, which has a [time] or not."""
+    text = work.case.read_text()
+    key = "subcycle = true\n"
+    work.case.write_text(text.replace("[time]\n", "[time]\n" + key) if "[time]\n" in text else f"{text}\n[time]\n{key}")
+    return work
+
+
 # Around face and toe of the small slope, and a finest box that soil moves into when the wave is strong.
 SLOPE_BOXES = (([6.0, -3.0, 22.0, 8.0], 1), ([9.0, -1.0, 11.8, 2.0], 2))

@@ -12,18 +12,10 @@ TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
 import numpy as np
-from small_case import SLOPE_BOXES, SlopeWorkspace, Workspace, refine
+from small_case import SLOPE_BOXES, SlopeWorkspace, Workspace, refine, subcycled
 from tremolo import Run
 
 BOXES = (([0.0, -5.0, 20.0, 0.0], 1), ([8.0, -2.0, 14.0, 0.0], 2))
-
-
-def subcycled(work):
-    """Adds the key to the case of a workspace, which has a [time] or not."""
-    text = work.case.read_text()
-    key = "subcycle = true\n"
-    work.case.write_text(text.replace("[time]\n", "[time]\n" + key) if "[time]\n" in text else f"{text}\n[time]\n{key}")
-    return work
 
 
 class Subcycling(unittest.TestCase):
