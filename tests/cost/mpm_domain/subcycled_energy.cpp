@@ -3,6 +3,7 @@
 // start, at four times, with the same step for all and with sub-cycling. Prints CSV.
 
 #include "tests/support/box_run.hpp"
+#include "tests/support/particle_energy.hpp"
 
 #include <fmt/format.h>
 
@@ -46,19 +47,8 @@ void set_off(Domain& domain) {
   sort_particles(domain);
 }
 
-/// Kinetic and elastic energy of linear elastic particles in plane strain, J/m.
 double energy(const Domain& domain) {
-  double sum = 0.0;
-  for (const Particles& p : domain.sets) {
-    const materials::Elasticity soil = materials::elasticity(p.law);
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      const double trace = p.sxx[k] + p.syy[k];
-      const double squares = p.sxx[k] * p.sxx[k] + p.syy[k] * p.syy[k] + 2.0 * p.sxy[k] * p.sxy[k];
-      sum += 0.5 * p.mass[k] * (p.vx[k] * p.vx[k] + p.vy[k] * p.vy[k]) +
-             p.volume[k] * (squares - soil.poisson * trace * trace) / (4.0 * soil.shear_modulus());
-    }
-  }
-  return sum;
+  return test_support::kinetic_energy(domain) + test_support::elastic_energy(domain);
 }
 
 void print(const std::string& name, Transfer transfer, double fraction, bool subcycle) {

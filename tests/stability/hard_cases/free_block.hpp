@@ -7,6 +7,7 @@
 #include "mpm_domain/scatter.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/conservation_monitor.hpp"
+#include "tests/support/particle_energy.hpp"
 
 #include <cmath>
 #include <functional>
@@ -43,29 +44,6 @@ inline double largest_stress(const mpm_domain::Domain& domain) {
     for (std::size_t k = 0; k < p.size(); ++k)
       largest = std::max({largest, std::abs(p.sxx[k]), std::abs(p.syy[k]), std::abs(p.sxy[k])});
   return largest;
-}
-
-/// Elastic energy of linear elastic particles in their present stress, J/m.
-inline double elastic_energy(const mpm_domain::Domain& domain) {
-  double energy = 0.0;
-  for (const mpm_domain::Particles& p : domain.sets) {
-    const materials::Elasticity& e = materials::elasticity(p.law);
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      const double squares = p.sxx[k] * p.sxx[k] + p.syy[k] * p.syy[k] + p.szz[k] * p.szz[k];
-      const double products = p.sxx[k] * p.syy[k] + p.syy[k] * p.szz[k] + p.szz[k] * p.sxx[k];
-      energy += p.volume[k] / e.young *
-                (0.5 * squares - e.poisson * products + (1.0 + e.poisson) * p.sxy[k] * p.sxy[k]);
-    }
-  }
-  return energy;
-}
-
-inline double kinetic_energy(const mpm_domain::Domain& domain) {
-  double energy = 0.0;
-  for (const mpm_domain::Particles& p : domain.sets)
-    for (std::size_t k = 0; k < p.size(); ++k)
-      energy += 0.5 * p.mass[k] * (p.vx[k] * p.vx[k] + p.vy[k] * p.vy[k]);
-  return energy;
 }
 
 /// Kinetic and elastic energy of the particles at one time, J/m, and its range from the first step on:

@@ -5,6 +5,7 @@
 #include "mpm_domain/stepper.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/hard_case.hpp"
+#include "tests/support/particle_energy.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -63,20 +64,8 @@ Vector momentum(const Domain& domain) {
   return sum;
 }
 
-/// Kinetic and elastic, J/m. With the moduli G and nu: W = (s:s - nu tr(s)^2)/(4 G), plane strain.
 double energy(const Domain& domain) {
-  double sum = 0.0;
-  for (const Particles& set : domain.sets) {
-    const materials::Elasticity elastic = materials::elasticity(set.law);
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      const double trace = set.sxx[k] + set.syy[k];
-      const double squares =
-          set.sxx[k] * set.sxx[k] + set.syy[k] * set.syy[k] + 2.0 * set.sxy[k] * set.sxy[k];
-      sum += 0.5 * set.mass[k] * (set.vx[k] * set.vx[k] + set.vy[k] * set.vy[k]) +
-             set.volume[k] * (squares - elastic.poisson * trace * trace) / (4.0 * elastic.shear_modulus());
-    }
-  }
-  return sum;
+  return test_support::kinetic_energy(domain) + test_support::elastic_energy(domain);
 }
 
 struct Outcome {

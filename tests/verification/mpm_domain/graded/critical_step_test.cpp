@@ -1,15 +1,13 @@
 // The critical step 2/omega_max of M^-1 K, by power iteration through the domain's own passes: hanging and
 // virtual nodes must not shorten it below that of a uniform mesh of the finest cells.
 
-#include "mpm_domain/gather.hpp"
 #include "mpm_domain/grid_update.hpp"
 #include "mpm_domain/scatter.hpp"
-#include "mpm_domain/tied_nodes.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/elastic_forces.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace tremolo::mpm_domain {
@@ -36,12 +34,7 @@ double critical_step(Domain& domain) {
       grid.vx_new[n] *= scale;
       grid.vy_new[n] *= scale;
     }
-    copy_to_tied(domain);
-    for (Particles& p : domain.sets)
-      for (std::vector<double>* stress : {&p.sxx, &p.syy, &p.szz, &p.sxy})
-        std::ranges::fill(*stress, 0.0);
-    gather(domain, 1.0, {.strain = true});
-    scatter(domain, ScatterPart::force);
+    test_support::elastic_forces(domain);
     double power = 0.0;
     for (std::size_t n = 0; n < nodes; ++n) {
       if (grid.mass[n] <= empty)

@@ -10,11 +10,10 @@
 //
 // with N coarse cells a (long) wave length: (3/16)(pi/N)^2.
 
-#include "mpm_domain/gather.hpp"
 #include "mpm_domain/grid_update.hpp"
 #include "mpm_domain/scatter.hpp"
-#include "mpm_domain/tied_nodes.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/elastic_forces.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -89,12 +88,7 @@ Eigen::MatrixXd stiffness_forces(Domain& domain, const std::vector<Freedom>& all
     std::ranges::fill(grid.vy_new, 0.0);
     const Freedom& moved = all[static_cast<std::size_t>(column)];
     (grid.*moved.velocity)[moved.node] = unit;
-    copy_to_tied(domain);
-    for (Particles& p : domain.sets)
-      for (std::vector<double>* stress : {&p.sxx, &p.syy, &p.szz, &p.sxy})
-        std::ranges::fill(*stress, 0.0);
-    gather(domain, 1.0, {.strain = true});
-    scatter(domain, ScatterPart::force);
+    test_support::elastic_forces(domain);
     for (Eigen::Index row = 0; row < count; ++row) {
       const Freedom& felt = all[static_cast<std::size_t>(row)];
       forces(row, column) = (grid.*felt.force)[felt.node] / unit;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "mpm_domain/gather.hpp"
+#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/tied_nodes.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace tremolo::test_support {
+
+/// -K u of an elastic domain without stress, by its own passes: puts the nodal forces (N/m) of displacements
+/// u (m) into the grid, which stand in the grid's new velocities. Keep them so small that volumes stay as
+/// they are.
+inline void elastic_forces(mpm_domain::Domain& domain) {
+  mpm_domain::copy_to_tied(domain);
+  for (mpm_domain::Particles& p : domain.sets)
+    for (std::vector<double>* stress : {&p.sxx, &p.syy, &p.szz, &p.sxy})
+      std::ranges::fill(*stress, 0.0);
+  mpm_domain::gather(domain, 1.0, {.strain = true});
+  mpm_domain::scatter(domain, mpm_domain::ScatterPart::force);
+}
+
+} // namespace tremolo::test_support

@@ -1,0 +1,33 @@
+#pragma once
+
+// The energy of linear elastic particles.
+
+#include "mpm_domain/domain.hpp"
+
+namespace tremolo::test_support {
+
+/// Elastic energy of linear elastic particles in their present stress, J/m.
+inline double elastic_energy(const mpm_domain::Domain& domain) {
+  double energy = 0.0;
+  for (const mpm_domain::Particles& p : domain.sets) {
+    const materials::Elasticity& e = materials::elasticity(p.law);
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const double squares = p.sxx[k] * p.sxx[k] + p.syy[k] * p.syy[k] + p.szz[k] * p.szz[k];
+      const double products = p.sxx[k] * p.syy[k] + p.syy[k] * p.szz[k] + p.szz[k] * p.sxx[k];
+      energy += p.volume[k] / e.young *
+                (0.5 * squares - e.poisson * products + (1.0 + e.poisson) * p.sxy[k] * p.sxy[k]);
+    }
+  }
+  return energy;
+}
+
+/// Of their velocities alone, J/m: what APIC's moments hold is not in it.
+inline double kinetic_energy(const mpm_domain::Domain& domain) {
+  double energy = 0.0;
+  for (const mpm_domain::Particles& p : domain.sets)
+    for (std::size_t k = 0; k < p.size(); ++k)
+      energy += 0.5 * p.mass[k] * (p.vx[k] * p.vx[k] + p.vy[k] * p.vy[k]);
+  return energy;
+}
+
+} // namespace tremolo::test_support
