@@ -113,8 +113,9 @@ TEST_P(HardCase13, SubcyclingIsStableAtAnyStepUpToTheLimit) {
     const char* const name = transfer == Transfer::flip ? "FLIP" : "APIC";
     test_support::bounded(fmt::format("{}, m = {}: largest energy over that at the start", name, 1 << levels),
                           worst.energy, 1.1);
-    test_support::bounded(fmt::format("{}, m = {}: change of momentum over the sum of m times speed", name, 1 << levels),
-                          worst.momentum, 1e-10);
+    test_support::bounded(
+        fmt::format("{}, m = {}: change of momentum over the sum of m times speed", name, 1 << levels),
+        worst.momentum, 1e-10);
   }
 }
 
