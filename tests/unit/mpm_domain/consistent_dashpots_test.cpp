@@ -58,8 +58,7 @@ double error(LoadedBox& box, const Eigen::VectorXd& exact, double dt) {
   update_grid(box.domain, dt);
   double largest = 0.0;
   for (Eigen::Index n = 0; n < exact.size(); ++n)
-    largest =
-        std::max(largest, std::abs(box.domain.grid.ax[static_cast<std::size_t>(n)] - exact(n)));
+    largest = std::max(largest, std::abs(box.domain.grid.ax[static_cast<std::size_t>(n)] - exact(n)));
   return largest / exact.lpNorm<Eigen::Infinity>();
 }
 

@@ -63,8 +63,8 @@ struct Scheme {
 
 /// Largest errors of velocity, displacement and strain of both components, relative to the peaks.
 std::array<double, 3> errors(double size, double dt, const Scheme& scheme) {
-  const Layer layer = scheme.law ? layer_of(height, LinearElastic{soil}, damping_ratio)
-                                 : Layer{height, soil, damping_ratio};
+  const Layer layer =
+      scheme.law ? layer_of(height, LinearElastic{soil}, damping_ratio) : Layer{height, soil, damping_ratio};
   const FeColumnSettings settings{.max_element_size = size,
                                   .time_step = dt,
                                   .integrator = scheme.integrator,

@@ -13,7 +13,8 @@ int main() {
   const tremolo::materials::Elasticity soil{1700.0, 40e6, 0.28};
   const wave::HalfSpace half_space{soil.density, soil.s_wave_speed(), soil.p_wave_speed()};
   const double peak = 0.1; // m/s
-  const wave::LayeredField field({.half_space = half_space}, wave::Incidence{}, 0.0, wave::ricker(3.0, 1.0, peak));
+  const wave::LayeredField field({.half_space = half_space}, wave::Incidence{}, 0.0,
+                                 wave::ricker(3.0, 1.0, peak));
   const wave::Point surface{0.0, 0.0};
   const wave::History history = field.sample({&surface, 1}, {0.0, 0.001, 3000}).front();
   const double largest = *std::max_element(history.vx.begin(), history.vx.end());
