@@ -1,8 +1,11 @@
 #include "mpm_domain/clock_nodes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 namespace tremolo::mpm_domain {
 
@@ -101,6 +104,18 @@ ClockNodes::ClockNodes(const Domain& domain)
   for (std::vector<std::size_t>& rows : ties_)
     std::ranges::sort(rows);
   collect(domain);
+}
+
+void ClockNodes::require_fit(const Domain& domain) const {
+  const std::size_t nodes = domain.grid.size();
+  const std::size_t rows = domain.mesh->prolongation().tied_count();
+  const auto beyond = [rows](const std::vector<std::size_t>& ties) {
+    return std::ranges::any_of(ties, [rows](std::size_t row) { return row >= rows; });
+  };
+  if (clock_.size() != nodes || slowest_.size() != nodes || std::ranges::any_of(ties_, beyond))
+    throw std::runtime_error(
+        fmt::format("the clocks of {} nodes are not those of a grid of {} nodes, {} of them tied",
+                    clock_.size(), nodes, rows));
 }
 
 void ClockNodes::collect(const Domain& domain) {

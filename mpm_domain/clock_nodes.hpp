@@ -30,17 +30,20 @@ public:
   int clock_of(std::size_t node) const { return static_cast<int>(clock_[node]) - 1; }
 
   /// Its part of a checkpoint, see state.hpp.
+  /// @throws std::runtime_error for clocks of another grid
   template <class Visit>
   void visit_state(const Domain& domain, Visit& visit) {
     visit("clock_nodes.clock", clock_);
     visit("clock_nodes.slowest", slowest_);
     for (std::size_t clock = 0; clock < ties_.size(); ++clock)
       visit("clock_nodes.ties" + std::to_string(clock), ties_[clock]);
+    require_fit(domain);
     collect(domain);
   }
 
 private:
   class Builder;
+  void require_fit(const Domain& domain) const;
   void collect(const Domain& domain);
 
   std::vector<std::uint32_t> clock_;   ///< 1 + the clock, or 0

@@ -1,9 +1,12 @@
 #include "mpm_domain/subcycling.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <initializer_list>
 #include <numeric>
+#include <stdexcept>
 
 namespace tremolo::mpm_domain {
 
@@ -27,6 +30,14 @@ void Subcycling::restart() {
     for (NodeField* field : {&s.steady_x, &s.steady_y})
       field->assign(grid.size(), 0.0);
   steady_known_ = 0.0;
+}
+
+void Subcycling::require_fit() const {
+  for (const Shared& s : shared_)
+    for (const NodeField* field : {&s.steady_x, &s.steady_y})
+      if (field->size() != domain_.grid.size())
+        throw std::runtime_error(fmt::format("steady forces of {} nodes do not go with a grid of {} nodes",
+                                             field->size(), domain_.grid.size()));
 }
 
 void Subcycling::resize_shared() {

@@ -86,6 +86,7 @@ public:
   }
 
   /// Its part of a checkpoint, see state.hpp; between steps.
+  /// @throws std::runtime_error for what was kept for another grid
   template <class Visit>
   void visit_state(Visit& visit) {
     visit("subcycling.kinetic", kinetic_);
@@ -95,6 +96,7 @@ public:
       visit("subcycling.steady_x" + std::to_string(clock), shared(clock).steady_x);
       visit("subcycling.steady_y" + std::to_string(clock), shared(clock).steady_y);
     }
+    require_fit();
     resize_shared();
   }
 
@@ -109,6 +111,7 @@ private:
   };
 
   int slowest_at(int tick) const;
+  void require_fit() const;
   void resize_shared();
   bool shares(int clock) const { return clock + 1 < clocks_; }
   Shared& shared(int clock) { return shared_[static_cast<std::size_t>(clock)]; }

@@ -46,8 +46,10 @@ struct Loader {
 
   template <class Number>
   void replace(const std::string& name, std::vector<Number>& values, std::vector<Number> saved) const {
-    // A grid that has grown has more blocks, and cut particles are more; nothing else changes its length.
-    const bool may_differ = name.ends_with(".block_start") || (may_be_cut && name.starts_with("soil"));
+    // A grid that has grown has more blocks and nodes, which clocks are kept for, and cut particles are more;
+    // nothing else changes its length.
+    const bool may_differ = name.ends_with(".block_start") || name.starts_with("clock_nodes.") ||
+                            name.starts_with("subcycling.steady") || (may_be_cut && name.starts_with("soil"));
     if (saved.size() != values.size() && !may_differ)
       throw std::runtime_error(fmt::format("the checkpoint holds {} numbers of {}, the domain has {}",
                                            saved.size(), name, values.size()));
