@@ -85,6 +85,22 @@ TEST(Ladder, AKnobNamedTwiceIsRefused) {
       ThrowsMessage<std::invalid_argument>(HasSubstr("named twice")));
 }
 
+TEST(Ladder, LevelsAndStepsOfTheirOwnAreKnobsToo) {
+  const scene::Box box = given().mesh.box;
+  const auto scene = scene::parse(fmt::format("{}\n[[refine]]\nbox = [{}, {}, {}, {}]\nlevel = 1\n",
+                                              tremolo::testing::exact_case, box.x_min, box.y_min, box.x_max,
+                                              0.5 * (box.y_min + box.y_max)),
+                                  "case.toml", ".");
+  const auto rungs = ladder(scene, {knob_from("refine[0].level=1,2"), knob_from("time.subcycle=false,true")});
+  ASSERT_EQ(rungs.size(), 4U);
+  for (const Rung& rung : rungs)
+    ASSERT_TRUE(rung.scene) << rung.refused;
+  EXPECT_EQ(rungs[0].scene->mesh.refine[0].level, 1);
+  EXPECT_EQ(rungs[3].scene->mesh.refine[0].level, 2);
+  EXPECT_FALSE(rungs[2].scene->time.subcycle);
+  EXPECT_TRUE(rungs[3].scene->time.subcycle);
+}
+
 TEST(Ladder, WidthMovesTheSidesAndTheSoilWithThem) {
   const auto scene = given();
   const scene::Box& box = scene.mesh.box;
