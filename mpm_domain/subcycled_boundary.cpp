@@ -34,6 +34,8 @@ void SubcycledBoundary::weigh(std::size_t f) {
       clock_[f] = std::min(clock_[f], nodes.clock_of(w.node));
   }
   scaled_[f] = steady_[f] = weights_[f];
+  // A node of a slower clock that the face has come to touch since the first tick waits for the next one.
+  std::erase_if(scaled_[f], [&](const FaceWeight& w) { return nodes.clock_of(w.node) < clock_[f]; });
   for (FaceWeight& w : scaled_[f])
     w.w *= static_cast<double>(1 << (nodes.clock_of(w.node) - clock_[f]));
 }
