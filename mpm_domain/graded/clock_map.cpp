@@ -28,7 +28,9 @@ ClockMap::ClockMap(const mesh::Quadtree& tree, int buffer_layers)
     const auto clock = static_cast<std::uint8_t>(clock_of(tree, leaf, buffer_layers));
     const int cells = 1 << (tree.finest() - leaf.level);
     for (int j = leaf.j * cells; j < (leaf.j + 1) * cells; ++j)
-      std::fill_n(clock_.begin() + static_cast<std::ptrdiff_t>(j) * nx_ + leaf.i * cells, cells, clock);
+      std::fill_n(clock_.begin() + static_cast<std::ptrdiff_t>(j) * nx_ +
+                      static_cast<std::ptrdiff_t>(leaf.i) * cells,
+                  cells, clock);
   }
 }
 

@@ -12,7 +12,6 @@ namespace tremolo::mpm_domain {
 namespace {
 
 using mesh::Cell;
-using mesh::Quadtree;
 using mesh::Roots;
 
 /// Empty nodes around a level's cells, for kernels that read whole rows of four nodes.
@@ -131,8 +130,10 @@ private:
     const auto n = static_cast<int>(share.node - lattice->first);
     const double h = mesh_.tree().size(tied.level);
     const double period = roots.period * roots.h;
-    share.dx = lattice->x0 + n % lattice->nx * lattice->h - (roots.x0 + tied.i * h);
-    share.dy = lattice->y0 + n / lattice->nx * lattice->h - (roots.y0 + tied.j * h);
+    const int column = n % lattice->nx;
+    const int row = n / lattice->nx;
+    share.dx = lattice->x0 + column * lattice->h - (roots.x0 + tied.i * h);
+    share.dy = lattice->y0 + row * lattice->h - (roots.y0 + tied.j * h);
     if (roots.period > 0)
       share.dx -= period * std::round(share.dx / period);
   }

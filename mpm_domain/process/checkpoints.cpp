@@ -38,6 +38,7 @@ struct Loader {
     } else {
       const auto saved = file.integers(name);
       std::vector<Number> narrow;
+      narrow.reserve(saved.size());
       for (const std::uint64_t number : saved)
         narrow.push_back(static_cast<Number>(number));
       replace(name, values, std::move(narrow));

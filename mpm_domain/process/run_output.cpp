@@ -264,6 +264,7 @@ void RunOutput::take_over_frame(const results::RunReader& before, std::size_t fr
   std::vector<results::FieldData> data;
   std::vector<std::vector<std::int32_t>> integers(names.size());
   std::vector<results::Field> fields;
+  data.reserve(names.size());
   for (const std::string& name : names)
     data.push_back(before.frame_field(frame, name));
   for (std::size_t i = 0; i < names.size(); ++i) {
