@@ -12,8 +12,8 @@
 
 #include "mpm_domain/grid_update.hpp"
 #include "mpm_domain/scatter.hpp"
-#include "tests/support/box_run.hpp"
 #include "tests/support/elastic_forces.hpp"
+#include "tests/verification/mpm_domain/graded/level_interface.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -22,8 +22,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <string>
-#include <tuple>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -31,23 +29,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-enum class Body { p, sv };
-
-constexpr double h = 1.0;     // of the coarse cells, m
 constexpr double half = 6.0;  // of the strip on either side of the interface at y = 0, m
-constexpr double width = 2.0; // of a period, m
 constexpr double near = 1e-6; // m
-
-/// A strip without sides, whose fine cells lie below or above y = 0.
-Spec strip(bool is_fine_below) {
-  Spec spec = test_support::elastic_box(width, 2.0 * half, h);
-  spec.box = {0.0, -half, width, half};
-  spec.regions = {{0, {{0.0, -half}, {width, -half}, {width, half}, {0.0, half}}}};
-  spec.periodic_sides = true;
-  spec.threads = 1;
-  spec.refine = {{{0.0, is_fine_below ? -half : 0.0, width, is_fine_below ? 0.0 : half}, 1}};
-  return spec;
-}
 
 /// A degree of freedom of the grid.
 struct Freedom {
@@ -107,7 +90,7 @@ struct Strip {
 };
 
 Strip assembled(bool is_fine_below) {
-  Domain domain(strip(is_fine_below));
+  Domain domain(level_interface(half, is_fine_below));
   scatter(domain, ScatterPart::motion);
   Strip result;
   result.freedoms = freedoms(domain);
@@ -162,28 +145,20 @@ Reflection reflection(const Strip& strip, Body wave, double cells) {
   return {std::abs(x[0]), (matrix * x - right).norm() / right.norm()};
 }
 
-class LevelInterface : public testing::TestWithParam<std::tuple<Body, bool>> {};
+class LevelInterface : public testing::TestWithParam<Arrival> {};
 
 TEST_P(LevelInterface, ReflectsWhatTheImpedancesOfItsCellsSay) {
   const auto [wave, is_fine_below] = GetParam();
   const Strip strip = assembled(is_fine_below);
   for (const double cells : {8.0, 10.0, 15.0, 20.0}) {
-    const double x = std::numbers::pi / cells;
-    const double fine = std::sqrt(1.0 - 0.25 * x * x);
-    const double coarse = std::sqrt(1.0 - x * x);
-    const double closed = (fine - coarse) / (fine + coarse);
+    const double closed = reflected_by_impedances(cells);
     const Reflection found = reflection(strip, wave, cells);
     EXPECT_NEAR(found.amplitude, closed, 1e-4 * closed) << cells << " coarse cells a wave length";
     EXPECT_LT(found.residual, 1e-6) << "the ends do not let waves pass";
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Waves, LevelInterface,
-                         testing::Combine(testing::Values(Body::p, Body::sv), testing::Bool()),
-                         [](const auto& of) {
-                           return std::string(std::get<0>(of.param) == Body::p ? "P" : "Sv") +
-                                  (std::get<1>(of.param) ? "FromTheFineSide" : "FromTheCoarseSide");
-                         });
+INSTANTIATE_TEST_SUITE_P(Waves, LevelInterface, every_arrival(), name_of_arrival);
 
 } // namespace
 } // namespace tremolo::mpm_domain

@@ -11,34 +11,22 @@
 
 #include "mpm_domain/grid_update.hpp"
 #include "mpm_domain/scatter.hpp"
-#include "tests/support/box_run.hpp"
+#include "tests/verification/mpm_domain/graded/level_interface.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <tuple>
 
 namespace tremolo::mpm_domain {
 namespace {
 
-enum class Body { p, sv };
-
-constexpr double h = 1.0;         // of the coarse cells, m
 constexpr double half = 170.0;    // of the strip on either side of the interface at y = 0, m
-constexpr double width = 2.0;     // m, and then again
 constexpr double envelope = 20.0; // standard deviation of the packet's envelope, m
 constexpr double start = 85.0;    // distance of the packet from the interface, m
 
-/// A strip without sides, whose fine cells lie below or above y = 0.
 Spec strip(Transfer transfer, bool is_fine_below) {
-  Spec spec = test_support::elastic_box(width, 2.0 * half, h);
-  spec.box = {0.0, -half, width, half};
-  spec.regions = {{0, {{0.0, -half}, {width, -half}, {width, half}, {0.0, half}}}};
-  spec.periodic_sides = true;
-  spec.threads = 1;
-  spec.refine = {{{0.0, is_fine_below ? -half : 0.0, width, is_fine_below ? 0.0 : half}, 1}};
+  Spec spec = level_interface(half, is_fine_below);
   spec.scheme.transfer = transfer;
   spec.scheme.fraction = 0.3;
   return spec;
@@ -106,12 +94,10 @@ Reflection reflection(Transfer transfer, Body wave, double cells, bool is_fine_b
   const double speed = wave_speed(materials::elasticity(domain.spec.soils.front().law), wave);
   while (stepper.time() < 2.0 * start / speed)
     stepper.step();
-  const double fine = std::sqrt(1.0 - 0.25 * x * x);
-  const double coarse = std::sqrt(1.0 - x * x);
-  return {(fine - coarse) / (fine + coarse), std::sqrt(energy_below(domain) / sent)};
+  return {reflected_by_impedances(cells), std::sqrt(energy_below(domain) / sent)};
 }
 
-class LevelInterfaceWithApic : public testing::TestWithParam<std::tuple<Body, bool>> {};
+class LevelInterfaceWithApic : public testing::TestWithParam<Arrival> {};
 
 TEST_P(LevelInterfaceWithApic, ReflectsNoMoreThanTheImpedanceOfItsCells) {
   const auto [wave, is_fine_below] = GetParam();
@@ -131,12 +117,7 @@ TEST(LevelInterface, WithFlipReflectsTwiceAsMuch) {
   EXPECT_GT(r.measured, 1.5 * r.closed);
 }
 
-INSTANTIATE_TEST_SUITE_P(Waves, LevelInterfaceWithApic,
-                         testing::Combine(testing::Values(Body::p, Body::sv), testing::Bool()),
-                         [](const auto& of) {
-                           return std::string(std::get<0>(of.param) == Body::p ? "P" : "Sv") +
-                                  (std::get<1>(of.param) ? "FromTheFineSide" : "FromTheCoarseSide");
-                         });
+INSTANTIATE_TEST_SUITE_P(Waves, LevelInterfaceWithApic, every_arrival(), name_of_arrival);
 
 } // namespace
 } // namespace tremolo::mpm_domain
