@@ -15,6 +15,7 @@
 
 #include "mpm_domain/stepper.hpp"
 #include "tests/support/hard_case.hpp"
+#include "tests/support/no_traction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +35,6 @@ struct Scene {
 
 /// Makes the scene of a case; the monitor asks for it twice.
 using MakeScene = std::function<Scene(int threads)>;
-
-inline mpm_domain::TractionSource no_traction() {
-  return [](long, double, auto, auto traction) { std::ranges::fill(traction, mpm_domain::Vector{}); };
-}
 
 struct MonitorBounds {
   double speed = 0.0; ///< m/s

@@ -13,8 +13,8 @@
 // nothing to first order in A: a small amplitude is a standing wave. Small amplitudes show the scheme's
 // dispersion, large ones what the boxes of the particles lose when they no longer tile the soil.
 
-#include "mpm_domain/kernel.hpp"
 #include "mpm_domain/stepper.hpp"
+#include "tests/support/affine_velocity.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -99,17 +99,11 @@ private:
         p.vy[k] = -rate * std::sin(wave_number * p.y[k]);
         p.sxx[k] = young * std::log1p(strain * cos_x);
         p.syy[k] = young * std::log1p(-strain * cos_y);
-        if (p.bxx.empty())
-          continue;
-        p.bxx[k] = rate * wave_number * cos_x * second_moment(p.x[k], domain_.x_axis());
-        p.byy[k] = -rate * wave_number * cos_y * second_moment(p.y[k], domain_.y_axis());
+        if (!p.bxx.empty())
+          set_affine_velocity(domain_, p, k,
+                              {.xx = rate * wave_number * cos_x, .yy = -rate * wave_number * cos_y});
       }
     return domain_;
-  }
-
-  static double second_moment(double x, const mpm_domain::Axis& axis) {
-    const double cells = axis.cells(x);
-    return mpm_domain::CellWeights<double>(cells - std::floor(cells), axis).second_moment;
   }
 
   double displacement(double at, double sign) const {

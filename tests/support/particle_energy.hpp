@@ -30,4 +30,9 @@ inline double kinetic_energy(const mpm_domain::Domain& domain) {
   return energy;
 }
 
+/// Both, J/m.
+inline double particle_energy(const mpm_domain::Domain& domain) {
+  return kinetic_energy(domain) + elastic_energy(domain);
+}
+
 } // namespace tremolo::test_support

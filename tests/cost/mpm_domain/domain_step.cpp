@@ -13,10 +13,10 @@
 
 #include "mpm_domain/stepper.hpp"
 #include "plain_step.hpp"
+#include "tests/support/no_traction.hpp"
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -54,9 +54,7 @@ struct Shaken {
   mpm_domain::Stepper stepper;
 
   explicit Shaken(const mpm_domain::Spec& spec)
-      : domain(spec), stepper(started(domain), 0.0, [](long, double, auto, auto traction) {
-          std::ranges::fill(traction, mpm_domain::Vector{});
-        }) {}
+      : domain(spec), stepper(started(domain), 0.0, test_support::no_traction()) {}
 
   static mpm_domain::Domain& started(mpm_domain::Domain& domain) {
     for (Particles& set : domain.sets)

@@ -4,10 +4,10 @@
 
 #include "mpm_domain/fill.hpp"
 #include "mpm_domain/stepper.hpp"
+#include "tests/support/no_traction.hpp"
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -46,9 +46,7 @@ void slope_step(benchmark::State& run, bool is_graded) {
   for (Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       set.vx[k] = 0.05 * std::sin(2.0 * std::numbers::pi * set.y[k] / 20.0);
-  mpm_domain::Stepper stepper(domain, 0.0, [](long, double, auto, auto traction) {
-    std::ranges::fill(traction, mpm_domain::Vector{});
-  });
+  mpm_domain::Stepper stepper(domain, 0.0, test_support::no_traction());
   for (auto _ : run)
     stepper.step();
   const auto particles = static_cast<double>(domain.particle_count());

@@ -3,11 +3,11 @@
 // start, at four times, with the same step for all and with sub-cycling. Prints CSV.
 
 #include "tests/support/box_run.hpp"
+#include "tests/support/no_traction.hpp"
 #include "tests/support/particle_energy.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -47,21 +47,16 @@ void set_off(Domain& domain) {
   sort_particles(domain);
 }
 
-double energy(const Domain& domain) {
-  return test_support::kinetic_energy(domain) + test_support::elastic_energy(domain);
-}
-
 void print(const std::string& name, Transfer transfer, double fraction, bool subcycle) {
   Domain domain(strip(transfer, fraction, subcycle));
   set_off(domain);
-  const double start = energy(domain);
-  Stepper stepper(domain, 0.0,
-                  [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); });
+  const double start = test_support::particle_energy(domain);
+  Stepper stepper(domain, 0.0, test_support::no_traction());
   fmt::print("{},{},{}", name, fraction, subcycle ? "own" : "same");
   for (int sample = 1; sample <= samples; ++sample) {
     while (stepper.time() < end_time * sample / samples)
       stepper.step();
-    fmt::print(",{:.3f}", energy(domain) / start);
+    fmt::print(",{:.3f}", test_support::particle_energy(domain) / start);
   }
   fmt::print("\n");
   std::fflush(stdout);

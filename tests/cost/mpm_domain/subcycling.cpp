@@ -6,10 +6,10 @@
 //   speed_up  measured: simulated time a second of CPU over that of the single step
 
 #include "mpm_domain/stepper.hpp"
+#include "tests/support/no_traction.hpp"
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -30,9 +30,7 @@ mpm_domain::Spec slope(bool subcycle) {
 class Shaken {
 public:
   explicit Shaken(bool subcycle)
-      : domain_(slope(subcycle)), stepper_(started(domain_), 0.0, [](long, double, auto, auto traction) {
-          std::ranges::fill(traction, mpm_domain::Vector{});
-        }) {}
+      : domain_(slope(subcycle)), stepper_(started(domain_), 0.0, test_support::no_traction()) {}
 
   const mpm_domain::Domain& domain() const { return domain_; }
   const mpm_domain::Stepper& stepper() const { return stepper_; }

@@ -5,6 +5,7 @@
 #include "mpm_domain/stepper.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/hard_case.hpp"
+#include "tests/support/no_traction.hpp"
 #include "tests/support/particle_energy.hpp"
 
 #include <fmt/format.h>
@@ -50,10 +51,6 @@ void set_moving(Domain& domain) {
   sort_particles(domain);
 }
 
-TractionSource no_traction() {
-  return [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); };
-}
-
 Vector momentum(const Domain& domain) {
   Vector sum;
   for (const Particles& set : domain.sets)
@@ -64,10 +61,6 @@ Vector momentum(const Domain& domain) {
   return sum;
 }
 
-double energy(const Domain& domain) {
-  return test_support::kinetic_energy(domain) + test_support::elastic_energy(domain);
-}
-
 struct Outcome {
   double energy = 0.0;   ///< largest over that at the start
   double momentum = 0.0; ///< change over sum m |v| of the start
@@ -76,18 +69,18 @@ struct Outcome {
 Outcome outcome_of(const Spec& spec) {
   Domain domain(spec);
   set_moving(domain);
-  const double start = energy(domain);
+  const double start = test_support::particle_energy(domain);
   const Vector before = momentum(domain);
   double scale = 0.0;
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       scale += set.mass[k] * std::hypot(set.vx[k], set.vy[k]);
-  Stepper stepper(domain, 0.0, no_traction());
+  Stepper stepper(domain, 0.0, test_support::no_traction());
   Outcome outcome;
   for (long step = 1; step <= coarse_steps; ++step) {
     stepper.step();
     if (step % 10 == 0)
-      outcome.energy = std::max(outcome.energy, energy(domain) / start);
+      outcome.energy = std::max(outcome.energy, test_support::particle_energy(domain) / start);
   }
   const Vector after = momentum(domain);
   outcome.momentum = std::hypot(after.x - before.x, after.y - before.y) / scale;

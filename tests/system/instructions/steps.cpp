@@ -1,8 +1,8 @@
 // Ten steps of dry elastic soil, for test_instructions.py to count.
 
 #include "mpm_domain/stepper.hpp"
+#include "tests/support/no_traction.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -30,8 +30,7 @@ int main() {
   for (Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       set.vx[k] = 0.01 * std::sin(6.0 * set.y[k] / side);
-  Stepper stepper(domain, 0.0,
-                  [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); });
+  Stepper stepper(domain, 0.0, tremolo::test_support::no_traction());
   constexpr int steps = 10;
   for (int step = 0; step < steps; ++step)
     stepper.step();

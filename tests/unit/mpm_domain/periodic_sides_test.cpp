@@ -3,6 +3,7 @@
 #include "mpm_domain/gravity_stage.hpp"
 #include "mpm_domain/periodic_sides.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/no_traction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,10 +18,6 @@ namespace {
 constexpr double width = 8.0; // m
 constexpr double depth = 4.0;
 constexpr double h = 0.5;
-
-TractionSource no_traction() {
-  return [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); };
-}
 
 Domain periodic_box(double box_width, Transfer transfer, StepOrder order) {
   Spec spec = test_support::elastic_box(box_width, depth, h);
@@ -55,7 +52,7 @@ TEST_P(Seam, CannotBeSeen) {
   for (const double shift : {0.0, cells * h}) {
     Domain domain = periodic_box(width, GetParam().first, GetParam().second);
     set_velocities(domain, shift);
-    Stepper stepper(domain, 0.0, no_traction());
+    Stepper stepper(domain, 0.0, test_support::no_traction());
     while (stepper.time() < 4.0)
       stepper.step();
     results.push_back(domain.sets.front());
@@ -103,7 +100,7 @@ TEST_P(Seam, KeepsMassAndMomentum) {
     return sum;
   };
   const Vector before = momentum();
-  Stepper stepper(domain, 0.0, no_traction());
+  Stepper stepper(domain, 0.0, test_support::no_traction());
   for (int i = 0; i < 1000; ++i)
     stepper.step();
   const Vector after = momentum();
@@ -131,7 +128,7 @@ TEST(PeriodicColumn, IsAsGoodAsAWideDomain) {
     Particles& p = domain.sets.front();
     for (std::size_t k = 0; k < p.size(); ++k)
       p.vx[k] = 0.1 * std::cos(std::numbers::pi * p.y[k] / depth);
-    Stepper stepper(domain, 0.0, no_traction());
+    Stepper stepper(domain, 0.0, test_support::no_traction());
     for (int i = 0; i < 400; ++i)
       stepper.step();
     results.push_back(p);

@@ -7,6 +7,7 @@
 #include "mpm_domain/static_traction.hpp"
 #include "tests/support/affine_velocity.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/no_traction.hpp"
 #include "tests/support/quiet_ground.hpp"
 
 #include <gmock/gmock.h>
@@ -28,10 +29,6 @@ Spec graded_box(int per_cell = 2) {
   spec.particles_per_cell = per_cell;
   spec.refine = {{{3.0, -5.0, 9.0, 0.0}, 1}, {{5.0, -3.0, 7.0, 0.0}, 2}};
   return spec;
-}
-
-TractionSource no_traction() {
-  return [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); };
 }
 
 template <typename Act>
@@ -108,21 +105,26 @@ struct Totals {
   double spin = 0.0;
 };
 
-Totals grid_totals(const Domain& domain) {
-  Totals total;
-  const Grid& grid = domain.grid;
+/// act(n, x, y) for every node and its place, m.
+template <typename Act>
+void for_nodes(const Domain& domain, const Act& act) {
   for (int level = 0; level < domain.lattice_count(); ++level) {
     const Lattice& lattice = domain.lattice(level);
     for (int j = 0; j < lattice.ny; ++j)
-      for (int i = 0; i < lattice.nx; ++i) {
-        const std::size_t n = lattice.index(i, j);
-        total.mass += grid.mass[n];
-        total.momentum.x += grid.momentum_x[n];
-        total.momentum.y += grid.momentum_y[n];
-        total.spin += (lattice.x0 + i * lattice.h) * grid.momentum_y[n] -
-                      (lattice.y0 + j * lattice.h) * grid.momentum_x[n];
-      }
+      for (int i = 0; i < lattice.nx; ++i)
+        act(lattice.index(i, j), lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h);
   }
+}
+
+Totals grid_totals(const Domain& domain) {
+  Totals total;
+  const Grid& grid = domain.grid;
+  for_nodes(domain, [&](std::size_t n, double x, double y) {
+    total.mass += grid.mass[n];
+    total.momentum.x += grid.momentum_x[n];
+    total.momentum.y += grid.momentum_y[n];
+    total.spin += x * grid.momentum_y[n] - y * grid.momentum_x[n];
+  });
   return total;
 }
 
@@ -206,21 +208,12 @@ TEST(GradedDomain, ApicHandsLinearVelocitiesToNodesOfAllLevels) {
       scatter(domain, ScatterPart::motion);
       grid_velocities(domain);
       const Grid& grid = domain.grid;
-      for (int level = 0; level < domain.lattice_count(); ++level) {
-        const Lattice& lattice = domain.lattice(level);
-        for (int j = 0; j < lattice.ny; ++j)
-          for (int i = 0; i < lattice.nx; ++i) {
-            const std::size_t n = lattice.index(i, j);
-            if (grid.mass[n] <= 1e-6 * 1700.0)
-              continue;
-            const double x = lattice.x0 + i * lattice.h;
-            const double y = lattice.y0 + j * lattice.h;
-            EXPECT_NEAR(grid.vx[n], a.xx * x + a.xy * y, 1e-11)
-                << x << ", " << y << ", per cell " << per_cell;
-            EXPECT_NEAR(grid.vy[n], a.yx * x + a.yy * y, 1e-11)
-                << x << ", " << y << ", per cell " << per_cell;
-          }
-      }
+      for_nodes(domain, [&](std::size_t n, double x, double y) {
+        if (grid.mass[n] <= 1e-6 * 1700.0)
+          return;
+        EXPECT_NEAR(grid.vx[n], a.xx * x + a.xy * y, 1e-11) << x << ", " << y << ", per cell " << per_cell;
+        EXPECT_NEAR(grid.vy[n], a.yx * x + a.yy * y, 1e-11) << x << ", " << y << ", per cell " << per_cell;
+      });
     }
 }
 
@@ -231,7 +224,7 @@ TEST(GradedDomain, TranslationThroughAllLevelsStaysRigid) {
     spec.regions = {{0, {{1.0, -4.0}, {3.0, -4.0}, {3.0, -2.0}, {1.0, -2.0}}}};
     Domain domain(spec);
     for_particles(domain, [](Particles& set, std::size_t k) { set.vx[k] = 20.0; });
-    Stepper stepper(domain, 0.0, no_traction());
+    Stepper stepper(domain, 0.0, test_support::no_traction());
     while (stepper.time() < 0.4)
       stepper.step();
     for_particles(domain, [&](Particles& set, std::size_t k) {
@@ -314,7 +307,7 @@ TEST(GradedDomain, APeriodOfTwoCellsIsTwiceInOneOfFour) {
       set.vx[k] = 0.1 * std::cos(std::numbers::pi * set.x[k]) * set.y[k];
       set.vy[k] = 0.1 * std::sin(std::numbers::pi * set.x[k]) + 0.02 * set.y[k];
     });
-    Stepper stepper(domain, 0.0, no_traction());
+    Stepper stepper(domain, 0.0, test_support::no_traction());
     for (int step = 0; step < 100; ++step)
       stepper.step();
     std::map<std::pair<long, long>, Vector> found; // by place, mm
@@ -351,7 +344,7 @@ TEST(GradedDomain, SeamOfAPeriodCannotBeSeen) {
       set.vx[k] = 3.0 + 0.4 * std::sin(phase(set.x[k]));
       set.vy[k] = 0.2 * std::cos(phase(set.x[k]));
     });
-    Stepper stepper(domain, 0.0, no_traction());
+    Stepper stepper(domain, 0.0, test_support::no_traction());
     while (stepper.time() < 0.5)
       stepper.step();
     auto& result = results.emplace_back();

@@ -3,6 +3,7 @@
 #include "mpm_domain/scatter.hpp"
 #include "mpm_domain/splitting.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/no_traction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -184,8 +185,7 @@ TEST(SplittingOnTheWay, ABlockKeepsItsMotionThroughAllLevels) {
       v = 20.0;
     const Sums before = sums_of(domain);
     const std::size_t count = domain.particle_count();
-    Stepper stepper(domain, 0.0,
-                    [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); });
+    Stepper stepper(domain, 0.0, test_support::no_traction());
     while (stepper.time() < 0.42)
       stepper.step();
     EXPECT_EQ(domain.particle_count(), domain.sets[2].size()); // 9.4 m and more: all on the finest level
@@ -211,8 +211,7 @@ TEST(GradedGrowth, ABlockThatFliesOutOfTheGridTakesItAlong) {
       set.vy[k] = 30.0;
   const Sums before = sums_of(domain);
   const int rows = domain.grid.ny;
-  Stepper stepper(domain, 0.0,
-                  [](long, double, auto, auto traction) { std::ranges::fill(traction, Vector{}); });
+  Stepper stepper(domain, 0.0, test_support::no_traction());
   while (stepper.time() < 0.5)
     stepper.step();
   EXPECT_GT(domain.grid.ny, rows);

@@ -3,6 +3,7 @@
 #include "mpm_domain/clock_nodes.hpp"
 #include "mpm_domain/stepper.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/no_traction.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -70,9 +71,7 @@ TEST(Subcycling, OnOneClockIsTheSingleStep) {
     fine.threads = refined.threads = 1;
     test_support::PlaneWave wave = oblique_wave();
     // The exchange holds the free field over two ticks: without one both runs are the same.
-    const TractionSource none = [](long, double, auto, auto traction) {
-      std::ranges::fill(traction, Vector{});
-    };
+    const TractionSource none = test_support::no_traction();
     std::vector<Fields> results;
     for (Spec* spec : {&fine, &refined}) {
       Domain domain(*spec);
