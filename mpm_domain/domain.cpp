@@ -68,8 +68,12 @@ const Spec& checked(const Spec& spec) {
                 "the fraction of the critical time step", spec.scheme.fraction, "in (0, 1]");
   refuse_unless(spec.scheme.transfer != Transfer::pic_blend || spec.scheme.blend_time > 0.0,
                 "the time constant of the PIC blend (s)", spec.scheme.blend_time, "> 0");
-  if (spec.scheme.subcycle && (spec.refine.empty() || spec.scheme.transfer == Transfer::pic_blend ||
-                               spec.scheme.order != StepOrder::musl || !spec.matched_sides.empty()))
+  refuse_unless(spec.scheme.transfer != Transfer::fmpm ||
+                    (spec.scheme.fmpm_order >= 2 && spec.scheme.fmpm_order <= highest_fmpm_order),
+                "the order k of FMPM(k)", spec.scheme.fmpm_order, fmt::format("2 to {}", highest_fmpm_order));
+  const bool clocked = spec.scheme.transfer == Transfer::apic || spec.scheme.transfer == Transfer::flip;
+  if (spec.scheme.subcycle && (spec.refine.empty() || !clocked || spec.scheme.order != StepOrder::musl ||
+                               !spec.matched_sides.empty()))
     throw std::invalid_argument(
         "sub-cycling needs a refined mesh, the transfer apic or flip, the order musl, "
         "and dashpots instead of matched layers");

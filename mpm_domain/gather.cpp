@@ -194,7 +194,7 @@ struct Blocks {
 struct Settings {
   Blocks blocks;
   double dt;
-  double flip_share; ///< exp(-dt/tau); 1 for pure FLIP
+  double flip_share; ///< 1 for FLIP, 0 for PIC, between them in a blend
 };
 
 template <typename Group>
@@ -374,11 +374,22 @@ constexpr GatherParts strain_part{.strain = true};
 
 namespace {
 
+double flip_share(const Scheme& scheme, double dt) {
+  switch (scheme.transfer) {
+  case Transfer::pic_blend:
+    return std::exp(-dt / scheme.blend_time);
+  case Transfer::fmpm:
+    return 0.0;
+  case Transfer::apic:
+  case Transfer::flip:
+    break;
+  }
+  return 1.0;
+}
+
 GatherSums gather_from(Domain& domain, double dt, GatherParts parts, bool strain_of_first,
                        const Blocks& blocks) {
-  const Scheme& scheme = domain.spec.scheme;
-  const double flip_share = scheme.transfer == Transfer::pic_blend ? std::exp(-dt / scheme.blend_time) : 1.0;
-  const Settings settings{blocks, dt, flip_share};
+  const Settings settings{blocks, dt, flip_share(domain.spec.scheme, dt)};
   if (parts == all_parts && !strain_of_first)
     return gather_blocks<all_parts, false>(domain, settings);
   if (parts == motion_parts)

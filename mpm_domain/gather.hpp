@@ -26,6 +26,7 @@ struct GatherSums {
 ///
 ///   apic:       v_p = sum_i S v+,  C_p = sum_i S v+ (x_i - x_p)^T D_p^-1
 ///   flip:       v_p += sum_i S (v+ - v-)
+///   fmpm:       v_p = sum_i S v+, which stands for v(k) meanwhile (full_mass_matrix.hpp)
 ///   pic_blend:  a flip + (1 - a) pic with a = exp(-dt/tau), so that the loss does not depend on the step
 ///
 /// The strain increment is dt sym(sum_i u_i grad S) and the rotation dt skew of the same, with u = v+, or, if

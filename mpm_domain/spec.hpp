@@ -34,21 +34,26 @@ enum class Side { left, right, base };
 enum class Transfer {
   apic,      ///< affine particle-in-cell (Jiang et al. 2015): angular momentum kept, noise filtered
   flip,      ///< particles take the grid's acceleration; no dissipation, no filter
+  fmpm,      ///< PIC by an approximate inverse of the full mass matrix (full_mass_matrix.hpp): noise filtered
   pic_blend, ///< FLIP blended with PIC so that the difference decays with a time constant
 };
 
 /// When stress is updated in a step: last, first, or last with remapped velocity.
 enum class StepOrder { usl, usf, musl };
 
+/// Orders of FMPM(k) from 2 to this: every one more costs a transfer there and back.
+inline constexpr int highest_fmpm_order = 10;
+
 /// The numerical scheme of the domain.
 struct Scheme {
   Transfer transfer = Transfer::apic;
   StepOrder order = StepOrder::musl;
   double blend_time = 0.0;  ///< time constant of pic_blend, s
+  int fmpm_order = 2;       ///< k of FMPM(k), 2 to highest_fmpm_order
   double fraction = 0.5;    ///< of the critical time step, in (0, 1]
   std::optional<double> dt; ///< a fixed time step instead, s
   /// Each level of a graded mesh takes a step of its own, half of the coarser one's (subcycling.hpp);
-  /// fraction and dt are of the coarsest one's. For transfers other than pic_blend and the order musl.
+  /// fraction and dt are of the coarsest one's. For the transfers apic and flip and the order musl.
   bool subcycle = false;
 };
 

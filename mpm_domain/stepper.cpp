@@ -30,6 +30,8 @@ Stepper::Stepper(Domain& domain, double start_time, TractionSource source, FreeF
     subcycling_.emplace(domain);
     subcycled_boundary_.emplace(domain, *subcycling_);
   }
+  if (domain.spec.scheme.transfer == Transfer::fmpm)
+    full_mass_.emplace(domain.spec.scheme.fmpm_order);
   passes_ = subcycling_ ? assemble_subcycled() : assemble();
   choose_dt();
 }
@@ -39,13 +41,20 @@ std::vector<Pass> Stepper::assemble() {
     return [this, parts, of_first] { book(gather(domain_, dt_, parts, of_first)); };
   };
   const GatherParts all{.velocity = true, .position = true, .strain = true};
+  const GatherParts motion{.velocity = true, .position = true};
   const GatherParts strain{.strain = true};
   std::vector<Pass> passes{{"time step", [this] { choose_step(); }}, {"sort", [this] { sort(); }}};
   const auto add = [&](std::string name, std::function<void()> run) {
     passes.push_back({std::move(name), std::move(run)});
   };
+  const auto add_motion = [&](GatherParts parts) {
+    const std::function<void()> move = gather_pass(parts, false);
+    if (full_mass_)
+      add("full mass matrix", [this] { full_mass_->solve(domain_); });
+    add("grid to particles", full_mass_ ? [this, move] { move(); full_mass_->restore(domain_); } : move);
+  };
   const bool first = domain_.spec.scheme.order == StepOrder::usf;
-  const bool affine = domain_.spec.scheme.transfer == Transfer::apic;
+  const bool drifts = full_mass_ || domain_.spec.scheme.transfer == Transfer::apic;
   add("particles to grid",
       [this, first] { scatter(domain_, first ? ScatterPart::motion : ScatterPart::both); });
   add("grid velocities", [this] { velocities(); });
@@ -60,16 +69,20 @@ std::vector<Pass> Stepper::assemble() {
   add("grid update", [this] { grid(); });
   switch (domain_.spec.scheme.order) {
   case StepOrder::usl:
-    add("grid to particles, stress", gather_pass(all, false));
+    if (full_mass_) {
+      add("strain and stress", gather_pass(strain, false));
+      add_motion(motion);
+    } else
+      add("grid to particles, stress", gather_pass(all, false));
     break;
   case StepOrder::usf:
-    add("grid to particles", gather_pass({.velocity = true, .position = true}, false));
+    add_motion(motion);
     break;
   case StepOrder::musl:
-    add("grid to particles", gather_pass({.velocity = true}, false));
+    add_motion({.velocity = true});
     add("velocities to grid again", [this] { scatter(domain_, ScatterPart::momentum); });
     add("remapped velocities", [this] { book_remap(remap_velocities(domain_)); });
-    add("strain and stress", gather_pass(affine ? GatherParts{.drift = true, .strain = true}
+    add("strain and stress", gather_pass(drifts ? GatherParts{.drift = true, .strain = true}
                                                 : GatherParts{.position = true, .strain = true},
                                          true));
     break;

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/consistent_dashpots.hpp"
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/full_mass_matrix.hpp"
 #include "mpm_domain/gather.hpp"
 #include "mpm_domain/state.hpp"
 #include "mpm_domain/subcycled_boundary.hpp"
@@ -35,6 +36,9 @@ struct Pass {
 ///   usl:   scatter | velocities | boundary | grid | gather all
 ///   usf:   scatter | velocities | strain | scatter force | boundary | grid | gather velocity
 ///   musl:  scatter | velocities | boundary | grid | gather velocity | scatter motion | remap | gather rest
+///
+/// With FMPM the full mass matrix is solved just before particles take velocities and move (Nairn 2026), so
+/// usl takes strain and stress before that, and musl positions from the particles' own velocities.
 ///
 /// Where levels have steps of their own (subcycling.hpp) a step is that of the coarsest one, and all passes
 /// after the sort run at each of its ticks.
@@ -104,6 +108,7 @@ private:
   std::vector<Vector> v_face_, v_mid_, v_remapped_, traction_;
   std::vector<Vector> reaction_; ///< of matched layers, part of traction_
   ConsistentDashpots dashpots_;
+  std::optional<FullMassMatrix> full_mass_;
   std::optional<Subcycling> subcycling_;
   std::optional<SubcycledBoundary> subcycled_boundary_;
   std::vector<Pass> passes_;

@@ -137,7 +137,7 @@ struct Mesh {
   std::vector<Refinement> refine;
 };
 
-enum class Transfer { apic, flip, pic_blend };
+enum class Transfer { apic, flip, fmpm, pic_blend };
 enum class StepOrder { usl, usf, musl };
 
 struct TimeStepping {
@@ -145,6 +145,7 @@ struct TimeStepping {
   std::optional<double> dt; ///< a fixed step instead, s
   Transfer transfer = Transfer::apic;
   double blend_time = 0.0; ///< tau of pic_blend, s
+  int fmpm_order = 0;      ///< k of fmpm
   StepOrder order = StepOrder::musl;
   bool subcycle = false; ///< each level of the mesh takes a step of its own
 };

@@ -23,10 +23,18 @@ Table time() {
            .meaning = "A fixed time step instead of `fraction`, at most the critical step.",
            .otherwise = "from `fraction`",
            .range = positive},
-          choice("transfer", {"apic", "flip", "pic_blend"},
-                 "How velocity travels between particles and grid: affine particle-in-cell, FLIP, or FLIP "
-                 "blended with PIC.",
+          choice("transfer", {"apic", "flip", "fmpm", "pic_blend"},
+                 "How velocity travels between particles and grid: affine particle-in-cell, FLIP, PIC by an "
+                 "approximate inverse of the full mass matrix, or FLIP blended with PIC.",
                  "apic"),
+          {.name = "fmpm_order",
+           .type = Type::integer,
+           .unit = "1",
+           .meaning = "k of FMPM(k): waves lose the less the higher it is, and every one more costs a "
+                      "transfer of velocities to the grid and back.",
+           .fallback = "2",
+           .range = {.low = 2.0, .high = 10.0},
+           .when = {"transfer", {"fmpm"}}},
           {.name = "blend_time",
            .unit = "s",
            .meaning =

@@ -60,6 +60,8 @@ std::string_view name(Transfer transfer) {
     return "apic";
   case Transfer::flip:
     return "flip";
+  case Transfer::fmpm:
+    return "fmpm";
   case Transfer::pic_blend:
     return "pic_blend";
   }

@@ -20,8 +20,10 @@ TimeStepping read_time(Document& document, Findings& findings) {
     findings.add(table.path("dt"), "'dt' and 'fraction' exclude each other: remove one");
   return {table.number("fraction"),
           table.optional_number("dt"),
-          from_name(table.text("transfer"), std::array{Transfer::apic, Transfer::flip, Transfer::pic_blend}),
+          from_name(table.text("transfer"),
+                    std::array{Transfer::apic, Transfer::flip, Transfer::fmpm, Transfer::pic_blend}),
           table.number("blend_time"),
+          table.integer("fmpm_order"),
           from_name(table.text("order"), std::array{StepOrder::usl, StepOrder::usf, StepOrder::musl}),
           table.boolean("subcycle")};
 }

@@ -10,6 +10,8 @@ Transfer transfer(scene::Transfer choice) {
   switch (choice) {
   case scene::Transfer::flip:
     return Transfer::flip;
+  case scene::Transfer::fmpm:
+    return Transfer::fmpm;
   case scene::Transfer::pic_blend:
     return Transfer::pic_blend;
   case scene::Transfer::apic:
@@ -61,8 +63,13 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
     for (const scene::Point& point : region.polygon)
       copy.polygon.push_back({point.x, point.y});
   }
-  spec.scheme = {transfer(scene.time.transfer), order(scene.time.order), scene.time.blend_time,
-                 scene.time.fraction,           scene.time.dt,           scene.time.subcycle};
+  spec.scheme = {.transfer = transfer(scene.time.transfer),
+                 .order = order(scene.time.order),
+                 .blend_time = scene.time.blend_time,
+                 .fmpm_order = scene.time.fmpm_order,
+                 .fraction = scene.time.fraction,
+                 .dt = scene.time.dt,
+                 .subcycle = scene.time.subcycle};
   const auto& [sides, left, right, base] = scene.boundary;
   spec.periodic_sides = sides == scene::Sides::periodic;
   if (left.absorber == scene::Absorber::matched_layer)
