@@ -71,6 +71,9 @@ const Spec& checked(const Spec& spec) {
   refuse_unless(spec.scheme.transfer != Transfer::fmpm ||
                     (spec.scheme.fmpm_order >= 2 && spec.scheme.fmpm_order <= highest_fmpm_order),
                 "the order k of FMPM(k)", spec.scheme.fmpm_order, fmt::format("2 to {}", highest_fmpm_order));
+  if (spec.scheme.transfer == Transfer::fmpm && spec.scheme.order == StepOrder::usl)
+    throw std::invalid_argument(
+        "FMPM needs the order musl or usf: with usl it is not stable up to the critical time step");
   const bool clocked = spec.scheme.transfer == Transfer::apic || spec.scheme.transfer == Transfer::flip;
   if (spec.scheme.subcycle && (spec.refine.empty() || !clocked || spec.scheme.order != StepOrder::musl ||
                                !spec.matched_sides.empty()))

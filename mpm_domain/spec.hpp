@@ -49,7 +49,7 @@ struct Scheme {
   Transfer transfer = Transfer::apic;
   StepOrder order = StepOrder::musl;
   double blend_time = 0.0;  ///< time constant of pic_blend, s
-  int fmpm_order = 2;       ///< k of FMPM(k), 2 to highest_fmpm_order
+  int fmpm_order = 3;       ///< k of FMPM(k), 2 to highest_fmpm_order; not with usl
   double fraction = 0.5;    ///< of the critical time step, in (0, 1]
   std::optional<double> dt; ///< a fixed time step instead, s
   /// Each level of a graded mesh takes a step of its own, half of the coarser one's (subcycling.hpp);

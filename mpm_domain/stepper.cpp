@@ -69,11 +69,7 @@ std::vector<Pass> Stepper::assemble() {
   add("grid update", [this] { grid(); });
   switch (domain_.spec.scheme.order) {
   case StepOrder::usl:
-    if (full_mass_) {
-      add("strain and stress", gather_pass(strain, false));
-      add_motion(motion);
-    } else
-      add("grid to particles, stress", gather_pass(all, false));
+    add("grid to particles, stress", gather_pass(all, false));
     break;
   case StepOrder::usf:
     add_motion(motion);

@@ -37,8 +37,7 @@ struct Pass {
 ///   usf:   scatter | velocities | strain | scatter force | boundary | grid | gather velocity
 ///   musl:  scatter | velocities | boundary | grid | gather velocity | scatter motion | remap | gather rest
 ///
-/// With FMPM the full mass matrix is solved just before particles take velocities and move (Nairn 2026), so
-/// usl takes strain and stress before that, and musl positions from the particles' own velocities.
+/// With FMPM the full mass matrix is solved just before particles take velocities, and they move with those.
 ///
 /// Where levels have steps of their own (subcycling.hpp) a step is that of the coarsest one, and all passes
 /// after the sort run at each of its ticks.

@@ -31,8 +31,8 @@ Table time() {
            .type = Type::integer,
            .unit = "1",
            .meaning = "k of FMPM(k): waves lose the less the higher it is, and every one more costs a "
-                      "transfer of velocities to the grid and back.",
-           .fallback = "2",
+                      "transfer of velocities to the grid and back. Not with `order = \"usl\"`.",
+           .fallback = "3",
            .range = {.low = 2.0, .high = 10.0},
            .when = {"transfer", {"fmpm"}}},
           {.name = "blend_time",

@@ -27,6 +27,7 @@ constexpr double node_bytes = 14 * 8; // sums, velocities, acceleration
 // CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
 // plasticity where the soil yields.
 constexpr double base_cost_ns = 200.0;
+constexpr double fmpm_cost_ns = 50.0; // for each order above the first
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double mobility_cost_ns = 400.0;   // PM4Sand or PDMY03 at small strain increments
@@ -100,6 +101,7 @@ std::string periodic_text(Sides sides) {
 
 std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources) {
   const bool apic = scene.time.transfer == Transfer::apic;
+  const bool fmpm = scene.time.transfer == Transfer::fmpm;
   const bool plastic = any_soil(scene, is_plastic);
   const bool softening = any_soil(scene, softens);
   const bool hysteretic = any_soil(scene, is_hysteretic);
@@ -112,6 +114,10 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"soil skeleton", true, "always: uGIMP particles, plane strain", particle_bytes, base_cost_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
        apic ? affine_bytes : 0.0, 0.0},
+      {"full mass matrix", fmpm,
+       fmpm ? fmt::format("[time] transfer = \"fmpm\": inverted to order {}", scene.time.fmpm_order)
+            : fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
+       0.0, fmpm ? fmpm_cost_ns * (scene.time.fmpm_order - 1) : 0.0},
       {"gravity", scene.gravity.has_value(),
        scene.gravity ? fmt::format("[[stage]] gravity, {} m/s2, then static tractions on the boundary faces",
                                    scene.gravity->acceleration)
@@ -188,7 +194,7 @@ std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
   const double resolved = slowest / (cells_per_wavelength * scene.mesh.size);
   std::vector<std::string> notes = {
       fmt::format("shear waves up to {:.3g} Hz have {} cells per wavelength or more (speed error "
-                  "below about 2 % with apic, 3.5 % with flip)",
+                  "below about 2 % with apic or fmpm, 3.5 % with flip)",
                   resolved, cells_per_wavelength)};
   if (const auto* pulse = std::get_if<RickerPulse>(&scene.motion.source);
       pulse && 2.5 * pulse->frequency > resolved)

@@ -5,7 +5,7 @@
 namespace tremolo::scene {
 
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 21> all = {
+  static constexpr std::array<Rule, 22> all = {
       record_is_readable,
       strength_is_ordered,
       box_fits_lattice,
@@ -24,6 +24,7 @@ std::span<const Rule> rules() {
       reference_lies_in_halfspace,
       incident_base_lies_in_halfspace,
       time_step_is_stable,
+      fmpm_suits_order,
       subcycling_suits_case,
       monitors_lie_in_soil,
       hosts_can_meet,

@@ -30,6 +30,9 @@ LINES = {
     "FLIP usl": (style.COLOURS[1], ":"),
     "FLIP musl blended": (style.COLOURS[3], "-"),
     "APIC musl 3x3 particles": (style.COLOURS[2], "-"),
+    "FMPM(2) musl": (style.COLOURS[4], ":"),
+    "FMPM(3) musl": (style.COLOURS[4], "-"),
+    "FMPM(10) musl": (style.COLOURS[4], "--"),
 }
 
 
@@ -82,7 +85,7 @@ def manufactured(path, folder):
             ax.loglog(
                 cells,
                 100 * error,
-                "-" if label.startswith("APIC") else "--",
+                {"APIC": "-", "FLIP": "--"}.get(label.split(",")[0], ":"),
                 color=style.COLOURS[particles - 1],
                 marker="o",
                 markersize=3,

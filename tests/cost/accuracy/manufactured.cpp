@@ -27,6 +27,7 @@ int main() {
   for (const int particles : {1, 2, 3, 4}) {
     schemes.push_back({"APIC musl", {Transfer::apic, StepOrder::musl}, particles});
     schemes.push_back({"FLIP musl", {Transfer::flip, StepOrder::musl}, particles});
+    schemes.push_back({"FMPM(3) musl", {Transfer::fmpm, StepOrder::musl}, particles});
   }
   schemes.push_back({"APIC usl", {Transfer::apic, StepOrder::usl}, 2});
   schemes.push_back({"FLIP usl", {Transfer::flip, StepOrder::usl}, 2});

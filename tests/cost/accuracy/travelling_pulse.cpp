@@ -183,6 +183,10 @@ int main() {
       {"APIC musl 1 particle", {Transfer::apic, StepOrder::musl}, 1},
       {"APIC musl 3x3 particles", {Transfer::apic, StepOrder::musl}, 3},
       {"APIC musl 4x4 particles", {Transfer::apic, StepOrder::musl}, 4},
+      {"FMPM(2) musl", {.transfer = Transfer::fmpm, .fmpm_order = 2}},
+      {"FMPM(3) musl", {.transfer = Transfer::fmpm, .fmpm_order = 3}},
+      {"FMPM(5) musl", {.transfer = Transfer::fmpm, .fmpm_order = 5}},
+      {"FMPM(10) musl", {.transfer = Transfer::fmpm, .fmpm_order = 10}},
       {"FLIP musl 3x3 particles", {Transfer::flip, StepOrder::musl}, 3},
   };
   fmt::print("scheme,cells_per_wavelength,relative_error,phase_periods,amplitude,cpu_s,updates\n");

@@ -386,9 +386,12 @@ TEST(FullMassDamping, OfAWaveIsThatOfTheClosedForm) {
   }
 }
 
-TEST(FullMassOrder, OutOfRangeIsRefused) {
+TEST(FullMassScheme, RefusesOrdersOutOfRangeAndUsl) {
   for (const int order : {1, 11})
     EXPECT_THROW(Domain{fmpm_box(order)}, std::invalid_argument);
+  Spec usl = fmpm_box(2);
+  usl.scheme.order = StepOrder::usl;
+  EXPECT_THROW(Domain{usl}, std::invalid_argument);
 }
 
 } // namespace

@@ -117,6 +117,8 @@ TEST_P(Seam, KeepsMassAndMomentum) {
 
 INSTANTIATE_TEST_SUITE_P(Schemes, Seam,
                          testing::Values(std::pair{Transfer::apic, StepOrder::musl},
+                                         std::pair{Transfer::fmpm, StepOrder::musl},
+                                         std::pair{Transfer::fmpm, StepOrder::usf},
                                          std::pair{Transfer::flip, StepOrder::usl},
                                          std::pair{Transfer::flip, StepOrder::usf}));
 

@@ -282,6 +282,18 @@ TEST(Rules, ReferenceLiesInHalfspace) {
                           "half-space, y <= -4"));
 }
 
+TEST(Rules, FmpmSuitsOrder) {
+  const auto fmpm = [](const std::string& order) {
+    return errors_of(plus("[time]\ntransfer = \"fmpm\"\norder = \"" + order + "\"\n"));
+  };
+  EXPECT_THAT(fmpm("musl"), IsEmpty());
+  EXPECT_THAT(fmpm("usf"), IsEmpty());
+  EXPECT_THAT(
+      fmpm("usl"),
+      ElementsAre("case.toml:33:9: [time] transfer = \"fmpm\" needs order = \"musl\" or \"usf\": with "
+                  "\"usl\" it is not stable up to the critical step"));
+}
+
 TEST(Rules, TimeStepIsStable) {
   // c_p = sqrt(E (1-nu)/((1+nu)(1-2nu) rho)) = 173.44 m/s, h = 1 m: 0.65 h/c_p = 3.74777e-3 s.
   EXPECT_THAT(errors_of(plus("[time]\ndt = 3.74e-3\n")), IsEmpty());

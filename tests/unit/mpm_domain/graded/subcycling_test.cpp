@@ -202,6 +202,7 @@ TEST(Subcycling, RefusesWhatItIsNotMadeFor) {
                                                  spec.scheme.transfer = Transfer::pic_blend;
                                                  spec.scheme.blend_time = 1.0;
                                                },
+                                               [](Spec& spec) { spec.scheme.transfer = Transfer::fmpm; },
                                                [](Spec& spec) { spec.scheme.order = StepOrder::usf; },
                                                [](Spec& spec) { spec.matched_sides = {Side::base}; }}) {
     Spec spec = shaken_box(Transfer::apic, true);
