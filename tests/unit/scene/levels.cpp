@@ -85,7 +85,8 @@ TEST(Join, NeedsLevels) {
   const auto scene = parse_case(joined(refined(levels)));
   EXPECT_TRUE(scene.mesh.join_particles);
   EXPECT_FALSE(parse_case(refined(levels)).mesh.join_particles);
-  EXPECT_TRUE(std::ranges::find(plan(scene).effects, "joined particles", &Effect::name)->on);
+  const Plan of_scene = plan(scene);
+  EXPECT_TRUE(std::ranges::find(of_scene.effects, "joined particles", &Effect::name)->on);
   EXPECT_THAT(errors_of(joined(std::string(flat_case))),
               ElementsAre(HasSubstr("[mesh] 'join_particles' = true needs levels: add [[refine]], or set it "
                                     "to false")));
