@@ -102,7 +102,7 @@ TEST(Refine, SpringsNeedEqualCellsAtBothSides) {
   EXPECT_THAT(errors_of(springs("[-5.0, -4.0, 25.0, 0.0]", "2")), ::testing::IsEmpty());
   EXPECT_THAT(
       errors_of(springs("[0.0, -4.0, 15.0, 0.0]", "1")),
-      ElementsAre("case.toml:23:9: [boundary] sides = \"periodic_springs\" tie particles of the left "
+      ElementsAre("case.toml:25:9: [boundary] sides = \"periodic_springs\" tie particles of the left "
                   "side to those of the right, but from y = -4 on cells are 0.5 m at the left and 1 m "
                   "at the right; refine both sides alike, or use sides = \"periodic\""));
   // Cut for the balance alone.
@@ -127,7 +127,8 @@ TEST(Subcycle, TheStepIsThatOfTheCoarsestCells) {
 
 TEST(Levels, WhatGoesWithTheSizeOfCellsIsSaidOfEachLevel) {
   const auto softening =
-      "model = \"mohr_coulomb\"\ncohesion_peak = 4e3\nfriction_peak_deg = 30.0\nsoftening = 15.0\n"
+      "model = \"mohr_coulomb\"\ncohesion_peak = 4e3\ncohesion_residual = 0.0\nfriction_peak_deg = 30.0\n"
+      "friction_residual_deg = 25.0\nsoftening = 15.0\n"
       "reference_size = 0.25\n";
   const auto text =
       with("model = \"linear_elastic\"\n", softening, refined("box = [5.0, -4.0, 15.0, 0.0]\nlevel = 2"));
