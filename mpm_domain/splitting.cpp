@@ -42,21 +42,25 @@ void share_affine_velocity(const Particles& whole, std::size_t k, Particles& to,
 }
 
 void add_quarters(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
-  const bool affine = !whole.bxx.empty();
-  const auto from = whole.columns(affine);
-  const auto into = to.columns(affine);
+  const ExtraColumns extra = whole.extra_columns();
+  const auto from = whole.columns(extra);
+  const auto into = to.columns(extra);
+  const Vector half = half_sides(whole, k);
   for (int quarter = 0; quarter < 4; ++quarter) {
     for (std::size_t c = 0; c < from.size(); ++c)
       into[c]->push_back((*from[c])[k]);
-    const double dx = (quarter % 2 == 0 ? -0.5 : 0.5) * whole.half_size;
-    const double dy = (quarter / 2 == 0 ? -0.5 : 0.5) * whole.half_size;
+    const double dx = (quarter % 2 == 0 ? -0.5 : 0.5) * half.x;
+    const double dy = (quarter / 2 == 0 ? -0.5 : 0.5) * half.y;
     to.mass.back() *= 0.25;
     to.volume.back() *= 0.25;
     to.x.back() += dx;
     to.y.back() += dy;
     to.x_initial.back() += dx;
     to.y_initial.back() += dy;
-    if (affine)
+    if (extra.boxes)
+      for (std::vector<double>* moment : {&to.box_xx, &to.box_xy, &to.box_yy})
+        moment->back() *= 0.25;
+    if (extra.affine)
       share_affine_velocity(whole, k, to, mesh);
     const auto state = whole.state.begin() + static_cast<std::ptrdiff_t>(k * whole.state_size);
     to.state.insert(to.state.end(), state, state + static_cast<std::ptrdiff_t>(whole.state_size));

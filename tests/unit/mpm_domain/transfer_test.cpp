@@ -59,7 +59,7 @@ void shuffle(Domain& domain) {
       p.byy[k] = 0.05 * speed(random);
     }
   }
-  sort_by_cell(p, domain.grid, domain.half_size());
+  sort_by_cell(p, domain.grid);
 }
 
 TEST(Transfer, ScatterConservesMassMomentumAndAngularMomentum) {
@@ -91,8 +91,8 @@ struct Node {
 
 std::vector<Node> nodes_of(const Domain& domain, double x, double y) {
   const Grid& grid = domain.grid;
-  const Weights wx = gimp_weights(x, domain.x_axis());
-  const Weights wy = gimp_weights(y, domain.y_axis());
+  const Weights wx = gimp_weights(x, domain.x_axis(), domain.half_size());
+  const Weights wy = gimp_weights(y, domain.y_axis(), domain.half_size());
   std::vector<Node> nodes;
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i)
@@ -279,7 +279,7 @@ TEST(Sort, AParticleOutsideTheGridIsNamedWithItsPlace) {
   Domain domain = shuffled_box(Transfer::flip);
   domain.sets.front().x[0] = 1e3;
   try {
-    sort_by_cell(domain.sets.front(), domain.grid, domain.half_size());
+    sort_by_cell(domain.sets.front(), domain.grid);
     FAIL() << "a particle outside the grid was accepted";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("has left the grid: x = 1000 m"), std::string::npos)
