@@ -19,6 +19,7 @@ using ChunkField = std::array<double, chunk>;
 
 struct Increments {
   ChunkField exx, eyy, gxy, wxy;
+  ChunkField growth;  ///< of volume, det(I + du) - 1
   ChunkField plastic; ///< plastic work per volume
 };
 
@@ -240,35 +241,39 @@ struct LaneSums {
   }
 };
 
+/// The volume in the middle of a step, to which its strain increment belongs.
+inline Lanes mid_volume(const Lanes& before, const Lanes& growth) {
+  return before * (1.0 + 0.5 * growth);
+}
+
+/// The boxes of a group follow the soil.
+template <typename Group>
+[[gnu::always_inline]] inline void deform_boxes(Particles& p, std::size_t k, Group group,
+                                                const DisplacementGradient<Lanes>& du) {
+  const BoxMoments<Lanes> box =
+      deformed<Lanes>({group.load(&p.box_xx[k]), group.load(&p.box_xy[k]), group.load(&p.box_yy[k])}, du);
+  group.store(&p.box_xx[k], box.xx);
+  group.store(&p.box_xy[k], box.xy);
+  group.store(&p.box_yy[k], box.yy);
+}
+
 /// Strain and rotation increments, and half of the work: that of the stress before the update.
 template <typename Group>
 [[gnu::always_inline]] inline void take_strain(const Particles& p, std::size_t k, Group group,
-                                               const Samples& q, double dt, std::size_t c, Increments& inc,
-                                               LaneSums& sums) {
-  store(&inc.exx[c], dt * q.vx_x);
-  store(&inc.eyy[c], dt * q.vy_y);
-  store(&inc.gxy[c], dt * (q.vx_y + q.vy_x));
-  store(&inc.wxy[c], 0.5 * dt * (q.vy_x - q.vx_y));
+                                               const DisplacementGradient<Lanes>& du, std::size_t c,
+                                               Increments& inc, LaneSums& sums) {
+  const DisplacementGradient<Lanes> mid = at_mid_step(du);
+  store(&inc.exx[c], mid.xx);
+  store(&inc.eyy[c], mid.yy);
+  store(&inc.gxy[c], mid.xy + mid.yx);
+  store(&inc.wxy[c], 0.5 * (mid.yx - mid.xy));
+  const Lanes growth = du.xx + du.yy + (du.xx * du.yy - du.xy * du.yx);
+  store(&inc.growth[c], growth);
   store(&inc.plastic[c], Lanes{});
-  sums.total += 0.5 * group.load(&p.volume[k]) * work_density(p, k, inc, c, group);
+  sums.total += 0.5 * mid_volume(group.load(&p.volume[k]), growth) * work_density(p, k, inc, c, group);
 }
 
-/// Boxes of a chunk follow its strain and rotation.
-void deform_boxes(Particles& p, std::size_t begin, std::size_t count, const Increments& inc) {
-  by_fours(0, count, [&](std::size_t c, auto group) {
-    const std::size_t k = begin + c;
-    const Lanes shear = 0.5 * load(&inc.gxy[c]);
-    const Lanes turn = load(&inc.wxy[c]);
-    const BoxMoments<Lanes> box = deformed<Lanes>(
-        {group.load(&p.box_xx[k]), group.load(&p.box_xy[k]), group.load(&p.box_yy[k])},
-        {.xx = load(&inc.exx[c]), .xy = shear - turn, .yx = shear + turn, .yy = load(&inc.eyy[c])});
-    group.store(&p.box_xx[k], box.xx);
-    group.store(&p.box_xy[k], box.xy);
-    group.store(&p.box_yy[k], box.yy);
-  });
-}
-
-/// Stress and state of a chunk by its law, then the other half of the work, the volumes and the boxes.
+/// Stress and state of a chunk by its law, then the other half of the work, and the volumes.
 void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& inc, LaneSums& sums) {
   materials::Points points = p.points(begin, count);
   points.plastic_work = inc.plastic.data();
@@ -283,12 +288,12 @@ void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments
   by_fours(0, count, [&](std::size_t c, auto group) {
     const std::size_t k = begin + c;
     const Lanes volume = group.load(&p.volume[k]);
-    sums.total += 0.5 * volume * work_density(p, k, inc, c, group);
-    sums.plastic += volume * load(&inc.plastic[c]);
-    group.store(&p.volume[k], volume * (1.0 + load(&inc.exx[c]) + load(&inc.eyy[c])));
+    const Lanes growth = load(&inc.growth[c]);
+    const Lanes mid = mid_volume(volume, growth);
+    sums.total += 0.5 * mid * work_density(p, k, inc, c, group);
+    sums.plastic += mid * load(&inc.plastic[c]);
+    group.store(&p.volume[k], volume * (1.0 + growth));
   });
-  if (all_effects && p.has_own_boxes())
-    deform_boxes(p, begin, count, inc);
 }
 
 template <GatherParts parts, bool strain_of_first, bool affine>
@@ -299,7 +304,7 @@ constexpr Wanted wanted_by{.v = parts.velocity && !affine,
                            .affine = (parts.velocity && affine)};
 
 /// @param sample_at  (k, group, x, y) -> what a group of particles from k on, at x and y, reads off the grid
-template <GatherParts parts, bool affine, typename SampleAt>
+template <GatherParts parts, bool affine, bool boxes_follow, typename SampleAt>
 GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const Settings& set,
                         const SampleAt& sample_at) {
   LaneSums sums;
@@ -317,8 +322,13 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
         else
           take_blend(p, k, group, q, set.flip_share);
       }
-      if constexpr (parts.strain)
-        take_strain(p, k, group, q, set.dt, c, inc, sums);
+      if constexpr (parts.strain) {
+        const DisplacementGradient<Lanes> du = {set.dt * q.vx_x, set.dt * q.vx_y, set.dt * q.vy_x,
+                                                set.dt * q.vy_y};
+        take_strain(p, k, group, du, c, inc, sums);
+        if constexpr (boxes_follow)
+          deform_boxes(p, k, group, du);
+      }
       if constexpr (parts.position || parts.drift) {
         const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_new;
         group.store(&p.x[k], x + set.dt * v.x);
@@ -341,7 +351,7 @@ GatherSums gather_lattice(Domain& domain, Particles& p, std::size_t block, const
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const Boxes boxes(p, lattice, x_axis);
-  return gather_range<parts, affine>(
+  return gather_range<parts, affine, Boxes::follow>(
       p, p.block_start[block], p.block_start[block + 1], settings,
       [&](std::size_t k, auto group, const Lanes& x, const Lanes& y) __attribute__((always_inline)) {
         return sample<wanted, Boxes::rows>(grid, lattice, x, y, group.count, x_axis, y_axis,
@@ -350,23 +360,26 @@ GatherSums gather_lattice(Domain& domain, Particles& p, std::size_t block, const
 }
 
 /// In a block across several lattices.
-template <GatherParts parts, bool strain_of_first, bool affine>
+template <GatherParts parts, bool strain_of_first, bool affine, bool boxes_follow>
 GatherSums gather_across(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
   constexpr Wanted wanted = wanted_by<parts, strain_of_first, affine>;
   Particles& p = domain.sets[s];
   const Grid& grid = domain.grid;
   const AcrossWeights& weights = domain.across_of(s, domain.clock_of_block(block));
-  return gather_range<parts, affine>(p, p.block_start[block], p.block_start[block + 1], settings,
-                                     [&](std::size_t k, auto group, const Lanes&, const Lanes&) {
-                                       return sample_across<wanted>(grid, weights, p, k, group.count);
-                                     });
+  return gather_range<parts, affine, boxes_follow>(
+      p, p.block_start[block], p.block_start[block + 1], settings,
+      [&](std::size_t k, auto group, const Lanes&, const Lanes&) {
+        return sample_across<wanted>(grid, weights, p, k, group.count);
+      });
 }
 
 template <GatherParts parts, bool strain_of_first, bool affine>
 GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
-  if (all_effects && block >= domain.block_count())
-    return gather_across<parts, strain_of_first, affine>(domain, s, block, settings);
   Particles& p = domain.sets[s];
+  if (all_effects && block >= domain.block_count())
+    return p.has_own_boxes()
+               ? gather_across<parts, strain_of_first, affine, true>(domain, s, block, settings)
+               : gather_across<parts, strain_of_first, affine, false>(domain, s, block, settings);
   return all_effects && p.has_own_boxes()
              ? gather_lattice<parts, strain_of_first, affine, OwnRectangles>(domain, p, block, settings)
              : gather_lattice<parts, strain_of_first, affine, OneSquare>(domain, p, block, settings);

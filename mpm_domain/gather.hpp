@@ -28,9 +28,13 @@ struct GatherSums {
 ///   flip:       v_p += sum_i S (v+ - v-)
 ///   pic_blend:  a flip + (1 - a) pic with a = exp(-dt/tau), so that the loss does not depend on the step
 ///
-/// The strain increment is dt sym(sum_i u_i grad S) and the rotation dt skew of the same, with u = v+, or, if
-/// `strain_of_first`, the grid's velocity v before the update: v- (usf) or the remapped one (musl). Volumes
-/// grow by tr(de).
+/// Strain and rotation increments are the symmetric and the skew part of the displacement gradient of the step,
+/// du = dt sum_i u_i grad S, as seen from the middle of it (Hughes and Winget 1980),
+///
+///   du (I + du/2)^-1 = du - du^2/2 + O(du^3),
+///
+/// with u = v+, or, if `strain_of_first`, the grid's velocity v before the update: v- (usf) or the remapped one
+/// (musl). Volumes grow by det(I + du), boxes that follow the soil by du (particle_boxes.hpp).
 GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first = false);
 
 /// The same for the particles of one clock alone.

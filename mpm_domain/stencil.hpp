@@ -13,6 +13,7 @@ namespace tremolo::mpm_domain {
 class OneSquare {
 public:
   static constexpr std::size_t rows = 3;
+  static constexpr bool follow = false; ///< the soil
 
   OneSquare(const Particles& p, const Lattice&, const Axis& axis) : side_(p.half_size, axis) {}
 
@@ -44,6 +45,7 @@ struct Rectangles {
 class OwnRectangles {
 public:
   static constexpr std::size_t rows = 4;
+  static constexpr bool follow = true; ///< the soil
 
   OwnRectangles(const Particles& p, const Lattice& lattice, const Axis& axis)
       : p_(p), axis_(axis), limits_(p.box_limits()) {

@@ -37,6 +37,9 @@ void disturb(Domain& domain, double shift) {
       if (!p.bxx.empty())
         for (std::vector<double>* column : {&p.bxx, &p.bxy, &p.byx, &p.byy})
           (*column)[k] = 0.1 * any(random);
+      if (p.has_own_boxes())
+        for (std::vector<double>* moment : {&p.box_xx, &p.box_yy})
+          (*moment)[k] *= std::exp(0.3 * any(random));
     }
 }
 
@@ -61,11 +64,24 @@ Sums sums_of(const Domain& domain) {
   return sum;
 }
 
-class Splitting : public testing::TestWithParam<Transfer> {};
+struct Case {
+  Transfer transfer;
+  ParticleBoxes boxes;
+  const char* name;
+};
+
+class Splitting : public testing::TestWithParam<Case> {
+protected:
+  static Spec steps_in_x() {
+    Spec spec = mpm_domain::steps_in_x(GetParam().transfer);
+    spec.boxes = GetParam().boxes;
+    return spec;
+  }
+};
 
 /// S and G of the four, a quarter each, are those of the one: to the grid nothing has happened.
 TEST_P(Splitting, LeavesTheGridAsItIs) {
-  Domain domain(steps_in_x(GetParam()));
+  Domain domain(steps_in_x());
   disturb(domain, 5.3); // across the first interface
   sort_particles(domain);
   scatter(domain, ScatterPart::both);
@@ -82,7 +98,7 @@ TEST_P(Splitting, LeavesTheGridAsItIs) {
 }
 
 TEST_P(Splitting, KeepsMassVolumeMomentumAndSpin) {
-  Domain domain(steps_in_x(GetParam()));
+  Domain domain(steps_in_x());
   disturb(domain, 5.3);
   const Sums before = sums_of(domain);
   const std::size_t cut = split_particles(domain);
@@ -93,13 +109,13 @@ TEST_P(Splitting, KeepsMassVolumeMomentumAndSpin) {
   EXPECT_NEAR(after.px, before.px, 1e-14 * before.mass);
   EXPECT_NEAR(after.py, before.py, 1e-14 * before.mass);
   EXPECT_NEAR(after.spin, before.spin, 1e-13 * before.mass * 10.0);
-  if (GetParam() == Transfer::flip) {
+  if (GetParam().transfer == Transfer::flip) {
     EXPECT_NEAR(after.kinetic, before.kinetic, 1e-14 * before.mass);
   }
 }
 
 TEST_P(Splitting, HandsStressStateAndDisplacementDown) {
-  Spec spec = steps_in_x(GetParam());
+  Spec spec = steps_in_x();
   spec.soils = {{"clay", materials::MohrCoulomb{.elastic = {1700.0, 40e6, 0.28},
                                                 .cohesion_peak = 4e3,
                                                 .friction_peak = 0.5,
@@ -128,8 +144,10 @@ TEST_P(Splitting, HandsStressStateAndDisplacementDown) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Transfers, Splitting, testing::Values(Transfer::apic, Transfer::flip),
-                         [](const auto& of) { return of.param == Transfer::apic ? "Apic" : "Flip"; });
+INSTANTIATE_TEST_SUITE_P(Transfers, Splitting, testing::Values(Case{Transfer::apic, ParticleBoxes::fixed, "Apic"},
+                                         Case{Transfer::flip, ParticleBoxes::fixed, "Flip"},
+                                         Case{Transfer::apic, ParticleBoxes::deforming, "ApicOwnBoxes"}),
+                         [](const auto& of) { return of.param.name; });
 
 /// Only those wholly inside, and only where cells would run short of particles.
 TEST(SplittingRule, CutsWhatLiesInFinerCellsAndIsTooWideForThem) {
