@@ -19,7 +19,6 @@ using ChunkField = std::array<double, chunk>;
 
 struct Increments {
   ChunkField exx, eyy, gxy, wxy;
-  ChunkField growth;  ///< of volume, det(I + du) - 1
   ChunkField plastic; ///< plastic work per volume
 };
 
@@ -241,36 +240,37 @@ struct LaneSums {
   }
 };
 
-/// The volume in the middle of a step, to which its strain increment belongs.
-inline Lanes mid_volume(const Lanes& before, const Lanes& growth) {
-  return before * (1.0 + 0.5 * growth);
+/// Strain and rotation increments about the middle of the step (Hughes and Winget 1980), A (I + A/2)^-1 with
+/// A = dt grad u, here to its second order A - A^2/2: taken about its beginning, a turn by theta would be
+/// read as a contraction by theta^2/2. And half of the work: that of the stress before the update.
+template <typename Group>
+[[gnu::always_inline]] inline void take_strain(const Particles& p, std::size_t k, Group group,
+                                               const Samples& q, double dt, std::size_t c, Increments& inc,
+                                               LaneSums& sums) {
+  const Lanes xx = dt * q.vx_x;
+  const Lanes xy = dt * q.vx_y;
+  const Lanes yx = dt * q.vy_x;
+  const Lanes yy = dt * q.vy_y;
+  const Lanes across = 0.5 * xy * yx;
+  const Lanes half_rest = 1.0 - 0.5 * (xx + yy);
+  store(&inc.exx[c], xx - 0.5 * xx * xx - across);
+  store(&inc.eyy[c], yy - 0.5 * yy * yy - across);
+  store(&inc.gxy[c], half_rest * (xy + yx));
+  store(&inc.wxy[c], 0.5 * half_rest * (yx - xy));
+  store(&inc.plastic[c], Lanes{});
+  sums.total += 0.5 * group.load(&p.volume[k]) * work_density(p, k, inc, c, group);
 }
 
 /// The boxes of a group follow the soil.
 template <typename Group>
-[[gnu::always_inline]] inline void deform_boxes(Particles& p, std::size_t k, Group group,
-                                                const DisplacementGradient<Lanes>& du) {
-  const BoxMoments<Lanes> box =
-      deformed<Lanes>({group.load(&p.box_xx[k]), group.load(&p.box_xy[k]), group.load(&p.box_yy[k])}, du);
+[[gnu::always_inline]] inline void deform_boxes(Particles& p, std::size_t k, Group group, const Samples& q,
+                                                double dt) {
+  const BoxMoments<Lanes> box = deformed<Lanes>(
+      {group.load(&p.box_xx[k]), group.load(&p.box_xy[k]), group.load(&p.box_yy[k])},
+      {.xx = dt * q.vx_x, .xy = dt * q.vx_y, .yx = dt * q.vy_x, .yy = dt * q.vy_y});
   group.store(&p.box_xx[k], box.xx);
   group.store(&p.box_xy[k], box.xy);
   group.store(&p.box_yy[k], box.yy);
-}
-
-/// Strain and rotation increments, and half of the work: that of the stress before the update.
-template <typename Group>
-[[gnu::always_inline]] inline void take_strain(const Particles& p, std::size_t k, Group group,
-                                               const DisplacementGradient<Lanes>& du, std::size_t c,
-                                               Increments& inc, LaneSums& sums) {
-  const DisplacementGradient<Lanes> mid = at_mid_step(du);
-  store(&inc.exx[c], mid.xx);
-  store(&inc.eyy[c], mid.yy);
-  store(&inc.gxy[c], mid.xy + mid.yx);
-  store(&inc.wxy[c], 0.5 * (mid.yx - mid.xy));
-  const Lanes growth = du.xx + du.yy + (du.xx * du.yy - du.xy * du.yx);
-  store(&inc.growth[c], growth);
-  store(&inc.plastic[c], Lanes{});
-  sums.total += 0.5 * mid_volume(group.load(&p.volume[k]), growth) * work_density(p, k, inc, c, group);
 }
 
 /// Stress and state of a chunk by its law, then the other half of the work, and the volumes.
@@ -287,12 +287,12 @@ void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments
     materials::update(std::get<materials::LinearElastic>(p.law), points);
   by_fours(0, count, [&](std::size_t c, auto group) {
     const std::size_t k = begin + c;
-    const Lanes volume = group.load(&p.volume[k]);
-    const Lanes growth = load(&inc.growth[c]);
-    const Lanes mid = mid_volume(volume, growth);
-    sums.total += 0.5 * mid * work_density(p, k, inc, c, group);
-    sums.plastic += mid * load(&inc.plastic[c]);
-    group.store(&p.volume[k], volume * (1.0 + growth));
+    const Lanes before = group.load(&p.volume[k]);
+    const Lanes dilation = load(&inc.exx[c]) + load(&inc.eyy[c]);
+    const Lanes volume = before * (1.0 + dilation * (1.0 + 0.5 * dilation));
+    sums.total += 0.5 * volume * work_density(p, k, inc, c, group);
+    sums.plastic += 0.5 * (before + volume) * load(&inc.plastic[c]);
+    group.store(&p.volume[k], volume);
   });
 }
 
@@ -323,11 +323,9 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
           take_blend(p, k, group, q, set.flip_share);
       }
       if constexpr (parts.strain) {
-        const DisplacementGradient<Lanes> du = {set.dt * q.vx_x, set.dt * q.vx_y, set.dt * q.vy_x,
-                                                set.dt * q.vy_y};
-        take_strain(p, k, group, du, c, inc, sums);
+        take_strain(p, k, group, q, set.dt, c, inc, sums);
         if constexpr (boxes_follow)
-          deform_boxes(p, k, group, du);
+          deform_boxes(p, k, group, q, set.dt);
       }
       if constexpr (parts.position || parts.drift) {
         const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_new;

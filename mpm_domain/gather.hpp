@@ -28,13 +28,10 @@ struct GatherSums {
 ///   flip:       v_p += sum_i S (v+ - v-)
 ///   pic_blend:  a flip + (1 - a) pic with a = exp(-dt/tau), so that the loss does not depend on the step
 ///
-/// Strain and rotation increments are the symmetric and the skew part of the displacement gradient of the step,
-/// du = dt sum_i u_i grad S, as seen from the middle of it (Hughes and Winget 1980),
-///
-///   du (I + du/2)^-1 = du - du^2/2 + O(du^3),
-///
-/// with u = v+, or, if `strain_of_first`, the grid's velocity v before the update: v- (usf) or the remapped one
-/// (musl). Volumes grow by det(I + du), boxes that follow the soil by du (particle_boxes.hpp).
+/// With A = dt sum_i u_i grad S and u = v+, or, if `strain_of_first`, the grid's velocity v before the
+/// update: v- (usf) or the remapped one (musl), the strain increment de is the symmetric part of A - A^2/2,
+/// the rotation its skew part. Volumes grow by det(I + A), to second order in A; boxes that follow the soil by
+/// I + A (particle_boxes.hpp).
 GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first = false);
 
 /// The same for the particles of one clock alone.

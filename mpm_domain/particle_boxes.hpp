@@ -36,14 +36,6 @@ struct DisplacementGradient {
   Real xx{}, xy{}, yx{}, yy{}; ///< d u_a / d x_b
 };
 
-/// The same as seen from the middle of the step, du (I + du/2)^-1 = du - du^2/2 + O(du^3).
-template <typename Real>
-DisplacementGradient<Real> at_mid_step(const DisplacementGradient<Real>& du) {
-  const Real half = 0.5 * (du.xx + du.yy);
-  return {du.xx - 0.5 * (du.xx * du.xx + du.xy * du.yx), du.xy - half * du.xy, du.yx - half * du.yx,
-          du.yy - 0.5 * (du.yy * du.yy + du.xy * du.yx)};
-}
-
 template <typename Real>
 BoxMoments<Real> deformed(const BoxMoments<Real>& m, const DisplacementGradient<Real>& du) {
   const Real fxx = 1.0 + du.xx;
