@@ -74,8 +74,9 @@ const Spec& checked(const Spec& spec) {
         "sub-cycling needs a refined mesh, the transfer apic or flip, the order musl, "
         "and dashpots instead of matched layers");
   if (spec.boxes == ParticleBoxes::deforming && spec.scheme.order == StepOrder::usf)
-    throw std::invalid_argument("boxes that follow the soil change with its strain: at the end of a step, with "
-                                "the order musl or usl; with usf they would within it");
+    throw std::invalid_argument(
+        "boxes that follow the soil change with its strain: at the end of a step, with "
+        "the order musl or usl; with usf they would within it");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");

@@ -265,9 +265,9 @@ template <typename Group>
 template <typename Group>
 [[gnu::always_inline]] inline void deform_boxes(Particles& p, std::size_t k, Group group, const Samples& q,
                                                 double dt) {
-  const BoxMoments<Lanes> box = deformed<Lanes>(
-      {group.load(&p.box_xx[k]), group.load(&p.box_xy[k]), group.load(&p.box_yy[k])},
-      {.xx = dt * q.vx_x, .xy = dt * q.vx_y, .yx = dt * q.vy_x, .yy = dt * q.vy_y});
+  const BoxMoments<Lanes> box =
+      deformed<Lanes>({group.load(&p.box_xx[k]), group.load(&p.box_xy[k]), group.load(&p.box_yy[k])},
+                      {.xx = dt * q.vx_x, .xy = dt * q.vx_y, .yx = dt * q.vy_x, .yy = dt * q.vy_y});
   group.store(&p.box_xx[k], box.xx);
   group.store(&p.box_xy[k], box.xy);
   group.store(&p.box_yy[k], box.yy);

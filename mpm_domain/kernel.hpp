@@ -1,7 +1,7 @@
 #pragma once
 
-// GIMP weights in one direction (Bardenhagen and Kober 2004): the hat function N of the grid averaged over the
-// particle's box [x - l, x + l] with l <= h,
+// GIMP weights in one direction (Bardenhagen and Kober 2004): the hat function N of the grid averaged over
+// the particle's box [x - l, x + l] with l <= h,
 //
 //     S_i = 1/(2l) int_box N_i dx,      G_i = dS_i/dx.
 //
@@ -79,8 +79,8 @@ struct CellWeights {
 };
 
 /// S and G of the three nodes from the first one that the box touches on, for particles at xi in [l, 1 + l]
-/// cells above it and l <= h/2. In this form nothing cancels as the box leaves that node: mass and force there shrink
-/// together, as low^2 and low, and no node is left with a force that its mass does not go with.
+/// cells above it and l <= h/2. In this form nothing cancels as the box leaves that node: mass and force
+/// there shrink together, as low^2 and low, and no node is left with a force that its mass does not go with.
 template <typename Real>
 struct RowWeights {
   std::array<Real, 3> s, g;

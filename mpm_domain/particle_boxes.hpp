@@ -5,8 +5,8 @@
 //
 //     M = l^2 F F^T,      M <- (I + dt L) M (I + dt L)^T
 //
-// in a step dt, L the velocity gradient: F of all steps together is that by which an affine velocity has moved
-// the particles. The axis-parallel box of the same moments about x and y has the half sides
+// in a step dt, L the velocity gradient: F of all steps together is that by which an affine velocity has
+// moved the particles. The axis-parallel box of the same moments about x and y has the half sides
 //
 //     l_x = sqrt(M_xx),    l_y = sqrt(M_yy).
 //
@@ -15,7 +15,10 @@
 //
 // A box is never wider than two cells, so that four nodes a direction hold it: the domain scaling of Homel,
 // Brannon and Guilkey (2015), "Controlling the onset of numerical fracture in parallelized implementations of
-// the material point method (MPM) with convective particle domain interpolation (CPDI) domain scaling".
+// the material point method (MPM) with convective particle domain interpolation (CPDI) domain scaling". Nor
+// is it narrower than a quarter of a cell: a node that boxes of half side l just begin to touch at a free
+// edge has the mass rho low^2/(4l) and the stiffness rho c^2 low^2/(4l^2 h), so it bears steps up to 2 sqrt(l
+// h)/c, which for l < 0.11 h are shorter than those that all else bears.
 
 #include "mpm_domain/lanes.hpp"
 
@@ -47,16 +50,16 @@ BoxMoments<Real> deformed(const BoxMoments<Real>& m, const DisplacementGradient<
   return {x_mx * fxx + x_my * du.xy, x_mx * du.yx + x_my * fyy, y_mx * du.yx + y_my * fyy};
 }
 
-/// A box is never narrower than this share of what it was at the start: LATER
-inline constexpr double least_share_of_box = 0.5;
-
 /// Between which half sides boxes stay, m.
 struct BoxLimits {
-  double least;
-  double most;
+  /// @param h  size of the cells that the particles belong to, m
+  explicit BoxLimits(double h) : least(0.125 * h), most(h) {}
 
   double half_side(double moment) const { return std::clamp(std::sqrt(moment), least, most); }
   Lanes half_side(const Lanes& moment) const { return clamp(sqrt(moment), least, most); }
+
+  double least;
+  double most;
 };
 
 } // namespace tremolo::mpm_domain

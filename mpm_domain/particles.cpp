@@ -125,8 +125,8 @@ Touched touched(const GradedMesh& mesh, const mesh::Rectangle& box) {
 
 void sort_by_cell(Particles& particles, const Grid& grid) {
   // A particle may move by one cell before the next sort, hence the margin; NaN fails every comparison.
-  const mesh::Rectangle allowed{grid.x0 + 2 * grid.h, grid.y0 + 2 * grid.h,
-                                grid.x0 + (grid.nx - 3) * grid.h, grid.y0 + (grid.ny - 3) * grid.h};
+  const mesh::Rectangle allowed{grid.x0 + 2 * grid.h, grid.y0 + 2 * grid.h, grid.x0 + (grid.nx - 3) * grid.h,
+                                grid.y0 + (grid.ny - 3) * grid.h};
   std::vector<std::size_t> cell(particles.size());
   for (std::size_t k = 0; k < cell.size(); ++k) {
     const double x = particles.x[k];
@@ -159,8 +159,8 @@ void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMa
     const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(touches.finest)];
     const Vector half = half_sides(particles, k);
     const double most = particles.has_own_boxes() ? lattice.h : 0.5001 * lattice.h;
-    const bool on_one = touches.coarsest == touches.finest && !touches.quarter && half.x <= most &&
-                        half.y <= most;
+    const bool on_one =
+        touches.coarsest == touches.finest && !touches.quarter && half.x <= most && half.y <= most;
     const auto clock = static_cast<std::size_t>(clocks.at(x, y));
     key[k] = on_one ? clock * mesh.node_count() + first_node(particles, k, lattice)
                     : across + clock * levels + static_cast<std::size_t>(touches.finest);

@@ -17,8 +17,8 @@ namespace tremolo::mpm_domain {
 /// Rows of cells that one task of a particle loop owns.
 ///
 /// Every second block is scattered at once. Boxes that follow the soil reach farthest: of n rows of cells
-/// [0, n), or one more on either side since particles may have moved by up to a cell since the last sort, they
-/// touch the nodes -2 to n + 2, and those of the block after the next one 2n - 2 and more. So n > 4.
+/// [0, n), or one more on either side since particles may have moved by up to a cell since the last sort,
+/// they touch the nodes -2 to n + 2, and those of the block after the next one 2n - 2 and more. So n > 4.
 inline constexpr int rows_per_block = 5;
 
 /// Which columns of particles there are besides those that all have.
@@ -43,8 +43,8 @@ struct Particles {
   /// D^-1, for B moves with the particle and D, the second moment of its weights, does not: so angular
   /// momentum stays (Jiang, Schroeder and Teran 2017).
   std::vector<double> bxx, bxy, byx, byy;
-  std::vector<double> sxx, syy, szz, sxy; ///< Cauchy stress, Pa, tension positive
-  std::vector<double> mass, volume;       ///< per metre out of plane, kg/m and m2
+  std::vector<double> sxx, syy, szz, sxy;     ///< Cauchy stress, Pa, tension positive
+  std::vector<double> mass, volume;           ///< per metre out of plane, kg/m and m2
   std::vector<double> box_xx, box_xy, box_yy; ///< M of boxes that follow the soil (particle_boxes.hpp)
   std::vector<double> x_initial, y_initial;
   std::vector<double> state; ///< [particle][state_size]
@@ -67,7 +67,7 @@ struct Particles {
 
   /// Whether boxes follow the soil, or all stay one square.
   bool has_own_boxes() const { return !box_xx.empty(); }
-  BoxLimits box_limits() const { return {least_share_of_box * half_size, cell_size}; }
+  BoxLimits box_limits() const { return BoxLimits(cell_size); }
 };
 
 /// Orders the particles by cell, rows first, keeping the order of those that share a cell.
@@ -98,8 +98,8 @@ inline mesh::Rectangle reach_of(const Particles& p, std::size_t k, double distan
 
 /// The same on a graded mesh: by clock, then by lattice, then by cell. Behind them stand, clock by clock and
 /// level by level of the finest cells that they touch, the particles whose box touches cells of several
-/// lattices or of a virtually split leaf, or might before the next sort, and those too large for the lattice's
-/// kernel: half a cell, or a cell where boxes follow the soil.
+/// lattices or of a virtually split leaf, or might before the next sort, and those too large for the
+/// lattice's kernel: half a cell, or a cell where boxes follow the soil.
 /// @param margin  how far particles may move until the next sort, m
 /// @throws std::runtime_error if a particle has left the mesh, naming its place
 void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMap& clocks, double margin);

@@ -27,10 +27,9 @@ struct ChunkWeights {
 };
 
 template <bool force, bool affine, typename Boxes, typename Group>
-[[gnu::always_inline]] inline void take_weights(const Particles& p, std::size_t k, std::size_t c, Group group,
-                                                const Lattice& lattice, const Axis& x_axis,
-                                                const Axis& y_axis, const Boxes& boxes,
-                                                ChunkWeights<Boxes::rows>& w) {
+[[gnu::always_inline]] inline void
+take_weights(const Particles& p, std::size_t k, std::size_t c, Group group, const Lattice& lattice,
+             const Axis& x_axis, const Axis& y_axis, const Boxes& boxes, ChunkWeights<Boxes::rows>& w) {
   const auto& own = boxes.of(k, group);
   const Stencils at(group.load(&p.x[k]), group.load(&p.y[k]), x_axis, y_axis, own);
   const std::array<std::int32_t, 4> first = at.first_nodes(lattice);
@@ -169,8 +168,8 @@ struct ForceSums {
 
 /// Sums of a chunk, cell by cell; add(sums, c) adds particle c of it.
 template <typename Sums, std::size_t rows, typename Add>
-[[gnu::always_inline]] inline void stream(const ChunkWeights<rows>& w, std::size_t count, const Arrays& arrays,
-                                          const Add& add) {
+[[gnu::always_inline]] inline void stream(const ChunkWeights<rows>& w, std::size_t count,
+                                          const Arrays& arrays, const Add& add) {
   for (std::size_t c = 0; c < count;) {
     const std::int32_t shared = w.first[c];
     Sums sums;

@@ -15,6 +15,7 @@ public:
   static constexpr std::size_t rows = 3;
   static constexpr bool follow = false; ///< the soil
 
+  /// @param axis  of either direction: cells are squares
   OneSquare(const Particles& p, const Lattice&, const Axis& axis) : side_(p.half_size, axis) {}
 
   /// Those of a group of particles from k on.

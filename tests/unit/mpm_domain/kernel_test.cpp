@@ -146,8 +146,10 @@ TEST_P(Kernel, GradientIsTheDerivativeOfTheWeight) {
   }
 }
 
-// Half sides over h: of one to four particles per cell at the start, and of boxes that have followed the soil.
-INSTANTIATE_TEST_SUITE_P(BoxSizes, Kernel, testing::Values(0.5, 0.25, 0.5 / 3.0, 0.125, 0.03, 0.37, 0.8, 1.0));
+// Half sides over h: of one to four particles per cell at the start, and of boxes that have followed the
+// soil.
+INSTANTIATE_TEST_SUITE_P(BoxSizes, Kernel,
+                         testing::Values(0.5, 0.25, 0.5 / 3.0, 0.125, 0.03, 0.37, 0.8, 1.0));
 
 } // namespace
 } // namespace tremolo::mpm_domain

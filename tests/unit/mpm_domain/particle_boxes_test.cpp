@@ -74,12 +74,12 @@ TEST(ParticleBoxes, FourAtOnceAreFour) {
 }
 
 TEST(ParticleBoxes, StayBetweenTheirLimits) {
-  const BoxLimits limits{.least = 0.1, .most = 0.5};
+  const BoxLimits limits(0.5); // an eighth of a cell to a cell
   const Lanes four = limits.half_side(Lanes{0.0, 0.04, 0.25, 4.0});
-  for (const auto& [lane, half] : {std::pair{0, 0.1}, {1, 0.2}, {2, 0.5}, {3, 0.5}})
+  for (const auto& [lane, half] : {std::pair{0, 0.0625}, {1, 0.2}, {2, 0.5}, {3, 0.5}})
     EXPECT_NEAR(four[lane], half, 1e-15);
   EXPECT_EQ(limits.half_side(4.0), 0.5);
-  EXPECT_EQ(limits.half_side(0.0), 0.1);
+  EXPECT_EQ(limits.half_side(0.0), 0.0625);
 }
 
 } // namespace

@@ -254,8 +254,8 @@ TEST_P(TransferWith, InternalForcesSumToZeroAndGravityToTheWeight) {
   EXPECT_NEAR(sum.y, -weight, 1e-9 * weight);
 }
 
-INSTANTIATE_TEST_SUITE_P(Boxes, TransferWith,
-                         testing::Values(ParticleBoxes::fixed, ParticleBoxes::deforming), [](const auto& of) {
+INSTANTIATE_TEST_SUITE_P(Boxes, TransferWith, testing::Values(ParticleBoxes::fixed, ParticleBoxes::deforming),
+                         [](const auto& of) {
                            return of.param == ParticleBoxes::fixed ? "Fixed" : "Deforming";
                          });
 

@@ -1,5 +1,5 @@
-// Displacements converge to second order in a manufactured solution; with boxes that keep their size and so no
-// longer tile the stretched soil, until a floor.
+// Displacements converge to second order in a manufactured solution; with boxes that keep their size and so
+// no longer tile the stretched soil, until a floor.
 
 #include "tests/support/manufactured_block.hpp"
 

@@ -144,7 +144,8 @@ TEST_P(Splitting, HandsStressStateAndDisplacementDown) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Transfers, Splitting, testing::Values(Case{Transfer::apic, ParticleBoxes::fixed, "Apic"},
+INSTANTIATE_TEST_SUITE_P(Transfers, Splitting,
+                         testing::Values(Case{Transfer::apic, ParticleBoxes::fixed, "Apic"},
                                          Case{Transfer::flip, ParticleBoxes::fixed, "Flip"},
                                          Case{Transfer::apic, ParticleBoxes::deforming, "ApicOwnBoxes"}),
                          [](const auto& of) { return of.param.name; });
