@@ -77,6 +77,8 @@ const Spec& checked(const Spec& spec) {
     throw std::invalid_argument(
         "boxes that follow the soil change with its strain: at the end of a step, with "
         "the order musl or usl; with usf they would within it");
+  if (spec.join_particles && spec.refine.empty())
+    throw std::invalid_argument("particles are joined where they leave finer cells: it needs a refined mesh");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");
