@@ -4,7 +4,6 @@
 #include "mpm_domain/graded/box_average.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -39,47 +38,54 @@ BoundaryFace make_face(Side side, Vector normal, Particles& set, std::size_t set
   return face;
 }
 
-/// Two rows of three nodes: averaged along the face, linear across it.
-using LatticeWeights = std::array<FaceWeight, 6>;
-
-LatticeWeights lattice_weights(const BoundaryFace& face, const Particles& set, const Grid& grid) {
-  const std::size_t k = set.index_of[face.id];
-  const double half = 0.5 * face.length;
-  const bool vertical = face.side != Side::base;
-  const Vector n = face.face.normal;
-  LatticeWeights weights;
-  if (vertical) {
-    const Linear across = linear_weights(set.x[k] + half * n.x, grid.x0, grid.h);
-    const Weights along = gimp_weights(set.y[k], {grid.y0, grid.h, half});
-    for (int a = 0, entry = 0; a < 3; ++a)
-      for (int b = 0; b < 2; ++b, ++entry)
-        weights[static_cast<std::size_t>(entry)] = {
-            grid.index(grid.real_column(across.base + b), along.base + a), along.s[a] * across.w[b]};
-  } else {
-    const Linear across = linear_weights(set.y[k] + half * n.y, grid.y0, grid.h);
-    const Weights along = gimp_weights(set.x[k], {grid.x0, grid.h, half});
-    for (int b = 0, entry = 0; b < 2; ++b)
-      for (int a = 0; a < 3; ++a, ++entry)
-        weights[static_cast<std::size_t>(entry)] = {
-            grid.index(grid.real_column(along.base + a), across.base + b), along.s[a] * across.w[b]};
+/// The side of a particle's box that a face covers: a line.
+mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set) {
+  mesh::Rectangle line = box_of(set, set.index_of[face.id]);
+  switch (face.side) {
+  case Side::left:
+    line.x_max = line.x_min;
+    break;
+  case Side::right:
+    line.x_min = line.x_max;
+    break;
+  case Side::base:
+    line.y_max = line.y_min;
+    break;
   }
-  return weights;
+  return line;
+}
+
+/// On one lattice: averaged along the face, linear across it.
+void lattice_weights(const BoundaryFace& face, const Particles& set, const Grid& grid, FaceWeights& weights) {
+  const mesh::Rectangle line = line_of(face, set);
+  const std::size_t k = set.index_of[face.id];
+  const Vector half = half_sides(set, k);
+  weights.clear();
+  const auto add = [&](int column, int row, double w) {
+    if (w != 0.0)
+      weights.push_back({grid.index(grid.real_column(column), row), w});
+  };
+  if (face.side != Side::base) {
+    const Linear across = linear_weights(line.x_min, grid.x0, grid.h);
+    const Weights along = cell_weights(set.y[k], {grid.y0, grid.h}, half.y);
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 2; ++b)
+        add(across.base + b, along.base + a, along.s[a] * across.w[b]);
+  } else {
+    const Linear across = linear_weights(line.y_min, grid.y0, grid.h);
+    const Weights along = cell_weights(set.x[k], {grid.x0, grid.h}, half.x);
+    for (int b = 0; b < 2; ++b)
+      for (int a = 0; a < 4; ++a)
+        add(along.base + a, across.base + b, along.s[a] * across.w[b]);
+  }
 }
 
 /// On a graded mesh the basis averaged along the face, in terms of real nodes.
 void graded_weights(const BoundaryFace& face, const Particles& set, const GradedMesh& mesh,
                     FaceWeights& weights) {
-  const std::size_t k = set.index_of[face.id];
-  const double half = 0.5 * face.length;
-  const Vector n = face.face.normal;
-  const double x = set.x[k] + half * n.x;
-  const double y = set.y[k] + half * n.y;
-  const bool vertical = face.side != Side::base;
   std::vector<BoxWeight> parts;
   parts.reserve(16);
-  box_average(
-      mesh, vertical ? mesh::Rectangle{x, y - half, x, y + half} : mesh::Rectangle{x - half, y, x + half, y},
-      parts);
+  box_average(mesh, line_of(face, set), parts);
   weights.clear();
   for (const BoxWeight& part : parts) {
     const std::span<const Share> shares = mesh.prolongation().shares_of(part.node);
@@ -116,8 +122,7 @@ void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& w
   const Particles& set = domain.sets[face.set];
   if (domain.mesh)
     return graded_weights(face, set, *domain.mesh, weights);
-  const LatticeWeights all = lattice_weights(face, set, domain.grid);
-  weights.assign(all.begin(), all.end());
+  lattice_weights(face, set, domain.grid, weights);
 }
 
 void book_face_work(Domain& domain, std::size_t f, double dt, Vector own, Vector traction, Vector v) {
