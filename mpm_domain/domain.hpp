@@ -32,6 +32,7 @@ struct Domain {
   std::vector<Vector> static_tractions; ///< f^st of Eq. (6), Pa, one per face
   std::vector<MatchedLayer> layers;     ///< see attach_matched_layers
   EnergyLedger energy;
+  BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them
   /// Of the particles that touch several lattices; clock by clock and in it set by set.
   std::vector<AcrossWeights> across;
   WorkerPool workers;
@@ -78,6 +79,9 @@ void keep_whole(Domain& domain, std::size_t set, std::uint32_t id);
 /// Orders all particles by lattice and cell, and finds those that touch several lattices.
 /// @throws std::runtime_error if a particle has left the grid, naming its place
 void sort_particles(Domain& domain);
+
+/// Finds the cells that particles across several lattices may touch until the next sort, and their weights.
+void find_across(Domain& domain);
 
 /// The weights of particles that touch several lattices, at their present places; those of the given clock
 /// and faster ones.
