@@ -134,22 +134,31 @@ void sort_particles(Domain& domain) {
       sort_by_lattice(domain.sets[s], *domain.mesh, domain.clocks, domain.sort_distance());
     else
       sort_by_cell(domain.sets[s], domain.grid, domain.sets[s].half_size);
-  find_across(domain);
+  resize_fields(domain.grid, domain.grid.size());
+  find_reach(domain);
 }
 
-void find_across(Domain& domain) {
-  if (!domain.mesh)
-    return;
+namespace {
+
+void find_across(Domain& domain, const GradedMesh& mesh) {
   const std::size_t sets = domain.sets.size();
-  const std::size_t levels = domain.mesh->lattices().size();
+  const std::size_t levels = mesh.lattices().size();
   domain.across.resize(sets * static_cast<std::size_t>(domain.clocks.count()));
   for (std::size_t n = 0; n < domain.across.size(); ++n) {
     const Particles& set = domain.sets[n % sets];
     const std::size_t block = domain.block_count() + n / sets * levels;
     domain.across[n].restart(set.block_start[block]);
     for (std::size_t k = set.block_start[block]; k < set.block_start[block + levels]; ++k)
-      domain.across[n].expect(*domain.mesh, domain.basis_cells, box_of(set, k, domain.sort_distance()));
+      domain.across[n].expect(mesh, domain.basis_cells, box_of(set, k, domain.sort_distance()));
   }
+}
+
+} // namespace
+
+void find_reach(Domain& domain) {
+  if (domain.mesh)
+    find_across(domain, *domain.mesh);
+  domain.soil_rows = find_soil_rows(domain);
   weigh_across(domain);
 }
 

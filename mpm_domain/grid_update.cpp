@@ -32,17 +32,10 @@ Vectors velocities(const Grid& grid, std::size_t n, Group group, const Lanes& m,
   return {group.load(&grid.momentum_x[n]) * per_mass, group.load(&grid.momentum_y[n]) * per_mass};
 }
 
-std::vector<NodeRange> all_rows(const Domain& domain) {
-  std::vector<NodeRange> rows;
-  for (std::size_t row = 0; row < domain.row_count(); ++row)
-    rows.push_back(domain.row(row));
-  return rows;
-}
-
 } // namespace
 
 double grid_velocities(Domain& domain) {
-  const double kinetic = grid_velocities(domain, all_rows(domain));
+  const double kinetic = grid_velocities(domain, domain.soil_rows);
   if (domain.has_tied_nodes())
     copy_to_tied(domain);
   return kinetic;
@@ -68,7 +61,7 @@ double grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
 }
 
 double remap_velocities(Domain& domain) {
-  const double power = remap_velocities(domain, all_rows(domain));
+  const double power = remap_velocities(domain, domain.soil_rows);
   if (domain.has_tied_nodes())
     copy_to_tied(domain);
   return power;
@@ -94,7 +87,7 @@ double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
 }
 
 GridUpdate update_grid(Domain& domain, double dt) {
-  const GridUpdate update = update_grid(domain, dt, all_rows(domain));
+  const GridUpdate update = update_grid(domain, dt, domain.soil_rows);
   if (domain.has_tied_nodes())
     copy_to_tied(domain);
   return update;

@@ -292,8 +292,8 @@ void add_clock(Domain& domain, int clock) {
 
 template <Motion motion, bool force>
 void scatter_blocks(Domain& domain) {
-  domain.workers.run(domain.row_count(),
-                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, domain.row(row)); });
+  domain.workers.run(domain.soil_rows.size(),
+                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, domain.soil_rows[row]); });
   for (int clock = 0; clock < domain.clocks.count(); ++clock)
     add_clock<motion, force>(domain, clock);
   if (domain.has_tied_nodes()) {

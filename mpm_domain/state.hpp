@@ -55,7 +55,7 @@ void visit_state(Domain& domain, Visit& visit) {
   rebuild_mesh(domain);
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     visit_state(domain.sets[s], "soil" + std::to_string(s), visit);
-  find_across(domain);
+  find_reach(domain);
   EnergyLedger& energy = domain.energy;
   visit_numbers(visit, "energy", energy.kinetic_start, energy.kinetic, energy.elastic, energy.plastic,
                 energy.gravity, energy.input, energy.static_, energy.dashpots, energy.transfer);

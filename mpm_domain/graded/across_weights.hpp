@@ -46,6 +46,9 @@ public:
   std::size_t first() const { return first_; }
   std::size_t end() const { return first_ + cells_start_.size() - 1; }
 
+  /// All cells that the particles may touch; numbers in the table, which may stand several times.
+  std::span<const std::uint32_t> cells() const { return cells_; }
+
   std::span<const FourWeights> of(std::size_t particle) const {
     const std::size_t n = particle - first_;
     return std::span(weights_).subspan(start_[n], start_[n + 1] - start_[n]);
@@ -55,7 +58,7 @@ public:
 private:
   std::size_t first_ = 0;
   std::vector<std::size_t> cells_start_{0};
-  std::vector<std::uint32_t> cells_; ///< that particles may touch, numbers in the table
+  std::vector<std::uint32_t> cells_;
   std::vector<std::size_t> start_{0};
   std::vector<FourWeights> weights_;
   std::vector<InverseMoments> per_moments_;
