@@ -4,7 +4,6 @@
 #include "mpm_domain/graded/box_average.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -39,55 +38,59 @@ BoundaryFace make_face(Side side, Vector normal, Particles& set, std::size_t set
   return face;
 }
 
-/// Two rows of three nodes: averaged along the face, linear across it.
-using LatticeWeights = std::array<FaceWeight, 6>;
-
-LatticeWeights lattice_weights(const BoundaryFace& face, const Particles& set, const Grid& grid) {
-  const std::size_t k = set.index_of[face.id];
-  const double half = 0.5 * face.length;
-  const bool vertical = face.side != Side::base;
-  const Vector n = face.face.normal;
-  LatticeWeights weights;
-  if (vertical) {
-    const Linear across = linear_weights(set.x[k] + half * n.x, grid.x0, grid.h);
-    const Weights along = gimp_weights(set.y[k], {grid.y0, grid.h, half});
-    for (int a = 0, entry = 0; a < 3; ++a)
-      for (int b = 0; b < 2; ++b, ++entry)
-        weights[static_cast<std::size_t>(entry)] = {
-            grid.index(grid.real_column(across.base + b), along.base + a), along.s[a] * across.w[b]};
-  } else {
-    const Linear across = linear_weights(set.y[k] + half * n.y, grid.y0, grid.h);
-    const Weights along = gimp_weights(set.x[k], {grid.x0, grid.h, half});
-    for (int b = 0, entry = 0; b < 2; ++b)
-      for (int a = 0; a < 3; ++a, ++entry)
-        weights[static_cast<std::size_t>(entry)] = {
-            grid.index(grid.real_column(along.base + a), across.base + b), along.s[a] * across.w[b]};
-  }
-  return weights;
-}
-
-/// On a graded mesh the basis averaged along the face, in terms of real nodes.
-void graded_weights(const BoundaryFace& face, const Particles& set, const GradedMesh& mesh,
-                    FaceWeights& weights) {
+/// Where a face lies, widened by a margin, m.
+mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set, double margin = 0.0) {
   const std::size_t k = set.index_of[face.id];
   const double half = 0.5 * face.length;
   const Vector n = face.face.normal;
   const double x = set.x[k] + half * n.x;
   const double y = set.y[k] + half * n.y;
-  const bool vertical = face.side != Side::base;
-  std::vector<BoxWeight> parts;
-  parts.reserve(16);
-  box_average(
-      mesh, vertical ? mesh::Rectangle{x, y - half, x, y + half} : mesh::Rectangle{x - half, y, x + half, y},
-      parts);
-  weights.clear();
-  for (const BoxWeight& part : parts) {
-    const std::span<const Share> shares = mesh.prolongation().shares_of(part.node);
-    if (shares.empty())
-      weights.push_back({part.node, part.s});
-    for (const Share& share : shares)
-      weights.push_back({share.node, share.weight * part.s});
+  const double along_x = (face.side == Side::base ? half : 0.0) + margin;
+  const double along_y = (face.side == Side::base ? 0.0 : half) + margin;
+  return {x - along_x, y - along_y, x + along_x, y + along_y};
+}
+
+/// Calls act(i, j, w) for columns and rows of the nodes of a lattice, three along the face and two across it.
+template <typename Act>
+void lattice_weights(const BoundaryFace& face, const Particles& set, const Lattice& lattice, const Act& act) {
+  const std::size_t k = set.index_of[face.id];
+  const double half = 0.5 * face.length;
+  const Vector n = face.face.normal;
+  if (face.side != Side::base) {
+    const Linear across = linear_weights(set.x[k] + half * n.x, lattice.x0, lattice.h);
+    const Weights along = gimp_weights(set.y[k], {lattice.y0, lattice.h, half});
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 2; ++b)
+        act(across.base + b, along.base + a, along.s[a] * across.w[b]);
+  } else {
+    const Linear across = linear_weights(set.y[k] + half * n.y, lattice.y0, lattice.h);
+    const Weights along = gimp_weights(set.x[k], {lattice.x0, lattice.h, half});
+    for (int b = 0; b < 2; ++b)
+      for (int a = 0; a < 3; ++a)
+        act(along.base + a, across.base + b, along.s[a] * across.w[b]);
   }
+}
+
+/// On a graded mesh the basis averaged along the face, in terms of real nodes.
+void graded_weights(const BoundaryFace& face, const Particles& set, const GradedMesh& mesh,
+                    FaceWeights& weights) {
+  weights.clear();
+  const auto add = [&](std::size_t node, double w) {
+    const std::span<const Share> shares = mesh.prolongation().shares_of(node);
+    if (shares.empty())
+      weights.push_back({node, w});
+    for (const Share& share : shares)
+      weights.push_back({share.node, share.weight * w});
+  };
+  if (face.level != BoundaryFace::unknown) {
+    const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(face.level)];
+    lattice_weights(face, set, lattice, [&](int i, int j, double w) { add(lattice.index(i, j), w); });
+    return;
+  }
+  std::vector<BoxWeight> parts;
+  box_average(mesh, line_of(face, set), parts);
+  for (const BoxWeight& part : parts)
+    add(part.node, part.s);
 }
 
 } // namespace
@@ -112,12 +115,32 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
   return faces;
 }
 
+void find_levels(Domain& domain) {
+  if (!domain.mesh)
+    return;
+  for (BoundaryFace& face : domain.faces) {
+    const auto touched = domain.mesh->touched(line_of(face, domain.sets[face.set], domain.sort_distance()));
+    const bool on_one = touched.one_lattice() && face.length < 1.0001 * domain.lattice(touched.finest).h;
+    face.level = on_one ? touched.finest : BoundaryFace::unknown;
+  }
+}
+
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights) {
   const Particles& set = domain.sets[face.set];
   if (domain.mesh)
     return graded_weights(face, set, *domain.mesh, weights);
-  const LatticeWeights all = lattice_weights(face, set, domain.grid);
-  weights.assign(all.begin(), all.end());
+  weights.clear();
+  lattice_weights(face, set, domain.grid, [&](int i, int j, double w) {
+    weights.push_back({domain.grid.index(domain.grid.real_column(i), j), w});
+  });
+}
+
+void face_weights(Domain& domain, std::span<FaceWeights> weights) {
+  constexpr std::size_t portion = 32;
+  domain.workers.run((weights.size() + portion - 1) / portion, [&](std::size_t task) {
+    for (std::size_t f = task * portion; f < std::min((task + 1) * portion, weights.size()); ++f)
+      face_weights(domain, domain.faces[f], weights[f]);
+  });
 }
 
 void book_face_work(Domain& domain, std::size_t f, double dt, Vector own, Vector traction, Vector v) {

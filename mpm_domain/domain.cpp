@@ -135,6 +135,7 @@ void sort_particles(Domain& domain) {
     else
       sort_by_cell(domain.sets[s], domain.grid, domain.sets[s].half_size);
   resize_fields(domain.grid, domain.grid.size());
+  find_levels(domain);
   find_reach(domain);
 }
 

@@ -37,7 +37,7 @@ Vectors velocities(const Grid& grid, std::size_t n, Group group, const Lanes& m,
 double grid_velocities(Domain& domain) {
   const double kinetic = grid_velocities(domain, domain.soil_rows);
   if (domain.has_tied_nodes())
-    copy_to_tied(domain);
+    copy_to_tied(domain, {&domain.grid.vx, &domain.grid.vy, &domain.grid.vx_new, &domain.grid.vy_new});
   return kinetic;
 }
 
@@ -63,7 +63,7 @@ double grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
 double remap_velocities(Domain& domain) {
   const double power = remap_velocities(domain, domain.soil_rows);
   if (domain.has_tied_nodes())
-    copy_to_tied(domain);
+    copy_to_tied(domain, {&domain.grid.vx, &domain.grid.vy});
   return power;
 }
 
@@ -89,7 +89,7 @@ double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
 GridUpdate update_grid(Domain& domain, double dt) {
   const GridUpdate update = update_grid(domain, dt, domain.soil_rows);
   if (domain.has_tied_nodes())
-    copy_to_tied(domain);
+    copy_to_tied(domain, {&domain.grid.vx_new, &domain.grid.vy_new, &domain.grid.ax, &domain.grid.ay});
   return update;
 }
 
