@@ -89,7 +89,8 @@ void find_reach(Domain& domain);
 /// and faster ones.
 void weigh_across(Domain& domain, int slowest_clock = 0);
 
-/// A node with less mass (kg/m) is empty: rounding of weights, not soil.
+/// A node with less mass (kg/m) is empty: a box reaches it by the rounding of its place (1e-14 cells), whose
+/// square its mass goes with.
 double empty_mass(const Domain& domain);
 
 /// Of the critical time step: dt c_p/h.

@@ -28,9 +28,9 @@ struct GatherSums {
 ///   flip:       v_p += sum_i S (v+ - v-)
 ///   pic_blend:  a flip + (1 - a) pic with a = exp(-dt/tau), so that the loss does not depend on the step
 ///
-/// The strain increment is dt sym(sum_i u_i grad S) and the rotation dt skew of the same, with u = v+, or, if
-/// `strain_of_first`, the grid's velocity v before the update: v- (usf) or the remapped one (musl). Volumes
-/// grow by tr(de).
+/// With A = dt sum_i u_i grad S and u = v+, or, if `strain_of_first`, the grid's velocity v before the
+/// update: v- (usf) or the remapped one (musl), the strain increment de is the symmetric part of A - A^2/2,
+/// the rotation its skew part. Volumes grow by det(I + A), to second order in A.
 GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first = false);
 
 /// The same for the particles of one clock alone.

@@ -70,16 +70,20 @@ struct CellWeights {
 };
 
 /// S and G of the three nodes from the first one that the box touches on, for particles at xi in [l, 1 + l]
-/// cells above it.
+/// cells above it. In this form nothing cancels as the box leaves that node: mass and force there shrink
+/// together, as low^2 and low, and no node is left with a force that its mass does not go with.
 template <typename Real>
 struct RowWeights {
   std::array<Real, 3> s, g;
   Real second_moment; ///< as in CellWeights
 
   RowWeights(Real xi, const Axis& axis) {
-    const Kink<Real> high(positive(xi + axis.l - 1.0), axis);
-    s = {1.0 - xi + high.s, xi - 2.0 * high.s, high.s};
-    g = {high.g - axis.per_h, axis.per_h - 2.0 * high.g, high.g};
+    const Real past = positive(xi + axis.l - 1.0);
+    const Kink<Real> high(past, axis);
+    const Kink<Real> low(2.0 * axis.l - past, axis);
+    const Real s_first = low.s + positive(1.0 - axis.l - xi);
+    s = {s_first, 1.0 - s_first - high.s, high.s};
+    g = {-low.g, low.g - high.g, high.g};
     second_moment = axis.h * axis.h * (xi * (1.0 - xi) + 2.0 * high.s);
   }
 };

@@ -53,6 +53,17 @@ TEST_P(Kernel, ReproducesLinearFieldsAndTheirGradient) {
   }
 }
 
+/// A box that has nearly left its first node, by 1e-9 and 1e-12 cells, leaves a weight of the square of that.
+TEST_P(Kernel, NothingCancelsWhereABoxLeavesANode) {
+  for (const double reach : {1e-9, 1e-12}) {
+    const double xi = 1.0 + axis_.l - reach;
+    const double exact = 1.0 + axis_.l - xi; // as far as xi can tell
+    const RowWeights<double> w(xi, axis_);
+    EXPECT_NEAR(w.s[0] / (exact * exact / (4.0 * axis_.l)), 1.0, 1e-2);
+    EXPECT_NEAR(w.g[0] / (-exact / (2.0 * axis_.half_size)), 1.0, 1e-3);
+  }
+}
+
 TEST_P(Kernel, SecondMomentIsThatOfTheWeights) {
   std::mt19937 random(10);
   std::uniform_real_distribution<double> place(0.0, 1.0);
