@@ -136,11 +136,8 @@ void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& w
 }
 
 void face_weights(Domain& domain, std::span<FaceWeights> weights) {
-  constexpr std::size_t portion = 32;
-  domain.workers.run((weights.size() + portion - 1) / portion, [&](std::size_t task) {
-    for (std::size_t f = task * portion; f < std::min((task + 1) * portion, weights.size()); ++f)
-      face_weights(domain, domain.faces[f], weights[f]);
-  });
+  for_faces(domain.workers, weights.size(),
+            [&](std::size_t f) { face_weights(domain, domain.faces[f], weights[f]); });
 }
 
 void book_face_work(Domain& domain, std::size_t f, double dt, Vector own, Vector traction, Vector v) {

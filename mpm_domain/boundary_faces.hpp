@@ -13,7 +13,9 @@
 #include "mpm_domain/grid.hpp"
 #include "mpm_domain/kernel.hpp"
 #include "mpm_domain/particles.hpp"
+#include "mpm_domain/worker_pool.hpp"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -52,6 +54,16 @@ inline Vector dashpots(const BoundaryFace& face) {
 /// The faces of the model's left, right and lower edge, in this order, each from low to high coordinate.
 /// Their impedances are those of the soil in its present stress.
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);
+
+/// act(f) for all faces, portions of them side by side.
+template <typename Act>
+void for_faces(WorkerPool& workers, std::size_t count, const Act& act) {
+  constexpr std::size_t portion = 64;
+  workers.run((count + portion - 1) / portion, [&](std::size_t task) {
+    for (std::size_t f = task * portion; f < std::min((task + 1) * portion, count); ++f)
+      act(f);
+  });
+}
 
 /// Finds the levels of faces whose way until the next sort keeps them on one lattice.
 void find_levels(Domain& domain);
