@@ -73,6 +73,8 @@ const Spec& checked(const Spec& spec) {
     throw std::invalid_argument(
         "sub-cycling needs a refined mesh, the transfer apic or flip, the order musl, "
         "and dashpots instead of matched layers");
+  if (spec.join_particles && spec.refine.empty())
+    throw std::invalid_argument("particles are joined where they leave finer cells: it needs a refined mesh");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");

@@ -59,7 +59,8 @@ struct Spec {
   int particles_per_cell = 2; ///< per direction, 1 to 4
   /// Where cells are finer. A box that reaches an edge of the model goes on beyond it.
   std::vector<mesh::Refinement> refine;
-  double gravity = 0.0; ///< m/s2, downwards
+  bool join_particles = false; ///< that have left finer cells, four to one (joining.hpp)
+  double gravity = 0.0;        ///< m/s2, downwards
   std::vector<Soil> soils;
   std::vector<Region> regions;
   Scheme scheme;

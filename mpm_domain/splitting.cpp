@@ -1,5 +1,6 @@
 #include "mpm_domain/splitting.hpp"
 
+#include "mpm_domain/change_of_set.hpp"
 #include "mpm_domain/graded/box_average.hpp"
 
 #include <algorithm>
@@ -36,12 +37,8 @@ void share_affine_velocity(const Particles& whole, std::size_t k, Particles& to,
 }
 
 void add_quarters(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
-  const bool affine = !whole.bxx.empty();
-  const auto from = whole.columns(affine);
-  const auto into = to.columns(affine);
   for (int quarter = 0; quarter < 4; ++quarter) {
-    for (std::size_t c = 0; c < from.size(); ++c)
-      into[c]->push_back((*from[c])[k]);
+    add_copy(whole, k, to);
     const double dx = (quarter % 2 == 0 ? -0.5 : 0.5) * whole.half_size;
     const double dy = (quarter / 2 == 0 ? -0.5 : 0.5) * whole.half_size;
     to.mass.back() *= 0.25;
@@ -50,36 +47,9 @@ void add_quarters(const Particles& whole, std::size_t k, Particles& to, const Gr
     to.y.back() += dy;
     to.x_initial.back() += dx;
     to.y_initial.back() += dy;
-    if (affine)
+    if (!whole.bxx.empty())
       share_affine_velocity(whole, k, to, mesh);
-    const auto state = whole.state.begin() + static_cast<std::ptrdiff_t>(k * whole.state_size);
-    to.state.insert(to.state.end(), state, state + static_cast<std::ptrdiff_t>(whole.state_size));
-    to.id.push_back(static_cast<std::uint32_t>(to.index_of.size()));
-    to.index_of.push_back(static_cast<std::uint32_t>(to.size() - 1));
   }
-}
-
-/// Takes the particles of these places, in rising order, out of a set.
-void remove(Particles& p, const std::vector<std::size_t>& gone) {
-  for (const std::size_t k : gone)
-    p.index_of[p.id[k]] = Particles::nowhere;
-  const auto keep = [&](auto& array, std::size_t width) {
-    std::size_t end = gone.front() * width;
-    auto next = gone.begin();
-    for (std::size_t k = gone.front(); k * width < array.size() && width > 0; ++k) {
-      if (next != gone.end() && *next == k) {
-        ++next;
-        continue;
-      }
-      for (std::size_t i = 0; i < width; ++i)
-        array[end++] = array[k * width + i];
-    }
-    array.resize(end);
-  };
-  keep(p.state, p.state_size);
-  for (std::vector<double>* column : p.columns())
-    keep(*column, 1);
-  keep(p.id, 1);
 }
 
 } // namespace

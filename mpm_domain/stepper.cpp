@@ -3,6 +3,7 @@
 #include "mpm_domain/gather.hpp"
 #include "mpm_domain/grid_growth.hpp"
 #include "mpm_domain/grid_update.hpp"
+#include "mpm_domain/joining.hpp"
 #include "mpm_domain/periodic_sides.hpp"
 #include "mpm_domain/scatter.hpp"
 #include "mpm_domain/splitting.hpp"
@@ -171,6 +172,8 @@ void Stepper::sort() {
       wrap(set, domain_.spec.box);
   make_room(domain_, time_, steps_);
   split_particles(domain_);
+  if (domain_.spec.join_particles)
+    join_particles(domain_);
   sort_particles(domain_);
   if (subcycling_)
     subcycling_->restart();

@@ -135,6 +135,7 @@ struct Mesh {
   int particles_per_cell = 2; ///< per direction
   int layer_cells = 10;       ///< depth of matched layers behind the box, in cells
   std::vector<Refinement> refine;
+  bool join_particles = false; ///< that have left finer cells
 };
 
 enum class Transfer { apic, flip, pic_blend };

@@ -143,6 +143,12 @@ std::vector<Table> model_keys() {
                  .meaning = "Particles per cell in each direction.",
                  .fallback = "2",
                  .range = {.low = 1.0, .high = 4.0}},
+                {.name = "join_particles",
+                 .type = Type::boolean,
+                 .meaning = "Particles that have left finer cells are joined, four to one, where their soil "
+                            "has never yielded and their stresses are alike. Needs `[[refine]]`; see "
+                            "docs/mesh.md.",
+                 .fallback = "false"},
                 {.name = "layer_cells",
                  .type = Type::integer,
                  .unit = "cells",

@@ -1,6 +1,5 @@
 #include "scene/levels.hpp"
 
-#include "mesh/quadtree.hpp"
 #include "scene/plan.hpp"
 
 #include <algorithm>
@@ -68,19 +67,6 @@ Level uniform_level(const Case& scene) {
           .critical_dt = largest_courant_number * mesh.size / fastest};
 }
 
-mesh::Quadtree quadtree(const Case& scene) {
-  const Mesh& mesh = scene.mesh;
-  std::vector<mesh::Refinement> refinements;
-  for (const Refinement& refine : mesh.refine)
-    refinements.push_back({rectangle(refine.box), refine.level});
-  const mesh::Roots roots{.x0 = mesh.box.x_min,
-                          .y0 = mesh.box.y_min,
-                          .h = mesh.size,
-                          .nx = static_cast<int>(std::lround(mesh.box.width() / mesh.size)),
-                          .ny = static_cast<int>(std::ceil(mesh.box.height() / mesh.size - 1e-6))};
-  return {roots, mesh::beyond_edges(refinements, rectangle(mesh.box), 1e-6 * mesh.size, true)};
-}
-
 /// The block of nodes that encloses cells.
 struct Block {
   mesh::Rectangle box{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
@@ -110,6 +96,19 @@ void for_particles(const Case& scene, const mesh::Rectangle& leaf, double spacin
 }
 
 } // namespace
+
+mesh::Quadtree quadtree(const Case& scene) {
+  const Mesh& mesh = scene.mesh;
+  std::vector<mesh::Refinement> refinements;
+  for (const Refinement& refine : mesh.refine)
+    refinements.push_back({rectangle(refine.box), refine.level});
+  const mesh::Roots roots{.x0 = mesh.box.x_min,
+                          .y0 = mesh.box.y_min,
+                          .h = mesh.size,
+                          .nx = static_cast<int>(std::lround(mesh.box.width() / mesh.size)),
+                          .ny = static_cast<int>(std::ceil(mesh.box.height() / mesh.size - 1e-6))};
+  return {roots, mesh::beyond_edges(refinements, rectangle(mesh.box), 1e-6 * mesh.size, true)};
+}
 
 std::vector<Level> levels(const Case& scene) {
   if (scene.mesh.refine.empty())

@@ -3,6 +3,7 @@
 // The levels of a case's mesh, coarse to fine, as the domain will build it. A mesh without [[refine]] has
 // one.
 
+#include "mesh/quadtree.hpp"
 #include "scene/case.hpp"
 
 #include <span>
@@ -20,6 +21,9 @@ struct Level {
   double critical_dt = 0.0;
   double dt = 0.0; ///< that they take, s; set by the plan
 };
+
+/// The cells of the model's box, for a mesh with a size and a box.
+mesh::Quadtree quadtree(const Case& scene);
 
 /// For a mesh with a size, a box and soils.
 std::vector<Level> levels(const Case& scene);

@@ -7,6 +7,7 @@
 #include "scene/sources.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +84,13 @@ std::string subcycling_text(const Case& scene) {
                              : "[time] subcycle = false: one step for all levels";
 }
 
+std::string joining_text(const Case& scene) {
+  return scene.mesh.join_particles
+             ? "[mesh] join_particles = true: four that leave finer cells become one, where their soil has "
+               "never yielded and their stresses are alike"
+             : "[mesh] join_particles = false: what was cut in finer cells stays cut";
+}
+
 std::string periodic_text(Sides sides) {
   switch (sides) {
   case Sides::free_field:
@@ -140,6 +148,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"material damping", damped,
        fmt::format("[damping] model = \"{}\", of the free field", name(scene.damping.model))},
       {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
+      {"joined particles", scene.mesh.join_particles, joining_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
   };
@@ -180,16 +189,45 @@ std::optional<std::string> fitted_soil(const Soil& soil) {
       100.0 * materials::masing_damping(law->backbone(), strain), 100.0 * soil.curves->damping(strain));
 }
 
-std::vector<std::string> plan_notes(const Case& scene, double highest_speed) {
+/// "60, 30, 15 on cells of 1, 0.5, 0.25 m", of value(h) on the cells of several levels.
+template <typename Value>
+std::string by_level(const std::vector<Level>& levels, const Value& value) {
+  std::vector<std::string> values;
+  std::vector<double> sizes;
+  for (const Level& level : levels) {
+    values.push_back(fmt::format("{:.3g}", value(level.cell_size)));
+    sizes.push_back(level.cell_size);
+  }
+  return fmt::format("{} on cells of {} m", fmt::join(values, ", "), fmt::join(sizes, ", "));
+}
+
+/// Of a soil whose softening goes with the size of the cells.
+std::optional<std::string> softening_by_level(const Soil& soil, const std::vector<Level>& levels) {
+  const auto* law = std::get_if<MohrCoulomb>(&soil.law);
+  if (law == nullptr || !soil.softening_size || !(law->softening > 0.0) || levels.size() == 1)
+    return std::nullopt;
+  return fmt::format("soil '{}': softening eta = {}", soil.name, by_level(levels, [&](double h) {
+                       return materials::regularised(*law, h, *soil.softening_size).softening;
+                     }));
+}
+
+std::vector<std::string> plan_notes(const Case& scene, const std::vector<Level>& levels,
+                                    double highest_speed) {
   double slowest = highest_speed;
   for (const Soil& soil : domain_soils(scene))
     slowest = std::min(slowest, materials::elasticity(soil.law).s_wave_speed());
   constexpr double cells_per_wavelength = 15.0;
-  const double resolved = slowest / (cells_per_wavelength * scene.mesh.size);
+  const auto resolved_by = [&](double h) { return slowest / (cells_per_wavelength * h); };
+  const double resolved = resolved_by(scene.mesh.size);
   std::vector<std::string> notes = {
       fmt::format("shear waves up to {:.3g} Hz have {} cells per wavelength or more (speed error "
                   "below about 2 % with apic, 3.5 % with flip)",
                   resolved, cells_per_wavelength)};
+  if (levels.size() > 1)
+    notes.push_back(fmt::format("level by level these are, in Hz: {}", by_level(levels, resolved_by)));
+  for (const Soil& soil : domain_soils(scene))
+    if (auto softening = softening_by_level(soil, levels))
+      notes.push_back(*std::move(softening));
   if (const auto* pulse = std::get_if<RickerPulse>(&scene.motion.source);
       pulse && 2.5 * pulse->frequency > resolved)
     notes.push_back(fmt::format("the pulse reaches up to about {:.3g} Hz: the mesh is coarse for it",
@@ -272,7 +310,7 @@ Plan plan(const Case& scene) {
   result.base = describe_base(scene, result.sources);
   result.levels = levels(scene);
   result.critical_dt = critical_time_step(scene, result.levels);
-  result.notes = plan_notes(scene, scene.mesh.size / result.critical_dt);
+  result.notes = plan_notes(scene, result.levels, scene.mesh.size / result.critical_dt);
   result.dt = scene.time.dt.value_or(scene.time.fraction * result.critical_dt);
   result.steps = std::llround(std::ceil(scene.shaking.duration / result.dt));
 

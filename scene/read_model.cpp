@@ -59,7 +59,8 @@ void read_mesh(Document& document, Case& scene) {
                 read_box(table),
                 table.integer("particles_per_cell"),
                 table.integer("layer_cells"),
-                {}};
+                {},
+                table.boolean("join_particles")};
   for (const auto& refine : document.array("refine"))
     scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});
 }

@@ -1,20 +1,34 @@
 #include "scene/rules/rules.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace tremolo::scene {
 
+bool mesh_is_sound(const Case& scene, const Findings& findings) {
+  if (!findings.sound("mesh.size") || !findings.sound("mesh.box"))
+    return false;
+  for (std::size_t i = 0; i < scene.mesh.refine.size(); ++i)
+    for (const char* key : {"box", "level"})
+      if (!findings.sound(fmt::format("refine[{}].{}", i, key)))
+        return false;
+  return true;
+}
+
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 21> all = {
+  static constexpr std::array<Rule, 23> all = {
       record_is_readable,
       strength_is_ordered,
       box_fits_lattice,
       refinements_suit_mesh,
+      joining_needs_levels,
       regions_are_simple,
       regions_lie_in_mesh,
       regions_are_apart,
       soil_reaches_boundaries,
       sides_can_be_periodic,
+      springs_tie_equal_cells,
       total_base_has_one_surface,
       models_take_the_wave,
       model_files_exist,

@@ -16,6 +16,9 @@ using Rule = void (*)(const Case& scene, Findings& findings);
 /// All rules.
 std::span<const Rule> rules();
 
+/// Whether the mesh's size and box and all refinements are known and have passed their rules.
+bool mesh_is_sound(const Case& scene, const Findings& findings);
+
 /// The motion's record can be read.
 void record_is_readable(const Case& scene, Findings& findings);
 /// Residual strength does not exceed peak strength, dilation does not exceed friction.
@@ -24,6 +27,8 @@ void strength_is_ordered(const Case& scene, Findings& findings);
 void box_fits_lattice(const Case& scene, Findings& findings);
 /// Boxes to refine reach into the model, and the cells are not too many.
 void refinements_suit_mesh(const Case& scene, Findings& findings);
+/// Only a refined mesh has particles to join.
+void joining_needs_levels(const Case& scene, Findings& findings);
 /// Polygons have an area and do not cross themselves.
 void regions_are_simple(const Case& scene, Findings& findings);
 /// Polygons lie in the box.
@@ -34,6 +39,8 @@ void regions_are_apart(const Case& scene, Findings& findings);
 void soil_reaches_boundaries(const Case& scene, Findings& findings);
 /// Periodic sides go with waves that are the same all along the base, and with what can be tied or wrapped.
 void sides_can_be_periodic(const Case& scene, Findings& findings);
+/// Springs tie particles of one side to those of the other: cells there are equal.
+void springs_tie_equal_cells(const Case& scene, Findings& findings);
 /// A total base field needs one surface level and one profile.
 void total_base_has_one_surface(const Case& scene, Findings& findings);
 /// Each free-field model can compute this wave, given as this kind of motion.

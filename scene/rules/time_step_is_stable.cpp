@@ -6,13 +6,8 @@
 namespace tremolo::scene {
 
 void time_step_is_stable(const Case& scene, Findings& findings) {
-  if (!scene.time.dt || !findings.sound("time.dt") || !findings.sound("mesh.size") ||
-      !findings.sound("mesh.box"))
+  if (!scene.time.dt || !findings.sound("time.dt") || !mesh_is_sound(scene, findings))
     return;
-  for (std::size_t i = 0; i < scene.mesh.refine.size(); ++i)
-    for (const char* key : {"box", "level"})
-      if (!findings.sound(fmt::format("refine[{}].{}", i, key)))
-        return;
   const double limit = critical_time_step(scene, levels(scene));
   if (*scene.time.dt > limit)
     findings.add("time.dt",

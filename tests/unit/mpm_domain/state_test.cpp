@@ -5,12 +5,15 @@
 #include "mpm_domain/state.hpp"
 #include "mpm_domain/static_traction.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/no_traction.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tremolo {
@@ -165,6 +168,70 @@ TEST(State, OfLevelsWithStepsOfTheirOwnGoesOnWithTheSameBits) {
   for (const auto transfer : {mpm_domain::Transfer::apic, mpm_domain::Transfer::flip}) {
     spec.scheme.transfer = transfer;
     expect_exact_resumption(spec);
+  }
+}
+
+/// A block that flies round a period, half of whose cells are fine.
+struct Flown {
+  mpm_domain::Domain domain;
+  mpm_domain::Stepper stepper;
+
+  explicit Flown(const mpm_domain::Spec& spec)
+      : domain(spec), stepper(set_moving(domain), 0.0, test_support::no_traction()) {}
+
+  static mpm_domain::Domain& set_moving(mpm_domain::Domain& domain) {
+    for (mpm_domain::Particles& set : domain.sets)
+      for (double& v : set.vx)
+        v = 20.0;
+    return domain;
+  }
+
+  /// @returns the largest and the smallest number of particles on the way
+  std::pair<std::size_t, std::size_t> steps(int count) {
+    std::pair<std::size_t, std::size_t> numbers{domain.particle_count(), domain.particle_count()};
+    for (int i = 0; i < count; ++i) {
+      stepper.step();
+      numbers = {std::max(numbers.first, domain.particle_count()),
+                 std::min(numbers.second, domain.particle_count())};
+    }
+    return numbers;
+  }
+
+  template <class Visit>
+  void visit(Visit visit) {
+    mpm_domain::visit_state(domain, visit);
+    stepper.visit_state(visit);
+  }
+};
+
+TEST(State, OfParticlesThatWereCutAndJoinedGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = test_support::elastic_box(6.0, 4.0, 1.0);
+  spec.periodic_sides = true;
+  spec.refine = {{{3.0, -4.0, 6.0, 0.0}, 1}};
+  spec.regions = {{0, {{0.5, -3.0}, {2.0, -3.0}, {2.0, -2.0}, {0.5, -2.0}}}};
+  spec.join_particles = true;
+  spec.threads = 1;
+  for (const bool subcycle : {false, true}) {
+    spec.scheme.subcycle = subcycle;
+    const int round = subcycle ? 180 : 360; // steps
+    Flown whole(spec);
+    const std::size_t count = whole.domain.particle_count();
+    const auto [most, fewest] = whole.steps(round);
+    EXPECT_EQ(most, 4 * count);
+    EXPECT_EQ(fewest, count);
+    Saved saved;
+    whole.visit(Save{saved});
+    const auto [later_most, later_fewest] = whole.steps(round);
+    EXPECT_EQ(later_most, 4 * count);
+    EXPECT_EQ(later_fewest, count);
+
+    Flown resumed(spec);
+    resumed.visit(Load{saved});
+    resumed.steps(round);
+    Saved end_of_whole, end_of_resumed;
+    whole.visit(Save{end_of_whole});
+    resumed.visit(Save{end_of_resumed});
+    expect_same(end_of_whole, end_of_resumed);
   }
 }
 

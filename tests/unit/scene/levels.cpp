@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace tremolo::scene::testing {
 namespace {
 
@@ -75,6 +77,41 @@ TEST(Subcycle, NeedsLevelsAndWhatItIsMadeFor) {
       ElementsAre(HasSubstr("needs absorber = \"dashpots\" on all sides of [boundary]")));
 }
 
+TEST(Join, NeedsLevels) {
+  const std::string levels = "box = [5.0, -4.0, 15.0, 0.0]\nlevel = 1\n";
+  const auto joined = [](const std::string& text) {
+    return with("size = 1.0", "size = 1.0\njoin_particles = true", text);
+  };
+  const auto scene = parse_case(joined(refined(levels)));
+  EXPECT_TRUE(scene.mesh.join_particles);
+  EXPECT_FALSE(parse_case(refined(levels)).mesh.join_particles);
+  const Plan of_scene = plan(scene);
+  EXPECT_TRUE(std::ranges::find(of_scene.effects, "joined particles", &Effect::name)->on);
+  EXPECT_THAT(errors_of(joined(std::string(flat_case))),
+              ElementsAre(HasSubstr("[mesh] 'join_particles' = true needs levels: add [[refine]], or set it "
+                                    "to false")));
+}
+
+/// Springs tie particles in pairs.
+TEST(Refine, SpringsNeedEqualCellsAtBothSides) {
+  const auto springs = [](const std::string& box, const std::string& level) {
+    return with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n",
+                "sides = \"periodic_springs\"\n", refined("box = " + box + "\nlevel = " + level));
+  };
+  EXPECT_THAT(errors_of(springs("[5.0, -4.0, 15.0, 0.0]", "1")), ::testing::IsEmpty());
+  EXPECT_THAT(errors_of(springs("[-5.0, -4.0, 25.0, 0.0]", "2")), ::testing::IsEmpty());
+  EXPECT_THAT(
+      errors_of(springs("[0.0, -4.0, 15.0, 0.0]", "1")),
+      ElementsAre("case.toml:25:9: [boundary] sides = \"periodic_springs\" tie particles of the left "
+                  "side to those of the right, but from y = -4 on cells are 0.5 m at the left and 1 m "
+                  "at the right; refine both sides alike, or use sides = \"periodic\""));
+  // Cut for the balance alone.
+  EXPECT_THAT(errors_of(springs("[5.0, -4.0, 19.0, 0.0]", "2")),
+              ElementsAre(HasSubstr("from y = -5 on cells are 1 m at the left and 0.5 m at the right")));
+  EXPECT_THAT(errors_of(with("periodic_springs", "periodic", springs("[0.0, -4.0, 15.0, 0.0]", "1"))),
+              ::testing::IsEmpty());
+}
+
 TEST(Subcycle, TheStepIsThatOfTheCoarsestCells) {
   const auto text = refined("box = [5.0, -4.0, 15.0, 0.0]\nlevel = 1\n[time]\nsubcycle = true");
   const auto scene = parse_case(text);
@@ -86,6 +123,23 @@ TEST(Subcycle, TheStepIsThatOfTheCoarsestCells) {
               HasSubstr("particles of 0.25 m, critical step 0.001874 s, 2 steps of 0.0009369 s\n"));
   EXPECT_THAT(errors_of(text + "dt = 3e-3\n"), ::testing::IsEmpty());
   EXPECT_THAT(errors_of(text + "dt = 4e-3\n"), ElementsAre(HasSubstr("exceeds the critical step")));
+}
+
+TEST(Levels, WhatGoesWithTheSizeOfCellsIsSaidOfEachLevel) {
+  const auto softening =
+      "model = \"mohr_coulomb\"\ncohesion_peak = 4e3\ncohesion_residual = 0.0\nfriction_peak_deg = 30.0\n"
+      "friction_residual_deg = 25.0\nsoftening = 15.0\n"
+      "reference_size = 0.25\n";
+  const auto text =
+      with("model = \"linear_elastic\"\n", softening, refined("box = [5.0, -4.0, 15.0, 0.0]\nlevel = 2"));
+  const Plan of_text = plan(parse_case(text));
+  EXPECT_THAT(of_text.notes, ::testing::Contains(HasSubstr("softening eta = 60, 30, 15 on cells of 1, 0.5, "
+                                                           "0.25 m")));
+  // c_s = sqrt(E/(2 (1 + nu) rho)) = 95.87 m/s, 15 cells of 1 m a wavelength
+  EXPECT_THAT(of_text.notes, ::testing::Contains("level by level these are, in Hz: 6.39, 12.8, 25.6 on cells "
+                                                 "of 1, 0.5, 0.25 m"));
+  for (const std::string& note : plan(parse_case(std::string(flat_case))).notes)
+    EXPECT_THAT(note, Not(HasSubstr("level by level")));
 }
 
 TEST(Levels, OfAUniformMeshThereIsOne) {

@@ -2,71 +2,26 @@
 
 #include "mpm_domain/scatter.hpp"
 #include "mpm_domain/splitting.hpp"
-#include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
+#include "tests/unit/mpm_domain/graded/levels_in_x.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
-#include <random>
 
 namespace tremolo::mpm_domain {
 namespace {
 
-/// 1 m cells; half-metre cells for x > 6 m, quarter-metre ones for x > 9 m.
-Spec steps_in_x(Transfer transfer, int per_cell = 2) {
-  Spec spec = test_support::elastic_box(12.0, 8.0, 1.0);
-  spec.particles_per_cell = per_cell;
-  spec.refine = {{{6.0, -8.0, 12.0, 0.0}, 1}, {{9.0, -8.0, 12.0, 0.0}, 2}};
-  spec.regions = {{0, {{1.0, -6.0}, {4.0, -6.0}, {4.0, -3.0}, {1.0, -3.0}}}};
-  spec.scheme.transfer = transfer;
-  spec.threads = 1;
-  return spec;
-}
-
-/// Random velocities and stresses, and a way in x.
-void disturb(Domain& domain, double shift) {
-  std::mt19937 random(3);
-  std::normal_distribution<double> any;
-  for (Particles& p : domain.sets)
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      p.x[k] += shift;
-      for (std::vector<double>* column : {&p.vx, &p.vy, &p.sxx, &p.syy, &p.szz, &p.sxy})
-        (*column)[k] = any(random);
-      if (!p.bxx.empty())
-        for (std::vector<double>* column : {&p.bxx, &p.bxy, &p.byx, &p.byy})
-          (*column)[k] = 0.1 * any(random);
-    }
-}
-
-struct Sums {
-  double mass = 0.0, volume = 0.0, px = 0.0, py = 0.0, spin = 0.0, kinetic = 0.0;
-};
-
-Sums sums_of(const Domain& domain) {
-  Sums sum;
-  for (const Particles& p : domain.sets)
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      const double m = p.mass[k];
-      sum.mass += m;
-      sum.volume += p.volume[k];
-      sum.px += m * p.vx[k];
-      sum.py += m * p.vy[k];
-      sum.spin += m * (p.x[k] * p.vy[k] - p.y[k] * p.vx[k]);
-      if (!p.bxx.empty())
-        sum.spin += m * (p.byx[k] - p.bxy[k]);
-      sum.kinetic += 0.5 * m * (p.vx[k] * p.vx[k] + p.vy[k] * p.vy[k]);
-    }
-  return sum;
-}
+using namespace test;
 
 class Splitting : public testing::TestWithParam<Transfer> {};
 
 /// S and G of the four, a quarter each, are those of the one: to the grid nothing has happened.
 TEST_P(Splitting, LeavesTheGridAsItIs) {
-  Domain domain(steps_in_x(GetParam()));
-  disturb(domain, 5.3); // across the first interface
+  Domain domain(levels_in_x(GetParam()));
+  disturb(domain);
+  shift(domain, 5.3); // across the first interface
   sort_particles(domain);
   scatter(domain, ScatterPart::both);
   const Grid before = domain.grid;
@@ -82,8 +37,9 @@ TEST_P(Splitting, LeavesTheGridAsItIs) {
 }
 
 TEST_P(Splitting, KeepsMassVolumeMomentumAndSpin) {
-  Domain domain(steps_in_x(GetParam()));
-  disturb(domain, 5.3);
+  Domain domain(levels_in_x(GetParam()));
+  disturb(domain);
+  shift(domain, 5.3);
   const Sums before = sums_of(domain);
   const std::size_t cut = split_particles(domain);
   ASSERT_GT(cut, 0U);
@@ -99,14 +55,15 @@ TEST_P(Splitting, KeepsMassVolumeMomentumAndSpin) {
 }
 
 TEST_P(Splitting, HandsStressStateAndDisplacementDown) {
-  Spec spec = steps_in_x(GetParam());
+  Spec spec = levels_in_x(GetParam());
   spec.soils = {{"clay", materials::MohrCoulomb{.elastic = {1700.0, 40e6, 0.28},
                                                 .cohesion_peak = 4e3,
                                                 .friction_peak = 0.5,
                                                 .friction_residual = 0.4,
                                                 .softening = 10.0}}};
   Domain domain(spec);
-  disturb(domain, 5.3);
+  disturb(domain);
+  shift(domain, 5.3);
   Particles& coarse = domain.sets[0];
   for (std::size_t k = 0; k < coarse.size(); ++k)
     for (std::size_t s = 0; s < coarse.state_size; ++s)
@@ -134,8 +91,9 @@ INSTANTIATE_TEST_SUITE_P(Transfers, Splitting, testing::Values(Transfer::apic, T
 /// Only those wholly inside, and only where cells would run short of particles.
 TEST(SplittingRule, CutsWhatLiesInFinerCellsAndIsTooWideForThem) {
   for (int per_cell = 1; per_cell <= 4; ++per_cell) {
-    Domain domain(steps_in_x(Transfer::apic, per_cell));
-    disturb(domain, 3.6); // from 4.6 m to 7.6 m: the interface at 6 m goes through
+    Domain domain(levels_in_x(Transfer::apic, per_cell));
+    disturb(domain);
+    shift(domain, 3.6); // from 4.6 m to 7.6 m: the interface at 6 m goes through
     const double size = 2.0 * domain.sets[0].half_size;
     std::size_t inside = 0;
     for (const double x : domain.sets[0].x)
@@ -146,9 +104,10 @@ TEST(SplittingRule, CutsWhatLiesInFinerCellsAndIsTooWideForThem) {
 }
 
 TEST(SplittingRule, CutsTwiceWhatHasPassedTwoLevels) {
-  Domain domain(steps_in_x(Transfer::flip));
+  Domain domain(levels_in_x(Transfer::flip));
   const std::size_t before = domain.particle_count();
-  disturb(domain, 8.05 - 0.05); // from 9 m to 12 m
+  disturb(domain);
+  shift(domain, 8.05 - 0.05); // from 9 m to 12 m
   split_particles(domain);
   EXPECT_EQ(domain.sets[0].size(), 0U);
   EXPECT_EQ(domain.sets[2].size(), 16U * before);
@@ -156,21 +115,23 @@ TEST(SplittingRule, CutsTwiceWhatHasPassedTwoLevels) {
 
 /// Faces and monitors ride on particles, which therefore stay.
 TEST(SplittingRule, LeavesParticlesWholeThatSomethingRidesOn) {
-  Domain domain(steps_in_x(Transfer::apic));
+  Domain domain(levels_in_x(Transfer::apic));
   keep_whole(domain, 0, 17);
   keep_whole(domain, 0, 5);
   keep_whole(domain, 0, 17);
-  disturb(domain, 5.9);
+  disturb(domain);
+  shift(domain, 5.9);
   split_particles(domain);
   const Particles& set = domain.sets[0];
   EXPECT_NE(set.index_of[5], Particles::nowhere);
   EXPECT_NE(set.index_of[17], Particles::nowhere);
   EXPECT_EQ(set.whole.size(), 2U);
 
-  Spec with_faces = steps_in_x(Transfer::apic);
+  Spec with_faces = levels_in_x(Transfer::apic);
   with_faces.regions = {{0, {{0.0, -8.0}, {4.0, -8.0}, {4.0, 0.0}, {0.0, 0.0}}}};
   Domain other(with_faces);
-  disturb(other, 6.1);
+  disturb(other);
+  shift(other, 6.1);
   split_particles(other);
   ASSERT_FALSE(other.faces.empty());
   for (const BoundaryFace& face : other.faces)
@@ -180,7 +141,7 @@ TEST(SplittingRule, LeavesParticlesWholeThatSomethingRidesOn) {
 /// A block that flies through all levels: cut on the way, moving as one.
 TEST(SplittingOnTheWay, ABlockKeepsItsMotionThroughAllLevels) {
   for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
-    Domain domain(steps_in_x(transfer));
+    Domain domain(levels_in_x(transfer));
     for (double& v : domain.sets[0].vx)
       v = 20.0;
     const Sums before = sums_of(domain);
@@ -203,7 +164,7 @@ TEST(SplittingOnTheWay, ABlockKeepsItsMotionThroughAllLevels) {
 
 /// A grid that must grow keeps its levels where they are.
 TEST(GradedGrowth, ABlockThatFliesOutOfTheGridTakesItAlong) {
-  Spec spec = steps_in_x(Transfer::apic);
+  Spec spec = levels_in_x(Transfer::apic);
   spec.refine.push_back({{1.0, -5.0, 5.0, 0.0}, 1}); // reaches the surface, so it has no end above
   Domain domain(spec);
   for (Particles& set : domain.sets)

@@ -1,0 +1,51 @@
+#include "scene/levels.hpp"
+#include "scene/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace tremolo::scene {
+
+namespace {
+
+struct SideCell {
+  double y_min = 0.0; ///< m
+  double size = 0.0;  ///< m
+  friend bool operator==(const SideCell&, const SideCell&) = default;
+};
+
+/// Those along the left edge of the model, or the right one, that hold soil, upwards.
+std::vector<SideCell> cells_along(const mesh::Quadtree& tree, bool right, double surface) {
+  std::vector<SideCell> cells;
+  for (const mesh::Cell& leaf : tree.leaves()) {
+    const mesh::Rectangle box = tree.rectangle(leaf);
+    const int edge = right ? (tree.roots().nx << leaf.level) - 1 : 0;
+    if (leaf.i == edge && box.y_min < surface)
+      cells.push_back({box.y_min, tree.size(leaf.level)});
+  }
+  std::ranges::sort(cells, {}, &SideCell::y_min);
+  return cells;
+}
+
+} // namespace
+
+void springs_tie_equal_cells(const Case& scene, Findings& findings) {
+  if (scene.boundary.sides != Sides::periodic_springs || scene.mesh.refine.empty() ||
+      !findings.sound("boundary.sides") || !findings.sound("refine") || !mesh_is_sound(scene, findings))
+    return;
+  const mesh::Quadtree tree = quadtree(scene);
+  const double surface = scene.boundary.left.surface - 1e-6 * scene.mesh.size;
+  const std::vector<SideCell> left = cells_along(tree, false, surface);
+  const std::vector<SideCell> right = cells_along(tree, true, surface);
+  const auto [one, other] = std::ranges::mismatch(left, right);
+  if (one != left.end() && other != right.end())
+    findings.add("boundary.sides",
+                 fmt::format("sides = \"periodic_springs\" tie particles of the left side to those of the "
+                             "right, but from y = {} on cells are {} m at the left and {} m at the right; "
+                             "refine both sides alike, or use sides = \"periodic\"",
+                             one->y_min, one->size, other->size));
+}
+
+} // namespace tremolo::scene
