@@ -38,36 +38,53 @@ BoundaryFace make_face(Side side, Vector normal, Particles& set, std::size_t set
   return face;
 }
 
-/// Where a face lies, widened by a margin, m.
-mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set, double margin = 0.0) {
-  const std::size_t k = set.index_of[face.id];
-  const double half = 0.5 * face.length;
-  const Vector n = face.face.normal;
-  const double x = set.x[k] + half * n.x;
-  const double y = set.y[k] + half * n.y;
-  const double along_x = (face.side == Side::base ? half : 0.0) + margin;
-  const double along_y = (face.side == Side::base ? 0.0 : half) + margin;
-  return {x - along_x, y - along_y, x + along_x, y + along_y};
+/// The side of a particle's box that a face covers: a line.
+mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set) {
+  mesh::Rectangle line = box_of(set, set.index_of[face.id]);
+  switch (face.side) {
+  case Side::left:
+    line.x_max = line.x_min;
+    break;
+  case Side::right:
+    line.x_min = line.x_max;
+    break;
+  case Side::base:
+    line.y_max = line.y_min;
+    break;
+  }
+  return line;
 }
 
-/// Calls act(i, j, w) for columns and rows of the nodes of a lattice, three along the face and two across it.
-template <typename Act>
-void lattice_weights(const BoundaryFace& face, const Particles& set, const Lattice& lattice, const Act& act) {
+/// Where a face may come to while particles move by a distance.
+mesh::Rectangle reach_of(const BoundaryFace& face, const Particles& set, double distance) {
+  const mesh::Rectangle line = line_of(face, set);
+  const double margin = set.has_own_boxes() ? 2.0 * distance : distance;
+  return {line.x_min - margin, line.y_min - margin, line.x_max + margin, line.y_max + margin};
+}
+
+/// On one lattice: averaged along the face, linear across it. Calls add(i, j, w) for columns and rows of
+/// nodes.
+template <typename Add>
+void lattice_weights(const BoundaryFace& face, const Particles& set, const Lattice& lattice, const Add& add) {
+  const mesh::Rectangle line = line_of(face, set);
   const std::size_t k = set.index_of[face.id];
-  const double half = 0.5 * face.length;
-  const Vector n = face.face.normal;
+  const Vector half = half_sides(set, k);
+  const auto add_touched = [&](int i, int j, double w) {
+    if (w != 0.0)
+      add(i, j, w);
+  };
   if (face.side != Side::base) {
-    const Linear across = linear_weights(set.x[k] + half * n.x, lattice.x0, lattice.h);
-    const Weights along = gimp_weights(set.y[k], {lattice.y0, lattice.h, half});
-    for (int a = 0; a < 3; ++a)
+    const Linear across = linear_weights(line.x_min, lattice.x0, lattice.h);
+    const Weights along = cell_weights(set.y[k], {lattice.y0, lattice.h}, half.y);
+    for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 2; ++b)
-        act(across.base + b, along.base + a, along.s[a] * across.w[b]);
+        add_touched(across.base + b, along.base + a, along.s[a] * across.w[b]);
   } else {
-    const Linear across = linear_weights(set.y[k] + half * n.y, lattice.y0, lattice.h);
-    const Weights along = gimp_weights(set.x[k], {lattice.x0, lattice.h, half});
+    const Linear across = linear_weights(line.y_min, lattice.y0, lattice.h);
+    const Weights along = cell_weights(set.x[k], {lattice.x0, lattice.h}, half.x);
     for (int b = 0; b < 2; ++b)
-      for (int a = 0; a < 3; ++a)
-        act(along.base + a, across.base + b, along.s[a] * across.w[b]);
+      for (int a = 0; a < 4; ++a)
+        add_touched(along.base + a, across.base + b, along.s[a] * across.w[b]);
   }
 }
 
@@ -119,8 +136,10 @@ void find_levels(Domain& domain) {
   if (!domain.mesh)
     return;
   for (BoundaryFace& face : domain.faces) {
-    const auto touched = domain.mesh->touched(line_of(face, domain.sets[face.set], domain.sort_distance()));
-    const bool on_one = touched.one_lattice() && face.length < 1.0001 * domain.lattice(touched.finest).h;
+    const Particles& set = domain.sets[face.set];
+    const auto touched = domain.mesh->touched(reach_of(face, set, domain.sort_distance()));
+    const double widest = set.has_own_boxes() ? set.cell_size : 2.0 * set.half_size;
+    const bool on_one = touched.one_lattice() && widest < 1.0001 * domain.lattice(touched.finest).h;
     face.level = on_one ? touched.finest : BoundaryFace::unknown;
   }
 }

@@ -3,9 +3,9 @@
 namespace tremolo::mpm_domain {
 
 void add_copy(const Particles& from, std::size_t k, Particles& to) {
-  const bool affine = !from.bxx.empty();
-  const auto values = from.columns(affine);
-  const auto into = to.columns(affine);
+  const ExtraColumns extra = from.extra_columns();
+  const auto values = from.columns(extra);
+  const auto into = to.columns(extra);
   for (std::size_t c = 0; c < values.size(); ++c)
     into[c]->push_back((*values[c])[k]);
   const auto state = from.state.begin() + static_cast<std::ptrdiff_t>(k * from.state_size);

@@ -37,7 +37,7 @@ public:
     const int clock = domain_.clock_of_block(block);
     std::optional<Reach> last_x, last_y;
     for (std::size_t k = set.block_start[block]; k < set.block_start[block + 1]; ++k) {
-      const mesh::Rectangle box = box_of(set, k, domain_.sort_distance());
+      const mesh::Rectangle box = reach_of(set, k, domain_.sort_distance());
       const Reach x(box.x_min, box.x_max, lattice.x0, lattice.h);
       const Reach y(box.y_min, box.y_max, lattice.y0, lattice.h);
       if (last_x == x && last_y == y)
@@ -55,7 +55,7 @@ public:
     const int clock = domain_.clock_of_block(block);
     const GradedMesh& mesh = *domain_.mesh;
     for (std::size_t k = set.block_start[block]; k < set.block_start[block + 1]; ++k)
-      mesh.for_parts(box_of(set, k, domain_.sort_distance()),
+      mesh.for_parts(reach_of(set, k, domain_.sort_distance()),
                      [&](const mesh::Cell& cell, const mesh::Rectangle&) {
                        for (const int corner : {0, 1, 2, 3})
                          touch(mesh.node(cell.level, cell.i + corner % 2, cell.j + corner / 2), clock);

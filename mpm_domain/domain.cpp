@@ -73,6 +73,10 @@ const Spec& checked(const Spec& spec) {
     throw std::invalid_argument(
         "sub-cycling needs a refined mesh, the transfer apic or flip, the order musl, "
         "and dashpots instead of matched layers");
+  if (spec.boxes == ParticleBoxes::deforming && spec.scheme.order == StepOrder::usf)
+    throw std::invalid_argument(
+        "boxes that follow the soil change with its strain: at the end of a step, with "
+        "the order musl or usl; with usf they would within it");
   if (spec.join_particles && spec.refine.empty())
     throw std::invalid_argument("particles are joined where they leave finer cells: it needs a refined mesh");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
@@ -135,7 +139,7 @@ void sort_particles(Domain& domain) {
     if (domain.mesh)
       sort_by_lattice(domain.sets[s], *domain.mesh, domain.clocks, domain.sort_distance());
     else
-      sort_by_cell(domain.sets[s], domain.grid, domain.sets[s].half_size);
+      sort_by_cell(domain.sets[s], domain.grid);
   resize_fields(domain.grid, domain.grid.size());
   find_levels(domain);
   find_reach(domain);
@@ -152,7 +156,7 @@ void find_across(Domain& domain, const GradedMesh& mesh) {
     const std::size_t block = domain.block_count() + n / sets * levels;
     domain.across[n].restart(set.block_start[block]);
     for (std::size_t k = set.block_start[block]; k < set.block_start[block + levels]; ++k)
-      domain.across[n].expect(mesh, domain.basis_cells, box_of(set, k, domain.sort_distance()));
+      domain.across[n].expect(mesh, domain.basis_cells, reach_of(set, k, domain.sort_distance()));
   }
 }
 

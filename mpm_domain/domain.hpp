@@ -44,10 +44,10 @@ struct Domain {
     return !all_effects || level == 0 ? grid : mesh->lattices()[static_cast<std::size_t>(level)];
   }
   const Lattice& finest_lattice() const { return lattice(lattice_count() - 1); }
-  /// l of the box of particles that belong to the cells of a level, m
+  /// l of the box of particles that belong to the cells of a level, at the start, m
   double half_size(int level = 0) const;
-  Axis x_axis(int level = 0) const { return {lattice(level).x0, lattice(level).h, half_size(level)}; }
-  Axis y_axis(int level = 0) const { return {lattice(level).y0, lattice(level).h, half_size(level)}; }
+  Axis x_axis(int level = 0) const { return {lattice(level).x0, lattice(level).h}; }
+  Axis y_axis(int level = 0) const { return {lattice(level).y0, lattice(level).h}; }
   std::size_t particle_count() const;
   /// Blocks of rows: clock after clock, lattice after lattice. Behind them, clock after clock and one for
   /// each level, stand the blocks of particles that touch several lattices, the finest of them this one.

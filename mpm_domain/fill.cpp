@@ -52,6 +52,7 @@ std::vector<Particles> empty_sets(const Spec& spec, int finest) {
       set.soil = soil.name;
       set.soil_index = s;
       set.level = level;
+      set.cell_size = spec.cell_size / static_cast<double>(1 << level);
       set.half_size = 0.5 * particle_size(spec, level);
       set.law = level > 0 && finer < soil.finer_laws.size() ? soil.finer_laws[finer] : soil.law;
       set.state_size = materials::state_variables(set.law).size();
@@ -105,6 +106,12 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
     for (Particles& set : sets)
       for (std::vector<double>* affine : {&set.bxx, &set.bxy, &set.byx, &set.byy})
         affine->assign(set.size(), 0.0);
+  if (spec.boxes == ParticleBoxes::deforming)
+    for (Particles& set : sets) {
+      for (std::vector<double>* moment : {&set.box_xx, &set.box_yy})
+        moment->assign(set.size(), set.half_size * set.half_size);
+      set.box_xy.assign(set.size(), 0.0);
+    }
   return sets;
 }
 

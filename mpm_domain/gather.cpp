@@ -39,24 +39,25 @@ struct Component {
 
 /// The stencils of four particles, ready to read with: along x a factor per node, along y one per row, which
 /// is taken from memory into all lanes.
+template <std::size_t rows>
 struct Reader {
-  using Factors = std::array<std::array<double, 4>, 3>; ///< [row][particle]
+  using Factors = std::array<std::array<double, 4>, rows>; ///< [row][particle]
 
   std::size_t count;                 ///< of the four
   std::array<std::int32_t, 4> first; ///< node
   std::ptrdiff_t row;                ///< nodes
   CellWeights<Lanes> x;
-  RowWeights<Lanes> y;
   std::array<Lanes, 4> x_moment; ///< S (x_i - x), m
   alignas(32) Factors y_s, y_g, y_moment;
 
+  template <typename Boxes>
   Reader(const Stencils& at, std::size_t particles, const Lattice& lattice, const Axis& x_axis,
-         const Axis& y_axis)
-      : count(particles), first(at.first_nodes(lattice)), row(lattice.nx), x(at.xi, x_axis),
-        y(at.eta, y_axis) {
+         const Axis& y_axis, const Boxes& boxes)
+      : count(particles), first(at.first_nodes(lattice)), row(lattice.nx), x(boxes.along_x(at.xi, x_axis)) {
     for (std::size_t i = 0; i < 4; ++i)
       x_moment[i] = x.s[i] * (x_axis.h * (static_cast<double>(i) - 1.0 - at.xi));
-    for (std::size_t j = 0; j < 3; ++j) {
+    const auto y = boxes.along_y(at.eta, y_axis);
+    for (std::size_t j = 0; j < rows; ++j) {
       store(y_s[j].data(), y.s[j]);
       store(y_g[j].data(), y.g[j]);
       store(y_moment[j].data(), y.s[j] * (y_axis.h * (static_cast<double>(j) - at.eta)));
@@ -67,9 +68,10 @@ struct Reader {
   [[gnu::always_inline]] std::array<Lanes, 4> columns(const NodeField& field, const Factors& factors) const {
     std::array<Lanes, 4> sums{};
     for (std::size_t k = 0; k < count; ++k) {
-      const double* const nodes = field.data() + first[k];
-      sums[k] = factors[0][k] * load(nodes) + factors[1][k] * load(nodes + row) +
-                factors[2][k] * load(nodes + 2 * row);
+      const double* nodes = field.data() + first[k];
+      sums[k] = factors[0][k] * load(nodes);
+      for (std::size_t j = 1; j < rows; ++j)
+        sums[k] += factors[j][k] * load(nodes += row);
     }
     return transposed(sums);
   }
@@ -151,19 +153,19 @@ template <Wanted wanted>
           .byy = read.vy_new.moment_y};
 }
 
-template <Wanted wanted>
+template <Wanted wanted, std::size_t rows, typename Boxes>
 [[gnu::always_inline]] inline Samples sample(const Grid& grid, const Lattice& lattice, const Lanes& x,
                                              const Lanes& y, std::size_t count, const Axis& x_axis,
-                                             const Axis& y_axis) {
-  const Reader at(Stencils(x, y, x_axis, y_axis), count, lattice, x_axis, y_axis);
+                                             const Axis& y_axis, const Boxes& boxes) {
+  const Reader<rows> at(Stencils(x, y, x_axis, y_axis, boxes), count, lattice, x_axis, y_axis, boxes);
   Velocities read;
   if constexpr (reads(of_old<wanted>)) {
-    read.vx = at.read<of_old<wanted>>(grid.vx);
-    read.vy = at.read<of_old<wanted>>(grid.vy);
+    read.vx = at.template read<of_old<wanted>>(grid.vx);
+    read.vy = at.template read<of_old<wanted>>(grid.vy);
   }
   if constexpr (reads(of_new<wanted>)) {
-    read.vx_new = at.read<of_new<wanted>>(grid.vx_new);
-    read.vy_new = at.read<of_new<wanted>>(grid.vy_new);
+    read.vx_new = at.template read<of_new<wanted>>(grid.vx_new);
+    read.vy_new = at.template read<of_new<wanted>>(grid.vy_new);
   }
   return samples_of<wanted>(read);
 }
@@ -305,6 +307,18 @@ template <typename Group>
   sums.total += 0.5 * group.load(&p.volume[k]) * work_density(p, k, inc, c, group);
 }
 
+/// The boxes of a group follow the soil.
+template <typename Group>
+[[gnu::always_inline]] inline void deform_boxes(Particles& p, std::size_t k, Group group, const Samples& q,
+                                                double dt) {
+  const BoxMoments<Lanes> box =
+      deformed<Lanes>({group.load(&p.box_xx[k]), group.load(&p.box_xy[k]), group.load(&p.box_yy[k])},
+                      {.xx = dt * q.vx_x, .xy = dt * q.vx_y, .yx = dt * q.vy_x, .yy = dt * q.vy_y});
+  group.store(&p.box_xx[k], box.xx);
+  group.store(&p.box_xy[k], box.xy);
+  group.store(&p.box_yy[k], box.yy);
+}
+
 /// Stress and state of a chunk by its law, then the other half of the work, and the volumes.
 void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& inc, LaneSums& sums) {
   materials::Points points = p.points(begin, count);
@@ -335,8 +349,8 @@ constexpr Wanted wanted_by{.v = parts.velocity && !affine,
                            .of_v = strain_of_first,
                            .affine = (parts.velocity && affine)};
 
-/// @param sample_at  (k, x, y, count) -> what `count` particles from k on, at x and y, read off the grid
-template <GatherParts parts, bool affine, typename SampleAt>
+/// @param sample_at  (k, group, x, y) -> what a group of particles from k on, at x and y, reads off the grid
+template <GatherParts parts, bool affine, bool boxes_follow, typename SampleAt>
 GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const Settings& set,
                         const SampleAt& sample_at) {
   LaneSums sums;
@@ -347,15 +361,18 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
       const std::size_t k = first + c;
       const Lanes x = group.load(&p.x[k]);
       const Lanes y = group.load(&p.y[k]);
-      const Samples q = sample_at(k, x, y, group.count);
+      const Samples q = sample_at(k, group, x, y);
       if constexpr (parts.velocity) {
         if constexpr (affine)
           take_affine(p, k, group, q);
         else
           take_blend(p, k, group, q, set.flip_share);
       }
-      if constexpr (parts.strain)
+      if constexpr (parts.strain) {
         take_strain(p, k, group, q, set.dt, c, inc, sums);
+        if constexpr (boxes_follow)
+          deform_boxes(p, k, group, q, set.dt);
+      }
       if constexpr (parts.position || parts.drift) {
         const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_new;
         group.store(&p.x[k], x + set.dt * v.x);
@@ -369,29 +386,47 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
   return sums.collected();
 }
 
-/// The particles of a soil in a block, on its lattice or across several.
-template <GatherParts parts, bool strain_of_first, bool affine>
-GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
+/// The particles of a soil in a block on one lattice.
+template <GatherParts parts, bool strain_of_first, bool affine, typename Boxes>
+GatherSums gather_lattice(Domain& domain, Particles& p, std::size_t block, const Settings& settings) {
+  constexpr Wanted wanted = wanted_by<parts, strain_of_first, affine>;
+  const Grid& grid = domain.grid;
+  const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
+  const Axis x_axis(lattice.x0, lattice.h);
+  const Axis y_axis(lattice.y0, lattice.h);
+  const Boxes boxes(p, lattice, x_axis);
+  return gather_range<parts, affine, Boxes::follow>(
+      p, p.block_start[block], p.block_start[block + 1], settings,
+      [&](std::size_t k, auto group, const Lanes& x, const Lanes& y) __attribute__((always_inline)) {
+        return sample<wanted, Boxes::rows>(grid, lattice, x, y, group.count, x_axis, y_axis,
+                                           boxes.of(k, group));
+      });
+}
+
+/// In a block across several lattices.
+template <GatherParts parts, bool strain_of_first, bool affine, bool boxes_follow>
+GatherSums gather_across(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
   constexpr Wanted wanted = wanted_by<parts, strain_of_first, affine>;
   Particles& p = domain.sets[s];
   const Grid& grid = domain.grid;
-  const std::size_t begin = p.block_start[block];
-  const std::size_t end = p.block_start[block + 1];
-  if (all_effects && block >= domain.block_count()) {
-    const AcrossWeights& weights = domain.across_of(s, domain.clock_of_block(block));
-    return gather_range<parts, affine>(
-        p, begin, end, settings, [&](std::size_t k, const Lanes&, const Lanes&, std::size_t count) {
-          return sample_across<wanted>(grid, weights, domain.basis_cells, p, k, count);
-        });
-  }
-  const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
-  const Axis x_axis(lattice.x0, lattice.h, p.half_size);
-  const Axis y_axis(lattice.y0, lattice.h, p.half_size);
-  return gather_range<parts, affine>(
-      p, begin, end, settings,
-      [&](std::size_t, const Lanes& x, const Lanes& y, std::size_t count) __attribute__((always_inline)) {
-        return sample<wanted>(grid, lattice, x, y, count, x_axis, y_axis);
+  const AcrossWeights& weights = domain.across_of(s, domain.clock_of_block(block));
+  return gather_range<parts, affine, boxes_follow>(
+      p, p.block_start[block], p.block_start[block + 1], settings,
+      [&](std::size_t k, auto group, const Lanes&, const Lanes&) {
+        return sample_across<wanted>(grid, weights, domain.basis_cells, p, k, group.count);
       });
+}
+
+template <GatherParts parts, bool strain_of_first, bool affine>
+GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
+  Particles& p = domain.sets[s];
+  if (all_effects && block >= domain.block_count())
+    return p.has_own_boxes()
+               ? gather_across<parts, strain_of_first, affine, true>(domain, s, block, settings)
+               : gather_across<parts, strain_of_first, affine, false>(domain, s, block, settings);
+  return all_effects && p.has_own_boxes()
+             ? gather_lattice<parts, strain_of_first, affine, OwnRectangles>(domain, p, block, settings)
+             : gather_lattice<parts, strain_of_first, affine, OneSquare>(domain, p, block, settings);
 }
 
 template <GatherParts parts, bool strain_of_first>
@@ -480,10 +515,11 @@ Vector particle_acceleration(const Domain& domain, const Particles& particles, s
       add(w.node, w.s);
     return a;
   }
-  const Weights wx = gimp_weights(particles.x[k], domain.x_axis());
-  const Weights wy = gimp_weights(particles.y[k], domain.y_axis());
-  for (int j = 0; j < 3; ++j)
-    for (int i = 0; i < 3; ++i)
+  const Vector half = half_sides(particles, k);
+  const Weights wx = cell_weights(particles.x[k], domain.x_axis(), half.x);
+  const Weights wy = cell_weights(particles.y[k], domain.y_axis(), half.y);
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i)
       add(domain.grid.index(wx.base + i, wy.base + j), wx.s[i] * wy.s[j]);
   return a;
 }

@@ -30,7 +30,8 @@ struct GatherSums {
 ///
 /// With A = dt sum_i u_i grad S and u = v+, or, if `strain_of_first`, the grid's velocity v before the
 /// update: v- (usf) or the remapped one (musl), the strain increment de is the symmetric part of A - A^2/2,
-/// the rotation its skew part. Volumes grow by det(I + A), to second order in A.
+/// the rotation its skew part. Volumes grow by det(I + A), to second order in A; boxes that follow the soil
+/// by I + A (particle_boxes.hpp).
 GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first = false);
 
 /// The same for the particles of one clock alone.

@@ -83,6 +83,23 @@ double relax_grid(Domain& domain, const Supports& supports, double dt, double al
   return std::sqrt(unbalanced / applied);
 }
 
+/// What is given of a set under gravity.
+class Geometry {
+public:
+  explicit Geometry(const Particles& set)
+      : volume_(set.volume), box_xx_(set.box_xx), box_xy_(set.box_xy), box_yy_(set.box_yy) {}
+
+  void restore(Particles& set) const {
+    set.volume = volume_;
+    set.box_xx = box_xx_;
+    set.box_xy = box_xy_;
+    set.box_yy = box_yy_;
+  }
+
+private:
+  std::vector<double> volume_, box_xx_, box_xy_, box_yy_;
+};
+
 /// The laws' memory begins with the stress under gravity, and with it the stiffness that the dashpots match.
 /// Returns the number of particles whose law could not hold that stress.
 std::size_t begin_history(Domain& domain) {
@@ -113,9 +130,7 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
     laws.push_back(set.law);
     set.law = materials::without_softening(set.law);
   }
-  std::vector<std::vector<double>> volumes;
-  for (const Particles& set : domain.sets)
-    volumes.push_back(set.volume);
+  const std::vector<Geometry> given(domain.sets.begin(), domain.sets.end());
 
   scatter(domain, ScatterPart::motion);
   for (NodeField* velocity : {&domain.grid.vx_new, &domain.grid.vy_new})
@@ -145,9 +160,9 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                       "relaxation, wanted {:.3g}; the slope may not be stable under its weight",
                       residual, settings.max_time, settings.residual));
     gather(domain, dt, {.strain = true});
-    // Geometry is given: volumes and places do not change.
+    // Geometry is given: volumes, boxes and places do not change.
     for (std::size_t s = 0; s < domain.sets.size(); ++s)
-      domain.sets[s].volume = volumes[s];
+      given[s].restore(domain.sets[s]);
   }
 
   reactions.force.assign(domain.grid.size(), Vector{});

@@ -146,6 +146,21 @@ void join_affine_velocities(const Particles& p, const Quartet& four, Particles& 
   to.byy[one] = byy;
 }
 
+/// M of the one: the second moments of the four boxes about its place.
+void join_boxes(const Particles& p, const Quartet& four, Particles& to, std::size_t one) {
+  BoxMoments<double> sum;
+  for (const std::size_t k : four) {
+    const double dx = p.x[k] - to.x[one];
+    const double dy = p.y[k] - to.y[one];
+    sum.xx += 0.25 * (p.box_xx[k] + 3.0 * dx * dx);
+    sum.xy += 0.25 * (p.box_xy[k] + 3.0 * dx * dy);
+    sum.yy += 0.25 * (p.box_yy[k] + 3.0 * dy * dy);
+  }
+  to.box_xx[one] = sum.xx;
+  to.box_xy[one] = sum.xy;
+  to.box_yy[one] = sum.yy;
+}
+
 void add_joined(const Particles& p, const Quartet& four, Particles& to) {
   add_copy(p, four[0], to); // all have its state
   const std::size_t one = to.size() - 1;
@@ -161,6 +176,8 @@ void add_joined(const Particles& p, const Quartet& four, Particles& to) {
     (to.*stress)[one] = mean(p, four, stress, &Particles::volume);
   if (!p.bxx.empty())
     join_affine_velocities(p, four, to, one);
+  if (p.has_own_boxes())
+    join_boxes(p, four, to, one);
 }
 
 } // namespace

@@ -5,7 +5,8 @@
 //
 //     x = sum m_k x_k / m,      v = sum m_k v_k / m,
 //
-// with the mean displacement by mass and the mean stress by volume. With APIC
+// with the mean displacement by mass and the mean stress by volume; boxes that follow the soil give it their
+// second moments about x, M = 1/4 sum (M_k + 3 (x_k - x)(x_k - x)^T). With APIC
 //
 //     B = sum m_k/m (B_k + v_k (x_k - x)^T),
 //

@@ -50,6 +50,15 @@ inline double positive(double a) {
   return a > 0.0 ? a : 0.0;
 }
 
+inline Lanes sqrt(const Lanes& a) {
+  return _mm256_sqrt_pd(a);
+}
+
+/// a, or the nearer bound where it is beyond; the lower one for what is not a number.
+inline Lanes clamp(const Lanes& a, double low, double high) {
+  return _mm256_min_pd(_mm256_max_pd(a, all(low)), all(high));
+}
+
 /// The larger of each lane; b where a is not a number.
 inline Lanes larger(const Lanes& a, const Lanes& b) {
   return _mm256_max_pd(a, b);

@@ -25,22 +25,24 @@ namespace {
 
 /// Of particles, const or not.
 template <typename Array, typename Set>
-std::vector<Array*> columns_of(Set& p, bool affine) {
+std::vector<Array*> columns_of(Set& p, ExtraColumns extra) {
   std::vector<Array*> all{&p.x,   &p.y,   &p.vx,   &p.vy,     &p.sxx,       &p.syy,
                           &p.szz, &p.sxy, &p.mass, &p.volume, &p.x_initial, &p.y_initial};
-  if (affine)
+  if (extra.affine)
     all.insert(all.end(), {&p.bxx, &p.bxy, &p.byx, &p.byy});
+  if (extra.boxes)
+    all.insert(all.end(), {&p.box_xx, &p.box_xy, &p.box_yy});
   return all;
 }
 
 } // namespace
 
-std::vector<std::vector<double>*> Particles::columns(bool affine) {
-  return columns_of<std::vector<double>>(*this, affine);
+std::vector<std::vector<double>*> Particles::columns(ExtraColumns extra) {
+  return columns_of<std::vector<double>>(*this, extra);
 }
 
-std::vector<const std::vector<double>*> Particles::columns(bool affine) const {
-  return columns_of<const std::vector<double>>(*this, affine);
+std::vector<const std::vector<double>*> Particles::columns(ExtraColumns extra) const {
+  return columns_of<const std::vector<double>>(*this, extra);
 }
 
 namespace {
@@ -53,16 +55,14 @@ namespace {
                                        allowed.y_min, allowed.y_max));
 }
 
-std::size_t cell_of(const Particles& p, std::size_t k, const Grid& grid, double half_size) {
-  const Weights wx = cell_weights(p.x[k], {grid.x0, grid.h, half_size});
-  const Weights wy = gimp_weights(p.y[k], {grid.y0, grid.h, half_size});
-  // A particle may move by one cell before the next sort, hence the margin; NaN fails every comparison.
-  const bool inside = wx.base >= 1 && wx.base + 5 <= grid.nx && wy.base >= 1 && wy.base + 4 <= grid.ny;
-  if (!inside || !std::isfinite(p.x[k]) || !std::isfinite(p.y[k]))
-    refuse_outside(p, k,
-                   {grid.x0 + 2 * grid.h, grid.y0 + grid.h, grid.x0 + (grid.nx - 3) * grid.h,
-                    grid.y0 + (grid.ny - 2) * grid.h});
-  return grid.index(wx.base, wy.base);
+/// The first node of a particle's stencil.
+std::size_t first_node(const Particles& p, std::size_t k, const Lattice& lattice) {
+  const Axis x_axis(lattice.x0, lattice.h);
+  const Axis y_axis(lattice.y0, lattice.h);
+  const int column = cell_weights(p.x[k], x_axis, p.half_size).base;
+  const int row = p.has_own_boxes() ? cell_weights(p.y[k], y_axis, p.half_size).base
+                                    : gimp_weights(p.y[k], y_axis, p.half_size).base;
+  return lattice.index(column, row);
 }
 
 /// Puts the particles in the order of their keys, keeping that of equal ones.
@@ -107,10 +107,18 @@ void add_block_starts(const Lattice& lattice, std::size_t key, std::span<const s
 
 } // namespace
 
-void sort_by_cell(Particles& particles, const Grid& grid, double half_size) {
+void sort_by_cell(Particles& particles, const Grid& grid) {
+  // A particle may move by one cell before the next sort, hence the margin; NaN fails every comparison.
+  const mesh::Rectangle allowed{grid.x0 + 2 * grid.h, grid.y0 + 2 * grid.h, grid.x0 + (grid.nx - 3) * grid.h,
+                                grid.y0 + (grid.ny - 3) * grid.h};
   std::vector<std::size_t> cell(particles.size());
-  for (std::size_t k = 0; k < cell.size(); ++k)
-    cell[k] = cell_of(particles, k, grid, half_size);
+  for (std::size_t k = 0; k < cell.size(); ++k) {
+    const double x = particles.x[k];
+    const double y = particles.y[k];
+    if (!(x >= allowed.x_min && x < allowed.x_max && y >= allowed.y_min && y < allowed.y_max))
+      refuse_outside(particles, k, allowed);
+    cell[k] = first_node(particles, k, grid);
+  }
   const std::vector<std::size_t> start = order_by(particles, cell, grid.size());
   particles.block_start.clear();
   add_block_starts(grid, 0, start, particles.block_start);
@@ -119,7 +127,7 @@ void sort_by_cell(Particles& particles, const Grid& grid, double half_size) {
 
 void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMap& clocks, double margin) {
   const mesh::Roots& roots = mesh.tree().roots();
-  const double reach = particles.half_size + margin;
+  const double reach = (particles.has_own_boxes() ? particles.cell_size : particles.half_size) + 2.0 * margin;
   const mesh::Rectangle allowed{roots.x0 + reach, roots.y0 + reach, roots.x0 + roots.nx * roots.h - reach,
                                 roots.y0 + roots.ny * roots.h - reach};
   const std::size_t levels = mesh.lattices().size();
@@ -131,13 +139,13 @@ void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMa
     // NaN fails every comparison.
     if (!(x > allowed.x_min && x < allowed.x_max && y > allowed.y_min && y < allowed.y_max))
       refuse_outside(particles, k, allowed);
-    const GradedMesh::Touched touches = mesh.touched(box_of(particles, k, margin));
+    const GradedMesh::Touched touches = mesh.touched(reach_of(particles, k, margin));
     const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(touches.finest)];
-    const bool on_one = touches.one_lattice() && particles.half_size < 0.5001 * lattice.h;
+    const Vector half = half_sides(particles, k);
+    const double most = particles.has_own_boxes() ? lattice.h : 0.5001 * lattice.h;
+    const bool on_one = touches.one_lattice() && half.x <= most && half.y <= most;
     const auto clock = static_cast<std::size_t>(clocks.at(x, y));
-    key[k] = on_one ? clock * mesh.node_count() +
-                          lattice.index(cell_weights(x, {lattice.x0, lattice.h, particles.half_size}).base,
-                                        gimp_weights(y, {lattice.y0, lattice.h, particles.half_size}).base)
+    key[k] = on_one ? clock * mesh.node_count() + first_node(particles, k, lattice)
                     : across + clock * levels + static_cast<std::size_t>(touches.finest);
   }
   const std::size_t across_blocks = static_cast<std::size_t>(clocks.count()) * levels;

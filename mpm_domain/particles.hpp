@@ -4,6 +4,7 @@
 #include "mpm_domain/graded/graded_mesh.hpp"
 #include "mpm_domain/grid.hpp"
 #include "mpm_domain/kernel.hpp"
+#include "mpm_domain/particle_boxes.hpp"
 #include "mpm_domain/spec.hpp"
 
 #include <cstdint>
@@ -15,17 +16,24 @@ namespace tremolo::mpm_domain {
 
 /// Rows of cells that one task of a particle loop owns.
 ///
-/// A block's particles touch nodes of its own rows and, because they may have moved by up to a cell since the
-/// last sort, one row below and three above; with four rows every second block can therefore be scattered at
-/// once.
-inline constexpr int rows_per_block = 4;
+/// Every second block is scattered at once. Boxes that follow the soil reach farthest: of n rows of cells
+/// [0, n), or one more on either side since particles may have moved by up to a cell since the last sort,
+/// they touch the nodes -2 to n + 2, and those of the block after the next one 2n - 2 and more. So n > 4.
+inline constexpr int rows_per_block = 5;
+
+/// Which columns of particles there are besides those that all have.
+struct ExtraColumns {
+  bool affine = false;
+  bool boxes = false;
+};
 
 /// All particles of one soil and of one size, one array a quantity, ordered by grid cell.
 struct Particles {
   std::string soil;
   std::size_t soil_index = 0; ///< into Spec::soils
   int level = 0;              ///< of the cells that they belong to by their size
-  double half_size = 0.0;     ///< l of their boxes, m
+  double cell_size = 0.0;     ///< h of these, m
+  double half_size = 0.0;     ///< l of their boxes, at the start where these follow the soil, m
   materials::Law law;
   std::size_t state_size = 0; ///< doubles per particle in `state`
 
@@ -35,8 +43,9 @@ struct Particles {
   /// D^-1, for B moves with the particle and D, the second moment of its weights, does not: so angular
   /// momentum stays (Jiang, Schroeder and Teran 2017).
   std::vector<double> bxx, bxy, byx, byy;
-  std::vector<double> sxx, syy, szz, sxy; ///< Cauchy stress, Pa, tension positive
-  std::vector<double> mass, volume;       ///< per metre out of plane, kg/m and m2
+  std::vector<double> sxx, syy, szz, sxy;     ///< Cauchy stress, Pa, tension positive
+  std::vector<double> mass, volume;           ///< per metre out of plane, kg/m and m2
+  std::vector<double> box_xx, box_xy, box_yy; ///< M of boxes that follow the soil (particle_boxes.hpp)
   std::vector<double> x_initial, y_initial;
   std::vector<double> state; ///< [particle][state_size]
 
@@ -51,25 +60,46 @@ struct Particles {
   /// Stress and state of particles [first, first + count), as laws see them; who steps adds the increments.
   materials::Points points(std::size_t first, std::size_t count);
   /// Every array of one double a particle, for passes that treat all alike.
-  std::vector<std::vector<double>*> columns() { return columns(!bxx.empty()); }
-  /// The same, with or without affine velocities.
-  std::vector<std::vector<double>*> columns(bool affine);
-  std::vector<const std::vector<double>*> columns(bool affine) const;
+  std::vector<std::vector<double>*> columns() { return columns(extra_columns()); }
+  std::vector<std::vector<double>*> columns(ExtraColumns extra);
+  std::vector<const std::vector<double>*> columns(ExtraColumns extra) const;
+  ExtraColumns extra_columns() const { return {.affine = !bxx.empty(), .boxes = has_own_boxes()}; }
+
+  /// Whether boxes follow the soil, or all stay one square.
+  bool has_own_boxes() const { return !box_xx.empty(); }
+  BoxLimits box_limits() const { return BoxLimits(cell_size); }
 };
 
 /// Orders the particles by cell, rows first, keeping the order of those that share a cell.
 /// @throws std::runtime_error if a particle has left the grid, naming its place
-void sort_by_cell(Particles& particles, const Grid& grid, double half_size);
+void sort_by_cell(Particles& particles, const Grid& grid);
 
-/// The square that a particle stands for.
-inline mesh::Rectangle box_of(const Particles& p, std::size_t k, double margin = 0.0) {
-  const double l = p.half_size + margin;
-  return {p.x[k] - l, p.y[k] - l, p.x[k] + l, p.y[k] + l};
+/// Half sides of a particle's box, m.
+inline Vector half_sides(const Particles& p, std::size_t k) {
+  if (!p.has_own_boxes())
+    return {p.half_size, p.half_size};
+  const BoxLimits limits = p.box_limits();
+  return {limits.half_side(p.box_xx[k]), limits.half_side(p.box_yy[k])};
+}
+
+/// The box that a particle stands for.
+inline mesh::Rectangle box_of(const Particles& p, std::size_t k) {
+  const Vector l = half_sides(p, k);
+  return {p.x[k] - l.x, p.y[k] - l.y, p.x[k] + l.x, p.y[k] + l.y};
+}
+
+/// Where it may come to while particles move by a distance. A side that follows the soil moves as fast, and
+/// with its particle besides.
+inline mesh::Rectangle reach_of(const Particles& p, std::size_t k, double distance) {
+  const mesh::Rectangle box = box_of(p, k);
+  const double margin = p.has_own_boxes() ? 2.0 * distance : distance;
+  return {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
 }
 
 /// The same on a graded mesh: by clock, then by lattice, then by cell. Behind them stand, clock by clock and
 /// level by level of the finest cells that they touch, the particles whose box touches cells of several
-/// lattices or of a virtually split leaf, or might before the next sort, and those larger than half a cell.
+/// lattices or of a virtually split leaf, or might before the next sort, and those too large for the
+/// lattice's kernel: half a cell, or a cell where boxes follow the soil.
 /// @param margin  how far particles may move until the next sort, m
 /// @throws std::runtime_error if a particle has left the mesh, naming its place
 void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMap& clocks, double margin);

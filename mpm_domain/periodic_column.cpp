@@ -152,9 +152,10 @@ void PeriodicColumn::sample_velocities(std::vector<Vector>& v, bool acceleration
   }
   for (std::size_t r = 0; r < ids_.size(); ++r) {
     const Particles& set = domain_.sets[sets_[r]];
-    const Weights weights = gimp_weights(set.y[set.index_of[ids_[r]]], domain_.y_axis());
+    const std::size_t k = set.index_of[ids_[r]];
+    const Weights weights = cell_weights(set.y[k], domain_.y_axis(), half_sides(set, k).y);
     Vector& sum = v[r + 1] = {};
-    for (int a = 0; a < 3; ++a) {
+    for (int a = 0; a < 4; ++a) {
       const Vector at = node(grid.index(column, weights.base + a));
       sum.x += weights.s[a] * at.x;
       sum.y += weights.s[a] * at.y;

@@ -17,33 +17,35 @@ enum class Motion { none, momentum, mass_and_momentum };
 constexpr std::size_t chunk = 64;
 
 /// Weights of a chunk of particles: of x a row of four nodes each, of y one number per row.
+template <std::size_t rows>
 struct ChunkWeights {
   std::array<std::int32_t, chunk> first; ///< node
   std::array<Lanes, chunk> xs, xg;
-  std::array<std::array<double, chunk>, 3> ys, yg;
+  std::array<std::array<double, chunk>, rows> ys, yg;
   std::array<double, chunk> xi, eta;      ///< cells above node 1 of a row, above row 0
   std::array<double, chunk> per_x, per_y; ///< of D^-1, 1/m2
 };
 
-template <bool force, bool affine, typename Group>
-[[gnu::always_inline]] inline void take_weights(const Particles& p, std::size_t k, std::size_t c, Group group,
-                                                const Lattice& lattice, const Axis& x_axis,
-                                                const Axis& y_axis, ChunkWeights& w) {
-  const Stencils at(group.load(&p.x[k]), group.load(&p.y[k]), x_axis, y_axis);
+template <bool force, bool affine, typename Boxes, typename Group>
+[[gnu::always_inline]] inline void
+take_weights(const Particles& p, std::size_t k, std::size_t c, Group group, const Lattice& lattice,
+             const Axis& x_axis, const Axis& y_axis, const Boxes& boxes, ChunkWeights<Boxes::rows>& w) {
+  const auto& own = boxes.of(k, group);
+  const Stencils at(group.load(&p.x[k]), group.load(&p.y[k]), x_axis, y_axis, own);
   const std::array<std::int32_t, 4> first = at.first_nodes(lattice);
   std::copy(first.begin(), first.end(), &w.first[c]);
-  const CellWeights<Lanes> wx(at.xi, x_axis);
-  const RowWeights<Lanes> wy(at.eta, y_axis);
+  const auto wx = own.along_x(at.xi, x_axis);
+  const auto wy = own.along_y(at.eta, y_axis);
   const std::array<Lanes, 4> s = transposed(wx.s);
   for (std::size_t i = 0; i < 4; ++i)
     w.xs[c + i] = s[i];
-  for (std::size_t j = 0; j < 3; ++j)
+  for (std::size_t j = 0; j < Boxes::rows; ++j)
     store(&w.ys[j][c], wy.s[j]);
   if constexpr (force) {
     const std::array<Lanes, 4> g = transposed(wx.g);
     for (std::size_t i = 0; i < 4; ++i)
       w.xg[c + i] = g[i];
-    for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j < Boxes::rows; ++j)
       store(&w.yg[j][c], wy.g[j]);
   }
   if constexpr (affine) {
@@ -77,24 +79,25 @@ private:
   }
 };
 
-using Rows = std::array<Lanes, 3>;
+template <std::size_t rows>
+using Rows = std::array<Lanes, rows>;
 
-[[gnu::always_inline]] inline void add_rows(double* nodes, std::ptrdiff_t row, const Rows& sums) {
-  store(nodes, load(nodes) + sums[0]);
-  store(nodes + row, load(nodes + row) + sums[1]);
-  store(nodes + 2 * row, load(nodes + 2 * row) + sums[2]);
+template <std::size_t rows>
+[[gnu::always_inline]] inline void add_rows(double* nodes, std::ptrdiff_t row, const Rows<rows>& sums) {
+  for (std::size_t j = 0; j < rows; ++j, nodes += row)
+    store(nodes, load(nodes) + sums[j]);
 }
 
-/// What the particles of one cell add to the nodes that they share, three rows of four: held in registers
-/// while they stream through, written to the grid once. Motion and force go one after the other: together
-/// they are more than the registers hold.
-template <Motion motion>
+/// What the particles of one cell add to the nodes that they share, rows of four: held in registers while
+/// they stream through, written to the grid once. Motion and force go one after the other: together they are
+/// more than the registers hold.
+template <Motion motion, std::size_t rows>
 struct MotionSums {
-  Rows mass{}, momentum_x{}, momentum_y{};
+  Rows<rows> mass{}, momentum_x{}, momentum_y{};
 
   /// S m and S m (v + C (x_i - x)), C = B D^-1. Lanes run along x: for each row only the factor of y remains.
   template <bool affine>
-  [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights& w, std::size_t c, double h) {
+  [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights<rows>& w, std::size_t c, double h) {
     const Lanes m = a.mass[c] * w.xs[c];
     Lanes vx = all(a.vx[c]);
     Lanes vy = all(a.vy[c]);
@@ -113,7 +116,7 @@ struct MotionSums {
     }
     Lanes px = m * vx;
     Lanes py = m * vy;
-    for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t j = 0; j < rows; ++j) {
       const double s = w.ys[j][c];
       if constexpr (motion == Motion::mass_and_momentum)
         mass[j] += s * m;
@@ -134,11 +137,12 @@ struct MotionSums {
   }
 };
 
+template <std::size_t rows>
 struct ForceSums {
-  Rows force_x{}, force_y{};
+  Rows<rows> force_x{}, force_y{};
 
   /// S m g - V sigma grad S
-  [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights& w, std::size_t c,
+  [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights<rows>& w, std::size_t c,
                                   const Lanes& gravity) {
     const Lanes vs = a.volume[c] * w.xs[c];
     const Lanes vg = a.volume[c] * w.xg[c];
@@ -146,7 +150,7 @@ struct ForceSums {
     const Lanes fx_g = a.sxy[c] * vs;
     const Lanes fy_s = a.sxy[c] * vg + gravity * (a.mass[c] * w.xs[c]);
     const Lanes fy_g = a.syy[c] * vs;
-    for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t j = 0; j < rows; ++j) {
       const double s = w.ys[j][c];
       const double g = w.yg[j][c];
       force_x[j] -= s * fx_s;
@@ -163,9 +167,9 @@ struct ForceSums {
 };
 
 /// Sums of a chunk, cell by cell; add(sums, c) adds particle c of it.
-template <typename Sums, typename Add>
-[[gnu::always_inline]] inline void stream(const ChunkWeights& w, std::size_t count, const Arrays& arrays,
-                                          const Add& add) {
+template <typename Sums, std::size_t rows, typename Add>
+[[gnu::always_inline]] inline void stream(const ChunkWeights<rows>& w, std::size_t count,
+                                          const Arrays& arrays, const Add& add) {
   for (std::size_t c = 0; c < count;) {
     const std::int32_t shared = w.first[c];
     Sums sums;
@@ -177,26 +181,46 @@ template <typename Sums, typename Add>
 }
 
 /// Flattened: the sums leave the registers if anything that touches them is a call.
-template <Motion motion, bool force, bool affine>
+template <Motion motion, bool force, bool affine, typename Boxes>
 [[gnu::flatten]] void scatter_range(const Particles& p, std::size_t begin, std::size_t end,
                                     const Lattice& lattice, Grid& grid, double gravity) {
-  const Axis x_axis(lattice.x0, lattice.h, p.half_size);
-  const Axis y_axis(lattice.y0, lattice.h, p.half_size);
+  using Moving = MotionSums<motion, Boxes::rows>;
+  using Pulling = ForceSums<Boxes::rows>;
+  const Axis x_axis(lattice.x0, lattice.h);
+  const Axis y_axis(lattice.y0, lattice.h);
+  const Boxes boxes(p, lattice, x_axis);
   const Lanes g = all(gravity);
-  ChunkWeights w;
+  ChunkWeights<Boxes::rows> w;
   for (std::size_t k = begin; k < end; k += chunk) {
     const std::size_t count = std::min(chunk, end - k);
     by_fours(0, count, [&](std::size_t c, auto group) {
-      take_weights<force, motion != Motion::none && affine>(p, k + c, c, group, lattice, x_axis, y_axis, w);
+      take_weights<force, motion != Motion::none && affine>(p, k + c, c, group, lattice, x_axis, y_axis,
+                                                            boxes, w);
     });
     const Arrays arrays(p, k, lattice, grid);
     if constexpr (motion != Motion::none)
-      stream<MotionSums<motion>>(w, count, arrays, [&](MotionSums<motion>& sums, std::size_t c) {
+      stream<Moving>(w, count, arrays, [&](Moving& sums, std::size_t c) {
         sums.template add<affine>(arrays, w, c, lattice.h);
       });
     if constexpr (force)
-      stream<ForceSums>(w, count, arrays, [&](ForceSums& sums, std::size_t c) { sums.add(arrays, w, c, g); });
+      stream<Pulling>(w, count, arrays, [&](Pulling& sums, std::size_t c) { sums.add(arrays, w, c, g); });
   }
+}
+
+/// The boxes and affine velocities that a set has.
+template <Motion motion, bool force>
+void scatter_set(const Particles& p, std::size_t block, const Lattice& lattice, Domain& domain) {
+  const auto scatter_as = [&]<bool affine, typename Boxes>() {
+    scatter_range<motion, force, affine, Boxes>(p, p.block_start[block], p.block_start[block + 1], lattice,
+                                                domain.grid, domain.spec.gravity);
+  };
+  if (all_effects && p.has_own_boxes())
+    p.bxx.empty() ? scatter_as.template operator()<false, OwnRectangles>()
+                  : scatter_as.template operator()<true, OwnRectangles>();
+  else if (all_effects && !p.bxx.empty())
+    scatter_as.template operator()<true, OneSquare>();
+  else
+    scatter_as.template operator()<false, OneSquare>();
 }
 
 [[gnu::always_inline]] inline void add_at(NodeField& field, const std::array<std::uint32_t, 4>& nodes,
@@ -269,14 +293,8 @@ void add_clock(Domain& domain, int clock) {
     domain.workers.run((blocks + 1 - colour) / 2, [&](std::size_t task) {
       const std::size_t block = first + 2 * task + colour;
       const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
-      for (const Particles& p : domain.sets) {
-        const std::size_t begin = p.block_start[block];
-        const std::size_t end = p.block_start[block + 1];
-        if (!all_effects || p.bxx.empty())
-          scatter_range<motion, force, false>(p, begin, end, lattice, domain.grid, domain.spec.gravity);
-        else
-          scatter_range<motion, force, true>(p, begin, end, lattice, domain.grid, domain.spec.gravity);
-      }
+      for (const Particles& p : domain.sets)
+        scatter_set<motion, force>(p, block, lattice, domain);
     });
   if (all_effects && domain.mesh)
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {

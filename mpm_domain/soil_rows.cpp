@@ -96,7 +96,7 @@ std::vector<NodeRange> find_soil_rows(const Domain& domain) {
     for (std::size_t block = 0; block < domain.block_count(); ++block) {
       const int level = domain.lattice_of_block(block);
       for (std::size_t k = set.block_start[block]; k < set.block_start[block + 1]; ++k)
-        rows.touch(level, box_of(set, k, domain.sort_distance()));
+        rows.touch(level, reach_of(set, k, domain.sort_distance()));
     }
   for (const AcrossWeights& particles : domain.across)
     for (const std::uint32_t cell : particles.cells())

@@ -40,6 +40,12 @@ enum class Transfer {
 /// When stress is updated in a step: last, first, or last with remapped velocity.
 enum class StepOrder { usl, usf, musl };
 
+/// What becomes of the particles' boxes where soil is strained.
+enum class ParticleBoxes {
+  fixed,     ///< they keep their size: uGIMP
+  deforming, ///< they follow it (particle_boxes.hpp); not with usf
+};
+
 /// The numerical scheme of the domain.
 struct Scheme {
   Transfer transfer = Transfer::apic;
@@ -57,6 +63,7 @@ struct Spec {
   Box box;                    ///< model; its left, right and lower edges carry boundary faces
   double cell_size = 0.0;     ///< h, of the coarsest cells, m
   int particles_per_cell = 2; ///< per direction, 1 to 4
+  ParticleBoxes boxes = ParticleBoxes::fixed;
   /// Where cells are finer. A box that reaches an edge of the model goes on beyond it.
   std::vector<mesh::Refinement> refine;
   bool join_particles = false; ///< that have left finer cells, four to one (joining.hpp)

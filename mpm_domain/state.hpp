@@ -39,7 +39,7 @@ template <class Visit>
 void visit_state(Particles& set, const std::string& name, Visit& visit) {
   visit(name + ".id", set.id);
   std::size_t number = 0;
-  for (std::vector<double>* column : set.columns(true))
+  for (std::vector<double>* column : set.columns({.affine = true, .boxes = true}))
     visit(name + ".column" + std::to_string(number++), *column);
   visit(name + ".state", set.state);
   visit(name + ".block_start", set.block_start);

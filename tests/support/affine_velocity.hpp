@@ -21,11 +21,13 @@ inline mpm_domain::Vector second_moments(const mpm_domain::Domain& domain, const
     const auto d = mpm_domain::second_moments(*domain.mesh, mpm_domain::box_of(p, k));
     return {d.x, d.y};
   }
-  const auto moment = [](double x, const mpm_domain::Axis& axis) {
+  const auto moment = [](double x, const mpm_domain::Axis& axis, double half_side) {
     const double place = axis.cells(x);
-    return mpm_domain::RowWeights<double>(place - std::floor(place - axis.l), axis).second_moment;
+    const mpm_domain::HalfSide<double> box(half_side, axis);
+    return mpm_domain::CellWeights<double>(place - std::floor(place), axis, box).second_moment;
   };
-  return {moment(p.x[k], domain.x_axis()), moment(p.y[k], domain.y_axis())};
+  const mpm_domain::Vector half = mpm_domain::half_sides(p, k);
+  return {moment(p.x[k], domain.x_axis(), half.x), moment(p.y[k], domain.y_axis(), half.y)};
 }
 
 inline void set_affine_velocity(const mpm_domain::Domain& domain, mpm_domain::Particles& p, std::size_t k,

@@ -62,4 +62,10 @@ inline void breaks(std::string_view variant, double measured, double bound, std:
   EXPECT_GT(measured, bound) << variant << (unit.empty() ? "" : ", ") << unit;
 }
 
+/// A variant that is known to be wrong must not reach the bound.
+inline void misses(std::string_view variant, double measured, double bound, std::string_view unit = "") {
+  hard_case::add_row("wrong", variant, measured, "<", bound, unit);
+  EXPECT_LT(measured, bound) << variant << (unit.empty() ? "" : ", ") << unit;
+}
+
 } // namespace tremolo::test_support

@@ -25,8 +25,9 @@ class ManufacturedBlock {
 public:
   /// @param amplitude  A/L
   /// @param cells      along the block, L/h
-  ManufacturedBlock(double amplitude, int cells, int particles_per_cell, const mpm_domain::Scheme& scheme)
-      : amplitude_(amplitude), domain_(spec(cells, particles_per_cell, scheme)),
+  ManufacturedBlock(double amplitude, int cells, int particles_per_cell, const mpm_domain::Scheme& scheme,
+                    mpm_domain::ParticleBoxes boxes = mpm_domain::ParticleBoxes::fixed)
+      : amplitude_(amplitude), domain_(spec(cells, particles_per_cell, scheme, boxes)),
         stepper_(released(), 0.0, [](long, double, auto, auto) {}) {}
 
   double period() const { return 2.0 * std::numbers::pi / omega; }
@@ -68,11 +69,13 @@ private:
   static constexpr double wave_number = std::numbers::pi / side;
   inline static const double omega = wave_number * std::sqrt(young / density);
 
-  static mpm_domain::Spec spec(int cells, int particles_per_cell, const mpm_domain::Scheme& scheme) {
+  static mpm_domain::Spec spec(int cells, int particles_per_cell, const mpm_domain::Scheme& scheme,
+                               mpm_domain::ParticleBoxes boxes) {
     mpm_domain::Spec spec;
     spec.box = {-side, -side, side, side};
     spec.cell_size = side / cells;
     spec.particles_per_cell = particles_per_cell;
+    spec.boxes = boxes;
     spec.soils = {{"block", materials::LinearElastic{{density, young, 0.0}}}};
     const double half = 0.5 * side;
     spec.regions = {{0, {{-half, -half}, {half, -half}, {half, half}, {-half, half}}}};

@@ -45,7 +45,7 @@ struct Shifted {
         set.x[k] += dx;
         set.y[k] += dy;
       }
-      sort_by_cell(set, domain.grid, domain.half_size());
+      sort_by_cell(set, domain.grid);
     }
     for (const BoundaryFace& face : domain.faces)
       face_weights(domain, face, weights.emplace_back());

@@ -161,6 +161,16 @@ TEST(State, OnAGradedMeshGoesOnWithTheSameBits) {
   expect_exact_resumption(spec);
 }
 
+TEST(State, OfBoxesThatFollowTheSoilGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(softening_soil());
+  spec.boxes = mpm_domain::ParticleBoxes::deforming;
+  expect_exact_resumption(spec);
+  spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}};
+  expect_exact_resumption(spec);
+  spec.scheme.subcycle = true;
+  expect_exact_resumption(spec);
+}
+
 TEST(State, OfLevelsWithStepsOfTheirOwnGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = box(softening_soil());
   spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}, {{3.0, -1.0, 4.0, 0.0}, 2}};

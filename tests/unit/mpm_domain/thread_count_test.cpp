@@ -7,8 +7,9 @@
 namespace tremolo {
 namespace {
 
-mpm_domain::Particles after_100_steps(int threads) {
+mpm_domain::Particles after_100_steps(int threads, mpm_domain::ParticleBoxes boxes) {
   mpm_domain::Spec spec = test_support::elastic_box(20.0, 40.0, 1.0);
+  spec.boxes = boxes;
   spec.threads = threads;
   mpm_domain::Domain domain(spec);
   test_support::PlaneWave wave;
@@ -20,12 +21,15 @@ mpm_domain::Particles after_100_steps(int threads) {
 }
 
 TEST(ThreadCount, DoesNotChangeABit) {
-  const mpm_domain::Particles one = after_100_steps(1);
-  const mpm_domain::Particles three = after_100_steps(3);
-  EXPECT_EQ(one.x, three.x);
-  EXPECT_EQ(one.vy, three.vy);
-  EXPECT_EQ(one.sxy, three.sxy);
-  EXPECT_NE(one.vx.front(), 0.0);
+  for (const auto boxes : {mpm_domain::ParticleBoxes::fixed, mpm_domain::ParticleBoxes::deforming}) {
+    const mpm_domain::Particles one = after_100_steps(1, boxes);
+    const mpm_domain::Particles three = after_100_steps(3, boxes);
+    EXPECT_EQ(one.x, three.x);
+    EXPECT_EQ(one.vy, three.vy);
+    EXPECT_EQ(one.sxy, three.sxy);
+    EXPECT_EQ(one.box_xy, three.box_xy);
+    EXPECT_NE(one.vx.front(), 0.0);
+  }
 }
 
 } // namespace

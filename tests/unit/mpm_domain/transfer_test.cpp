@@ -6,6 +6,7 @@
 #include "tests/support/affine_velocity.hpp"
 #include "tests/support/box_run.hpp"
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,18 +36,24 @@ Totals grid_totals(const Domain& domain) {
   return total;
 }
 
-/// Particles at random places with random velocities.
-Domain shuffled_box(Transfer transfer) {
+/// To be shuffled.
+Domain shuffled_box(Transfer transfer, ParticleBoxes boxes = ParticleBoxes::fixed) {
   Spec spec = test_support::elastic_box(6.0, 5.0, 0.5);
   spec.scheme.transfer = transfer;
+  spec.boxes = boxes;
   return Domain(spec);
 }
+
+/// Particles at random places with random velocities and, where they follow the soil, boxes of any size.
 
 void shuffle(Domain& domain) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> place(-0.2, 0.2);
   std::normal_distribution<double> speed;
+  std::uniform_real_distribution<double> half_side(0.02, 0.6);
   Particles& p = domain.sets.front();
+  for (std::vector<double>* moment : {&p.box_xx, &p.box_yy})
+    std::ranges::generate(*moment, [&] { return std::pow(half_side(random), 2); });
   for (std::size_t k = 0; k < p.size(); ++k) {
     p.x[k] += place(random);
     p.y[k] += place(random);
@@ -59,11 +66,13 @@ void shuffle(Domain& domain) {
       p.byy[k] = 0.05 * speed(random);
     }
   }
-  sort_by_cell(p, domain.grid, domain.half_size());
+  sort_by_cell(p, domain.grid);
 }
 
-TEST(Transfer, ScatterConservesMassMomentumAndAngularMomentum) {
-  Domain domain = shuffled_box(Transfer::apic);
+class TransferWith : public testing::TestWithParam<ParticleBoxes> {};
+
+TEST_P(TransferWith, ScatterConservesMassMomentumAndAngularMomentum) {
+  Domain domain = shuffled_box(Transfer::apic, GetParam());
   shuffle(domain);
   scatter(domain, ScatterPart::both);
   const Particles& p = domain.sets.front();
@@ -89,21 +98,24 @@ struct Node {
   double dx, dy;    ///< node minus particle, m
 };
 
-std::vector<Node> nodes_of(const Domain& domain, double x, double y) {
+std::vector<Node> nodes_of(const Domain& domain, const Particles& p, std::size_t k) {
   const Grid& grid = domain.grid;
-  const Weights wx = gimp_weights(x, domain.x_axis());
-  const Weights wy = gimp_weights(y, domain.y_axis());
+  const double x = p.x[k];
+  const double y = p.y[k];
+  const Vector half = half_sides(p, k);
+  const Weights wx = cell_weights(x, domain.x_axis(), half.x);
+  const Weights wy = cell_weights(y, domain.y_axis(), half.y);
   std::vector<Node> nodes;
-  for (int j = 0; j < 3; ++j)
-    for (int i = 0; i < 3; ++i)
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i)
       nodes.push_back({grid.index(wx.base + i, wy.base + j), wx.s[i] * wy.s[j], wx.g[i] * wy.s[j],
                        wx.s[i] * wy.g[j], grid.x0 + (wx.base + i) * grid.h - x,
                        grid.y0 + (wy.base + j) * grid.h - y});
   return nodes;
 }
 
-TEST(Transfer, ScatterIsTheSumOverParticles) {
-  Domain domain = shuffled_box(Transfer::apic);
+TEST_P(TransferWith, ScatterIsTheSumOverParticles) {
+  Domain domain = shuffled_box(Transfer::apic, GetParam());
   domain.spec.gravity = 9.81;
   shuffle(domain);
   Particles& p = domain.sets.front();
@@ -120,7 +132,7 @@ TEST(Transfer, ScatterIsTheSumOverParticles) {
        {&expected.mass, &expected.momentum_x, &expected.momentum_y, &expected.force_x, &expected.force_y})
     field->resize(domain.grid.size());
   for (std::size_t k = 0; k < p.size(); ++k) {
-    const std::vector<Node> nodes = nodes_of(domain, p.x[k], p.y[k]);
+    const std::vector<Node> nodes = nodes_of(domain, p, k);
     Vector d;
     for (const Node& n : nodes)
       d = {d.x + n.s * n.dx * n.dx, d.y + n.s * n.dy * n.dy};
@@ -142,9 +154,9 @@ TEST(Transfer, ScatterIsTheSumOverParticles) {
   }
 }
 
-TEST(Transfer, GatherIsTheSumOverNodes) {
+TEST_P(TransferWith, GatherIsTheSumOverNodes) {
   for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
-    Domain domain = shuffled_box(transfer);
+    Domain domain = shuffled_box(transfer, GetParam());
     shuffle(domain);
     Grid& grid = domain.grid;
     std::mt19937 random(12);
@@ -159,7 +171,7 @@ TEST(Transfer, GatherIsTheSumOverNodes) {
     for (std::size_t k = 0; k < p.size(); ++k) {
       Vector v, v_new, x_moment, y_moment;           // moments: of the x and y component with dx and dy
       double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0; // of A, the gradient times dt
-      for (const Node& n : nodes_of(domain, before.x[k], before.y[k])) {
+      for (const Node& n : nodes_of(domain, before, k)) {
         const Vector u = grid.velocity(n.index);
         const Vector w = grid.new_velocity(n.index);
         v = {v.x + n.s * u.x, v.y + n.s * u.y};
@@ -189,12 +201,21 @@ TEST(Transfer, GatherIsTheSumOverNodes) {
       EXPECT_NEAR(p.volume[k] / before.volume[k], (1.0 + xx) * (1.0 + yy) - xy * yx, 1e-9); // of A of 1e-3
       EXPECT_NEAR(p.sxx[k], soil.p_modulus() * exx + soil.lame() * eyy, 1e-6);              // of some 1e4 Pa
       EXPECT_NEAR(p.sxy[k], soil.shear_modulus() * gxy, 1e-6);
+      if (!p.has_own_boxes())
+        continue;
+      Eigen::Matrix2d f, box;
+      f << 1.0 + xx, xy, yx, 1.0 + yy;
+      box << before.box_xx[k], before.box_xy[k], before.box_xy[k], before.box_yy[k];
+      const Eigen::Matrix2d followed = f * box * f.transpose();
+      EXPECT_NEAR(p.box_xx[k], followed(0, 0), 1e-15);
+      EXPECT_NEAR(p.box_xy[k], followed(0, 1), 1e-15);
+      EXPECT_NEAR(p.box_yy[k], followed(1, 1), 1e-15);
     }
   }
 }
 
-TEST(Transfer, ApicGatherKeepsMomentumAndAngularMomentum) {
-  Domain domain = shuffled_box(Transfer::apic);
+TEST_P(TransferWith, ApicGatherKeepsMomentumAndAngularMomentum) {
+  Domain domain = shuffled_box(Transfer::apic, GetParam());
   shuffle(domain);
   scatter(domain, ScatterPart::motion);
   grid_velocities(domain);
@@ -208,9 +229,10 @@ TEST(Transfer, ApicGatherKeepsMomentumAndAngularMomentum) {
   EXPECT_NEAR(after.spin, before.spin, 1e-10 * before.mass);
 }
 
-TEST(Transfer, InternalForcesSumToZeroAndGravityToTheWeight) {
+TEST_P(TransferWith, InternalForcesSumToZeroAndGravityToTheWeight) {
   Spec spec = test_support::elastic_box(6.0, 5.0, 0.5);
   spec.gravity = 9.81;
+  spec.boxes = GetParam();
   Domain domain(spec);
   shuffle(domain);
   Particles& p = domain.sets.front();
@@ -231,6 +253,11 @@ TEST(Transfer, InternalForcesSumToZeroAndGravityToTheWeight) {
   EXPECT_NEAR(sum.x, 0.0, 1e-9 * weight);
   EXPECT_NEAR(sum.y, -weight, 1e-9 * weight);
 }
+
+INSTANTIATE_TEST_SUITE_P(Boxes, TransferWith, testing::Values(ParticleBoxes::fixed, ParticleBoxes::deforming),
+                         [](const auto& of) {
+                           return of.param == ParticleBoxes::fixed ? "Fixed" : "Deforming";
+                         });
 
 /// Grid velocities of a turn by theta are A/dt with A = R - I. What is left of A - A^2/2 is theta^4/4; A
 /// alone would be a contraction by theta^2/2.
@@ -291,7 +318,7 @@ TEST(Sort, AParticleOutsideTheGridIsNamedWithItsPlace) {
   Domain domain = shuffled_box(Transfer::flip);
   domain.sets.front().x[0] = 1e3;
   try {
-    sort_by_cell(domain.sets.front(), domain.grid, domain.half_size());
+    sort_by_cell(domain.sets.front(), domain.grid);
     FAIL() << "a particle outside the grid was accepted";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("has left the grid: x = 1000 m"), std::string::npos)

@@ -128,8 +128,8 @@ TEST(BoxAverage, IsTheTensorProductOnOneLattice) {
       const double x = place.within.x_min + share(random) * (place.within.x_max - place.within.x_min);
       const double y = place.within.y_min + share(random) * (place.within.y_max - place.within.y_min);
       const Lattice& lattice = mesh.lattices()[place.lattice];
-      const Weights wx = gimp_weights(x, {lattice.x0, lattice.h, place.l});
-      const Weights wy = gimp_weights(y, {lattice.y0, lattice.h, place.l});
+      const Weights wx = gimp_weights(x, {lattice.x0, lattice.h}, place.l);
+      const Weights wy = gimp_weights(y, {lattice.y0, lattice.h}, place.l);
       std::vector<BoxWeight> weights;
       box_average(mesh, test::box_at(x, y, place.l), weights);
       std::map<std::size_t, BoxWeight> sums;

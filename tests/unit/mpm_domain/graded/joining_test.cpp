@@ -165,6 +165,30 @@ TEST_P(Joining, GivesBackWhatWasCut) {
     EXPECT_EQ(set.index_of[set.id[k]], k);
 }
 
+/// Boxes that have followed the soil are cut and given back with their moments.
+TEST(JoiningBoxes, GiveBackWhatWasCut) {
+  Spec spec = levels_in_x(Transfer::apic);
+  spec.soils = {{"clay", clay}};
+  spec.boxes = ParticleBoxes::deforming;
+  Domain domain(spec);
+  Particles& p = domain.sets[0];
+  const double square = p.half_size * p.half_size;
+  p.box_xx.assign(p.size(), 1.2 * square);
+  p.box_xy.assign(p.size(), 0.1 * square);
+  p.box_yy.assign(p.size(), 0.9 * square);
+  shift(domain, 5.3);
+  const std::size_t cut = split_particles(domain);
+  ASSERT_GT(cut, 0U);
+  for (const double moment : domain.sets[1].box_xx)
+    EXPECT_NEAR(moment, 0.3 * square, 1e-15);
+  shift(domain, -5.3);
+  EXPECT_EQ(join_particles(domain), cut);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    EXPECT_NEAR(p.box_xx[k], 1.2 * square, 1e-14);
+    EXPECT_NEAR(p.box_yy[k], 0.9 * square, 1e-14);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Transfers, Joining, testing::Values(Transfer::apic, Transfer::flip),
                          [](const auto& of) { return of.param == Transfer::apic ? "Apic" : "Flip"; });
 

@@ -4,6 +4,7 @@
 
 #include "tests/support/box_run.hpp"
 
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -27,7 +28,7 @@ inline void shift(Domain& domain, double way) {
       x += way;
 }
 
-/// Random velocities and stresses.
+/// Random velocities and stresses, and boxes, where they follow the soil.
 inline void disturb(Domain& domain) {
   std::mt19937 random(3);
   std::normal_distribution<double> any;
@@ -38,6 +39,9 @@ inline void disturb(Domain& domain) {
       if (!p.bxx.empty())
         for (std::vector<double>* column : {&p.bxx, &p.bxy, &p.byx, &p.byy})
           (*column)[k] = 0.1 * any(random);
+      if (p.has_own_boxes())
+        for (std::vector<double>* moment : {&p.box_xx, &p.box_yy})
+          (*moment)[k] *= std::exp(0.3 * any(random));
     }
 }
 

@@ -15,11 +15,24 @@ namespace {
 
 using namespace test;
 
-class Splitting : public testing::TestWithParam<Transfer> {};
+struct Case {
+  Transfer transfer;
+  ParticleBoxes boxes;
+  const char* name;
+};
+
+class Splitting : public testing::TestWithParam<Case> {
+protected:
+  static Spec levels_in_x() {
+    Spec spec = test::levels_in_x(GetParam().transfer);
+    spec.boxes = GetParam().boxes;
+    return spec;
+  }
+};
 
 /// S and G of the four, a quarter each, are those of the one: to the grid nothing has happened.
 TEST_P(Splitting, LeavesTheGridAsItIs) {
-  Domain domain(levels_in_x(GetParam()));
+  Domain domain(levels_in_x());
   disturb(domain);
   shift(domain, 5.3); // across the first interface
   sort_particles(domain);
@@ -37,7 +50,7 @@ TEST_P(Splitting, LeavesTheGridAsItIs) {
 }
 
 TEST_P(Splitting, KeepsMassVolumeMomentumAndSpin) {
-  Domain domain(levels_in_x(GetParam()));
+  Domain domain(levels_in_x());
   disturb(domain);
   shift(domain, 5.3);
   const Sums before = sums_of(domain);
@@ -49,13 +62,13 @@ TEST_P(Splitting, KeepsMassVolumeMomentumAndSpin) {
   EXPECT_NEAR(after.px, before.px, 1e-14 * before.mass);
   EXPECT_NEAR(after.py, before.py, 1e-14 * before.mass);
   EXPECT_NEAR(after.spin, before.spin, 1e-13 * before.mass * 10.0);
-  if (GetParam() == Transfer::flip) {
+  if (GetParam().transfer == Transfer::flip) {
     EXPECT_NEAR(after.kinetic, before.kinetic, 1e-14 * before.mass);
   }
 }
 
 TEST_P(Splitting, HandsStressStateAndDisplacementDown) {
-  Spec spec = levels_in_x(GetParam());
+  Spec spec = levels_in_x();
   spec.soils = {{"clay", materials::MohrCoulomb{.elastic = {1700.0, 40e6, 0.28},
                                                 .cohesion_peak = 4e3,
                                                 .friction_peak = 0.5,
@@ -85,8 +98,11 @@ TEST_P(Splitting, HandsStressStateAndDisplacementDown) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Transfers, Splitting, testing::Values(Transfer::apic, Transfer::flip),
-                         [](const auto& of) { return of.param == Transfer::apic ? "Apic" : "Flip"; });
+INSTANTIATE_TEST_SUITE_P(Transfers, Splitting,
+                         testing::Values(Case{Transfer::apic, ParticleBoxes::fixed, "Apic"},
+                                         Case{Transfer::flip, ParticleBoxes::fixed, "Flip"},
+                                         Case{Transfer::apic, ParticleBoxes::deforming, "ApicOwnBoxes"}),
+                         [](const auto& of) { return of.param.name; });
 
 /// Only those wholly inside, and only where cells would run short of particles.
 TEST(SplittingRule, CutsWhatLiesInFinerCellsAndIsTooWideForThem) {
