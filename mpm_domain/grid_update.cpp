@@ -89,8 +89,8 @@ double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
 void refine_velocities(Domain& domain, const NodeField& lumped_x, const NodeField& lumped_y) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
-  domain.workers.run(domain.row_count(), [&](std::size_t row) {
-    const NodeRange nodes = domain.row(row);
+  domain.workers.run(domain.soil_rows.size(), [&](std::size_t row) {
+    const NodeRange& nodes = domain.soil_rows[row];
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Vectors v = velocities(grid, n, group, group.load(&grid.mass[n]), empty);
       group.store(&grid.vx_new[n], group.load(&grid.vx_new[n]) + group.load(&lumped_x[n]) - v.x);
@@ -98,7 +98,7 @@ void refine_velocities(Domain& domain, const NodeField& lumped_x, const NodeFiel
     });
   });
   if (domain.has_tied_nodes())
-    copy_to_tied(domain);
+    copy_to_tied(domain, {&grid.vx_new, &grid.vy_new});
 }
 
 GridUpdate update_grid(Domain& domain, double dt) {

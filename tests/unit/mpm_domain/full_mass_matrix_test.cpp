@@ -156,7 +156,7 @@ void set_random_velocity(Domain& domain) {
     grid.vy_new[n] = full ? speed(random) : 0.0;
   }
   if (domain.has_tied_nodes())
-    copy_to_tied(domain);
+    copy_to_tied(domain, {&grid.vx_new, &grid.vy_new});
 }
 
 struct Mesh {
