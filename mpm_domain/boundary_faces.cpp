@@ -55,45 +55,59 @@ mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set) {
   return line;
 }
 
-/// On one lattice: averaged along the face, linear across it.
-void lattice_weights(const BoundaryFace& face, const Particles& set, const Grid& grid, FaceWeights& weights) {
+/// Where a face may come to while particles move by a distance.
+mesh::Rectangle reach_of(const BoundaryFace& face, const Particles& set, double distance) {
+  const mesh::Rectangle line = line_of(face, set);
+  const double margin = set.has_own_boxes() ? 2.0 * distance : distance;
+  return {line.x_min - margin, line.y_min - margin, line.x_max + margin, line.y_max + margin};
+}
+
+/// On one lattice: averaged along the face, linear across it. Calls add(i, j, w) for columns and rows of
+/// nodes.
+template <typename Add>
+void lattice_weights(const BoundaryFace& face, const Particles& set, const Lattice& lattice, const Add& add) {
   const mesh::Rectangle line = line_of(face, set);
   const std::size_t k = set.index_of[face.id];
   const Vector half = half_sides(set, k);
-  weights.clear();
-  const auto add = [&](int column, int row, double w) {
+  const auto add_touched = [&](int i, int j, double w) {
     if (w != 0.0)
-      weights.push_back({grid.index(grid.real_column(column), row), w});
+      add(i, j, w);
   };
   if (face.side != Side::base) {
-    const Linear across = linear_weights(line.x_min, grid.x0, grid.h);
-    const Weights along = cell_weights(set.y[k], {grid.y0, grid.h}, half.y);
+    const Linear across = linear_weights(line.x_min, lattice.x0, lattice.h);
+    const Weights along = cell_weights(set.y[k], {lattice.y0, lattice.h}, half.y);
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 2; ++b)
-        add(across.base + b, along.base + a, along.s[a] * across.w[b]);
+        add_touched(across.base + b, along.base + a, along.s[a] * across.w[b]);
   } else {
-    const Linear across = linear_weights(line.y_min, grid.y0, grid.h);
-    const Weights along = cell_weights(set.x[k], {grid.x0, grid.h}, half.x);
+    const Linear across = linear_weights(line.y_min, lattice.y0, lattice.h);
+    const Weights along = cell_weights(set.x[k], {lattice.x0, lattice.h}, half.x);
     for (int b = 0; b < 2; ++b)
       for (int a = 0; a < 4; ++a)
-        add(along.base + a, across.base + b, along.s[a] * across.w[b]);
+        add_touched(along.base + a, across.base + b, along.s[a] * across.w[b]);
   }
 }
 
 /// On a graded mesh the basis averaged along the face, in terms of real nodes.
 void graded_weights(const BoundaryFace& face, const Particles& set, const GradedMesh& mesh,
                     FaceWeights& weights) {
-  std::vector<BoxWeight> parts;
-  parts.reserve(16);
-  box_average(mesh, line_of(face, set), parts);
   weights.clear();
-  for (const BoxWeight& part : parts) {
-    const std::span<const Share> shares = mesh.prolongation().shares_of(part.node);
+  const auto add = [&](std::size_t node, double w) {
+    const std::span<const Share> shares = mesh.prolongation().shares_of(node);
     if (shares.empty())
-      weights.push_back({part.node, part.s});
+      weights.push_back({node, w});
     for (const Share& share : shares)
-      weights.push_back({share.node, share.weight * part.s});
+      weights.push_back({share.node, share.weight * w});
+  };
+  if (face.level != BoundaryFace::unknown) {
+    const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(face.level)];
+    lattice_weights(face, set, lattice, [&](int i, int j, double w) { add(lattice.index(i, j), w); });
+    return;
   }
+  std::vector<BoxWeight> parts;
+  box_average(mesh, line_of(face, set), parts);
+  for (const BoxWeight& part : parts)
+    add(part.node, part.s);
 }
 
 } // namespace
@@ -118,11 +132,31 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
   return faces;
 }
 
+void find_levels(Domain& domain) {
+  if (!domain.mesh)
+    return;
+  for (BoundaryFace& face : domain.faces) {
+    const Particles& set = domain.sets[face.set];
+    const auto touched = domain.mesh->touched(reach_of(face, set, domain.sort_distance()));
+    const double widest = set.has_own_boxes() ? set.cell_size : 2.0 * set.half_size;
+    const bool on_one = touched.one_lattice() && widest < 1.0001 * domain.lattice(touched.finest).h;
+    face.level = on_one ? touched.finest : BoundaryFace::unknown;
+  }
+}
+
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights) {
   const Particles& set = domain.sets[face.set];
   if (domain.mesh)
     return graded_weights(face, set, *domain.mesh, weights);
-  lattice_weights(face, set, domain.grid, weights);
+  weights.clear();
+  lattice_weights(face, set, domain.grid, [&](int i, int j, double w) {
+    weights.push_back({domain.grid.index(domain.grid.real_column(i), j), w});
+  });
+}
+
+void face_weights(Domain& domain, std::span<FaceWeights> weights) {
+  for_faces(domain.workers, weights.size(),
+            [&](std::size_t f) { face_weights(domain, domain.faces[f], weights[f]); });
 }
 
 void book_face_work(Domain& domain, std::size_t f, double dt, Vector own, Vector traction, Vector v) {

@@ -13,7 +13,9 @@
 #include "mpm_domain/grid.hpp"
 #include "mpm_domain/kernel.hpp"
 #include "mpm_domain/particles.hpp"
+#include "mpm_domain/worker_pool.hpp"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -30,6 +32,9 @@ struct BoundaryFace {
   double length = 0.0;  ///< m
   eq6::Face face;       ///< normal and impedances; these are zero before a matched layer
   double mass = 0.0;    ///< of a matched layer's nodes that move with the face, kg/m2
+  int level = unknown;  ///< of the one lattice of a graded mesh that it can touch until the next sort
+
+  static constexpr int unknown = -1; ///< or several
 };
 
 /// A node that a face touches, and W.
@@ -50,8 +55,23 @@ inline Vector dashpots(const BoundaryFace& face) {
 /// Their impedances are those of the soil in its present stress.
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);
 
+/// act(f) for all faces, portions of them side by side.
+template <typename Act>
+void for_faces(WorkerPool& workers, std::size_t count, const Act& act) {
+  constexpr std::size_t portion = 64;
+  workers.run((count + portion - 1) / portion, [&](std::size_t task) {
+    for (std::size_t f = task * portion; f < std::min((task + 1) * portion, count); ++f)
+      act(f);
+  });
+}
+
+/// Finds the levels of faces whose way until the next sort keeps them on one lattice.
+void find_levels(Domain& domain);
+
 /// Weights of a face at its particle's present place.
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights);
+/// Those of all faces.
+void face_weights(Domain& domain, std::span<FaceWeights> weights);
 
 /// Books the work of a face's traction (Pa) over a time (s) at the velocity v (m/s): `own` of it, of the
 /// soil's velocity on dashpots and matched layers, as theirs, what held the model at rest as static, and the

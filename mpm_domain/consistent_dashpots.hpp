@@ -16,6 +16,7 @@
 
 #include "mpm_domain/domain.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -31,26 +32,13 @@ public:
   double power(const NodeField& vx, const NodeField& vy) const;
 
 private:
-  /// W of a node, by its place among those that faces touch.
-  struct Entry {
-    std::size_t place;
-    double w;
-  };
-  /// L Z dt/2 of a face, by direction, and where its entries end.
-  struct Dashpot {
-    double x, y;
-    std::size_t end;
-  };
-
-  void collect(const Domain& domain, std::span<const FaceWeights> weights, double dt);
+  void find_nodes(const Domain& domain, std::span<const FaceWeights> weights);
   void find_accelerations(const Domain& domain, double dt);
-  void find_forces();
+  void find_forces(const Domain& domain, std::span<const FaceWeights> weights, double dt);
 
-  std::vector<std::size_t> nodes_; ///< that faces with dashpots touch
-  std::vector<std::size_t> place_; ///< of a node among them
-  std::vector<Entry> entries_;
-  std::vector<Dashpot> dashpots_;
-  std::vector<Vector> a_, g_; ///< of those nodes
+  std::vector<std::size_t> nodes_;  ///< rising, that faces with dashpots touch or have touched
+  std::vector<std::uint8_t> known_; ///< by node: it is one of them
+  std::vector<Vector> a_, g_;       ///< by node
 };
 
 } // namespace tremolo::mpm_domain

@@ -120,6 +120,8 @@ void rebuild_mesh(Domain& domain) {
   const Spec& spec = domain.spec;
   domain.mesh.emplace(roots_of(domain.grid),
                       mesh::beyond_edges(spec.refine, spec.box, 1e-6 * spec.cell_size, !spec.periodic_sides));
+  domain.basis_cells = {};
+  domain.across.clear();
   if (spec.scheme.subcycle)
     domain.clocks = ClockMap(domain.mesh->tree(), buffer_layers);
   resize_fields(domain.grid, domain.mesh->node_count());
@@ -133,31 +135,51 @@ void keep_whole(Domain& domain, std::size_t set, std::uint32_t id) {
 }
 
 void sort_particles(Domain& domain) {
-  domain.across.resize(domain.sets.size() * static_cast<std::size_t>(domain.clocks.count()));
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     if (domain.mesh)
       sort_by_lattice(domain.sets[s], *domain.mesh, domain.clocks, domain.sort_distance());
     else
       sort_by_cell(domain.sets[s], domain.grid);
+  resize_fields(domain.grid, domain.grid.size());
+  find_levels(domain);
+  find_reach(domain);
+}
+
+namespace {
+
+void find_across(Domain& domain, const GradedMesh& mesh) {
+  const std::size_t sets = domain.sets.size();
+  const std::size_t levels = mesh.lattices().size();
+  domain.across.resize(sets * static_cast<std::size_t>(domain.clocks.count()));
+  for (std::size_t n = 0; n < domain.across.size(); ++n) {
+    const Particles& set = domain.sets[n % sets];
+    const std::size_t block = domain.block_count() + n / sets * levels;
+    domain.across[n].restart(set.block_start[block]);
+    for (std::size_t k = set.block_start[block]; k < set.block_start[block + levels]; ++k)
+      domain.across[n].expect(mesh, domain.basis_cells, reach_of(set, k, domain.sort_distance()));
+  }
+}
+
+} // namespace
+
+void find_reach(Domain& domain) {
+  if (domain.mesh)
+    find_across(domain, *domain.mesh);
+  domain.soil_rows = find_soil_rows(domain);
   weigh_across(domain);
 }
 
 void weigh_across(Domain& domain, int slowest_clock) {
-  if (!domain.mesh)
-    return;
   const std::size_t sets = domain.sets.size();
-  const std::size_t levels = domain.mesh->lattices().size();
   const std::size_t skipped = sets * static_cast<std::size_t>(slowest_clock);
+  if (domain.across.size() <= skipped)
+    return;
   domain.workers.run(domain.across.size() - skipped, [&](std::size_t task) {
     const std::size_t n = skipped + task;
-    const Particles& set = domain.sets[n % sets];
     AcrossWeights& weights = domain.across[n];
-    const std::size_t block = domain.block_count() + n / sets * levels;
-    const std::size_t first = set.block_start[block];
-    const std::size_t end = set.block_start[block + levels];
-    weights.restart(first);
-    for (std::size_t k = first; k < end; ++k)
-      weights.add(*domain.mesh, box_of(set, k));
+    weights.clear();
+    for (std::size_t k = weights.first(); k < weights.end(); ++k)
+      weights.add(domain.basis_cells, box_of(domain.sets[n % sets], k));
   });
 }
 

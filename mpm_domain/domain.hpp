@@ -8,6 +8,7 @@
 #include "mpm_domain/grid.hpp"
 #include "mpm_domain/matched_layer.hpp"
 #include "mpm_domain/particles.hpp"
+#include "mpm_domain/soil_rows.hpp"
 #include "mpm_domain/spec.hpp"
 #include "mpm_domain/worker_pool.hpp"
 
@@ -32,8 +33,10 @@ struct Domain {
   std::vector<Vector> static_tractions; ///< f^st of Eq. (6), Pa, one per face
   std::vector<MatchedLayer> layers;     ///< see attach_matched_layers
   EnergyLedger energy;
+  BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them
   /// Of the particles that touch several lattices; clock by clock and in it set by set.
   std::vector<AcrossWeights> across;
+  std::vector<NodeRange> soil_rows; ///< see find_soil_rows
   WorkerPool workers;
 
   int lattice_count() const { return all_effects && mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
@@ -75,9 +78,12 @@ void rebuild_mesh(Domain& domain);
 /// Names a particle that something rides on, which is then never cut (splitting.hpp).
 void keep_whole(Domain& domain, std::size_t set, std::uint32_t id);
 
-/// Orders all particles by lattice and cell, and finds those that touch several lattices.
+/// Orders all particles by lattice and cell and finds what they may touch; the grid's fields become zero.
 /// @throws std::runtime_error if a particle has left the grid, naming its place
 void sort_particles(Domain& domain);
+
+/// Finds what particles may touch until the next sort, and the weights of those across several lattices.
+void find_reach(Domain& domain);
 
 /// The weights of particles that touch several lattices, at their present places; those of the given clock
 /// and faster ones.

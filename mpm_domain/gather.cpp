@@ -1,6 +1,7 @@
 #include "mpm_domain/gather.hpp"
 
 #include "materials/law.hpp"
+#include "mpm_domain/graded/box_average.hpp"
 #include "mpm_domain/stencil.hpp"
 
 #include <algorithm>
@@ -120,65 +121,110 @@ struct Wanted {
   bool affine = false;
 };
 
-template <Wanted wanted, std::size_t rows, typename Boxes>
-[[gnu::always_inline]] inline Samples sample(const Grid& grid, const Lattice& lattice, const Lanes& x,
-                                             const Lanes& y, std::size_t count, const Axis& x_axis,
-                                             const Axis& y_axis, const Boxes& boxes) {
-  constexpr Reading of_old{.value = wanted.v, .gradient = wanted.gradient && wanted.of_v};
-  constexpr Reading of_new{
-      .value = wanted.v_new, .gradient = wanted.gradient && !wanted.of_v, .moments = wanted.affine};
-  const Reader<rows> at(Stencils(x, y, x_axis, y_axis, boxes), count, lattice, x_axis, y_axis, boxes);
+/// Both components before and after the update, as far as they are wanted.
+struct Velocities {
   Component vx, vy, vx_new, vy_new;
-  if constexpr (of_old.value || of_old.gradient) {
-    vx = at.template read<of_old>(grid.vx);
-    vy = at.template read<of_old>(grid.vy);
-  }
-  if constexpr (of_new.value || of_new.gradient || of_new.moments) {
-    vx_new = at.template read<of_new>(grid.vx_new);
-    vy_new = at.template read<of_new>(grid.vy_new);
-  }
-  const Component& ux = wanted.of_v ? vx : vx_new;
-  const Component& uy = wanted.of_v ? vy : vy_new;
-  return {.v = {vx.value, vy.value},
-          .v_new = {vx_new.value, vy_new.value},
+};
+
+template <Wanted wanted>
+constexpr Reading of_old{.value = wanted.v, .gradient = wanted.gradient&& wanted.of_v};
+
+template <Wanted wanted>
+constexpr Reading of_new{
+    .value = wanted.v_new, .gradient = wanted.gradient && !wanted.of_v, .moments = wanted.affine};
+
+constexpr bool reads(Reading reading) {
+  return reading.value || reading.gradient || reading.moments;
+}
+
+template <Wanted wanted>
+[[gnu::always_inline]] inline Samples samples_of(const Velocities& read) {
+  const Component& ux = wanted.of_v ? read.vx : read.vx_new;
+  const Component& uy = wanted.of_v ? read.vy : read.vy_new;
+  return {.v = {read.vx.value, read.vy.value},
+          .v_new = {read.vx_new.value, read.vy_new.value},
           .vx_x = ux.d_dx,
           .vx_y = ux.d_dy,
           .vy_x = uy.d_dx,
           .vy_y = uy.d_dy,
-          .bxx = vx_new.moment_x,
-          .bxy = vx_new.moment_y,
-          .byx = vy_new.moment_x,
-          .byy = vy_new.moment_y};
+          .bxx = read.vx_new.moment_x,
+          .bxy = read.vx_new.moment_y,
+          .byx = read.vy_new.moment_x,
+          .byy = read.vy_new.moment_y};
 }
 
-/// The same for particles that touch several lattices, node by node.
-template <Wanted wanted>
-Samples sample_across(const Grid& grid, const AcrossWeights& weights, const Particles& p, std::size_t first,
-                      std::size_t count) {
-  Samples q;
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    const std::size_t k = first + lane;
-    for (const BoxWeight& w : weights.of(k)) {
-      const Vector v = grid.velocity(w.node);
-      const Vector v_new = grid.new_velocity(w.node);
-      const Vector u = wanted.of_v ? v : v_new;
-      const double dx = w.x - p.x[k];
-      const double dy = w.y - p.y[k];
-      q.v.x[lane] += w.s * v.x;
-      q.v.y[lane] += w.s * v.y;
-      q.v_new.x[lane] += w.s * v_new.x;
-      q.v_new.y[lane] += w.s * v_new.y;
-      q.vx_x[lane] += w.gx * u.x;
-      q.vx_y[lane] += w.gy * u.x;
-      q.vy_x[lane] += w.gx * u.y;
-      q.vy_y[lane] += w.gy * u.y;
-      q.bxx[lane] += w.s * dx * v_new.x;
-      q.bxy[lane] += w.s * dy * v_new.x;
-      q.byx[lane] += w.s * dx * v_new.y;
-      q.byy[lane] += w.s * dy * v_new.y;
+template <Wanted wanted, std::size_t rows, typename Boxes>
+[[gnu::always_inline]] inline Samples sample(const Grid& grid, const Lattice& lattice, const Lanes& x,
+                                             const Lanes& y, std::size_t count, const Axis& x_axis,
+                                             const Axis& y_axis, const Boxes& boxes) {
+  const Reader<rows> at(Stencils(x, y, x_axis, y_axis, boxes), count, lattice, x_axis, y_axis, boxes);
+  Velocities read;
+  if constexpr (reads(of_old<wanted>)) {
+    read.vx = at.template read<of_old<wanted>>(grid.vx);
+    read.vy = at.template read<of_old<wanted>>(grid.vy);
+  }
+  if constexpr (reads(of_new<wanted>)) {
+    read.vx_new = at.template read<of_new<wanted>>(grid.vx_new);
+    read.vy_new = at.template read<of_new<wanted>>(grid.vy_new);
+  }
+  return samples_of<wanted>(read);
+}
+
+/// The weights of four nodes of a particle that touches several lattices, ready to read with: a lane each.
+struct NodesReader {
+  const FourWeights& w;
+  Lanes dx, dy; ///< of the nodes from the particle, m
+
+  template <Reading reading>
+  [[gnu::always_inline]] void add(const NodeField& field, Component& sums) const {
+    if constexpr (reads(reading)) {
+      const auto& n = w.node;
+      const Lanes v{field[n[0]], field[n[1]], field[n[2]], field[n[3]]};
+      if constexpr (reading.value)
+        sums.value += w.s * v;
+      if constexpr (reading.gradient) {
+        sums.d_dx += w.gx * v;
+        sums.d_dy += w.gy * v;
+      }
+      if constexpr (reading.moments) {
+        sums.moment_x += w.s * v * dx;
+        sums.moment_y += w.s * v * dy;
+      }
     }
   }
-  return q;
+};
+
+/// What a lane of each of a particle's sums has is added up and becomes the particle's lane.
+[[gnu::always_inline]] inline void collect(const Component& sums, std::size_t lane, Component& particles) {
+  particles.value[lane] = sum(sums.value);
+  particles.d_dx[lane] = sum(sums.d_dx);
+  particles.d_dy[lane] = sum(sums.d_dy);
+  particles.moment_x[lane] = sum(sums.moment_x);
+  particles.moment_y[lane] = sum(sums.moment_y);
+}
+
+/// The same for particles from `first` on that touch several lattices.
+template <Wanted wanted>
+Samples sample_across(const Grid& grid, const AcrossWeights& weights, const BasisCells& cells,
+                      const Particles& p, std::size_t first, std::size_t count) {
+  Velocities read;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const std::size_t k = first + lane;
+    Velocities sums;
+    for (const FourWeights& w : weights.of(k)) {
+      const FourNodes& nodes = cells.four(w.four);
+      const NodesReader at{w, nodes.x - p.x[k], nodes.y - p.y[k]};
+      at.add<of_old<wanted>>(grid.vx, sums.vx);
+      at.add<of_old<wanted>>(grid.vy, sums.vy);
+      at.add<of_new<wanted>>(grid.vx_new, sums.vx_new);
+      at.add<of_new<wanted>>(grid.vy_new, sums.vy_new);
+    }
+    collect(sums.vx, lane, read.vx);
+    collect(sums.vy, lane, read.vy);
+    collect(sums.vx_new, lane, read.vx_new);
+    collect(sums.vy_new, lane, read.vy_new);
+  }
+  return samples_of<wanted>(read);
 }
 
 /// Consecutive blocks.
@@ -367,7 +413,7 @@ GatherSums gather_across(Domain& domain, std::size_t s, std::size_t block, const
   return gather_range<parts, affine, boxes_follow>(
       p, p.block_start[block], p.block_start[block + 1], settings,
       [&](std::size_t k, auto group, const Lanes&, const Lanes&) {
-        return sample_across<wanted>(grid, weights, p, k, group.count);
+        return sample_across<wanted>(grid, weights, domain.basis_cells, p, k, group.count);
       });
 }
 

@@ -149,7 +149,7 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
     scatter(domain, ScatterPart::force);
     residual = relax_grid(domain, supports, dt, alpha);
     if (domain.has_tied_nodes())
-      copy_to_tied(domain);
+      copy_to_tied(domain, {&domain.grid.vx_new, &domain.grid.vy_new});
     if (step % report_every == 0)
       progress(step, residual);
     if (residual < settings.residual)

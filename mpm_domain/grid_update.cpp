@@ -32,19 +32,12 @@ Vectors velocities(const Grid& grid, std::size_t n, Group group, const Lanes& m,
   return {group.load(&grid.momentum_x[n]) * per_mass, group.load(&grid.momentum_y[n]) * per_mass};
 }
 
-std::vector<NodeRange> all_rows(const Domain& domain) {
-  std::vector<NodeRange> rows;
-  for (std::size_t row = 0; row < domain.row_count(); ++row)
-    rows.push_back(domain.row(row));
-  return rows;
-}
-
 } // namespace
 
 double grid_velocities(Domain& domain) {
-  const double kinetic = grid_velocities(domain, all_rows(domain));
+  const double kinetic = grid_velocities(domain, domain.soil_rows);
   if (domain.has_tied_nodes())
-    copy_to_tied(domain);
+    copy_to_tied(domain, {&domain.grid.vx, &domain.grid.vy, &domain.grid.vx_new, &domain.grid.vy_new});
   return kinetic;
 }
 
@@ -68,9 +61,9 @@ double grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
 }
 
 double remap_velocities(Domain& domain) {
-  const double power = remap_velocities(domain, all_rows(domain));
+  const double power = remap_velocities(domain, domain.soil_rows);
   if (domain.has_tied_nodes())
-    copy_to_tied(domain);
+    copy_to_tied(domain, {&domain.grid.vx, &domain.grid.vy});
   return power;
 }
 
@@ -94,9 +87,9 @@ double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
 }
 
 GridUpdate update_grid(Domain& domain, double dt) {
-  const GridUpdate update = update_grid(domain, dt, all_rows(domain));
+  const GridUpdate update = update_grid(domain, dt, domain.soil_rows);
   if (domain.has_tied_nodes())
-    copy_to_tied(domain);
+    copy_to_tied(domain, {&domain.grid.vx_new, &domain.grid.vy_new, &domain.grid.ax, &domain.grid.ay});
   return update;
 }
 
@@ -140,27 +133,34 @@ GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> row
   return total;
 }
 
-void face_velocities(const Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v) {
-  for (std::size_t f = 0; f < weights.size(); ++f) {
+namespace {
+
+/// v_f = sum_i W_if u_i of all faces, u(n) a velocity of node n.
+template <typename NodeVelocity>
+void read_faces(Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v,
+                const NodeVelocity& u) {
+  for_faces(domain.workers, weights.size(), [&](std::size_t f) {
     v[f] = {};
-    for (const FaceWeight& weight : weights[f]) {
-      const Vector node = domain.grid.velocity(weight.node);
-      v[f].x += weight.w * node.x;
-      v[f].y += weight.w * node.y;
+    for (const auto& [node, w] : weights[f]) {
+      const Vector of_node = u(node);
+      v[f].x += w * of_node.x;
+      v[f].y += w * of_node.y;
     }
-  }
+  });
 }
 
-void face_mid_velocities(const Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v) {
-  for (std::size_t f = 0; f < weights.size(); ++f) {
-    v[f] = {};
-    for (const FaceWeight& weight : weights[f]) {
-      const Vector before = domain.grid.velocity(weight.node);
-      const Vector after = domain.grid.new_velocity(weight.node);
-      v[f].x += 0.5 * weight.w * (before.x + after.x);
-      v[f].y += 0.5 * weight.w * (before.y + after.y);
-    }
-  }
+} // namespace
+
+void face_velocities(Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v) {
+  read_faces(domain, weights, v, [&](std::size_t n) { return domain.grid.velocity(n); });
+}
+
+void face_mid_velocities(Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v) {
+  read_faces(domain, weights, v, [&](std::size_t n) {
+    const Vector before = domain.grid.velocity(n);
+    const Vector after = domain.grid.new_velocity(n);
+    return Vector{0.5 * (before.x + after.x), 0.5 * (before.y + after.y)};
+  });
 }
 
 void spread_tractions(Domain& domain, std::span<const FaceWeights> weights,

@@ -35,10 +35,10 @@ GridUpdate update_grid(Domain& domain, double dt);
 GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> nodes);
 
 /// Reads face velocities v^m_f = sum_i W_if v_i (m/s), before (v-) the update.
-void face_velocities(const Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v);
+void face_velocities(Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v);
 
 /// The same of v = (v- + v+)/2.
-void face_mid_velocities(const Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v);
+void face_mid_velocities(Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v);
 
 /// Adds tractions (Pa) to nodal forces and lumps the faces' dashpots to the nodes.
 void spread_tractions(Domain& domain, std::span<const FaceWeights> weights,

@@ -105,22 +105,6 @@ void add_block_starts(const Lattice& lattice, std::size_t key, std::span<const s
     block_start.push_back(start[key + static_cast<std::size_t>(row) * static_cast<std::size_t>(lattice.nx)]);
 }
 
-/// Levels of the cells that a box touches, and whether there is a quarter of a split one among them.
-struct Touched {
-  int coarsest = std::numeric_limits<int>::max();
-  int finest = -1;
-  bool quarter = false;
-};
-
-Touched touched(const GradedMesh& mesh, const mesh::Rectangle& box) {
-  Touched levels;
-  mesh.for_parts(box, [&](const mesh::Cell& cell, const mesh::Rectangle&) {
-    levels = {std::min(levels.coarsest, cell.level), std::max(levels.finest, cell.level),
-              levels.quarter || !mesh.tree().exists(cell)};
-  });
-  return levels;
-}
-
 } // namespace
 
 void sort_by_cell(Particles& particles, const Grid& grid) {
@@ -155,12 +139,11 @@ void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMa
     // NaN fails every comparison.
     if (!(x > allowed.x_min && x < allowed.x_max && y > allowed.y_min && y < allowed.y_max))
       refuse_outside(particles, k, allowed);
-    const Touched touches = touched(mesh, reach_of(particles, k, margin));
+    const GradedMesh::Touched touches = mesh.touched(reach_of(particles, k, margin));
     const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(touches.finest)];
     const Vector half = half_sides(particles, k);
     const double most = particles.has_own_boxes() ? lattice.h : 0.5001 * lattice.h;
-    const bool on_one =
-        touches.coarsest == touches.finest && !touches.quarter && half.x <= most && half.y <= most;
+    const bool on_one = touches.one_lattice() && half.x <= most && half.y <= most;
     const auto clock = static_cast<std::size_t>(clocks.at(x, y));
     key[k] = on_one ? clock * mesh.node_count() + first_node(particles, k, lattice)
                     : across + clock * levels + static_cast<std::size_t>(touches.finest);

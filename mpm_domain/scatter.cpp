@@ -223,32 +223,47 @@ void scatter_set(const Particles& p, std::size_t block, const Lattice& lattice, 
     scatter_as.template operator()<false, OneSquare>();
 }
 
-/// The same for particles that touch several lattices, node by node.
+[[gnu::always_inline]] inline void add_at(NodeField& field, const std::array<std::uint32_t, 4>& nodes,
+                                          const Lanes& values) {
+  for (std::size_t lane = 0; lane < 4; ++lane)
+    field[nodes[lane]] += values[lane];
+}
+
+/// The same for particles that touch several lattices, four nodes at a time.
 template <Motion motion, bool force, bool affine>
-void scatter_across(const Particles& p, const AcrossWeights& weights, Domain& domain) {
-  Grid& grid = domain.grid;
+void scatter_across(const Particles& p, const AcrossWeights& weights, const BasisCells& cells, Grid& grid,
+                    double gravity) {
   for (std::size_t k = weights.first(); k < weights.end(); ++k) {
-    SecondMoments d;
-    if constexpr (motion != Motion::none && affine)
-      d = second_moments(weights.of(k), p.x[k], p.y[k]);
-    for (const BoxWeight& w : weights.of(k)) {
-      const double m = w.s * p.mass[k];
+    const double m = p.mass[k];
+    const double v = p.volume[k];
+    double cxx = 0.0, cxy = 0.0, cyx = 0.0, cyy = 0.0; // C = B D^-1
+    if constexpr (motion != Motion::none && affine) {
+      const InverseMoments& per = weights.per_moments(k);
+      cxx = p.bxx[k] * per.x;
+      cxy = p.bxy[k] * per.y;
+      cyx = p.byx[k] * per.x;
+      cyy = p.byy[k] * per.y;
+    }
+    for (const FourWeights& w : weights.of(k)) {
+      const Lanes mass = m * w.s;
       if constexpr (motion != Motion::none) {
-        double vx = p.vx[k];
-        double vy = p.vy[k];
+        Lanes vx = all(p.vx[k]);
+        Lanes vy = all(p.vy[k]);
         if constexpr (affine) {
-          vx += p.bxx[k] / d.x * (w.x - p.x[k]) + p.bxy[k] / d.y * (w.y - p.y[k]);
-          vy += p.byx[k] / d.x * (w.x - p.x[k]) + p.byy[k] / d.y * (w.y - p.y[k]);
+          const FourNodes& nodes = cells.four(w.four);
+          const Lanes dx = nodes.x - p.x[k];
+          const Lanes dy = nodes.y - p.y[k];
+          vx += cxx * dx + cxy * dy;
+          vy += cyx * dx + cyy * dy;
         }
         if constexpr (motion == Motion::mass_and_momentum)
-          grid.mass[w.node] += m;
-        grid.momentum_x[w.node] += m * vx;
-        grid.momentum_y[w.node] += m * vy;
+          add_at(grid.mass, w.node, mass);
+        add_at(grid.momentum_x, w.node, mass * vx);
+        add_at(grid.momentum_y, w.node, mass * vy);
       }
       if constexpr (force) {
-        const double v = p.volume[k];
-        grid.force_x[w.node] -= v * (p.sxx[k] * w.gx + p.sxy[k] * w.gy);
-        grid.force_y[w.node] -= v * (p.sxy[k] * w.gx + p.syy[k] * w.gy) + m * domain.spec.gravity;
+        add_at(grid.force_x, w.node, -v * (p.sxx[k] * w.gx + p.sxy[k] * w.gy));
+        add_at(grid.force_y, w.node, -v * (p.sxy[k] * w.gx + p.syy[k] * w.gy) - gravity * mass);
       }
     }
   }
@@ -285,16 +300,18 @@ void add_clock(Domain& domain, int clock) {
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
       const Particles& p = domain.sets[s];
       if (p.bxx.empty())
-        scatter_across<motion, force, false>(p, domain.across_of(s, clock), domain);
+        scatter_across<motion, force, false>(p, domain.across_of(s, clock), domain.basis_cells, domain.grid,
+                                             domain.spec.gravity);
       else
-        scatter_across<motion, force, true>(p, domain.across_of(s, clock), domain);
+        scatter_across<motion, force, true>(p, domain.across_of(s, clock), domain.basis_cells, domain.grid,
+                                            domain.spec.gravity);
     }
 }
 
 template <Motion motion, bool force>
 void scatter_blocks(Domain& domain) {
-  domain.workers.run(domain.row_count(),
-                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, domain.row(row)); });
+  domain.workers.run(domain.soil_rows.size(),
+                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, domain.soil_rows[row]); });
   for (int clock = 0; clock < domain.clocks.count(); ++clock)
     add_clock<motion, force>(domain, clock);
   if (domain.has_tied_nodes()) {

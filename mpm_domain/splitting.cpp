@@ -1,6 +1,7 @@
 #include "mpm_domain/splitting.hpp"
 
 #include "mpm_domain/change_of_set.hpp"
+#include "mpm_domain/graded/box_average.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -20,23 +21,15 @@ bool is_to_be_cut(const Particles& p, std::size_t k, const mesh::Quadtree& tree)
          tree.coarsest_in(box) == finest && !std::ranges::binary_search(p.whole, p.id[k]);
 }
 
-/// D of a particle, m2.
-SecondMoments second_moments(const Particles& p, std::size_t k, const GradedMesh& mesh) {
-  AcrossWeights weights;
-  weights.restart(k);
-  weights.add(mesh, box_of(p, k));
-  return second_moments(weights.of(k), p.x[k], p.y[k]);
-}
-
 /// The affine velocity of the four is that of the one, C = B D^-1, each with its own D.
 void share_affine_velocity(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
-  const SecondMoments d = second_moments(whole, k, mesh);
+  const SecondMoments d = second_moments(mesh, box_of(whole, k));
   const std::size_t quarter = to.size() - 1;
   const double dx = to.x[quarter] - whole.x[k];
   const double dy = to.y[quarter] - whole.y[k];
   to.vx[quarter] += whole.bxx[k] / d.x * dx + whole.bxy[k] / d.y * dy;
   to.vy[quarter] += whole.byx[k] / d.x * dx + whole.byy[k] / d.y * dy;
-  const SecondMoments own = second_moments(to, quarter, mesh);
+  const SecondMoments own = second_moments(mesh, box_of(to, quarter));
   to.bxx[quarter] *= own.x / d.x;
   to.bxy[quarter] *= own.y / d.y;
   to.byx[quarter] *= own.x / d.x;

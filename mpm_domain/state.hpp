@@ -55,6 +55,13 @@ void visit_state(Domain& domain, Visit& visit) {
   rebuild_mesh(domain);
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     visit_state(domain.sets[s], "soil" + std::to_string(s), visit);
+  std::vector<double> levels;
+  for (const BoundaryFace& face : domain.faces)
+    levels.push_back(face.level);
+  visit("faces.level", levels);
+  for (std::size_t f = 0; f < domain.faces.size(); ++f)
+    domain.faces[f].level = static_cast<int>(levels.at(f));
+  find_reach(domain);
   EnergyLedger& energy = domain.energy;
   visit_numbers(visit, "energy", energy.kinetic_start, energy.kinetic, energy.elastic, energy.plastic,
                 energy.gravity, energy.input, energy.static_, energy.dashpots, energy.transfer);

@@ -194,8 +194,7 @@ void Stepper::book(double kinetic_gain) {
 }
 
 void Stepper::exchange() {
-  for (std::size_t f = 0; f < weights_.size(); ++f)
-    face_weights(domain_, domain_.faces[f], weights_[f]);
+  face_weights(domain_, weights_);
   mpm_domain::face_velocities(domain_, weights_, v_face_);
   source_(steps_, time_, v_face_, traction_);
 }

@@ -1,7 +1,5 @@
 #include "mpm_domain/tied_nodes.hpp"
 
-#include <initializer_list>
-
 namespace tremolo::mpm_domain {
 
 namespace {
@@ -24,8 +22,9 @@ void move(NodeField& field, std::size_t from, std::size_t to) {
 
 void fold(Domain& domain, std::initializer_list<NodeField*> fields) {
   if (domain.mesh)
-    for (NodeField* field : fields)
-      domain.mesh->prolongation().restrict(*field);
+    domain.workers.run(fields.size(), [&](std::size_t task) {
+      domain.mesh->prolongation().restrict(*fields.begin()[task]);
+    });
   else
     for_images(domain, [&](std::size_t image, std::size_t real) {
       for (NodeField* field : fields)
@@ -49,13 +48,10 @@ void fold_forces(Domain& domain) {
   fold(domain, {&grid.force_x, &grid.force_y, &grid.dashpot_x, &grid.dashpot_y});
 }
 
-void copy_to_tied(Domain& domain) {
-  Grid& grid = domain.grid;
-  const std::initializer_list<NodeField*> fields{&grid.vx,     &grid.vy, &grid.vx_new,
-                                                 &grid.vy_new, &grid.ax, &grid.ay};
+void copy_to_tied(Domain& domain, std::initializer_list<NodeField*> fields) {
   if (domain.mesh)
-    for (NodeField* field : fields)
-      domain.mesh->prolongation().prolong(*field);
+    domain.workers.run(fields.size(),
+                       [&](std::size_t task) { domain.mesh->prolongation().prolong(*fields.begin()[task]); });
   else
     for_images(domain, [&](std::size_t image, std::size_t real) {
       for (NodeField* field : fields)

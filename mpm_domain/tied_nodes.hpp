@@ -5,6 +5,8 @@
 
 #include "mpm_domain/domain.hpp"
 
+#include <initializer_list>
+
 namespace tremolo::mpm_domain {
 
 /// Adds what tied nodes have collected (mass and momentum, momentum alone, or forces) to the nodes that they
@@ -13,7 +15,7 @@ void fold_motion(Domain& domain);
 void fold_momentum(Domain& domain);
 void fold_forces(Domain& domain);
 
-/// Gives tied nodes the velocities and accelerations of the nodes that they follow, P.
-void copy_to_tied(Domain& domain);
+/// Gives tied nodes what the nodes that they follow have in some fields, velocities or accelerations, P.
+void copy_to_tied(Domain& domain, std::initializer_list<NodeField*> fields);
 
 } // namespace tremolo::mpm_domain

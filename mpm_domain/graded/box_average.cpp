@@ -1,5 +1,7 @@
 #include "mpm_domain/graded/box_average.hpp"
 
+#include <span>
+
 namespace tremolo::mpm_domain {
 
 namespace {
@@ -31,11 +33,22 @@ void box_average(const GradedMesh& mesh, const mesh::Rectangle& box, std::vector
   });
 }
 
-SecondMoments second_moments(std::span<const BoxWeight> weights, double x, double y) {
+SecondMoments second_moments(const GradedMesh& mesh, const mesh::Rectangle& box) {
+  std::vector<BoxWeight> weights;
+  box_average(mesh, box, weights);
   SecondMoments d;
+  const auto add = [&](double s, double x, double y) {
+    const double dx = x - 0.5 * (box.x_min + box.x_max);
+    const double dy = y - 0.5 * (box.y_min + box.y_max);
+    d.x += s * dx * dx;
+    d.y += s * dy * dy;
+  };
   for (const BoxWeight& w : weights) {
-    d.x += w.s * (w.x - x) * (w.x - x);
-    d.y += w.s * (w.y - y) * (w.y - y);
+    const std::span<const Share> shares = mesh.prolongation().shares_of(w.node);
+    if (shares.empty())
+      add(w.s, w.x, w.y);
+    for (const Share& share : shares)
+      add(share.weight * w.s, w.x + share.dx, w.y + share.dy);
   }
   return d;
 }

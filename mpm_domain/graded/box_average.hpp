@@ -13,7 +13,6 @@
 
 #include "mpm_domain/graded/graded_mesh.hpp"
 
-#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -32,13 +31,13 @@ struct BoxWeight {
 /// the point; what lies beyond the mesh is left out.
 void box_average(const GradedMesh& mesh, const mesh::Rectangle& box, std::vector<BoxWeight>& weights);
 
-/// D of weights about a place, m2. It is diagonal across lattices too: over the parts R of a box, sum |R|
-/// (x_R - x)(y_R - y) = int (x - x_p)(y - y_p) dA = 0; and the nodes that a virtual one follows lie about it
-/// symmetrically in x or in y.
+/// D of a particle's weights about the middle of its box, m2. It is diagonal across lattices too: over the
+/// parts R of a box, sum |R| (x_R - x)(y_R - y) = int (x - x_p)(y - y_p) dA = 0; and the nodes that a virtual
+/// one follows lie about it symmetrically in x or in y.
 struct SecondMoments {
   double x = 0.0;
   double y = 0.0;
 };
-SecondMoments second_moments(std::span<const BoxWeight> weights, double x, double y);
+SecondMoments second_moments(const GradedMesh& mesh, const mesh::Rectangle& box);
 
 } // namespace tremolo::mpm_domain

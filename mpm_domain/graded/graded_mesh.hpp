@@ -30,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -61,6 +62,25 @@ public:
       for (int i = cell(box.x_min - rounding, roots.x0); i <= cell(box.x_max + rounding, roots.x0); ++i)
         if (tree_.exists({0, i, j}))
           for_parts_in({0, i, j}, box, act);
+  }
+
+  /// Levels of the cells that a box touches, and whether there is a quarter of a split leaf among them.
+  struct Touched {
+    int coarsest = std::numeric_limits<int>::max();
+    int finest = -1;
+    bool quarter = false;
+
+    /// Cells of one lattice and no quarter: the box sees a uniform grid of real nodes or single copies of
+    /// them.
+    bool one_lattice() const { return coarsest == finest && !quarter; }
+  };
+  Touched touched(const mesh::Rectangle& box) const {
+    Touched levels;
+    for_parts(box, [&](const mesh::Cell& cell, const mesh::Rectangle&) {
+      levels = {std::min(levels.coarsest, cell.level), std::max(levels.finest, cell.level),
+                levels.quarter || !tree_.exists(cell)};
+    });
+    return levels;
   }
 
   /// Place of a node of a lattice in the arrays of all nodes.

@@ -3,6 +3,7 @@
 // The affine velocity C = B D^-1 of a particle, whose moment B is what it keeps (particles.hpp).
 
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/graded/box_average.hpp"
 
 #include <cmath>
 
@@ -17,10 +18,7 @@ struct AffineVelocity {
 inline mpm_domain::Vector second_moments(const mpm_domain::Domain& domain, const mpm_domain::Particles& p,
                                          std::size_t k) {
   if (domain.mesh) {
-    mpm_domain::AcrossWeights weights;
-    weights.restart(k);
-    weights.add(*domain.mesh, mpm_domain::box_of(p, k));
-    const auto d = mpm_domain::second_moments(weights.of(k), p.x[k], p.y[k]);
+    const auto d = mpm_domain::second_moments(*domain.mesh, mpm_domain::box_of(p, k));
     return {d.x, d.y};
   }
   const auto moment = [](double x, const mpm_domain::Axis& axis, double half_side) {

@@ -13,7 +13,7 @@ namespace tremolo::test_support {
 /// u (m) into the grid, which stand in the grid's new velocities. Keep them so small that volumes stay as
 /// they are.
 inline void elastic_forces(mpm_domain::Domain& domain) {
-  mpm_domain::copy_to_tied(domain);
+  mpm_domain::copy_to_tied(domain, {&domain.grid.vx_new, &domain.grid.vy_new});
   for (mpm_domain::Particles& p : domain.sets)
     for (std::vector<double>* stress : {&p.sxx, &p.syy, &p.szz, &p.sxy})
       std::ranges::fill(*stress, 0.0);

@@ -45,8 +45,8 @@ TEST(HardCase12, ThreeLevelsWithReentrantCornersRestUnderGravity) {
       for (std::size_t k = 0; k < p.size(); ++k)
         fastest = std::max(fastest, std::hypot(p.vx[k], p.vy[k]));
       for (std::size_t k = p.block_start[domain.block_count()]; k < p.size(); ++k)
-        for (const BoxWeight& w : domain.across[s].of(k))
-          smallest_weight = std::min(smallest_weight, w.s);
+        for (const FourWeights& w : domain.across[s].of(k))
+          smallest_weight = std::min({smallest_weight, w.s[0], w.s[1], w.s[2], w.s[3]});
     }
   }
   bounded("mass below zero of any node", -smallest_mass, 1e-12, "kg/m");
