@@ -29,7 +29,7 @@ constexpr double node_bytes = 14 * 8; // sums, velocities, acceleration
 // CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
 // plasticity where the soil yields.
 constexpr double base_cost_ns = 200.0;
-constexpr double box_cost_ns = 40.0;
+constexpr double box_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double mobility_cost_ns = 400.0;   // PM4Sand or PDMY03 at small strain increments
