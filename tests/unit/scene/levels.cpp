@@ -81,11 +81,16 @@ TEST(Boxes, FollowTheSoilAtTheEndOfAStep) {
   const auto boxes = [](const std::string& kind, const std::string& text) {
     return with("size = 1.0", "size = 1.0\nparticle_boxes = \"" + kind + "\"", text);
   };
-  const Case scene = parse_case(boxes("deforming", std::string(flat_case)));
+  const std::string flat(flat_case);
+  const auto is_planned = [](const Case& scene) {
+    const Plan of_scene = plan(scene);
+    return std::ranges::find(of_scene.effects, "deforming boxes", &Effect::name)->on;
+  };
+  const Case scene = parse_case(boxes("deforming", flat));
   EXPECT_EQ(scene.mesh.particle_boxes, ParticleBoxes::deforming);
-  EXPECT_EQ(parse_case(flat_case).mesh.particle_boxes, ParticleBoxes::fixed);
-  EXPECT_TRUE(std::ranges::find(plan(scene).effects, "deforming boxes", &Effect::name)->on);
-  EXPECT_FALSE(std::ranges::find(plan(parse_case(flat_case)).effects, "deforming boxes", &Effect::name)->on);
+  EXPECT_TRUE(is_planned(scene));
+  EXPECT_EQ(parse_case(flat).mesh.particle_boxes, ParticleBoxes::fixed);
+  EXPECT_FALSE(is_planned(parse_case(flat)));
   const std::string first = plus("[time]\norder = \"usf\"\n");
   EXPECT_THAT(errors_of(boxes("fixed", first)), ::testing::IsEmpty());
   EXPECT_THAT(
