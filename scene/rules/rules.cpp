@@ -17,7 +17,7 @@ bool mesh_is_sound(const Case& scene, const Findings& findings) {
 }
 
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 23> all = {
+  static constexpr std::array<Rule, 24> all = {
       record_is_readable,
       strength_is_ordered,
       box_fits_lattice,
@@ -38,6 +38,7 @@ std::span<const Rule> rules() {
       reference_lies_in_halfspace,
       incident_base_lies_in_halfspace,
       time_step_is_stable,
+      boxes_suit_order,
       subcycling_suits_case,
       monitors_lie_in_soil,
       hosts_can_meet,

@@ -59,6 +59,8 @@ void reference_lies_in_halfspace(const Case& scene, Findings& findings);
 void incident_base_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A fixed time step does not exceed the critical one.
 void time_step_is_stable(const Case& scene, Findings& findings);
+/// Boxes that follow the soil change at the end of a step.
+void boxes_suit_order(const Case& scene, Findings& findings);
 /// Levels with steps of their own need levels, and what sub-cycling is made for.
 void subcycling_suits_case(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.
