@@ -129,6 +129,9 @@ struct Refinement {
   int level = 0;
 };
 
+/// What becomes of the particles' boxes where soil is strained: they keep their size, or follow it.
+enum class ParticleBoxes { fixed, deforming };
+
 struct Mesh {
   double size = 0.0;          ///< h, of the coarsest cells, m
   Box box;                    ///< the model; its left, right and lower edges carry boundary faces
@@ -136,6 +139,7 @@ struct Mesh {
   int layer_cells = 10;       ///< depth of matched layers behind the box, in cells
   std::vector<Refinement> refine;
   bool join_particles = false; ///< that have left finer cells
+  ParticleBoxes particle_boxes = ParticleBoxes::fixed;
 };
 
 enum class Transfer { apic, flip, fmpm, pic_blend };
@@ -352,6 +356,7 @@ std::string_view name(Integrator);
 std::string_view name(NewtonTangent);
 std::string_view name(OdeMethod);
 std::string_view name(Transfer);
+std::string_view name(ParticleBoxes);
 std::string_view name(StepOrder);
 std::string_view name(Side);
 std::string_view name(SourceModel);

@@ -135,34 +135,42 @@ std::vector<Table> model_keys() {
       {.name = "mesh",
        .required = true,
        .meaning = "Background grid and particles.",
-       .keys = {{.name = "size", .unit = "m", .meaning = "Cell size h.", .required = true, .range = positive},
-                {.name = "box",
-                 .type = Type::numbers,
-                 .unit = "m",
-                 .meaning =
-                     "The model; its left, right and lower edges are the boundaries. Its width is a multiple "
-                     "of `size`, its height of the particle spacing. The grid is padded beyond it by itself.",
-                 .required = true,
-                 .count = 4,
-                 .form = "[x_min, y_min, x_max, y_max]"},
-                {.name = "particles_per_cell",
-                 .type = Type::integer,
-                 .unit = "1",
-                 .meaning = "Particles per cell in each direction.",
-                 .fallback = "2",
-                 .range = {.low = 1.0, .high = 4.0}},
-                {.name = "join_particles",
-                 .type = Type::boolean,
-                 .meaning = "Particles that have left finer cells are joined, four to one, where their soil "
-                            "has never yielded and their stresses are alike. Needs `[[refine]]`; see "
-                            "docs/mesh.md.",
-                 .fallback = "false"},
-                {.name = "layer_cells",
-                 .type = Type::integer,
-                 .unit = "cells",
-                 .meaning = "Depth of matched layers behind the box, where `[boundary]` asks for them.",
-                 .fallback = "10",
-                 .range = {.low = 4.0, .high = 200.0}}}},
+       .keys =
+           {{.name = "size", .unit = "m", .meaning = "Cell size h.", .required = true, .range = positive},
+            {.name = "box",
+             .type = Type::numbers,
+             .unit = "m",
+             .meaning =
+                 "The model; its left, right and lower edges are the boundaries. Its width is a multiple "
+                 "of `size`, its height of the particle spacing. The grid is padded beyond it by itself.",
+             .required = true,
+             .count = 4,
+             .form = "[x_min, y_min, x_max, y_max]"},
+            {.name = "particles_per_cell",
+             .type = Type::integer,
+             .unit = "1",
+             .meaning = "Particles per cell in each direction.",
+             .fallback = "2",
+             .range = {.low = 1.0, .high = 4.0}},
+            {.name = "join_particles",
+             .type = Type::boolean,
+             .meaning = "Particles that have left finer cells are joined, four to one, where their soil "
+                        "has never yielded and their stresses are alike. Needs `[[refine]]`; see "
+                        "docs/mesh.md.",
+             .fallback = "false"},
+            choice(
+                "particle_boxes", {"fixed", "deforming"},
+                "Boxes over which particles see the grid. `fixed`: they keep their size, which is exact "
+                "while strains are small; soil stretched by tens of per cent is no longer tiled by them and "
+                "breaks into pieces in the end. `deforming`: they follow the soil, up to two cells "
+                "wide; not with order = \"usf\". See docs/mesh.md.",
+                "fixed"),
+            {.name = "layer_cells",
+             .type = Type::integer,
+             .unit = "cells",
+             .meaning = "Depth of matched layers behind the box, where `[boundary]` asks for them.",
+             .fallback = "10",
+             .range = {.low = 4.0, .high = 200.0}}}},
       refine(),
       time(),
       stage(),

@@ -68,6 +68,16 @@ std::string_view name(Transfer transfer) {
   return {};
 }
 
+std::string_view name(ParticleBoxes boxes) {
+  switch (boxes) {
+  case ParticleBoxes::fixed:
+    return "fixed";
+  case ParticleBoxes::deforming:
+    return "deforming";
+  }
+  return {};
+}
+
 std::string_view name(StepOrder order) {
   switch (order) {
   case StepOrder::usl:

@@ -23,12 +23,14 @@ using materials::MohrCoulomb;
 constexpr double particle_bytes =
     12 * 8 + 2 * 4; // place, velocity, stress, mass, volume, first place; id, index
 constexpr double affine_bytes = 4 * 8;
+constexpr double box_bytes = 3 * 8;
 constexpr double node_bytes = 14 * 8; // sums, velocities, acceleration
 
 // CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
 // plasticity where the soil yields.
 constexpr double base_cost_ns = 200.0;
 constexpr double fmpm_cost_ns = 50.0; // for each order above the first
+constexpr double box_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double mobility_cost_ns = 400.0;   // PM4Sand or PDMY03 at small strain increments
@@ -110,6 +112,7 @@ std::string periodic_text(Sides sides) {
 std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources) {
   const bool apic = scene.time.transfer == Transfer::apic;
   const bool fmpm = scene.time.transfer == Transfer::fmpm;
+  const bool deforming = scene.mesh.particle_boxes == ParticleBoxes::deforming;
   const bool plastic = any_soil(scene, is_plastic);
   const bool softening = any_soil(scene, softens);
   const bool hysteretic = any_soil(scene, is_hysteretic);
@@ -119,13 +122,16 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
                        right.absorber == Absorber::matched_layer || base.absorber == Absorber::matched_layer;
   const bool damped = scene.damping.model != DampingModel::none;
   return {
-      {"soil skeleton", true, "always: uGIMP particles, plane strain", particle_bytes, base_cost_ns},
+      {"soil skeleton", true, "always: GIMP particles, plane strain", particle_bytes, base_cost_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
        apic ? affine_bytes : 0.0, 0.0},
       {"full mass matrix", fmpm,
        fmpm ? fmt::format("[time] transfer = \"fmpm\": inverted to order {}", scene.time.fmpm_order)
             : fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
        0.0, fmpm ? fmpm_cost_ns * (scene.time.fmpm_order - 1) : 0.0},
+      {"deforming boxes", deforming,
+       fmt::format("[mesh] particle_boxes = \"{}\"", name(scene.mesh.particle_boxes)),
+       deforming ? box_bytes : 0.0, deforming ? box_cost_ns : 0.0},
       {"gravity", scene.gravity.has_value(),
        scene.gravity ? fmt::format("[[stage]] gravity, {} m/s2, then static tractions on the boundary faces",
                                    scene.gravity->acceleration)

@@ -57,12 +57,14 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
 
 void read_mesh(Document& document, Case& scene) {
   const auto table = document.table("mesh");
-  scene.mesh = {table.number("size"),
-                read_box(table),
-                table.integer("particles_per_cell"),
-                table.integer("layer_cells"),
-                {},
-                table.boolean("join_particles")};
+  scene.mesh = {
+      table.number("size"),
+      read_box(table),
+      table.integer("particles_per_cell"),
+      table.integer("layer_cells"),
+      {},
+      table.boolean("join_particles"),
+      from_name(table.text("particle_boxes"), std::array{ParticleBoxes::fixed, ParticleBoxes::deforming})};
   for (const auto& refine : document.array("refine"))
     scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});
 }

@@ -56,6 +56,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
     spec.refine.push_back(
         {{refine.box.x_min, refine.box.y_min, refine.box.x_max, refine.box.y_max}, refine.level});
   spec.join_particles = scene.mesh.join_particles;
+  spec.boxes = scene.mesh.particle_boxes == scene::ParticleBoxes::deforming ? ParticleBoxes::deforming
+                                                                            : ParticleBoxes::fixed;
   for (const scene::Soil& soil : scene.soils)
     spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh)});
   for (const scene::Region& region : scene.regions) {

@@ -17,7 +17,7 @@ bool mesh_is_sound(const Case& scene, const Findings& findings) {
 }
 
 std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 24> all = {
+  static constexpr std::array<Rule, 25> all = {
       record_is_readable,
       strength_is_ordered,
       box_fits_lattice,
@@ -39,6 +39,7 @@ std::span<const Rule> rules() {
       incident_base_lies_in_halfspace,
       time_step_is_stable,
       fmpm_suits_order,
+      boxes_suit_order,
       subcycling_suits_case,
       monitors_lie_in_soil,
       hosts_can_meet,

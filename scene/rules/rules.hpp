@@ -61,6 +61,8 @@ void incident_base_lies_in_halfspace(const Case& scene, Findings& findings);
 void time_step_is_stable(const Case& scene, Findings& findings);
 /// FMPM goes with the orders whose critical step holds for it.
 void fmpm_suits_order(const Case& scene, Findings& findings);
+/// Boxes that follow the soil change at the end of a step.
+void boxes_suit_order(const Case& scene, Findings& findings);
 /// Levels with steps of their own need levels, and what sub-cycling is made for.
 void subcycling_suits_case(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.

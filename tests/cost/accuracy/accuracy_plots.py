@@ -40,7 +40,7 @@ def rows(path):
     """Rows of a table as dictionaries, numbers as such."""
     with open(path, encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
-            yield {key: value if key in ("scheme", "mesh") else float(value) for key, value in row.items()}
+            yield {key: value if key in ("scheme", "mesh", "boxes") else float(value) for key, value in row.items()}
 
 
 def pulse(path, folder):
@@ -76,6 +76,8 @@ def manufactured(path, folder):
     for row in rows(path):
         if row["scheme"].endswith("musl"):
             label = f"{row['scheme'].split()[0]}, {row['particles_per_cell']:.0f} a direction"
+            if row["boxes"] == "deforming":
+                label += ", boxes follow the soil"
             panels[row["amplitude"]][label].append((row["cells"], row["relative_error"]))
     figure, axes = style.plt.subplots(1, len(panels), figsize=(10.5, 3.6), sharey=True, layout="constrained")
     for ax, (amplitude, curves) in zip(axes, panels.items()):
@@ -85,14 +87,14 @@ def manufactured(path, folder):
             ax.loglog(
                 cells,
                 100 * error,
-                {"APIC": "-", "FLIP": "--"}.get(label.split(",")[0], ":"),
+                ":" if "follow" in label else "-" if label.startswith("APIC") else "--",
                 color=style.COLOURS[particles - 1],
                 marker="o",
                 markersize=3,
                 label=label,
             )
         slope = 100 * 0.03 * (8 / cells) ** 2
-        ax.loglog(cells, slope, "k:", linewidth=0.8, label="second order")
+        ax.loglog(cells, slope, "k-.", linewidth=0.8, label="second order")
         ax.set(xlabel="cells along the block", title=f"A/L = {amplitude:g}", xticks=cells)
         ax.set_xticklabels([f"{n:.0f}" for n in cells])
         ax.minorticks_off()

@@ -3,6 +3,7 @@
 // nothing else is said.
 //
 //   domain/<order>_<transfer>     the schemes, elastic soil
+//   boxes_follow/...              the same where the particles' boxes follow the soil
 //   threads/<n>                   the wall clock, for n threads on as many free cores
 //   softening/<c>                 Mohr-Coulomb that softens, cohesion c (Pa): `yielding` tells the share of
 //                                 particles that yield in a step
@@ -81,6 +82,13 @@ materials::Law elastic() {
 
 void domain(benchmark::State& run, Transfer transfer, StepOrder order) {
   Shaken shaken(square(cells, elastic(), transfer, order, 1));
+  step_on(run, shaken);
+}
+
+void boxes_follow(benchmark::State& run, Transfer transfer, StepOrder order) {
+  mpm_domain::Spec spec = square(cells, elastic(), transfer, order, 1);
+  spec.boxes = mpm_domain::ParticleBoxes::deforming;
+  Shaken shaken(spec);
   step_on(run, shaken);
 }
 
@@ -191,6 +199,8 @@ BENCHMARK_CAPTURE(domain, usl_apic, Transfer::apic, StepOrder::usl);
 BENCHMARK_CAPTURE(domain, usf_flip, Transfer::flip, StepOrder::usf);
 BENCHMARK_CAPTURE(domain, musl_flip, Transfer::flip, StepOrder::musl);
 BENCHMARK_CAPTURE(domain, musl_apic, Transfer::apic, StepOrder::musl);
+BENCHMARK_CAPTURE(boxes_follow, usl_apic, Transfer::apic, StepOrder::usl);
+BENCHMARK_CAPTURE(boxes_follow, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK_CAPTURE(graded, usl_flip, Transfer::flip, StepOrder::usl);
 BENCHMARK_CAPTURE(graded, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK(threads)->Arg(1)->Arg(2)->UseRealTime();

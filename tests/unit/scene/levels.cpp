@@ -77,6 +77,28 @@ TEST(Subcycle, NeedsLevelsAndWhatItIsMadeFor) {
       ElementsAre(HasSubstr("needs absorber = \"dashpots\" on all sides of [boundary]")));
 }
 
+TEST(Boxes, FollowTheSoilAtTheEndOfAStep) {
+  const auto boxes = [](const std::string& kind, const std::string& text) {
+    return with("size = 1.0", "size = 1.0\nparticle_boxes = \"" + kind + "\"", text);
+  };
+  const std::string flat(flat_case);
+  const auto is_planned = [](const Case& scene) {
+    const Plan of_scene = plan(scene);
+    return std::ranges::find(of_scene.effects, "deforming boxes", &Effect::name)->on;
+  };
+  const Case scene = parse_case(boxes("deforming", flat));
+  EXPECT_EQ(scene.mesh.particle_boxes, ParticleBoxes::deforming);
+  EXPECT_TRUE(is_planned(scene));
+  EXPECT_EQ(parse_case(flat).mesh.particle_boxes, ParticleBoxes::fixed);
+  EXPECT_FALSE(is_planned(parse_case(flat)));
+  const std::string first = plus("[time]\norder = \"usf\"\n");
+  EXPECT_THAT(errors_of(boxes("fixed", first)), ::testing::IsEmpty());
+  EXPECT_THAT(
+      errors_of(boxes("deforming", first)),
+      ElementsAre(HasSubstr("[mesh] 'particle_boxes' = \"deforming\" needs order = \"musl\" or \"usl\" "
+                            "in [time]")));
+}
+
 TEST(Join, NeedsLevels) {
   const std::string levels = "box = [5.0, -4.0, 15.0, 0.0]\nlevel = 1\n";
   const auto joined = [](const std::string& text) {
