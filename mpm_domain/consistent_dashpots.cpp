@@ -9,8 +9,9 @@ void ConsistentDashpots::find_nodes(const Domain& domain, std::span<const FaceWe
   if (known_.size() != domain.grid.size()) {
     nodes_.clear();
     known_.assign(domain.grid.size(), 0);
-    a_.assign(domain.grid.size(), {});
-    g_.assign(domain.grid.size(), {});
+    for (Component* c : {&x_, &y_})
+      for (NodeField* field : {&c->a, &c->g})
+        field->assign(domain.grid.size(), 0.0);
   }
   const std::size_t before = nodes_.size();
   for (const FaceWeights& face : weights)
@@ -23,51 +24,55 @@ void ConsistentDashpots::find_nodes(const Domain& domain, std::span<const FaceWe
     std::ranges::sort(nodes_);
 }
 
-void ConsistentDashpots::find_accelerations(const Domain& domain, double dt) {
-  const Grid& grid = domain.grid;
-  const double empty = empty_mass(domain);
-  for (const std::size_t n : nodes_) {
-    a_[n] = {};
-    if (grid.mass[n] > empty)
-      a_[n] = {(grid.force_x[n] + g_[n].x) / (grid.mass[n] + 0.5 * dt * grid.dashpot_x[n]),
-               (grid.force_y[n] + g_[n].y) / (grid.mass[n] + 0.5 * dt * grid.dashpot_y[n])};
-  }
+void ConsistentDashpots::find_accelerations(const NodeField& mass, const NodeField& force,
+                                            const NodeField& dashpot, double empty, double dt,
+                                            Component& c) const {
+  for (const std::size_t n : nodes_)
+    c.a[n] = mass[n] > empty ? (force[n] + c.g[n]) / (mass[n] + 0.5 * dt * dashpot[n]) : 0.0;
 }
 
-void ConsistentDashpots::find_forces(const Domain& domain, std::span<const FaceWeights> weights, double dt) {
+/// @param dashpots  L Z dt/2 of each face
+void ConsistentDashpots::find_forces(std::span<const FaceWeights> weights, std::span<const double> dashpots,
+                                     Component& c) const {
   for (const std::size_t n : nodes_)
-    g_[n] = {};
+    c.g[n] = 0.0;
   for (std::size_t f = 0; f < weights.size(); ++f) {
-    const Vector z = dashpots(domain.faces[f]);
-    const double share = 0.5 * dt * domain.faces[f].length;
-    Vector mean;
+    double mean = 0.0;
     for (const auto& [n, w] : weights[f])
-      mean = {mean.x + w * a_[n].x, mean.y + w * a_[n].y};
+      mean += w * c.a[n];
     for (const auto& [n, w] : weights[f])
-      g_[n] = {g_[n].x + w * share * z.x * (a_[n].x - mean.x),
-               g_[n].y + w * share * z.y * (a_[n].y - mean.y)};
+      c.g[n] += w * dashpots[f] * (c.a[n] - mean);
   }
 }
 
 void ConsistentDashpots::correct(Domain& domain, std::span<const FaceWeights> weights, double dt) {
   constexpr int steps = 3;
   find_nodes(domain, weights);
-  for (const std::size_t n : nodes_)
-    g_[n] = {};
-  for (int k = 0; k < steps; ++k) {
-    find_accelerations(domain, dt);
-    find_forces(domain, weights, dt);
-  }
-  for (const std::size_t n : nodes_) {
-    domain.grid.force_x[n] += g_[n].x;
-    domain.grid.force_y[n] += g_[n].y;
-  }
+  Grid& grid = domain.grid;
+  const double empty = empty_mass(domain);
+  domain.workers.run(2, [&](std::size_t component) {
+    const bool is_x = component == 0;
+    Component& c = is_x ? x_ : y_;
+    NodeField& force = is_x ? grid.force_x : grid.force_y;
+    const NodeField& dashpot = is_x ? grid.dashpot_x : grid.dashpot_y;
+    std::vector<double> of_faces;
+    for (const BoundaryFace& face : domain.faces)
+      of_faces.push_back(0.5 * dt * face.length * (is_x ? dashpots(face).x : dashpots(face).y));
+    for (const std::size_t n : nodes_)
+      c.g[n] = 0.0;
+    for (int k = 0; k < steps; ++k) {
+      find_accelerations(grid.mass, force, dashpot, empty, dt, c);
+      find_forces(weights, of_faces, c);
+    }
+    for (const std::size_t n : nodes_)
+      force[n] += c.g[n];
+  });
 }
 
 double ConsistentDashpots::power(const NodeField& vx, const NodeField& vy) const {
   double sum = 0.0;
   for (const std::size_t n : nodes_)
-    sum += g_[n].x * vx[n] + g_[n].y * vy[n];
+    sum += x_.g[n] * vx[n] + y_.g[n] * vy[n];
   return sum;
 }
 

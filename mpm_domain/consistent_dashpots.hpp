@@ -32,13 +32,20 @@ public:
   double power(const NodeField& vx, const NodeField& vy) const;
 
 private:
-  void find_nodes(const Domain& domain, std::span<const FaceWeights> weights);
-  void find_accelerations(const Domain& domain, double dt);
-  void find_forces(const Domain& domain, std::span<const FaceWeights> weights, double dt);
+  /// A component: nothing couples one with the other.
+  struct Component {
+    NodeField a, g;
+  };
 
-  std::vector<std::size_t> nodes_;  ///< rising, that faces with dashpots touch or have touched
+  void find_nodes(const Domain& domain, std::span<const FaceWeights> weights);
+  void find_accelerations(const NodeField& mass, const NodeField& force, const NodeField& dashpot,
+                          double empty, double dt, Component& c) const;
+  void find_forces(std::span<const FaceWeights> weights, std::span<const double> dashpots,
+                   Component& c) const;
+
+  std::vector<std::size_t> nodes_;  ///< rising, that faces touch or have touched
   std::vector<std::uint8_t> known_; ///< by node: it is one of them
-  std::vector<Vector> a_, g_;       ///< by node
+  Component x_, y_;
 };
 
 } // namespace tremolo::mpm_domain

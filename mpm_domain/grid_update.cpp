@@ -165,18 +165,22 @@ void face_mid_velocities(Domain& domain, std::span<const FaceWeights> weights, s
 
 void spread_tractions(Domain& domain, std::span<const FaceWeights> weights,
                       std::span<const Vector> tractions) {
-  for (std::size_t f = 0; f < weights.size(); ++f) {
-    const BoundaryFace& face = domain.faces[f];
-    const Vector z = dashpots(face);
-    Grid& grid = domain.grid;
-    for (const auto& [node, w] : weights[f]) {
-      const double share = w * face.length;
-      grid.force_x[node] += share * tractions[f].x;
-      grid.force_y[node] += share * tractions[f].y;
-      grid.dashpot_x[node] += share * z.x;
-      grid.dashpot_y[node] += share * z.y;
+  Grid& grid = domain.grid;
+  domain.workers.run(2, [&](std::size_t component) {
+    const bool is_x = component == 0;
+    NodeField& force = is_x ? grid.force_x : grid.force_y;
+    NodeField& dashpot = is_x ? grid.dashpot_x : grid.dashpot_y;
+    for (std::size_t f = 0; f < weights.size(); ++f) {
+      const BoundaryFace& face = domain.faces[f];
+      const double t = is_x ? tractions[f].x : tractions[f].y;
+      const double z = is_x ? dashpots(face).x : dashpots(face).y;
+      for (const auto& [node, w] : weights[f]) {
+        const double share = w * face.length;
+        force[node] += share * t;
+        dashpot[node] += share * z;
+      }
     }
-  }
+  });
 }
 
 // A mass m_L that moves with the node adds m_L to m in (m + dt C/2) (v+ - v-) = dt f: it is a dashpot C = 2
