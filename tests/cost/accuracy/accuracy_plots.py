@@ -99,7 +99,7 @@ def manufactured(path, folder):
         ax.set_xticklabels([f"{n:.0f}" for n in cells])
         ax.minorticks_off()
     axes[0].set_ylabel("error of displacement (% of A)")
-    axes[0].legend(fontsize=6)
+    axes[-1].legend(fontsize=6, loc="center left", bbox_to_anchor=(1.0, 0.5))
     return style.save(figure, folder, "cost_manufactured.png")
 
 

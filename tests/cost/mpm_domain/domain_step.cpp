@@ -4,7 +4,7 @@
 //
 //   domain/<order>_<transfer>     the schemes, elastic soil
 //   boxes_follow/...              the same where the particles' boxes follow the soil
-//   threads/<n>                   the wall clock, for n threads on as many free cores
+//   threads/<case>/<n>            the wall clock, for n threads on as many free cores
 //   softening/<c>                 Mohr-Coulomb that softens, cohesion c (Pa): `yielding` tells the share of
 //                                 particles that yield in a step
 //   graded                        cells of 1, 0.5 and 0.25 m, a third of the depth or less each
@@ -92,11 +92,6 @@ void boxes_follow(benchmark::State& run, Transfer transfer, StepOrder order) {
   step_on(run, shaken);
 }
 
-void threads(benchmark::State& run) {
-  Shaken shaken(square(cells, elastic(), Transfer::flip, StepOrder::usl, static_cast<int>(run.range(0))));
-  step_on(run, shaken);
-}
-
 /// The wave's shear stress reaches some 1.6 kPa.
 void softening(benchmark::State& run) {
   materials::MohrCoulomb law;
@@ -125,17 +120,30 @@ void softening(benchmark::State& run) {
 }
 
 /// Three levels, in bands, with about as many particles as the square.
-void graded(benchmark::State& run, Transfer transfer, StepOrder order) {
-  mpm_domain::Spec spec = square(cells, elastic(), transfer, order, 1);
+mpm_domain::Spec bands(Transfer transfer, StepOrder order, int threads) {
+  mpm_domain::Spec spec = square(cells, elastic(), transfer, order, threads);
   constexpr double width = 112.0;
   constexpr double depth = 56.0;
   spec.box = {0.0, 0.0, width, depth};
   spec.cell_size = 1.0;
   spec.regions = {{0, {{0.0, 0.0}, {width, 0.0}, {width, depth}, {0.0, depth}}}};
   spec.refine = {{{0.0, 32.0, width, depth}, 1}, {{0.0, 48.0, width, depth}, 2}};
-  Shaken shaken(spec);
+  return spec;
+}
+
+void graded(benchmark::State& run, Transfer transfer, StepOrder order) {
+  Shaken shaken(bands(transfer, order, 1));
   step_on(run, shaken);
   run.counters["particles"] = static_cast<double>(shaken.domain.particle_count());
+}
+
+enum class Mesh { uniform, graded };
+
+void threads(benchmark::State& run, Mesh mesh, Transfer transfer, StepOrder order) {
+  const int count = static_cast<int>(run.range(0));
+  Shaken shaken(mesh == Mesh::graded ? bands(transfer, order, count)
+                                     : square(cells, elastic(), transfer, order, count));
+  step_on(run, shaken);
 }
 
 /// What a particle of a set takes: its arrays, and what finds it.
@@ -203,7 +211,22 @@ BENCHMARK_CAPTURE(boxes_follow, usl_apic, Transfer::apic, StepOrder::usl);
 BENCHMARK_CAPTURE(boxes_follow, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK_CAPTURE(graded, usl_flip, Transfer::flip, StepOrder::usl);
 BENCHMARK_CAPTURE(graded, musl_apic, Transfer::apic, StepOrder::musl);
-BENCHMARK(threads)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(threads, usl_flip, Mesh::uniform, Transfer::flip, StepOrder::usl)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(threads, musl_apic, Mesh::uniform, Transfer::apic, StepOrder::musl)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(threads, graded_usl_flip, Mesh::graded, Transfer::flip, StepOrder::usl)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(threads, graded_musl_apic, Mesh::graded, Transfer::apic, StepOrder::musl)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime();
 BENCHMARK(softening)->Arg(100)->Arg(1000)->Arg(1400)->Arg(2000);
 BENCHMARK(particles)->Arg(10'000)->Arg(102'400)->Arg(1'000'000)->Arg(10'000'000);
 BENCHMARK(triad);

@@ -29,6 +29,11 @@ void expect_second_order(double amplitude, const Scheme& scheme, int particles_p
   EXPECT_GT(std::log2(e8 / e16), 1.8) << e8 << " " << e16;
 }
 
+/// log2 of the ratio of errors from 32 to 64 cells at a strain of 16 %.
+double late_order(ParticleBoxes boxes) {
+  return std::log2(error(0.05, 32, {}, 2, boxes) / error(0.05, 64, {}, 2, boxes));
+}
+
 TEST(ManufacturedBlock, SmallMotionConvergesToSecondOrderWithEveryTransferAndOrder) {
   for (const StepOrder order : {StepOrder::usl, StepOrder::usf, StepOrder::musl})
     for (const Transfer transfer : {Transfer::apic, Transfer::flip})
@@ -44,18 +49,11 @@ TEST(ManufacturedBlock, SmallMotionConvergesToSecondOrderWithOneToFourParticles)
 
 TEST(ManufacturedBlock, ALargeMotionConvergesUntilBoxesNoLongerTile) {
   expect_second_order(0.05, {});
-  EXPECT_LT(error(0.05, 64, {}), 0.01);
-}
-
-/// log2 of the ratio of errors from 32 to 64 cells at a strain of 16 %.
-double late_order(const Scheme& scheme, ParticleBoxes boxes) {
-  return std::log2(error(0.05, 32, scheme, 2, boxes) / error(0.05, 64, scheme, 2, boxes));
+  EXPECT_LT(late_order(ParticleBoxes::fixed), 1.0);
 }
 
 TEST(ManufacturedBlock, ALargeMotionConvergesToSecondOrderWithBoxesThatFollowTheSoil) {
-  for (const StepOrder order : {StepOrder::usl, StepOrder::musl})
-    EXPECT_GT(late_order({Transfer::apic, order}, ParticleBoxes::deforming), 1.8);
-  EXPECT_LT(late_order({}, ParticleBoxes::fixed), 1.0);
+  EXPECT_GT(late_order(ParticleBoxes::deforming), 1.8);
 }
 
 TEST(ManufacturedBlock, WithoutItsBodyForceALargeMotionIsFarOff) {
