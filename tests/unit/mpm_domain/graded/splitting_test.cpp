@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -20,6 +21,10 @@ struct Case {
   ParticleBoxes boxes;
   const char* name;
 };
+
+constexpr std::array schemes{Case{Transfer::apic, ParticleBoxes::fixed, "Apic"},
+                             Case{Transfer::flip, ParticleBoxes::fixed, "Flip"},
+                             Case{Transfer::apic, ParticleBoxes::deforming, "ApicOwnBoxes"}};
 
 class Splitting : public testing::TestWithParam<Case> {
 protected:
@@ -98,10 +103,7 @@ TEST_P(Splitting, HandsStressStateAndDisplacementDown) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Transfers, Splitting,
-                         testing::Values(Case{Transfer::apic, ParticleBoxes::fixed, "Apic"},
-                                         Case{Transfer::flip, ParticleBoxes::fixed, "Flip"},
-                                         Case{Transfer::apic, ParticleBoxes::deforming, "ApicOwnBoxes"}),
+INSTANTIATE_TEST_SUITE_P(Transfers, Splitting, testing::ValuesIn(schemes),
                          [](const auto& of) { return of.param.name; });
 
 /// Only those wholly inside, and only where cells would run short of particles.
@@ -156,8 +158,10 @@ TEST(SplittingRule, LeavesParticlesWholeThatSomethingRidesOn) {
 
 /// A block that flies through all levels: cut on the way, moving as one.
 TEST(SplittingOnTheWay, ABlockKeepsItsMotionThroughAllLevels) {
-  for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
-    Domain domain(levels_in_x(transfer));
+  for (const Case& scheme : schemes) {
+    Spec spec = levels_in_x(scheme.transfer);
+    spec.boxes = scheme.boxes;
+    Domain domain(spec);
     for (double& v : domain.sets[0].vx)
       v = 20.0;
     const Sums before = sums_of(domain);
