@@ -261,7 +261,7 @@ double Domain::fastest_wave() {
 }
 
 double empty_mass(const Domain& domain) {
-  constexpr double share_of_full_cell = 1e-28;
+  constexpr double share_of_full_cell = 1e-20;
   double density = 0.0;
   for (const Particles& set : domain.sets)
     density = std::max(density, materials::elasticity(set.law).density);

@@ -89,8 +89,9 @@ void find_reach(Domain& domain);
 /// and faster ones.
 void weigh_across(Domain& domain, int slowest_clock = 0);
 
-/// A node with less mass (kg/m) is empty: a box reaches it by the rounding of its place (1e-14 cells), whose
-/// square its mass goes with.
+/// A node with less mass (kg/m) is empty: boxes reach it by 1e-10 of a cell or less, with whose square its
+/// mass goes. Far more than soil at rest moves, and far less than momentum would show: without a least mass,
+/// the least motion of soil whose surface lies on nodes would have these nodes pull at it.
 double empty_mass(const Domain& domain);
 
 /// Of the critical time step: dt c_p/h.

@@ -99,7 +99,7 @@ TEST(LeavingParticles, SoilOverASideStopsTheRunWithWhichWhereAndWhen) {
     grain.y[0] = y;
     grain.vx[0] = vx;
     grain.vy[0] = vy;
-    mpm_domain::sort_by_cell(grain, domain.grid);
+    mpm_domain::sort_particles(domain);
     mpm_domain::Stepper stepper(domain, 0.0, no_traction());
     const std::string text = refusal(domain, stepper);
     EXPECT_THAT(text, HasSubstr("particle 0 of soil 'grain' at x = "));
