@@ -7,6 +7,7 @@
 #include "mpm_domain/stepper.hpp"
 #include "mpm_domain/tied_nodes.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/for_particles.hpp"
 #include "tests/support/no_traction.hpp"
 #include "tests/support/particle_energy.hpp"
 #include "tests/unit/mpm_domain/graded/real_weights.hpp"
@@ -50,12 +51,7 @@ Spec graded_box(int order) {
   return spec;
 }
 
-template <typename Act>
-void for_particles(Domain& domain, const Act& act) {
-  for (Particles& set : domain.sets)
-    for (std::size_t k = 0; k < set.size(); ++k)
-      act(set, k);
-}
+using test_support::for_particles;
 
 /// Random velocities of particles that stand up to 0.4 of their size beside their places.
 void shuffle(Domain& domain) {

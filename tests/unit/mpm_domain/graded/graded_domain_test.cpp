@@ -8,6 +8,7 @@
 #include "mpm_domain/stepper.hpp"
 #include "tests/support/affine_velocity.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/for_particles.hpp"
 #include "tests/support/no_traction.hpp"
 #include "tests/support/quiet_ground.hpp"
 
@@ -32,12 +33,7 @@ Spec graded_box(int per_cell = 2) {
   return spec;
 }
 
-template <typename Act>
-void for_particles(Domain& domain, const Act& act) {
-  for (Particles& set : domain.sets)
-    for (std::size_t k = 0; k < set.size(); ++k)
-      act(set, k);
-}
+using test_support::for_particles;
 
 TEST(GradedDomain, ParticlesGoWithTheirCells) {
   for (int per_cell = 1; per_cell <= 4; ++per_cell) {

@@ -2,7 +2,10 @@
 
 // A block on a mesh that gets finer in x, for particles that are cut and joined.
 
+#include "mpm_domain/scatter.hpp"
 #include "tests/support/box_run.hpp"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
@@ -64,6 +67,23 @@ inline Sums sums_of(const Domain& domain) {
       sum.kinetic += 0.5 * m * (p.vx[k] * p.vx[k] + p.vy[k] * p.vy[k]);
     }
   return sum;
+}
+
+/// Particles that change(domain) cuts or joins bring to the nodes what they did before.
+template <typename Change>
+void expect_grid_as_it_was(Domain& domain, const Change& change) {
+  sort_particles(domain);
+  scatter(domain, ScatterPart::both);
+  const Grid before = domain.grid;
+  constexpr double largest = 1.7e4; // kg/m, N/m
+
+  change(domain);
+  sort_particles(domain);
+  scatter(domain, ScatterPart::both);
+  for (const NodeField Grid::*field :
+       {&Grid::mass, &Grid::momentum_x, &Grid::momentum_y, &Grid::force_x, &Grid::force_y})
+    for (std::size_t n = 0; n < before.size(); ++n)
+      EXPECT_NEAR((domain.grid.*field)[n], (before.*field)[n], 1e-14 * largest);
 }
 
 } // namespace tremolo::mpm_domain::test
