@@ -18,6 +18,14 @@
 
 namespace tremolo::mpm_domain {
 
+namespace {
+
+/// Of the critical step, with the order usl: in a free body with noise usl grows above (measured;
+/// tests/stability/mpm_domain).
+constexpr double usl_share = 0.85;
+
+} // namespace
+
 Stepper::Stepper(Domain& domain, double start_time, TractionSource source, FreeFieldOfFaces free_field)
     : domain_(domain), source_(std::move(source)), free_field_(std::move(free_field)), time_(start_time),
       weights_(domain.faces.size()), v_face_(domain.faces.size()), v_mid_(domain.faces.size()),
@@ -149,6 +157,12 @@ void Stepper::choose_dt() {
   const Scheme& scheme = domain_.spec.scheme;
   const double critical =
       subcycling_ ? critical_subcycled_step(domain_, max_speed_) : critical_time_step(domain_, max_speed_);
+  const bool usl = scheme.order == StepOrder::usl;
+  if (usl && scheme.dt.value_or(scheme.fraction * critical) > usl_share * critical)
+    throw std::invalid_argument(fmt::format("the time step {:.6g} s is not stable with the order usl; "
+                                            "allowed: at most {} of the critical step, {:.6g} s",
+                                            scheme.dt.value_or(scheme.fraction * critical), usl_share,
+                                            usl_share * critical));
   if (scheme.dt) {
     if (*scheme.dt > critical && subcycling_)
       throw std::invalid_argument(fmt::format(

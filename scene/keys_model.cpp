@@ -15,12 +15,13 @@ Table time() {
       .keys = {
           {.name = "fraction",
            .unit = "1",
-           .meaning = "Time step as a fraction of the critical step 0.65 h/c_p.",
+           .meaning = "Time step as a fraction of the critical step 0.65 h/c_p; at most 0.85 with `order = "
+                      "\"usl\"`.",
            .fallback = "0.5",
            .range = {.low = 0.0, .high = 1.0, .low_open = true}},
           {.name = "dt",
            .unit = "s",
-           .meaning = "A fixed time step instead of `fraction`, at most the critical step.",
+           .meaning = "A fixed time step instead of `fraction`, with the same limits.",
            .otherwise = "from `fraction`",
            .range = positive},
           choice("transfer", {"apic", "flip", "fmpm", "pic_blend"},

@@ -1,5 +1,6 @@
-// FMPM(k) at the largest step that a case may take, over many steps: nothing may grow, in place or beside it,
-// with nodes of next to no mass at corners and level interfaces.
+// FMPM(k), and APIC and FLIP with stress updated last, at the largest step that a case may take, over many
+// steps: nothing may grow, in place or beside it, with nodes of next to no mass at corners and level
+// interfaces.
 
 #include "mpm_domain/full_mass_matrix.hpp"
 #include "mpm_domain/gather.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 namespace tremolo::mpm_domain {
 namespace {
@@ -80,7 +82,38 @@ TEST(AtTheLargestStepForLong, ABlockLosesEnergyOnly) {
   EXPECT_LT(growth(free_block(StepOrder::musl, 10), 0.06, 100000), 1.0);
 }
 
-/// Why usl is refused: strains of v+ at a step that is allowed, in a free block.
+/// Why usl has a limit of its own, lower than the critical step.
+TEST(UpdateStressLast, LosesEnergyOnlyUpToItsOwnLimit) {
+  for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
+    Spec spec = free_block(StepOrder::usl, 2);
+    spec.scheme.transfer = transfer;
+    spec.scheme.fraction = 0.85;
+    for (const double shift : {0.0, 1e-3, 0.06, 0.19})
+      EXPECT_LT(growth(spec, shift, 20000), 1.0) << shift;
+    spec.scheme.fraction = 0.86;
+    EXPECT_THROW(growth(spec, 0.0, 1), std::invalid_argument);
+  }
+}
+
+/// At the critical step, put together by hand, the same block gains energy.
+TEST(UpdateStressLast, ApicGrowsAtTheCriticalStep) {
+  Spec spec = free_block(StepOrder::usl, 2);
+  spec.scheme.transfer = Transfer::apic;
+  Domain domain(spec);
+  set_moving(domain, 0.06);
+  const double dt = critical_time_step(domain, 0.0);
+  const double start = test_support::particle_energy(domain);
+  double kinetic = 0.0;
+  for (int step = 0; step < 20000 && kinetic < 10.0 * start; ++step) {
+    scatter(domain, ScatterPart::both);
+    grid_velocities(domain);
+    kinetic = update_grid(domain, dt).kinetic;
+    gather(domain, dt, {.velocity = true, .position = true, .strain = true});
+  }
+  EXPECT_GT(kinetic, 10.0 * start);
+}
+
+/// Why FMPM does not go with usl: strains of v+ at a step that is allowed, in a free block.
 TEST(UpdateStressLast, GrowsBelowTheCriticalStep) {
   for (const int order : {2, 10}) {
     Domain domain(free_block(StepOrder::musl, order));
