@@ -301,12 +301,12 @@ TEST(Rules, TimeStepIsStableWithUsl) {
   EXPECT_THAT(usl("fraction = 0.85"), IsEmpty());
   EXPECT_THAT(
       usl("fraction = 0.9"),
-      ElementsAre("case.toml:34:12: [time] 'fraction' = 0.9 is not stable with order = \"usl\"; allowed: "
+      ElementsAre("case.toml:33:12: [time] 'fraction' = 0.9 is not stable with order = \"usl\"; allowed: "
                   "at most 0.85"));
   EXPECT_THAT(usl("dt = 3.18e-3"), IsEmpty()); // 0.85 of 3.74777e-3 s
   EXPECT_THAT(
       usl("dt = 3.19e-3"),
-      ElementsAre("case.toml:34:6: [time] 'dt' = 0.00319 is not stable with order = \"usl\"; allowed: at "
+      ElementsAre("case.toml:33:6: [time] 'dt' = 0.00319 is not stable with order = \"usl\"; allowed: at "
                   "most 0.85 of the critical step, 0.0031856 s"));
 }
 
