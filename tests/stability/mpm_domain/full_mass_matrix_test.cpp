@@ -99,18 +99,20 @@ TEST(UpdateStressLast, LosesEnergyOnlyUpToItsOwnLimit) {
 TEST(UpdateStressLast, ApicGrowsAtTheCriticalStep) {
   Spec spec = free_block(StepOrder::usl, 2);
   spec.scheme.transfer = Transfer::apic;
-  Domain domain(spec);
-  set_moving(domain, 0.06);
-  const double dt = critical_time_step(domain, 0.0);
-  const double start = test_support::particle_energy(domain);
-  double kinetic = 0.0;
-  for (int step = 0; step < 20000 && kinetic < 10.0 * start; ++step) {
-    scatter(domain, ScatterPart::both);
-    grid_velocities(domain);
-    kinetic = update_grid(domain, dt).kinetic;
-    gather(domain, dt, {.velocity = true, .position = true, .strain = true});
+  double largest = 0.0;
+  for (const double shift : {0.0, 1e-3, 0.06, 0.19}) {
+    Domain domain(spec);
+    set_moving(domain, shift);
+    const double dt = critical_time_step(domain, 0.0);
+    const double start = test_support::particle_energy(domain);
+    for (int step = 0; step < 20000 && largest < 10.0; ++step) {
+      scatter(domain, ScatterPart::both);
+      grid_velocities(domain);
+      largest = std::max(largest, update_grid(domain, dt).kinetic / start);
+      gather(domain, dt, {.velocity = true, .position = true, .strain = true});
+    }
   }
-  EXPECT_GT(kinetic, 10.0 * start);
+  EXPECT_GT(largest, 10.0);
 }
 
 /// Why FMPM does not go with usl: strains of v+ at a step that is allowed, in a free block.
