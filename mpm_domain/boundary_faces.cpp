@@ -55,13 +55,6 @@ mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set) {
   return line;
 }
 
-/// Where a face may come to while particles move by a distance.
-mesh::Rectangle reach_of(const BoundaryFace& face, const Particles& set, double distance) {
-  const mesh::Rectangle line = line_of(face, set);
-  const double margin = set.has_own_boxes() ? 2.0 * distance : distance;
-  return {line.x_min - margin, line.y_min - margin, line.x_max + margin, line.y_max + margin};
-}
-
 /// On one lattice: averaged along the face, linear across it. Calls add(i, j, w) for columns and rows of
 /// nodes.
 template <typename Add>
@@ -137,7 +130,8 @@ void find_levels(Domain& domain) {
     return;
   for (BoundaryFace& face : domain.faces) {
     const Particles& set = domain.sets[face.set];
-    const auto touched = domain.mesh->touched(reach_of(face, set, domain.sort_distance()));
+    const mesh::Rectangle reach = reach_of(set, set.index_of[face.id], domain.sort_distance());
+    const auto touched = domain.mesh->touched(reach);
     const double widest = set.has_own_boxes() ? set.cell_size : 2.0 * set.half_size;
     const bool on_one = touched.one_lattice() && widest < 1.0001 * domain.lattice(touched.finest).h;
     face.level = on_one ? touched.finest : BoundaryFace::unknown;

@@ -87,12 +87,9 @@ struct LaneSums {
 /// read as a contraction by theta^2/2. And half of the work: that of the stress before the update.
 template <typename Group>
 [[gnu::always_inline]] inline void take_strain(const Particles& p, std::size_t k, Group group,
-                                               const Samples& q, double dt, std::size_t c, Increments& inc,
-                                               LaneSums& sums) {
-  const Lanes xx = dt * q.vx_x;
-  const Lanes xy = dt * q.vx_y;
-  const Lanes yx = dt * q.vy_x;
-  const Lanes yy = dt * q.vy_y;
+                                               const DisplacementGradient<Lanes>& a, std::size_t c,
+                                               Increments& inc, LaneSums& sums) {
+  const auto& [xx, xy, yx, yy] = a;
   const Lanes across = 0.5 * xy * yx;
   const Lanes half_rest = 1.0 - 0.5 * (xx + yy);
   store(&inc.exx[c], xx - 0.5 * xx * xx - across);
@@ -105,11 +102,10 @@ template <typename Group>
 
 /// The boxes of a group follow the soil.
 template <typename Group>
-[[gnu::always_inline]] inline void deform_boxes(Particles& p, std::size_t k, Group group, const Samples& q,
-                                                double dt) {
+[[gnu::always_inline]] inline void deform_boxes(Particles& p, std::size_t k, Group group,
+                                                const DisplacementGradient<Lanes>& a) {
   const BoxMoments<Lanes> box =
-      deformed<Lanes>({group.load(&p.box_xx[k]), group.load(&p.box_xy[k]), group.load(&p.box_yy[k])},
-                      {.xx = dt * q.vx_x, .xy = dt * q.vx_y, .yx = dt * q.vy_x, .yy = dt * q.vy_y});
+      deformed<Lanes>({group.load(&p.box_xx[k]), group.load(&p.box_xy[k]), group.load(&p.box_yy[k])}, a);
   group.store(&p.box_xx[k], box.xx);
   group.store(&p.box_xy[k], box.xy);
   group.store(&p.box_yy[k], box.yy);
@@ -165,9 +161,11 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
           take_blend(p, k, group, q, set.flip_share);
       }
       if constexpr (parts.strain) {
-        take_strain(p, k, group, q, set.dt, c, inc, sums);
+        const DisplacementGradient<Lanes> a{set.dt * q.vx_x, set.dt * q.vx_y, set.dt * q.vy_x,
+                                            set.dt * q.vy_y};
+        take_strain(p, k, group, a, c, inc, sums);
         if constexpr (boxes_follow)
-          deform_boxes(p, k, group, q, set.dt);
+          deform_boxes(p, k, group, a);
       }
       if constexpr (parts.position || parts.drift) {
         const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_new;

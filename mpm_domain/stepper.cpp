@@ -157,12 +157,12 @@ void Stepper::choose_dt() {
   const Scheme& scheme = domain_.spec.scheme;
   const double critical =
       subcycling_ ? critical_subcycled_step(domain_, max_speed_) : critical_time_step(domain_, max_speed_);
-  const bool usl = scheme.order == StepOrder::usl;
-  if (usl && scheme.dt.value_or(scheme.fraction * critical) > usl_share * critical)
-    throw std::invalid_argument(fmt::format("the time step {:.6g} s is not stable with the order usl; "
-                                            "allowed: at most {} of the critical step, {:.6g} s",
-                                            scheme.dt.value_or(scheme.fraction * critical), usl_share,
-                                            usl_share * critical));
+  const double wanted = scheme.dt.value_or(scheme.fraction * critical);
+  if (scheme.order == StepOrder::usl && wanted > usl_share * critical)
+    throw std::invalid_argument(
+        fmt::format("the time step {:.6g} s is not stable with the order usl; allowed: at most {} of "
+                    "the critical step, {:.6g} s",
+                    wanted, usl_share, usl_share * critical));
   if (scheme.dt) {
     if (*scheme.dt > critical && subcycling_)
       throw std::invalid_argument(fmt::format(
@@ -177,7 +177,6 @@ void Stepper::choose_dt() {
     dt_ = *scheme.dt;
   } else {
     // Leapfrog is second order only while dt stays the same, so small changes of the limit are let pass.
-    const double wanted = scheme.fraction * critical;
     if (dt_ == 0.0 || dt_ > std::min(1.02 * wanted, critical) || dt_ < 0.8 * wanted)
       dt_ = wanted;
   }
