@@ -2,7 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/python.hpp"
-#include "scene/errors.hpp"
+#include "scene/text/errors.hpp"
 
 #include <cstdio>
 #include <exception>

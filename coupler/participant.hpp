@@ -17,13 +17,13 @@
 // All methods of a client are called from one thread. After an exception the client is good for nothing but
 // abandon(); the run has ended or will end.
 
-#include "coupler/boundary_exchange.hpp"
-#include "coupler/connection.hpp"
-#include "coupler/field.hpp"
-#include "coupler/mode.hpp"
-#include "coupler/participant_options.hpp"
-#include "coupler/timeline.hpp"
-#include "coupler/timing.hpp"
+#include "coupler/client/participant_options.hpp"
+#include "coupler/client/timeline.hpp"
+#include "coupler/hub/boundary_exchange.hpp"
+#include "coupler/mapping/timing.hpp"
+#include "coupler/wire/connection.hpp"
+#include "coupler/wire/field.hpp"
+#include "coupler/wire/mode.hpp"
 #include "results/checkpoint_file.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "materials/elasticity.hpp"
-#include "materials/law.hpp"
+#include "materials/elastic/elasticity.hpp"
+#include "materials/law/law.hpp"
 
 #include <optional>
 #include <string>

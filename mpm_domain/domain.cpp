@@ -1,7 +1,7 @@
 #include "mpm_domain/domain.hpp"
 
-#include "mpm_domain/fill.hpp"
-#include "mpm_domain/grid_growth.hpp"
+#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/grid_growth.hpp"
 
 #include <fmt/format.h>
 

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "mpm_domain/boundary_faces.hpp"
+#include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/boundary/matched_layer.hpp"
 #include "mpm_domain/effects.hpp"
-#include "mpm_domain/energy_ledger.hpp"
-#include "mpm_domain/graded/across_weights.hpp"
-#include "mpm_domain/graded/graded_mesh.hpp"
-#include "mpm_domain/grid.hpp"
-#include "mpm_domain/matched_layer.hpp"
-#include "mpm_domain/particles.hpp"
-#include "mpm_domain/soil_rows.hpp"
-#include "mpm_domain/spec.hpp"
-#include "mpm_domain/worker_pool.hpp"
+#include "mpm_domain/grid/across_weights.hpp"
+#include "mpm_domain/grid/graded_mesh.hpp"
+#include "mpm_domain/grid/grid.hpp"
+#include "mpm_domain/grid/soil_rows.hpp"
+#include "mpm_domain/particles/particles.hpp"
+#include "mpm_domain/spec/spec.hpp"
+#include "mpm_domain/step/energy_ledger.hpp"
+#include "mpm_domain/tiles/worker_pool.hpp"
 
 #include <optional>
 #include <vector>

@@ -5,7 +5,7 @@
 // the particles; only its extent is, since it may have grown. Faces do not change once the domain is at rest.
 
 #include "mpm_domain/domain.hpp"
-#include "mpm_domain/grid_growth.hpp"
+#include "mpm_domain/particles/grid_growth.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "results/checkpoint_file.hpp"
 
-#include "results/hdf5_read.hpp"
-#include "results/hdf5_write.hpp"
+#include "results/hdf5/hdf5_read.hpp"
+#include "results/hdf5/hdf5_write.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 // How the values of a step are spread over datasets, shared by the writer and the reader of exchanges.
 
-#include "results/hdf5_read.hpp"
+#include "results/hdf5/hdf5_read.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "results/exchange_file.hpp"
 
 #include "results/exchange_layout.hpp"
-#include "results/growing_dataset.hpp"
-#include "results/hdf5_read.hpp"
+#include "results/hdf5/growing_dataset.hpp"
+#include "results/hdf5/hdf5_read.hpp"
 #include "results/run_status.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "results/hdf5_read.hpp"
+#include "results/hdf5/hdf5_read.hpp"
 #include "results/run_file.hpp"
 
 #include <fmt/format.h>

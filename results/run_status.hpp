@@ -2,7 +2,7 @@
 
 // The status of a run: an attribute of fixed length at the root, overwritten in place.
 
-#include "results/hdf5_write.hpp"
+#include "results/hdf5/hdf5_write.hpp"
 
 #include <string_view>
 

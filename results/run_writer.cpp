@@ -1,6 +1,6 @@
 #include "results/checkpoint_file.hpp"
-#include "results/growing_dataset.hpp"
-#include "results/hdf5_write.hpp"
+#include "results/hdf5/growing_dataset.hpp"
+#include "results/hdf5/hdf5_write.hpp"
 #include "results/run_file.hpp"
 #include "results/run_status.hpp"
 #include "results/xdmf.hpp"

@@ -1,6 +1,6 @@
 // What is written to files of tables and to runs whose process has ended.
 
-#include "results/hdf5_write.hpp"
+#include "results/hdf5/hdf5_write.hpp"
 #include "results/run_file.hpp"
 #include "results/run_status.hpp"
 

@@ -3,8 +3,8 @@
 // A checked case: what a case file says, in SI units, after every rule has passed. The keys, their ranges and
 // defaults stand in keys.cpp; docs/case-file.md is generated from there.
 
-#include "materials/law.hpp"
-#include "motion/read.hpp"
+#include "materials/law/law.hpp"
+#include "motion/read/read.hpp"
 #include "scene/geometry.hpp"
 
 #include <array>
@@ -337,7 +337,7 @@ struct Case {
 };
 
 /// Reads and checks a case file.
-/// @throws CaseErrors (scene/errors.hpp) with every error of the file
+/// @throws CaseErrors (scene/text/errors.hpp) with every error of the file
 Case load(const std::filesystem::path& file);
 
 /// The same from text. `file` names it in messages, `directory` is where relative file names start.

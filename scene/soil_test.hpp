@@ -3,10 +3,10 @@
 // A checked soil test or calibration: what its file says, in SI units. The keys, their ranges and defaults
 // stand in keys_soil_test.cpp; docs/soil-test-file.md is generated from there.
 
-#include "materials/soiltest/cyclic_strength.hpp"
+#include "materials/soiltest/cyclic/cyclic_strength.hpp"
 #include "materials/soiltest/soil_test.hpp"
 #include "scene/case.hpp"
-#include "scene/curve_strength.hpp"
+#include "scene/soils/curve_strength.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -49,7 +49,7 @@ struct SoilTestFile {
 enum class SoilTestUse { test, calibration };
 
 /// Reads and checks a file; a test needs [loading], a calibration [target].
-/// @throws CaseErrors (scene/errors.hpp) with every error of the file
+/// @throws CaseErrors (scene/text/errors.hpp) with every error of the file
 SoilTestFile load_soil_test(const std::filesystem::path& file, SoilTestUse use);
 
 /// The same from text. `file` names it in messages, `directory` is where relative file names start.

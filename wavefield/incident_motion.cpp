@@ -1,8 +1,8 @@
 #include "wavefield/incident_motion.hpp"
 
-#include "wavefield/fourier.hpp"
+#include "wavefield/layers/transfer.hpp"
 #include "wavefield/require.hpp"
-#include "wavefield/transfer.hpp"
+#include "wavefield/signal/fourier.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wavefield/layered_half_space.hpp"
+#include "wavefield/layers/layered_half_space.hpp"
 
 #include <cstddef>
 #include <span>

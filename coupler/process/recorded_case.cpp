@@ -1,6 +1,6 @@
 #include "coupler/process/recorded_case.hpp"
 
-#include "coupler/messages.hpp"
+#include "coupler/wire/messages.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // What a recorded exchange keeps of its case, and whether another case has the same free field.
 
 #include "results/exchange_file.hpp"
-#include "scene/plan.hpp"
+#include "scene/plan/plan.hpp"
 
 #include <string>
 #include <vector>

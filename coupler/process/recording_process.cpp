@@ -6,7 +6,7 @@
 #include "coupler/process/recorded_case.hpp"
 #include "results/exchange_file.hpp"
 #include "results/free_field_recording.hpp"
-#include "scene/service.hpp"
+#include "scene/plan/service.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "freefield/process/column_from_case.hpp"
 
-#include "freefield/fe_column.hpp"
-#include "freefield/oblique_column.hpp"
-#include "freefield/ode_column.hpp"
+#include "freefield/fe/fe_column.hpp"
+#include "freefield/oblique/oblique_column.hpp"
+#include "freefield/ode/ode_column.hpp"
 #include "freefield/process/incident_input.hpp"
-#include "scene/layers.hpp"
-#include "scene/motion.hpp"
+#include "scene/plan/layers.hpp"
+#include "scene/plan/motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>

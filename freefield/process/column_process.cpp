@@ -5,7 +5,7 @@
 #include "freefield/process/column_from_case.hpp"
 #include "freefield/process/column_values.hpp"
 #include "freefield/process/incident_field.hpp"
-#include "scene/service.hpp"
+#include "scene/plan/service.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "freefield/column.hpp"
-#include "wavefield/history.hpp"
+#include "wavefield/signal/history.hpp"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "freefield/process/column_values.hpp"
 #include "scene/case.hpp"
-#include "scene/layers.hpp"
+#include "scene/plan/layers.hpp"
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 

@@ -1,6 +1,6 @@
 #include "freefield/process/incident_input.hpp"
 
-#include "scene/layers.hpp"
+#include "scene/plan/layers.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
 #include <cmath>

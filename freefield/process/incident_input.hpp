@@ -2,7 +2,7 @@
 
 #include "freefield/column.hpp"
 #include "scene/case.hpp"
-#include "scene/plan.hpp"
+#include "scene/plan/plan.hpp"
 
 namespace tremolo::freefield {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "materials/soiltest/apparatus.hpp"
-#include "materials/soiltest/history.hpp"
+#include "materials/soiltest/path/history.hpp"
 
 #include <cstddef>
 #include <vector>

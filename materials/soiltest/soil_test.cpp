@@ -1,9 +1,9 @@
 #include "materials/soiltest/soil_test.hpp"
 
-#include "materials/parameter_check.hpp"
+#include "materials/law/parameter_check.hpp"
 #include "materials/soiltest/names.hpp"
-#include "materials/soiltest/path_start.hpp"
-#include "materials/soiltest/path_table.hpp"
+#include "materials/soiltest/path/path_start.hpp"
+#include "materials/soiltest/path/path_table.hpp"
 #include "materials/soiltest/size.hpp"
 #include "materials/soiltest/specimen.hpp"
 

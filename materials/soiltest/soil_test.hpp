@@ -1,7 +1,7 @@
 #pragma once
 
 // Element tests as a laboratory knows them, on any law. A test is described by plain structs and runs on a
-// single point (materials/driver.hpp), driven by equal strain increments:
+// single point (materials/law/driver.hpp), driven by equal strain increments:
 //
 //     test                     driven by   holds constant   strain             tau
 //     direct simple shear      gamma_xy    sigma_yy         gamma_xy           sigma_xy
@@ -26,8 +26,8 @@
 // Stresses are tension positive, u is compression positive and r_u = u over the initial effective stress that
 // the apparatus holds constant (vertical in an oedometer and isotropic compression).
 
-#include "materials/driver.hpp"
-#include "materials/soiltest/history.hpp"
+#include "materials/law/driver.hpp"
+#include "materials/soiltest/path/history.hpp"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "coupler/participant.hpp"
 #include "mpm_domain/process/run_output.hpp"
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
 #include "scene/case.hpp"
 

@@ -3,10 +3,10 @@
 #include "coupler/participant.hpp"
 #include "freefield/process/incident_field.hpp"
 #include "freefield/process/incident_input.hpp"
-#include "mpm_domain/periodic_column.hpp"
+#include "mpm_domain/column/periodic_column.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
-#include "scene/layers.hpp"
-#include "scene/service.hpp"
+#include "scene/plan/layers.hpp"
+#include "scene/plan/service.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "coupler/participant.hpp"
-#include "scene/plan.hpp"
+#include "scene/plan/plan.hpp"
 
 namespace tremolo::mpm_domain {
 

@@ -10,7 +10,7 @@
 
 #include "coupler/participant.hpp"
 #include "mpm_domain/domain.hpp"
-#include "scene/plan.hpp"
+#include "scene/plan/plan.hpp"
 
 #include <cstdint>
 #include <span>

@@ -5,17 +5,17 @@
 
 #include "mpm_domain/process/domain_process.hpp"
 
-#include "mpm_domain/gravity_stage.hpp"
-#include "mpm_domain/matched_layer.hpp"
-#include "mpm_domain/periodic_springs.hpp"
+#include "mpm_domain/boundary/matched_layer.hpp"
+#include "mpm_domain/boundary/periodic_springs.hpp"
+#include "mpm_domain/boundary/static_traction.hpp"
+#include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/process/checkpoints.hpp"
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/coupled_faces.hpp"
 #include "mpm_domain/process/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
-#include "mpm_domain/static_traction.hpp"
 #include "scene/case.hpp"
-#include "scene/plan.hpp"
+#include "scene/plan/plan.hpp"
 
 #include <fmt/format.h>
 

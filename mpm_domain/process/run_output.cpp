@@ -1,6 +1,6 @@
 #include "mpm_domain/process/run_output.hpp"
 
-#include "mpm_domain/gather.hpp"
+#include "mpm_domain/transfer/gather.hpp"
 
 #include <algorithm>
 #include <array>

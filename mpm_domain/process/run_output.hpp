@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
 #include "results/run_file.hpp"
 #include "scene/case.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm_domain/spec.hpp"
+#include "mpm_domain/spec/spec.hpp"
 #include "scene/case.hpp"
 
 namespace tremolo::mpm_domain {

@@ -1,6 +1,6 @@
-#include "scene/hosts.hpp"
+#include "scene/plan/hosts.hpp"
+#include "scene/plan/sources.hpp"
 #include "scene/rules/rules.hpp"
-#include "scene/sources.hpp"
 
 #include <fmt/format.h>
 

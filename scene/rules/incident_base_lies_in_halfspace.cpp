@@ -1,4 +1,4 @@
-#include "scene/layers.hpp"
+#include "scene/plan/layers.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

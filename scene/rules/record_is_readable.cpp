@@ -1,4 +1,4 @@
-#include "motion/read.hpp"
+#include "motion/read/read.hpp"
 #include "scene/rules/rules.hpp"
 
 namespace tremolo::scene {

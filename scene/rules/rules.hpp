@@ -5,7 +5,7 @@
 // a value that it needs is missing or wrong; that has been reported already.
 
 #include "scene/case.hpp"
-#include "scene/findings.hpp"
+#include "scene/text/findings.hpp"
 
 #include <span>
 

@@ -1,4 +1,4 @@
-#include "scene/plan.hpp"
+#include "scene/plan/plan.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-#include "scene/layers.hpp"
-#include "scene/plan.hpp"
+#include "scene/plan/layers.hpp"
+#include "scene/plan/plan.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "scene/names.hpp"
+#include "scene/keys/names.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

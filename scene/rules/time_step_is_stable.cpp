@@ -1,4 +1,4 @@
-#include "scene/levels.hpp"
+#include "scene/plan/levels.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

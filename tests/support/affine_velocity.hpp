@@ -3,7 +3,7 @@
 // The affine velocity C = B D^-1 of a particle, whose moment B is what it keeps (particles.hpp).
 
 #include "mpm_domain/domain.hpp"
-#include "mpm_domain/graded/box_average.hpp"
+#include "mpm_domain/grid/box_average.hpp"
 
 #include <cmath>
 

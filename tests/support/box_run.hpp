@@ -3,7 +3,7 @@
 // A flat elastic box shaken by a plane wave through all its faces, without processes: the traction source
 // evaluates the closed form itself.
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "tests/support/plane_wave.hpp"
 
 #include <cmath>

@@ -13,7 +13,7 @@
 // The external force is weight and boundary tractions, less what the lumped dashpots give back,
 // -dt/2 sum C (v+ - v-) (grid_update.hpp).
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "tests/support/hard_case.hpp"
 #include "tests/support/no_traction.hpp"
 

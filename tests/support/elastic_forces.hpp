@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mpm_domain/gather.hpp"
-#include "mpm_domain/scatter.hpp"
-#include "mpm_domain/tied_nodes.hpp"
+#include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/transfer/gather.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 
 #include <algorithm>
 #include <vector>

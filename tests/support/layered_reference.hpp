@@ -3,7 +3,7 @@
 // The three-layer profile of the reference files layered3_*, and how histories compare with their rows.
 
 #include "tests/support/reference_table.hpp"
-#include "wavefield/layered_field.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 //
 // at every point of the boundary. Slownesses beyond 1/c_p make the P wave evanescent.
 
-#include "materials/elasticity.hpp"
+#include "materials/elastic/elasticity.hpp"
 
 #include <cmath>
 #include <complex>

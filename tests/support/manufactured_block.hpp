@@ -13,7 +13,7 @@
 // nothing to first order in A: a small amplitude is a standing wave. Small amplitudes show the scheme's
 // dispersion, large ones what the boxes of the particles lose when they no longer tile the soil.
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "tests/support/affine_velocity.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 
 #include <algorithm>
 

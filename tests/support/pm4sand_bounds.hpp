@@ -3,8 +3,8 @@
 // What must hold of PM4Sand after any step: internal stress above its floor and inside the bounding surface,
 // back stress within the yield surface of the stress, fabric within its largest.
 
-#include "materials/material_axes.hpp"
-#include "materials/pm4sand_surfaces.hpp"
+#include "materials/sand/pm4sand/pm4sand_surfaces.hpp"
+#include "materials/tensor/material_axes.hpp"
 #include "tests/support/pm4sand_soil.hpp"
 
 #include <gtest/gtest.h>

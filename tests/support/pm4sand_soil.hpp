@@ -2,7 +2,7 @@
 
 // The sands of the reference curves of PM4Sand, and their tests.
 
-#include "materials/driver.hpp"
+#include "materials/law/driver.hpp"
 #include "tests/support/reference_curve.hpp"
 
 #include <algorithm>

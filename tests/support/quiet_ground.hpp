@@ -2,7 +2,7 @@
 
 // Eq. (6) where nothing arrives from outside: dashpots and static tractions alone.
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 
 #include <span>
 #include <vector>

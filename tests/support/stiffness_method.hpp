@@ -13,7 +13,7 @@
 // once, with exponentials that never grow; and the textbook propagator matrices of Thomson (1950) and Haskell
 // (1953), which fail where waves are evanescent.
 
-#include "wavefield/layered_half_space.hpp"
+#include "wavefield/layers/layered_half_space.hpp"
 
 #include <Eigen/Dense>
 

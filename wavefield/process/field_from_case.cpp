@@ -1,7 +1,7 @@
 #include "wavefield/process/field_from_case.hpp"
 
 #include "motion/record.hpp"
-#include "scene/layers.hpp"
+#include "scene/plan/layers.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>

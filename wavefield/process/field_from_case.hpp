@@ -1,9 +1,9 @@
 #pragma once
 
 #include "scene/case.hpp"
-#include "scene/plan.hpp"
-#include "wavefield/equivalent_linear.hpp"
-#include "wavefield/layered_field.hpp"
+#include "scene/plan/plan.hpp"
+#include "wavefield/layers/equivalent_linear.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <span>
 #include <string>

@@ -3,8 +3,8 @@
 // The exact fields of a case: ground, incident wave and their plane waves, as a case file gives them.
 
 #include "scene/case.hpp"
-#include "scene/plan.hpp"
-#include "wavefield/layered_field.hpp"
+#include "scene/plan/plan.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <string>
 #include <vector>

@@ -5,8 +5,8 @@
 #include "wavefield/process/wave_process.hpp"
 
 #include "scene/case.hpp"
-#include "scene/motion.hpp"
-#include "scene/service.hpp"
+#include "scene/plan/motion.hpp"
+#include "scene/plan/service.hpp"
 #include "wavefield/process/field_from_case.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // exchange.
 
 #include "coupler/participant.hpp"
-#include "scene/service.hpp"
+#include "scene/plan/service.hpp"
 #include "travelling_pulse.hpp"
 
 #include <cmath>

@@ -10,7 +10,7 @@
 //
 //     cost_travelling_pulse > pulse.csv
 
-#include "mpm_domain/periodic_column.hpp"
+#include "mpm_domain/column/periodic_column.hpp"
 
 #include <fmt/format.h>
 

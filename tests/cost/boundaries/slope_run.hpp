@@ -3,7 +3,7 @@
 // An elastic 10 m slope at 45 degrees, its left free surface at y = 0 and its right one at y = 10 m, in a box
 // that is cut out of the ground in different ways, shaken by a plane SV wave.
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 // The domain computes nothing, so that all of its time is exchange. Prints CSV: mode, window_steps,
 // microseconds of CPU time of all three a domain step, and of wall time.
 
-#include "coupler/hub.hpp"
+#include "coupler/hub/hub.hpp"
+#include "coupler/launch/run_endpoint.hpp"
 #include "coupler/participant.hpp"
-#include "coupler/run_endpoint.hpp"
 
 #include <atomic>
 #include <chrono>

@@ -10,7 +10,7 @@
 //     error
 //     ns        CPU time of one face and step, four points in depth
 
-#include "coupler/mapping.hpp"
+#include "coupler/mapping/mapping.hpp"
 
 #include <cmath>
 #include <ctime>

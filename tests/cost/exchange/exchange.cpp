@@ -6,8 +6,8 @@
 //     cost_exchange [repetitions]          prints CSV:
 //     study,mode,transport,points,sources,kind,wall_us,cpu_us
 
-#include "coupler/keys.hpp"
-#include "coupler/run_endpoint.hpp"
+#include "coupler/launch/run_endpoint.hpp"
+#include "coupler/wire/keys.hpp"
 #include "setup.hpp"
 
 #include <algorithm>

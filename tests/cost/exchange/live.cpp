@@ -1,8 +1,8 @@
 // The exchange as a run does it.
 
-#include "coupler/hub.hpp"
+#include "coupler/hub/hub.hpp"
 #include "coupler/participant.hpp"
-#include "coupler/sockets.hpp"
+#include "coupler/wire/sockets.hpp"
 #include "setup.hpp"
 
 #include <chrono>

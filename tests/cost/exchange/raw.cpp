@@ -2,8 +2,8 @@
 // the same credit, and nothing else: no header that anybody reads beyond what steers the loop, no checksum,
 // no deadline.
 
-#include "coupler/frame.hpp"
-#include "coupler/layout.hpp"
+#include "coupler/wire/frame.hpp"
+#include "coupler/wire/layout.hpp"
 #include "setup.hpp"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 // What is exchanged in the measurements: sources of N points each, whose motion N faces each of a domain
 // take, one step of the domain to a step of a source. Nobody computes anything, so all time is exchange.
 
-#include "coupler/boundary_exchange.hpp"
-#include "coupler/field.hpp"
-#include "coupler/mode.hpp"
+#include "coupler/hub/boundary_exchange.hpp"
+#include "coupler/wire/field.hpp"
+#include "coupler/wire/mode.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -4,7 +4,7 @@
 // named, two columns, time and velocity; prints three tables: histories, peak profile, loop at the largest
 // strain.
 
-#include "freefield/fe_column.hpp"
+#include "freefield/fe/fe_column.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // CPU time of a column of 200 elements under 40 s of motion given every 5 ms, MKZ soil, by integrator.
 
-#include "freefield/fe_column.hpp"
+#include "freefield/fe/fe_column.hpp"
 
 #include <benchmark/benchmark.h>
 

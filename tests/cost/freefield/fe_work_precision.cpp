@@ -3,7 +3,7 @@
 //     c(g) = V0/(1 + g/gr),   v = V0 gr ln(1 + g/gr),   v constant along t = t' + y/c,
 // solved for t' by bisection. Prints CSV: problem, scheme, element m, step s, relative error, CPU s.
 
-#include "freefield/fe_column.hpp"
+#include "freefield/fe/fe_column.hpp"
 #include "tests/support/layered_column.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // what the integrator did, and the error of the surface velocity in time, against a tolerance of 1e-9 on the
 // same grid. 200 cells, 40 s served at 5 ms.
 
-#include "freefield/ode_column.hpp"
+#include "freefield/ode/ode_column.hpp"
 
 #include <array>
 #include <cmath>

@@ -4,7 +4,7 @@
 // anew from the initial stress every four cycles or 20,000 updates. Points start their cycles at different
 // strains, so that at every step some of them reverse.
 
-#include "materials/law.hpp"
+#include "materials/law/law.hpp"
 
 #include <algorithm>
 #include <cmath>

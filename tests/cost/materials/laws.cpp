@@ -8,7 +8,7 @@
 //   copy                             a plain loop that moves as many bytes as the elastic law does
 //   column_step                      Masing trials are what an iteration costs that accepts nothing
 
-#include "materials/law.hpp"
+#include "materials/law/law.hpp"
 
 #include <benchmark/benchmark.h>
 

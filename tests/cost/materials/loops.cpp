@@ -2,8 +2,8 @@
 // by parallel elements (iwan), then `curve,strain,modulus_ratio,damping_ratio` of Darendeli's curves and of
 // the backbone fitted to them. draw_loops.py makes the picture.
 
-#include "materials/curve_fit.hpp"
-#include "materials/driver.hpp"
+#include "materials/hysteretic/curve_fit.hpp"
+#include "materials/law/driver.hpp"
 
 #include <cstdio>
 #include <initializer_list>

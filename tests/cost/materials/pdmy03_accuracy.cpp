@@ -4,7 +4,7 @@
 // relative_density,increment,cycles,cycles_error,stress_error,microseconds_per_cycle; pdmy03_accuracy.py
 // draws it.
 
-#include "materials/driver.hpp"
+#include "materials/law/driver.hpp"
 #include "tests/support/cyclic_shear.hpp"
 
 #include <algorithm>

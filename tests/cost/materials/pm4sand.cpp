@@ -2,7 +2,7 @@
 // constant volume: four cycles of 0.05 % amplitude (ten increments if that is more), and again. One point
 // alone; and 100,000 points spread evenly over the test, so that at every step some reverse.
 
-#include "materials/law.hpp"
+#include "materials/law/law.hpp"
 
 #include <benchmark/benchmark.h>
 

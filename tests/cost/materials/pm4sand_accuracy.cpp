@@ -4,7 +4,7 @@
 // of those. Errors are those to increments of 1e-6 in sub-steps of 1e-7 at a tolerance of 1e-7. CSV on
 // standard output; pm4sand_accuracy.py draws it.
 
-#include "materials/driver.hpp"
+#include "materials/law/driver.hpp"
 #include "tests/support/cyclic_shear.hpp"
 
 #include <algorithm>

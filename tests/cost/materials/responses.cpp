@@ -1,7 +1,7 @@
 // Responses of the laws as CSV, `picture,series,x,y` with strains in per cent and stresses in kPa:
 // draw_responses.py makes the pictures of docs/materials from it.
 
-#include "materials/driver.hpp"
+#include "materials/law/driver.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -1,11 +1,11 @@
 // What working on a record of 2000 or 80 000 samples costs.
 
+#include "motion/make/synthesis.hpp"
 #include "motion/measures.hpp"
-#include "motion/process.hpp"
-#include "motion/read.hpp"
+#include "motion/mend/process.hpp"
+#include "motion/read/read.hpp"
+#include "motion/read/write.hpp"
 #include "motion/spectra.hpp"
-#include "motion/synthesis.hpp"
-#include "motion/write.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -12,7 +12,7 @@
 //                                 `peak` the memory of the process, grid, filling and sorting included
 //   triad                         a = b + s c over 3 x 64 MiB: what the memory gives, 24 bytes a number
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "plain_step.hpp"
 #include "tests/support/no_traction.hpp"
 

@@ -2,8 +2,8 @@
 // on cells of 0.25 m everywhere and on the three levels of its graded.toml. Both step with the same time
 // step.
 
-#include "mpm_domain/fill.hpp"
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "tests/support/no_traction.hpp"
 
 #include <benchmark/benchmark.h>

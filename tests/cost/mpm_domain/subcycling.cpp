@@ -5,7 +5,7 @@
 //   updates   the same of the clocks that particles run on, buffers included
 //   speed_up  measured: simulated time a second of CPU over that of the single step
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "tests/support/no_traction.hpp"
 
 #include <benchmark/benchmark.h>

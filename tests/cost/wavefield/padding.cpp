@@ -1,7 +1,7 @@
 // What the length of the synthesis window costs and brings: largest error of the surface velocity against the
 // window that is chosen without being asked, over CPU time, as CSV on standard output.
 
-#include "wavefield/layered_field.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <cmath>
 #include <cstdio>

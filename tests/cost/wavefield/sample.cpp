@@ -2,8 +2,8 @@
 // linear analysis. `cost_wavefield --benchmark_out=cost.json --benchmark_out_format=json`, then plot_cost.py
 // cost.json.
 
-#include "wavefield/equivalent_linear.hpp"
-#include "wavefield/layered_field.hpp"
+#include "wavefield/layers/equivalent_linear.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <benchmark/benchmark.h>
 

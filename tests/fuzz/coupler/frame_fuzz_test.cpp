@@ -1,6 +1,6 @@
 // Seeded mutations of valid frames. None may be accepted, unless the mutation gave back the very bytes.
 
-#include "coupler/frame.hpp"
+#include "coupler/wire/frame.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -3,7 +3,7 @@
 //
 //     frame_fuzzer [-max_total_time=60] tests/fuzz/coupler/corpus
 
-#include "coupler/frame.hpp"
+#include "coupler/wire/frame.hpp"
 
 #include <cstdint>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 
 // Damaged TOML files, read by whatever reads them.
 
-#include "scene/errors.hpp"
+#include "scene/text/errors.hpp"
 #include "tests/support/text_mutator.hpp"
 
 #include <gtest/gtest.h>

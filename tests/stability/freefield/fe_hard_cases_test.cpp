@@ -1,6 +1,6 @@
 // Columns at the edge of what they are asked to do.
 
-#include "freefield/fe_column.hpp"
+#include "freefield/fe/fe_column.hpp"
 #include "tests/support/layered_column.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Hard cases of the oblique column: long runs without damping, an angle close to the limit, large strain
 // obliquely.
 
-#include "freefield/oblique_column.hpp"
-#include "freefield/oblique_medium.hpp"
+#include "freefield/oblique/oblique_column.hpp"
+#include "freefield/oblique/oblique_medium.hpp"
 
 #include <gtest/gtest.h>
 

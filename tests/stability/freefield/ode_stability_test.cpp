@@ -1,7 +1,7 @@
 // Hard cases of the column by the method of lines: stiff damping, no damping for long, large strain, soft
 // soil on rock, nearly incompressible soil, and what it refuses.
 
-#include "freefield/ode_column.hpp"
+#include "freefield/ode/ode_column.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,11 @@
 // Long runs within boundaries: self weight, a compliant base, corners, critical angles, a seam, a drift.
 
 #include "free_block.hpp"
-#include "mpm_domain/gravity_stage.hpp"
-#include "mpm_domain/static_traction.hpp"
-#include "scene/motion.hpp"
+#include "mpm_domain/boundary/static_traction.hpp"
+#include "mpm_domain/gravity/gravity_stage.hpp"
+#include "scene/plan/motion.hpp"
 #include "tests/support/quiet_ground.hpp"
-#include "wavefield/layered_field.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <gtest/gtest.h>
 

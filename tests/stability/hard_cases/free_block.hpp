@@ -2,9 +2,9 @@
 
 // Blocks of elastic soil with no boundary but their own surface, and what is asked of them.
 
-#include "mpm_domain/gather.hpp"
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/transfer/gather.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/conservation_monitor.hpp"
 #include "tests/support/particle_energy.hpp"

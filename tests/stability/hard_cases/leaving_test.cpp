@@ -1,7 +1,7 @@
 // Particles that come to the edge of the grid: it grows where soil may go, and otherwise the run stops and
 // says which particle, where and when. None is lost in silence.
 
-#include "mpm_domain/grid_growth.hpp"
+#include "mpm_domain/particles/grid_growth.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/conservation_monitor.hpp"
 

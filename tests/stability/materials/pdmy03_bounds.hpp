@@ -2,8 +2,8 @@
 
 // What must hold of a PDMY03 point after every update.
 
-#include "materials/driver.hpp"
-#include "materials/pdmy03_state.hpp"
+#include "materials/law/driver.hpp"
+#include "materials/sand/pdmy03/pdmy03_state.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 // The surfaces that stresses must not leave, written down a second time.
 
-#include "materials/driver.hpp"
+#include "materials/law/driver.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 // again.
 
 #include "motion/measures.hpp"
+#include "motion/mend/process.hpp"
 #include "motion/peak.hpp"
-#include "motion/process.hpp"
-#include "motion/read.hpp"
+#include "motion/read/read.hpp"
 #include "motion/record.hpp"
 #include "tests/support/hard_case.hpp"
 

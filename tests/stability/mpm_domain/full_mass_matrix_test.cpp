@@ -2,11 +2,11 @@
 // steps: nothing may grow, in place or beside it, with nodes of next to no mass at corners and level
 // interfaces.
 
-#include "mpm_domain/full_mass_matrix.hpp"
-#include "mpm_domain/gather.hpp"
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/scatter.hpp"
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/full_mass_matrix.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/step/stepper.hpp"
+#include "mpm_domain/transfer/gather.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
 #include "tests/support/particle_energy.hpp"

@@ -2,7 +2,7 @@
 // come as impulses every other step can be in resonance with the motion of the fine cells, which shows after
 // hundreds of steps only.
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/hard_case.hpp"
 #include "tests/support/no_traction.hpp"

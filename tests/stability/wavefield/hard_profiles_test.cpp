@@ -3,9 +3,9 @@
 
 #include "tests/support/layered_reference.hpp"
 #include "tests/support/stiffness_method.hpp"
-#include "wavefield/layered_field.hpp"
-#include "wavefield/reflectivity.hpp"
-#include "wavefield/transfer.hpp"
+#include "wavefield/layers/layered_field.hpp"
+#include "wavefield/layers/reflectivity.hpp"
+#include "wavefield/layers/transfer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -18,12 +18,12 @@
 //
 // It speaks the protocol by hand, since SourceClient would not let most of this out of the house.
 
-#include "coupler/boundary_exchange.hpp"
-#include "coupler/connection.hpp"
-#include "coupler/error.hpp"
-#include "coupler/incoming.hpp"
-#include "coupler/messages.hpp"
-#include "scene/service.hpp"
+#include "coupler/hub/boundary_exchange.hpp"
+#include "coupler/wire/connection.hpp"
+#include "coupler/wire/error.hpp"
+#include "coupler/wire/incoming.hpp"
+#include "coupler/wire/messages.hpp"
+#include "scene/plan/service.hpp"
 #include "travelling_pulse.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // tremolo-recording serves a recording bit for bit, and refuses one that does not cover the case.
 
-#include "coupler/boundary_exchange.hpp"
-#include "coupler/frame.hpp"
-#include "coupler/source_probe.hpp"
+#include "coupler/conformance/source_probe.hpp"
+#include "coupler/hub/boundary_exchange.hpp"
+#include "coupler/wire/frame.hpp"
 #include "results/free_field_recording.hpp"
-#include "scene/service.hpp"
+#include "scene/plan/service.hpp"
 
 #include <cmath>
 #include <cstring>

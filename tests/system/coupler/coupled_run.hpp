@@ -2,7 +2,7 @@
 
 // A run of toys in a folder of its own, with the misdeeds that a test asks for.
 
-#include "coupler/launcher.hpp"
+#include "coupler/launch/launcher.hpp"
 
 #include <cerrno>
 #include <csignal>

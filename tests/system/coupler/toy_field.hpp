@@ -3,7 +3,7 @@
 // The free field that toy sources serve and the motion of the toy domain, in closed form: an upgoing SV wave,
 // tilted by the horizontal slowness, and its shear stress.
 
-#include "coupler/field.hpp"
+#include "coupler/wire/field.hpp"
 
 #include <cmath>
 #include <span>

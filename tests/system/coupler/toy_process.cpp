@@ -3,7 +3,7 @@
 
 #include "toy_process.hpp"
 
-#include "coupler/error.hpp"
+#include "coupler/wire/error.hpp"
 #include "toy_field.hpp"
 
 #include <chrono>

@@ -1,8 +1,8 @@
 // A long exchange between a source, a hub and a domain in one process: memory and descriptors stay flat.
 
-#include "coupler/hub.hpp"
+#include "coupler/hub/hub.hpp"
+#include "coupler/launch/run_endpoint.hpp"
 #include "coupler/participant.hpp"
-#include "coupler/run_endpoint.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <chrono>

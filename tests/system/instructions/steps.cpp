@@ -1,6 +1,6 @@
 // Ten steps of dry elastic soil, for test_instructions.py to count.
 
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "tests/support/no_traction.hpp"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // `tremolo motion` as a user calls it.
 
+#include "motion/make/pulses.hpp"
 #include "motion/measures.hpp"
-#include "motion/pulses.hpp"
-#include "motion/read.hpp"
-#include "motion/write.hpp"
+#include "motion/read/read.hpp"
+#include "motion/read/write.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/reference_table.hpp"
 #include "tests/support/temporary_folder.hpp"

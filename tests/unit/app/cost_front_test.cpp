@@ -1,6 +1,6 @@
 // Pareto front, fits and the answer to a wanted error, on tables whose answers are known.
 
-#include "app/cost_front.hpp"
+#include "app/cost/cost_front.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // Ladders of settings: how knobs are written, what cases they make, and what is refused.
 
-#include "app/cost_ladder.hpp"
+#include "app/cost/cost_ladder.hpp"
 
 #include "tests/support/exact_run.hpp"
 

@@ -1,6 +1,6 @@
 // Which cases have the half-space field as their exact solution.
 
-#include "app/exact_field.hpp"
+#include "app/verify/exact_field.hpp"
 
 #include "tests/support/exact_run.hpp"
 

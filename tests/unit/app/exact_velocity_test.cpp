@@ -1,6 +1,6 @@
-#include "app/exact_velocity.hpp"
+#include "app/verify/exact_velocity.hpp"
 
-#include "wavefield/layered_field.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <gtest/gtest.h>
 

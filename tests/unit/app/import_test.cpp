@@ -1,6 +1,6 @@
 // Imported motions: units, signs, rates and even steps against closed forms.
 
-#include "app/import_motion.hpp"
+#include "app/recording/import_motion.hpp"
 
 #include <cmath>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "app/points_file.hpp"
+#include "app/free_field/points_file.hpp"
 
 #include "tests/support/temporary_folder.hpp"
 

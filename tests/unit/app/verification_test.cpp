@@ -1,6 +1,6 @@
 // Runs that depart from the exact field by a known amount: the verification finds that amount.
 
-#include "app/verification.hpp"
+#include "app/verify/verification.hpp"
 
 #include "tests/support/exact_run.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-#include "coupler/boundary_exchange.hpp"
+#include "coupler/hub/boundary_exchange.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

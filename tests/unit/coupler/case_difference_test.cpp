@@ -1,4 +1,4 @@
-#include "coupler/case_difference.hpp"
+#include "coupler/hub/case_difference.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coupler/crc32.hpp"
+#include "coupler/wire/crc32.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

@@ -1,7 +1,7 @@
-#include "coupler/error.hpp"
-#include "coupler/hub.hpp"
-#include "coupler/run_endpoint.hpp"
-#include "coupler/sockets.hpp"
+#include "coupler/hub/hub.hpp"
+#include "coupler/launch/run_endpoint.hpp"
+#include "coupler/wire/error.hpp"
+#include "coupler/wire/sockets.hpp"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,9 +1,9 @@
 // The recorder behind the hub: frames come back as they were, what a source owes is missed, and a file that
 // cannot be written ends the run or is noted once, as the case chose.
 
-#include "coupler/error.hpp"
-#include "coupler/exchange_recorder.hpp"
-#include "coupler/frame.hpp"
+#include "coupler/recording/exchange_recorder.hpp"
+#include "coupler/wire/error.hpp"
+#include "coupler/wire/frame.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "coupler/frame.hpp"
+#include "coupler/wire/frame.hpp"
 
 #include <cstring>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "coupler/error.hpp"
-#include "coupler/invitation.hpp"
+#include "coupler/launch/invitation.hpp"
+#include "coupler/wire/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,11 +1,11 @@
 // Who gets an invitation from the hub, and what everybody else is told.
 
-#include "coupler/error.hpp"
-#include "coupler/hub.hpp"
-#include "coupler/joining.hpp"
+#include "coupler/hub/hub.hpp"
+#include "coupler/launch/joining.hpp"
+#include "coupler/launch/run_endpoint.hpp"
 #include "coupler/participant.hpp"
-#include "coupler/run_endpoint.hpp"
-#include "coupler/sockets.hpp"
+#include "coupler/wire/error.hpp"
+#include "coupler/wire/sockets.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <atomic>

@@ -1,7 +1,7 @@
-#include "coupler/client_gate.hpp"
-#include "coupler/error.hpp"
-#include "coupler/keys.hpp"
-#include "coupler/sockets.hpp"
+#include "coupler/hub/client_gate.hpp"
+#include "coupler/wire/error.hpp"
+#include "coupler/wire/keys.hpp"
+#include "coupler/wire/sockets.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // Mapping in depth and time against fields that are known in closed form.
 
-#include "coupler/mapping.hpp"
+#include "coupler/mapping/mapping.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include "coupler/error.hpp"
-#include "coupler/messages.hpp"
+#include "coupler/wire/error.hpp"
+#include "coupler/wire/messages.hpp"
 
 #include <cmath>
 #include <filesystem>

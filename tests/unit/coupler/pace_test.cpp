@@ -1,4 +1,4 @@
-#include "coupler/pace.hpp"
+#include "coupler/mapping/pace.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What the values of a field say of themselves, against a plane wave that is known in closed form.
 
-#include "coupler/served_series.hpp"
+#include "coupler/mapping/served_series.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

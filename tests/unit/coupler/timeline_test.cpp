@@ -1,4 +1,4 @@
-#include "coupler/timeline.hpp"
+#include "coupler/client/timeline.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 //
 // The largest root is the spectral radius: 1 for alpha = 0, (1 + alpha)/(1 - alpha) for infinite W.
 
-#include "freefield/fe_column.hpp"
+#include "freefield/fe/fe_column.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

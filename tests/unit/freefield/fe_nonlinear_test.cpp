@@ -1,4 +1,4 @@
-#include "freefield/fe_column.hpp"
+#include "freefield/fe/fe_column.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "freefield/oblique_column.hpp"
+#include "freefield/oblique/oblique_column.hpp"
 
 #include <gmock/gmock.h>
 

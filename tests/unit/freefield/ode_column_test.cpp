@@ -1,5 +1,5 @@
-#include "freefield/ode_column.hpp"
-#include "freefield/ode_soil.hpp"
+#include "freefield/ode/ode_column.hpp"
+#include "freefield/ode/ode_soil.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
-#include "materials/soiltest/cyclic_strength.hpp"
-#include "materials/soiltest/path_table.hpp"
-#include "materials/soiltest/root.hpp"
+#include "materials/soiltest/cyclic/cyclic_strength.hpp"
+#include "materials/soiltest/path/path_table.hpp"
+#include "materials/soiltest/path/root.hpp"
 #include "materials/soiltest/soil_test.hpp"
 
 #include <gmock/gmock.h>

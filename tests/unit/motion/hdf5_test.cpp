@@ -1,4 +1,4 @@
-#include "motion/read.hpp"
+#include "motion/read/read.hpp"
 #include "tests/support/hdf5_motion.hpp"
 #include "tests/support/temporary_folder.hpp"
 

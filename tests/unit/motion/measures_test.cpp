@@ -1,6 +1,6 @@
 #include "motion/fourier.hpp"
+#include "motion/make/pulses.hpp"
 #include "motion/measures.hpp"
-#include "motion/pulses.hpp"
 #include "motion/record.hpp"
 #include "motion/spectra.hpp"
 

@@ -1,6 +1,6 @@
 #include "motion/fourier.hpp"
+#include "motion/make/pulses.hpp"
 #include "motion/peak.hpp"
-#include "motion/pulses.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "motion/read.hpp"
+#include "motion/read/read.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <fmt/format.h>

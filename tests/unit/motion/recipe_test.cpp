@@ -1,4 +1,4 @@
-#include "motion/recipe.hpp"
+#include "motion/make/recipe.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "motion/read.hpp"
-#include "motion/write.hpp"
+#include "motion/read/read.hpp"
+#include "motion/read/write.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-#include "mpm_domain/boundary_faces.hpp"
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // The dashpots' implicit half step against a dense solution of the same equations.
 
-#include "mpm_domain/consistent_dashpots.hpp"
+#include "mpm_domain/boundary/consistent_dashpots.hpp"
 
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
 
 #include <Eigen/Dense>

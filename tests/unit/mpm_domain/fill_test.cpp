@@ -1,4 +1,4 @@
-#include "mpm_domain/fill.hpp"
+#include "mpm_domain/particles/fill.hpp"
 #include "tests/support/box_run.hpp"
 
 #include <gtest/gtest.h>

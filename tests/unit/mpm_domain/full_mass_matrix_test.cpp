@@ -1,11 +1,11 @@
 // FMPM(k): against dense matrices, and what it keeps and takes away in a transfer to the particles and back.
 
-#include "mpm_domain/full_mass_matrix.hpp"
-#include "mpm_domain/gather.hpp"
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/scatter.hpp"
-#include "mpm_domain/stepper.hpp"
-#include "mpm_domain/tied_nodes.hpp"
+#include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/step/full_mass_matrix.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/step/stepper.hpp"
+#include "mpm_domain/transfer/gather.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/for_particles.hpp"
 #include "tests/support/no_traction.hpp"

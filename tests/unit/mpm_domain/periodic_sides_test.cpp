@@ -1,7 +1,7 @@
 // Periodic sides: the seam must be nowhere to be seen.
 
-#include "mpm_domain/gravity_stage.hpp"
-#include "mpm_domain/periodic_sides.hpp"
+#include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/grid/periodic_sides.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
 

@@ -1,7 +1,7 @@
 // Periodic sides by springs against the wrapped grid, which is exact.
 
-#include "mpm_domain/periodic_springs.hpp"
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/boundary/periodic_springs.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // Conservation between particles and grid, and what rigid motions must leave alone.
 
-#include "mpm_domain/gather.hpp"
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/transfer/gather.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/affine_velocity.hpp"
 #include "tests/support/box_run.hpp"
 

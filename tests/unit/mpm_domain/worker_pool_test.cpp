@@ -1,4 +1,4 @@
-#include "mpm_domain/worker_pool.hpp"
+#include "mpm_domain/tiles/worker_pool.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-"""Soil tests made by formulas, in the layout of app/soiltest_output.hpp."""
+"""Soil tests made by formulas, in the layout of app/soiltest/soiltest_output.hpp."""
 
 import h5py
 import numpy as np

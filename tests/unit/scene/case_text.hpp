@@ -3,7 +3,7 @@
 // A small valid case, and what becomes of it when a piece of its text is replaced.
 
 #include "scene/case.hpp"
-#include "scene/errors.hpp"
+#include "scene/text/errors.hpp"
 
 #include <gtest/gtest.h>
 

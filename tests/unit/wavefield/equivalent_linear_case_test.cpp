@@ -2,7 +2,7 @@
 // and the name of the case file and of the key where it does not converge.
 
 #include "scene/case.hpp"
-#include "scene/plan.hpp"
+#include "scene/plan/plan.hpp"
 #include "wavefield/process/field_from_case.hpp"
 
 #include <gmock/gmock.h>

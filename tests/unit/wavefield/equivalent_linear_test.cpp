@@ -2,7 +2,7 @@
 // downgoing amplitudes from layer to layer (Schnabel, Lysmer and Seed 1972), summed by direct Fourier sums.
 
 #include "tests/support/layered_reference.hpp"
-#include "wavefield/equivalent_linear.hpp"
+#include "wavefield/layers/equivalent_linear.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

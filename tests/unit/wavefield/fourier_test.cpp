@@ -1,4 +1,4 @@
-#include "wavefield/fourier.hpp"
+#include "wavefield/signal/fourier.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "wavefield/layered_field.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "tests/support/layered_reference.hpp"
-#include "wavefield/fourier.hpp"
 #include "wavefield/incident_motion.hpp"
-#include "wavefield/layered_field.hpp"
-#include "wavefield/transfer.hpp"
+#include "wavefield/layers/layered_field.hpp"
+#include "wavefield/layers/transfer.hpp"
+#include "wavefield/signal/fourier.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "tests/support/layered_reference.hpp"
-#include "wavefield/layered_field.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "wavefield/reflectivity.hpp"
+#include "wavefield/layers/reflectivity.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

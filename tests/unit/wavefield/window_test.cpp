@@ -1,6 +1,6 @@
 #include "tests/support/layered_reference.hpp"
-#include "wavefield/layered_field.hpp"
-#include "wavefield/window.hpp"
+#include "wavefield/layers/layered_field.hpp"
+#include "wavefield/signal/window.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

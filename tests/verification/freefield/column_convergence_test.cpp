@@ -1,7 +1,7 @@
 // Order of the finite-element column against exact responses of a uniform and of a two-layer column to a
 // pulse that comes in with both polarisations: all quantities a source serves, at nodes and between them.
 
-#include "freefield/fe_column.hpp"
+#include "freefield/fe/fe_column.hpp"
 #include "tests/support/layered_column.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // A uniform Kelvin-Voigt layer (rho 1800, Vs 200, 30 m, 2 % at 5/3 Hz) on a half-space (rho 2200, Vs 800)
 // under a Ricker pulse, against the exact time series of the reference data.
 
-#include "freefield/fe_column.hpp"
+#include "freefield/fe/fe_column.hpp"
 #include "tests/support/reference_table.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // A Kelvin-Voigt layer on a rigid base that moves as prescribed. Per frequency the motion at height z above
 // the base is cos(k*(H - z))/cos(k*H) times that of the base, k* = w sqrt(rho/(G (1 + i w beta))).
 
-#include "freefield/fe_column.hpp"
+#include "freefield/fe/fe_column.hpp"
 
 #include <gtest/gtest.h>
 

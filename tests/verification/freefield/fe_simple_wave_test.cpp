@@ -3,7 +3,7 @@
 // column so tall that its surface stays unknown to the levels that are looked at. Perfectly plastic soil
 // carries no more than its strength, hence no particle velocity above strength over impedance.
 
-#include "freefield/fe_column.hpp"
+#include "freefield/fe/fe_column.hpp"
 #include "tests/support/reference_table.hpp"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // second method; obliquely, small strains are the elastic column's, and differences between grids fall as
 // second order says.
 
-#include "freefield/oblique_column.hpp"
-#include "freefield/ode_column.hpp"
+#include "freefield/oblique/oblique_column.hpp"
+#include "freefield/ode/ode_column.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The oblique column against exact oblique waves: a homogeneous half-space (closed form) and three layers, at
 // several depths and distances along x, all quantities, as cell and step are halved.
 
-#include "freefield/oblique_column.hpp"
+#include "freefield/oblique/oblique_column.hpp"
 #include "tests/support/reference_table.hpp"
 
 #include <gtest/gtest.h>

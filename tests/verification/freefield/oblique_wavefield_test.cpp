@@ -1,8 +1,8 @@
 // The oblique column against the exact field of the frequency domain, in three elastic layers with a soft one
 // in the middle: two methods that share nothing but the equations of motion.
 
-#include "freefield/oblique_column.hpp"
-#include "wavefield/layered_field.hpp"
+#include "freefield/oblique/oblique_column.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <gtest/gtest.h>
 

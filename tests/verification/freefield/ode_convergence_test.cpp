@@ -2,7 +2,7 @@
 // elastic half-space to a pulse in both polarisations: velocity, stress and their rates, on nodes, between
 // them, at the interface and at the base.
 
-#include "freefield/ode_column.hpp"
+#include "freefield/ode/ode_column.hpp"
 #include "tests/support/layered_column.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // waves in nonlinear soil (reference data), a layer on a rigid base in steady vibration; order two in space
 // at a tight tolerance, all four integrators.
 
-#include "freefield/ode_column.hpp"
+#include "freefield/ode/ode_column.hpp"
 #include "tests/support/reference_table.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What a tolerance buys: the error in time of the column by the method of lines, against the same equations
 // at a tolerance far tighter, on one grid; and that serving a column more often changes nothing.
 
-#include "freefield/ode_column.hpp"
+#include "freefield/ode/ode_column.hpp"
 
 #include <gtest/gtest.h>
 

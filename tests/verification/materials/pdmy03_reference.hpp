@@ -2,7 +2,7 @@
 
 // Reference curves of PDMY03 by OpenSees (PressureDependMultiYield03 driven at a point), in Pa.
 
-#include "materials/driver.hpp"
+#include "materials/law/driver.hpp"
 #include "tests/support/reference_curve.hpp"
 
 #include <string>

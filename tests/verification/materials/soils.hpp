@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/driver.hpp"
+#include "materials/law/driver.hpp"
 
 #include <cmath>
 #include <numbers>

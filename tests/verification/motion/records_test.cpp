@@ -2,7 +2,7 @@
 // displacements that those who processed the record published.
 
 #include "motion/measures.hpp"
-#include "motion/read.hpp"
+#include "motion/read/read.hpp"
 #include "tests/support/reference_table.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The accelerogram of the slope is made again to the last digit, and other noise reaches the same target.
 
-#include "motion/recipe.hpp"
-#include "motion/write.hpp"
+#include "motion/make/recipe.hpp"
+#include "motion/read/write.hpp"
 
 #include <gtest/gtest.h>
 

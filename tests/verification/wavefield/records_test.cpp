@@ -4,11 +4,11 @@
 
 #include "tests/support/layered_reference.hpp"
 #include "tests/support/reference_table.hpp"
-#include "wavefield/equivalent_linear.hpp"
-#include "wavefield/fourier.hpp"
 #include "wavefield/incident_motion.hpp"
-#include "wavefield/layered_field.hpp"
-#include "wavefield/transfer.hpp"
+#include "wavefield/layers/equivalent_linear.hpp"
+#include "wavefield/layers/layered_field.hpp"
+#include "wavefield/layers/transfer.hpp"
+#include "wavefield/signal/fourier.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include "tests/support/layered_reference.hpp"
 #include "tests/support/stiffness_method.hpp"
-#include "wavefield/reflectivity.hpp"
-#include "wavefield/transfer.hpp"
+#include "wavefield/layers/reflectivity.hpp"
+#include "wavefield/layers/transfer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "tests/support/layered_reference.hpp"
 #include "tests/support/reference_table.hpp"
-#include "wavefield/transfer.hpp"
+#include "wavefield/layers/transfer.hpp"
 
 #include <gtest/gtest.h>
 

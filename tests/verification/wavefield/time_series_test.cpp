@@ -4,7 +4,7 @@
 
 #include "tests/support/layered_reference.hpp"
 #include "tests/support/reference_table.hpp"
-#include "wavefield/layered_field.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <gtest/gtest.h>
 

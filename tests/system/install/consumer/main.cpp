@@ -1,8 +1,8 @@
 // Somebody else's program: the motion of the ground above a vertically incident SV wave, which a free surface
 // doubles.
 
-#include "materials/law.hpp"
-#include "wavefield/layered_field.hpp"
+#include "materials/law/law.hpp"
+#include "wavefield/layers/layered_field.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Weights by the table of cells, of boxes anywhere within the reach that their cells were found for, next to
 // the exact box averages told to real nodes.
 
-#include "mpm_domain/graded/across_weights.hpp"
+#include "mpm_domain/grid/across_weights.hpp"
 #include "tests/unit/mpm_domain/graded/real_weights.hpp"
 
 #include <gtest/gtest.h>

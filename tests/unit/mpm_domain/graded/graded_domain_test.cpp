@@ -1,11 +1,11 @@
 // The domain's step on a graded mesh: what a uniform mesh does, it must do too.
 
-#include "mpm_domain/gather.hpp"
-#include "mpm_domain/gravity_stage.hpp"
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/scatter.hpp"
-#include "mpm_domain/static_traction.hpp"
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/boundary/static_traction.hpp"
+#include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/step/stepper.hpp"
+#include "mpm_domain/transfer/gather.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/affine_velocity.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/for_particles.hpp"

@@ -1,9 +1,9 @@
 // Particles that leave finer cells: what they were before they were cut, they are again.
 
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/joining.hpp"
-#include "mpm_domain/scatter.hpp"
-#include "mpm_domain/splitting.hpp"
+#include "mpm_domain/particles/joining.hpp"
+#include "mpm_domain/particles/splitting.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/affine_velocity.hpp"
 #include "tests/support/no_traction.hpp"
 #include "tests/unit/mpm_domain/graded/levels_in_x.hpp"

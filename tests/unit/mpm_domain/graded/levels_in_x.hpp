@@ -2,7 +2,7 @@
 
 // A block on a mesh that gets finer in x, for particles that are cut and joined.
 
-#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
 
 #include <gtest/gtest.h>

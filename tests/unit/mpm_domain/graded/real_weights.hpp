@@ -3,7 +3,7 @@
 // Weights of real nodes on a mesh of three levels with outer and re-entrant corners, by the library's basis
 // and by the naive one.
 
-#include "mpm_domain/graded/box_average.hpp"
+#include "mpm_domain/grid/box_average.hpp"
 
 #include <algorithm>
 #include <array>

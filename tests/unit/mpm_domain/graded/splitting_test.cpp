@@ -1,7 +1,7 @@
 // Particles that enter finer cells: nothing that the grid or the sums see may change when they are cut.
 
-#include "mpm_domain/scatter.hpp"
-#include "mpm_domain/splitting.hpp"
+#include "mpm_domain/particles/splitting.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/no_traction.hpp"
 #include "tests/unit/mpm_domain/graded/levels_in_x.hpp"
 

@@ -1,7 +1,7 @@
 // Steps of their own for the levels of a graded mesh, against the same steps for all.
 
-#include "mpm_domain/clock_nodes.hpp"
-#include "mpm_domain/stepper.hpp"
+#include "mpm_domain/step/clock_nodes.hpp"
+#include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
 

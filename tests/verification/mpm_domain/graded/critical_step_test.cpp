@@ -1,8 +1,8 @@
 // The critical step 2/omega_max of M^-1 K, by power iteration through the domain's own passes: hanging and
 // virtual nodes must not shorten it below that of a uniform mesh of the finest cells.
 
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/elastic_forces.hpp"
 

@@ -10,8 +10,8 @@
 //
 // with N coarse cells a (long) wave length: (3/16)(pi/N)^2.
 
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/elastic_forces.hpp"
 #include "tests/verification/mpm_domain/graded/level_interface.hpp"
 

@@ -9,8 +9,8 @@
 // with the coarse cells' x. That is what the mesh alone does (interface_reflection_test.cpp); here packets
 // cross an interface in the domain's own steps, transfers and all.
 
-#include "mpm_domain/grid_update.hpp"
-#include "mpm_domain/scatter.hpp"
+#include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/verification/mpm_domain/graded/level_interface.hpp"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,37 @@
+#include "app/commands.hpp"
+
+#include "scene/keys/reference.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace tremolo::app {
+
+namespace {
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  if (!stream.flush())
+    throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+} // namespace
+
+void add_docs(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "docs", "Write the generated reference of case files and soil tests, pages and JSON schemas");
+  const auto folder = std::make_shared<std::string>();
+  command->add_option("FOLDER", *folder, "Existing folder to write to")->required();
+  command->callback([folder] {
+    for (const scene::Reference& reference : scene::references()) {
+      write(std::filesystem::path(*folder) / reference.page, scene::markdown(reference));
+      write(std::filesystem::path(*folder) / reference.schema, scene::json_schema(reference));
+    }
+  });
+}
+
+} // namespace tremolo::app

@@ -1,0 +1,204 @@
+#include "app/cost/cost_report.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+
+namespace tremolo::app {
+
+namespace {
+
+bool measured(const CostRung& rung) {
+  return rung.refused.empty() && !rung.reference;
+}
+
+/// For each rung, whether it lies on the front.
+std::vector<bool> on_front(const CostStudy& study) {
+  std::vector<std::size_t> of_point;
+  for (std::size_t i = 0; i < study.rungs.size(); ++i)
+    if (measured(study.rungs[i]))
+      of_point.push_back(i);
+  std::vector<bool> on(study.rungs.size());
+  for (const std::size_t p : pareto_front(study.points()))
+    on[of_point[p]] = true;
+  return on;
+}
+
+std::string percent(double value) {
+  return fmt::format("{:.3g} %", 100.0 * value);
+}
+
+std::string column_heads(const CostStudy& study, const std::vector<std::size_t>& widths) {
+  std::string text;
+  for (std::size_t k = 0; k < study.knobs.size(); ++k)
+    text += fmt::format("{:<{}}", study.knobs[k].key, widths[k]);
+  return text + fmt::format("{:>11}{:>11}{:>12}{:>12}\n", "error", "lag", "CPU time", "updates");
+}
+
+std::string rung_line(const CostRung& rung, const std::vector<std::size_t>& widths, bool front) {
+  std::string text;
+  for (std::size_t k = 0; k < widths.size(); ++k)
+    text += fmt::format("{:<{}}", rung.values[k], widths[k]);
+  if (!rung.refused.empty())
+    return text + fmt::format("  refused: {}\n", rung.refused);
+  const std::string error = rung.reference ? "reference" : percent(rung.point.error);
+  const std::string lag = rung.phase_lag == 0.0 ? "-" : fmt::format("{:.3f} ms", 1000.0 * rung.phase_lag);
+  return text + fmt::format("{:>11}{:>11}{:>10.2f} s{:>12.3g}{}\n", error, lag, rung.point.cpu,
+                            rung.point.work, front ? "  *" : "");
+}
+
+std::string fit_text(const CostFit& fit) {
+  const auto within = [&](double spread) {
+    return fit.points > 2 ? fmt::format("within {:.2g} %", 100.0 * (spread - 1.0))
+                          : std::string("two points, unchecked");
+  };
+  return fmt::format("  {}: error {} (h/{:g} m)^{:.2f} ({}), CPU time {:.2g} s + {:.3g} ns an update ({})\n",
+                     fit.family.empty() ? "all" : fit.family, percent(fit.error_at(fit.smallest)),
+                     fit.smallest, fit.order, within(fit.error_spread), fit.start, 1e9 * fit.per_update,
+                     within(fit.time_spread));
+}
+
+/// What reaches the target.
+std::string answer(const CostStudy& study) {
+  std::string text;
+  const auto points = study.points();
+  if (const auto i = cheapest(points, *study.target)) {
+    const CostPoint& point = points[*i];
+    text += fmt::format("measured: {} with {}mesh.size = {:g}: error {}, {:.3g} s of CPU time\n",
+                        percent(*study.target), point.family.empty() ? "" : point.family + ", ", point.size,
+                        percent(point.error), point.cpu);
+  } else {
+    text += fmt::format("measured: no rung reaches {}\n", percent(*study.target));
+  }
+  if (!study.prediction)
+    return text + "predicted: nothing, no fit of these rungs reaches so far\n";
+  const auto& [fit, size] = *study.prediction;
+  return text +
+         fmt::format(
+             "predicted: {} with {}mesh.size = {:.6g}: error {}, {:.3g} s of CPU time; not run, by the fit\n",
+             percent(*study.target), fit.family.empty() ? "" : fit.family + ", ", size,
+             percent(fit.error_at(size)), fit.cpu_at(size));
+}
+
+nlohmann::ordered_json to_json(const CostFit& fit) {
+  return {
+      {"family", fit.family},          {"points", fit.points},           {"order", fit.order},
+      {"constant", fit.constant},      {"work_order", fit.work_order},   {"work", fit.work},
+      {"start_s", fit.start},          {"per_update_s", fit.per_update}, {"error_spread", fit.error_spread},
+      {"time_spread", fit.time_spread}};
+}
+
+nlohmann::ordered_json to_json(const CostStudy& study) {
+  nlohmann::ordered_json json = {{"title", study.title}, {"error_of", study.error_of}};
+  const auto front = on_front(study);
+  for (std::size_t i = 0; i < study.rungs.size(); ++i) {
+    const CostRung& rung = study.rungs[i];
+    nlohmann::ordered_json entry = {{"folder", rung.folder}};
+    for (std::size_t k = 0; k < study.knobs.size(); ++k)
+      entry["knobs"][study.knobs[k].key] = rung.values[k];
+    if (!rung.refused.empty()) {
+      entry["refused"] = rung.refused;
+    } else {
+      entry["family"] = rung.point.family;
+      entry["size"] = rung.point.size;
+      if (rung.reference)
+        entry["reference"] = true;
+      else
+        entry["error"] = rung.point.error;
+      entry["phase_lag_s"] = rung.phase_lag;
+      entry["cpu_s"] = rung.point.cpu;
+      entry["updates"] = rung.point.work;
+      entry["front"] = bool(front[i]);
+    }
+    json["rungs"].push_back(std::move(entry));
+  }
+  json["fits"] = nlohmann::ordered_json::array();
+  for (const CostFit& fit : fits(study.points()))
+    json["fits"].push_back(to_json(fit));
+  if (study.target)
+    json["target"] = *study.target;
+  if (study.prediction)
+    json["prediction"] = {{"family", study.prediction->fit.family},
+                          {"size", study.prediction->size},
+                          {"error", study.prediction->fit.error_at(study.prediction->size)},
+                          {"cpu_s", study.prediction->fit.cpu_at(study.prediction->size)}};
+  return json;
+}
+
+std::string quoted(const std::string& value) {
+  if (value.find_first_of(",\"") == std::string::npos)
+    return value;
+  std::string text = "\"";
+  for (const char c : value)
+    text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + '"';
+}
+
+std::string to_csv(const CostStudy& study) {
+  std::string text;
+  for (const Knob& knob : study.knobs)
+    text += knob.key + ",";
+  text += "relative_error,phase_lag_s,cpu_s,particle_updates,front\n";
+  const auto front = on_front(study);
+  for (std::size_t i = 0; i < study.rungs.size(); ++i) {
+    const CostRung& rung = study.rungs[i];
+    if (!rung.refused.empty())
+      continue;
+    for (const std::string& value : rung.values)
+      text += quoted(value) + ",";
+    text += fmt::format("{},{},{},{},{}\n", rung.reference ? 0.0 : rung.point.error, rung.phase_lag,
+                        rung.point.cpu, rung.point.work, front[i] ? 1 : 0);
+  }
+  return text;
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file);
+  stream << text;
+  stream.close();
+  if (!stream)
+    throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+} // namespace
+
+std::vector<CostPoint> CostStudy::points() const {
+  std::vector<CostPoint> all;
+  for (const CostRung& rung : rungs)
+    if (measured(rung))
+      all.push_back(rung.point);
+  return all;
+}
+
+std::string cost_text(const CostStudy& study) {
+  std::vector<std::size_t> widths;
+  for (std::size_t k = 0; k < study.knobs.size(); ++k) {
+    std::size_t width = study.knobs[k].key.size();
+    for (const CostRung& rung : study.rungs)
+      width = std::max(width, rung.values[k].size());
+    widths.push_back(width + 2);
+  }
+  std::string text = study.title + "\n" + column_heads(study, widths);
+  const auto front = on_front(study);
+  for (std::size_t i = 0; i < study.rungs.size(); ++i)
+    text += rung_line(study.rungs[i], widths, front[i]);
+  text += fmt::format("error: {}; CPU time: user and system, of all processes; *: on the Pareto front\n",
+                      study.error_of);
+  if (const auto all = fits(study.points()); !all.empty()) {
+    text += "fits along mesh.size:\n";
+    for (const CostFit& fit : all)
+      text += fit_text(fit);
+  }
+  return study.target ? text + answer(study) : text;
+}
+
+void write_cost(const CostStudy& study, const std::filesystem::path& folder) {
+  write_text(folder / "cost.json", to_json(study).dump(2) + "\n");
+  write_text(folder / "cost.csv", to_csv(study));
+}
+
+} // namespace tremolo::app

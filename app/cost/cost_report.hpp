@@ -1,0 +1,49 @@
+#pragma once
+
+// What `tremolo cost` says and writes: the table for people, cost.csv, and cost.json for the picture.
+
+#include "app/cost/cost_front.hpp"
+#include "app/cost/cost_ladder.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tremolo::app {
+
+/// A rung and what became of it.
+struct CostRung {
+  std::vector<std::string> values; ///< one a knob
+  std::string folder;              ///< within that of the ladder
+  std::string refused;             ///< why there is no run; empty where there is
+  bool reference = false;          ///< the others are held against it
+  CostPoint point;
+  double phase_lag = 0.0; ///< s, positive where the run is late
+};
+
+/// The cheapest setting that a fit expects to reach the target.
+struct CostPrediction {
+  CostFit fit;
+  double size = 0.0; ///< m, one that the case takes
+};
+
+struct CostStudy {
+  std::string title;
+  std::string error_of; ///< what the errors are relative to, in words
+  std::vector<Knob> knobs;
+  std::vector<CostRung> rungs;
+  std::optional<double> target; ///< 1
+  std::optional<CostPrediction> prediction;
+
+  /// Of the rungs that have an error.
+  std::vector<CostPoint> points() const;
+};
+
+std::string cost_text(const CostStudy& study);
+
+/// Writes cost.csv and cost.json.
+/// @throws std::runtime_error where they cannot be written
+void write_cost(const CostStudy& study, const std::filesystem::path& folder);
+
+} // namespace tremolo::app

@@ -1,0 +1,259 @@
+// tremolo column: the free field of a case alone, by any model, as engineers look at it.
+
+#include "app/commands.hpp"
+#include "app/free_field/column_recording.hpp"
+#include "app/free_field/column_report.hpp"
+#include "app/free_field/free_field_series.hpp"
+#include "app/python.hpp"
+#include "freefield/process/column_from_case.hpp"
+#include "results/run_file.hpp"
+#include "scene/plan/layers.hpp"
+#include "scene/plan/motion.hpp"
+#include "scene/read/override.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tremolo::app {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string model;
+  std::string out;
+  std::string record;
+  std::string side;
+  std::vector<double> depths;
+  std::optional<double> duration;
+  std::optional<double> every;
+  bool plot = false;
+};
+
+constexpr std::array models = {scene::SourceModel::wave, scene::SourceModel::fe, scene::SourceModel::ode,
+                               scene::SourceModel::oblique, scene::SourceModel::eql};
+
+scene::SourceModel model_of(const Options& options) {
+  return *std::ranges::find(models, options.model, [](scene::SourceModel m) { return scene::name(m); });
+}
+
+/// A free field to compute, and where it stands.
+struct Ground {
+  scene::Case scene;
+  scene::SourceProcess source;
+  double x = 0.0; ///< m
+};
+
+scene::Side side_of(const Options& options) {
+  return options.side == "right" ? scene::Side::right : scene::Side::left;
+}
+
+/// The complete case, with the model on both sides and at the base.
+scene::Case with_model(const Options& options) {
+  const scene::Case given = scene::load(options.scene);
+  const auto text =
+      scene::overridden_text(given, {.record = {}, .angle_deg = {}, .model = model_of(options)});
+  return scene::parse(text, given.file, given.directory);
+}
+
+/// The profile of the case, for which only its tables are needed; or that of a side.
+Ground ground_of(const Options& options) {
+  if (options.side.empty()) {
+    auto scene = scene::load_free_field(options.scene, model_of(options));
+    const scene::SourceProcess source{
+        .name = "column", .field = {model_of(options), {}}, .surface = scene.surface_level};
+    const double x = scene.motion.reference.x;
+    return {std::move(scene), source, x};
+  }
+  auto scene = with_model(options);
+  const auto source = scene::source_of(scene::plan(scene), side_of(options));
+  const double x = side_of(options) == scene::Side::left ? scene.mesh.box.x_min : scene.mesh.box.x_max;
+  return {std::move(scene), source, x};
+}
+
+double deepest(const scene::Case& scene, const scene::SourceProcess& source) {
+  const double base = scene::base_level(source.surface, scene::layers(scene, source));
+  if (base < source.surface)
+    return base;
+  throw std::runtime_error(
+      fmt::format("{}: without [[profile]] there are no layers, and no column; layers of a side's own are "
+                  "computed with --side left or --side right",
+                  scene.file.string()));
+}
+
+/// Even levels for the peak profiles, interfaces twice, and those asked for.
+std::vector<double> all_levels(const scene::Case& scene, const scene::SourceProcess& source,
+                               const std::vector<double>& depths) {
+  constexpr int intervals = 100;
+  const double base = deepest(scene, source);
+  std::vector<double> levels;
+  levels.reserve(intervals + 1 + depths.size());
+  for (int i = 0; i < intervals; ++i)
+    levels.push_back(base + (source.surface - base) * i / intervals);
+  levels.push_back(source.surface);
+  for (const double depth : depths) {
+    const double y = source.surface - depth;
+    if (!(y >= base && y <= source.surface))
+      throw std::runtime_error(fmt::format("--depths: {} m is outside the column, allowed are 0 to {} m",
+                                           depth, source.surface - base));
+    if (std::ranges::find(levels, y) == levels.end())
+      levels.insert(std::ranges::lower_bound(levels, y), y);
+  }
+  return scene::with_interfaces(std::move(levels), source.surface, scene::layers(scene, source), 0.0);
+}
+
+/// Depths of the histories: those asked for, otherwise surface, interfaces and base.
+std::vector<double> depths_of(const scene::Case& scene, const scene::SourceProcess& source,
+                              const Options& options) {
+  if (!options.depths.empty())
+    return options.depths;
+  std::vector<double> depths{0.0};
+  for (const scene::Layer& layer : scene::layers(scene, source))
+    depths.push_back(depths.back() + layer.thickness);
+  return depths;
+}
+
+/// Histories of this many times at all levels take some 3 GB.
+constexpr double most_times = 2e5;
+
+wavefield::TimeGrid times_of(const Ground& ground, const Options& options) {
+  const auto& [scene, source, x] = ground;
+  const auto motion = scene::motion(scene.motion);
+  const double delay = freefield::slowness_from_case(scene) * (x - scene.motion.reference.x);
+  const double start = std::min(0.0, motion.begin() + delay);
+  // A wave that has gone up and down the column four times has left it for practical purposes.
+  double crossing = 0.0;
+  for (const scene::Layer& layer : scene::layers(scene, source))
+    crossing += layer.thickness / layer.elastic.s_wave_speed();
+  const double end = options.duration.value_or(motion.end() + std::max(0.0, delay) + 8.0 * crossing);
+  if (!(end > start && std::isfinite(end)))
+    throw std::runtime_error(fmt::format("--duration: {} s, must be finite and > {:.4g} s", end, start));
+  const double dt = options.every.value_or(std::min(0.005, 0.25 / motion.highest_frequency()));
+  const double steps = std::floor((end - start) / dt + 1e-9);
+  if (!(steps >= 1.0 && steps < most_times))
+    throw std::runtime_error(fmt::format(
+        "--every: {:.4g} s makes {:.3g} times from {:.4g} to {:.4g} s, allowed are 2 to {:.0e}: --every from "
+        "{:.3g} to {:.3g} s, or another --duration",
+        dt, steps + 1.0, start, end, most_times, (end - start) / (most_times - 1.0), end - start));
+  return {start, dt, static_cast<std::size_t>(steps) + 1};
+}
+
+void print_summary(const FreeFieldSeries& series, const scene::Case& scene, const Options& options) {
+  using freefield::ColumnSample;
+  const bool shear = scene.motion.wave == scene::Wave::sv;
+  const auto along = shear ? &ColumnSample::vx_rate : &ColumnSample::vy_rate;
+  const auto strain = shear ? &ColumnSample::gxy : &ColumnSample::eyy;
+  const auto largest = [&](std::size_t k, double ColumnSample::*member) {
+    double value = 0.0;
+    for (const ColumnSample& sample : series.at(k))
+      value = std::max(value, std::abs(sample.*member));
+    return value;
+  };
+  std::size_t weakest = 0;
+  for (std::size_t k = 0; k < series.levels.size(); ++k)
+    if (largest(k, strain) > largest(weakest, strain))
+      weakest = k;
+  fmt::print("{}: model {}, {:.2f} s CPU\n  peak acceleration  surface {:.4g} m/s2, base {:.4g} m/s2\n"
+             "  largest strain     {:.3g} at {:.4g} m below the surface\n",
+             options.out, options.model, series.cpu_seconds, largest(series.levels.size() - 1, along),
+             largest(0, along), largest(weakest, strain), series.levels.back() - series.levels[weakest]);
+}
+
+void print_linearised(const scene::Case& scene, const scene::SourceProcess& source) {
+  for (const std::string& note : scene::linearised_soils(scene, source))
+    fmt::print("{}\n", note);
+}
+
+void record(const Options& options) {
+  const scene::Case scene = with_model(options);
+  const scene::Side side = side_of(options);
+  print_linearised(scene, scene::source_of(scene::plan(scene), side));
+  record_column(scene, side, options.record);
+  fmt::print("{}: the {} free field, model {}\n", options.record, scene::name(side), options.model);
+}
+
+void compute(const Options& options) {
+  const Ground ground = ground_of(options);
+  const auto& [scene, source, x] = ground;
+  const auto depths = depths_of(scene, source, options);
+  print_linearised(scene, source);
+  const auto series =
+      free_field_series(scene, source, all_levels(scene, source, depths), times_of(ground, options), x);
+  std::vector<std::size_t> shown;
+  for (const double depth : depths) {
+    // The last of equal levels: above an interface.
+    const auto above = std::ranges::upper_bound(series.levels, source.surface - depth);
+    shown.push_back(static_cast<std::size_t>(above - series.levels.begin()) - 1);
+  }
+  const auto tables = column_tables(scene, source, series, shown);
+  results::write_tables(options.out, tables);
+  print_summary(series, scene, options);
+  if (!series.report.empty())
+    fmt::print("  {:<18} {}\n", options.model, series.report);
+  if (options.plot && run_python("column", {options.out}) != 0)
+    throw Exit{1};
+}
+
+} // namespace
+
+void add_column(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "column",
+      "The free field of a case alone: histories, peak profiles, spectra, transfer functions, loops");
+  const auto options = std::make_shared<Options>();
+  std::vector<std::string> names;
+  names.reserve(models.size());
+  for (const auto model : models)
+    names.emplace_back(scene::name(model));
+  command
+      ->add_option("CASE", options->scene,
+                   "Case file; needs [motion], [surface], [halfspace] and [[profile]]")
+      ->required();
+  command->add_option("--model", options->model, "Free-field model: wave, fe, ode, oblique or eql")
+      ->required()
+      ->check(CLI::IsMember(names));
+  command
+      ->add_option(
+          "--side", options->side,
+          "left or right of a complete case: its layers and surface, at its edge of the box (default: "
+          "[[profile]] under [surface], at the reference point; of a recording the left side)")
+      ->check(CLI::IsMember({"left", "right"}));
+  auto* out = command->add_option("--out", options->out, "Written: HDF5 tables, see docs/output-format.md");
+  auto* recording =
+      command
+          ->add_option("--record", options->record,
+                       "Written: the free field of a side of a complete case, for model = \"recording\"")
+          ->excludes(out);
+  command
+      ->add_option("--depths", options->depths,
+                   "Depths of the histories, m, separated by commas (default: surface, interfaces, base)")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(recording);
+  command
+      ->add_option("--duration", options->duration,
+                   "End of the histories, s (default: the motion's end and the ringing of the column)")
+      ->excludes(recording);
+  command
+      ->add_option("--every", options->every,
+                   "Time step of the histories, s (default: a quarter of the shortest period, at most 5 ms)")
+      ->excludes(recording);
+  command->add_flag("--plot", options->plot, "Draw OUT.png beside the file")->excludes(recording);
+  command->callback([options] {
+    if (options->out.empty() && options->record.empty())
+      throw CLI::RequiredError("--out or --record");
+    if (options->record.empty())
+      compute(*options);
+    else
+      record(*options);
+  });
+}
+
+} // namespace tremolo::app

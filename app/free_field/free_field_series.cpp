@@ -1,0 +1,134 @@
+#include "app/free_field/free_field_series.hpp"
+
+#include "app/verify/hermite.hpp"
+#include "freefield/process/column_from_case.hpp"
+#include "freefield/process/column_values.hpp"
+#include "scene/plan/layers.hpp"
+#include "wavefield/process/field_from_case.hpp"
+#include "wavefield/process/ground_from_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <stdexcept>
+#include <utility>
+
+namespace tremolo::app {
+
+namespace {
+
+using freefield::ColumnSample;
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+ColumnSample between(const ColumnSample& a, const ColumnSample& b, double dt, double s) {
+  ColumnSample c;
+  const auto join = [&](double ColumnSample::*value, double ColumnSample::*rate) {
+    const Jet jet = hermite({a.*value, a.*rate}, {b.*value, b.*rate}, dt, s);
+    c.*value = jet.value;
+    c.*rate = jet.rate;
+  };
+  join(&ColumnSample::vx, &ColumnSample::vx_rate);
+  join(&ColumnSample::vy, &ColumnSample::vy_rate);
+  join(&ColumnSample::sxx, &ColumnSample::sxx_rate);
+  join(&ColumnSample::syy, &ColumnSample::syy_rate);
+  join(&ColumnSample::sxy, &ColumnSample::sxy_rate);
+  c.ux = hermite({a.ux, a.vx}, {b.ux, b.vx}, dt, s).value;
+  c.uy = hermite({a.uy, a.vy}, {b.uy, b.vy}, dt, s).value;
+  c.eyy = a.eyy + s * (b.eyy - a.eyy);
+  c.gxy = a.gxy + s * (b.gxy - a.gxy);
+  return c;
+}
+
+/// A column, marched; before its start it is at rest. States are sampled only at the ends of steps in which a
+/// time is asked for.
+void march(freefield::Column& column, FreeFieldSeries& series) {
+  const std::size_t levels = series.levels.size();
+  const double dt = column.time_step();
+  std::vector<ColumnSample> before(levels);
+  std::vector<ColumnSample> after(levels);
+  for (std::size_t i = 0; i < series.times.count; ++i) {
+    const double time = series.times.start + static_cast<double>(i) * series.times.dt;
+    if (column.time() < time) {
+      while (column.time() + dt < time)
+        column.step();
+      column.sample(series.levels, before);
+      column.step();
+      column.sample(series.levels, after);
+    }
+    const double s = std::clamp(1.0 - (column.time() - time) / dt, 0.0, 1.0);
+    for (std::size_t k = 0; k < levels; ++k)
+      series.samples[k * series.times.count + i] = between(before[k], after[k], dt, s);
+  }
+}
+
+ColumnSample at_time(const wavefield::History& h, std::size_t i) {
+  ColumnSample sample = freefield::sample_at(h, i);
+  sample.ux = h.ux[i];
+  sample.uy = h.uy[i];
+  sample.eyy = h.eyy[i];
+  sample.gxy = h.gxy[i];
+  return sample;
+}
+
+FreeFieldSeries empty_series(std::vector<double> levels, const wavefield::TimeGrid& times) {
+  FreeFieldSeries series{std::move(levels), times, {}};
+  series.samples.resize(series.levels.size() * times.count);
+  return series;
+}
+
+void synthesise(const wavefield::LayeredField& field, double x, wavefield::Part part,
+                FreeFieldSeries& series) {
+  const auto points = wavefield::points_on_line(x, series.levels);
+  const auto histories = field.sample(points, series.times, part);
+  for (std::size_t k = 0; k < histories.size(); ++k)
+    for (std::size_t i = 0; i < series.times.count; ++i)
+      series.samples[k * series.times.count + i] = at_time(histories[k], i);
+}
+
+} // namespace
+
+FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceProcess& source,
+                                  std::vector<double> levels, const wavefield::TimeGrid& times,
+                                  double x_line) {
+  FreeFieldSeries series = empty_series(std::move(levels), times);
+  const double before = cpu_seconds();
+  switch (source.field.model) {
+  case scene::SourceModel::wave:
+    synthesise(wavefield::field_from_case(scene, source), x_line, wavefield::Part::total, series);
+    break;
+  case scene::SourceModel::eql: {
+    const auto result = wavefield::equivalent_linear_from_case(scene, source);
+    series.report = wavefield::summary(result);
+    synthesise(wavefield::field_from_case(scene, source, result), x_line, wavefield::Part::total, series);
+    break;
+  }
+  case scene::SourceModel::fe:
+  case scene::SourceModel::ode:
+  case scene::SourceModel::oblique: {
+    const auto column = freefield::column_from_case(scene, source, x_line, times.start);
+    march(*column, series);
+    series.report = column->report();
+    break;
+  }
+  default:
+    throw std::invalid_argument(
+        fmt::format("model \"{}\" is not computed here; wave, fe, ode, oblique and eql are",
+                    scene::name(source.field.model)));
+  }
+  series.cpu_seconds = cpu_seconds() - before;
+  return series;
+}
+
+FreeFieldSeries incident_series(const scene::Case& scene, const scene::SourceProcess& source,
+                                std::vector<double> levels, const wavefield::TimeGrid& times, double x_line) {
+  FreeFieldSeries series = empty_series(std::move(levels), times);
+  synthesise(wavefield::elastic_field(scene, scene::layers(scene, source), source.surface), x_line,
+             wavefield::Part::incident, series);
+  return series;
+}
+
+} // namespace tremolo::app

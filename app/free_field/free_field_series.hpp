@@ -1,0 +1,40 @@
+#pragma once
+
+#include "freefield/column.hpp"
+#include "scene/case.hpp"
+#include "scene/plan/plan.hpp"
+#include "wavefield/signal/history.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::app {
+
+/// A free field on its vertical line, at levels and even times: the same for every model.
+struct FreeFieldSeries {
+  std::vector<double> levels; ///< m, ascending; an interface twice, from below and from above
+  wavefield::TimeGrid times;
+  std::vector<freefield::ColumnSample> samples; ///< [level][time]
+  double cpu_seconds = 0.0;                     ///< that computing it took
+  std::string report;                           ///< what integrator or iteration did, in words; may be empty
+
+  std::span<const freefield::ColumnSample> at(std::size_t level) const {
+    return std::span(samples).subspan(level * times.count, times.count);
+  }
+};
+
+/// Computes a free field in this process with the model of the source: wave, fe, ode, oblique or eql. Between
+/// the steps of a column, velocity, displacement and stress are cubic Hermite, strain is linear.
+/// @param x_line  where the line stands, m
+/// @throws std::invalid_argument for another model, or values out of range
+FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceProcess& source,
+                                  std::vector<double> levels, const wavefield::TimeGrid& times,
+                                  double x_line);
+
+/// The incident wave alone, at levels of the half-space.
+FreeFieldSeries incident_series(const scene::Case& scene, const scene::SourceProcess& source,
+                                std::vector<double> levels, const wavefield::TimeGrid& times, double x_line);
+
+} // namespace tremolo::app

@@ -1,0 +1,205 @@
+// tremolo motion: what a strong motion is, its processing, and motions made from a recipe.
+
+#include "app/commands.hpp"
+#include "app/motion/motion_report.hpp"
+#include "app/motion/motion_steps.hpp"
+#include "app/python.hpp"
+#include "app/temporary_folder.hpp"
+#include "motion/make/recipe.hpp"
+#include "motion/read/write.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace tremolo::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string file;
+  std::string recipe;
+  std::string quantity;
+  std::string unit;
+  std::string kind;
+  std::string as;
+  std::string fit = "velocity";
+  MotionSteps steps;
+  std::string out;
+  std::string out_unit;
+  std::string response;
+  std::string fourier;
+  double damping = 0.05;
+  std::string picture;
+};
+
+/// A motion and how it is called.
+struct Named {
+  motion::Record record;
+  std::string name;
+  motion::Title title;
+};
+
+template <class Enum>
+std::optional<Enum> chosen(const std::string& text, std::optional<Enum> (*named)(std::string_view),
+                           const char* option) {
+  if (text.empty())
+    return std::nullopt;
+  const auto value = named(text);
+  if (!value)
+    throw std::invalid_argument(fmt::format("{} '{}' is not known", option, text));
+  return value;
+}
+
+motion::ReadAs read_as(const Options& options) {
+  return {.quantity = chosen(options.quantity, motion::quantity_named, "--quantity"),
+          .unit = chosen(options.unit, motion::unit_named, "--unit"),
+          .kind = chosen(options.kind, motion::kind_named, "--kind")};
+}
+
+Named made(const motion::SynthesisRecipe& recipe, const std::string& name, const std::string& title) {
+  auto result = motion::synthesise(recipe);
+  const auto& m = result.measures;
+  const auto& [filter, envelope] = std::pair(result.recipe.filter, result.recipe.envelope);
+  fmt::print("{}: seed {}, {} steps; filter frequency {:.4f} Hz, high_pass {:.4f} Hz, envelope time {:.4f} "
+             "s, burst {:.4f}\n",
+             name, result.recipe.seed, result.steps, filter.frequency, filter.high_pass, envelope.time,
+             envelope.burst);
+  return {std::move(result.record),
+          name,
+          {title.empty() ? "SYNTHETIC MOTION" : title,
+           fmt::format("Seed {}: PGA {:.4f} g, PGV {:.4f} m/s, Arias {:.4f} m/s, D5-95 {:.2f} s, Tm {:.4f} s",
+                       result.recipe.seed, m.pga / motion::standard_gravity, m.pgv, m.arias,
+                       m.significant_duration, m.mean_period)}};
+}
+
+Named made(const motion::PulseRecipe& recipe, const std::string& name, const std::string& title) {
+  return {motion::sampled(recipe.pulse, recipe.unit, recipe.dt, recipe.count),
+          name,
+          {title.empty() ? "PULSE" : title, "MADE BY TREMOLO"}};
+}
+
+Named the_motion(const Options& options, const motion::ReadAs& as) {
+  if (options.recipe.empty()) {
+    const fs::path file = options.file;
+    return {motion::read_record(file, as), file.string(), {"PROCESSED BY TREMOLO", file.stem().string()}};
+  }
+  const auto recipe = motion::read_recipe(options.recipe);
+  Named result = std::visit(
+      [&](const auto& what) { return made(what, fs::path(options.recipe).string(), recipe.title); },
+      recipe.what);
+  result.record.kind = as.kind ? as.kind : recipe.kind;
+  return result;
+}
+
+void draw(const Named& named, const Options& options) {
+  const TemporaryFolder scratch;
+  write_histories(named.record, scratch.path() / "histories.csv");
+  write_response_spectrum(named.record, options.damping, scratch.path() / "response.csv");
+  write_fourier_spectrum(named.record, scratch.path() / "fourier.csv");
+  const int status = run_python("motion-picture", {scratch.path().string(), options.picture, "--title",
+                                                   fs::path(named.name).filename().string(), "--damping",
+                                                   fmt::format("{}", options.damping)});
+  if (status != 0)
+    throw std::runtime_error(fmt::format("{}: the picture was not drawn", options.picture));
+}
+
+void work_on(const Options& options) {
+  if (options.file.empty() == options.recipe.empty())
+    throw std::invalid_argument("motion: a FILE or --synthesise RECIPE is needed, and not both");
+  const auto as = read_as(options);
+  Named named = the_motion(options, as);
+  MotionSteps steps = options.steps;
+  steps.kind = chosen(options.as, motion::kind_named, "--as");
+  steps.fit = options.fit == "velocity" ? motion::BaselineFit::velocity : motion::BaselineFit::displacement;
+  named.record = processed(std::move(named.record), steps, as);
+  if (const auto unit = chosen(options.out_unit, motion::unit_named, "--out-unit"))
+    named.record = motion::with_unit(named.record, *unit);
+
+  fmt::print("{}", motion_report(named.record, named.name));
+  if (const auto warning = motion_warning(named.record); !warning.empty())
+    fmt::print(stderr, "tremolo: warning: {}: {}\n", named.name, warning);
+  if (!options.out.empty())
+    motion::write_record(named.record, options.out, named.title);
+  if (!options.response.empty())
+    write_response_spectrum(named.record, options.damping, options.response);
+  if (!options.fourier.empty())
+    write_fourier_spectrum(named.record, options.fourier);
+  if (!options.picture.empty())
+    draw(named, options);
+}
+
+void add_reading(CLI::App& command, Options& options) {
+  command.add_option("FILE", options.file, "PEER AT2, VT2 or DT2; two columns of time and value; or HDF5");
+  command.add_option(
+      "--synthesise", options.recipe,
+      "Make the motion of this TOML recipe instead: a [pulse], or noise with the measures of [target]");
+  command.add_option("--quantity", options.quantity,
+                     "acceleration, velocity or displacement, where the file leaves it open");
+  command.add_option("--unit", options.unit,
+                     "g, m/s2, cm/s2, m/s, cm/s, m, cm or mm, where the file leaves it open");
+  command.add_option("--kind", options.kind, "incident, outcrop or within: what it is the motion of");
+}
+
+void add_steps(CLI::App& command, Options& options) {
+  MotionSteps& steps = options.steps;
+  auto* rotate = command.add_option("--rotate", steps.rotate_deg,
+                                    "1. Component along an axis at DEG degrees from this one towards --with");
+  auto* with = command.add_option("--with", steps.other, "   File of the perpendicular component");
+  rotate->needs(with);
+  with->needs(rotate);
+  auto* baseline = command.add_option(
+      "--baseline", steps.baseline,
+      "2. Subtract the baseline: degree of the polynomial fitted; the velocity ends at zero");
+  command.add_option("--baseline-fit", options.fit, "   What it is fitted to")
+      ->check(CLI::IsMember({"velocity", "displacement"}))
+      ->needs(baseline)
+      ->capture_default_str();
+  command.add_option("--taper", steps.taper, "3. Half a cosine over this time at each end, s");
+  auto* band =
+      command
+          .add_option("--band", steps.band, "4. Zero-phase Butterworth: low and high corner, Hz; 0 is open")
+          ->expected(2)
+          ->delimiter(',');
+  command.add_option("--order", steps.order, "   Order of its two filters")
+      ->needs(band)
+      ->capture_default_str();
+  command.add_option("--resample", steps.step, "5. Band-limited interpolation to this step, s");
+  auto* scale = command.add_option("--scale", steps.scale, "6. Factor");
+  command.add_option("--pga", steps.pga, "6. Scale to this PGA, m/s2")->excludes(scale);
+  command.add_option("--shift", steps.shift, "7. Later by this time, s (negative: earlier)");
+  command.add_option("--as", options.as,
+                     "8. Make it incident or outcrop (vertical incidence: outcrop = 2 x incident)");
+}
+
+void add_writing(CLI::App& command, Options& options) {
+  command.add_option("--out", options.out, "Written: the motion as .AT2 (g), .VT2 (cm/s), .DT2 (cm) or .csv");
+  command.add_option("--out-unit", options.out_unit, "Unit, and by it quantity, of the report and of .csv");
+  command.add_option("--response", options.response,
+                     "Written: response spectrum, 200 periods from 0.01 to 10 s (CSV, SI)");
+  command.add_option("--fourier", options.fourier,
+                     "Written: Fourier amplitudes of the acceleration (CSV, SI)");
+  command.add_option("--damping", options.damping, "Damping of the response spectrum")->capture_default_str();
+  command.add_option("--plot", options.picture, "Picture of histories and spectra (default motion.png)")
+      ->expected(0, 1)
+      ->default_str("motion.png");
+}
+
+} // namespace
+
+void add_motion(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("motion", "Measures, spectra, processing and synthesis of strong motions");
+  command->footer("The steps are done in the order of their numbers.");
+  const auto options = std::make_shared<Options>();
+  add_reading(*command, *options);
+  add_steps(*command, *options);
+  add_writing(*command, *options);
+  command->callback([options] { work_on(*options); });
+}
+
+} // namespace tremolo::app

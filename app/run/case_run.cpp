@@ -1,0 +1,272 @@
+#include "app/run/case_run.hpp"
+
+#include "app/commands.hpp"
+#include "app/run/hosts.hpp"
+#include "app/run/in_process.hpp"
+#include "app/run/participant_program.hpp"
+#include "app/run/run_display.hpp"
+#include "app/run/run_lock.hpp"
+#include "coupler/process/recorded_case.hpp"
+#include "coupler/recording/exchange_recorder.hpp"
+#include "coupler/wire/messages.hpp"
+#include "results/run_file.hpp"
+#include "scene/plan/hosts.hpp"
+#include "scene/plan/plan.hpp"
+#include "scene/text/files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+
+namespace tremolo::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out)
+    throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
+}
+
+/// Places the processes that [hosts] names on their machines.
+void place_elsewhere(const scene::Case& scene, const CaseRun& run, coupler::LaunchOptions& options) {
+  if (run.local || scene.hosts.sides.empty())
+    return;
+  options.outer_endpoint = scene.hosts.endpoint;
+  for (const auto& file : scene::data_files(scene))
+    options.files.push_back(coupler::described(file));
+  int by_slurm = 0;
+  for (const auto& source : scene::plan(scene).sources)
+    if (const auto* host = scene::host_of(scene, source)) {
+      by_slurm += host->start == scene::StartBy::slurm ? 1 : 0;
+      std::ranges::find(options.processes, source.name, &coupler::ProcessSpec::name)->elsewhere =
+          elsewhere(*host, source.name, run.keys, options.deadlines.connect, by_slurm);
+    }
+}
+
+/// "tremolo-wave", and who starts it where it does not run here.
+std::string description(const coupler::ProcessSpec& process) {
+  const auto program = process.program.filename().string();
+  if (!process.elsewhere)
+    return program;
+  return fmt::format("{:<18} {}", program,
+                     process.elsewhere->started_by.empty() ? "by `tremolo join`"
+                                                           : "by " + process.elsewhere->started_by);
+}
+
+/// Nothing where each participant has a process of its own.
+coupler::ParticipantMain main_for(const CaseRun& run, const std::string& program) {
+  return run.transport == "inproc" ? main_of(program) : coupler::ParticipantMain{};
+}
+
+coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run) {
+  coupler::LaunchOptions options;
+  options.case_file = scene.file;
+  options.out = run.folder;
+  const coupler::RunIdentity identity = identity_of(scene, run.mode);
+  options.mode = identity.mode;
+  options.window_steps = identity.window_steps;
+  if (scene.checkpoints.keep > 0)
+    options.checkpoints = {run.folder / "checkpoints", static_cast<std::size_t>(scene.checkpoints.keep),
+                           identity.inputs};
+  options.resume = run.resume;
+  options.transport = coupler::transport_from(run.transport);
+  options.keys = run.keys;
+  options.deadlines = {scene.coupling.connect_deadline, scene.coupling.step_deadline,
+                       scene.coupling.shutdown_deadline};
+  for (const auto& source : scene::plan(scene).sources)
+    options.processes.push_back({.name = source.name,
+                                 .role = coupler::Role::source,
+                                 .program = located(scene::program(source.field)),
+                                 .arguments = own_arguments(source.field),
+                                 .main = main_for(run, scene::program(source.field))});
+  options.processes.push_back({.name = "domain",
+                               .role = coupler::Role::domain,
+                               .program = located("tremolo-domain"),
+                               .threads = run.threads,
+                               .main = main_for(run, "tremolo-domain")});
+  place_elsewhere(scene, run, options);
+  return options;
+}
+
+/// /processes of the run file: what each process of the run took.
+results::Table process_table(const std::vector<coupler::ProcessSummary>& summaries) {
+  std::vector<std::string> names;
+  std::vector<double> wall;
+  std::vector<double> cpu;
+  std::vector<double> waiting;
+  for (const auto& summary : summaries) {
+    names.push_back(summary.name);
+    wall.push_back(summary.wall_seconds);
+    cpu.push_back(summary.cpu_seconds);
+    waiting.push_back(summary.report.waiting);
+  }
+  return {
+      {{"process", "1", names}, {"wall_time", "s", wall}, {"cpu_time", "s", cpu}, {"waiting", "s", waiting}}};
+}
+
+/// /timeline of the run file: what each process did when, in seconds of each slice of wall time.
+results::Table timeline_table(const std::vector<coupler::ProcessSummary>& summaries) {
+  std::vector<std::string> names;
+  std::vector<std::string> activities;
+  std::vector<double> times;
+  std::vector<double> slices;
+  std::vector<double> durations;
+  for (const auto& summary : summaries) {
+    const auto& timeline = summary.report.timeline;
+    for (const auto& [activity, seconds] : timeline.activities)
+      for (std::size_t i = 0; i < seconds.size(); ++i) {
+        names.push_back(summary.name);
+        activities.push_back(activity);
+        times.push_back(timeline.slice * static_cast<double>(i));
+        slices.push_back(timeline.slice);
+        durations.push_back(seconds[i]);
+      }
+  }
+  return {{{"process", "1", names},
+           {"activity", "1", activities},
+           {"time", "s", times},
+           {"slice", "s", slices},
+           {"duration", "s", durations}}};
+}
+
+/// Where the case asks for a recording of the exchange.
+std::unique_ptr<coupler::ExchangeRecorder> recorder_of(const scene::Case& scene, const CaseRun& run,
+                                                       const coupler::LaunchOptions& options) {
+  if (!scene.recording.exchange)
+    return nullptr;
+  coupler::RecorderOptions recorder{.file = run.folder / "exchange.h5",
+                                    .on_full_disk = scene.recording.on_full_disk == scene::OnFullDisk::stop
+                                                        ? coupler::OnFullDisk::stop
+                                                        : coupler::OnFullDisk::go_on,
+                                    .case_text = scene.text,
+                                    .case_values = coupler::recorded_values(scene),
+                                    .serves = {},
+                                    .note = options.note,
+                                    .resume = run.resume};
+  if (run.resume && !fs::exists(run.resume->folder / coupler::recording_checkpoint)) {
+    options.note("warning: the exchange was not recorded any more at the checkpoint; it is not recorded now");
+    return nullptr;
+  }
+  for (const auto& source : scene::plan(scene).sources)
+    for (const auto& served : source.serves)
+      recorder.serves[source.name].emplace_back(scene::name(served.side));
+  return std::make_unique<coupler::ExchangeRecorder>(std::move(recorder));
+}
+
+/// The command that goes on with a run that has ended early.
+std::string resume_hint(const fs::path& folder) {
+  if (has_all_results(folder))
+    return fmt::format("its results were complete before that: {}", (folder / "run.h5").string());
+  const auto set = coupler::newest_set(folder / "checkpoints");
+  return set ? fmt::format("to go on from step {} ({:.6g} s): tremolo resume {}", set->step, set->time,
+                           folder.string())
+             : fmt::format("it had made no checkpoint yet: to begin again: tremolo run {}",
+                           (folder / "case.toml").string());
+}
+
+/// A domain that was killed could not say so in its file; the launcher does it for it.
+void mark_aborted(const fs::path& file, const std::string& reason) {
+  if (fs::exists(file) && results::RunReader(file).status() == "running")
+    results::mark_aborted(file, reason);
+}
+
+/// What a process warned of in its log.
+std::vector<std::string> warnings_of(const std::string& process, const fs::path& folder) {
+  constexpr std::string_view mark = "warning: ";
+  std::vector<std::string> warnings;
+  std::ifstream log(folder / "log" / (process + ".log"));
+  for (std::string text; std::getline(log, text);)
+    if (text.starts_with(mark))
+      warnings.push_back(fmt::format("{}: {}", process, text));
+  return warnings;
+}
+
+/// A run whose recording came to nothing only at its very end fails too, unless the case lets it go on.
+void finish_recording(coupler::ExchangeRecorder* recorder, const scene::Recording& recording,
+                      ProgressLine& line) {
+  if (recorder == nullptr)
+    return;
+  const auto lacking = recorder->finish(std::nullopt);
+  if (!lacking)
+    return;
+  line.note(fmt::format("{}the recording of the exchange is not complete: {}",
+                        recording.on_full_disk == scene::OnFullDisk::stop ? "" : "warning: ", *lacking));
+  if (recording.on_full_disk == scene::OnFullDisk::stop)
+    throw Exit{1};
+}
+
+} // namespace
+
+bool has_all_results(const fs::path& folder) {
+  const fs::path file = folder / "run.h5";
+  const fs::path before = folder / "run.h5.before"; // set aside by a resumption that died
+  return !fs::exists(before) && fs::exists(file) && results::RunReader(file).status() == "complete";
+}
+
+coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<std::string>& mode) {
+  coupler::RunIdentity identity{
+      .case_text = scene.text,
+      .mode = coupler::mode_from(mode.value_or(std::string(scene::name(scene.coupling.mode)))),
+      .window_steps = static_cast<std::uint32_t>(scene.coupling.window_steps)};
+  const auto add = [&](const fs::path& file) {
+    identity.inputs["CRC-32 of " + fs::absolute(file).string()] = coupler::text_crc(coupler::file_text(file));
+  };
+  if (const auto* record = std::get_if<scene::MotionFile>(&scene.motion.source))
+    add(record->path);
+  for (const auto& source : scene::plan(scene).sources)
+    if (source.field.model == scene::SourceModel::recording)
+      add(source.field.file);
+  return identity;
+}
+
+std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& run) {
+  if (run.transport == "inproc")
+    share_process();
+  fs::create_directories(run.folder);
+  const RunLock lock(run.folder);
+  scene.file = run.folder / "case.toml";
+  if (!run.resume)
+    write_text(scene.file, scene.text);
+  auto options = launch_options(scene, run);
+  ProgressLine line;
+  options.on_progress = [&](const coupler::Progress& progress) { line.show(progress); };
+  options.note = [&](const std::string& note) { line.note(note); };
+  fmt::print("{}\n", scene.title);
+  for (const auto& process : options.processes)
+    fmt::print("  {:<12} {}\n", process.name, description(process));
+  fmt::print("results in {}, mode {}\n", run.folder.string(), coupler::name(options.mode));
+  std::fflush(stdout);
+  const fs::path file = run.folder / "run.h5";
+  const auto recorder = recorder_of(scene, run, options);
+  options.observer = recorder.get();
+  try {
+    auto summaries = coupler::launch(options);
+    finish_recording(recorder.get(), scene.recording, line);
+    results::append_table(file, "/processes", process_table(summaries));
+    results::append_table(file, "/timeline", timeline_table(summaries));
+    line.note("finished");
+    for (const auto& process : options.processes)
+      for (const auto& warning : warnings_of(process.name, run.folder))
+        line.note(warning);
+    return summaries;
+  } catch (const coupler::RunFailed& failure) {
+    line.note(failure.what());
+    if (recorder)
+      recorder->finish(failure.what());
+    mark_aborted(file, failure.what());
+    line.note(resume_hint(run.folder));
+    throw Exit{failure.exit_status()};
+  }
+}
+
+} // namespace tremolo::app

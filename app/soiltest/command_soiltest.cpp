@@ -1,0 +1,67 @@
+// tremolo soiltest: element tests of one soil, as a laboratory knows them.
+
+#include "app/commands.hpp"
+#include "app/python.hpp"
+#include "app/soiltest/soiltest_output.hpp"
+#include "app/soiltest/soiltest_report.hpp"
+#include "scene/soil_test.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace tremolo::app {
+namespace {
+
+struct Options {
+  std::string test;
+  std::string out;
+  bool plot = false;
+  bool library = false;
+};
+
+void test_soil(const Options& options) {
+  const auto file = scene::load_soil_test(options.test, scene::SoilTestUse::test);
+  if (!options.out.empty())
+    check_output_name(options.out, file);
+  if (options.plot && std::filesystem::path(options.out).extension() != ".h5")
+    throw std::runtime_error("--plot draws from an HDF5 file: give --out a name that ends with .h5");
+  fmt::print("{}", soil_text(file));
+  const auto tests = run(file);
+  fmt::print("{}", results_text(file, tests));
+  if (!options.out.empty())
+    write_soiltest(options.out, file, tests);
+  if (options.plot && run_python("soiltest", {options.out}) != 0)
+    throw Exit{1};
+  for (const Specimen& specimen : tests.specimens)
+    if (specimen.result.end == soiltest::End::refused)
+      throw std::runtime_error(fmt::format("{}: {} ended early: {}", options.test, label(file, specimen),
+                                           specimen.result.end_reason));
+}
+
+} // namespace
+
+void add_soiltest(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "soiltest",
+      "Element tests of a soil: simple shear, triaxial, oedometer; cyclic strength; modulus and damping");
+  const auto options = std::make_shared<Options>();
+  auto* test = command->add_option("TEST", options->test, "Soil test file, see docs/soil-test-file.md");
+  command->add_option("--out", options->out,
+                      "Written: .h5 with histories, curves, lines and parameters, or .csv with the history");
+  command->add_flag("--plot", options->plot, "Draw OUT.png beside the HDF5 file");
+  command->add_flag("--library", options->library, "List the library of soils")->excludes(test);
+  command->callback([options] {
+    if (options->library)
+      fmt::print("{}", library_text());
+    else if (options->test.empty())
+      throw CLI::RequiredError("TEST or --library");
+    else
+      test_soil(*options);
+  });
+}
+
+} // namespace tremolo::app

@@ -1,0 +1,94 @@
+// tremolo swap: one case, several free-field models, and what the choice changes.
+
+#include "app/commands.hpp"
+#include "app/python.hpp"
+#include "app/swap/swap.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace tremolo::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+  std::string case_file;
+  std::vector<std::string> models;
+  fs::path out;
+  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+};
+
+constexpr std::array known = {scene::SourceModel::wave, scene::SourceModel::fe, scene::SourceModel::ode,
+                              scene::SourceModel::oblique, scene::SourceModel::eql};
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  all.reserve(known.size());
+  for (const auto model : known)
+    all.emplace_back(scene::name(model));
+  return all;
+}
+
+void compare(const Options& options) {
+  const auto scene = scene::load(options.case_file);
+  if (scene.monitors.empty())
+    throw std::runtime_error(
+        fmt::format("{}: without a [[monitor]] there is no response to compare", options.case_file));
+  if (fs::exists(options.out) && !fs::is_empty(options.out))
+    throw std::runtime_error(
+        fmt::format("{} is not an empty folder; choose another --out", options.out.string()));
+  std::vector<scene::SourceModel> models;
+  models.reserve(options.models.size());
+  for (const std::string& model : options.models) {
+    if (std::ranges::count(options.models, model) > 1)
+      throw std::runtime_error(fmt::format("--models: '{}' is named twice", model));
+    models.push_back(*std::ranges::find(known, model, [](scene::SourceModel m) { return scene::name(m); }));
+  }
+
+  const auto runs =
+      swap_models(scene, models, {.folder = options.out, .mode = {}, .threads = options.threads});
+  fs::create_directories(options.out);
+  std::ofstream file(options.out / "swap.json");
+  file << swap_json(runs) << '\n';
+  file.close();
+  if (!file)
+    throw std::runtime_error(fmt::format("cannot write {}", (options.out / "swap.json").string()));
+  fmt::print("\n{}", swap_text(runs));
+  if (std::ranges::none_of(runs, [](const SwappedRun& run) { return run.refused.empty(); }))
+    throw Exit{1};
+  if (run_python("swap", {options.out.string()}) != 0 || std::ranges::any_of(runs, &SwappedRun::failed))
+    throw Exit{1};
+}
+
+} // namespace
+
+void add_swap(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "swap", "Run a case with several free-field models and show what the choice changes");
+  const auto options = std::make_shared<Options>();
+  command->add_option("CASE", options->case_file, "Case file with a [[monitor]] at least")->required();
+  command
+      ->add_option("--models", options->models,
+                   "Models for both sides and the base, separated by commas; the first is the reference")
+      ->required()
+      ->delimiter(',')
+      ->check(CLI::IsMember(names()));
+  command->add_option("--out", options->out, "New folder: one run a model, swap.json and swap.png")
+      ->required();
+  command->add_option("--threads", options->threads, "Threads of the domain")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->callback([options] { compare(*options); });
+}
+
+} // namespace tremolo::app

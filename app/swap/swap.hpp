@@ -1,0 +1,54 @@
+#pragma once
+
+// The same case under several free-field models: what the choice of the model changes, and what it costs.
+
+#include "app/free_field/free_field_series.hpp"
+#include "app/run/case_run.hpp"
+#include "results/run_file.hpp"
+#include "scene/case.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tremolo::app {
+
+/// How two motions differ, sqrt(sum |v - r|^2 / sum |r|^2) over both components and all times, v the particle
+/// velocity, r that of the reference.
+struct Difference {
+  std::string where; ///< monitor
+  double relative_l2 = 0.0;
+};
+
+/// One model's run.
+struct SwappedRun {
+  scene::SourceModel model = scene::SourceModel::wave;
+  std::string refused;              ///< why the case cannot take this model; empty if it ran to its end
+  bool failed = false;              ///< it was taken, but its run failed
+  std::vector<Difference> monitors; ///< to the first model that ran
+  /// Relative L2 of the free field to that of the first model; of the worse side where the sides differ in
+  /// ground or surface. None where either cannot be computed for itself.
+  std::optional<double> free_field;
+  std::optional<double>
+      free_field_to_exact; ///< and to plane waves in the layers, where these can be computed
+  double source_cpu_seconds = 0.0;
+  double domain_cpu_seconds = 0.0;
+  double wall_seconds = 0.0;
+};
+
+/// Runs the case with each model for both sides and the base, each in a folder of its name.
+/// @param given   the case as read
+/// @param run     how; its folder takes one folder a model
+/// A run that fails is said in its entry, and the others go on.
+/// @throws Exit where the user interrupts a run
+std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<scene::SourceModel>& models,
+                                    const CaseRun& run);
+
+/// The table for people.
+std::string swap_text(const std::vector<SwappedRun>& runs);
+
+/// The same as JSON, for the picture.
+std::string swap_json(const std::vector<SwappedRun>& runs);
+
+} // namespace tremolo::app

@@ -1,0 +1,82 @@
+#include "coupler/client/participant_options.hpp"
+
+#include "coupler/wire/messages.hpp"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+
+namespace tremolo::coupler {
+
+std::vector<std::string> command_line(const ParticipantOptions& options) {
+  std::vector<std::string> line{"--case",
+                                options.case_file.string(),
+                                "--name",
+                                options.name,
+                                "--endpoint",
+                                options.endpoint,
+                                "--session",
+                                session_text(options.session),
+                                "--threads",
+                                std::to_string(options.threads),
+                                "--connect-deadline",
+                                fmt::format("{}", options.deadlines.connect),
+                                "--step-deadline",
+                                fmt::format("{}", options.deadlines.step)};
+  if (!options.out.empty())
+    line.insert(line.end(), {"--out", options.out.string()});
+  if (!options.keys.empty())
+    line.insert(line.end(), {"--keys", options.keys.string()});
+  if (!options.resume.empty())
+    line.insert(line.end(), {"--resume", options.resume.string()});
+  return line;
+}
+
+int participant_main(const std::string& program, const std::string& description, const CommandLine& command,
+                     const Surroundings& surroundings,
+                     const std::function<void(const ParticipantOptions&)>& body,
+                     const std::vector<OwnOption>& own_options) {
+  CLI::App app(description, program);
+  ParticipantOptions options;
+  options.surroundings = surroundings;
+  std::string session;
+  app.add_option("--case", options.case_file, "case file")->required();
+  app.add_option("--name", options.name, "this participant's name in the run")->required();
+  app.add_option("--endpoint", options.endpoint, "address of the hub")->required();
+  app.add_option("--session", session, "the run's session, 16 hexadecimal digits")->required();
+  app.add_option("--threads", options.threads, "threads to compute with")->check(CLI::PositiveNumber);
+  app.add_option("--out", options.out, "folder of the run");
+  app.add_option("--resume", options.resume, "folder of the checkpoint to go on from");
+  app.add_option("--keys", options.keys, "folder of CURVE keys, for a hub on another machine");
+  app.add_option("--connect-deadline", options.deadlines.connect, "s")->check(CLI::PositiveNumber);
+  app.add_option("--step-deadline", options.deadlines.step, "s")->check(CLI::PositiveNumber);
+  for (const auto& own : own_options)
+    app.add_option(own.flag, own.value, own.help);
+  try {
+    app.parse(CommandLine(command.rbegin(), command.rend() - 1)); // CLI11 takes them from the back
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  // A file that reaches its size limit shall be an error with a message, not a death by signal.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    options.session = session_from(session);
+    body(options);
+    return 0;
+  } catch (const std::exception& error) {
+    // fmt::print would throw where the log's disk is full.
+    std::fprintf(surroundings.errors, "%s: %s\n", program.c_str(), error.what());
+    return 1;
+  }
+}
+
+int participant_main(const std::string& program, const std::string& description, int argc, char** argv,
+                     const std::function<void(const ParticipantOptions&)>& body,
+                     const std::vector<OwnOption>& own_options) {
+  return participant_main(program, description, CommandLine(argv, argv + argc), {}, body, own_options);
+}
+
+} // namespace tremolo::coupler

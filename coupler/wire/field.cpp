@@ -1,0 +1,39 @@
+#include "coupler/wire/field.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace tremolo::coupler {
+
+void validate(const FieldDescription& field) {
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument(fmt::format("field '{}': {}", field.name, what));
+  };
+  if (field.name.empty())
+    refuse("name is empty");
+  if (field.y.empty())
+    refuse("y has no points, expected at least one elevation (m)");
+  for (std::size_t i = 0; i < field.y.size(); ++i) {
+    if (!std::isfinite(field.y[i]))
+      refuse(fmt::format("y[{}] is {}, expected a finite elevation (m)", i, field.y[i]));
+    if (i > 0 && field.y[i] < field.y[i - 1])
+      refuse(fmt::format("y[{}] = {} m lies below y[{}] = {} m, expected ascending elevations", i, field.y[i],
+                         i - 1, field.y[i - 1]));
+    if (i > 1 && field.y[i] == field.y[i - 2])
+      refuse(
+          fmt::format("the elevation {} m stands three times, expected twice at most: its values from below "
+                      "and from above",
+                      field.y[i]));
+  }
+  if (!std::isfinite(field.x_reference) || !std::isfinite(field.slowness_x) ||
+      !std::isfinite(field.start_time))
+    refuse(fmt::format("x_reference {} m, slowness_x {} s/m and start_time {} s must be finite",
+                       field.x_reference, field.slowness_x, field.start_time));
+  if (!std::isfinite(field.time_step) || field.time_step <= 0.0)
+    refuse(fmt::format("time_step is {} s, expected a positive number", field.time_step));
+  if (field.step_count < 2)
+    refuse(fmt::format("step_count is {}, expected at least 2", field.step_count));
+}
+
+} // namespace tremolo::coupler

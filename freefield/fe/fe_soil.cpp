@@ -1,0 +1,120 @@
+#include "freefield/fe/fe_soil.hpp"
+
+#include "freefield/require.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tremolo::freefield {
+namespace {
+
+/// Strain by which a tangent looks ahead: small against the step's own increment, large against rounding.
+double look_ahead(double increment) {
+  return std::copysign(1e-5 * std::abs(increment) + 1e-10, increment);
+}
+
+/// Fills syy = -rho g depth at the element centres, and K0 of it sideways.
+void set_geostatic(SoilState& state, const Profile& profile, const ColumnMesh& mesh) {
+  double overburden = 0.0; // Pa, from the surface down
+  for (std::size_t e = mesh.elements(); e-- > 0;) {
+    const Layer& layer = profile.layers[mesh.element_layer[e]];
+    const double weight = layer.soil.density * profile.gravity * mesh.length(e);
+    const double rest = layer.rest_coefficient.value_or(layer.soil.rest_coefficient());
+    state.syy[e] = -(overburden + 0.5 * weight);
+    state.sxx[e] = state.szz[e] = rest * state.syy[e];
+    overburden += weight;
+  }
+}
+
+} // namespace
+
+FeSoil::FeSoil(const Profile& profile, const ColumnMesh& mesh)
+    : no_strain_(mesh.elements()), initial_stiffness_(mesh.elements()) {
+  const std::size_t n = mesh.elements();
+  for (auto* stress : {&initial_.sxx, &initial_.syy, &initial_.szz, &initial_.sxy, &initial_.plastic_work}) {
+    stress->resize(n);
+  }
+  for (std::size_t e = 0; e < n; ++e) {
+    const Layer& layer = profile.layers[mesh.element_layer[e]];
+    initial_stiffness_[e] = {layer.soil.shear_modulus(), 0.0, 0.0, layer.soil.p_modulus()};
+    if (e == 0 || mesh.element_layer[e] != mesh.element_layer[e - 1]) {
+      blocks_.push_back(
+          {layer.law.value_or(materials::LinearElastic{layer.soil}), e, 0, initial_.history.size()});
+    }
+    ++blocks_.back().count;
+    for (const materials::StateVariable& variable : materials::state_variables(blocks_.back().law)) {
+      initial_.history.push_back(variable.initial);
+    }
+  }
+  start(profile, mesh);
+}
+
+/// The geostatic state, refused where it is beyond the soil's strength: no strain must leave it as it is.
+void FeSoil::start(const Profile& profile, const ColumnMesh& mesh) {
+  set_geostatic(initial_, profile, mesh);
+  SoilState held = initial_;
+  update(held, no_strain_, no_strain_);
+  for (std::size_t e = 0; e < mesh.elements(); ++e) {
+    const double change = std::abs(held.syy[e] - initial_.syy[e]) + std::abs(held.sxx[e] - initial_.sxx[e]) +
+                          std::abs(held.szz[e] - initial_.szz[e]);
+    if (change > 1e-9 * std::abs(initial_.syy[e])) {
+      const double depth = profile.surface_level - 0.5 * (mesh.node_y[e] + mesh.node_y[e + 1]);
+      throw std::invalid_argument("layer " + std::to_string(mesh.element_layer[e] + 1) +
+                                  " from the top: at a depth of " + shortest(depth) +
+                                  " m the geostatic stress, syy = " + shortest(initial_.syy[e]) +
+                                  " Pa and sxx = " + shortest(initial_.sxx[e]) +
+                                  " Pa, is beyond the soil's strength; choose another rest_coefficient (K0)");
+    }
+  }
+}
+
+void FeSoil::update(SoilState& state, const std::vector<double>& deyy,
+                    const std::vector<double>& dgxy) const {
+  for (const Block& block : blocks_) {
+    const std::size_t first = block.first;
+    materials::update(block.law, {.count = block.count,
+                                  .sxx = state.sxx.data() + first,
+                                  .syy = state.syy.data() + first,
+                                  .szz = state.szz.data() + first,
+                                  .sxy = state.sxy.data() + first,
+                                  .state = state.history.data() + block.history,
+                                  .plastic_work = state.plastic_work.data() + first,
+                                  .dexx = no_strain_.data() + first,
+                                  .deyy = deyy.data() + first,
+                                  .dgxy = dgxy.data() + first,
+                                  .dwxy = no_strain_.data() + first});
+  }
+}
+
+void FeSoil::tangents(const SoilState& begin, const SoilState& end, const std::vector<double>& deyy,
+                      const std::vector<double>& dgxy, std::vector<Stiffness>& stiffness) const {
+  const std::size_t n = deyy.size();
+  stiffness.resize(n);
+  for (const bool shear : {true, false}) {
+    std::vector<double> ahead_eyy = deyy;
+    std::vector<double> ahead_gxy = dgxy;
+    std::vector<double>& ahead = shear ? ahead_gxy : ahead_eyy;
+    for (double& increment : ahead) {
+      increment += look_ahead(increment);
+    }
+    SoilState state = begin;
+    update(state, ahead_eyy, ahead_gxy);
+    for (std::size_t e = 0; e < n; ++e) {
+      const double step = shear ? ahead[e] - dgxy[e] : ahead[e] - deyy[e];
+      stiffness[e][shear ? 0 : 1] = (state.sxy[e] - end.sxy[e]) / step;
+      stiffness[e][shear ? 2 : 3] = (state.syy[e] - end.syy[e]) / step;
+    }
+  }
+}
+
+double FeSoil::elastic_energy(const SoilState& state, std::size_t e, double eyy) const {
+  const auto block =
+      std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return e < b.first + b.count; });
+  const materials::Elasticity& soil = materials::elasticity(block->law);
+  return soil.energy_density(state.sxx[e], state.syy[e], state.szz[e], state.sxy[e]) -
+         soil.energy_density(initial_.sxx[e], initial_.syy[e], initial_.szz[e], initial_.sxy[e]) -
+         initial_.syy[e] * eyy;
+}
+
+} // namespace tremolo::freefield

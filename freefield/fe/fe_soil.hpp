@@ -1,0 +1,69 @@
+#pragma once
+
+#include "freefield/fe/column_mesh.hpp"
+#include "freefield/profile.hpp"
+#include "materials/law/law.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace tremolo::freefield {
+
+/// Stress (Pa, tension positive) and history at the element centres.
+struct SoilState {
+  std::vector<double> sxx, syy, szz, sxy;
+  std::vector<double> history;      ///< the laws' state variables, element after element
+  std::vector<double> plastic_work; ///< J/m3
+};
+
+/// d (sxy, syy) / d (gxy, eyy) of one element, Pa: { xx, xy, yx, yy }.
+using Stiffness = std::array<double, 4>;
+
+/// The soil of a column: the law of each layer at the centres of its elements, in one block a layer.
+class FeSoil {
+public:
+  /// @throws std::invalid_argument naming the layer and the depth where the geostatic stress is more than the
+  ///         soil's strength
+  FeSoil(const Profile& profile, const ColumnMesh& mesh);
+
+  /// Geostatic stress and no history.
+  const SoilState& initial() const { return initial_; }
+
+  /// Advances a state by one step of strain.
+  void update(SoilState& state, const std::vector<double>& deyy, const std::vector<double>& dgxy) const;
+
+  /// The stiffness at small strain.
+  const std::vector<Stiffness>& initial_stiffness() const { return initial_stiffness_; }
+
+  /// The derivative of update() with respect to its strain increments, by forward differences in the
+  /// direction of the increment; `end` is what update() makes of `begin`.
+  void tangents(const SoilState& begin, const SoilState& end, const std::vector<double>& deyy,
+                const std::vector<double>& dgxy, std::vector<Stiffness>& stiffness) const;
+
+  /// Elastic energy of an element's stress over that of the geostatic one, J/m3; the work of the geostatic
+  /// stress itself, which gravity balances, is left out.
+  double elastic_energy(const SoilState& state, std::size_t element, double eyy) const;
+
+  /// Stress of the soil over the geostatic one, Pa
+  double shear(const SoilState& state, std::size_t e) const { return state.sxy[e]; }
+  double vertical(const SoilState& state, std::size_t e) const { return state.syy[e] - initial_.syy[e]; }
+  double lateral(const SoilState& state, std::size_t e) const { return state.sxx[e] - initial_.sxx[e]; }
+
+private:
+  struct Block {
+    materials::Law law;
+    std::size_t first = 0;
+    std::size_t count = 0;
+    std::size_t history = 0; ///< where the block's history begins
+  };
+
+  void start(const Profile& profile, const ColumnMesh& mesh);
+
+  std::vector<Block> blocks_; ///< from the base up
+  std::vector<double> no_strain_;
+  std::vector<Stiffness> initial_stiffness_;
+  SoilState initial_;
+};
+
+} // namespace tremolo::freefield

@@ -1,0 +1,23 @@
+#include "freefield/ode/ode_backbone.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace tremolo::freefield {
+
+std::optional<materials::Backbone> shear_backbone(const Profile& profile, std::size_t layer,
+                                                  std::string_view model) {
+  const auto& law = profile.layers[layer].law;
+  if (!law || std::holds_alternative<materials::LinearElastic>(*law)) {
+    return std::nullopt;
+  }
+  if (const auto* masing = std::get_if<materials::MasingShear>(&*law)) {
+    return masing->backbone();
+  }
+  throw std::invalid_argument("layer " + std::to_string(layer + 1) + " from the top: the model `" +
+                              std::string(model) +
+                              "` takes linear elastic layers and Masing rules in shear, not the law `" +
+                              std::string(materials::name(*law)) + "`; the model `fe` takes it");
+}
+
+} // namespace tremolo::freefield

@@ -1,0 +1,27 @@
+#pragma once
+
+// Linear elasticity in rate form: sigma_{n+1} = Q sigma_n Q^T + C : d_eps, with Q the step's rotation
+// (objective_rate.hpp) and C : d_eps = 2 G dev(d_eps) + K tr(d_eps) I; in plane strain d_eps_zz = 0.
+
+#include "materials/elastic/elasticity.hpp"
+#include "materials/law/parameter_value.hpp"
+#include "materials/law/points.hpp"
+
+#include <vector>
+
+namespace tremolo::materials {
+
+/// Linear elastic soil. No state variables.
+struct LinearElastic {
+  Elasticity elastic;
+};
+
+/// Advances the stresses of all points by one step.
+void update(const LinearElastic& law, const Points& points);
+
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+void validate(const LinearElastic& law);
+
+std::vector<ParameterValue> parameters(const LinearElastic& law);
+
+} // namespace tremolo::materials

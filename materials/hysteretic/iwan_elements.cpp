@@ -1,0 +1,156 @@
+#include "materials/hysteretic/iwan_elements.hpp"
+
+#include "materials/elastic/elastic_trial.hpp"
+#include "materials/law/parameter_check.hpp"
+#include "materials/tensor/objective_rate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace tremolo::materials {
+namespace {
+
+/// What a step asks of every element: twice the deviatoric strain, and the rotation by its double angle.
+struct Step {
+  double xx;
+  double yy;
+  double xy;
+  double cosine;
+  double sine;
+};
+
+Step step_of(const Points& points, std::size_t i) {
+  const InPlaneStress turned = rotated({1.0, -1.0, 0.0}, points.dwxy[i]); // cosine, -cosine, sine
+  const double mean = (points.dexx[i] + points.deyy[i] + out_of_plane_strain(points, i)) / 3.0;
+  return {2.0 * (points.dexx[i] - mean), 2.0 * (points.deyy[i] - mean), points.dgxy[i], turned.xx, turned.xy};
+}
+
+using Group = std::array<double, iwan_group>;
+
+/// In-plane deviatoric stress that yielding takes from the trial stress, Pa.
+struct Relaxed {
+  Group xx{};
+  Group yy{};
+  Group xy{};
+};
+
+/// Added to every element stress, Pa: nothing beside any stress, but in steady shear the other components
+/// shrink with every step, and arithmetic with denormal numbers would take ten times as long as all the rest.
+constexpr double never_denormal = 1e-140;
+
+/// Moves one group of elements by a step. No branch, so that it runs on vectors.
+/// @param s  the group's part of the state block
+void move_group(const IwanElement* elements, const Step& step, double* s, Relaxed& relaxed) {
+  constexpr std::size_t n = iwan_group;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double modulus = elements[k].shear_modulus;
+    const double strength = elements[k].strength;
+    const double mean = 0.5 * (s[k] + s[n + k]);
+    const double half = 0.5 * (s[k] - s[n + k]);
+    const double half_rotated = half * step.cosine - s[2 * n + k] * step.sine;
+    const double xx = mean + half_rotated + modulus * step.xx;
+    const double yy = mean - half_rotated + modulus * step.yy;
+    const double xy = half * step.sine + s[2 * n + k] * step.cosine + modulus * step.xy;
+    const double j2 = xx * xx + yy * yy + xx * yy + xy * xy; // s_zz = -s_xx - s_yy
+    const double over = std::max(j2, strength * strength);
+    const double scale = j2 > strength * strength ? strength / std::sqrt(over) : 1.0;
+    s[k] = scale * xx + never_denormal;
+    s[n + k] = scale * yy + never_denormal;
+    s[2 * n + k] = scale * xy + never_denormal;
+    relaxed.xx[k] += xx - s[k];
+    relaxed.yy[k] += yy - s[n + k];
+    relaxed.xy[k] += xy - s[2 * n + k];
+  }
+}
+
+double sum(const Group& group) {
+  return (group[0] + group[1]) + (group[2] + group[3]);
+}
+
+/// sigma <- Q sigma Q^T + C : d_eps - relaxed, and the plastic work of the mean stress of the step.
+void move_point(std::span<const IwanElement> elements, double lame, double shear, const Points& points,
+                std::size_t i) {
+  const Step step = step_of(points, i);
+  Relaxed relaxed;
+  double* const state = points.state + i * 3 * elements.size();
+  for (std::size_t first = 0; first < elements.size(); first += iwan_group) {
+    move_group(&elements[first], step, state + 3 * first, relaxed);
+  }
+  const double rxx = sum(relaxed.xx);
+  const double ryy = sum(relaxed.yy);
+  const double rxy = sum(relaxed.xy);
+
+  const InPlaneStress carried = rotated({points.sxx[i], points.syy[i], points.sxy[i]}, points.dwxy[i]);
+  const double dezz = out_of_plane_strain(points, i);
+  const double pressure = lame * (points.dexx[i] + points.deyy[i] + dezz);
+  const double sxx = carried.xx + pressure + 2.0 * shear * points.dexx[i] - rxx;
+  const double syy = carried.yy + pressure + 2.0 * shear * points.deyy[i] - ryy;
+  const double szz = points.szz[i] + pressure + 2.0 * shear * dezz + rxx + ryy;
+  const double sxy = carried.xy + shear * points.dgxy[i] - rxy;
+  points.plastic_work[i] += 0.25 / shear *
+                            ((carried.xx + sxx) * rxx + (carried.yy + syy) * ryy -
+                             (points.szz[i] + szz) * (rxx + ryy) + 2.0 * (carried.xy + sxy) * rxy);
+  points.sxx[i] = sxx;
+  points.syy[i] = syy;
+  points.szz[i] = szz;
+  points.sxy[i] = sxy;
+}
+
+} // namespace
+
+std::vector<IwanElement> parallel_elements(std::span<const CurveVertex> vertices) {
+  std::vector<IwanElement> elements;
+  double slope = vertices.front().stress / vertices.front().strain;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const CurveVertex& here = vertices[i];
+    const bool last = i + 1 == vertices.size();
+    const double next =
+        last ? 0.0 : (vertices[i + 1].stress - here.stress) / (vertices[i + 1].strain - here.strain);
+    elements.push_back({slope - next, (slope - next) * here.strain});
+    slope = next;
+  }
+  return elements;
+}
+
+double monotonic_stress(std::span<const IwanElement> elements, double strain) {
+  double stress = 0.0;
+  for (const IwanElement& element : elements) {
+    stress += std::clamp(element.shear_modulus * strain, -element.strength, element.strength);
+  }
+  return stress;
+}
+
+void update(const Elasticity& elastic, std::span<const IwanElement> elements, const Points& points) {
+  const double lame = elastic.lame();
+  const double shear = elastic.shear_modulus();
+  for (std::size_t i = 0; i < points.count; ++i) {
+    move_point(elements, lame, shear, points, i);
+  }
+}
+
+void check_element_count(std::size_t count) {
+  if (count < iwan_group || count > most_iwan_elements || count % iwan_group != 0) {
+    throw std::invalid_argument(fmt::format("elements = {} must be a multiple of {} in [{}, {}]", count,
+                                            iwan_group, iwan_group, most_iwan_elements));
+  }
+}
+
+void validate(const Elasticity& elastic, std::span<const IwanElement> elements) {
+  check(elastic);
+  check_element_count(elements.size());
+  double modulus = 0.0;
+  for (const IwanElement& element : elements) {
+    check_positive("shear modulus of an Iwan element", element.shear_modulus);
+    check_positive("strength of an Iwan element", element.strength);
+    modulus += element.shear_modulus;
+  }
+  const double wanted = elastic.shear_modulus();
+  check_range("sum of the Iwan elements' shear moduli", modulus, (1.0 - 1e-9) * wanted,
+              (1.0 + 1e-9) * wanted);
+}
+
+} // namespace tremolo::materials

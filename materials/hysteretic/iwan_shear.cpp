@@ -1,0 +1,52 @@
+#include "materials/hysteretic/iwan_shear.hpp"
+
+#include "materials/elastic/elastic_parameters.hpp"
+#include "materials/hysteretic/backbone_polygon.hpp"
+#include "materials/law/parameter_check.hpp"
+
+#include <span>
+
+namespace tremolo::materials {
+namespace {
+
+void check(const IwanFit& fit) {
+  check_element_count(fit.elements);
+  check_range("largest_strain", fit.largest_strain, 1e-6, 10.0);
+}
+
+} // namespace
+
+IwanShear iwan_shear(const Elasticity& elastic, double reference_strain, double beta, double exponent,
+                     const IwanFit& fit) {
+  check(elastic);
+  check(fit);
+  const Backbone backbone = {elastic.shear_modulus(), reference_strain, beta, exponent};
+  validate(backbone);
+  return {elastic, parallel_elements(polygon(backbone, fit.elements, fit.largest_strain))};
+}
+
+double monotonic_stress(const IwanShear& law, double strain) {
+  return monotonic_stress(std::span(law.elements), strain);
+}
+
+void update(const IwanShear& law, const Points& points) {
+  update(law.elastic, law.elements, points);
+}
+
+void validate(const IwanShear& law) {
+  validate(law.elastic, law.elements);
+}
+
+std::vector<ParameterValue> parameters(const IwanShear& law) {
+  std::vector<ParameterValue> values = elastic_parameters(law.elastic);
+  const double last_yield = law.elements.back().strength / law.elements.back().shear_modulus;
+  values.push_back({"elements", static_cast<double>(law.elements.size()), "1",
+                    "parallel elastoplastic elements", "given"});
+  values.push_back(
+      {"largest_strain", last_yield, "1", "shear strain beyond which the stress is level", "given"});
+  values.push_back({"shear_strength", monotonic_stress(law, last_yield), "Pa", "largest dynamic shear stress",
+                    "backbone at largest_strain"});
+  return values;
+}
+
+} // namespace tremolo::materials

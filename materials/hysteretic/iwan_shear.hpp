@@ -1,0 +1,54 @@
+#pragma once
+
+// Hysteretic soil in large deformation: Iwan's parallel elastoplastic elements (iwan_elements.hpp; Joyner &
+// Chen 1975, Bull. Seism. Soc. Am. 65, 1315-1336 for soil columns) on an MKZ backbone,
+//
+//     sigma = sigma_0 + K tr(eps) I + sum_i s_i,   s_i = 2 G_i dev(eps - eps_p,i),
+//     sqrt(s_i : s_i / 2) <= tau_i.
+//
+// In simple shear the elements give a polygon through the backbone (backbone_polygon.hpp) and obey all four
+// extended Masing rules without keeping any reversal point; in other directions they generalise both.
+//
+// sigma_0 is the stress in which the law is started. The elements start unloaded there: an initial static
+// shear has no history, and the strength bounds the dynamic part of the stress alone.
+
+#include "materials/elastic/elasticity.hpp"
+#include "materials/hysteretic/backbone.hpp"
+#include "materials/hysteretic/iwan_elements.hpp"
+#include "materials/law/parameter_value.hpp"
+#include "materials/law/points.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace tremolo::materials {
+
+/// Parallel elastoplastic elements. State of a point: their stresses, as in iwan_elements.hpp.
+struct IwanShear {
+  Elasticity elastic;                ///< at small strain; its shear modulus is the sum of the elements'
+  std::vector<IwanElement> elements; ///< in order of growing yield strain
+};
+
+/// How finely and how far the elements follow the backbone.
+struct IwanFit {
+  std::size_t elements = 32;   ///< a multiple of iwan_group
+  double largest_strain = 0.1; ///< engineering shear strain beyond which the stress stays the same
+};
+
+/// The elements that follow an MKZ backbone of modulus G0 = elastic.shear_modulus().
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+IwanShear iwan_shear(const Elasticity& elastic, double reference_strain, double beta, double exponent,
+                     const IwanFit& fit = {});
+
+/// Shear stress under monotonic simple shear from the unloaded state, Pa.
+double monotonic_stress(const IwanShear& law, double strain);
+
+/// Advances stress, element stresses and plastic work of all points by one step.
+void update(const IwanShear& law, const Points& points);
+
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+void validate(const IwanShear& law);
+
+std::vector<ParameterValue> parameters(const IwanShear& law);
+
+} // namespace tremolo::materials

@@ -1,0 +1,74 @@
+#pragma once
+
+// The one interface of constitutive laws, used by columns and domain alike. A law is a plain struct of
+// parameters; what it does are free functions on blocks of points. Choosing the law costs one branch per
+// block, not per point.
+
+#include "materials/elastic/linear_elastic.hpp"
+#include "materials/hysteretic/iwan_shear.hpp"
+#include "materials/hysteretic/masing_shear.hpp"
+#include "materials/hysteretic/multi_yield_clay.hpp"
+#include "materials/law/parameter_value.hpp"
+#include "materials/law/points.hpp"
+#include "materials/law/state_variable.hpp"
+#include "materials/plastic/drucker_prager.hpp"
+#include "materials/plastic/mohr_coulomb.hpp"
+#include "materials/sand/pdmy03/pdmy03.hpp"
+#include "materials/sand/pm4sand/pm4sand.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tremolo::materials {
+
+using Law = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay,
+                         Pm4Sand, Pdmy03>;
+
+/// The name a case file uses for the law, e.g. "linear_elastic".
+std::string_view name(const Law& law);
+
+/// The state variables of one point, in the order of its state block.
+std::span<const StateVariable> state_variables(const Law& law);
+
+/// Writes the state of points that have never been loaded from the stress they have now, e.g. the geostatic
+/// one. May bring a stress that the law cannot hold back to where it can.
+/// @throws std::invalid_argument for stresses that are not finite
+void initialise(const Law& law, const Points& points);
+
+/// Advances stress and state of all points by one step of strain and rotation. A point's result does not
+/// depend on the others in the call.
+/// @throws std::domain_error for an increment that the law cannot follow; the points of the call are
+/// unchanged
+void update(const Law& law, const Points& points);
+
+/// The law's elastic constants at small strain; of a law whose stiffness depends on pressure those at its
+/// reference pressure.
+const Elasticity& elasticity(const Law& law);
+
+/// An upper estimate of c_p over the points in their present stress and state, m/s: the elastic one, which
+/// for flow that is not associated is the usual bound, not a proven one.
+double p_wave_speed_bound(const Law& law, const Points& points);
+
+/// Whether the law takes strain out of plane (Points::dezz).
+bool three_dimensional(const Law& law);
+
+/// Every parameter in force and where its value comes from.
+std::vector<ParameterValue> parameters(const Law& law);
+
+/// The law to make an initial stress with, e.g. by gravity: held at its peak strength; elastic for the
+/// hysteretic laws, whose strain is measured from the initial state, and for those whose stiffness depends on
+/// pressure; itself if it does not soften.
+Law without_softening(const Law& law);
+
+/// The law of the same soil once shaking is over and it reconsolidates; itself for laws that know no such
+/// condition.
+Law after_shaking(const Law& law);
+
+/// Refuses parameters outside their physical range.
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+void validate(const Law& law);
+
+} // namespace tremolo::materials

@@ -1,0 +1,60 @@
+#pragma once
+
+// Drucker-Prager: a circular cone about the hydrostatic axis, tension positive, with p = tr(sigma)/3,
+// s = dev(sigma), q = sqrt(s:s/2):
+//
+//     f = q + eta p - xi c <= 0,      plastic potential q + eta' p,      apex p = xi c/eta = c cot(phi).
+//
+// The constants make it agree with Mohr-Coulomb of cohesion c, friction angle phi and dilation angle psi in
+// one condition (Chen & Mizuno 1990, Nonlinear Analysis in Soil Mechanics, ch. 4; de Souza Neto, Peric & Owen
+// 2008, Computational Methods for Plasticity, ch. 6):
+//
+//     triaxial compression   eta = 6 sin(phi)/(sqrt(3) (3 - sin(phi)))
+//     triaxial extension     eta = 6 sin(phi)/(sqrt(3) (3 + sin(phi)))
+//     plane strain           eta = sin(phi)/(sqrt(1 - eta'^2/3) + eta' sin(phi)/3)
+//     all                    xi = eta cot(phi),   eta' like eta with psi for phi and associated flow
+//
+// In plane strain the out-of-plane stress at the limit load follows from the flow rule, so that eta depends
+// on psi; for psi = phi it is the usual 3 tan(phi)/sqrt(9 + 12 tan^2(phi)), and the in-plane flow has the
+// dilation angle psi. Away from the matched condition the cone is not Mohr-Coulomb: see the closed forms of
+// its strength in the tests.
+
+#include "materials/elastic/elasticity.hpp"
+#include "materials/law/parameter_value.hpp"
+#include "materials/law/points.hpp"
+
+#include <vector>
+
+namespace tremolo::materials {
+
+/// The condition in which the cone has the strength of Mohr-Coulomb.
+enum class ConeMatch { triaxial_compression, triaxial_extension, plane_strain };
+
+/// Parameters of the Drucker-Prager law. State of a point: { equivalent_plastic_strain }.
+struct DruckerPrager {
+  Elasticity elastic;
+  double cohesion = 0.0; ///< Pa
+  double friction = 0.0; ///< rad
+  double dilation = 0.0; ///< rad, at most the friction angle
+  ConeMatch match = ConeMatch::plane_strain;
+};
+
+/// The constants of the cone.
+struct Cone {
+  double slope = 0.0;     ///< eta, 1
+  double strength = 0.0;  ///< xi c, Pa: q at p = 0
+  double dilatancy = 0.0; ///< eta', 1
+  double apex = 0.0;      ///< c cot(phi), Pa; infinite for phi = 0
+};
+
+Cone cone(const DruckerPrager& law);
+
+/// Advances stress, equivalent plastic strain and plastic work of all points by one step.
+void update(const DruckerPrager& law, const Points& points);
+
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+void validate(const DruckerPrager& law);
+
+std::vector<ParameterValue> parameters(const DruckerPrager& law);
+
+} // namespace tremolo::materials

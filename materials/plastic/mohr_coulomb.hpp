@@ -1,0 +1,60 @@
+#pragma once
+
+// Mohr-Coulomb with strain softening, tension positive, principal stresses s1 >= s2 >= s3:
+//
+//     f = (s1 - s3) + (s1 + s3) sin(phi) - 2 c cos(phi) <= 0,      s1 <= t  (optional tension cut-off),
+//
+// and the same form with the dilation angle psi as plastic potential. Cohesion and angles decay with the
+// equivalent plastic deviatoric strain e = int sqrt(2/3 de^p : de^p),
+//
+//     x(e) = x_residual + (x_peak - x_residual) exp(-eta e),      x = c, phi, psi  (the angles themselves),
+//
+// after Feng, Wang, Huang & Jin (2021), Eng. Geol. 292, and Yerro et al. (2016), Geotechnique 66. Sources
+// differ on whether phi or tan(phi) decays; here it is phi. The cut-off never lies above the apex, t <= c
+// cot(phi).
+
+#include "materials/elastic/elasticity.hpp"
+#include "materials/law/parameter_value.hpp"
+#include "materials/law/points.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace tremolo::materials {
+
+/// Parameters of the strain-softening Mohr-Coulomb law. State of a point: { equivalent_plastic_strain }.
+struct MohrCoulomb {
+  Elasticity elastic;
+  double cohesion_peak = 0.0;                          ///< Pa
+  double cohesion_residual = 0.0;                      ///< Pa
+  double friction_peak = 0.0;                          ///< rad
+  double friction_residual = 0.0;                      ///< rad
+  double dilation_peak = 0.0;                          ///< rad
+  double dilation_residual = 0.0;                      ///< rad
+  double softening = 0.0;                              ///< eta, 1; 0 keeps the peak strength
+  std::optional<double> tension_cutoff = std::nullopt; ///< largest tensile principal stress, Pa
+};
+
+/// The entry of a point's state block that holds the equivalent plastic deviatoric strain.
+inline constexpr std::size_t equivalent_plastic_strain = 0;
+
+/// Advances stress, equivalent plastic strain and plastic work of all points by one step.
+void update(const MohrCoulomb& law, const Points& points);
+
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+void validate(const MohrCoulomb& law);
+
+std::vector<ParameterValue> parameters(const MohrCoulomb& law);
+
+/// The same soil held at its peak strength, e.g. for a gravity stage. Plastic strain still accumulates in the
+/// state; who softens afterwards from the peak sets it back to zero first.
+MohrCoulomb without_softening(MohrCoulomb law);
+
+/// The same soil with eta scaled for cells of another size than it was calibrated with: a shear band is about
+/// one cell wide, so eta(h) = eta h / h_ref keeps shear strength against displacement across the band, and
+/// with it the dissipated energy, independent of h.
+/// @param cell_size, reference_size  h and h_ref, m
+MohrCoulomb regularised(MohrCoulomb law, double cell_size, double reference_size);
+
+} // namespace tremolo::materials

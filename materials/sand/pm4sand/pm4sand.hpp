@@ -1,0 +1,134 @@
+#pragma once
+
+// PM4Sand version 3.1 of Boulanger & Ziotopoulou (2017), Report UCD/CGM-17/01, in plane strain: a
+// stress-ratio controlled, critical-state compatible bounding surface model for sand that liquefies. Stresses
+// enter through the in-plane invariants only,
+//
+//     p = (sxx + syy)/2,    s = sigma - p I,    r = s/p,    M_cur = sqrt(2) |r|        (compression
+//     positive),
+//
+// and the surfaces are cones about the back stress ratio alpha (yield, radius m), M_b (bounding) and M_d
+// (dilatancy), which meet M = 2 sin(phi_cv) at the critical state xi_R = 0. The rates stand in
+// pm4sand_rates.hpp, the integration in pm4sand_integration.hpp, the start from a given stress in
+// pm4sand_initial.hpp.
+//
+// What the report leaves open is done as follows. Tensors are kept in axes that turn with the material
+// (material_axes.hpp), so that its rule for small reversals, which looks at the horizontal plane, is
+// objective. sigma_zz = nu (sxx + syy) is reported and plays no part; strain out of plane is not taken. Where
+// the soil is pulled apart the effective stress stays at a floor of p_min/5 and the opening is counted:
+// recompression begins when it has closed.
+
+#include "materials/elastic/elasticity.hpp"
+#include "materials/law/parameter_value.hpp"
+#include "materials/law/points.hpp"
+#include "materials/law/state_variable.hpp"
+
+#include <bitset>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tremolo::materials {
+
+/// The parameters as a user gives them, named as in the report; what is left out follows from the others.
+struct Pm4SandInput {
+  double density = 0.0;          ///< kg/m3; required
+  double relative_density = 0.0; ///< D_R, apparent, as a fraction; required
+  double G_o = 0.0;              ///< shear modulus coefficient, 1; required
+  double h_po = 0.0;             ///< contraction rate, 1; required, fitted last to the cyclic strength
+  std::optional<double> p_A;     ///< atmospheric pressure, Pa; 101.3 kPa
+  std::optional<double> e_max;   ///< 0.8
+  std::optional<double> e_min;   ///< 0.5
+  std::optional<double> n_b;     ///< bounding surface, 0.5
+  std::optional<double> n_d;     ///< dilatancy surface, 0.1
+  std::optional<double> phi_cv;  ///< critical state friction angle, rad; 33 degrees
+  std::optional<double> poisson; ///< 0.3; at most 0.4999
+  std::optional<double> Q;       ///< critical state line, 10
+  std::optional<double> R;       ///< critical state line, 1.5
+  std::optional<double> m;       ///< size of the yield surface, 0.01
+  std::optional<double> h_o;     ///< plastic modulus, max(0.3, (0.25 + D_R)/2)
+  std::optional<double> A_do;    ///< dilatancy; from the initial stress
+  std::optional<double> z_max;   ///< largest fabric; from the initial stress
+  std::optional<double> c_z;     ///< rate of fabric, 250
+  std::optional<double> c_eps;   ///< strain accumulation, 0.5 at D_R <= 0.55 to 0.2 at D_R >= 0.75
+  std::optional<double> C_GD;    ///< degradation of G with fabric, 2
+  std::optional<double> C_DR;    ///< rotated dilatancy, 5 + 25 (D_R - 0.35) in [1, 10]; given, at most 10
+  std::optional<double> C_kaf;   ///< plastic modulus under static shear, 5 + 220 (D_R - 0.26)^3 in [4, 35]
+  std::optional<double>
+      F_sed_min; ///< smallest reduction of stiffness after shaking, min(0.03 exp(2.6 D_R), 0.99)
+  std::optional<double> p_sedo; ///< pressure scale of that reduction, Pa; p_A/5
+  bool post_shake = false;      ///< reduced stiffness of reconsolidation after shaking
+};
+
+/// How a step is cut into sub-steps.
+struct Pm4Integration {
+  double largest_strain = 1e-5; ///< largest strain component of a sub-step
+  double tolerance = 1e-4;      ///< relative error of a sub-step in stress, back stress and fabric
+};
+
+/// PM4Sand with every parameter in force. Make it with pm4sand(); h_po and post_shake may be changed after.
+struct Pm4Sand {
+  /// The constant-stiffness stage of gravity: G = G_o p_A with nu; and the density.
+  Elasticity elastic;
+  double relative_density = 0.0; ///< D_R at the start
+  double G_o = 0.0;
+  double h_po = 0.0;
+  double p_A = 0.0; ///< Pa
+  double e_max = 0.0;
+  double e_min = 0.0;
+  double n_b = 0.0;
+  double n_d = 0.0;
+  double phi_cv = 0.0; ///< rad
+  double Q = 0.0;
+  double R = 0.0;
+  double m = 0.0;
+  double h_o = 0.0;
+  std::optional<double> A_do;  ///< where given; else a state variable made by initialise()
+  std::optional<double> z_max; ///< where given; else a state variable made by initialise()
+  double c_z = 0.0;
+  double c_eps = 0.0;
+  double C_GD = 0.0;
+  double C_DR = 0.0;
+  double C_kaf = 0.0;
+  double F_sed_min = 0.0;
+  double p_sedo = 0.0; ///< Pa
+  bool post_shake = false;
+  Pm4Integration integration;
+  double M = 0.0;            ///< critical state line in M_cur, 2 sin(phi_cv)
+  double bulk_ratio = 0.0;   ///< K/G
+  double density_rate = 0.0; ///< of D_R with volumetric strain, (1 + e_0)/(e_max - e_min)
+  std::bitset<32> given = 0; ///< which of the optional parameters were given, in the order of the input
+};
+
+/// The law with all defaults computed from what is given.
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+Pm4Sand pm4sand(const Pm4SandInput& input);
+
+/// The same soil in its post-shaking, reconsolidating condition.
+Pm4Sand after_shaking(Pm4Sand law);
+
+/// Every parameter: value, unit, meaning, and "given" or the rule it follows from.
+std::vector<ParameterValue> parameters(const Pm4Sand& law);
+
+/// The state block of a point.
+std::span<const StateVariable> state_variables(const Pm4Sand& law);
+
+/// Writes the state of points that have never been loaded from the stress they have now, any K_0 and static
+/// shear. A stress outside the bounding surface, or with p < p_min, is held by an offset that the law adds
+/// back to what it reports for ever. Writes sigma_zz = nu (sxx + syy).
+void initialise(const Pm4Sand& law, const Points& points);
+
+/// Advances stress, state and plastic work of all points by one step.
+/// @throws std::domain_error for strain increments above 0.02, and for stress or state that is not finite:
+/// nothing has been changed; or for a point whose stress would not stay finite: that point has not been
+void update(const Pm4Sand& law, const Points& points);
+
+/// sqrt((K + 4G/3)/rho) at the largest pressure over the points, or at p_min of their state where that is
+/// more, with the undegraded G, m/s. Pressure can multiply in dilation: ask again as the points move.
+double p_wave_speed_bound(const Pm4Sand& law, const Points& points);
+
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+void validate(const Pm4Sand& law);
+
+} // namespace tremolo::materials

@@ -1,0 +1,24 @@
+#pragma once
+
+// Integration of PM4Sand over a strain increment, by sub-steps of bounded strain and of controlled error
+// (modified Euler after Sloan, Abbo & Sheng 2001, Eng. Comput. 18): with the change c_1 at the start of a
+// sub-step and c_2 at the end that c_1 leads to,
+//
+//     change = (c_1 + c_2)/2,    error = |c_2 - c_1|/2,
+//
+// measured on stress, back stress ratio and fabric. Moduli, surfaces and dilatancy are evaluated anew for
+// both. A sub-step that begins inside the yield surface is elastic up to it. Drift off the yield surface is
+// taken out of alpha, not out of the stress, unless that would take alpha outside the bounding surface: then
+// the stress goes back to that surface.
+
+#include "materials/sand/pm4sand/pm4sand_rates.hpp"
+#include "materials/sand/pm4sand/pm4sand_state.hpp"
+
+namespace tremolo::materials::pm4 {
+
+/// Takes stress and state over a strain increment.
+/// @param stress  what the surfaces hold, in the axes of the material, compression positive
+/// @return plastic work, J/m3; NaN where no finite stress follows: stress and state then have no meaning
+double integrate(const Pm4Sand& law, State& state, Stress& stress, const Strain& increment);
+
+} // namespace tremolo::materials::pm4

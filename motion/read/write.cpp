@@ -1,0 +1,68 @@
+#include "motion/read/write.hpp"
+
+#include "motion/read/read_formats.hpp"
+#include "motion/read/stated.hpp"
+#include "motion/read/text.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace tremolo::motion {
+
+namespace {
+
+void require_plain(const std::string& line) {
+  if (line.find_first_of("\n\r") != std::string::npos || peer_header(line) ||
+      upper(line).find("UNITS") != std::string::npos)
+    throw std::invalid_argument(fmt::format(
+        "'{}' cannot be a title: one line that speaks neither of UNITS nor of NPTS and DT", shown(line)));
+}
+
+/// With four decimals as PEER has it where that is exact.
+std::string step_text(double dt) {
+  const std::string four = fmt::format("{:7.4f}", dt);
+  return number(words(four).front()) == dt ? four : fmt::format("{}", dt);
+}
+
+} // namespace
+
+std::string peer_text(const Record& record, const Title& title) {
+  require_sound(record);
+  for (const std::string& line : title)
+    require_plain(line);
+  std::string text = fmt::format("{}\n{}\n{} TIME SERIES IN UNITS OF {}{}\nNPTS= {:6d}, DT= {} SEC\n",
+                                 title[0], title[1], upper(name(record.quantity())), upper(name(record.unit)),
+                                 record.kind ? fmt::format(", {}", upper(name(*record.kind))) : "",
+                                 record.samples.size(), step_text(record.dt));
+  constexpr std::size_t columns = 5;
+  for (std::size_t i = 0; i < record.samples.size(); ++i) {
+    text += fmt::format(" {:14.7E}", record.samples[i]);
+    if ((i + 1) % columns == 0 || i + 1 == record.samples.size())
+      text += '\n';
+  }
+  return text;
+}
+
+std::string csv_text(const Record& record) {
+  require_sound(record);
+  std::string text = fmt::format("time (s),{} ({}){}\n", name(record.quantity()), name(record.unit),
+                                 record.kind ? fmt::format(" {}", name(*record.kind)) : "");
+  for (std::size_t i = 0; i < record.samples.size(); ++i)
+    text += fmt::format("{},{}\n", static_cast<double>(i) * record.dt, record.samples[i]);
+  return text;
+}
+
+void write_record(const Record& record, const std::filesystem::path& file, const Title& title) {
+  const auto quantity = stated_by_name(file).quantity;
+  if (!quantity && upper(file.extension().string()) != ".CSV")
+    throw std::invalid_argument(
+        fmt::format("{}: a motion is written as .AT2, .VT2, .DT2 or .csv", file.string()));
+  std::ofstream stream(file, std::ios::binary);
+  stream << (quantity ? peer_text(with_unit(record, peer_unit(*quantity)), title) : csv_text(record));
+  stream.close();
+  if (!stream)
+    throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+} // namespace tremolo::motion

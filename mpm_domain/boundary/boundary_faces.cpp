@@ -1,0 +1,164 @@
+#include "mpm_domain/boundary/boundary_faces.hpp"
+
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/grid/box_average.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// The two nodes around a point in one direction, with their hat functions.
+struct Linear {
+  int base;
+  double w[2];
+};
+
+Linear linear_weights(double x, double origin, double h) {
+  const double cell = std::floor((x - origin) / h);
+  const double xi = (x - origin) / h - cell;
+  return {static_cast<int>(cell), {1.0 - xi, xi}};
+}
+
+BoundaryFace make_face(Side side, Vector normal, Particles& set, std::size_t set_index, std::size_t k,
+                       double size) {
+  const materials::Elasticity& soil = materials::elasticity(set.law);
+  const double c_p = materials::p_wave_speed_bound(set.law, set.points(k, 1));
+  const double c_s = c_p * soil.s_wave_speed() / soil.p_wave_speed(); // Poisson's ratio stays the same
+  BoundaryFace face;
+  face.side = side;
+  face.set = set_index;
+  face.id = set.id[k];
+  face.position = {set.x[k] + 0.5 * size * normal.x, set.y[k] + 0.5 * size * normal.y};
+  face.length = size;
+  face.face = {normal, soil.density * c_p, soil.density * c_s};
+  return face;
+}
+
+/// The side of a particle's box that a face covers: a line.
+mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set) {
+  mesh::Rectangle line = box_of(set, set.index_of[face.id]);
+  switch (face.side) {
+  case Side::left:
+    line.x_max = line.x_min;
+    break;
+  case Side::right:
+    line.x_min = line.x_max;
+    break;
+  case Side::base:
+    line.y_max = line.y_min;
+    break;
+  }
+  return line;
+}
+
+/// On one lattice: averaged along the face, linear across it. Calls add(i, j, w) for columns and rows of
+/// nodes.
+template <typename Add>
+void lattice_weights(const BoundaryFace& face, const Particles& set, const Lattice& lattice, const Add& add) {
+  const mesh::Rectangle line = line_of(face, set);
+  const std::size_t k = set.index_of[face.id];
+  const Vector half = half_sides(set, k);
+  const auto add_touched = [&](int i, int j, double w) {
+    if (w != 0.0)
+      add(i, j, w);
+  };
+  if (face.side != Side::base) {
+    const Linear across = linear_weights(line.x_min, lattice.x0, lattice.h);
+    const Weights along = cell_weights(set.y[k], {lattice.y0, lattice.h}, half.y);
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 2; ++b)
+        add_touched(across.base + b, along.base + a, along.s[a] * across.w[b]);
+  } else {
+    const Linear across = linear_weights(line.y_min, lattice.y0, lattice.h);
+    const Weights along = cell_weights(set.x[k], {lattice.x0, lattice.h}, half.x);
+    for (int b = 0; b < 2; ++b)
+      for (int a = 0; a < 4; ++a)
+        add_touched(along.base + a, across.base + b, along.s[a] * across.w[b]);
+  }
+}
+
+/// On a graded mesh the basis averaged along the face, in terms of real nodes.
+void graded_weights(const BoundaryFace& face, const Particles& set, const GradedMesh& mesh,
+                    FaceWeights& weights) {
+  weights.clear();
+  const auto add = [&](std::size_t node, double w) {
+    const std::span<const Share> shares = mesh.prolongation().shares_of(node);
+    if (shares.empty())
+      weights.push_back({node, w});
+    for (const Share& share : shares)
+      weights.push_back({share.node, share.weight * w});
+  };
+  if (face.level != BoundaryFace::unknown) {
+    const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(face.level)];
+    lattice_weights(face, set, lattice, [&](int i, int j, double w) { add(lattice.index(i, j), w); });
+    return;
+  }
+  std::vector<BoxWeight> parts;
+  box_average(mesh, line_of(face, set), parts);
+  for (const BoxWeight& part : parts)
+    add(part.node, part.s);
+}
+
+} // namespace
+
+std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec) {
+  std::vector<BoundaryFace> faces;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const double size = 2.0 * sets[s].half_size;
+    const double near = 0.75 * size; // between the first particle at size/2 and the second at 3/2 size
+    for (std::size_t k = 0; k < sets[s].size(); ++k) {
+      if (!spec.periodic_sides && sets[s].x[k] - spec.box.x_min < near)
+        faces.push_back(make_face(Side::left, {-1.0, 0.0}, sets[s], s, k, size));
+      if (!spec.periodic_sides && spec.box.x_max - sets[s].x[k] < near)
+        faces.push_back(make_face(Side::right, {1.0, 0.0}, sets[s], s, k, size));
+      if (sets[s].y[k] - spec.box.y_min < near)
+        faces.push_back(make_face(Side::base, {0.0, -1.0}, sets[s], s, k, size));
+    }
+  }
+  std::sort(faces.begin(), faces.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
+    return std::tuple(a.side, a.position.y, a.position.x) < std::tuple(b.side, b.position.y, b.position.x);
+  });
+  return faces;
+}
+
+void find_levels(Domain& domain) {
+  if (!domain.mesh)
+    return;
+  for (BoundaryFace& face : domain.faces) {
+    const Particles& set = domain.sets[face.set];
+    const mesh::Rectangle reach = reach_of(set, set.index_of[face.id], domain.sort_distance());
+    const auto touched = domain.mesh->touched(reach);
+    const double widest = set.has_own_boxes() ? set.cell_size : 2.0 * set.half_size;
+    const bool on_one = touched.one_lattice() && widest < 1.0001 * domain.lattice(touched.finest).h;
+    face.level = on_one ? touched.finest : BoundaryFace::unknown;
+  }
+}
+
+void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights) {
+  const Particles& set = domain.sets[face.set];
+  if (domain.mesh)
+    return graded_weights(face, set, *domain.mesh, weights);
+  weights.clear();
+  lattice_weights(face, set, domain.grid, [&](int i, int j, double w) {
+    weights.push_back({domain.grid.index(domain.grid.real_column(i), j), w});
+  });
+}
+
+void face_weights(Domain& domain, std::span<FaceWeights> weights) {
+  for_faces(domain.workers, weights.size(),
+            [&](std::size_t f) { face_weights(domain, domain.faces[f], weights[f]); });
+}
+
+void book_face_work(Domain& domain, std::size_t f, double dt, Vector own, Vector traction, Vector v) {
+  const Vector held = domain.static_tractions[f];
+  const auto work = [&](double tx, double ty) { return dt * domain.faces[f].length * (tx * v.x + ty * v.y); };
+  domain.energy.dashpots += work(own.x, own.y);
+  domain.energy.static_ += work(held.x, held.y);
+  domain.energy.input += work(traction.x - own.x - held.x, traction.y - own.y - held.y);
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,76 @@
+#pragma once
+
+// A matched layer instead of the dashpots of Eq. (6). The free field enters as before, by its velocity and
+// stress at the faces; the layer takes up the scattered field
+//
+//     w = v^m - v^ff,        f^b = sigma^ff n + t^st + t^layer,
+//
+// which is all that travels outwards. With w_j = sum_f H_jf w_f at the layer's nodes on the boundary, their
+// inertia m_j and the forces F_j of the layer behind them,
+//
+//     t_f L_f = sum_j H_jf (F_j - m_j dw_j/dt),        H_jf = L_f N_jf / sum_f L_f N_jf,
+//
+// N_jf being the node's hat averaged along the face. The domain's own part of the inertia, m_j dv^m/dt, is
+// lumped to the faces and from there to the grid, where it adds to the soil's mass; so the tie needs no
+// spring.
+
+#include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/boundary/layer_lattice.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+struct Domain;
+
+/// A layer behind the faces of one side.
+class MatchedLayer {
+public:
+  /// @param side of the domain; the layer is spec.layer_cells cells deep and made of the soil at the faces
+  /// @throws std::invalid_argument if the side has no faces or soil is missing between them
+  MatchedLayer(const Domain& domain, Side side);
+
+  /// Adds the layer's traction (Pa) to those of its faces, up to the inertia that the faces carry.
+  /// @param time s; v_domain of half a step before it, free_field of this time
+  /// @param v_domain, free_field, tractions of all faces of the domain
+  void react(double time, std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field,
+             std::span<Vector> tractions);
+
+  [[nodiscard]] std::size_t first_face() const { return first_; }
+  [[nodiscard]] std::size_t face_count() const { return ties_.size(); }
+  /// Of the layer at one of its faces, kg/m2.
+  [[nodiscard]] double mass(std::size_t face) const { return ties_[face].mass; }
+
+  /// All that changes with time, for a checkpoint.
+  [[nodiscard]] std::vector<double> state() const;
+  /// @throws std::invalid_argument for the state of another layer
+  void restore(std::span<const double> state);
+
+private:
+  /// H of one face: up to three nodes in a row.
+  struct Tie {
+    std::vector<std::pair<std::size_t, double>> weights; ///< node, H_jf
+    double length = 0.0;
+    double mass = 0.0; ///< kg/m2
+  };
+
+  [[nodiscard]] Vector local(Vector v) const;
+
+  Vector along_, normal_;
+  std::size_t first_ = 0;
+  std::vector<Tie> ties_;
+  LayerLattice lattice_;
+  bool started_ = false;
+  double time_ = 0.0;
+  std::vector<Vector> v_free_;   ///< at the last time, per face, m/s
+  std::vector<Vector> a_free_;   ///< half a step before it, m/s2
+  std::vector<Vector> velocity_; ///< of the lattice's nodes on the boundary, m/s
+};
+
+/// Puts a layer behind every side that the spec wants one for: its faces lose their dashpots and carry the
+/// layer's mass. Called when the domain is at rest and its faces have the impedance of the soil in its
+/// stress.
+void attach_matched_layers(Domain& domain);
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,178 @@
+// Time levels: stress belongs to t_n, grid velocities to t_n -+ dt/2, so that
+//
+//     v(t_n) = v- + dt/2 a,      d sigma/dt (t_n) = (sigma(t_n+1) - sigma(t_n-1))/(t_n+1 - t_n-1).
+//
+// At the base the stress is that of Eq. (6) with this velocity, which is what the base's nodes have felt.
+
+#include "mpm_domain/column/periodic_column.hpp"
+
+#include "mpm_domain/boundary/static_traction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+PeriodicColumnSpec checked(PeriodicColumnSpec spec) {
+  if (!(spec.time_step > 0.0 && std::isfinite(spec.time_step)))
+    throw std::invalid_argument(
+        "a periodic column needs a finite interval > 0 between the states that it serves");
+  spec.domain.periodic_sides = true;
+  spec.domain.scheme.dt.reset();
+  return spec;
+}
+
+eq6::Stress operator-(const eq6::Stress& a, const eq6::Stress& b) {
+  return {a.xx - b.xx, a.yy - b.yy, a.xy - b.xy};
+}
+
+eq6::Stress operator*(double factor, const eq6::Stress& s) {
+  return {factor * s.xx, factor * s.yy, factor * s.xy};
+}
+
+} // namespace
+
+PeriodicColumn::PeriodicColumn(PeriodicColumnSpec spec)
+    : spec_(checked(std::move(spec))), domain_(spec_.domain) {
+  if (spec_.domain.gravity > 0.0)
+    replace_constraints(domain_, relax_under_gravity(domain_, {}, [](long, double) {}));
+  for (BoundaryFace& face : domain_.faces) {
+    face.face.impedance_p = spec_.half_space.density * spec_.half_space.p_wave_speed();
+    face.face.impedance_s = spec_.half_space.density * spec_.half_space.s_wave_speed();
+  }
+  struct Row {
+    double y;
+    std::size_t set;
+    std::uint32_t id;
+  };
+  std::vector<Row> rows;
+  for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
+    const Particles& set = domain_.sets[s];
+    for (std::size_t k = 0; k < set.size(); ++k)
+      if (set.x[k] - spec_.domain.box.x_min < 2.0 * domain_.half_size())
+        rows.push_back({set.y[k], s, set.id[k]});
+  }
+  std::ranges::sort(rows, {}, &Row::y);
+  levels_.push_back(spec_.domain.box.y_min);
+  for (const Row& row : rows) {
+    sets_.push_back(row.set);
+    ids_.push_back(row.id);
+    levels_.push_back(row.y);
+  }
+  levels_.push_back(rows.back().y + domain_.half_size());
+  points_.resize(levels_.size());
+
+  velocity_before_.resize(levels_.size());
+  cut_interval();
+  stepper_ =
+      std::make_unique<Stepper>(domain_, spec_.start_time, [this](long, double t, auto v, auto traction) {
+        sample_velocities(velocity_before_, false);
+        const eq6::FreeField incident = spec_.incident(t);
+        for (std::size_t f = 0; f < v.size(); ++f)
+          traction[f] =
+              eq6::boundary_traction(domain_.faces[f].face, v[f], incident, domain_.static_tractions[f]);
+      });
+  at_rest_ = before_ = now_ = stresses();
+  time_ = spec_.start_time;
+  previous_dt_ = *domain_.spec.scheme.dt;
+  advance();
+}
+
+void PeriodicColumn::step() {
+  ++intervals_;
+  time_ = spec_.start_time + static_cast<double>(intervals_) * spec_.time_step;
+  advance();
+}
+
+int PeriodicColumn::cut_interval() {
+  constexpr double margin = 0.9; // for pressure that grows, and soil that moves, within the interval
+  const int parts =
+      static_cast<int>(std::ceil(spec_.time_step / (margin * critical_time_step(domain_, 0.0)) - 1e-9));
+  domain_.spec.scheme.dt = spec_.time_step / parts;
+  return parts;
+}
+
+void PeriodicColumn::advance() {
+  const int parts = cut_interval();
+  for (int part = 0; part < parts; ++part) {
+    stepper_->step();
+    const std::vector<eq6::Stress> after = stresses();
+    if (part == 0)
+      record(after);
+    before_ = std::exchange(now_, after);
+    previous_dt_ = stepper_->dt();
+  }
+}
+
+void PeriodicColumn::record(const std::vector<eq6::Stress>& after) {
+  const double dt = stepper_->dt();
+  std::vector<Vector> acceleration(levels_.size());
+  sample_velocities(acceleration, true);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Vector v = velocity_before_[i];
+    const Vector a = acceleration[i];
+    points_[i].velocity = {v.x + 0.5 * dt * a.x, v.y + 0.5 * dt * a.y};
+    points_[i].acceleration = a;
+  }
+  for (std::size_t r = 0; r < ids_.size(); ++r) {
+    points_[r + 1].stress = now_[r] - at_rest_[r];
+    points_[r + 1].stress_rate = 1.0 / (dt + previous_dt_) * (after[r] - before_[r]);
+  }
+  const auto at_base = [&](double time, Vector v) {
+    const Vector t = eq6::boundary_traction(domain_.faces.front().face, v, spec_.incident(time), {});
+    return eq6::Stress{points_[1].stress.xx, -t.y, -t.x};
+  };
+  const Vector v = points_.front().velocity;
+  const Vector a = points_.front().acceleration;
+  points_.front().stress = at_base(time_, v);
+  points_.front().stress_rate = 0.5 / dt *
+                                (at_base(time_ + dt, {v.x + dt * a.x, v.y + dt * a.y}) -
+                                 at_base(time_ - dt, {v.x - dt * a.x, v.y - dt * a.y}));
+  points_.front().stress_rate.xx = points_[1].stress_rate.xx;
+  points_.back().stress = {points_[ids_.size()].stress.xx, 0.0, 0.0};
+  points_.back().stress_rate = {points_[ids_.size()].stress_rate.xx, 0.0, 0.0};
+}
+
+/// At the faces of the base, at the particles' rows, and at the surface, as side faces of a domain would.
+void PeriodicColumn::sample_velocities(std::vector<Vector>& v, bool accelerations) const {
+  const Grid& grid = domain_.grid;
+  const auto node = [&](std::size_t n) { return accelerations ? grid.acceleration(n) : grid.velocity(n); };
+  const auto column = static_cast<int>(std::lround((spec_.domain.box.x_min - grid.x0) / grid.h));
+  const BoundaryFace& base = domain_.faces.front();
+  v.front() = {};
+  FaceWeights weights_of_base;
+  face_weights(domain_, base, weights_of_base);
+  for (const auto& [n, w] : weights_of_base) {
+    v.front().x += w * node(n).x;
+    v.front().y += w * node(n).y;
+  }
+  for (std::size_t r = 0; r < ids_.size(); ++r) {
+    const Particles& set = domain_.sets[sets_[r]];
+    const std::size_t k = set.index_of[ids_[r]];
+    const Weights weights = cell_weights(set.y[k], domain_.y_axis(), half_sides(set, k).y);
+    Vector& sum = v[r + 1] = {};
+    for (int a = 0; a < 4; ++a) {
+      const Vector at = node(grid.index(column, weights.base + a));
+      sum.x += weights.s[a] * at.x;
+      sum.y += weights.s[a] * at.y;
+    }
+  }
+  v.back() = v[ids_.size()]; // no strain where there is no stress
+}
+
+std::vector<eq6::Stress> PeriodicColumn::stresses() const {
+  std::vector<eq6::Stress> all;
+  all.reserve(ids_.size());
+  for (std::size_t r = 0; r < ids_.size(); ++r) {
+    const Particles& set = domain_.sets[sets_[r]];
+    const std::size_t k = set.index_of[ids_[r]];
+    all.push_back({set.sxx[k], set.syy[k], set.sxy[k]});
+  }
+  return all;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,9 +1,0 @@
-#include "mpm_domain/energy_ledger.hpp"
-
-namespace tremolo::mpm_domain {
-
-std::array<double, 9> EnergyLedger::row() const {
-  return {kinetic, elastic, plastic, gravity, input, static_, dashpots, transfer, residual()};
-}
-
-} // namespace tremolo::mpm_domain

@@ -1,0 +1,179 @@
+#include "mpm_domain/gravity/gravity_stage.hpp"
+
+#include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/transfer/gather.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Steps between two looks at the residual.
+constexpr long report_every = 100;
+
+/// Which directions of a node are fixed, and which nodes carry soil.
+struct Supports {
+  std::vector<unsigned char> fixed_x, fixed_y, full;
+};
+
+bool on_line(double a, double b, double h) {
+  return std::abs(a - b) < 1e-6 * h;
+}
+
+/// The supports among the nodes of a lattice.
+void find_supports(const Domain& domain, const Lattice& lattice, Supports& supports, Reactions& reactions) {
+  const Box& box = domain.spec.box;
+  const double empty = empty_mass(domain);
+  for (int j = 0; j < lattice.ny; ++j)
+    for (int i = 0; i < lattice.nx; ++i) {
+      const std::size_t n = lattice.index(i, j);
+      if (domain.grid.mass[n] <= empty)
+        continue;
+      supports.full[n] = 1;
+      const bool base = on_line(lattice.y0 + j * lattice.h, box.y_min, lattice.h);
+      const double x = lattice.x0 + i * lattice.h;
+      const bool side = !domain.spec.periodic_sides &&
+                        (on_line(x, box.x_min, lattice.h) || on_line(x, box.x_max, lattice.h));
+      supports.fixed_y[n] = base;
+      supports.fixed_x[n] = base || side;
+      if (base)
+        reactions.base.push_back(n);
+      else if (side)
+        reactions.sides.push_back(n);
+    }
+}
+
+Supports find_supports(const Domain& domain, Reactions& reactions) {
+  const std::size_t nodes = domain.grid.size();
+  Supports supports{std::vector<unsigned char>(nodes, 0), std::vector<unsigned char>(nodes, 0),
+                    std::vector<unsigned char>(nodes, 0)};
+  for (int level = 0; level < domain.lattice_count(); ++level)
+    find_supports(domain, domain.lattice(level), supports, reactions);
+  return supports;
+}
+
+/// One relaxation step on the grid; returns the residual: ||f|| over free directions by ||m g|| over all
+/// nodes.
+double relax_grid(Domain& domain, const Supports& supports, double dt, double alpha) {
+  Grid& grid = domain.grid;
+  const double keep = (1.0 - 0.5 * alpha * dt) / (1.0 + 0.5 * alpha * dt);
+  const double gain = dt / (1.0 + 0.5 * alpha * dt);
+  double unbalanced = 0.0;
+  double applied = 0.0;
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    if (!supports.full[n])
+      continue;
+    const double m = grid.mass[n];
+    const Vector v = grid.new_velocity(n);
+    const double fx = supports.fixed_x[n] ? 0.0 : grid.force_x[n];
+    const double fy = supports.fixed_y[n] ? 0.0 : grid.force_y[n];
+    grid.vx_new[n] = supports.fixed_x[n] ? 0.0 : keep * v.x + gain * fx / m;
+    grid.vy_new[n] = supports.fixed_y[n] ? 0.0 : keep * v.y + gain * fy / m;
+    unbalanced += fx * fx + fy * fy;
+    applied += m * m * domain.spec.gravity * domain.spec.gravity;
+  }
+  return std::sqrt(unbalanced / applied);
+}
+
+/// What is given of a set under gravity.
+class Geometry {
+public:
+  explicit Geometry(const Particles& set)
+      : volume_(set.volume), box_xx_(set.box_xx), box_xy_(set.box_xy), box_yy_(set.box_yy) {}
+
+  void restore(Particles& set) const {
+    set.volume = volume_;
+    set.box_xx = box_xx_;
+    set.box_xy = box_xy_;
+    set.box_yy = box_yy_;
+  }
+
+private:
+  std::vector<double> volume_, box_xx_, box_xy_, box_yy_;
+};
+
+/// The laws' memory begins with the stress under gravity, and with it the stiffness that the dashpots match.
+/// Returns the number of particles whose law could not hold that stress.
+std::size_t begin_history(Domain& domain) {
+  std::size_t unheld = 0;
+  for (Particles& set : domain.sets) {
+    const std::vector<double> before[] = {set.sxx, set.syy, set.sxy};
+    materials::initialise(set.law, set.points(0, set.size()));
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const double change = std::abs(set.sxx[k] - before[0][k]) + std::abs(set.syy[k] - before[1][k]) +
+                            std::abs(set.sxy[k] - before[2][k]);
+      unheld += change > 1e-3 * (std::abs(before[0][k]) + std::abs(before[1][k])) ? 1 : 0;
+    }
+  }
+  domain.faces = find_faces(domain.sets, domain.spec);
+  return unheld;
+}
+
+} // namespace
+
+Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
+                              const GravityProgress& progress) {
+  if (!(domain.spec.gravity > 0.0))
+    throw std::invalid_argument(
+        fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", domain.spec.gravity));
+  set_rest_stress(domain.sets, domain.spec);
+  std::vector<materials::Law> laws;
+  for (Particles& set : domain.sets) {
+    laws.push_back(set.law);
+    set.law = materials::without_softening(set.law);
+  }
+  const std::vector<Geometry> given(domain.sets.begin(), domain.sets.end());
+
+  scatter(domain, ScatterPart::motion);
+  for (NodeField* velocity : {&domain.grid.vx_new, &domain.grid.vy_new})
+    std::fill(velocity->begin(), velocity->end(), 0.0);
+  Reactions reactions;
+  const Supports supports = find_supports(domain, reactions);
+  const double depth = domain.spec.box.y_max - domain.spec.box.y_min;
+  double slowest = domain.fastest_wave();
+  for (const Particles& set : domain.sets)
+    slowest = std::min(slowest, materials::elasticity(set.law).s_wave_speed());
+  const double alpha = std::numbers::pi * slowest / depth;
+  const double dt = domain.spec.scheme.fraction * critical_time_step(domain, 0.0);
+
+  double residual = 0.0;
+  for (long step = 0;; ++step) {
+    scatter(domain, ScatterPart::force);
+    residual = relax_grid(domain, supports, dt, alpha);
+    if (domain.has_tied_nodes())
+      copy_to_tied(domain, {&domain.grid.vx_new, &domain.grid.vy_new});
+    if (step % report_every == 0)
+      progress(step, residual);
+    if (residual < settings.residual)
+      break;
+    if (!(static_cast<double>(step) * dt < settings.max_time))
+      throw std::runtime_error(
+          fmt::format("the gravity stage did not come to rest: residual {:.3g} after {:.3g} s of "
+                      "relaxation, wanted {:.3g}; the slope may not be stable under its weight",
+                      residual, settings.max_time, settings.residual));
+    gather(domain, dt, {.strain = true});
+    // Geometry is given: volumes, boxes and places do not change.
+    for (std::size_t s = 0; s < domain.sets.size(); ++s)
+      given[s].restore(domain.sets[s]);
+  }
+
+  reactions.force.assign(domain.grid.size(), Vector{});
+  for (const std::size_t n : reactions.base)
+    reactions.force[n] = {-domain.grid.force_x[n], -domain.grid.force_y[n]};
+  for (const std::size_t n : reactions.sides)
+    reactions.force[n] = {-domain.grid.force_x[n], 0.0};
+  for (std::size_t s = 0; s < domain.sets.size(); ++s)
+    domain.sets[s].law = laws[s];
+  reactions.unheld = begin_history(domain);
+  return reactions;
+}
+
+} // namespace tremolo::mpm_domain

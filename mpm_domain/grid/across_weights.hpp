@@ -1,0 +1,67 @@
+#pragma once
+
+#include "mpm_domain/grid/basis_cells.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Weights of four real nodes in the part of a particle's box that lies in one cell.
+struct FourWeights {
+  std::array<std::uint32_t, 4> node;
+  std::uint32_t four; ///< of the table of cells, which knows where the nodes lie
+  Lanes s;
+  Lanes gx, gy; ///< 1/m
+};
+
+/// Reciprocals of the second moments of a particle's weights, 1/m2.
+struct InverseMoments {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// Weights of real nodes of consecutive particles whose boxes touch several lattices or a virtual node, or
+/// are larger than half a cell. An affine velocity v_p + C (x - x_p) is told to nodes at their own places:
+/// told to virtual ones and shared out, it would come to their real nodes as that of places in between, and a
+/// linear field would be smoothed in every step.
+///
+/// The cells that a box may touch are found once, after a sort; as particles move only parts are found anew.
+class AcrossWeights {
+public:
+  /// Forgets all: particles from `first` on will follow.
+  void restart(std::size_t first);
+  /// The next particle: the cells that its box may touch from now on.
+  /// @param reach  m
+  void expect(const GradedMesh& mesh, BasisCells& cells, const mesh::Rectangle& reach);
+
+  /// Forgets the weights, not the cells.
+  void clear();
+  /// The weights of the next particle. A node stands once for every part of the box.
+  void add(const BasisCells& cells, const mesh::Rectangle& box);
+
+  /// Particles [first, end).
+  std::size_t first() const { return first_; }
+  std::size_t end() const { return first_ + cells_start_.size() - 1; }
+
+  /// All cells that the particles may touch; numbers in the table, which may stand several times.
+  std::span<const std::uint32_t> cells() const { return cells_; }
+
+  std::span<const FourWeights> of(std::size_t particle) const {
+    const std::size_t n = particle - first_;
+    return std::span(weights_).subspan(start_[n], start_[n + 1] - start_[n]);
+  }
+  const InverseMoments& per_moments(std::size_t particle) const { return per_moments_[particle - first_]; }
+
+private:
+  std::size_t first_ = 0;
+  std::vector<std::size_t> cells_start_{0};
+  std::vector<std::uint32_t> cells_;
+  std::vector<std::size_t> start_{0};
+  std::vector<FourWeights> weights_;
+  std::vector<InverseMoments> per_moments_;
+};
+
+} // namespace tremolo::mpm_domain

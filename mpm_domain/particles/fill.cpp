@@ -1,0 +1,155 @@
+#include "mpm_domain/particles/fill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Even-odd rule.
+bool contains(const std::vector<Vector>& polygon, double x, double y) {
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vector& a = polygon[i];
+    const Vector& b = polygon[j];
+    if ((a.y > y) != (b.y > y) && x < (b.x - a.x) * (y - a.y) / (b.y - a.y) + a.x)
+      inside = !inside;
+  }
+  return inside;
+}
+
+int count_along(double length, double size) {
+  const double n = length / size;
+  if (std::abs(n - std::round(n)) > 1e-6 || n < 1.0)
+    throw std::invalid_argument(
+        fmt::format("the model box is {:.6g} m long, which is not a multiple of the particle size {:.6g} m",
+                    length, size));
+  return static_cast<int>(std::lround(n));
+}
+
+void add_particle(Particles& set, std::uint32_t id, double x, double y, double size) {
+  const double density = materials::elasticity(set.law).density;
+  set.id.push_back(id);
+  for (std::vector<double>* column : set.columns())
+    column->push_back(0.0);
+  set.x.back() = set.x_initial.back() = x;
+  set.y.back() = set.y_initial.back() = y;
+  set.volume.back() = size * size;
+  set.mass.back() = density * size * size;
+}
+
+std::vector<Particles> empty_sets(const Spec& spec, int finest) {
+  std::vector<Particles> sets;
+  for (int level = 0; level <= finest; ++level)
+    for (std::size_t s = 0; s < spec.soils.size(); ++s) {
+      const Soil& soil = spec.soils[s];
+      const auto finer = static_cast<std::size_t>(level) - 1;
+      Particles& set = sets.emplace_back();
+      set.soil = soil.name;
+      set.soil_index = s;
+      set.level = level;
+      set.cell_size = spec.cell_size / static_cast<double>(1 << level);
+      set.half_size = 0.5 * particle_size(spec, level);
+      set.law = level > 0 && finer < soil.finer_laws.size() ? soil.finer_laws[finer] : soil.law;
+      set.state_size = materials::state_variables(set.law).size();
+    }
+  return sets;
+}
+
+/// The lattice points of a leaf that lie in the model.
+template <typename Add>
+void fill_leaf(const Spec& spec, int level, const Box& leaf, const Add& add) {
+  const double size = particle_size(spec, level);
+  for (int j = 0; j < spec.particles_per_cell; ++j)
+    for (int i = 0; i < spec.particles_per_cell; ++i) {
+      const double x = leaf.x_min + (i + 0.5) * size;
+      const double y = leaf.y_min + (j + 0.5) * size;
+      if (x > spec.box.x_min && x < spec.box.x_max && y > spec.box.y_min && y < spec.box.y_max)
+        add(level, x, y);
+    }
+}
+
+} // namespace
+
+std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
+  const double size = particle_size(spec);
+  const int columns = count_along(spec.box.x_max - spec.box.x_min, size);
+  const int rows = count_along(spec.box.y_max - spec.box.y_min, size);
+
+  std::vector<Particles> sets = empty_sets(spec, tree ? tree->finest() : 0);
+  const auto add = [&](int level, double x, double y) {
+    const auto region = std::find_if(spec.regions.rbegin(), spec.regions.rend(),
+                                     [&](const Region& r) { return contains(r.polygon, x, y); });
+    if (region == spec.regions.rend())
+      return;
+    Particles& set = sets[static_cast<std::size_t>(level) * spec.soils.size() + region->soil];
+    add_particle(set, static_cast<std::uint32_t>(set.size()), x, y, particle_size(spec, level));
+  };
+  if (tree)
+    for (const mesh::Cell& leaf : tree->leaves())
+      fill_leaf(spec, leaf.level, tree->rectangle(leaf), add);
+  else
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i)
+        add(0, spec.box.x_min + (i + 0.5) * size, spec.box.y_min + (j + 0.5) * size);
+  if (std::all_of(sets.begin(), sets.end(), [](const Particles& set) { return set.size() == 0; }))
+    throw std::invalid_argument("no particle lies in any region: the domain is empty");
+  for (Particles& set : sets) {
+    set.state.resize(set.size() * set.state_size);
+    materials::initialise(set.law, set.points(0, set.size()));
+  }
+  if (spec.scheme.transfer == Transfer::apic)
+    for (Particles& set : sets)
+      for (std::vector<double>* affine : {&set.bxx, &set.bxy, &set.byx, &set.byy})
+        affine->assign(set.size(), 0.0);
+  if (spec.boxes == ParticleBoxes::deforming)
+    for (Particles& set : sets) {
+      for (std::vector<double>* moment : {&set.box_xx, &set.box_yy})
+        moment->assign(set.size(), set.half_size * set.half_size);
+      set.box_xy.assign(set.size(), 0.0);
+    }
+  return sets;
+}
+
+/// Every particle stands in all columns, as wide as the smallest particles, that it covers, and takes the
+/// mean of their overburdens.
+void set_rest_stress(std::vector<Particles>& sets, const Spec& spec) {
+  const int finest = std::ranges::max(sets, {}, &Particles::level).level;
+  const double width = particle_size(spec, finest);
+  struct Place {
+    double y;
+    Particles* set;
+    std::size_t k;
+  };
+  std::vector<std::vector<Place>> columns(
+      static_cast<std::size_t>(std::lround((spec.box.x_max - spec.box.x_min) / width)));
+  for (Particles& set : sets)
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const auto first =
+          static_cast<std::size_t>((set.x[k] - set.half_size + 0.5 * width - spec.box.x_min) / width);
+      for (std::size_t c = 0; c < std::size_t{1} << (finest - set.level); ++c)
+        columns[first + c].push_back({set.y[k], &set, k});
+      set.syy[k] = 0.0;
+    }
+  for (std::vector<Place>& column : columns) {
+    std::sort(column.begin(), column.end(), [](const Place& a, const Place& b) { return a.y > b.y; });
+    double overburden = 0.0;
+    for (const Place& place : column) {
+      Particles& set = *place.set;
+      const double weight = set.mass[place.k] * spec.gravity / (2.0 * set.half_size);
+      set.syy[place.k] -= (overburden + 0.5 * weight) / static_cast<double>(1 << (finest - set.level));
+      overburden += weight;
+    }
+  }
+  for (Particles& set : sets) {
+    const double k0 = materials::elasticity(set.law).rest_coefficient();
+    for (std::size_t k = 0; k < set.size(); ++k)
+      set.sxx[k] = set.szz[k] = k0 * set.syy[k];
+  }
+}
+
+} // namespace tremolo::mpm_domain

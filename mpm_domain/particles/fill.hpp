@@ -1,0 +1,27 @@
+#pragma once
+
+#include "mpm_domain/particles/particles.hpp"
+#include "mpm_domain/spec/spec.hpp"
+
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Side of the square of a particle in a cell of a level, m.
+inline double particle_size(const Spec& spec, int level = 0) {
+  return spec.cell_size / static_cast<double>(1 << level) / spec.particles_per_cell;
+}
+
+/// Lays particles on a square lattice aligned with the model box, particles_per_cell per cell and direction,
+/// wherever the lattice point lies in a region. One set per soil, in the order of Spec::soils.
+///
+/// On a graded mesh every leaf is filled alike, so that a particle's size goes with its cell; there is one
+/// set per soil and level, level by level.
+/// @throws std::invalid_argument if no particle results or the box is not a multiple of the particle size
+std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree = nullptr);
+
+/// Gives every particle the stress of level layers at rest: s_yy = -overburden of the particles above it,
+/// s_xx = s_zz = K0 s_yy with the soil's nu/(1-nu). A start for the gravity stage, exact for level ground.
+void set_rest_stress(std::vector<Particles>& sets, const Spec& spec);
+
+} // namespace tremolo::mpm_domain

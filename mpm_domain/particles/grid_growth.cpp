@@ -1,0 +1,155 @@
+#include "mpm_domain/particles/grid_growth.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+constexpr double far = std::numeric_limits<double>::infinity();
+
+/// Cells by which the grid grows beyond what is asked of it, so that it seldom has to.
+constexpr int spare_cells = 8;
+
+/// More cells than a particle can go from one sort to the next, 0.9 + 0.65.
+constexpr double jump_cells = 2.0;
+
+/// NaN lies in no box.
+bool contains(const Box& box, double x, double y) {
+  return x >= box.x_min && x < box.x_max && y >= box.y_min && y < box.y_max;
+}
+
+Box widened(const Box& box, double by) {
+  return {box.x_min - by, box.y_min - by, box.x_max + by, box.y_max + by};
+}
+
+/// Where particles may be at a sort: what they touch from there until the next one lies on the grid.
+Box room_of(const Grid& grid) {
+  return {grid.x0 + 2 * grid.h, grid.y0 + 2 * grid.h, grid.x0 + (grid.nx - 4) * grid.h,
+          grid.y0 + (grid.ny - 3) * grid.h};
+}
+
+/// How far the sides with faces let soil go: beyond the outermost of them by overflow_cells.
+Box limits_of(const Domain& domain) {
+  Box limits{-far, -far, far, far};
+  Box sides{far, far, -far, far};
+  for (const BoundaryFace& face : domain.faces) {
+    const Particles& set = domain.sets[face.set];
+    const std::size_t k = set.index_of[face.id];
+    switch (face.side) {
+    case Side::left:
+      sides.x_min = std::min(sides.x_min, set.x[k]);
+      break;
+    case Side::right:
+      sides.x_max = std::max(sides.x_max, set.x[k]);
+      break;
+    case Side::base:
+      sides.y_min = std::min(sides.y_min, set.y[k]);
+      break;
+    }
+  }
+  const double beyond = domain.half_size() + overflow_cells * domain.grid.h;
+  if (sides.x_min < far)
+    limits.x_min = sides.x_min - beyond;
+  if (sides.x_max > -far)
+    limits.x_max = sides.x_max + beyond;
+  if (sides.y_min < far)
+    limits.y_min = sides.y_min - beyond;
+  return limits;
+}
+
+std::string particle_text(const Particles& p, std::size_t k, double time, long step) {
+  return fmt::format("particle {} of soil '{}' at x = {:.6g} m, y = {:.6g} m, t = {:.6g} s, step {}", p.id[k],
+                     p.soil, p.x[k], p.y[k], time, step);
+}
+
+void refuse_jump(const Box& room, const Particles& p, std::size_t k, double h, double time, long step) {
+  if (!contains(widened(room, jump_cells * h), p.x[k], p.y[k]))
+    throw std::runtime_error(fmt::format(
+        "{} has jumped out of the grid, x {:.6g} to {:.6g} m, y {:.6g} to {:.6g} m, with a velocity of "
+        "{:.3g}, {:.3g} m/s: the motion is not physical; look at the soil's stiffness and at the step",
+        particle_text(p, k, time, step), room.x_min, room.x_max, room.y_min, room.y_max, p.vx[k], p.vy[k]));
+}
+
+void refuse_overflow(const Box& limits, const Particles& p, std::size_t k, double time, long step) {
+  const auto refuse = [&](std::string_view side, std::string_view axis, double limit) {
+    throw std::runtime_error(fmt::format(
+        "{} has left the model over its {}: {} cells beyond the faces there, at {} = {:.6g} m, is the limit; "
+        "a model that reaches farther holds this soil",
+        particle_text(p, k, time, step), side, overflow_cells, axis, limit));
+  };
+  if (p.x[k] < limits.x_min)
+    refuse("left side", "x", limits.x_min);
+  if (p.x[k] >= limits.x_max)
+    refuse("right side", "x", limits.x_max);
+  if (p.y[k] < limits.y_min)
+    refuse("base", "y", limits.y_min);
+}
+
+/// Cells to add at an end of the grid so that `missing` metres more find room.
+int cells_for(double missing, double h) {
+  return missing > 0.0 ? static_cast<int>(std::ceil(missing / h)) + spare_cells : 0;
+}
+
+} // namespace
+
+double largest_grid(const Spec& spec) {
+  const double cells = (spec.box.x_max - spec.box.x_min) * (spec.box.y_max - spec.box.y_min) /
+                       (spec.cell_size * spec.cell_size);
+  return std::max(1e6, 4.0 * cells);
+}
+
+void resize(Grid& grid, int nx, int ny) {
+  grid.nx = nx;
+  grid.ny = ny;
+  resize_fields(grid, grid.count());
+}
+
+void resize_fields(Grid& grid, std::size_t count) {
+  for (NodeField* field :
+       {&grid.mass, &grid.momentum_x, &grid.momentum_y, &grid.force_x, &grid.force_y, &grid.dashpot_x,
+        &grid.dashpot_y, &grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new, &grid.ax, &grid.ay})
+    field->assign(count, 0.0);
+}
+
+void make_room(Domain& domain, double time, long step) {
+  Grid& grid = domain.grid;
+  const double h = grid.h;
+  const Box room = room_of(grid);
+  const Box limits = limits_of(domain);
+  const Box usual{std::max(room.x_min, limits.x_min), std::max(room.y_min, limits.y_min),
+                  std::min(room.x_max, limits.x_max), std::min(room.y_max, limits.y_max)};
+  Box needed = room;
+  for (const Particles& p : domain.sets)
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      if (contains(usual, p.x[k], p.y[k]))
+        continue;
+      refuse_jump(room, p, k, h, time, step);
+      refuse_overflow(limits, p, k, time, step);
+      needed = {std::min(needed.x_min, p.x[k]), std::min(needed.y_min, p.y[k]),
+                std::max(needed.x_max, p.x[k] + h), std::max(needed.y_max, p.y[k] + h)};
+      const double nodes = ((needed.x_max - needed.x_min) / h + 6) * ((needed.y_max - needed.y_min) / h + 5);
+      if (nodes > largest_grid(domain.spec))
+        throw std::runtime_error(
+            fmt::format("{} asks for a grid of {:.4g} nodes; the largest allowed is {:.4g}",
+                        particle_text(p, k, time, step), nodes, largest_grid(domain.spec)));
+    }
+  const int left = cells_for(room.x_min - needed.x_min, h);
+  const int right = cells_for(needed.x_max - room.x_max, h);
+  const int down = cells_for(room.y_min - needed.y_min, h);
+  const int up = cells_for(needed.y_max - room.y_max, h);
+  if (left + right + down + up == 0)
+    return;
+  grid.x0 -= left * h;
+  grid.y0 -= down * h;
+  resize(grid, grid.nx + left + right, grid.ny + down + up);
+  rebuild_mesh(domain);
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,161 @@
+#include "mpm_domain/particles/particles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+materials::Points Particles::points(std::size_t first, std::size_t count) {
+  materials::Points points;
+  points.count = count;
+  points.sxx = sxx.data() + first;
+  points.syy = syy.data() + first;
+  points.szz = szz.data() + first;
+  points.sxy = sxy.data() + first;
+  points.state = state.data() + first * state_size;
+  return points;
+}
+
+namespace {
+
+/// Of particles, const or not.
+template <typename Array, typename Set>
+std::vector<Array*> columns_of(Set& p, ExtraColumns extra) {
+  std::vector<Array*> all{&p.x,   &p.y,   &p.vx,   &p.vy,     &p.sxx,       &p.syy,
+                          &p.szz, &p.sxy, &p.mass, &p.volume, &p.x_initial, &p.y_initial};
+  if (extra.affine)
+    all.insert(all.end(), {&p.bxx, &p.bxy, &p.byx, &p.byy});
+  if (extra.boxes)
+    all.insert(all.end(), {&p.box_xx, &p.box_xy, &p.box_yy});
+  return all;
+}
+
+} // namespace
+
+std::vector<std::vector<double>*> Particles::columns(ExtraColumns extra) {
+  return columns_of<std::vector<double>>(*this, extra);
+}
+
+std::vector<const std::vector<double>*> Particles::columns(ExtraColumns extra) const {
+  return columns_of<const std::vector<double>>(*this, extra);
+}
+
+namespace {
+
+[[noreturn]] void refuse_outside(const Particles& p, std::size_t k, const mesh::Rectangle& allowed) {
+  throw std::runtime_error(fmt::format("particle {} of soil '{}' has left the grid: x = {:.6g} m, y = "
+                                       "{:.6g} m; allowed x {:.6g} to {:.6g} m, y {:.6g} "
+                                       "to {:.6g} m",
+                                       p.id[k], p.soil, p.x[k], p.y[k], allowed.x_min, allowed.x_max,
+                                       allowed.y_min, allowed.y_max));
+}
+
+/// The first node of a particle's stencil.
+std::size_t first_node(const Particles& p, std::size_t k, const Lattice& lattice) {
+  const Axis x_axis(lattice.x0, lattice.h);
+  const Axis y_axis(lattice.y0, lattice.h);
+  const int column = cell_weights(p.x[k], x_axis, p.half_size).base;
+  const int row = p.has_own_boxes() ? cell_weights(p.y[k], y_axis, p.half_size).base
+                                    : gimp_weights(p.y[k], y_axis, p.half_size).base;
+  return lattice.index(column, row);
+}
+
+/// Puts the particles in the order of their keys, keeping that of equal ones.
+/// @returns the first place of every key, and the end
+std::vector<std::size_t> order_by(Particles& particles, std::span<const std::size_t> key, std::size_t keys) {
+  const std::size_t n = particles.size();
+  std::vector<std::size_t> start(keys + 1, 0);
+  for (std::size_t k = 0; k < n; ++k)
+    ++start[key[k] + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  std::vector<std::size_t> from(n);
+  for (std::size_t k = 0; k < n; ++k)
+    from[next[key[k]]++] = k;
+
+  std::vector<double> old;
+  for (std::vector<double>* column : particles.columns()) {
+    old = *column;
+    for (std::size_t k = 0; k < n; ++k)
+      (*column)[k] = old[from[k]];
+  }
+  old = particles.state;
+  const std::size_t width = particles.state_size;
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t s = 0; s < width; ++s)
+      particles.state[k * width + s] = old[from[k] * width + s];
+  const std::vector<std::uint32_t> old_id = particles.id;
+  particles.index_of.resize(std::max(n, particles.index_of.size())); // ids of cut particles stay
+  for (std::size_t k = 0; k < n; ++k) {
+    particles.id[k] = old_id[from[k]];
+    particles.index_of[particles.id[k]] = static_cast<std::uint32_t>(k);
+  }
+  return start;
+}
+
+/// Adds the first particle of every block of a lattice, whose node (0, 0) has a key.
+void add_block_starts(const Lattice& lattice, std::size_t key, std::span<const std::size_t> start,
+                      std::vector<std::size_t>& block_start) {
+  for (int row = 0; row < lattice.ny; row += rows_per_block)
+    block_start.push_back(start[key + static_cast<std::size_t>(row) * static_cast<std::size_t>(lattice.nx)]);
+}
+
+} // namespace
+
+void sort_by_cell(Particles& particles, const Grid& grid) {
+  // A particle may move by one cell before the next sort, hence the margin; NaN fails every comparison.
+  const mesh::Rectangle allowed{grid.x0 + 2 * grid.h, grid.y0 + 2 * grid.h, grid.x0 + (grid.nx - 3) * grid.h,
+                                grid.y0 + (grid.ny - 3) * grid.h};
+  std::vector<std::size_t> cell(particles.size());
+  for (std::size_t k = 0; k < cell.size(); ++k) {
+    const double x = particles.x[k];
+    const double y = particles.y[k];
+    if (!(x >= allowed.x_min && x < allowed.x_max && y >= allowed.y_min && y < allowed.y_max))
+      refuse_outside(particles, k, allowed);
+    cell[k] = first_node(particles, k, grid);
+  }
+  const std::vector<std::size_t> start = order_by(particles, cell, grid.size());
+  particles.block_start.clear();
+  add_block_starts(grid, 0, start, particles.block_start);
+  particles.block_start.push_back(particles.size());
+}
+
+void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMap& clocks, double margin) {
+  const mesh::Roots& roots = mesh.tree().roots();
+  const double reach = (particles.has_own_boxes() ? particles.cell_size : particles.half_size) + 2.0 * margin;
+  const mesh::Rectangle allowed{roots.x0 + reach, roots.y0 + reach, roots.x0 + roots.nx * roots.h - reach,
+                                roots.y0 + roots.ny * roots.h - reach};
+  const std::size_t levels = mesh.lattices().size();
+  const std::size_t across = static_cast<std::size_t>(clocks.count()) * mesh.node_count();
+  std::vector<std::size_t> key(particles.size());
+  for (std::size_t k = 0; k < key.size(); ++k) {
+    const double x = particles.x[k];
+    const double y = particles.y[k];
+    // NaN fails every comparison.
+    if (!(x > allowed.x_min && x < allowed.x_max && y > allowed.y_min && y < allowed.y_max))
+      refuse_outside(particles, k, allowed);
+    const GradedMesh::Touched touches = mesh.touched(reach_of(particles, k, margin));
+    const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(touches.finest)];
+    const Vector half = half_sides(particles, k);
+    const double most = particles.has_own_boxes() ? lattice.h : 0.5001 * lattice.h;
+    const bool on_one = touches.one_lattice() && half.x <= most && half.y <= most;
+    const auto clock = static_cast<std::size_t>(clocks.at(x, y));
+    key[k] = on_one ? clock * mesh.node_count() + first_node(particles, k, lattice)
+                    : across + clock * levels + static_cast<std::size_t>(touches.finest);
+  }
+  const std::size_t across_blocks = static_cast<std::size_t>(clocks.count()) * levels;
+  const std::vector<std::size_t> start = order_by(particles, key, across + across_blocks);
+  particles.block_start.clear();
+  for (std::size_t first = 0; first < across; first += mesh.node_count())
+    for (const Lattice& lattice : mesh.lattices())
+      add_block_starts(lattice, first + lattice.first, start, particles.block_start);
+  for (std::size_t block = 0; block <= across_blocks; ++block)
+    particles.block_start.push_back(start[across + block]);
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "mpm_domain/grid/clock_map.hpp"
+#include "mpm_domain/grid/graded_mesh.hpp"
+#include "mpm_domain/grid/grid.hpp"
+#include "mpm_domain/spec/spec.hpp"
+#include "mpm_domain/transfer/kernel.hpp"
+#include "mpm_domain/transfer/particle_boxes.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Rows of cells that one task of a particle loop owns.
+///
+/// Every second block is scattered at once. Boxes that follow the soil reach farthest: of n rows of cells
+/// [0, n), or one more on either side since particles may have moved by up to a cell since the last sort,
+/// they touch the nodes -2 to n + 2, and those of the block after the next one 2n - 2 and more. So n > 4.
+inline constexpr int rows_per_block = 5;
+
+/// Which columns of particles there are besides those that all have.
+struct ExtraColumns {
+  bool affine = false;
+  bool boxes = false;
+};
+
+/// All particles of one soil and of one size, one array a quantity, ordered by grid cell.
+struct Particles {
+  std::string soil;
+  std::size_t soil_index = 0; ///< into Spec::soils
+  int level = 0;              ///< of the cells that they belong to by their size
+  double cell_size = 0.0;     ///< h of these, m
+  double half_size = 0.0;     ///< l of their boxes, at the start where these follow the soil, m
+  materials::Law law;
+  std::size_t state_size = 0; ///< doubles per particle in `state`
+
+  std::vector<std::uint32_t> id; ///< number at creation; the same for the whole run
+  std::vector<double> x, y, vx, vy;
+  /// B_ab = sum S v_a (x_b,i - x_b), m2/s; empty unless APIC. Kept rather than the affine velocity C = B
+  /// D^-1, for B moves with the particle and D, the second moment of its weights, does not: so angular
+  /// momentum stays (Jiang, Schroeder and Teran 2017).
+  std::vector<double> bxx, bxy, byx, byy;
+  std::vector<double> sxx, syy, szz, sxy;     ///< Cauchy stress, Pa, tension positive
+  std::vector<double> mass, volume;           ///< per metre out of plane, kg/m and m2
+  std::vector<double> box_xx, box_xy, box_yy; ///< M of boxes that follow the soil (particle_boxes.hpp)
+  std::vector<double> x_initial, y_initial;
+  std::vector<double> state; ///< [particle][state_size]
+
+  std::vector<std::size_t> block_start; ///< first particle of each of the domain's blocks, and the end
+  std::vector<std::uint32_t> index_of;  ///< place of each id in the arrays, or nowhere
+  std::vector<std::uint32_t> whole;     ///< ids, rising, of particles that are never cut (splitting.hpp)
+
+  /// Of an id whose particle has been cut.
+  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+  std::size_t size() const { return x.size(); }
+  /// Stress and state of particles [first, first + count), as laws see them; who steps adds the increments.
+  materials::Points points(std::size_t first, std::size_t count);
+  /// Every array of one double a particle, for passes that treat all alike.
+  std::vector<std::vector<double>*> columns() { return columns(extra_columns()); }
+  std::vector<std::vector<double>*> columns(ExtraColumns extra);
+  std::vector<const std::vector<double>*> columns(ExtraColumns extra) const;
+  ExtraColumns extra_columns() const { return {.affine = !bxx.empty(), .boxes = has_own_boxes()}; }
+
+  /// Whether boxes follow the soil, or all stay one square.
+  bool has_own_boxes() const { return !box_xx.empty(); }
+  BoxLimits box_limits() const { return BoxLimits(cell_size); }
+};
+
+/// Orders the particles by cell, rows first, keeping the order of those that share a cell.
+/// @throws std::runtime_error if a particle has left the grid, naming its place
+void sort_by_cell(Particles& particles, const Grid& grid);
+
+/// Half sides of a particle's box, m.
+inline Vector half_sides(const Particles& p, std::size_t k) {
+  if (!p.has_own_boxes())
+    return {p.half_size, p.half_size};
+  const BoxLimits limits = p.box_limits();
+  return {limits.half_side(p.box_xx[k]), limits.half_side(p.box_yy[k])};
+}
+
+/// The box that a particle stands for.
+inline mesh::Rectangle box_of(const Particles& p, std::size_t k) {
+  const Vector l = half_sides(p, k);
+  return {p.x[k] - l.x, p.y[k] - l.y, p.x[k] + l.x, p.y[k] + l.y};
+}
+
+/// Where it may come to while particles move by a distance. A side that follows the soil moves as fast, and
+/// with its particle besides.
+inline mesh::Rectangle reach_of(const Particles& p, std::size_t k, double distance) {
+  const mesh::Rectangle box = box_of(p, k);
+  const double margin = p.has_own_boxes() ? 2.0 * distance : distance;
+  return {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
+}
+
+/// The same on a graded mesh: by clock, then by lattice, then by cell. Behind them stand, clock by clock and
+/// level by level of the finest cells that they touch, the particles whose box touches cells of several
+/// lattices or of a virtually split leaf, or might before the next sort, and those too large for the
+/// lattice's kernel: half a cell, or a cell where boxes follow the soil.
+/// @param margin  how far particles may move until the next sort, m
+/// @throws std::runtime_error if a particle has left the mesh, naming its place
+void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMap& clocks, double margin);
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,82 @@
+#include "mpm_domain/particles/splitting.hpp"
+
+#include "mpm_domain/grid/box_average.hpp"
+#include "mpm_domain/particles/change_of_set.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Particles wider than this share of a cell are too few in it: three of four a cell and direction, and finer
+/// ones, are not.
+constexpr double widest_share = 0.75;
+
+bool is_to_be_cut(const Particles& p, std::size_t k, const mesh::Quadtree& tree) {
+  const mesh::Rectangle box = box_of(p, k);
+  const int finest = tree.finest_in(box);
+  return finest > p.level && 2.0 * p.half_size > widest_share * tree.size(finest) &&
+         tree.coarsest_in(box) == finest && !std::ranges::binary_search(p.whole, p.id[k]);
+}
+
+/// The affine velocity of the four is that of the one, C = B D^-1, each with its own D.
+void share_affine_velocity(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
+  const SecondMoments d = second_moments(mesh, box_of(whole, k));
+  const std::size_t quarter = to.size() - 1;
+  const double dx = to.x[quarter] - whole.x[k];
+  const double dy = to.y[quarter] - whole.y[k];
+  to.vx[quarter] += whole.bxx[k] / d.x * dx + whole.bxy[k] / d.y * dy;
+  to.vy[quarter] += whole.byx[k] / d.x * dx + whole.byy[k] / d.y * dy;
+  const SecondMoments own = second_moments(mesh, box_of(to, quarter));
+  to.bxx[quarter] *= own.x / d.x;
+  to.bxy[quarter] *= own.y / d.y;
+  to.byx[quarter] *= own.x / d.x;
+  to.byy[quarter] *= own.y / d.y;
+}
+
+void add_quarters(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
+  const Vector half = half_sides(whole, k);
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    add_copy(whole, k, to);
+    const double dx = (quarter % 2 == 0 ? -0.5 : 0.5) * half.x;
+    const double dy = (quarter / 2 == 0 ? -0.5 : 0.5) * half.y;
+    to.mass.back() *= 0.25;
+    to.volume.back() *= 0.25;
+    to.x.back() += dx;
+    to.y.back() += dy;
+    to.x_initial.back() += dx;
+    to.y_initial.back() += dy;
+    if (whole.has_own_boxes())
+      for (std::vector<double>* moment : {&to.box_xx, &to.box_xy, &to.box_yy})
+        moment->back() *= 0.25;
+    if (!whole.bxx.empty())
+      share_affine_velocity(whole, k, to, mesh);
+  }
+}
+
+} // namespace
+
+std::size_t split_particles(Domain& domain) {
+  if (!domain.mesh)
+    return 0;
+  const std::size_t soils = domain.spec.soils.size();
+  std::size_t count = 0;
+  // From coarse to fine, so that a particle that has passed two levels is cut twice.
+  for (std::size_t s = 0; s + soils < domain.sets.size(); ++s) {
+    Particles& set = domain.sets[s];
+    std::vector<std::size_t> gone;
+    for (std::size_t k = 0; k < set.size(); ++k)
+      if (is_to_be_cut(set, k, domain.mesh->tree())) {
+        add_quarters(set, k, domain.sets[s + soils], *domain.mesh);
+        gone.push_back(k);
+      }
+    if (!gone.empty())
+      remove(set, gone);
+    count += gone.size();
+  }
+  return count;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,332 @@
+#include "mpm_domain/transfer/gather.hpp"
+
+#include "materials/law/law.hpp"
+#include "mpm_domain/grid/box_average.hpp"
+#include "mpm_domain/transfer/samples.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Particles whose increments are held at a time between the grid and the law.
+constexpr std::size_t chunk = 128;
+
+using ChunkField = std::array<double, chunk>;
+
+struct Increments {
+  ChunkField exx, eyy, gxy, wxy;
+  ChunkField plastic; ///< plastic work per volume
+};
+
+/// Consecutive blocks.
+struct BlockRange {
+  std::size_t first;
+  std::size_t count;
+};
+
+/// Which particles: those on one lattice, those across several.
+struct Blocks {
+  BlockRange lattice;
+  BlockRange across;
+};
+
+struct Settings {
+  Blocks blocks;
+  double dt;
+  double flip_share; ///< 1 for FLIP, 0 for PIC, between them in a blend
+};
+
+template <typename Group>
+[[gnu::always_inline]] inline void take_affine(Particles& p, std::size_t k, Group group, const Samples& q) {
+  group.store(&p.vx[k], q.v_new.x);
+  group.store(&p.vy[k], q.v_new.y);
+  group.store(&p.bxx[k], q.bxx);
+  group.store(&p.byx[k], q.byx);
+  group.store(&p.bxy[k], q.bxy);
+  group.store(&p.byy[k], q.byy);
+}
+
+template <typename Group>
+[[gnu::always_inline]] inline void take_blend(Particles& p, std::size_t k, Group group, const Samples& q,
+                                              double flip_share) {
+  const auto blend = [&](double* v, const Lanes& before, const Lanes& after) {
+    group.store(v, flip_share * (group.load(v) + after - before) + (1.0 - flip_share) * after);
+  };
+  blend(&p.vx[k], q.v.x, q.v_new.x);
+  blend(&p.vy[k], q.v.y, q.v_new.y);
+}
+
+/// sigma : de of the increments from `c` on, J/m3
+template <typename Group>
+[[gnu::always_inline]] inline Lanes work_density(const Particles& p, std::size_t k, const Increments& inc,
+                                                 std::size_t c, Group group) {
+  return group.load(&p.sxx[k]) * load(&inc.exx[c]) + group.load(&p.syy[k]) * load(&inc.eyy[c]) +
+         group.load(&p.sxy[k]) * load(&inc.gxy[c]);
+}
+
+/// Sums of a range, four particles side by side.
+struct LaneSums {
+  Lanes total{};   ///< work of the stresses, J/m
+  Lanes plastic{}; ///< of it on plastic strain
+  Lanes max_speed2{};
+
+  GatherSums collected() const {
+    const Lanes& m = max_speed2;
+    return {sum(total) - sum(plastic), sum(plastic),
+            std::sqrt(std::max(std::max(m[0], m[1]), std::max(m[2], m[3])))};
+  }
+};
+
+/// Strain and rotation increments about the middle of the step (Hughes and Winget 1980), A (I + A/2)^-1 with
+/// A = dt grad u, here to its second order A - A^2/2: taken about its beginning, a turn by theta would be
+/// read as a contraction by theta^2/2. And half of the work: that of the stress before the update.
+template <typename Group>
+[[gnu::always_inline]] inline void take_strain(const Particles& p, std::size_t k, Group group,
+                                               const DisplacementGradient<Lanes>& a, std::size_t c,
+                                               Increments& inc, LaneSums& sums) {
+  const auto& [xx, xy, yx, yy] = a;
+  const Lanes across = 0.5 * xy * yx;
+  const Lanes half_rest = 1.0 - 0.5 * (xx + yy);
+  store(&inc.exx[c], xx - 0.5 * xx * xx - across);
+  store(&inc.eyy[c], yy - 0.5 * yy * yy - across);
+  store(&inc.gxy[c], half_rest * (xy + yx));
+  store(&inc.wxy[c], 0.5 * half_rest * (yx - xy));
+  store(&inc.plastic[c], Lanes{});
+  sums.total += 0.5 * group.load(&p.volume[k]) * work_density(p, k, inc, c, group);
+}
+
+/// The boxes of a group follow the soil.
+template <typename Group>
+[[gnu::always_inline]] inline void deform_boxes(Particles& p, std::size_t k, Group group,
+                                                const DisplacementGradient<Lanes>& a) {
+  const BoxMoments<Lanes> box =
+      deformed<Lanes>({group.load(&p.box_xx[k]), group.load(&p.box_xy[k]), group.load(&p.box_yy[k])}, a);
+  group.store(&p.box_xx[k], box.xx);
+  group.store(&p.box_xy[k], box.xy);
+  group.store(&p.box_yy[k], box.yy);
+}
+
+/// Stress and state of a chunk by its law, then the other half of the work, and the volumes.
+void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& inc, LaneSums& sums) {
+  materials::Points points = p.points(begin, count);
+  points.plastic_work = inc.plastic.data();
+  points.dexx = inc.exx.data();
+  points.deyy = inc.eyy.data();
+  points.dgxy = inc.gxy.data();
+  points.dwxy = inc.wxy.data();
+  if constexpr (all_effects)
+    materials::update(p.law, points);
+  else
+    materials::update(std::get<materials::LinearElastic>(p.law), points);
+  by_fours(0, count, [&](std::size_t c, auto group) {
+    const std::size_t k = begin + c;
+    const Lanes before = group.load(&p.volume[k]);
+    const Lanes dilation = load(&inc.exx[c]) + load(&inc.eyy[c]);
+    const Lanes volume = before * (1.0 + dilation * (1.0 + 0.5 * dilation));
+    sums.total += 0.5 * volume * work_density(p, k, inc, c, group);
+    sums.plastic += 0.5 * (before + volume) * load(&inc.plastic[c]);
+    group.store(&p.volume[k], volume);
+  });
+}
+
+template <GatherParts parts, bool strain_of_first, bool affine>
+constexpr Wanted wanted_by{.v = parts.velocity && !affine,
+                           .v_new = parts.velocity || parts.position,
+                           .gradient = parts.strain,
+                           .of_v = strain_of_first,
+                           .affine = (parts.velocity && affine)};
+
+/// @param sample_at  (k, group, x, y) -> what a group of particles from k on, at x and y, reads off the grid
+template <GatherParts parts, bool affine, bool boxes_follow, typename SampleAt>
+GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const Settings& set,
+                        const SampleAt& sample_at) {
+  LaneSums sums;
+  Increments inc;
+  for (std::size_t first = begin; first < end; first += chunk) {
+    const std::size_t count = std::min(chunk, end - first);
+    by_fours(0, count, [&](std::size_t c, auto group) {
+      const std::size_t k = first + c;
+      const Lanes x = group.load(&p.x[k]);
+      const Lanes y = group.load(&p.y[k]);
+      const Samples q = sample_at(k, group, x, y);
+      if constexpr (parts.velocity) {
+        if constexpr (affine)
+          take_affine(p, k, group, q);
+        else
+          take_blend(p, k, group, q, set.flip_share);
+      }
+      if constexpr (parts.strain) {
+        const DisplacementGradient<Lanes> a{set.dt * q.vx_x, set.dt * q.vx_y, set.dt * q.vy_x,
+                                            set.dt * q.vy_y};
+        take_strain(p, k, group, a, c, inc, sums);
+        if constexpr (boxes_follow)
+          deform_boxes(p, k, group, a);
+      }
+      if constexpr (parts.position || parts.drift) {
+        const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_new;
+        group.store(&p.x[k], x + set.dt * v.x);
+        group.store(&p.y[k], y + set.dt * v.y);
+        sums.max_speed2 = larger(v.x * v.x + v.y * v.y, sums.max_speed2);
+      }
+    });
+    if constexpr (parts.strain)
+      strain_chunk(p, first, count, inc, sums);
+  }
+  return sums.collected();
+}
+
+/// The particles of a soil in a block on one lattice.
+template <GatherParts parts, bool strain_of_first, bool affine, typename Boxes>
+GatherSums gather_lattice(Domain& domain, Particles& p, std::size_t block, const Settings& settings) {
+  constexpr Wanted wanted = wanted_by<parts, strain_of_first, affine>;
+  const Grid& grid = domain.grid;
+  const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
+  const Axis x_axis(lattice.x0, lattice.h);
+  const Axis y_axis(lattice.y0, lattice.h);
+  const Boxes boxes(p, lattice, x_axis);
+  return gather_range<parts, affine, Boxes::follow>(
+      p, p.block_start[block], p.block_start[block + 1], settings,
+      [&](std::size_t k, auto group, const Lanes& x, const Lanes& y) __attribute__((always_inline)) {
+        return sample<wanted, Boxes::rows>(grid, lattice, x, y, group.count, x_axis, y_axis,
+                                           boxes.of(k, group));
+      });
+}
+
+/// In a block across several lattices.
+template <GatherParts parts, bool strain_of_first, bool affine, bool boxes_follow>
+GatherSums gather_across(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
+  constexpr Wanted wanted = wanted_by<parts, strain_of_first, affine>;
+  Particles& p = domain.sets[s];
+  const Grid& grid = domain.grid;
+  const AcrossWeights& weights = domain.across_of(s, domain.clock_of_block(block));
+  return gather_range<parts, affine, boxes_follow>(
+      p, p.block_start[block], p.block_start[block + 1], settings,
+      [&](std::size_t k, auto group, const Lanes&, const Lanes&) {
+        return sample_across<wanted>(grid, weights, domain.basis_cells, p, k, group.count);
+      });
+}
+
+template <GatherParts parts, bool strain_of_first, bool affine>
+GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
+  Particles& p = domain.sets[s];
+  if (all_effects && block >= domain.block_count())
+    return p.has_own_boxes()
+               ? gather_across<parts, strain_of_first, affine, true>(domain, s, block, settings)
+               : gather_across<parts, strain_of_first, affine, false>(domain, s, block, settings);
+  return all_effects && p.has_own_boxes()
+             ? gather_lattice<parts, strain_of_first, affine, OwnRectangles>(domain, p, block, settings)
+             : gather_lattice<parts, strain_of_first, affine, OneSquare>(domain, p, block, settings);
+}
+
+template <GatherParts parts, bool strain_of_first>
+GatherSums gather_blocks(Domain& domain, const Settings& settings) {
+  const std::size_t lattice_blocks = settings.blocks.lattice.count;
+  std::vector<GatherSums> sums(lattice_blocks + settings.blocks.across.count);
+  domain.workers.run(sums.size(), [&](std::size_t task) {
+    const std::size_t block = task < lattice_blocks ? settings.blocks.lattice.first + task
+                                                    : settings.blocks.across.first + task - lattice_blocks;
+    for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+      const GatherSums work = !all_effects || domain.sets[s].bxx.empty()
+                                  ? gather_block<parts, strain_of_first, false>(domain, s, block, settings)
+                                  : gather_block<parts, strain_of_first, true>(domain, s, block, settings);
+      sums[task].elastic += work.elastic;
+      sums[task].plastic += work.plastic;
+      sums[task].max_speed = std::max(sums[task].max_speed, work.max_speed);
+    }
+  });
+  GatherSums total;
+  for (const GatherSums& sum : sums) {
+    total.elastic += sum.elastic;
+    total.plastic += sum.plastic;
+    total.max_speed = std::max(total.max_speed, sum.max_speed);
+  }
+  return total;
+}
+
+constexpr GatherParts all_parts{.velocity = true, .position = true, .strain = true};
+constexpr GatherParts motion_parts{.velocity = true, .position = true};
+constexpr GatherParts velocity_part{.velocity = true};
+constexpr GatherParts rest_parts{.position = true, .strain = true};
+constexpr GatherParts drift_parts{.drift = true, .strain = true};
+constexpr GatherParts strain_part{.strain = true};
+
+} // namespace
+
+namespace {
+
+double flip_share(const Scheme& scheme, double dt) {
+  switch (scheme.transfer) {
+  case Transfer::pic_blend:
+    return std::exp(-dt / scheme.blend_time);
+  case Transfer::fmpm:
+    return 0.0;
+  case Transfer::apic:
+  case Transfer::flip:
+    break;
+  }
+  return 1.0;
+}
+
+GatherSums gather_from(Domain& domain, double dt, GatherParts parts, bool strain_of_first,
+                       const Blocks& blocks) {
+  const Settings settings{blocks, dt, flip_share(domain.spec.scheme, dt)};
+  if (parts == all_parts && !strain_of_first)
+    return gather_blocks<all_parts, false>(domain, settings);
+  if (parts == motion_parts)
+    return gather_blocks<motion_parts, false>(domain, settings);
+  if (parts == velocity_part)
+    return gather_blocks<velocity_part, false>(domain, settings);
+  if (parts == rest_parts && strain_of_first)
+    return gather_blocks<rest_parts, true>(domain, settings);
+  if (parts == drift_parts && strain_of_first)
+    return gather_blocks<drift_parts, true>(domain, settings);
+  if (parts == strain_part)
+    return strain_of_first ? gather_blocks<strain_part, true>(domain, settings)
+                           : gather_blocks<strain_part, false>(domain, settings);
+  throw std::logic_error("gather: no scheme asks for this combination of parts");
+}
+
+} // namespace
+
+GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first) {
+  const std::size_t blocks = domain.block_count();
+  return gather_from(domain, dt, parts, strain_of_first,
+                     {{0, blocks}, {blocks, domain.across_block_count()}});
+}
+
+GatherSums gather_clock(Domain& domain, double dt, GatherParts parts, bool strain_of_first, int clock) {
+  const auto c = static_cast<std::size_t>(clock);
+  const std::size_t blocks = domain.blocks_per_clock();
+  const std::size_t levels = domain.mesh ? domain.mesh->lattices().size() : 0;
+  return gather_from(domain, dt, parts, strain_of_first,
+                     {{c * blocks, blocks}, {domain.block_count() + c * levels, levels}});
+}
+
+Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {
+  Vector a;
+  const auto add = [&](std::size_t n, double s) {
+    a.x += s * domain.grid.ax[n];
+    a.y += s * domain.grid.ay[n];
+  };
+  if (domain.mesh) {
+    std::vector<BoxWeight> weights;
+    box_average(*domain.mesh, box_of(particles, k), weights);
+    for (const BoxWeight& w : weights)
+      add(w.node, w.s);
+    return a;
+  }
+  const Vector half = half_sides(particles, k);
+  const Weights wx = cell_weights(particles.x[k], domain.x_axis(), half.x);
+  const Weights wy = cell_weights(particles.y[k], domain.y_axis(), half.y);
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i)
+      add(domain.grid.index(wx.base + i, wy.base + j), wx.s[i] * wy.s[j]);
+  return a;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,217 @@
+#pragma once
+
+// What particles read off the grid, four at a time: on one lattice by its stencils, across several node by
+// node.
+
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/transfer/stencil.hpp"
+
+#include <array>
+
+namespace tremolo::mpm_domain {
+
+/// What is read of a velocity component.
+struct Reading {
+  bool value = false;
+  bool gradient = false;
+  bool moments = false;
+};
+
+/// A velocity component as four particles read it.
+struct Component {
+  Lanes value{};                ///< sum S v
+  Lanes d_dx{}, d_dy{};         ///< its gradient, 1/s
+  Lanes moment_x{}, moment_y{}; ///< sum S v (x_i - x), m2/s
+};
+
+/// The stencils of four particles, ready to read with: along x a factor per node, along y one per row, which
+/// is taken from memory into all lanes.
+template <std::size_t rows>
+struct Reader {
+  using Factors = std::array<std::array<double, 4>, rows>; ///< [row][particle]
+
+  std::size_t count;                 ///< of the four
+  std::array<std::int32_t, 4> first; ///< node
+  std::ptrdiff_t row;                ///< nodes
+  CellWeights<Lanes> x;
+  std::array<Lanes, 4> x_moment; ///< S (x_i - x), m
+  alignas(32) Factors y_s, y_g, y_moment;
+
+  template <typename Boxes>
+  Reader(const Stencils& at, std::size_t particles, const Lattice& lattice, const Axis& x_axis,
+         const Axis& y_axis, const Boxes& boxes)
+      : count(particles), first(at.first_nodes(lattice)), row(lattice.nx), x(boxes.along_x(at.xi, x_axis)) {
+    for (std::size_t i = 0; i < 4; ++i)
+      x_moment[i] = x.s[i] * (x_axis.h * (static_cast<double>(i) - 1.0 - at.xi));
+    const auto y = boxes.along_y(at.eta, y_axis);
+    for (std::size_t j = 0; j < rows; ++j) {
+      store(y_s[j].data(), y.s[j]);
+      store(y_g[j].data(), y.g[j]);
+      store(y_moment[j].data(), y.s[j] * (y_axis.h * (static_cast<double>(j) - at.eta)));
+    }
+  }
+
+  /// For each particle the sum over the rows of the four columns; then the particles side by side per column.
+  [[gnu::always_inline]] std::array<Lanes, 4> columns(const NodeField& field, const Factors& factors) const {
+    std::array<Lanes, 4> sums{};
+    for (std::size_t k = 0; k < count; ++k) {
+      const double* nodes = field.data() + first[k];
+      sums[k] = factors[0][k] * load(nodes);
+      for (std::size_t j = 1; j < rows; ++j)
+        sums[k] += factors[j][k] * load(nodes += row);
+    }
+    return transposed(sums);
+  }
+
+  template <Reading reading>
+  [[gnu::always_inline]] Component read(const NodeField& field) const {
+    Component v;
+    const std::array<Lanes, 4> s = columns(field, y_s);
+    if constexpr (reading.value)
+      v.value = dot(x.s, s);
+    if constexpr (reading.gradient) {
+      v.d_dx = dot(x.g, s);
+      v.d_dy = dot(x.s, columns(field, y_g));
+    }
+    if constexpr (reading.moments) {
+      v.moment_x = dot(x_moment, s);
+      v.moment_y = dot(x.s, columns(field, y_moment));
+    }
+    return v;
+  }
+
+  /// sum over the four nodes of a row
+  static Lanes dot(const std::array<Lanes, 4>& a, const std::array<Lanes, 4>& b) {
+    return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
+  }
+};
+
+/// A vector of four particles.
+struct Vectors {
+  Lanes x{}, y{};
+};
+
+/// What four particles read off the grid.
+struct Samples {
+  Vectors v;                            ///< sum S v, before the update
+  Vectors v_new;                        ///< after it
+  Lanes vx_x{}, vx_y{}, vy_x{}, vy_y{}; ///< d v_a/d x_b of the velocity that strains
+  Lanes bxx{}, bxy{}, byx{}, byy{};     ///< sum S v_new (x_i - x)^T
+};
+
+/// Which velocities a gather samples, and which of them strains.
+struct Wanted {
+  bool v = false;
+  bool v_new = false;
+  bool gradient = false;
+  bool of_v = false; ///< the gradient, not of v_new
+  bool affine = false;
+};
+
+/// Both components before and after the update, as far as they are wanted.
+struct Velocities {
+  Component vx, vy, vx_new, vy_new;
+};
+
+template <Wanted wanted>
+constexpr Reading of_old{.value = wanted.v, .gradient = wanted.gradient&& wanted.of_v};
+
+template <Wanted wanted>
+constexpr Reading of_new{
+    .value = wanted.v_new, .gradient = wanted.gradient && !wanted.of_v, .moments = wanted.affine};
+
+constexpr bool reads(Reading reading) {
+  return reading.value || reading.gradient || reading.moments;
+}
+
+template <Wanted wanted>
+[[gnu::always_inline]] inline Samples samples_of(const Velocities& read) {
+  const Component& ux = wanted.of_v ? read.vx : read.vx_new;
+  const Component& uy = wanted.of_v ? read.vy : read.vy_new;
+  return {.v = {read.vx.value, read.vy.value},
+          .v_new = {read.vx_new.value, read.vy_new.value},
+          .vx_x = ux.d_dx,
+          .vx_y = ux.d_dy,
+          .vy_x = uy.d_dx,
+          .vy_y = uy.d_dy,
+          .bxx = read.vx_new.moment_x,
+          .bxy = read.vx_new.moment_y,
+          .byx = read.vy_new.moment_x,
+          .byy = read.vy_new.moment_y};
+}
+
+template <Wanted wanted, std::size_t rows, typename Boxes>
+[[gnu::always_inline]] inline Samples sample(const Grid& grid, const Lattice& lattice, const Lanes& x,
+                                             const Lanes& y, std::size_t count, const Axis& x_axis,
+                                             const Axis& y_axis, const Boxes& boxes) {
+  const Reader<rows> at(Stencils(x, y, x_axis, y_axis, boxes), count, lattice, x_axis, y_axis, boxes);
+  Velocities read;
+  if constexpr (reads(of_old<wanted>)) {
+    read.vx = at.template read<of_old<wanted>>(grid.vx);
+    read.vy = at.template read<of_old<wanted>>(grid.vy);
+  }
+  if constexpr (reads(of_new<wanted>)) {
+    read.vx_new = at.template read<of_new<wanted>>(grid.vx_new);
+    read.vy_new = at.template read<of_new<wanted>>(grid.vy_new);
+  }
+  return samples_of<wanted>(read);
+}
+
+/// The weights of four nodes of a particle that touches several lattices, ready to read with: a lane each.
+struct NodesReader {
+  const FourWeights& w;
+  Lanes dx, dy; ///< of the nodes from the particle, m
+
+  template <Reading reading>
+  [[gnu::always_inline]] void add(const NodeField& field, Component& sums) const {
+    if constexpr (reads(reading)) {
+      const auto& n = w.node;
+      const Lanes v{field[n[0]], field[n[1]], field[n[2]], field[n[3]]};
+      if constexpr (reading.value)
+        sums.value += w.s * v;
+      if constexpr (reading.gradient) {
+        sums.d_dx += w.gx * v;
+        sums.d_dy += w.gy * v;
+      }
+      if constexpr (reading.moments) {
+        sums.moment_x += w.s * v * dx;
+        sums.moment_y += w.s * v * dy;
+      }
+    }
+  }
+};
+
+/// What a lane of each of a particle's sums has is added up and becomes the particle's lane.
+[[gnu::always_inline]] inline void collect(const Component& sums, std::size_t lane, Component& particles) {
+  particles.value[lane] = sum(sums.value);
+  particles.d_dx[lane] = sum(sums.d_dx);
+  particles.d_dy[lane] = sum(sums.d_dy);
+  particles.moment_x[lane] = sum(sums.moment_x);
+  particles.moment_y[lane] = sum(sums.moment_y);
+}
+
+/// The same for particles from `first` on that touch several lattices.
+template <Wanted wanted>
+Samples sample_across(const Grid& grid, const AcrossWeights& weights, const BasisCells& cells,
+                      const Particles& p, std::size_t first, std::size_t count) {
+  Velocities read;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const std::size_t k = first + lane;
+    Velocities sums;
+    for (const FourWeights& w : weights.of(k)) {
+      const FourNodes& nodes = cells.four(w.four);
+      const NodesReader at{w, nodes.x - p.x[k], nodes.y - p.y[k]};
+      at.add<of_old<wanted>>(grid.vx, sums.vx);
+      at.add<of_old<wanted>>(grid.vy, sums.vy);
+      at.add<of_new<wanted>>(grid.vx_new, sums.vx_new);
+      at.add<of_new<wanted>>(grid.vy_new, sums.vy_new);
+    }
+    collect(sums.vx, lane, read.vx);
+    collect(sums.vy, lane, read.vy);
+    collect(sums.vx_new, lane, read.vx_new);
+    collect(sums.vy_new, lane, read.vy_new);
+  }
+  return samples_of<wanted>(read);
+}
+
+} // namespace tremolo::mpm_domain

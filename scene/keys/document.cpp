@@ -1,0 +1,92 @@
+#include "scene/read/reader.hpp"
+
+#include <fmt/format.h>
+
+namespace tremolo::scene {
+
+namespace {
+
+Place place_of(const toml::node& node, std::string shown) {
+  return {node.source().begin.line, node.source().begin.column, std::move(shown)};
+}
+
+} // namespace
+
+TableReader Document::table(std::string_view name) {
+  const Table& spec = table_spec(reading_.keys, name);
+  const std::string shown(name);
+  const toml::node* node = name.empty() ? &root_ : root_.at_path(name).node();
+  if (node == nullptr) {
+    if (spec.required)
+      reading_.findings.add(shown, fmt::format("missing table [{}]: {}", name, spec.meaning));
+    return {spec, nullptr, shown, shown, reading_};
+  }
+  reading_.findings.locate(shown, place_of(*node, shown));
+  if (!node->is_table())
+    reading_.findings.add(
+        shown, fmt::format("'{}' must be a table, found {}: write [{}]", name, type_name(*node), name));
+  return {spec, node->as_table(), shown, shown, reading_};
+}
+
+std::vector<TableReader> Document::array(std::string_view name) {
+  const Table& spec = table_spec(reading_.keys, name);
+  std::vector<TableReader> readers;
+  const toml::node* node = root_.at_path(name).node();
+  const std::string shown = fmt::format("[{}]", name);
+  const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+  if (node == nullptr || (array != nullptr && array->empty())) {
+    if (spec.required)
+      reading_.findings.add(std::string(name), fmt::format("missing table [[{}]]: {}", name, spec.meaning));
+    return readers;
+  }
+  reading_.findings.locate(std::string(name), place_of(*node, shown));
+  if (array == nullptr) {
+    reading_.findings.add(
+        std::string(name),
+        fmt::format("'{0}' must be an array of tables, found {1}: write [[{0}]]", name, type_name(*node)));
+    return readers;
+  }
+  std::size_t index = 0;
+  for (const toml::node& element : *array) {
+    const std::string path = fmt::format("{}[{}]", name, index++);
+    reading_.findings.locate(path, place_of(element, shown));
+    if (!element.is_table())
+      reading_.findings.add(path,
+                            fmt::format("each [[{}]] must be a table, found {}", name, type_name(element)));
+    readers.emplace_back(spec, element.as_table(), path, shown, reading_);
+  }
+  return readers;
+}
+
+std::vector<NamedTable> Document::named(std::string_view name) {
+  const Table& spec = table_spec(reading_.keys, name);
+  std::vector<NamedTable> readers;
+  const toml::node* node = root_.get(name);
+  const toml::table* table = node != nullptr ? node->as_table() : nullptr;
+  if (node == nullptr || (table != nullptr && table->empty())) {
+    if (spec.required)
+      reading_.findings.add(std::string(name),
+                            fmt::format("missing table [{}.NAME]: {}", name, spec.meaning));
+    return readers;
+  }
+  reading_.findings.locate(std::string(name), place_of(*node, std::string(name)));
+  if (table == nullptr) {
+    reading_.findings.add(
+        std::string(name),
+        fmt::format("'{0}' must be a table of tables, found {1}: write [{0}.NAME]", name, type_name(*node)));
+    return readers;
+  }
+  for (const auto& [key, element] : *table) {
+    const std::string path = fmt::format("{}.{}", name, key.str());
+    reading_.findings.locate(path, place_of(element, path));
+    if (!element.is_table()) {
+      reading_.findings.add(path, fmt::format("'{}' must be a table, found {}: write [{}]", key.str(),
+                                              type_name(element), path));
+      continue;
+    }
+    readers.push_back({std::string(key.str()), {spec, element.as_table(), path, path, reading_}});
+  }
+  return readers;
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,115 @@
+#include "scene/keys/keys_field.hpp"
+
+#include "scene/keys/keys_elastic.hpp"
+
+namespace tremolo::scene {
+
+namespace {
+
+constexpr std::string_view models = "Who computes the free field. `wave`: plane waves in layers, exact, any "
+                                    "angle. `fe`: finite-element column. `ode`: "
+                                    "column by the method of lines with error control. `oblique`: column of "
+                                    "oblique waves in the time domain. `eql`: "
+                                    "equivalent-linear layers. `recording`: served again from a `file`. "
+                                    "`external`: a program of your own. `mpm`: a "
+                                    "periodic column of the domain's own cells.";
+
+std::vector<Key> field_model() {
+  return {
+      choice("model", {"wave", "fe", "ode", "oblique", "eql", "mpm", "recording", "external"}, models),
+      {.name = "file",
+       .type = Type::text,
+       .meaning = "The recorded free field, relative to the case file.",
+       .required = true,
+       .when = {"model", {"recording"}}},
+      {.name = "side",
+       .type = Type::choice,
+       .meaning =
+           "Of the recorded exchange of a run (`exchange.h5`): the side whose free field is served again.",
+       .otherwise = "`file` is the recording of a free field alone",
+       .choices = {"left", "right", "base"},
+       .when = {"model", {"recording"}}},
+      {.name = "program",
+       .type = Type::text,
+       .meaning = "The program that serves the free field, relative to the case file.",
+       .required = true,
+       .when = {"model", {"external"}}}};
+}
+
+Key absorber() {
+  return choice(
+      "absorber", {"dashpots", "matched_layer"},
+      "What takes up waves that leave the model here, that is, what differs from the free field. "
+      "`dashpots`: those of Eq. (6), good near the normal; 11 % of the energy of SV waves come back at 60 "
+      "degrees. `matched_layer`: a perfectly matched layer of `[mesh] layer_cells` behind the boundary, less "
+      "than 1 % up to 60 degrees; beside `form = \"total\"`, since waves of the free field itself that come "
+      "down are not what it can take up.",
+      "dashpots");
+}
+
+Key sides() {
+  return choice("sides", {"free_field", "periodic", "periodic_springs"},
+                "What the sides are. `free_field`: each is driven by its free field. `periodic`: they are "
+                "one, and the model "
+                "repeats itself beyond them; for vertical incidence, exact. `periodic_springs`: the same by "
+                "stiff springs "
+                "between the particles of both sides, an error of first order in the cell size.",
+                "free_field");
+}
+
+Table lateral(std::string_view name, std::string_view meaning) {
+  auto keys = field_model();
+  keys.push_back({.name = "surface",
+                  .unit = "m",
+                  .meaning = "y of the free surface on this side; the soil of the model must reach up to it.",
+                  .otherwise = "`[surface] level`"});
+  keys.push_back(absorber());
+  return {.name = name, .meaning = meaning, .keys = std::move(keys)};
+}
+
+Table own_profile(std::string_view name) {
+  return {.name = name,
+          .kind = Kind::array,
+          .meaning =
+              "Layers of this side alone, from its surface down, instead of `[[profile]]`; the same keys.",
+          .keys = layer_keys()};
+}
+
+Table base() {
+  auto keys = field_model();
+  keys.push_back(choice(
+      "form", {"total", "incident", "blended"},
+      "`total`: velocity and stress of the whole free field, exact at any angle; needs the same "
+      "surface level and layers on both sides. `blended`: the total fields of both sides, each under its own "
+      "surface and layers, blended linearly from the left side to the right one; the same as `total` where "
+      "they are equal, best where they differ, with matched layers on all sides and room. `incident`: the "
+      "incident wave alone, dashpots take up what comes down again; exact at vertical incidence, 3 % off at "
+      "15 "
+      "degrees and 16 % at 30 degrees.",
+      "blended"));
+  keys.push_back(absorber());
+  return {.name = "boundary.base",
+          .required = true,
+          .meaning = "What enters through the base.",
+          .keys = std::move(keys)};
+}
+
+} // namespace
+
+std::vector<Table> boundary_keys() {
+  return {
+      {.name = "boundary",
+       .required = true,
+       .meaning = "Which free field drives each side, and how.",
+       .keys = {sides()}},
+      lateral("boundary.left",
+              "Free field at the left side. Required unless `[boundary] sides` are periodic."),
+      own_profile("boundary.left.profile"),
+      lateral("boundary.right",
+              "Free field at the right side. Required unless `[boundary] sides` are periodic."),
+      own_profile("boundary.right.profile"),
+      base(),
+  };
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "scene/keys/keys.hpp"
+
+namespace tremolo::scene {
+
+/// density and either young + poisson or vs + vp: how every table that describes an elastic soil gives it.
+std::vector<Key> elastic_keys();
+
+/// `keys` with the elastic ones in front.
+std::vector<Key> with_elastic_keys(std::vector<Key> keys);
+
+/// The key of a choice.
+Key choice(std::string_view name, std::vector<std::string_view> choices, std::string_view meaning,
+           std::string_view fallback = {});
+
+inline constexpr Range positive = {.low = 0.0, .low_open = true};
+inline constexpr Range not_negative = {.low = 0.0};
+
+} // namespace tremolo::scene

@@ -1,0 +1,191 @@
+#include "scene/keys/keys_field.hpp"
+
+#include "scene/keys/keys_elastic.hpp"
+
+namespace tremolo::scene {
+
+namespace {
+
+Table motion() {
+  return {
+      .name = "motion",
+      .required = true,
+      .meaning = "The incident plane wave: a `pulse` or the record in a `file`, never both.",
+      .keys = {
+          {.name = "file",
+           .type = Type::text,
+           .meaning =
+               "Record, relative to the case file: PEER format (AT2, VT2, DT2), a table of time and value, "
+               "or HDF5. "
+               "Accelerations are integrated by the trapezoidal rule. The velocity rises with a "
+               "half "
+               "cosine over the first 0.1 s, falls with a half cosine to zero within 1 s after the last "
+               "sample, "
+               "and is joined by a cubic spline; it is zero before and after.",
+           .otherwise = "`pulse`"},
+          {.name = "quantity",
+           .type = Type::choice,
+           .meaning = "What the file holds; only with `file`.",
+           .otherwise = "as the file says",
+           .choices = {"acceleration", "velocity", "displacement"}},
+          {.name = "unit",
+           .type = Type::choice,
+           .meaning = "Unit of the file's samples; only with `file`.",
+           .otherwise = "as the file says",
+           .choices = {"g", "m/s2", "cm/s2", "m/s", "cm/s", "m", "cm", "mm"}},
+          {.name = "scale",
+           .unit = "1",
+           .meaning = "Factor on the record; only with `file`.",
+           .fallback = "1"},
+          choice("kind", {"incident", "outcrop", "within"},
+                 "Whose motion it is. `incident`: of the upgoing wave alone, along its polarisation. "
+                 "`outcrop`: of the "
+                 "surface of the bare half-space, horizontal for SV and vertical for P; vertically twice the "
+                 "incident "
+                 "wave. `within`: of the top of the half-space under the `[[profile]]`, as a downhole sensor "
+                 "records it.",
+                 "incident"),
+          choice("wave", {"SV", "P"}, "Type of the incident wave."),
+          {.name = "angle_deg",
+           .unit = "degrees",
+           .meaning = "Angle of incidence from the vertical, travelling to +x, +y.",
+           .required = true,
+           .range = {.low = 0.0, .high = 90.0, .high_open = true}},
+          {.name = "reference",
+           .type = Type::numbers,
+           .unit = "m",
+           .meaning =
+               "Where the incident wave has exactly this motion: of its polarisation SV (cos, -sin), P (sin, "
+               "cos) of the angle for `incident`; `outcrop` and `within` at the top of the half-space.",
+           .required = true,
+           .count = 2,
+           .form = "[x, y]"},
+      }};
+}
+
+Table pulse() {
+  return {.name = "motion.pulse",
+          .meaning = "Ricker velocity pulse V (1 - 2a) exp(-a), a = (pi f (t - t0))^2.",
+          .keys = {
+              choice("shape", {"ricker"}, "Shape of the pulse."),
+              {.name = "frequency",
+               .unit = "Hz",
+               .meaning = "Central frequency f.",
+               .required = true,
+               .range = positive},
+              {.name = "time", .unit = "s", .meaning = "Time t0 of the peak.", .required = true},
+              {.name = "velocity", .unit = "m/s", .meaning = "Peak velocity V.", .required = true},
+          }};
+}
+
+Key damping_ratio() {
+  return {.name = "damping",
+          .unit = "1",
+          .meaning = "Fraction of critical damping; [damping] says what it is at which frequency.",
+          .otherwise = "`[damping] ratio`",
+          .range = {.low = 0.0, .high = 1.0, .high_open = true}};
+}
+
+Key half_space_damping() {
+  auto key = damping_ratio();
+  key.otherwise = {};
+  key.fallback = "0";
+  key.meaning =
+      "Fraction of critical damping, for `wave` and `eql`; columns stand on an undamped half-space.";
+  return key;
+}
+
+Table damping() {
+  return {
+      .name = "damping",
+      .meaning = "Material damping of the free field.",
+      .keys = {
+          choice("model", {"none", "rayleigh", "kelvin_voigt", "hysteretic", "shake", "kjartansson"},
+                 "How damping depends on frequency. `kelvin_voigt`: proportional to it, all models but "
+                 "`oblique`. "
+                 "`rayleigh`: the "
+                 "ratio at two frequencies, columns only. `hysteretic` G (1 + 2 i xi), `shake` G (1 - 2 xi^2 "
+                 "+ 2 i xi "
+                 "sqrt(1 - xi^2)) and `kjartansson`: the same or nearly so at all frequencies, `wave` and "
+                 "`eql`; "
+                 "columns then take Kelvin-Voigt damping with the ratio at `reference_hz`. Under `none` the "
+                 "curves of `eql` damp as `hysteretic`.",
+                 "none"),
+          {.name = "ratio",
+           .unit = "1",
+           .meaning = "Fraction of critical damping of layers that have none of their own.",
+           .fallback = "0",
+           .range = {.low = 0.0, .high = 1.0, .high_open = true},
+           .when = {"model", {"rayleigh", "kelvin_voigt", "hysteretic", "shake", "kjartansson"}}},
+          {.name = "frequencies",
+           .type = Type::numbers,
+           .unit = "Hz",
+           .meaning = "The two frequencies at which Rayleigh damping has the ratio.",
+           .required = true,
+           .range = positive,
+           .count = 2,
+           .form = "[f1, f2]",
+           .when = {"model", {"rayleigh"}}},
+          {.name = "reference_hz",
+           .unit = "Hz",
+           .meaning =
+               "The frequency at which the damping of `kelvin_voigt`, `kjartansson` and of columns has the "
+               "ratio.",
+           .otherwise = "none; needed by `kelvin_voigt`, `kjartansson` and damped columns",
+           .range = positive,
+           .when = {"model", {"kelvin_voigt", "hysteretic", "shake", "kjartansson"}}}}};
+}
+
+} // namespace
+
+std::vector<Key> layer_keys() {
+  auto keys = elastic_keys();
+  for (Key& key : keys)
+    if (key.name == "density") {
+      key.required = false;
+      key.otherwise = "of the `soil`";
+    }
+  keys.insert(keys.begin(), {.name = "thickness",
+                             .unit = "m",
+                             .meaning = "Thickness of the layer.",
+                             .required = true,
+                             .range = positive});
+  keys.push_back(
+      {.name = "soil",
+       .type = Type::text,
+       .meaning = "Name of a `[soil]`: the layer has its elastic constants and, in columns, its law.",
+       .otherwise = "linear elastic, with constants of its own"});
+  keys.push_back(damping_ratio());
+  keys.push_back(
+      {.name = "rest_coefficient",
+       .unit = "1",
+       .meaning = "Horizontal over vertical stress before shaking, K0, of nonlinear soil in the column `fe`.",
+       .otherwise = "poisson/(1 - poisson)",
+       .range = positive});
+  return keys;
+}
+
+std::vector<Table> field_keys() {
+  return {
+      motion(),
+      pulse(),
+      {.name = "surface",
+       .required = true,
+       .meaning = "The free surface of the free field.",
+       .keys = {{.name = "level", .unit = "m", .meaning = "y of the free surface.", .required = true}}},
+      {.name = "halfspace",
+       .required = true,
+       .meaning =
+           "The homogeneous half-space below the profile, up to the surface where there is no `[[profile]]`. "
+           "Either `young` and `poisson`, or `vs` and `vp`.",
+       .keys = with_elastic_keys({half_space_damping()})},
+      {.name = "profile",
+       .kind = Kind::array,
+       .meaning =
+           "Layers of the free field from the surface down; the half-space continues below the last one.",
+       .keys = layer_keys()},
+      damping(),
+  };
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,67 @@
+#include "scene/keys/keys_hosts.hpp"
+
+#include "scene/keys/keys_elastic.hpp"
+
+namespace tremolo::scene {
+
+namespace {
+
+Table host(std::string_view name, std::string_view meaning) {
+  Key start = choice(
+      "start", {"ssh", "slurm", "join"},
+      "Who starts it. `ssh`: `tremolo run`, through ssh to `host`. `slurm`: `tremolo run`, with `srun` "
+      "in the job that it runs in. `join`: you, on its machine, with the `tremolo join` that `tremolo "
+      "run` prints.");
+  start.required = true;
+  return {
+      .name = name,
+      .meaning = meaning,
+      .keys = {start,
+               {.name = "host",
+                .type = Type::text,
+                .meaning = "Where ssh goes: `node2`, `user@node2`, or a name of `~/.ssh/config`.",
+                .required = true,
+                .when = {"start", {"ssh"}}},
+               {.name = "options",
+                .type = Type::text,
+                .meaning = "Options of `ssh` or `srun`, separated by blanks.",
+                .otherwise = "none",
+                .when = {"start", {"ssh", "slurm"}}},
+               {.name = "command",
+                .type = Type::text,
+                .meaning = "The `tremolo` there, as a shell there reads it: a name, a path, or more, such "
+                           "as `module load tremolo; tremolo`.",
+                .fallback = "tremolo",
+                .when = {"start", {"ssh", "slurm"}}},
+               {.name = "keys",
+                .type = Type::text,
+                .meaning = "Folder of its CURVE keys there; relative to where ssh or srun begins.",
+                .otherwise = "the folder that `tremolo run --keys` names here",
+                .when = {"start", {"ssh", "slurm"}}}}};
+}
+
+} // namespace
+
+std::vector<Table> hosts_keys() {
+  return {
+      {.name = "hosts",
+       .meaning = "Which free fields are computed on other machines, see docs/cluster.md. The domain runs "
+                  "where `tremolo run` is called.",
+       .keys = {{.name = "endpoint",
+                 .type = Type::text,
+                 .meaning = "Where processes on other machines reach this run: `tcp://ADDRESS:PORT`. "
+                            "ADDRESS is a number of this machine, the name of one of its network "
+                            "interfaces, or `*`, all of them; others are then told this machine's name. "
+                            "PORT may be `*`, any free one.",
+                 .required = true},
+                {.name = "slurm_options",
+                 .type = Type::text,
+                 .meaning = "Options of the job that `tremolo sbatch` writes, separated by blanks, such as "
+                            "`--partition=short --time=01:00:00`.",
+                 .otherwise = "none"}}},
+      host("hosts.left", "Where the free field of the left side is computed."),
+      host("hosts.right", "Where that of the right side is."),
+      host("hosts.base", "Where that of the base is.")};
+}
+
+} // namespace tremolo::scene

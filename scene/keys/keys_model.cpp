@@ -1,0 +1,181 @@
+#include "scene/keys/keys_model.hpp"
+
+#include "mesh/quadtree.hpp"
+#include "scene/keys/keys_elastic.hpp"
+#include "scene/keys/keys_soil.hpp"
+
+namespace tremolo::scene {
+
+namespace {
+
+Table time() {
+  return {
+      .name = "time",
+      .meaning = "Time stepping of the domain.",
+      .keys = {
+          {.name = "fraction",
+           .unit = "1",
+           .meaning = "Time step as a fraction of the critical step 0.65 h/c_p; at most 0.85 with `order = "
+                      "\"usl\"`.",
+           .fallback = "0.5",
+           .range = {.low = 0.0, .high = 1.0, .low_open = true}},
+          {.name = "dt",
+           .unit = "s",
+           .meaning = "A fixed time step instead of `fraction`, with the same limits.",
+           .otherwise = "from `fraction`",
+           .range = positive},
+          choice("transfer", {"apic", "flip", "fmpm", "pic_blend"},
+                 "How velocity travels between particles and grid: affine particle-in-cell, FLIP, PIC by an "
+                 "approximate inverse of the full mass matrix, or FLIP blended with PIC.",
+                 "apic"),
+          {.name = "fmpm_order",
+           .type = Type::integer,
+           .unit = "1",
+           .meaning = "k of FMPM(k): waves lose the less the higher it is, and every one more costs a "
+                      "transfer of velocities to the grid and back. Not with `order = \"usl\"`.",
+           .fallback = "3",
+           .range = {.low = 2.0, .high = 10.0},
+           .when = {"transfer", {"fmpm"}}},
+          {.name = "blend_time",
+           .unit = "s",
+           .meaning =
+               "Time constant tau of the blend: the difference to PIC decays with exp(-t/tau), whatever the "
+               "time step.",
+           .required = true,
+           .range = positive,
+           .when = {"transfer", {"pic_blend"}}},
+          choice("order", {"usl", "usf", "musl"},
+                 "When stress is updated in a step: last, first, or last with "
+                 "remapped velocity.",
+                 "musl"),
+          {.name = "subcycle",
+           .type = Type::boolean,
+           .meaning = "Each level of a refined mesh takes a step of its own, half of the next coarser one's; "
+                      "`fraction` and `dt` are then of the coarsest. See docs/subcycling.md.",
+           .fallback = "false"}}};
+}
+
+Table refine() {
+  return {
+      .name = "refine",
+      .kind = Kind::array,
+      .meaning = "Where cells are finer than `size` of the mesh, see docs/mesh.md. Neighbouring cells differ "
+                 "by one level at most: cells around a box are cut by themselves where that needs it. "
+                 "Particles go with their cells, `particles_per_cell` of each.",
+      .keys = {{.name = "box",
+                .type = Type::numbers,
+                .unit = "m",
+                .meaning = "Every cell that overlaps it is cut. One that reaches an edge of the mesh's box "
+                           "goes on beyond it.",
+                .required = true,
+                .count = 4,
+                .form = "[x_min, y_min, x_max, y_max]"},
+               {.name = "level",
+                .type = Type::integer,
+                .unit = "1",
+                .meaning = "Cells there are 2^level times smaller than `size` of the mesh, or smaller still "
+                           "where another box says so.",
+                .required = true,
+                .range = {.low = 1.0, .high = mesh::finest_level_allowed}}}};
+}
+
+Table stage() {
+  return {
+      .name = "stage",
+      .kind = Kind::array,
+      .required = true,
+      .meaning = "The stages in their order: at most one of gravity, then one of shaking. Without a gravity "
+                 "stage the "
+                 "model is weightless.",
+      .keys = {
+          choice(
+              "kind", {"gravity", "shaking"},
+              "`gravity`: base fixed, sides on rollers, brought to rest by damped relaxation; what held the "
+              "model then acts as static traction. `shaking`: the motion enters, t = 0 at its start."),
+          {.name = "acceleration",
+           .unit = "m/s2",
+           .meaning = "Gravity, downwards.",
+           .fallback = "9.81",
+           .range = positive,
+           .when = {"kind", {"gravity"}}},
+          {.name = "residual",
+           .unit = "1",
+           .meaning = "Unbalanced nodal forces at rest, relative to the nodal weights (2-norms).",
+           .fallback = "1e-9",
+           .range = {.low = 1e-12, .high = 0.1},
+           .when = {"kind", {"gravity"}}},
+          {.name = "max_time_s",
+           .unit = "s",
+           .meaning = "Simulated time within which rest must be reached.",
+           .fallback = "60",
+           .range = {.low = 0.0, .high = 1e4, .low_open = true},
+           .when = {"kind", {"gravity"}}},
+          {.name = "duration_s",
+           .unit = "s",
+           .meaning = "Length of the shaking.",
+           .required = true,
+           .range = {.low = 0.0, .high = 1e4, .low_open = true},
+           .when = {"kind", {"shaking"}}}}};
+}
+
+} // namespace
+
+std::vector<Table> model_keys() {
+  return {
+      {.name = "soil", .kind = Kind::named, .required = true, .meaning = soil_meaning, .keys = soil_keys()},
+      {.name = "region",
+       .kind = Kind::array,
+       .required = true,
+       .meaning = "A polygon filled with one soil. Polygons may touch but not overlap.",
+       .keys = {{.name = "soil", .type = Type::text, .meaning = "Name of a `[soil.NAME]`.", .required = true},
+                {.name = "polygon",
+                 .type = Type::polygon,
+                 .unit = "m",
+                 .meaning = "Corners in either sense of rotation, inside the box of the mesh.",
+                 .required = true}}},
+      {.name = "mesh",
+       .required = true,
+       .meaning = "Background grid and particles.",
+       .keys =
+           {{.name = "size", .unit = "m", .meaning = "Cell size h.", .required = true, .range = positive},
+            {.name = "box",
+             .type = Type::numbers,
+             .unit = "m",
+             .meaning =
+                 "The model; its left, right and lower edges are the boundaries. Its width is a multiple "
+                 "of `size`, its height of the particle spacing. The grid is padded beyond it by itself.",
+             .required = true,
+             .count = 4,
+             .form = "[x_min, y_min, x_max, y_max]"},
+            {.name = "particles_per_cell",
+             .type = Type::integer,
+             .unit = "1",
+             .meaning = "Particles per cell in each direction.",
+             .fallback = "2",
+             .range = {.low = 1.0, .high = 4.0}},
+            {.name = "join_particles",
+             .type = Type::boolean,
+             .meaning = "Particles that have left finer cells are joined, four to one, where their soil "
+                        "has never yielded and their stresses are alike. Needs `[[refine]]`; see "
+                        "docs/mesh.md.",
+             .fallback = "false"},
+            choice(
+                "particle_boxes", {"fixed", "deforming"},
+                "Boxes over which particles see the grid. `fixed`: they keep their size, which is exact "
+                "while strains are small; soil stretched by tens of per cent is no longer tiled by them and "
+                "breaks into pieces in the end. `deforming`: they follow the soil, up to two cells "
+                "wide; not with order = \"usf\". See docs/mesh.md.",
+                "fixed"),
+            {.name = "layer_cells",
+             .type = Type::integer,
+             .unit = "cells",
+             .meaning = "Depth of matched layers behind the box, where `[boundary]` asks for them.",
+             .fallback = "10",
+             .range = {.low = 4.0, .high = 200.0}}}},
+      refine(),
+      time(),
+      stage(),
+  };
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,118 @@
+#include "scene/keys/keys_field.hpp"
+
+#include "scene/keys/keys_elastic.hpp"
+
+namespace tremolo::scene {
+
+namespace {
+
+Table fe() {
+  return {
+      .name = "fe",
+      .meaning = "Numerics of the finite-element column (`model = \"fe\"`).",
+      .keys = {
+          choice("integrator", {"central_difference", "newmark", "hht"},
+                 "Explicit central differences, implicit Newmark (1/4, 1/2), or HHT-alpha.",
+                 "central_difference"),
+          {.name = "alpha",
+           .unit = "1",
+           .meaning = "Of `hht`: the more negative, the more numerical damping of the highest frequencies.",
+           .fallback = "-0.05",
+           .range = {.low = -1.0 / 3.0, .high = 0.0},
+           .when = {"integrator", {"hht"}}},
+          {.name = "tangent",
+           .type = Type::choice,
+           .meaning =
+               "Of implicit steps in nonlinear soil: Newton with the `consistent` tangent, or modified "
+               "Newton with the `initial` one.",
+           .fallback = "consistent",
+           .choices = {"consistent", "initial"},
+           .when = {"integrator", {"newmark", "hht"}}},
+          {.name = "element_size",
+           .unit = "m",
+           .meaning = "Largest finite element.",
+           .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
+           .range = positive},
+          {.name = "dt",
+           .unit = "s",
+           .meaning = "Time step of the column.",
+           .otherwise = "chosen by the column",
+           .range = positive}}};
+}
+
+Table ode() {
+  return {
+      .name = "ode",
+      .meaning = "Numerics of the column by the method of lines (`model = \"ode\"`, SUNDIALS).",
+      .keys = {
+          choice(
+              "method", {"adams", "bdf", "erk", "imex"},
+              "CVODE Adams or BDF; ARKODE explicit Runge-Kutta, or implicit in the damping and explicit in "
+              "the rest.",
+              "erk"),
+          {.name = "relative_tolerance",
+           .unit = "1",
+           .meaning = "Of the local error.",
+           .fallback = "1e-5",
+           .range = {.low = 1e-13, .high = 1e-1}},
+          {.name = "absolute_tolerance",
+           .unit = "m/s",
+           .meaning = "Of the local error in particle velocity; in strain, divided by the shear wave speed.",
+           .fallback = "1e-8",
+           .range = positive},
+          {.name = "cell_size",
+           .unit = "m",
+           .meaning = "Largest cell.",
+           .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
+           .range = positive}}};
+}
+
+Table oblique() {
+  return {.name = "oblique",
+          .meaning = "Numerics of the column of oblique waves (`model = \"oblique\"`).",
+          .keys = {{.name = "cell_size",
+                    .unit = "m",
+                    .meaning = "Largest cell.",
+                    .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
+                    .range = positive}}};
+}
+
+Table eql() {
+  return {
+      .name = "eql",
+      .meaning = "The equivalent-linear iteration (`model = \"eql\"`).",
+      .keys = {{.name = "sublayer",
+                .unit = "m",
+                .meaning =
+                    "Layers whose soil has curves are cut into equal ones no thicker than this: each has the "
+                    "stiffness and damping of the strain at its middle.",
+                .fallback = "1",
+                .range = positive},
+               {.name = "strain_ratio",
+                .unit = "1",
+                .meaning = "Effective over largest shear strain.",
+                .fallback = "0.65",
+                .range = {.low = 0.0, .high = 1.0, .low_open = true}},
+               {.name = "tolerance",
+                .unit = "1",
+                .meaning = "Relative change of modulus and damping below which the iteration ends.",
+                .fallback = "1e-3",
+                .range = {.low = 0.0, .high = 1.0, .low_open = true, .high_open = true}},
+               {.name = "iterations",
+                .type = Type::integer,
+                .unit = "1",
+                .meaning = "At most so many.",
+                .fallback = "50",
+                .range = {.low = 1.0}},
+               choice("unconverged", {"refuse", "allow"},
+                      "What an iteration that has not converged is: an error, or served with a warning.",
+                      "refuse")}};
+}
+
+} // namespace
+
+std::vector<Table> numerics_keys() {
+  return {fe(), ode(), oblique(), eql()};
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,206 @@
+#include "scene/keys/keys_soil.hpp"
+
+#include "scene/keys/keys_elastic.hpp"
+#include "scene/soils/soil_library.hpp"
+
+namespace tremolo::scene {
+
+namespace {
+
+constexpr Range angle = {.low = 0.0, .high = 90.0, .high_open = true};
+
+/// Of soils with a backbone.
+Key backbone(std::string_view name, std::vector<std::string_view> models, std::string_view meaning,
+             Range range) {
+  return {.name = name,
+          .unit = "1",
+          .meaning = meaning,
+          .otherwise = "fitted to `curve`",
+          .range = range,
+          .when = {"model", std::move(models)}};
+}
+
+/// Of the built-in curves.
+Key darendeli(std::string_view name, std::string_view unit, std::string_view meaning,
+              std::string_view fallback, Range range) {
+  return {.name = name,
+          .unit = unit,
+          .meaning = meaning,
+          .required = fallback.empty(),
+          .fallback = fallback,
+          .range = range,
+          .when = {"curve", {"darendeli"}}};
+}
+
+Condition mohr_coulomb() {
+  return {"model", {"mohr_coulomb"}};
+}
+
+Key strength(std::string_view name, std::string_view unit, std::string_view meaning, Range range,
+             std::string_view fallback = {}) {
+  return {.name = name,
+          .unit = unit,
+          .meaning = meaning,
+          .required = fallback.empty(),
+          .fallback = fallback,
+          .range = range,
+          .when = mohr_coulomb()};
+}
+
+/// The elastic constants, of the models that are given them.
+std::vector<Key> soil_elastic_keys() {
+  const std::vector<std::string_view> elastic = {"linear_elastic",   "mohr_coulomb", "drucker_prager",
+                                                 "multi_yield_clay", "hyperbolic",   "mkz"};
+  auto keys = elastic_keys();
+  for (Key& key : keys) {
+    if (key.name == "density") {
+      key.required = false;
+      key.otherwise = "of the recommended set of `pdmy03`; other models need it";
+      continue;
+    }
+    key.when = {"model", elastic};
+    if (key.name == "poisson") {
+      key.when.values.emplace_back("pm4sand");
+      key.otherwise = "`vs` and `vp`; 0.3 of `pm4sand`";
+      key.meaning = "Poisson's ratio; together with `young`, of `pm4sand` alone.";
+    }
+  }
+  return keys;
+}
+
+std::vector<Key> mohr_coulomb_keys() {
+  return {
+      strength("cohesion_peak", "Pa", "Cohesion before softening.", not_negative),
+      strength("cohesion_residual", "Pa", "Cohesion after softening, at most the peak.", not_negative),
+      strength("friction_peak_deg", "degrees", "Friction angle before softening.", angle),
+      strength("friction_residual_deg", "degrees", "Friction angle after softening, at most the peak.",
+               angle),
+      strength("dilation_peak_deg", "degrees", "Dilation angle before softening, at most the friction angle.",
+               angle, "0"),
+      strength("dilation_residual_deg", "degrees", "Dilation angle after softening.", angle, "0"),
+      strength(
+          "softening", "1",
+          "Softening coefficient eta: c and the angles decay from peak to residual with exp(-eta e), e the "
+          "equivalent plastic deviatoric strain. 0 keeps the peak.",
+          not_negative),
+      {.name = "tension_cutoff",
+       .unit = "Pa",
+       .meaning = "Largest tensile stress.",
+       .otherwise = "the apex c cot(phi)",
+       .range = not_negative,
+       .when = mohr_coulomb()},
+      {.name = "reference_size",
+       .unit = "m",
+       .meaning = "Cell size h_ref for which `softening` holds: eta is scaled by h/h_ref, so that the work "
+                  "of a shear band "
+                  "does not depend on the mesh.",
+       .otherwise = "no scaling",
+       .range = positive,
+       .when = mohr_coulomb()},
+  };
+}
+
+/// Of the cones and surfaces of more than one model.
+std::vector<Key> surface_keys() {
+  const std::vector<std::string_view> cones = {"drucker_prager", "pdmy03"};
+  return {
+      {.name = "cohesion",
+       .unit = "Pa",
+       .meaning = "Cohesion.",
+       .required = true,
+       .range = not_negative,
+       .when = {"model", {"drucker_prager"}}},
+      {.name = "friction_deg",
+       .unit = "degrees",
+       .meaning =
+           "Friction angle, in the test that `cone` names. `drucker_prager` needs it; of `pdmy03` 1 to 65.",
+       .otherwise = "of the recommended set of `pdmy03`",
+       .range = angle,
+       .when = {"model", cones}},
+      {.name = "dilation_deg",
+       .unit = "degrees",
+       .meaning = "Dilation angle, at most the friction angle.",
+       .fallback = "0",
+       .range = angle,
+       .when = {"model", {"drucker_prager"}}},
+      {.name = "cone",
+       .type = Type::choice,
+       .meaning = "In which test the circular cone has the angles: `triaxial_compression`, for which the "
+                  "recommended "
+                  "sets of `pdmy03` are made, far stronger in plane strain than the angle; "
+                  "`triaxial_extension`; `plane_strain`.",
+       .otherwise = "`plane_strain` of `drucker_prager`, `triaxial_compression` of `pdmy03`",
+       .choices = {"triaxial_compression", "triaxial_extension", "plane_strain"},
+       .when = {"model", cones}},
+      {.name = "undrained_strength",
+       .unit = "Pa",
+       .meaning = "Undrained shear strength s_u.",
+       .required = true,
+       .range = positive,
+       .when = {"model", {"multi_yield_clay"}}},
+      {.name = "peak_strain",
+       .unit = "1",
+       .meaning = "Engineering shear strain at which s_u is reached.",
+       .fallback = "0.1",
+       .range = {.low = 0.0, .high = 1.0, .low_open = true},
+       .when = {"model", {"multi_yield_clay"}}},
+      {.name = "surfaces",
+       .type = Type::integer,
+       .unit = "1",
+       .meaning = "Number of nested yield surfaces; of `multi_yield_clay` a multiple of 4 from 4 to 60, of "
+                  "`pdmy03` 3 to 40.",
+       .otherwise = "20",
+       .range = {.low = 3.0, .high = 60.0},
+       .when = {"model", {"multi_yield_clay", "pdmy03"}}},
+  };
+}
+
+std::vector<Key> hysteretic_keys() {
+  const std::vector<std::string_view> both = {"hyperbolic", "mkz"};
+  return {
+      {.name = "curve",
+       .type = Type::text,
+       .meaning =
+           "G/G0 and damping against shear strain: `darendeli` (2001), or the name of a table "
+           "`strain,modulus_reduction,damping`, relative to the case file. Of `mkz` the backbone is fitted "
+           "to "
+           "it and `eql` takes it as it is; of `pdmy03` G/G0 replaces the hyperbola that the surfaces share, "
+           "and strength follows from it; of `multi_yield_clay` up to s_u.",
+       .otherwise = "the backbone given, a hyperbola of `pdmy03` and `multi_yield_clay`",
+       .when = {"model", {"mkz", "multi_yield_clay", "pdmy03"}}},
+      backbone("reference_strain", both, "Shear strain of the backbone, engineering.", positive),
+      backbone("beta", {"mkz"}, "Factor of the backbone.", positive),
+      backbone("exponent", {"mkz"}, "Exponent of the backbone.", {.low = 0.1, .high = 1.0}),
+      darendeli("plasticity_index", "%", "Plasticity index.", "", not_negative),
+      darendeli("overconsolidation_ratio", "1", "Overconsolidation ratio.", "1", {.low = 1.0}),
+      darendeli("mean_stress", "Pa", "Mean effective confining stress.", "", {.low = 100.0, .high = 1e8}),
+      darendeli("excitation_hz", "Hz", "Frequency of loading.", "1", positive),
+      darendeli("cycles", "1", "Number of cycles of loading.", "10", {.low = 1.0}),
+  };
+}
+
+} // namespace
+
+std::vector<Key> soil_keys() {
+  std::vector<Key> keys = {
+      {.name = library_key,
+       .type = Type::text,
+       .meaning = "Name of a soil of the library (`tremolo soiltest --library` lists them): what is not "
+                  "given here is "
+                  "as there.",
+       .otherwise = "all is given here"},
+      choice("model",
+             {"linear_elastic", "mohr_coulomb", "drucker_prager", "multi_yield_clay", "hyperbolic", "mkz",
+              "pm4sand", "pdmy03"},
+             "Constitutive law. `mohr_coulomb` softens with strain; `drucker_prager`: a circular cone; "
+             "`multi_yield_clay`: undrained clay in total stress, nested von Mises surfaces. `hyperbolic` "
+             "and `mkz`: hysteretic soil by the extended Masing "
+             "rules, G/G0 = 1/(1 + beta (gamma/reference_strain)^exponent). `pm4sand`: sand that liquefies, "
+             "PM4Sand 3.1. `pdmy03`: sand with cyclic mobility, pressure-dependent multi-yield, set 03.")};
+  for (const auto& group :
+       {soil_elastic_keys(), mohr_coulomb_keys(), surface_keys(), hysteretic_keys(), sand_keys()})
+    keys.insert(keys.end(), group.begin(), group.end());
+  return keys;
+}
+
+} // namespace tremolo::scene

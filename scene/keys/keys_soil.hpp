@@ -1,0 +1,19 @@
+#pragma once
+
+#include "scene/keys/keys.hpp"
+
+namespace tremolo::scene {
+
+/// What the table of a soil is, in words.
+inline constexpr std::string_view soil_meaning =
+    "A soil: the keys of its model, or the name of one in the library, or both. Elastic constants, of models "
+    "that "
+    "have them, are either `young` and `poisson`, or `vs` and `vp`.";
+
+/// The keys of a soil, the same in cases, soil tests and the library.
+std::vector<Key> soil_keys();
+
+/// Of PM4Sand and PDMY03.
+std::vector<Key> sand_keys();
+
+} // namespace tremolo::scene

@@ -1,0 +1,168 @@
+#include "scene/plan/layers.hpp"
+#include "scene/plan/plan.hpp"
+#include "scene/soils/soil_report.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace tremolo::scene {
+
+namespace {
+
+std::string size_text(double bytes) {
+  if (bytes < 1e6)
+    return fmt::format("{:.0f} kB", bytes / 1e3);
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 90.0)
+    return fmt::format("{:.0f} s", seconds);
+  return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0)
+                          : fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+std::string cost_text(const Effect& effect) {
+  std::string text;
+  if (effect.bytes_per_particle > 0.0)
+    text += fmt::format("{:.0f} bytes", effect.bytes_per_particle);
+  if (effect.ns_per_particle_step > 0.0)
+    text += fmt::format("{}about {:.0f} ns a step", text.empty() ? "" : ", ", effect.ns_per_particle_step);
+  return text.empty() ? "" : fmt::format(" ({} per particle)", text);
+}
+
+std::string motion_text(const Case& scene) {
+  const auto& motion = scene.motion;
+  std::string source;
+  if (const auto* pulse = std::get_if<RickerPulse>(&motion.source))
+    source =
+        fmt::format("Ricker pulse of {} Hz, {} m/s at {} s", pulse->frequency, pulse->velocity, pulse->time);
+  else
+    source = std::get<MotionFile>(motion.source).path.filename().string();
+  return fmt::format("{}, {} motion of the {} wave at {} degrees, given at ({}, {})", source,
+                     name(motion.kind), name(motion.wave), motion.angle_deg, motion.reference.x,
+                     motion.reference.y);
+}
+
+std::string sides_text(const SourceProcess& source) {
+  std::string text;
+  for (const Served& served : source.serves)
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", name(served.side), name(served.field));
+  return text;
+}
+
+std::string layers_text(const std::vector<Layer>& layers) {
+  return layers.empty() ? "no layers"
+                        : fmt::format("{} layer{}", layers.size(), layers.size() == 1 ? "" : "s");
+}
+
+/// "0.5 m", or "1 to 0.25 m"
+std::string cell_sizes_text(const std::vector<Level>& levels) {
+  return levels.size() == 1 ? fmt::format("{} m", levels.front().cell_size)
+                            : fmt::format("{} to {} m", levels.front().cell_size, levels.back().cell_size);
+}
+
+std::string steps_text(int steps) {
+  return steps == 1 ? "1 step" : fmt::format("{} steps", steps);
+}
+
+/// A line for each of several levels.
+std::string levels_text(const std::vector<Level>& levels) {
+  if (levels.size() == 1)
+    return {};
+  const bool own_steps = levels.back().dt < levels.front().dt;
+  std::string text;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    const Level& of = levels[level];
+    text += fmt::format("    level {}  {:.0f} cells of {} m, {:.0f} particles of {} m, ", level, of.cells,
+                        of.cell_size, of.particles, of.particle_size);
+    text += std::isfinite(of.critical_dt) ? fmt::format("critical step {:.4g} s", of.critical_dt)
+                                          : std::string("no soil");
+    text += own_steps ? fmt::format(", {} of {:.4g} s\n", steps_text(1 << level), of.dt) : "\n";
+  }
+  return text;
+}
+
+std::string soils_text(const Case& scene) {
+  std::string lines = "\nSoils\n";
+  for (const Soil& soil : scene.soils)
+    lines += fmt::format(" {} ({})\n{}", soil.name, model_in_force("soil." + soil.name, scene.values),
+                         text(parameters_in_force(soil, "soil." + soil.name, scene.values)));
+  return lines;
+}
+
+} // namespace
+
+std::string explain(const Case& scene, const Plan& plan) {
+  std::string text = fmt::format("{}\n  motion     {}\n", scene.title, motion_text(scene));
+  text += "\nEffects\n";
+  for (const Effect& effect : plan.effects)
+    text += fmt::format("  {:<4}{:<20}{}{}\n", effect.on ? "on" : "off", effect.name, effect.why,
+                        cost_text(effect));
+  text += fmt::format("\nProcesses\n  {:<16}{:<18}particles, boundary faces\n", "tremolo-domain", "domain");
+  for (const SourceProcess& source : plan.sources)
+    text += fmt::format("  {:<16}{:<18}model {}, surface at y = {} m, {}; serves {}\n", program(source.field),
+                        source.name, name(source.field.model), source.surface,
+                        layers_text(layers(scene, source)), sides_text(source));
+  text += fmt::format("  base       {}\n", plan.base);
+  text +=
+      fmt::format("\nSize\n"
+                  "  particles  {}, in a grid of {} cells of {}\n{}"
+                  "  time step  {:.4g} s ({:.2f} of the critical {:.4g} s), {} steps for {} s of shaking\n"
+                  "  memory     {} of arrays in the domain\n"
+                  "  output     at most {}, {} particle frames\n"
+                  "  time       about {} on one thread for the shaking, of the order of magnitude\n",
+                  plan.particles, plan.cells, cell_sizes_text(plan.levels), levels_text(plan.levels), plan.dt,
+                  plan.dt / plan.critical_dt, plan.critical_dt, plan.steps, scene.shaking.duration,
+                  size_text(plan.memory_bytes), size_text(plan.output_bytes), plan.frames,
+                  duration_text(plan.estimated_time));
+  text += soils_text(scene);
+  text += "\nNotes\n";
+  for (const std::string& note : plan.notes)
+    text += fmt::format("  - {}\n", note);
+  return text;
+}
+
+std::string to_json(const Plan& plan) {
+  using nlohmann::ordered_json;
+  ordered_json json;
+  for (const Effect& effect : plan.effects)
+    json["effects"].push_back({{"name", effect.name},
+                               {"on", effect.on},
+                               {"why", effect.why},
+                               {"bytes_per_particle", effect.bytes_per_particle},
+                               {"ns_per_particle_step", effect.ns_per_particle_step}});
+  for (const SourceProcess& source : plan.sources) {
+    ordered_json serves;
+    for (const Served& served : source.serves)
+      serves[std::string(name(served.side))] = name(served.field);
+    json["sources"].push_back({{"program", program(source.field)},
+                               {"model", name(source.field.model)},
+                               {"name", source.name},
+                               {"surface_m", source.surface},
+                               {"serves", serves}});
+  }
+  json["base"] = plan.base;
+  json["notes"] = plan.notes;
+  for (const Level& level : plan.levels)
+    json["levels"].push_back({{"cell_size_m", level.cell_size},
+                              {"particle_size_m", level.particle_size},
+                              {"cells", level.cells},
+                              {"particles", level.particles},
+                              {"critical_dt_s", level.critical_dt},
+                              {"dt_s", level.dt}});
+  json["particles"] = plan.particles;
+  json["cells"] = plan.cells;
+  json["critical_dt_s"] = plan.critical_dt;
+  json["dt_s"] = plan.dt;
+  json["steps"] = plan.steps;
+  json["frames"] = plan.frames;
+  json["memory_bytes"] = plan.memory_bytes;
+  json["output_bytes"] = plan.output_bytes;
+  json["estimated_time_s"] = plan.estimated_time;
+  return json.dump(2);
+}
+
+} // namespace tremolo::scene

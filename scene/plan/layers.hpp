@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scene/plan/plan.hpp"
+
+#include <vector>
+
+namespace tremolo::scene {
+
+/// The layers under a side's surface, from the top down.
+const std::vector<Layer>& layers(const Case& scene, const LateralBoundary& side);
+
+/// The layers of a source.
+const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source);
+
+/// y of the top of the half-space, m.
+double base_level(double surface, const std::vector<Layer>& layers);
+
+/// Ascending levels (m), with each interface of the layers above the lowest of them twice: stress and strain
+/// jump there, and a source that is asked twice answers from below and from above. Levels as near to an
+/// interface as `close` (m) give way to it, the lowest and the highest excepted.
+std::vector<double> with_interfaces(std::vector<double> levels, double surface,
+                                    const std::vector<Layer>& layers, double close);
+
+} // namespace tremolo::scene

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "scene/plan/plan.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace tremolo::scene {
+
+/// A field that a source serves, and the levels at which it does, ascending, m; interfaces of layers twice.
+struct ServedLine {
+  BaseForm field = BaseForm::total;
+  std::vector<double> levels;
+};
+
+/// What a source process has to serve so that every boundary face finds its free field: fields on a vertical
+/// line at the model's left edge, and the time on that line. With the horizontal slowness p a face at x reads
+/// the line at t - p (x - x_line), so the line starts p times the model's width before the shaking.
+struct Service {
+  std::vector<ServedLine> lines; ///< the free field at all levels; the incident wave at the base only
+  double x_line = 0.0;           ///< m
+  double start_time = 0.0;       ///< s
+  double end_time = 0.0;         ///< s
+};
+
+/// @param slowness_x p of the source, s/m
+Service service(const Case& scene, const SourceProcess& source, double slowness_x);
+
+/// @throws std::invalid_argument if the plan has no source of this name
+const SourceProcess& source_named(const Plan& plan, std::string_view name);
+
+} // namespace tremolo::scene

@@ -1,0 +1,63 @@
+#include "scene/case.hpp"
+
+#include "scene/read/read.hpp"
+#include "scene/rules/rules.hpp"
+#include "scene/text/text.hpp"
+
+namespace tremolo::scene {
+
+Case parse(std::string_view text, const std::filesystem::path& file, const std::filesystem::path& directory) {
+  Findings findings(file.string());
+  Case scene;
+  scene.file = file;
+  scene.directory = directory;
+  scene.text = text;
+
+  const toml::table root = parse_toml(text, findings);
+  Document document(root, {case_keys(), findings, scene.values});
+  scene.title = document.table("").text("title");
+  read_mesh(document, scene);
+  if (!document.has("soil"))
+    document.named("soil"); // reports that there is none
+  read_free_field(document, findings, scene);
+  read_boundary(document, findings, scene);
+  read_model(document, findings, scene);
+  read_run(document, findings, scene);
+  read_hosts(document, scene);
+  for (const Rule rule : rules())
+    rule(scene, findings);
+
+  findings.throw_if_any();
+  return scene;
+}
+
+Case load(const std::filesystem::path& file) {
+  return parse(read_text(file), file, file.parent_path());
+}
+
+Case load_free_field(const std::filesystem::path& file, SourceModel model) {
+  Findings findings(file.string());
+  Case scene;
+  scene.file = file;
+  scene.directory = file.parent_path();
+  scene.text = read_text(file);
+
+  const toml::table root = parse_toml(scene.text, findings);
+  Document document(root, {case_keys(), findings, scene.values});
+  if (document.has("mesh"))
+    read_mesh(document, scene);
+  read_free_field(document, findings, scene);
+  if (document.has("stage"))
+    read_stages(document, findings, scene);
+  auto& [sides, left, right, base] = scene.boundary;
+  left.field.model = right.field.model = base.field.model = model;
+  left.surface = right.surface = scene.surface_level;
+  for (const Rule rule : {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models,
+                          reference_lies_in_halfspace})
+    rule(scene, findings);
+
+  findings.throw_if_any();
+  return scene;
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,38 @@
+#pragma once
+
+// From tables to the structs of a case. What is missing or wrong is reported and left at its empty value.
+
+#include "scene/case.hpp"
+#include "scene/read/reader.hpp"
+#include "scene/text/findings.hpp"
+
+namespace tremolo::scene {
+
+/// Motion, surface, half-space, soils, profile, damping and the numerics of free-field models.
+void read_free_field(Document& document, Findings& findings, Case& scene);
+/// The sides and the base; after read_free_field.
+void read_boundary(Document& document, Findings& findings, Case& scene);
+/// Numerics of the free-field models; after read_mesh, half of whose size is the default of element sizes.
+void read_numerics(Document& document, Case& scene);
+/// Soils; their softening holds for cells of [mesh] size where the mesh has been read.
+void read_soils(Document& document, Findings& findings, Case& scene);
+/// Layers of an array of tables, "profile" or that of a side; after read_soils.
+std::vector<Layer> read_layers(Document& document, const char* name, Findings& findings, const Case& scene);
+/// The soil that a table's key `soil` names.
+std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,
+                                      Findings& findings);
+/// Mesh; before read_free_field.
+void read_mesh(Document& document, Case& scene);
+/// Stages: gravity and shaking.
+void read_stages(Document& document, Findings& findings, Case& scene);
+/// Regions, time stepping and stages; after read_free_field.
+void read_model(Document& document, Findings& findings, Case& scene);
+/// Which processes run on other machines.
+void read_hosts(Document& document, Case& scene);
+/// Coupling, monitors, output and verification.
+void read_run(Document& document, Findings& findings, Case& scene);
+
+/// density and young + poisson or vs + vp of a table; zeros where they are missing.
+materials::Elasticity read_elasticity(const TableReader& table, Findings& findings);
+
+} // namespace tremolo::scene

@@ -1,0 +1,103 @@
+#include "scene/keys/names.hpp"
+#include "scene/read/read.hpp"
+
+#include <fmt/format.h>
+
+namespace tremolo::scene {
+
+namespace {
+
+RickerPulse read_pulse(Document& document) {
+  const auto table = document.table("motion.pulse");
+  return {table.number("frequency"), table.number("time"), table.number("velocity")};
+}
+
+void read_motion(Document& document, Findings& findings, Case& scene) {
+  const auto table = document.table("motion");
+  using enum motion::MotionKind;
+  scene.motion.kind = from_name(table.text("kind"), std::array{incident, outcrop, within});
+  scene.motion.wave = from_name(table.text("wave"), std::array{Wave::sv, Wave::p});
+  scene.motion.angle_deg = table.number("angle_deg");
+  scene.motion.reference = table.point("reference");
+
+  const bool pulse = document.has("motion.pulse");
+  const bool file = table.given("file");
+  if (pulse == file) {
+    if (findings.sound("motion"))
+      findings.add("motion", file ? "'pulse' and 'file' exclude each other: remove one"
+                                  : "missing 'pulse' or 'file': what the incident wave is");
+    return;
+  }
+  if (pulse) {
+    scene.motion.source = read_pulse(document);
+    for (const char* key : {"quantity", "unit", "scale"})
+      if (table.given(key))
+        findings.add(table.path(key), fmt::format("'{}' does not apply to 'pulse', only to 'file'", key));
+    return;
+  }
+  scene.motion.source = MotionFile{scene.directory / table.text("file"),
+                                   {.quantity = motion::quantity_named(table.text("quantity")),
+                                    .unit = motion::unit_named(table.text("unit")),
+                                    .kind = std::nullopt},
+                                   table.number("scale")};
+}
+
+void read_damping(Document& document, Case& scene) {
+  const auto table = document.table("damping");
+  using enum DampingModel;
+  scene.damping.model = from_name(table.text("model"),
+                                  std::array{none, rayleigh, kelvin_voigt, hysteretic, shake, kjartansson});
+  scene.damping.ratio = table.number("ratio");
+  if (const auto f = table.numbers("frequencies"); f.size() == 2)
+    scene.damping.frequencies = {f[0], f[1]};
+  scene.damping.reference_hz = table.optional_number("reference_hz");
+}
+
+/// Constants of the named soil, or of the layer itself.
+void read_layer_soil(const TableReader& table, Findings& findings, const Case& scene, Layer& layer) {
+  const auto soil = table.text("soil");
+  if (soil.empty()) {
+    if (!table.given("density"))
+      findings.add(table.path("density"),
+                   "missing 'density': a layer without 'soil' has constants of its own");
+    layer.elastic = read_elasticity(table, findings);
+    return;
+  }
+  for (const char* key : {"density", "young", "poisson", "vs", "vp"})
+    if (table.given(key))
+      findings.add(table.path(key), fmt::format("'{}' and 'soil' exclude each other: remove one", key));
+  layer.soil = soil_index(table, scene.soils, findings);
+  if (layer.soil)
+    layer.elastic = materials::elasticity(scene.soils[*layer.soil].law);
+}
+
+} // namespace
+
+std::vector<Layer> read_layers(Document& document, const char* name, Findings& findings, const Case& scene) {
+  std::vector<Layer> layers;
+  for (const auto& table : document.array(name)) {
+    Layer layer;
+    layer.thickness = table.number("thickness");
+    layer.damping = table.optional_number("damping").value_or(scene.damping.ratio);
+    layer.rest_coefficient = table.optional_number("rest_coefficient");
+    read_layer_soil(table, findings, scene, layer);
+    layers.push_back(layer);
+  }
+  return layers;
+}
+
+void read_free_field(Document& document, Findings& findings, Case& scene) {
+  read_motion(document, findings, scene);
+  scene.surface_level = document.table("surface").number("level");
+  const auto half_space = document.table("halfspace");
+  scene.halfspace = read_elasticity(half_space, findings);
+  scene.halfspace_damping = half_space.number("damping");
+
+  if (document.has("soil"))
+    read_soils(document, findings, scene);
+  read_damping(document, scene);
+  scene.profile = read_layers(document, "profile", findings, scene);
+  read_numerics(document, scene);
+}
+
+} // namespace tremolo::scene

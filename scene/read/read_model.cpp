@@ -1,0 +1,79 @@
+#include "scene/keys/names.hpp"
+#include "scene/read/read.hpp"
+
+namespace tremolo::scene {
+
+namespace {
+
+Region read_region(const TableReader& table, const std::vector<Soil>& soils, Findings& findings) {
+  return {soil_index(table, soils, findings).value_or(0), table.polygon("polygon")};
+}
+
+Box read_box(const TableReader& table) {
+  const auto box = table.numbers("box");
+  return box.empty() ? Box{} : Box{box[0], box[1], box[2], box[3]};
+}
+
+TimeStepping read_time(Document& document, Findings& findings) {
+  const auto table = document.table("time");
+  if (table.given("dt") && table.given("fraction"))
+    findings.add(table.path("dt"), "'dt' and 'fraction' exclude each other: remove one");
+  return {table.number("fraction"),
+          table.optional_number("dt"),
+          from_name(table.text("transfer"),
+                    std::array{Transfer::apic, Transfer::flip, Transfer::fmpm, Transfer::pic_blend}),
+          table.number("blend_time"),
+          table.integer("fmpm_order"),
+          from_name(table.text("order"), std::array{StepOrder::usl, StepOrder::usf, StepOrder::musl}),
+          table.boolean("subcycle")};
+}
+
+} // namespace
+
+void read_stages(Document& document, Findings& findings, Case& scene) {
+  bool shaken = false;
+  bool legible = true;
+  for (const auto& table : document.array("stage")) {
+    const auto kind = table.text("kind");
+    legible = legible && !kind.empty();
+    if (kind == "gravity") {
+      if (scene.gravity || shaken)
+        findings.add(table.path("kind"), scene.gravity
+                                             ? "a second gravity stage: there can be at most one"
+                                             : "the gravity stage must come before the shaking stage");
+      scene.gravity =
+          GravityStage{table.number("acceleration"), table.number("residual"), table.number("max_time_s")};
+    }
+    if (kind == "shaking") {
+      if (shaken)
+        findings.add(table.path("kind"), "a second shaking stage: there must be exactly one");
+      shaken = true;
+      scene.shaking.duration = table.number("duration_s");
+    }
+  }
+  if (!shaken && legible && findings.sound("stage"))
+    findings.add("stage", "missing [[stage]] of kind = \"shaking\": how long the motion acts");
+}
+
+void read_mesh(Document& document, Case& scene) {
+  const auto table = document.table("mesh");
+  scene.mesh = {
+      table.number("size"),
+      read_box(table),
+      table.integer("particles_per_cell"),
+      table.integer("layer_cells"),
+      {},
+      table.boolean("join_particles"),
+      from_name(table.text("particle_boxes"), std::array{ParticleBoxes::fixed, ParticleBoxes::deforming})};
+  for (const auto& refine : document.array("refine"))
+    scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});
+}
+
+void read_model(Document& document, Findings& findings, Case& scene) {
+  for (const auto& table : document.array("region"))
+    scene.regions.push_back(read_region(table, scene.soils, findings));
+  scene.time = read_time(document, findings);
+  read_stages(document, findings, scene);
+}
+
+} // namespace tremolo::scene

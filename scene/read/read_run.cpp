@@ -1,0 +1,54 @@
+#include "scene/keys/names.hpp"
+#include "scene/read/read.hpp"
+
+namespace tremolo::scene {
+
+namespace {
+
+Coupling read_coupling(Document& document) {
+  const auto table = document.table("coupling");
+  return {from_name(table.text("mode"), std::array{ExchangeMode::window, ExchangeMode::lockstep}),
+          table.integer("window_steps"), table.number("connect_deadline_s"), table.number("step_deadline_s"),
+          table.number("shutdown_deadline_s")};
+}
+
+Recording read_recording(Document& document) {
+  const auto table = document.table("record");
+  return {table.boolean("exchange"),
+          from_name(table.text("on_full_disk"), std::array{OnFullDisk::stop, OnFullDisk::go_on})};
+}
+
+Checkpoints read_checkpoints(Document& document, Findings& findings) {
+  const auto table = document.table("checkpoint");
+  if (table.given("every_steps") && table.given("every_wall_s"))
+    findings.add(table.path("every_wall_s"),
+                 "'every_steps' and 'every_wall_s' exclude each other: remove one");
+  Checkpoints checkpoints{{}, table.number("every_wall_s"), table.integer("keep")};
+  if (table.given("every_steps"))
+    checkpoints.every_steps = table.integer("every_steps");
+  return checkpoints;
+}
+
+Output read_output(Document& document) {
+  const auto table = document.table("output");
+  Output output{table.number("every_s"), table.number("history_every_s"), {}};
+  for (const auto& field : table.choices("fields"))
+    output.fields.push_back(
+        from_name(field, std::array{OutputField::displacement, OutputField::velocity,
+                                    OutputField::acceleration, OutputField::stress, OutputField::state}));
+  return output;
+}
+
+} // namespace
+
+void read_run(Document& document, Findings& findings, Case& scene) {
+  scene.coupling = read_coupling(document);
+  scene.recording = read_recording(document);
+  scene.checkpoints = read_checkpoints(document, findings);
+  for (const auto& table : document.array("monitor"))
+    scene.monitors.push_back({table.text("name"), table.point("point")});
+  scene.output = read_output(document);
+  scene.verify_tolerance = document.table("verify").number("tolerance");
+}
+
+} // namespace tremolo::scene

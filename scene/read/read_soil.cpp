@@ -1,0 +1,184 @@
+#include "scene/read/read_soil.hpp"
+#include "materials/hysteretic/curve_fit.hpp"
+#include "scene/read/read.hpp"
+#include "scene/soils/soil_library.hpp"
+#include "scene/text/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <numbers>
+
+namespace tremolo::scene {
+
+namespace {
+
+materials::MohrCoulomb read_mohr_coulomb(const TableReader& table, const materials::Elasticity& elastic) {
+  constexpr double degree = std::numbers::pi / 180.0;
+  return {.elastic = elastic,
+          .cohesion_peak = table.number("cohesion_peak"),
+          .cohesion_residual = table.number("cohesion_residual"),
+          .friction_peak = table.number("friction_peak_deg") * degree,
+          .friction_residual = table.number("friction_residual_deg") * degree,
+          .dilation_peak = table.number("dilation_peak_deg") * degree,
+          .dilation_residual = table.number("dilation_residual_deg") * degree,
+          .softening = table.number("softening"),
+          .tension_cutoff = table.optional_number("tension_cutoff")};
+}
+
+Soil read_softening(const NamedTable& soil, const materials::Elasticity& elastic, double mesh_size) {
+  auto law = read_mohr_coulomb(soil.reader, elastic);
+  const auto reference = soil.reader.optional_number("reference_size");
+  if (!reference || !(mesh_size > 0.0))
+    return {soil.name, law, law, reference, std::nullopt};
+  law = materials::regularised(law, mesh_size, *reference);
+  return {soil.name, law, law, mesh_size, std::nullopt};
+}
+
+StrainCurves curves_of(const materials::Backbone& backbone) {
+  return {[backbone](double strain) { return backbone.secant(strain) / backbone.shear_modulus; },
+          [backbone](double strain) { return materials::masing_damping(backbone, strain); }, false};
+}
+
+StrainCurves curves_of(const materials::SoilCurves& curves) {
+  return {[curves](double strain) { return curves.modulus_ratio_at(strain); },
+          [curves](double strain) { return curves.damping_ratio_at(strain); }, true};
+}
+
+/// Backbone as given or fitted, and the curves that the equivalent-linear iteration takes.
+struct Hysteresis {
+  double reference_strain = 0.0;
+  double beta = 1.0;
+  double exponent = 1.0;
+  std::optional<StrainCurves> curves;
+};
+
+/// From the curve that the soil names; what is given of the backbone is held.
+std::optional<Hysteresis> fitted(const TableReader& table, const std::filesystem::path& directory,
+                                 Findings& findings) {
+  for (const char* key : {"beta", "exponent"})
+    if (table.given(key)) {
+      findings.add(table.path(key), fmt::format("'{}' and 'curve' exclude each other: remove one", key));
+      return std::nullopt;
+    }
+  try {
+    const auto curve = read_curve(table, directory);
+    const auto fit = materials::fit_mkz(curve, table.optional_number("reference_strain"));
+    return Hysteresis{fit.reference_strain, fit.beta, fit.exponent, curves_of(curve)};
+  } catch (const std::exception& error) {
+    findings.add(table.path("curve"), error.what());
+    return std::nullopt;
+  }
+}
+
+/// As the soil gives it.
+std::optional<Hysteresis> given(const TableReader& table, bool mkz, Findings& findings) {
+  for (const char* key : {"reference_strain", "beta", "exponent"}) {
+    if (!mkz && std::string_view(key) != "reference_strain")
+      continue;
+    if (!table.given(key))
+      findings.add(table.path(key), fmt::format("missing '{}': without 'curve' the backbone is given", key));
+    if (!findings.sound(table.path(key)))
+      return std::nullopt;
+  }
+  return Hysteresis{table.number("reference_strain"), mkz ? table.number("beta") : 1.0,
+                    mkz ? table.number("exponent") : 1.0, std::nullopt};
+}
+
+Soil read_hysteretic(const NamedTable& soil, const materials::Elasticity& elastic,
+                     const std::filesystem::path& directory, Findings& findings) {
+  const auto& table = soil.reader;
+  Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
+  if (!findings.sound(table.path()) || !(elastic.density > 0.0))
+    return linear;
+  const auto hysteresis = table.given("curve") ? fitted(table, directory, findings)
+                                               : given(table, table.text("model") == "mkz", findings);
+  if (!hysteresis)
+    return linear;
+  const auto& [reference_strain, beta, exponent, curves] = *hysteresis;
+  const materials::MasingShear law{elastic, reference_strain, beta, exponent};
+  return {soil.name,
+          materials::iwan_shear(elastic, reference_strain, beta, exponent),
+          law,
+          {},
+          curves ? curves : curves_of(law.backbone())};
+}
+
+/// The model of a soil of the library is part of it.
+bool keeps_model(const TableReader& table, Findings& findings) {
+  const LibrarySoil* soil = library_soil(table.text(library_key));
+  const auto own = soil != nullptr ? (*soil->keys)["model"].value<std::string>() : std::nullopt;
+  if (!own || *own == table.text("model") || !findings.sound(table.path("model")))
+    return true;
+  findings.add(table.path("model"),
+               fmt::format("'{}' of the library is \"{}\", which a case cannot change: remove 'model'",
+                           soil->name, *own));
+  return false;
+}
+
+} // namespace
+
+void need(const TableReader& table, std::string_view key, Findings& findings) {
+  if (!table.given(key) && findings.sound(table.path(library_key)))
+    findings.add(table.path(key),
+                 fmt::format("missing '{}': model = \"{}\" needs it", key, table.text("model")));
+}
+
+bool within(const TableReader& table, std::string_view key, const Range& range, std::string_view unit,
+            Findings& findings) {
+  const auto value = table.optional_number(key);
+  if (!value || range.contains(*value))
+    return true;
+  findings.add(table.path(key), fmt::format("'{}' = {} is out of range, must be {}{} with model = \"{}\"",
+                                            key, *value, range.text(), unit, table.text("model")));
+  return false;
+}
+
+Soil placeholder(const std::string& name) {
+  return {name, materials::LinearElastic{}, materials::LinearElastic{}, {}, {}};
+}
+
+Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, double mesh_size,
+               Findings& findings) {
+  const auto model = soil.reader.text("model");
+  if (!keeps_model(soil.reader, findings))
+    return placeholder(soil.name);
+  if (model == "pm4sand" || model == "pdmy03")
+    return read_sand(soil, directory, findings);
+  if (model.empty())
+    return placeholder(soil.name);
+  if (model == "drucker_prager" || model == "multi_yield_clay")
+    return read_plastic(soil, directory, findings);
+  need(soil.reader, "density", findings);
+  const auto elastic = read_elasticity(soil.reader, findings);
+  if (model == "mohr_coulomb")
+    return read_softening(soil, elastic, mesh_size);
+  if (model == "hyperbolic" || model == "mkz")
+    return read_hysteretic(soil, elastic, directory, findings);
+  return {soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
+}
+
+void read_soils(Document& document, Findings& findings, Case& scene) {
+  for (const auto& soil : document.named("soil"))
+    scene.soils.push_back(read_soil(soil, scene.directory, scene.mesh.size, findings));
+}
+
+std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,
+                                      Findings& findings) {
+  const auto soil = table.text("soil");
+  const auto found = std::ranges::find(soils, soil, &Soil::name);
+  if (found != soils.end())
+    return static_cast<std::size_t>(found - soils.begin());
+  if (!soil.empty() && findings.sound("soil")) {
+    std::vector<std::string_view> known;
+    known.reserve(soils.size());
+    for (const Soil& one : soils)
+      known.push_back(one.name);
+    findings.add(table.path("soil"),
+                 fmt::format("soil '{}' is not defined, {}", soil, suggestion(soil, known)));
+  }
+  return std::nullopt;
+}
+
+} // namespace tremolo::scene

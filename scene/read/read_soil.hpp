@@ -1,0 +1,37 @@
+#pragma once
+
+// One soil from its table, the same in cases, soil tests and the library.
+
+#include "materials/hysteretic/curves.hpp"
+#include "scene/read/read.hpp"
+
+#include <filesystem>
+
+namespace tremolo::scene {
+
+/// @param directory  that the name of a curve starts from
+/// @param mesh_size  cell size for which softening shall hold, m; 0 leaves it as it is given
+Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, double mesh_size,
+               Findings& findings);
+
+/// Of PM4Sand and PDMY03.
+Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
+
+/// Of the Drucker-Prager law and the clay of nested surfaces.
+Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
+
+/// Reports a key that this model needs and others do not.
+void need(const TableReader& table, std::string_view key, Findings& findings);
+
+/// Whether a number, where it is given, lies in the range that this model has; reports it otherwise.
+bool within(const TableReader& table, std::string_view key, const Range& range, std::string_view unit,
+            Findings& findings);
+
+/// What stands for a soil that cannot be read; its errors have been reported.
+Soil placeholder(const std::string& name);
+
+/// G/Gmax and damping that a soil's `curve` names.
+/// @throws std::invalid_argument, saying what is wrong
+materials::SoilCurves read_curve(const TableReader& table, const std::filesystem::path& directory);
+
+} // namespace tremolo::scene

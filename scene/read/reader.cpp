@@ -1,0 +1,365 @@
+#include "scene/read/reader.hpp"
+
+#include "scene/soils/soil_library.hpp"
+#include "scene/text/nearest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace tremolo::scene {
+
+std::string type_name(const toml::node& node) {
+  switch (node.type()) {
+  case toml::node_type::table:
+    return "a table";
+  case toml::node_type::array:
+    return "an array";
+  case toml::node_type::string:
+    return "a string";
+  case toml::node_type::integer:
+    return "an integer";
+  case toml::node_type::floating_point:
+    return "a number";
+  case toml::node_type::boolean:
+    return "a boolean";
+  default:
+    return "a date or time";
+  }
+}
+
+namespace {
+
+std::string with_unit(std::string_view text, std::string_view unit) {
+  return unit.empty() || unit == "1" ? std::string(text) : fmt::format("{} {}", text, unit);
+}
+
+std::string point_text(Point p) {
+  return fmt::format("[{}, {}]", p.x, p.y);
+}
+
+/// A value as TOML writes it.
+struct AsToml {
+  std::string operator()(double value) const { return fmt::format("{}", value); }
+  std::string operator()(const std::string& value) const { return fmt::format("\"{}\"", value); }
+  std::string operator()(const std::vector<double>& value) const {
+    return fmt::format("[{}]", fmt::join(value, ", "));
+  }
+  std::string operator()(const std::vector<std::string>& value) const { return fmt::format("{}", value); }
+  std::string operator()(const Polygon& value) const {
+    std::string text;
+    for (const Point p : value)
+      text += (text.empty() ? "" : ", ") + point_text(p);
+    return "[" + text + "]";
+  }
+};
+
+std::vector<std::string> split_list(std::string_view text) {
+  std::vector<std::string> items;
+  while (!text.empty()) {
+    const auto comma = text.find(", ");
+    items.emplace_back(text.substr(0, comma));
+    text = comma == std::string_view::npos ? "" : text.substr(comma + 2);
+  }
+  return items;
+}
+
+} // namespace
+
+TableReader::TableReader(const Table& spec, const toml::table* node, std::string path, std::string shown,
+                         Reading reading)
+    : spec_(spec), node_(node), path_(std::move(path)), shown_(std::move(shown)), reading_(reading) {
+  if (node_ != nullptr) {
+    refuse_unknown_keys();
+    find_library();
+  }
+  // Keys without a condition first: the others ask for their values.
+  for (const bool conditional : {false, true})
+    for (const Key& key : spec_.keys)
+      if (key.when.key.empty() != conditional)
+        read(key);
+}
+
+std::string TableReader::path(std::string_view key) const {
+  return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+/// In the file, otherwise in the library's soil.
+const toml::node* TableReader::node_of(std::string_view key) const {
+  const toml::node* own = node_ != nullptr ? node_->get(key) : nullptr;
+  return own == nullptr && library_.table != nullptr ? library_.table->get(key) : own;
+}
+
+bool TableReader::given(std::string_view key) const {
+  return node_of(key) != nullptr;
+}
+
+bool TableReader::from_library(std::string_view key) const {
+  return node_ != nullptr && !node_->contains(key) && given(key);
+}
+
+void TableReader::find_library() {
+  const toml::node* name = spec_.find(library_key) != nullptr ? node_->get(library_key) : nullptr;
+  if (name == nullptr || !name->is_string())
+    return;
+  const auto wanted = *name->value<std::string>();
+  if (const LibrarySoil* soil = library_soil(wanted)) {
+    library_ = {soil->name, soil->keys};
+    return;
+  }
+  const auto begin = name->source().begin;
+  reading_.findings.add(
+      path(library_key), Place{begin.line, begin.column, shown_},
+      fmt::format("'{}' is not in the library of soils, {}", wanted, suggestion(wanted, library_names())));
+}
+
+void TableReader::refuse_unknown_keys() {
+  auto known = subtables(reading_.keys, spec_.name);
+  for (const Key& key : spec_.keys)
+    known.push_back(key.name);
+  for (const auto& [key, value] : *node_)
+    if (std::ranges::find(known, key.str()) == known.end()) {
+      const auto begin = key.source().begin;
+      reading_.findings.add(path(key.str()), Place{begin.line, begin.column, shown_},
+                            fmt::format("unknown key '{}', {}", key.str(), suggestion(key.str(), known)));
+    }
+}
+
+bool TableReader::applies(const Key& key) const {
+  if (key.when.key.empty())
+    return true;
+  const auto value = get<std::string>(key.when.key);
+  return std::ranges::find(key.when.values, value) != key.when.values.end();
+}
+
+void TableReader::read(const Key& key) {
+  const bool undecided = !key.when.key.empty() && get<std::string>(key.when.key).empty();
+  if (!given(key.name)) {
+    if (applies(key) && node_ != nullptr && key.required)
+      report_missing(key);
+    else if (applies(key) && (node_ != nullptr || !key.required))
+      put_default(key);
+    return;
+  }
+  const toml::node& node = *node_of(key.name);
+  const auto begin = (from_library(key.name) ? *node_->get(library_key) : node).source().begin;
+  reading_.findings.locate(path(key.name), {begin.line, begin.column, shown_});
+  if (!applies(key) && !undecided) {
+    reading_.findings.add(path(key.name), fmt::format("'{}' does not apply to {} = \"{}\", only to {}",
+                                                      key.name, key.when.key, get<std::string>(key.when.key),
+                                                      fmt::join(key.when.values, " or ")));
+    return;
+  }
+  if (auto value = convert(key, node)) {
+    const bool bare = key.type == Type::boolean;
+    reading_.values.push_back({path(key.name),
+                               bare ? std::get<std::string>(*value) : std::visit(AsToml{}, *value),
+                               origin(key.name, node)});
+    values_.emplace(key.name, std::move(*value));
+  }
+}
+
+std::string TableReader::origin(std::string_view key, const toml::node& node) const {
+  if (from_library(key))
+    return fmt::format("library {}", library_.name);
+  return fmt::format("{}:{}:{}", reading_.findings.file(), node.source().begin.line,
+                     node.source().begin.column);
+}
+
+/// Of a soil whose library is not known nothing is missing: the library may have it.
+void TableReader::report_missing(const Key& key) {
+  if (spec_.find(library_key) != nullptr && !reading_.findings.sound(path(library_key)))
+    return;
+  reading_.findings.add(
+      path(key.name), fmt::format("missing '{}', {}: {}", key.name,
+                                  with_unit(type_text(key), key.unit.empty() ? "" : key.unit), key.meaning));
+}
+
+void TableReader::put_default(const Key& key) {
+  if (key.fallback.empty())
+    return;
+  Value value = std::string(key.fallback);
+  if (key.type == Type::number || key.type == Type::integer) {
+    double number = 0.0;
+    std::from_chars(key.fallback.data(), key.fallback.data() + key.fallback.size(), number);
+    value = number;
+  } else if (key.type == Type::choices) {
+    value = split_list(key.fallback);
+  }
+  const bool bare = key.type == Type::boolean;
+  reading_.values.push_back(
+      {path(key.name), bare ? std::string(key.fallback) : std::visit(AsToml{}, value), "default"});
+  values_.emplace(key.name, std::move(value));
+}
+
+std::nullopt_t TableReader::refuse(const Key& key, const toml::node& node, std::string text) {
+  const auto begin = node.source().begin;
+  reading_.findings.add(path(key.name), Place{begin.line, begin.column, shown_}, std::move(text));
+  return std::nullopt;
+}
+
+std::optional<TableReader::Value> TableReader::convert(const Key& key, const toml::node& node) {
+  switch (key.type) {
+  case Type::number:
+  case Type::integer:
+    return convert_number(key, node);
+  case Type::text:
+  case Type::choice:
+    return convert_text(key, node);
+  case Type::boolean:
+    return convert_boolean(key, node);
+  case Type::numbers:
+    return convert_numbers(key, node);
+  case Type::series:
+    return convert_series(key, node);
+  case Type::polygon:
+    return convert_polygon(key, node);
+  case Type::choices:
+    return convert_choices(key, node);
+  }
+  return std::nullopt;
+}
+
+std::optional<double> TableReader::convert_number(const Key& key, const toml::node& node) {
+  const bool whole = key.type == Type::integer;
+  if (!node.is_number() || (whole && !node.is_integer()))
+    return refuse(key, node,
+                  fmt::format("'{}' must be {}, found {}", key.name, whole ? "an integer" : "a number",
+                              type_name(node)));
+  const double value = *node.value<double>();
+  if (!std::isfinite(value))
+    return refuse(key, node, fmt::format("'{}' is {}, must be a finite number", key.name, value));
+  if (!key.range.contains(value))
+    return refuse(key, node,
+                  fmt::format("'{}' = {} is out of range, must be {}", key.name, value,
+                              with_unit(key.range.text(), key.unit)));
+  return value;
+}
+
+std::optional<std::string> TableReader::convert_text(const Key& key, const toml::node& node) {
+  if (!node.is_string())
+    return refuse(key, node, fmt::format("'{}' must be a string, found {}", key.name, type_name(node)));
+  const std::string value = *node.value<std::string>();
+  if (value.empty())
+    return refuse(key, node, fmt::format("'{}' is empty", key.name));
+  if (key.type == Type::choice && std::ranges::find(key.choices, value) == key.choices.end())
+    return refuse(
+        key, node,
+        fmt::format("'{}' = \"{}\" is not known, {}", key.name, value, suggestion(value, key.choices)));
+  return value;
+}
+
+/// Kept as the word that stands in the file.
+std::optional<std::string> TableReader::convert_boolean(const Key& key, const toml::node& node) {
+  if (!node.is_boolean())
+    return refuse(key, node, fmt::format("'{}' must be true or false, found {}", key.name, type_name(node)));
+  return *node.value<bool>() ? "true" : "false";
+}
+
+std::optional<TableReader::Value> TableReader::convert_numbers(const Key& key, const toml::node& node) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->size() != key.count)
+    return refuse(key, node,
+                  fmt::format("'{}' must be an {}, found {}", key.name, type_text(key),
+                              array == nullptr ? type_name(node) : fmt::format("{} entries", array->size())));
+  return convert_elements(key, *array);
+}
+
+std::optional<TableReader::Value> TableReader::convert_series(const Key& key, const toml::node& node) {
+  if (const toml::array* array = node.as_array()) {
+    if (array->empty())
+      return refuse(key, node, fmt::format("'{}' is empty", key.name));
+    return convert_elements(key, *array);
+  }
+  const auto value = convert_number(key, node);
+  return value ? std::optional<Value>(std::vector<double>{*value}) : std::nullopt;
+}
+
+std::optional<TableReader::Value> TableReader::convert_elements(const Key& key, const toml::array& array) {
+  std::vector<double> values;
+  for (const toml::node& element : array) {
+    const auto value = convert_number(key, element);
+    if (!value)
+      return std::nullopt;
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::optional<TableReader::Value> TableReader::convert_polygon(const Key& key, const toml::node& node) {
+  const toml::array* corners = node.as_array();
+  if (corners == nullptr || corners->size() < 3)
+    return refuse(
+        key, node,
+        fmt::format("'{}' must be an {}, found {}", key.name, type_text(key),
+                    corners == nullptr ? type_name(node) : fmt::format("{} entries", corners->size())));
+  Polygon polygon;
+  for (const toml::node& corner : *corners) {
+    const toml::array* pair = corner.as_array();
+    if (pair == nullptr || pair->size() != 2)
+      return refuse(key, corner,
+                    fmt::format("corner {} of '{}' must be a point [x, y]", polygon.size() + 1, key.name));
+    const auto x = convert_number(key, *pair->get(0));
+    const auto y = x ? convert_number(key, *pair->get(1)) : std::nullopt;
+    if (!y)
+      return std::nullopt;
+    polygon.push_back({*x, *y});
+  }
+  return polygon;
+}
+
+std::optional<TableReader::Value> TableReader::convert_choices(const Key& key, const toml::node& node) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr)
+    return refuse(key, node,
+                  fmt::format("'{}' must be an {}, found {}", key.name, type_text(key), type_name(node)));
+  std::vector<std::string> values;
+  for (const toml::node& element : *array) {
+    const auto value = element.value<std::string>();
+    if (!value)
+      return refuse(key, element,
+                    fmt::format("'{}' must hold strings, found {}", key.name, type_name(element)));
+    if (std::ranges::find(key.choices, *value) == key.choices.end())
+      return refuse(
+          key, element,
+          fmt::format("'{}' in '{}' is not known, {}", *value, key.name, suggestion(*value, key.choices)));
+    if (std::ranges::find(values, *value) != values.end())
+      return refuse(key, element, fmt::format("'{}' stands twice in '{}'", *value, key.name));
+    values.push_back(*value);
+  }
+  return values;
+}
+
+template <class T>
+T TableReader::get(std::string_view key) const {
+  const auto found = values_.find(key);
+  return found == values_.end() ? T{} : std::get<T>(found->second);
+}
+
+std::optional<double> TableReader::optional_number(std::string_view key) const {
+  const auto found = values_.find(key);
+  return found == values_.end() ? std::nullopt : std::optional(std::get<double>(found->second));
+}
+
+std::string TableReader::text(std::string_view key) const {
+  return get<std::string>(key);
+}
+std::vector<double> TableReader::numbers(std::string_view key) const {
+  return get<std::vector<double>>(key);
+}
+Polygon TableReader::polygon(std::string_view key) const {
+  return get<Polygon>(key);
+}
+std::vector<std::string> TableReader::choices(std::string_view key) const {
+  return get<std::vector<std::string>>(key);
+}
+
+Point TableReader::point(std::string_view key) const {
+  const auto pair = numbers(key);
+  return pair.empty() ? Point{} : Point{pair[0], pair[1]};
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,44 @@
+#include "scene/text/nearest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace tremolo::scene {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  // d(i, j): distance of the first i characters of a from the first j of b (Damerau; optimal string
+  // alignment).
+  const std::size_t width = b.size() + 1;
+  std::vector<std::size_t> d((a.size() + 1) * width);
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i * width + j] = i + j;
+        continue;
+      }
+      const std::size_t replaced = d[(i - 1) * width + j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      std::size_t best = std::min({d[(i - 1) * width + j] + 1, d[i * width + j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        best = std::min(best, d[(i - 2) * width + j - 2] + 1);
+      d[i * width + j] = best;
+    }
+  return d.back();
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+  if (known.empty())
+    return "none is known here";
+  constexpr std::size_t longest_sensible_word = 64;
+  const auto distance = [&](std::string_view other) { return edit_distance(word, other); };
+  if (word.size() <= longest_sensible_word) {
+    const auto nearest = std::ranges::min_element(known, {}, distance);
+    if (distance(*nearest) <= std::max<std::size_t>(1, std::max(word.size(), nearest->size()) / 3))
+      return fmt::format("did you mean '{}'?", *nearest);
+  }
+  return fmt::format("known: {}", fmt::join(known, ", "));
+}
+
+} // namespace tremolo::scene

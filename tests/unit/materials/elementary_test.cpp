@@ -1,0 +1,40 @@
+// The inlined exp and log against the C library's in extended precision.
+
+#include "materials/tensor/elementary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tremolo::materials {
+namespace {
+
+TEST(Elementary, ExpIsExactToTheLastDigits) {
+  std::mt19937_64 random(1);
+  for (const double range : {1e-6, 1.0, 20.0, 600.0}) {
+    std::uniform_real_distribution<double> between(-range, range);
+    for (int n = 0; n < 20000; ++n) {
+      const double x = between(random);
+      const long double expected = std::exp(static_cast<long double>(x));
+      ASSERT_LE(std::abs(elementary::exp(x) / expected - 1.0L), 1e-15L) << x;
+    }
+  }
+  EXPECT_EQ(elementary::exp(0.0), 1.0);
+}
+
+TEST(Elementary, LogIsExactToTheLastDigits) {
+  std::mt19937_64 random(1);
+  for (const double range : {1e-6, 1e-3, 1.0, 300.0}) { // also close to 1, where the logarithm vanishes
+    std::uniform_real_distribution<double> between(-range, range);
+    for (int n = 0; n < 20000; ++n) {
+      const double x = std::exp(between(random));
+      const long double expected = std::log(static_cast<long double>(x));
+      ASSERT_LE(std::abs(elementary::log(x) - expected), 1e-15L * std::abs(expected)) << x;
+    }
+  }
+  EXPECT_EQ(elementary::log(1.0), 0.0);
+}
+
+} // namespace
+} // namespace tremolo::materials

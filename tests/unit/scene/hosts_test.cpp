@@ -1,0 +1,98 @@
+// [hosts]: where the processes of a run are placed, and what is refused.
+
+#include "scene/plan/hosts.hpp"
+
+#include "case_text.hpp"
+#include "scene/text/files.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace tremolo::scene::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::string hosts(const std::string& sides, const std::string& endpoint = "tcp://10.0.0.1:5555") {
+  return plus("[hosts]\nendpoint = \"" + endpoint + "\"\n" + sides + "\n");
+}
+
+Case parsed(const std::string& text) {
+  return parse(text, "case.toml", ".");
+}
+
+TEST(Hosts, WithoutTheTableAllProcessesRunHere) {
+  const auto scene = parsed(std::string(flat_case));
+  for (const auto& source : plan(scene).sources)
+    EXPECT_EQ(host_of(scene, source), nullptr);
+}
+
+TEST(Hosts, ASidePlacesTheProcessThatServesIt) {
+  // The flat case has one free field for all sides; a model of its own makes the right one a process.
+  const auto scene = parsed(with("right = { model = \"wave\" }", "right = { model = \"fe\" }",
+                                 hosts("right = { start = \"ssh\", host = \"me@node2\" }")));
+  const auto plan = scene::plan(scene);
+  EXPECT_EQ(host_of(scene, source_of(plan, Side::left)), nullptr);
+  const Host* host = host_of(scene, source_of(plan, Side::right));
+  ASSERT_NE(host, nullptr);
+  EXPECT_EQ(*host, (Host{StartBy::ssh, "me@node2", "", "tremolo", ""}));
+}
+
+TEST(Hosts, OneSideOfAProcessIsEnough) {
+  const auto scene = parsed(hosts("base = { start = \"join\" }"));
+  const auto plan = scene::plan(scene);
+  ASSERT_EQ(plan.sources.size(), 1U);
+  ASSERT_NE(host_of(scene, plan.sources.front()), nullptr);
+  EXPECT_EQ(host_of(scene, plan.sources.front())->start, StartBy::join);
+}
+
+TEST(Hosts, TwoHostsForOneProcessAreRefused) {
+  EXPECT_THAT(errors_of(hosts("left = { start = \"join\" }\nbase = { start = \"slurm\" }")),
+              ElementsAre("case.toml:34:8: [hosts.base] the base has the same free field as the left, from "
+                          "one process 'left-right-base': give it the same host, or none"));
+}
+
+TEST(Hosts, EndpointsAreAddressesOfTcp) {
+  const std::string left = "left = { start = \"join\" }";
+  for (const auto* good : {"tcp://10.0.0.1:5555", "tcp://ib0:*", "tcp://*:1", "tcp://[fd00::1]:65535"})
+    EXPECT_THAT(errors_of(hosts(left, good)), IsEmpty()) << good;
+  for (const auto* bad : {"10.0.0.1:5555", "ipc:///tmp/hub", "tcp://10.0.0.1", "tcp://:5555", "tcp://node2:0",
+                          "tcp://a:65536", "tcp://a:5555x", "tcp://fd00::1:5555", "tcp://a b:5555"})
+    EXPECT_THAT(errors_of(hosts(left, bad)),
+                ElementsAre(HasSubstr(std::string("case.toml:32:12: [hosts] 'endpoint' = \"") + bad +
+                                      "\" must be tcp://ADDRESS:PORT")))
+        << bad;
+}
+
+TEST(Hosts, WhatCannotBeMeantIsRefused) {
+  EXPECT_THAT(errors_of(hosts("")), ElementsAre(HasSubstr("[hosts] no process is placed")));
+  EXPECT_THAT(errors_of(plus("[hosts]\nleft = { start = \"join\" }\n")),
+              ElementsAre(HasSubstr("missing 'endpoint'")));
+  EXPECT_THAT(errors_of(hosts("left = { host = \"a\" }")), ElementsAre(HasSubstr("missing 'start'")));
+  EXPECT_THAT(errors_of(hosts("left = { start = \"ssh\" }")), ElementsAre(HasSubstr("missing 'host'")));
+  EXPECT_THAT(errors_of(hosts("left = { start = \"slurm\", host = \"a\" }")),
+              ElementsAre(HasSubstr("'host' does not apply to start = \"slurm\", only to ssh")));
+  EXPECT_THAT(errors_of(hosts("left = { start = \"join\" }\ndomain = { start = \"join\" }")),
+              ElementsAre(HasSubstr("unknown key 'domain'")));
+  for (const auto* bad : {"-oProxyCommand=x", "node2 rm", "'node2'"})
+    EXPECT_THAT(errors_of(hosts(std::string("left = { start = \"ssh\", host = \"") + bad + "\" }")),
+                ElementsAre(HasSubstr("is not one that ssh can go to")));
+}
+
+TEST(Hosts, DataFilesAreThoseThatTheCaseNames) {
+  EXPECT_THAT(data_files(parsed(std::string(flat_case))), IsEmpty());
+  const auto file = std::filesystem::path(::testing::TempDir()) / "hosts_record.AT2";
+  std::ofstream(file) << "NPTS= 3, DT= .01 SEC\n0.0 0.1 0.0\n";
+  const auto scene =
+      parsed(with("pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }",
+                  "file = \"" + file.string() + "\""));
+  EXPECT_THAT(data_files(scene), ElementsAre(std::filesystem::absolute(file).lexically_normal()));
+  std::filesystem::remove(file);
+}
+
+} // namespace
+} // namespace tremolo::scene::testing

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "wavefield/layers/layered_half_space.hpp"
+#include "wavefield/signal/history.hpp"
+#include "wavefield/signal/signal.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tremolo::wavefield {
+
+struct FieldSetup;
+
+/// How the periodic window of the Fourier synthesis is chosen.
+struct SynthesisOptions {
+  /// Length of the window over that of signal and requested times together, at least 1. Without it the window
+  /// is doubled until the surface motion no longer changes.
+  std::optional<double> padding;
+  /// Synthesis at complex frequencies s = i omega + epsilon: what wraps around is damped by exp(-epsilon T).
+  /// Valid for causal fields only, and refused elsewhere.
+  bool exponential_window = false;
+};
+
+/// Largest change of each kind of quantity when the window is doubled, relative to its peak.
+struct WrapAroundError {
+  double window = 0.0; ///< s; the one that was doubled
+  double displacement = 0.0;
+  double velocity = 0.0;
+  double stress = 0.0;
+};
+
+/// Plane P or SV wave that comes up through a half-space under layers, at any angle from vertical to grazing,
+/// post-critical included. The free surface is at y = surface_level; the half-space begins at surface_level
+/// minus the thickness of the layers.
+///
+/// Displacement is the time integral of velocity from rest: it vanishes before the wave arrives. Where a
+/// plane wave has no first arrival (beyond the critical angle; oblique in a half-space of constant damping)
+/// it vanishes at t -> -infinity; that needs a signal whose own displacement returns to zero, and others are
+/// refused if displacement is asked for.
+///
+/// Accuracy: 1e-9 of the peak below critical and without constant damping, else 1e-6, for signals within
+/// their band limit.
+class LayeredField {
+public:
+  /// @throws std::invalid_argument for values outside their range, and for an exponential window where the
+  ///         field is not causal
+  LayeredField(LayeredHalfSpace profile, const Incidence& incidence, double surface_level, Signal signal,
+               const SynthesisOptions& options = {});
+
+  /// Histories at the points, in their order. The spectra of a depth are computed once and shifted along x by
+  /// the horizontal slowness. Values at the grid's times are samples of the Fourier synthesis, not
+  /// interpolated.
+  /// @throws std::invalid_argument for a point above the surface, an incident wave above the half-space, or
+  /// an
+  ///         empty or ill-formed grid
+  /// @throws std::runtime_error if the profile rings longer than the largest window
+  std::vector<History> sample(std::span<const Point> points, const TimeGrid& grid, Part part = Part::total,
+                              const Quantities& quantities = {}) const;
+
+  /// What changes at the points when the window that sample() chooses is doubled.
+  WrapAroundError wrap_around_error(std::span<const Point> points, const TimeGrid& grid) const;
+
+  /// Horizontal slowness, s/m: the field at x is the field at x_0 delayed by slowness_x() (x - x_0).
+  double slowness_x() const { return tremolo::wavefield::slowness_x(profile_.half_space, incidence_); }
+
+  double top_of_half_space() const { return surface_level_ - profile_.thickness(); } ///< m
+  const LayeredHalfSpace& profile() const { return profile_; }
+
+private:
+  FieldSetup setup(Part part) const;
+
+  LayeredHalfSpace profile_;
+  Incidence incidence_;
+  double surface_level_;
+  Signal signal_;
+  SynthesisOptions options_;
+};
+
+} // namespace tremolo::wavefield

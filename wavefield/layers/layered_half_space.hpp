@@ -1,0 +1,75 @@
+#pragma once
+
+#include "wavefield/layers/half_space.hpp"
+
+#include <complex>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace tremolo::wavefield {
+
+/// What the complex modulus of a soil with damping ratio xi is at s = i omega, G its undamped modulus; the
+/// same for the P-wave modulus.
+enum class DampingModel {
+  none,         ///< G
+  hysteretic,   ///< G (1 + 2 i xi)
+  shake,        ///< G (1 - 2 xi^2 + 2 i xi sqrt(1 - xi^2)), so that |G*| = G (SHAKE91)
+  kelvin_voigt, ///< G (1 + 2 xi s / omega_0): xi at the reference frequency, growing in proportion to
+                ///< frequency
+  kjartansson   ///< G (s / omega_0)^(2 atan(2 xi) / pi): constant Q and causal (Kjartansson 1979)
+};
+
+struct Damping {
+  DampingModel model = DampingModel::none;
+  double reference_hz = 0.0; ///< omega_0 / (2 pi) of kelvin_voigt and kjartansson; unused by the others
+};
+
+/// A homogeneous, isotropic layer.
+struct Layer {
+  double thickness = 0.0;          ///< m
+  double density = 0.0;            ///< kg/m3
+  double vs = 0.0;                 ///< undamped shear wave speed, m/s
+  double vp = 0.0;                 ///< undamped compressional wave speed, m/s
+  double damping = 0.0;            ///< damping ratio xi of the shear modulus, 1
+  std::optional<double> damping_p; ///< of the P-wave modulus; that of the shear modulus if not given
+};
+
+/// Layers from the free surface down, on a half-space; without layers the half-space itself has the surface.
+struct LayeredHalfSpace {
+  std::vector<Layer> layers;
+  HalfSpace half_space;
+  double half_space_damping = 0.0; ///< damping ratio xi of both its moduli
+  Damping damping;
+
+  double thickness() const; ///< of all layers together, m
+};
+
+/// Moduli at one frequency, Pa.
+struct ComplexModuli {
+  std::complex<double> shear;  ///< G*
+  std::complex<double> p_wave; ///< M* = lambda* + 2 G*
+};
+
+/// Moduli of layer `index` from the top, of the half-space for index = layers.size(). The models none,
+/// hysteretic and shake do not depend on s; for kjartansson s = 0 gives the undamped modulus.
+/// @param s  i omega + epsilon, 1/s, omega >= 0
+ComplexModuli moduli(const LayeredHalfSpace& profile, std::size_t index, std::complex<double> s);
+
+/// Whether the moduli are the same at all frequencies above zero.
+bool is_frequency_independent(DampingModel model);
+
+/// Whether the damping ratio jumps to its conjugate across zero frequency: hysteretic and shake. Their answer
+/// is not causal, and has tails before the arrival.
+bool is_constant_damping(DampingModel model);
+
+/// Whether any damping ratio is above zero.
+bool is_damped(const LayeredHalfSpace& profile);
+
+std::string_view name(DampingModel model);
+
+/// @throws std::invalid_argument naming layer, quantity, value and the allowed range; also where layers are
+///         damped and the model is `none`
+void validate(const LayeredHalfSpace& profile);
+
+} // namespace tremolo::wavefield
