@@ -14,6 +14,18 @@ StepOrder order(scene::StepOrder choice) {
   return choice == scene::StepOrder::usl ? StepOrder::usl : StepOrder::musl;
 }
 
+Sides sides_of(scene::Sides choice) {
+  switch (choice) {
+  case scene::Sides::periodic:
+    return Sides::periodic;
+  case scene::Sides::periodic_springs:
+    return Sides::springs;
+  case scene::Sides::free_field:
+    break;
+  }
+  return Sides::free_field;
+}
+
 /// Softening goes with the size of the cells that it happens in.
 std::vector<materials::Law> finer_laws(const scene::Soil& soil, const scene::Mesh& mesh) {
   const auto* softening = std::get_if<materials::MohrCoulomb>(&soil.law);
@@ -53,7 +65,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                  .dt = scene.time.dt,
                  .subcycle = scene.time.subcycle};
   const auto& [sides, left, right, base] = scene.boundary;
-  spec.periodic_sides = sides == scene::Sides::periodic;
+  spec.sides = sides_of(sides);
   if (left.absorber == scene::Absorber::matched_layer)
     spec.matched_sides.push_back(Side::left);
   if (right.absorber == scene::Absorber::matched_layer)

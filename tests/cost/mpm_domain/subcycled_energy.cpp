@@ -26,7 +26,7 @@ constexpr int samples = 4;
 Spec strip(Transfer transfer, double fraction, bool subcycle) {
   Spec spec = test_support::elastic_box(width, depth, 1.0);
   spec.threads = 1;
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   spec.refine = {{{0.0, -4.0, width, 0.0}, levels - 1}, {{0.0, -1.0, width, 0.0}, levels}};
   spec.scheme.transfer = transfer;
   spec.scheme.fraction = fraction;

@@ -21,7 +21,7 @@ constexpr double length = 12.0; // of the period, m
 /// In the coarse cells at the start; 1 m cells, and half-metre ones for x > 6 m.
 Spec strip() {
   Spec spec = elastic_box(length, 6.0, 1.0);
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   spec.threads = 1;
   spec.refine = {{{6.0, -6.0, length, 0.0}, 1}};
   spec.regions = {{0, {{1.0, -4.0}, {5.0, -4.0}, {5.0, -2.0}, {1.0, -2.0}}}};

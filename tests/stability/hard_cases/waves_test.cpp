@@ -65,7 +65,7 @@ TEST(HardCase01, FreeBarWithParticlesAtRandomPlaces) {
 TEST(HardCase08, StandingWaveForAMillionSteps) {
   const auto make = [](int threads) {
     Spec spec = elastic_box(0.5, 4.0, 0.5);
-    spec.periodic_sides = true;
+    spec.sides = mpm_domain::Sides::periodic;
     spec.scheme.transfer = Transfer::flip;
     spec.scheme.fraction = 0.8 * 0.746 / 0.65;
     return free_scene(spec, threads, [](Domain& domain) {

@@ -26,7 +26,7 @@ constexpr long coarse_steps = 5000;
 /// than the coarsest.
 Spec strip(int levels, Transfer transfer, double fraction, bool subcycle) {
   Spec spec = test_support::elastic_box(2.0, 8.0 + 4.0 * levels, 1.0);
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   for (int level = 1; level <= levels; ++level)
     spec.refine.push_back({{0.0, -(1.0 + 3.0 * (levels - level)), 2.0, 0.0}, level});
   spec.scheme.transfer = transfer;

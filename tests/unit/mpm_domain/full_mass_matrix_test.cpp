@@ -38,7 +38,7 @@ Spec fmpm_box(int order) {
 
 Spec periodic_box(int order) {
   Spec spec = fmpm_box(order);
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   return spec;
 }
 
@@ -358,7 +358,7 @@ TEST(FullMassDamping, OfAWaveIsThatOfTheClosedForm) {
     double coarse_loss = 0.0;
     for (const int waves : {2, 1}) {
       Spec spec = test_support::elastic_box(width, 2.0, 0.5);
-      spec.periodic_sides = true;
+      spec.sides = mpm_domain::Sides::periodic;
       spec.scheme = {.transfer = Transfer::fmpm, .fmpm_order = order};
       Domain domain(spec);
       const double number = 2.0 * std::numbers::pi * waves / width; // 1/m

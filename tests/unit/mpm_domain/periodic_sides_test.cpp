@@ -21,7 +21,7 @@ constexpr double h = 0.5;
 
 Domain periodic_box(double box_width, Transfer transfer, StepOrder order) {
   Spec spec = test_support::elastic_box(box_width, depth, h);
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   spec.scheme.transfer = transfer;
   spec.scheme.order = order;
   return Domain(spec);
@@ -152,7 +152,7 @@ TEST(PeriodicColumn, IsAsGoodAsAWideDomain) {
 /// Under its own weight: overburden, K_0 = nu/(1 - nu), no shear.
 TEST(PeriodicColumn, StandsUnderItsWeight) {
   Spec spec = test_support::elastic_box(h, depth, h);
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   spec.gravity = 9.81;
   Domain domain(spec);
   relax_under_gravity(domain, {}, [](long, double) {});

@@ -218,7 +218,7 @@ struct Flown {
 
 TEST(State, OfParticlesThatWereCutAndJoinedGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = test_support::elastic_box(6.0, 4.0, 1.0);
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   spec.refine = {{{3.0, -4.0, 6.0, 0.0}, 1}};
   spec.regions = {{0, {{0.5, -3.0}, {2.0, -3.0}, {2.0, -2.0}, {0.5, -2.0}}}};
   spec.join_particles = true;

@@ -124,7 +124,7 @@ TEST(Subcycling, IsNearTheSingleStepForAWaveThroughAllLevels) {
 /// Under stress from the start, whose forces act at every tick, and with steps that change.
 TEST(Subcycling, KeepsMomentumUnderInitialStress) {
   Spec spec = test_support::elastic_box(4.0, 16.0, 1.0);
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   spec.refine = {{{0.0, -6.0, 4.0, 0.0}, 1}, {{0.0, -3.0, 4.0, 0.0}, 2}};
   spec.scheme.subcycle = true;
   spec.threads = 1;

@@ -1,4 +1,4 @@
-#include "mpm_domain/grid/clock_map.hpp"
+#include "mpm_domain/step/clock_map.hpp"
 
 #include <algorithm>
 #include <cmath>
