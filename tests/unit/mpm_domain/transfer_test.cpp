@@ -220,8 +220,8 @@ TEST_P(TransferWith, ApicGatherKeepsMomentumAndAngularMomentum) {
   scatter(domain, ScatterPart::motion);
   grid_velocities(domain);
   const Totals before = grid_totals(domain);
-  // Particles move between the transfers, across the faces of cells too.
-  gather(domain, 0.05, {.velocity = true, .position = true});
+  // Particles move between the transfers, across the faces of cells too, and boxes follow their strain.
+  gather(domain, 0.05, {.velocity = true, .position = true, .strain = true});
   scatter(domain, ScatterPart::motion);
   const Totals after = grid_totals(domain);
   EXPECT_NEAR(after.momentum.x, before.momentum.x, 1e-11 * before.mass);
