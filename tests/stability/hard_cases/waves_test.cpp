@@ -12,11 +12,11 @@ namespace {
 using namespace test_support;
 using namespace mpm_domain;
 
-/// The grid's velocities, as the particles bring them, read back at the particles' places, m/s.
+/// Gives each particle the velocity that the grid has at its place once all particles have been mapped to it.
 void take_velocity_of_grid(Domain& domain) {
   scatter(domain, ScatterPart::motion);
   grid_velocities(domain);
-  // FLIP adds what has changed on the grid to what a particle has: here all from nothing.
+  // FLIP adds the change of the grid's velocity to that of a particle; here both start from zero.
   Particles& p = domain.sets.front();
   for (std::vector<double>* v : {&p.vx, &p.vy})
     std::ranges::fill(*v, 0.0);

@@ -1,11 +1,10 @@
-"""A dry elastic step pays for nothing that the scene does not ask for: callgrind counts its instructions a particle against
-those of the plain loop of tests/cost/mpm_domain, which knows nothing but dry elastic soil.
+"""A dry elastic step pays for nothing that the scene does not ask for: callgrind counts its instructions a particle
+against those of the plain loop of tests/cost/mpm_domain, which knows nothing but dry elastic soil.
 
     test_instructions.py STEPS
 
-At commit 40863b7, with GCC 12, -O3 and -march=x86-64-v3, the domain took 324.0 instructions and the plain loop 674.0, a ratio
-of 0.4807. A build of the domain with every other effect compiled out took 323.9 then, so that count is the cost of the effect
-asked for.
+The bound is the ratio at commit 40863b7 with GCC 12, -O3 and -march=x86-64-v3: the domain took 324.0 instructions and
+the plain loop 674.0. A build of that domain with every other effect compiled out took 323.9.
 """
 
 import re
