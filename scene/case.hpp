@@ -138,19 +138,16 @@ struct Mesh {
   int particles_per_cell = 2; ///< per direction
   int layer_cells = 10;       ///< depth of matched layers behind the box, in cells
   std::vector<Refinement> refine;
-  bool join_particles = false; ///< that have left finer cells
   ParticleBoxes particle_boxes = ParticleBoxes::fixed;
 };
 
-enum class Transfer { apic, flip, fmpm, pic_blend };
-enum class StepOrder { usl, usf, musl };
+enum class Transfer { apic, flip };
+enum class StepOrder { usl, musl };
 
 struct TimeStepping {
   double fraction = 0.5;    ///< of the critical step, in (0, 1]
   std::optional<double> dt; ///< a fixed step instead, s
   Transfer transfer = Transfer::apic;
-  double blend_time = 0.0; ///< tau of pic_blend, s
-  int fmpm_order = 0;      ///< k of fmpm
   StepOrder order = StepOrder::musl;
   bool subcycle = false; ///< each level of the mesh takes a step of its own
 };
@@ -349,7 +346,7 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
 /// @throws CaseErrors with every error of these tables
 Case load_free_field(const std::filesystem::path& file, SourceModel model);
 
-/// The name that a case file uses for a value, e.g. "pic_blend".
+/// The name that a case file uses for a value, e.g. "kelvin_voigt".
 std::string_view name(Wave);
 std::string_view name(DampingModel);
 std::string_view name(Integrator);

@@ -63,7 +63,7 @@ TEST(GradedDomain, TakesTheLawOfTheCellsLevel) {
 
 /// Refined everywhere, the mesh is the uniform one of half the size.
 TEST(GradedDomain, RefinedEverywhereIsTheFinerUniformMesh) {
-  for (const Transfer transfer : {Transfer::apic, Transfer::flip, Transfer::fmpm}) {
+  for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
     Spec fine = test_support::elastic_box(10.0, 6.0, 0.5);
     Spec refined = test_support::elastic_box(10.0, 6.0, 1.0);
     refined.refine = {{refined.box, 1}};
@@ -245,7 +245,7 @@ TEST(GradedDomain, ApicHandsLinearVelocitiesToNodesOfAllLevels) {
 }
 
 TEST(GradedDomain, TranslationThroughAllLevelsStaysRigid) {
-  for (const Transfer transfer : {Transfer::apic, Transfer::flip, Transfer::fmpm}) {
+  for (const Transfer transfer : {Transfer::apic, Transfer::flip}) {
     Spec spec = graded_box();
     spec.scheme.transfer = transfer;
     spec.regions = {{0, {{1.0, -4.0}, {3.0, -4.0}, {3.0, -2.0}, {1.0, -2.0}}}};
