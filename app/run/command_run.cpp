@@ -126,7 +126,7 @@ void run(const RunArguments& arguments) {
 
 } // namespace
 
-void add_run(CLI::App& app) {
+void add_run(Command& app) {
   auto* command = app.add_subcommand("run", "Run a case: start its processes, watch them, and sum up");
   const auto arguments = std::make_shared<RunArguments>();
   command->add_option("CASE", arguments->case_file, "Case file")->required();
@@ -135,14 +135,13 @@ void add_run(CLI::App& app) {
   command
       ->add_option("--mode", arguments->mode,
                    "Exchange: window or lockstep; the same bits (default: the case's)")
-      ->check(CLI::IsMember({"window", "lockstep"}));
+      ->one_of({"window", "lockstep"});
   add_local_options(*command, arguments->local);
   command
       ->add_flag("--in-process", arguments->in_process,
                  "All participants are threads of this process: the same bits; for a debugger or a profiler")
       ->excludes("--transport");
-  command->add_option("--motion", arguments->motion, "Record to use instead of the case's")
-      ->check(CLI::ExistingFile);
+  command->add_option("--motion", arguments->motion, "Record to use instead of the case's")->existing_file();
   command->add_option("--angle", arguments->angle_deg, "Angle of incidence instead of the case's, degrees");
   command->add_option("--replay", arguments->replays,
                       "RUN:left, RUN:right or RUN:base: this side is served from the recorded exchange of an "
