@@ -81,7 +81,7 @@ public:
   void set_boundary(const BoundaryFaces& faces);
 
   /// Adds one time of the boundary exchange; it reaches the file at the next flush.
-  void append_boundary(double time, const BoundaryExchange& exchange);
+  void append_boundary(double time, const BoundarySample& exchange);
 
   /// Writes the particles at `time` (s) as /frames/NNNN, flushes the file and then renews the XDMF. The
   /// number of particles may differ from frame to frame. `fields` must hold "position" with 2 components.
@@ -122,9 +122,6 @@ struct NamedTable {
   std::string path; ///< e.g. "/histories/toe"
   Table table;
 };
-
-/// Whether several threads may use files at the same time: how the HDF5 library was built.
-bool is_thread_safe();
 
 /// Creates an HDF5 file of tables, e.g. verify.h5.
 /// @throws std::runtime_error where the file cannot be written

@@ -188,7 +188,7 @@ public:
     write_attribute({boundary_->traction.id(), path_}, "unit", std::string("Pa"));
   }
 
-  void append_boundary(double time, const BoundaryExchange& exchange) {
+  void append_boundary(double time, const BoundarySample& exchange) {
     if (!boundary_) {
       throw std::invalid_argument("the boundary faces must be declared before their exchange is written");
     }
@@ -312,7 +312,7 @@ void RunWriter::set_boundary(const BoundaryFaces& faces) {
   implementation_->guarded([&] { implementation_->set_boundary(faces); });
 }
 
-void RunWriter::append_boundary(double time, const BoundaryExchange& exchange) {
+void RunWriter::append_boundary(double time, const BoundarySample& exchange) {
   implementation_->append_boundary(time, exchange);
 }
 

@@ -87,7 +87,7 @@ fs::path written_built_in_case(const fs::path& folder) {
   return file;
 }
 
-coupler::BoundaryFace face(const std::string& source, scene::BaseForm field, double x, double y) {
+coupler::ExchangedFace face(const std::string& source, scene::BaseForm field, double x, double y) {
   return {.position = {x, y}, .source = source, .field = std::string(scene::name(field))};
 }
 
@@ -102,10 +102,10 @@ std::vector<double> middles(double from, double to, double spacing) {
 }
 
 /// Faces half way between the points of the boundary, as those of particles are.
-std::vector<coupler::BoundaryFace> faces(const scene::Case& scene, const scene::SourceProcess& source) {
+std::vector<coupler::ExchangedFace> faces(const scene::Case& scene, const scene::SourceProcess& source) {
   const scene::Box& box = scene.mesh.box;
   const double spacing = scene.mesh.size / scene.mesh.particles_per_cell;
-  std::vector<coupler::BoundaryFace> list;
+  std::vector<coupler::ExchangedFace> list;
   for (const scene::Served& served : source.serves) {
     if (served.side == scene::Side::base) {
       for (const double x : middles(box.x_min, box.x_max, spacing))

@@ -2,7 +2,6 @@
 
 #include "app/commands.hpp"
 #include "app/run/hosts.hpp"
-#include "app/run/in_process.hpp"
 #include "app/run/participant_program.hpp"
 #include "app/run/run_display.hpp"
 #include "app/run/run_lock.hpp"
@@ -63,11 +62,6 @@ std::string description(const coupler::ProcessSpec& process) {
                                                            : "by " + process.elsewhere->started_by);
 }
 
-/// Nothing where each participant has a process of its own.
-coupler::ParticipantMain main_for(const CaseRun& run, const std::string& program) {
-  return run.transport == "inproc" ? main_of(program) : coupler::ParticipantMain{};
-}
-
 coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run) {
   coupler::LaunchOptions options;
   options.case_file = scene.file;
@@ -87,13 +81,11 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& r
     options.processes.push_back({.name = source.name,
                                  .role = coupler::Role::source,
                                  .program = located(scene::program(source.field)),
-                                 .arguments = own_arguments(source.field),
-                                 .main = main_for(run, scene::program(source.field))});
+                                 .arguments = own_arguments(source.field)});
   options.processes.push_back({.name = "domain",
                                .role = coupler::Role::domain,
                                .program = located("tremolo-domain"),
-                               .threads = run.threads,
-                               .main = main_for(run, "tremolo-domain")});
+                               .threads = run.threads});
   place_elsewhere(scene, run, options);
   return options;
 }
@@ -230,8 +222,6 @@ coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<s
 }
 
 std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& run) {
-  if (run.transport == "inproc")
-    share_process();
   fs::create_directories(run.folder);
   const RunLock lock(run.folder);
   scene.file = run.folder / "case.toml";

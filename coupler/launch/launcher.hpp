@@ -22,12 +22,12 @@ namespace tremolo::coupler {
 /// How a process comes to be on another machine.
 struct Elsewhere {
   std::string started_by; ///< "ssh to node2", "srun"; empty: the user, whom the run tells the command
-  /// The words of the command that starts it, for the hub's address and the run's session.
-  std::function<std::vector<std::string>(const std::string& endpoint, const std::string& session)> command;
+  /// The words of the command that starts it, for the hub's address and the run's number.
+  std::function<std::vector<std::string>(const std::string& endpoint, const std::string& run)> command;
 };
 
-/// A process to start, or a thread where all are in one process. It gets its own arguments, then the command
-/// line of ParticipantOptions; one that is elsewhere learns all that from the hub (invitation.hpp).
+/// A process to start. It gets its own arguments, then the command line of ParticipantOptions; one that is
+/// elsewhere learns all that from the hub (invitation.hpp).
 struct ProcessSpec {
   std::string name;
   Role role = Role::source;
@@ -35,7 +35,6 @@ struct ProcessSpec {
   int threads = 1;
   std::vector<std::string> arguments{};
   std::optional<Elsewhere> elsewhere{};
-  ParticipantMain main{}; ///< the program's, for Transport::inproc
 };
 
 struct LaunchOptions {
@@ -75,7 +74,7 @@ private:
 };
 
 /// Runs all processes to their end. On Ctrl-C or SIGTERM all are told to close their files; a second Ctrl-C
-/// kills them. A thread (Transport::inproc) that does not react is still there afterwards (child_thread.hpp).
+/// kills them.
 /// @throws RunFailed when no process is left; Error if the run cannot be set up
 std::vector<ProcessSummary> launch(const LaunchOptions& options);
 

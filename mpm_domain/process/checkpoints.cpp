@@ -95,8 +95,8 @@ void Checkpoints::after_step(coupler::DomainClient& client, Domain& domain, Step
       stepper.visit_state(saver);
     });
   } catch (const std::runtime_error& error) {
-    fmt::print(log_, "warning: no checkpoint at step {}: {}\n", stepper.steps(), error.what());
-    std::fflush(log_);
+    fmt::print("warning: no checkpoint at step {}: {}\n", stepper.steps(), error.what());
+    std::fflush(stdout);
   }
   last_ = coupler::Clock::now();
 }

@@ -15,9 +15,8 @@ namespace tremolo::mpm_domain {
 class Checkpoints {
 public:
   /// @param faces see faces_at_rest()
-  /// @param log where warnings go
-  Checkpoints(const scene::Checkpoints& wanted, std::vector<double> faces, std::FILE* log)
-      : wanted_(wanted), faces_(std::move(faces)), log_(log), last_(coupler::Clock::now()) {}
+  Checkpoints(const scene::Checkpoints& wanted, std::vector<double> faces)
+      : wanted_(wanted), faces_(std::move(faces)), last_(coupler::Clock::now()) {}
 
   /// Called after every step; saves what is due. A disk that does not take it is a warning: the run goes on,
   /// and so does the last checkpoint.
@@ -28,7 +27,6 @@ private:
 
   const scene::Checkpoints& wanted_;
   std::vector<double> faces_;
-  std::FILE* log_;
   coupler::Clock::time_point last_;
 };
 

@@ -3,8 +3,7 @@
 // brings it to rest under gravity, replaces the supports by tractions, and shakes it through its boundary
 // faces with what the coupler brings.
 
-#include "mpm_domain/process/domain_process.hpp"
-
+#include "coupler/participant.hpp"
 #include "mpm_domain/boundary/matched_layer.hpp"
 #include "mpm_domain/boundary/periodic_springs.hpp"
 #include "mpm_domain/boundary/static_traction.hpp"
@@ -20,7 +19,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 
@@ -30,7 +28,7 @@ namespace {
 
 /// Brings the domain to rest and returns the wall time it took, s.
 double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stage,
-                     coupler::DomainClient& client, std::FILE* log) {
+                     coupler::DomainClient& client) {
   coupler::Stopwatch watch;
   watch.start();
   const mpm_domain::GravitySettings settings{stage.residual, stage.max_time};
@@ -39,8 +37,7 @@ double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stag
   };
   const mpm_domain::Reactions reactions = mpm_domain::relax_under_gravity(domain, settings, progress);
   if (reactions.unheld > 0)
-    fmt::print(log,
-               "warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
+    fmt::print("warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
                "it: the soil "
                "there is not at rest; a gentler slope or stronger soil would be\n",
                reactions.unheld, domain.particle_count());
@@ -52,8 +49,7 @@ double gravity_stage(mpm_domain::Domain& domain, const scene::GravityStage& stag
 void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Plan& plan,
            const coupler::ParticipantOptions& options, coupler::DomainClient& client, double gravity_seconds,
            const results::CheckpointReader* saved) {
-  mpm_domain::Checkpoints checkpoints(scene.checkpoints, mpm_domain::faces_at_rest(domain),
-                                      options.surroundings.log);
+  mpm_domain::Checkpoints checkpoints(scene.checkpoints, mpm_domain::faces_at_rest(domain));
   mpm_domain::attach_matched_layers(domain);
   std::optional<mpm_domain::PeriodicSprings> springs;
   if (scene.boundary.sides == scene::Sides::periodic_springs)
@@ -115,8 +111,7 @@ void run(const coupler::ParticipantOptions& options) {
     if (saved)
       mpm_domain::load_faces(*saved, domain);
     const double gravity_seconds =
-        scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client, options.surroundings.log)
-                                : 0.0;
+        scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client) : 0.0;
     shake(domain, scene, plan, options, client, gravity_seconds, saved.get());
   } catch (const std::exception& error) {
     client.abandon(error.what());
@@ -125,10 +120,10 @@ void run(const coupler::ParticipantOptions& options) {
 }
 
 } // namespace
-
-int domain_process(const coupler::CommandLine& command, const coupler::Surroundings& surroundings) {
-  return coupler::participant_main("tremolo-domain", "The Material Point Method domain of a tremolo run.",
-                                   command, surroundings, run);
-}
-
 } // namespace tremolo::mpm_domain
+
+int main(int argc, char** argv) {
+  return tremolo::coupler::participant_main("tremolo-domain",
+                                            "The Material Point Method domain of a tremolo run.", argc, argv,
+                                            tremolo::mpm_domain::run);
+}

@@ -2,8 +2,7 @@
 // computed at once for the whole run on a vertical line; along x it is the same, delayed by the horizontal
 // slowness.
 
-#include "wavefield/process/wave_process.hpp"
-
+#include "coupler/participant.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/motion.hpp"
 #include "scene/plan/service.hpp"
@@ -70,13 +69,11 @@ std::vector<wavefield::History> histories(const wavefield::LayeredField& field,
 }
 
 /// Says in the log what an equivalent-linear iteration did.
-wavefield::LayeredField field_of(const scene::Case& scene, const scene::SourceProcess& source,
-                                 std::FILE* log) {
+wavefield::LayeredField field_of(const scene::Case& scene, const scene::SourceProcess& source) {
   if (source.field.model != scene::SourceModel::eql)
     return wavefield::field_from_case(scene, source);
   const auto result = wavefield::equivalent_linear_from_case(scene, source);
-  fmt::print(log, "{}equivalent linear: {}\n",
-             result.converged ? "" : "warning: ", wavefield::summary(result));
+  fmt::print("{}equivalent linear: {}\n", result.converged ? "" : "warning: ", wavefield::summary(result));
   return wavefield::field_from_case(scene, source, result);
 }
 
@@ -84,7 +81,7 @@ void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
-  const wavefield::LayeredField field = field_of(scene, source, options.surroundings.log);
+  const wavefield::LayeredField field = field_of(scene, source);
   const double dt = 1.0 / (samples_per_period * scene::motion(scene.motion).highest_frequency());
   const std::vector<coupler::FieldDescription> fields =
       descriptions(scene::service(scene, source, field.slowness_x()), field.slowness_x(), dt);
@@ -113,10 +110,10 @@ void run(const coupler::ParticipantOptions& options) {
 }
 
 } // namespace
-
-int wave_process(const coupler::CommandLine& command, const coupler::Surroundings& surroundings) {
-  return coupler::participant_main("tremolo-wave", "The exact free field of an oblique wave, as a source.",
-                                   command, surroundings, run);
-}
-
 } // namespace tremolo::wavefield
+
+int main(int argc, char** argv) {
+  return tremolo::coupler::participant_main("tremolo-wave",
+                                            "The exact free field of an oblique wave, as a source.", argc,
+                                            argv, tremolo::wavefield::run);
+}

@@ -21,11 +21,11 @@ TEST(Messages, RoundTrip) {
 }
 
 TEST(Messages, FacesKeepEveryBit) {
-  const std::vector<BoundaryFace> faces{{{1.0 / 3.0, -0.1},
-                                         {{std::sqrt(0.5), -std::sqrt(0.5)}, 1e6 / 3.0, 0.7e6},
-                                         {-1e5 / 7.0, 3.3},
-                                         "left",
-                                         "total"}};
+  const std::vector<ExchangedFace> faces{{{1.0 / 3.0, -0.1},
+                                          {{std::sqrt(0.5), -std::sqrt(0.5)}, 1e6 / 3.0, 0.7e6},
+                                          {-1e5 / 7.0, 3.3},
+                                          "left",
+                                          "total"}};
   const auto again = faces_from(nlohmann::json::parse(to_json(faces).dump()));
   ASSERT_EQ(again.size(), 1U);
   EXPECT_EQ(again[0].position.x, faces[0].position.x);
