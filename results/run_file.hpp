@@ -90,6 +90,10 @@ public:
   /// Makes everything written so far durable against the end of this process.
   void flush();
 
+  /// The same where the rows that wait for it hold more than a mebibyte: to be called after the rows of a
+  /// time, so that memory does not grow with the time between two frames.
+  void flush_if_large();
+
   /// The same against the end of the machine: waits for the disk.
   void sync();
 

@@ -4,6 +4,8 @@
 #include "app/commands.hpp"
 #include "app/temporary_folder.hpp"
 #include "coupler/conformance/conformance.hpp"
+#include "coupler/wire/printable.hpp"
+#include "results/text_file.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/service.hpp"
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -79,11 +80,7 @@ struct Arguments {
 
 fs::path written_built_in_case(const fs::path& folder) {
   fs::path file = folder / "case.toml";
-  std::ofstream out(file);
-  out << built_in_case;
-  out.close();
-  if (!out)
-    throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
+  results::write_text_file(file, built_in_case);
   return file;
 }
 
@@ -153,7 +150,8 @@ void conform(const Arguments& arguments) {
              built_in ? "the built-in case" : case_file.string());
   const auto checks = coupler::conform(options, demand(scene, source));
   for (const coupler::Check& check : checks)
-    fmt::print("  {:<4}  {:<22}  {}\n", coupler::name(check.verdict), check.name, check.finding);
+    fmt::print("  {:<4}  {:<22}  {}\n", coupler::name(check.verdict), check.name,
+               coupler::printable(check.finding));
   const auto count = [&](coupler::Verdict verdict) {
     return std::ranges::count(checks, verdict, &coupler::Check::verdict);
   };

@@ -1,5 +1,6 @@
 #include "coupler/client/participant_options.hpp"
 
+#include "coupler/wire/error.hpp"
 #include "coupler/wire/messages.hpp"
 
 #include <CLI/CLI.hpp>
@@ -82,7 +83,7 @@ int participant_main(const std::string& program, const std::string& description,
     return 0;
   } catch (const std::exception& error) {
     // fmt::print would throw where the log's disk is full.
-    std::fprintf(stderr, "%s: %s\n", program.c_str(), error.what());
+    std::fprintf(stderr, "%s: %s\n", program.c_str(), message_of(error).c_str());
     return 1;
   }
 }

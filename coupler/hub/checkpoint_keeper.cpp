@@ -1,11 +1,12 @@
 #include "coupler/hub/checkpoint_keeper.hpp"
 
-#include "coupler/wire/error.hpp"
+#include "coupler/hub/progress.hpp"
 #include "coupler/wire/messages.hpp"
 #include "results/checkpoint_file.hpp"
 
 #include <bit>
 #include <cstring>
+#include <exception>
 #include <fmt/format.h>
 #include <span>
 
@@ -21,13 +22,21 @@ std::vector<double> values_of_step(const Frame& frame, std::uint64_t step) {
   return values;
 }
 
-void require_same_bits(const std::string& field, std::uint64_t step, const std::vector<double>& now,
-                       const std::vector<double>& before) {
+[[noreturn]] void refuse(const Participant& source, const std::string& why) {
+  throw Fault({source.expected.name, fmt::format("source '{}': {}", source.expected.name, why), true});
+}
+
+void require_same_bits(const Participant& source, const std::string& field, std::uint64_t step,
+                       const std::vector<double>& now, const std::vector<double>& before) {
+  if (now.size() != before.size())
+    refuse(source, fmt::format("field '{}' has {} values a step now, it had {} before the checkpoint", field,
+                               now.size(), before.size()));
   for (std::size_t i = 0; i < now.size(); ++i)
-    if (std::bit_cast<std::uint64_t>(now[i]) != std::bit_cast<std::uint64_t>(before.at(i)))
-      throw Error(fmt::format("field '{}', step {}: value {} is {} now, it was {} before the checkpoint; a "
-                              "source must compute the same bits again",
-                              field, step, i, now[i], before[i]));
+    if (std::bit_cast<std::uint64_t>(now[i]) != std::bit_cast<std::uint64_t>(before[i]))
+      refuse(source,
+             fmt::format("field '{}', step {}: value {} is {} now, it was {} before the checkpoint; a "
+                         "source must compute the same bits again",
+                         field, step, i, now[i], before[i]));
 }
 
 } // namespace
@@ -41,11 +50,15 @@ void CheckpointKeeper::restore(const Participant& source) {
   if (!options_.resume)
     return;
   const auto& name = source.expected.name;
-  const results::CheckpointReader file(options_.resume->folder / (name + ".h5"),
-                                       {name, text_crc(options_.case_text), options_.resume->step});
-  for (std::size_t f = 0; f < states.size(); ++f)
-    states[f].at_checkpoint = {file.integers(source.fields[f].name + ".steps").at(0),
-                               file.numbers(source.fields[f].name + ".last")};
+  try {
+    const results::CheckpointReader file(options_.resume->folder / (name + ".h5"),
+                                         {name, text_crc(options_.case_text), options_.resume->step});
+    for (std::size_t f = 0; f < states.size(); ++f)
+      states[f].at_checkpoint = {file.integers(source.fields[f].name + ".steps").at(0),
+                                 file.numbers(source.fields[f].name + ".last")};
+  } catch (const std::exception& error) {
+    refuse(source, error.what());
+  }
 }
 
 void CheckpointKeeper::remember(const Participant& source, std::uint32_t field, const Frame& frame) {
@@ -53,8 +66,8 @@ void CheckpointKeeper::remember(const Participant& source, std::uint32_t field, 
   now.steps = frame.header.step + frame.header.steps;
   now.last = values_of_step(frame, now.steps - 1);
   if (before.steps > frame.header.step && before.steps <= now.steps)
-    require_same_bits(source.fields[field].name, before.steps - 1, values_of_step(frame, before.steps - 1),
-                      before.last);
+    require_same_bits(source, source.fields[field].name, before.steps - 1,
+                      values_of_step(frame, before.steps - 1), before.last);
 }
 
 void CheckpointKeeper::complete(std::uint64_t step, double time) const {

@@ -21,11 +21,11 @@ public:
   CheckpointKeeper(const HubOptions& options, const Roster& roster);
 
   /// A source has come: reads what it had sent at the checkpoint that the run is resumed from, if it is.
-  /// @throws std::runtime_error for a file that is damaged or of another run
+  /// @throws Fault for a file that is damaged or of another run
   void restore(const Participant& source);
 
   /// @param frame of the source, which follows the last one
-  /// @throws Error where a source does not compute the bits again that it sent before the checkpoint
+  /// @throws Fault where a source does not compute the bits again that it sent before the checkpoint
   void remember(const Participant& source, std::uint32_t field, const Frame& frame);
 
   /// Completes the set of a step.

@@ -138,7 +138,7 @@ void Hub::take_checkpoint(const json& body) {
   try {
     keeper_.complete(step, time);
   } catch (const std::exception& error) {
-    notes_.tell(fmt::format("warning: no checkpoint at step {}: {}", step, error.what()));
+    notes_.tell(fmt::format("warning: no checkpoint at step {}: {}", step, message_of(error)));
   }
   post_.send(roster_.domain().routing_id, {"CHECKPOINT", {{"step", step}}});
 }
@@ -198,7 +198,7 @@ void Hub::refuse(const std::string& routing_id, const std::string& reason) {
 
 void Hub::fail(const std::optional<Failure>& failure) {
   if (failure && !failure_)
-    failure_ = Failure{failure->participant, printable(failure->text)};
+    failure_ = Failure{failure->participant, printable(failure->text), failure->refuses_checkpoint};
 }
 
 } // namespace tremolo::coupler

@@ -17,6 +17,7 @@ namespace tremolo::coupler {
 struct Failure {
   std::string participant; ///< the one it is about; empty if none
   std::string text;
+  bool refuses_checkpoint = false; ///< the one that the run was to go on from
 };
 
 /// A message that ends the run, with the whole of its reason.

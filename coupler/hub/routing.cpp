@@ -76,7 +76,7 @@ void Routing::begin_observation(const FaceExchange& exchange, double start_time,
   try {
     options_.observer->begin(start);
   } catch (const std::exception& error) {
-    throw Fault({"", error.what()});
+    throw Fault({"", error.what(), options_.resume.has_value()});
   }
 }
 

@@ -17,7 +17,7 @@ DataFile described(const std::filesystem::path& path) {
   constexpr std::size_t piece = std::size_t{1} << 20;
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    throw Error(fmt::format("cannot read {}, which the case names", path.string()));
+    throw Error(fmt::format("cannot read {}", path.string()));
   DataFile file{path, 0, {}};
   std::uint32_t crc = 0;
   for (std::vector<char> bytes(piece); in;) {

@@ -172,7 +172,7 @@ private:
                                     [&](const auto& child) { return child->name() == failure.participant; });
     if (found == children_.end()) {
       stop_all(failure.text);
-      throw RunFailed(failure.text, 1);
+      throw RunFailed(failure.text, 1, failure.refuses_checkpoint);
     }
     const auto& culprit = *found;
     const bool died = failure.text.empty();
@@ -186,12 +186,12 @@ private:
     // What it has told the hub stands in its log too.
     std::erase_if(lines, [&](const auto& line) { return !died && line.ends_with(failure.text); });
     if (!died && lines.empty())
-      throw RunFailed(text, 1);
+      throw RunFailed(text, 1, failure.refuses_checkpoint);
     text += lines.empty() ? fmt::format("; '{}' wrote nothing", culprit->name())
                           : fmt::format("; the last lines of '{}':", culprit->name());
     for (const auto& line : lines)
       text += "\n    " + line;
-    throw RunFailed(text, 1);
+    throw RunFailed(text, 1, failure.refuses_checkpoint);
   }
 
   [[noreturn]] void stop_interrupted(int signal) {

@@ -65,12 +65,16 @@ struct ProcessSummary {
 /// The run did not end well; the text names the culprit, how it ended and its last lines.
 class RunFailed : public Error {
 public:
-  RunFailed(const std::string& text, int exit_status) : Error(text), exit_status_(exit_status) {}
+  RunFailed(const std::string& text, int exit_status, bool refuses_checkpoint = false)
+      : Error(text), exit_status_(exit_status), refuses_checkpoint_(refuses_checkpoint) {}
   /// For the shell: 1, or 128 + signal if the user interrupted the run.
   [[nodiscard]] int exit_status() const { return exit_status_; }
+  /// Whether it failed over the checkpoint that it was to go on from.
+  [[nodiscard]] bool refuses_checkpoint() const { return refuses_checkpoint_; }
 
 private:
   int exit_status_;
+  bool refuses_checkpoint_;
 };
 
 /// Runs all processes to their end. On Ctrl-C or SIGTERM all are told to close their files; a second Ctrl-C

@@ -180,6 +180,7 @@ void RunOutput::write_history(const Stepper& stepper, std::span<const eq6::FreeF
                                                   y - set.y_initial[k], set.vx[k], set.vy[k], a.x, a.y});
   }
   write_boundary(stepper, free_field);
+  writer_.flush_if_large();
 }
 
 void RunOutput::write_frame(const Stepper& stepper) {
