@@ -30,6 +30,21 @@ std::map<std::string, std::string> versions() {
   return {{"schema_version", std::string(results::checkpoint_schema_version)}, {"build", TREMOLO_VERSION}};
 }
 
+std::string dumped(const json& manifest) {
+  return manifest.dump(1, ' ', false, json::error_handler_t::replace); // a case may hold any bytes
+}
+
+/// The manifest's own checksum is that of all its other keys.
+void check_manifest(const fs::path& folder, json manifest) {
+  const auto listed = text_at(manifest, "crc");
+  manifest.erase("crc");
+  if (const auto found = text_crc(dumped(manifest)); found != listed)
+    throw Error(fmt::format("it is damaged: its CRC-32 is {}, it was {}", found, listed));
+  const auto step = whole_at(manifest, "step");
+  if (step != std::stoull(folder.filename().string()))
+    throw Error(fmt::format("it is the manifest of step {}", step));
+}
+
 /// Every file of a set but the manifest, by its name.
 json listed_files(const fs::path& folder) {
   json files = json::object();
@@ -63,8 +78,9 @@ void write_manifest(const CheckpointSet& set) {
                 {"case", set.run.case_text},
                 {"files", listed_files(set.folder)}};
   manifest.update(json(versions()));
+  manifest["crc"] = text_crc(dumped(manifest));
   const fs::path file = set.folder / manifest_name;
-  results::write_text_file(file, manifest.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+  results::write_text_file(file, dumped(manifest));
   results::sync_to_disk(file);
 }
 
@@ -130,6 +146,7 @@ CheckpointSet read_manifest(const fs::path& folder) {
   try {
     const json manifest = parsed_json(file_text(file));
     require_same_versions(folder, manifest);
+    check_manifest(folder, manifest);
     CheckpointSet set{folder, whole_at(manifest, "step"), number_at(manifest, "time"), {}};
     set.run.case_text = text_at(manifest, "case");
     const json& inputs = value_at(manifest, "inputs");
