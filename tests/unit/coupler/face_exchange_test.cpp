@@ -1,4 +1,4 @@
-#include "coupler/hub/boundary_exchange.hpp"
+#include "coupler/mapping/face_exchange.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,10 +11,15 @@ using testing::HasSubstr;
 /// A left side at rest in a free field that moves as v = (t, 2 t) with constant stress; slope of values
 /// exact.
 FieldDescription ramp() {
-  return {.name = "total", .y = {-10.0, 0.0}, .start_time = 0.0, .time_step = 0.5, .step_count = 9};
+  return {.name = "total",
+          .y = {-10.0, 0.0},
+          .start_time = 0.0,
+          .time_step = 0.5,
+          .step_count = 9,
+          .steps_per_frame = 64};
 }
 
-BoundaryFace left_face(double y) {
+ExchangedFace left_face(double y) {
   return {.position = {0.0, y},
           .dashpot = {{-1.0, 0.0}, 6.0, 3.0},
           .static_traction = {100.0, 7.0},
@@ -29,17 +34,17 @@ std::vector<double> ramp_step(double t) {
   return values;
 }
 
-std::string refusal(const BoundaryFace& face, double start_time, double end_time) {
+std::string refusal(const ExchangedFace& face, double start_time, double end_time) {
   try {
-    BoundaryExchange({{"left", 1, {ramp()}}}, {face}, start_time, end_time, 64);
+    FaceExchange({{"left", 1, {ramp()}}}, {face}, start_time, end_time);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(BoundaryExchange, AppliesEquation6ToTheMappedFreeField) {
-  BoundaryExchange exchange({{"left", 1, {ramp()}}}, {left_face(-5.0)}, 0.0, 4.0, 64);
+TEST(FaceExchange, AppliesEquation6ToTheMappedFreeField) {
+  FaceExchange exchange({{"left", 1, {ramp()}}}, {left_face(-5.0)}, 0.0, 4.0);
   auto* inlet = exchange.find({1, 0});
   ASSERT_NE(inlet, nullptr);
   EXPECT_EQ(exchange.find({1, 1}), nullptr);
@@ -56,15 +61,15 @@ TEST(BoundaryExchange, AppliesEquation6ToTheMappedFreeField) {
   EXPECT_DOUBLE_EQ(tractions[0].y, -3.0 * 0.5 - 30.0 + 7.0);
 }
 
-TEST(BoundaryExchange, CreditsGrowOnceAndUpToTheFieldsEnd) {
-  BoundaryExchange exchange({{"left", 1, {ramp()}}}, {left_face(-5.0)}, 0.0, 4.0, 64);
+TEST(FaceExchange, CreditsGrowOnceAndUpToTheFieldsEnd) {
+  FaceExchange exchange({{"left", 1, {ramp()}}}, {left_face(-5.0)}, 0.0, 4.0);
   const auto credits = exchange.new_credits();
   ASSERT_EQ(credits.size(), 1U);
   EXPECT_EQ(credits[0].steps, 9U);
   EXPECT_TRUE(exchange.new_credits().empty());
 }
 
-TEST(BoundaryExchange, AFrameIsBoundInStepsAndInBytes) {
+TEST(FaceExchange, AFrameIsBoundInStepsAndInBytes) {
   const auto steps = [](std::size_t points, std::uint32_t window_steps) {
     auto field = ramp();
     field.y.assign(points, 0.0);
@@ -77,20 +82,21 @@ TEST(BoundaryExchange, AFrameIsBoundInStepsAndInBytes) {
   EXPECT_EQ(steps(1'000'000, 64), 1U); // never less than a step
 }
 
-TEST(BoundaryExchange, WhatASourceMaySendAheadIsFourFrames) {
+TEST(FaceExchange, WhatASourceMaySendAheadIsFourFrames) {
   auto field = ramp();
   field.y.clear();
   for (int i = 0; i < 1000; ++i)
     field.y.push_back(-10.0 + 0.01 * i);
   field.step_count = 100'000;
-  BoundaryExchange exchange({{"left", 1, {field}}}, {left_face(-5.0)}, 0.0, 4.0, 64);
+  field.steps_per_frame = steps_per_frame(field, 64);
+  FaceExchange exchange({{"left", 1, {field}}}, {left_face(-5.0)}, 0.0, 4.0);
   const auto credits = exchange.new_credits();
   ASSERT_EQ(credits.size(), 1U);
   const std::uint64_t of_the_face = 3; // an interval has two ends, and time lies between two
-  EXPECT_LE(credits[0].steps, 4 * steps_per_frame(field, 64) + of_the_face);
+  EXPECT_LE(credits[0].steps, 4 * field.steps_per_frame + of_the_face);
 }
 
-TEST(BoundaryExchange, RefusesWhatTheSourceDoesNotCover) {
+TEST(FaceExchange, RefusesWhatTheSourceDoesNotCover) {
   auto unknown = left_face(-5.0);
   unknown.field = "incident";
   EXPECT_THAT(refusal(unknown, 0.0, 4.0),

@@ -23,29 +23,21 @@ struct FieldAddress {
   friend bool operator==(const FieldAddress&, const FieldAddress&) = default;
 };
 
-inline constexpr std::uint32_t default_window_steps = 64;
-
-/// Steps that a source sends in one frame: window_steps, but not more than 1 MiB. What is larger leaves the
-/// caches before it is mapped.
-std::uint32_t steps_per_frame(const FieldDescription& field, std::uint32_t window_steps);
-
-class BoundaryExchange {
+class FaceExchange {
 public:
   /// @param start_time,end_time of the exchange, s, on the sources' clock
-  /// @param window_steps most steps in a source's frame
   /// @throws std::invalid_argument if a face names no source, or the source does not cover it in depth or
   /// time
-  BoundaryExchange(const std::vector<SourceDescription>& sources, std::vector<BoundaryFace> faces,
-                   double start_time, double end_time, std::uint32_t window_steps);
+  FaceExchange(const std::vector<SourceDescription>& sources, std::vector<ExchangedFace> faces,
+               double start_time, double end_time);
 
-  [[nodiscard]] const std::vector<BoundaryFace>& faces() const { return faces_; }
+  [[nodiscard]] const std::vector<ExchangedFace>& faces() const { return faces_; }
 
   /// A field that faces take, and how far its steps have come.
   struct Inlet {
     FieldAddress address;
     std::string source;
     FreeFieldHistory history;
-    std::uint32_t steps_per_frame = 1;
     std::uint64_t announced_credit = 0; ///< the last one told to the source
   };
   /// Only fields that a face takes are here: the others are never asked for.
@@ -96,7 +88,7 @@ private:
   void add_reader(std::size_t inlet, const FaceMap& map);
   void finish_stations();
 
-  std::vector<BoundaryFace> faces_;
+  std::vector<ExchangedFace> faces_;
   std::vector<Reader> readers_;
   std::vector<Station> stations_;
   std::vector<Inlet> inlets_;

@@ -1,8 +1,7 @@
 // A participant for tests of the coupler: role by name ("domain" or a source), misbehaviour by the case file,
 // whose lines read "NAME MISDEED STEP".
 
-#include "toy_process.hpp"
-
+#include "coupler/participant.hpp"
 #include "coupler/wire/error.hpp"
 #include "toy_field.hpp"
 
@@ -129,23 +128,25 @@ void shake(const ParticipantOptions& options, const Misdeed& misdeed) {
   client.finish({{"tractions", 0.5}}, 1e6);
 }
 
-} // namespace
-
-int toy_process(const CommandLine& command, const Surroundings& surroundings) {
-  return participant_main("toy", "toy participant", command, surroundings, [](ParticipantOptions options) {
-    std::ofstream(options.out / (options.name + ".pid")) << ::getpid();
-    const auto misdeed = misdeed_of(options);
-    if (misdeed.what == "absent")
-      sleep_for_ever();
-    if (misdeed.what == "other-case")
-      std::ofstream(options.case_file = options.out / "other.case") << "another case";
-    die_if(misdeed, "killed-before-hello");
-    const bool is_domain = options.name == "domain";
-    if (misdeed.what == "impostor")
-      options.name = "left";
-    is_domain ? shake(options, misdeed) : serve(options, misdeed);
-    die_if(misdeed, "killed-after-bye");
-  });
+void take_part(ParticipantOptions options) {
+  std::ofstream(options.out / (options.name + ".pid")) << ::getpid();
+  const auto misdeed = misdeed_of(options);
+  if (misdeed.what == "absent")
+    sleep_for_ever();
+  if (misdeed.what == "other-case")
+    std::ofstream(options.case_file = options.out / "other.case") << "another case";
+  die_if(misdeed, "killed-before-hello");
+  const bool is_domain = options.name == "domain";
+  if (misdeed.what == "impostor")
+    options.name = "left";
+  is_domain ? shake(options, misdeed) : serve(options, misdeed);
+  die_if(misdeed, "killed-after-bye");
 }
 
+} // namespace
 } // namespace tremolo::coupler
+
+int main(int argc, char** argv) {
+  return tremolo::coupler::participant_main("toy", "toy participant", argc, argv,
+                                            tremolo::coupler::take_part);
+}

@@ -1,4 +1,4 @@
-#include "coupler/hub/boundary_exchange.hpp"
+#include "coupler/mapping/face_exchange.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ struct FieldUse {
   double largest_delay = -std::numeric_limits<double>::infinity();
 };
 
-FieldUse find_field(const std::vector<SourceDescription>& sources, const BoundaryFace& face) {
+FieldUse find_field(const std::vector<SourceDescription>& sources, const ExchangedFace& face) {
   std::string served;
   for (const auto& source : sources)
     for (std::uint32_t i = 0; i < source.fields.size(); ++i) {
@@ -44,9 +44,8 @@ void check_time(const FieldUse& use, double start_time, double end_time) {
 
 } // namespace
 
-BoundaryExchange::BoundaryExchange(const std::vector<SourceDescription>& sources,
-                                   std::vector<BoundaryFace> faces, double start_time, double end_time,
-                                   std::uint32_t window_steps)
+FaceExchange::FaceExchange(const std::vector<SourceDescription>& sources, std::vector<ExchangedFace> faces,
+                           double start_time, double end_time)
     : faces_(std::move(faces)) {
   std::vector<FieldUse> uses;
   readers_.reserve(faces_.size());
@@ -70,21 +69,19 @@ BoundaryExchange::BoundaryExchange(const std::vector<SourceDescription>& sources
   for (const auto& use : uses) {
     check_time(use, start_time, end_time);
     // Four frames in flight hide the source's latency.
-    const std::uint32_t frame_steps = steps_per_frame(*use.field, window_steps);
-    const std::uint64_t look_ahead = 4ULL * frame_steps;
+    const std::uint64_t look_ahead = 4ULL * use.field->steps_per_frame;
     inlets_.push_back({use.address, use.source->name,
-                       FreeFieldHistory(*use.field, use.least_delay, use.largest_delay, look_ahead),
-                       frame_steps});
+                       FreeFieldHistory(*use.field, use.least_delay, use.largest_delay, look_ahead)});
   }
   release_before(start_time);
 }
 
-void BoundaryExchange::release_before(double time) {
+void FaceExchange::release_before(double time) {
   for (auto& inlet : inlets_)
     inlet.history.release_before(time);
 }
 
-void BoundaryExchange::add_reader(std::size_t inlet, const FaceMap& map) {
+void FaceExchange::add_reader(std::size_t inlet, const FaceMap& map) {
   auto station = std::find_if(stations_.begin(), stations_.end(),
                               [&](const Station& s) { return s.inlet == inlet && s.delay == map.delay; });
   if (station == stations_.end())
@@ -94,7 +91,7 @@ void BoundaryExchange::add_reader(std::size_t inlet, const FaceMap& map) {
   readers_.push_back({static_cast<std::size_t>(station - stations_.begin()), 0, map});
 }
 
-void BoundaryExchange::finish_stations() {
+void FaceExchange::finish_stations() {
   for (auto& [inlet, delay, which, points] : stations_) {
     std::ranges::sort(which);
     const auto doubles = std::ranges::unique(which);
@@ -107,19 +104,19 @@ void BoundaryExchange::finish_stations() {
   }
 }
 
-BoundaryExchange::Inlet* BoundaryExchange::find(FieldAddress address) {
+FaceExchange::Inlet* FaceExchange::find(FieldAddress address) {
   const auto inlet =
       std::find_if(inlets_.begin(), inlets_.end(), [&](const Inlet& i) { return i.address == address; });
   return inlet == inlets_.end() ? nullptr : &*inlet;
 }
 
-std::vector<BoundaryExchange::Credit> BoundaryExchange::new_credits() {
+std::vector<FaceExchange::Credit> FaceExchange::new_credits() {
   std::vector<Credit> credits;
   for (auto& inlet : inlets_) {
     const auto& field = inlet.history.field();
     const std::uint64_t credit = inlet.history.credit();
     const bool last = credit == field.step_count && credit > inlet.announced_credit;
-    if (!last && credit < inlet.announced_credit + inlet.steps_per_frame)
+    if (!last && credit < inlet.announced_credit + field.steps_per_frame)
       continue;
     inlet.announced_credit = credit;
     credits.push_back({inlet.address, credit});
@@ -127,15 +124,15 @@ std::vector<BoundaryExchange::Credit> BoundaryExchange::new_credits() {
   return credits;
 }
 
-std::optional<BoundaryExchange::Missing> BoundaryExchange::missing(double time) const {
+std::optional<FaceExchange::Missing> FaceExchange::missing(double time) const {
   for (const auto& inlet : inlets_)
     if (const auto step = inlet.history.missing(time))
       return Missing{inlet.source, inlet.history.field().name, *step};
   return std::nullopt;
 }
 
-void BoundaryExchange::evaluate(double time, std::span<const eq6::Vector> v_domain,
-                                std::span<eq6::FreeField> free_field, std::span<eq6::Vector> tractions) {
+void FaceExchange::evaluate(double time, std::span<const eq6::Vector> v_domain,
+                            std::span<eq6::FreeField> free_field, std::span<eq6::Vector> tractions) {
   release_before(time);
   for (auto& [inlet, delay, which, points] : stations_)
     inlets_[inlet].history.in_time(time - delay, which, points);
@@ -145,12 +142,6 @@ void BoundaryExchange::evaluate(double time, std::span<const eq6::Vector> v_doma
     tractions[i] =
         eq6::boundary_traction(faces_[i].dashpot, v_domain[i], free_field[i], faces_[i].static_traction).total();
   }
-}
-
-std::uint32_t steps_per_frame(const FieldDescription& field, std::uint32_t window_steps) {
-  constexpr std::size_t most_bytes = 1 << 20;
-  const std::size_t fitting = most_bytes / (field.values_per_step() * sizeof(double));
-  return static_cast<std::uint32_t>(std::clamp<std::size_t>(fitting, 1, window_steps));
 }
 
 } // namespace tremolo::coupler
