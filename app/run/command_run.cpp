@@ -6,7 +6,7 @@
 #include "app/run/local_options.hpp"
 #include "app/run/run_display.hpp"
 #include "results/exchange_file.hpp"
-#include "scene/case.hpp"
+#include "scene/plan/plan.hpp"
 #include "scene/read/override.hpp"
 
 #include <fmt/format.h>
@@ -105,6 +105,7 @@ void run(const RunArguments& arguments) {
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
   const auto transport = arguments.in_process ? "inproc" : arguments.local.transport;
+  fmt::print("{}", scene::remarks_text(scene));
   const auto summaries =
       run_case(scene, {folder, arguments.mode, transport, arguments.local.threads, arguments.local.keys,
                        arguments.local.local || arguments.in_process});

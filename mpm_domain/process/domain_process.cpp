@@ -75,7 +75,7 @@ void shake(mpm_domain::Domain& domain, const scene::Case& scene, const scene::Pl
   std::optional<coupler::DomainClient::FirstStep> first;
   if (saved != nullptr)
     before = results::set_aside(options.out / "run.h5");
-  mpm_domain::RunOutput output(options.out, scene, scene::to_json(plan), domain, coupled.sources());
+  mpm_domain::RunOutput output(options.out, scene, scene::to_json(scene, plan), domain, coupled.sources());
   try {
     if (saved != nullptr) {
       mpm_domain::load_state(*saved, domain, stepper);
