@@ -66,26 +66,10 @@ const Spec& checked(const Spec& spec) {
                 "particles per cell and direction", spec.particles_per_cell, "1 to 4");
   refuse_unless(spec.scheme.fraction > 0.0 && spec.scheme.fraction <= 1.0,
                 "the fraction of the critical time step", spec.scheme.fraction, "in (0, 1]");
-  refuse_unless(spec.scheme.transfer != Transfer::pic_blend || spec.scheme.blend_time > 0.0,
-                "the time constant of the PIC blend (s)", spec.scheme.blend_time, "> 0");
-  refuse_unless(spec.scheme.transfer != Transfer::fmpm ||
-                    (spec.scheme.fmpm_order >= 2 && spec.scheme.fmpm_order <= highest_fmpm_order),
-                "the order k of FMPM(k)", spec.scheme.fmpm_order, fmt::format("2 to {}", highest_fmpm_order));
-  if (spec.scheme.transfer == Transfer::fmpm && spec.scheme.order == StepOrder::usl)
-    throw std::invalid_argument(
-        "FMPM needs the order musl or usf: with usl it is not stable up to the critical time step");
-  const bool clocked = spec.scheme.transfer == Transfer::apic || spec.scheme.transfer == Transfer::flip;
-  if (spec.scheme.subcycle && (spec.refine.empty() || !clocked || spec.scheme.order != StepOrder::musl ||
-                               !spec.matched_sides.empty()))
-    throw std::invalid_argument(
-        "sub-cycling needs a refined mesh, the transfer apic or flip, the order musl, "
-        "and dashpots instead of matched layers");
-  if (spec.boxes == ParticleBoxes::deforming && spec.scheme.order == StepOrder::usf)
-    throw std::invalid_argument(
-        "boxes that follow the soil change with its strain: at the end of a step, with "
-        "the order musl or usl; with usf they would within it");
-  if (spec.join_particles && spec.refine.empty())
-    throw std::invalid_argument("particles are joined where they leave finer cells: it needs a refined mesh");
+  if (spec.scheme.subcycle && (spec.refine.empty() || spec.scheme.transfer != Transfer::apic ||
+                               spec.scheme.order != StepOrder::musl || !spec.matched_sides.empty()))
+    throw std::invalid_argument("sub-cycling needs a refined mesh, the transfer apic, the order musl, "
+                                "and dashpots instead of matched layers");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");

@@ -2,7 +2,6 @@
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
 #include "mpm_domain/boundary/matched_layer.hpp"
-#include "mpm_domain/effects.hpp"
 #include "mpm_domain/grid/across_weights.hpp"
 #include "mpm_domain/grid/graded_mesh.hpp"
 #include "mpm_domain/grid/grid.hpp"
@@ -39,9 +38,9 @@ struct Domain {
   std::vector<NodeRange> soil_rows; ///< see find_soil_rows
   WorkerPool workers;
 
-  int lattice_count() const { return all_effects && mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
+  int lattice_count() const { return mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
   const Lattice& lattice(int level) const {
-    return !all_effects || level == 0 ? grid : mesh->lattices()[static_cast<std::size_t>(level)];
+    return level == 0 ? grid : mesh->lattices()[static_cast<std::size_t>(level)];
   }
   const Lattice& finest_lattice() const { return lattice(lattice_count() - 1); }
   /// l of the box of particles that belong to the cells of a level, at the start, m
@@ -66,7 +65,7 @@ struct Domain {
   /// One of them.
   NodeRange row(std::size_t row) const;
   /// Nodes whose motion is that of others: images of a period, or the tied nodes of a graded mesh.
-  bool has_tied_nodes() const { return all_effects && (spec.periodic_sides || mesh.has_value()); }
+  bool has_tied_nodes() const { return spec.periodic_sides || mesh.has_value(); }
   /// How far particles may move from one sort to the next, m.
   double sort_distance() const;
   double fastest_wave(); ///< largest c_p of the particles in their present stress, m/s

@@ -1,6 +1,6 @@
 #pragma once
 
-// Particles leave their set and come to that of another size (splitting.hpp, joining.hpp).
+// Particles leave their set and come to that of another size (splitting.hpp).
 
 #include "mpm_domain/particles/particles.hpp"
 

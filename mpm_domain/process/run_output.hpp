@@ -16,8 +16,7 @@ namespace tremolo::mpm_domain {
 /// Writes a run's file as the case asks: monitors, energy, particle frames, boundary exchange, timings.
 ///
 /// Everything written belongs to the time of the particle velocities, Stepper::velocity_time(): displacements
-/// are taken back by v dt/2 to it; accelerations lie half a step before it, stresses half a step after (with
-/// usf, before).
+/// are taken back by v dt/2 to it; accelerations lie half a step before it, stresses half a step after.
 class RunOutput {
 public:
   /// Creates DIR/run.h5 for a domain at the start of shaking; particles that monitors follow stay whole.

@@ -86,21 +86,6 @@ double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-void refine_velocities(Domain& domain, const NodeField& lumped_x, const NodeField& lumped_y) {
-  Grid& grid = domain.grid;
-  const double empty = empty_mass(domain);
-  domain.workers.run(domain.soil_rows.size(), [&](std::size_t row) {
-    const NodeRange& nodes = domain.soil_rows[row];
-    by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
-      const Vectors v = velocities(grid, n, group, group.load(&grid.mass[n]), empty);
-      group.store(&grid.vx_new[n], group.load(&grid.vx_new[n]) + group.load(&lumped_x[n]) - v.x);
-      group.store(&grid.vy_new[n], group.load(&grid.vy_new[n]) + group.load(&lumped_y[n]) - v.y);
-    });
-  });
-  if (domain.has_tied_nodes())
-    copy_to_tied(domain, {&grid.vx_new, &grid.vy_new});
-}
-
 GridUpdate update_grid(Domain& domain, double dt) {
   const GridUpdate update = update_grid(domain, dt, domain.soil_rows);
   if (domain.has_tied_nodes())

@@ -18,10 +18,6 @@ double remap_velocities(Domain& domain);
 /// The same on some nodes alone; tied ones are left.
 double remap_velocities(Domain& domain, std::span<const NodeRange> nodes);
 
-/// v+ of full_mass_matrix.hpp: adds `lumped` - p/m to the velocities after the update, p the momenta that
-/// particles which have read these bring.
-void refine_velocities(Domain& domain, const NodeField& lumped_x, const NodeField& lumped_y);
-
 /// What the grid update adds up, J/m.
 struct GridUpdate {
   double kinetic = 0.0; ///< K(v+)

@@ -2,7 +2,6 @@
 
 #include "mpm_domain/grid/periodic_sides.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
-#include "mpm_domain/particles/joining.hpp"
 #include "mpm_domain/particles/splitting.hpp"
 #include "mpm_domain/step/grid_update.hpp"
 #include "mpm_domain/transfer/gather.hpp"
@@ -39,8 +38,6 @@ Stepper::Stepper(Domain& domain, double start_time, TractionSource source, FreeF
     subcycling_.emplace(domain);
     subcycled_boundary_.emplace(domain, *subcycling_);
   }
-  if (domain.spec.scheme.transfer == Transfer::fmpm)
-    full_mass_.emplace(domain.spec.scheme.fmpm_order);
   passes_ = subcycling_ ? assemble_subcycled() : assemble();
   choose_dt();
 }
@@ -50,27 +47,13 @@ std::vector<Pass> Stepper::assemble() {
     return [this, parts, of_first] { book(gather(domain_, dt_, parts, of_first)); };
   };
   const GatherParts all{.velocity = true, .position = true, .strain = true};
-  const GatherParts motion{.velocity = true, .position = true};
-  const GatherParts strain{.strain = true};
   std::vector<Pass> passes{{"time step", [this] { choose_step(); }}, {"sort", [this] { sort(); }}};
   const auto add = [&](std::string name, std::function<void()> run) {
     passes.push_back({std::move(name), std::move(run)});
   };
-  const auto add_motion = [&](GatherParts parts) {
-    const std::function<void()> move = gather_pass(parts, false);
-    if (full_mass_)
-      add("full mass matrix", [this] { full_mass_->solve(domain_); });
-    add("grid to particles", full_mass_ ? [this, move] { move(); full_mass_->restore(domain_); } : move);
-  };
-  const bool first = domain_.spec.scheme.order == StepOrder::usf;
-  const bool drifts = full_mass_ || domain_.spec.scheme.transfer == Transfer::apic;
-  add("particles to grid",
-      [this, first] { scatter(domain_, first ? ScatterPart::motion : ScatterPart::both); });
+  const bool drifts = domain_.spec.scheme.transfer == Transfer::apic;
+  add("particles to grid", [this] { scatter(domain_, ScatterPart::both); });
   add("grid velocities", [this] { velocities(); });
-  if (first) {
-    add("strain and stress", gather_pass(strain, true));
-    add("forces to grid", [this] { scatter(domain_, ScatterPart::force); });
-  }
   add("boundary exchange", [this] { exchange(); });
   if (!domain_.layers.empty())
     add("matched layers", [this] { react(); });
@@ -80,11 +63,8 @@ std::vector<Pass> Stepper::assemble() {
   case StepOrder::usl:
     add("grid to particles, stress", gather_pass(all, false));
     break;
-  case StepOrder::usf:
-    add_motion(motion);
-    break;
   case StepOrder::musl:
-    add_motion({.velocity = true});
+    add("grid to particles", gather_pass({.velocity = true}, false));
     add("velocities to grid again", [this] { scatter(domain_, ScatterPart::momentum); });
     add("remapped velocities", [this] { book_remap(remap_velocities(domain_)); });
     add("strain and stress", gather_pass(drifts ? GatherParts{.drift = true, .strain = true}
@@ -194,8 +174,6 @@ void Stepper::sort() {
       wrap(set, domain_.spec.box);
   make_room(domain_, time_, steps_);
   split_particles(domain_);
-  if (domain_.spec.join_particles)
-    join_particles(domain_);
   sort_particles(domain_);
   if (subcycling_)
     subcycling_->restart();

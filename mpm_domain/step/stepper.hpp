@@ -4,7 +4,6 @@
 #include "mpm_domain/boundary/subcycled_boundary.hpp"
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/state.hpp"
-#include "mpm_domain/step/full_mass_matrix.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 
 #include <functional>
@@ -31,20 +30,17 @@ struct Pass {
 };
 
 /// Advances a domain in time. The step is a list of passes put together once from the scheme (update stress
-/// last, first, or last with remapped velocity):
+/// last, or last with remapped velocity):
 ///
 ///   usl:   scatter | velocities | boundary | grid | gather all
-///   usf:   scatter | velocities | strain | scatter force | boundary | grid | gather velocity
 ///   musl:  scatter | velocities | boundary | grid | gather velocity | scatter motion | remap | gather rest
-///
-/// With FMPM the full mass matrix is solved just before particles take velocities, and they move with those.
 ///
 /// Where levels have steps of their own (subcycling.hpp) a step is that of the coarsest one, and all passes
 /// after the sort run at each of its ticks.
 ///
-/// Time levels are those of leapfrog: at time() places and stresses are known (with usf, stresses of one step
-/// before); particle velocities belong to velocity_time() = time() - dt/2. Where the step changes, from dt'
-/// to dt, the grid update takes velocities from t - dt'/2 to t + dt/2: kick() = (dt' + dt)/2.
+/// Time levels are those of leapfrog: at time() places and stresses are known; particle velocities belong to
+/// velocity_time() = time() - dt/2. Where the step changes, from dt' to dt, the grid update takes velocities
+/// from t - dt'/2 to t + dt/2: kick() = (dt' + dt)/2.
 class Stepper {
 public:
   /// @param free_field needed by a domain with matched layers
@@ -107,7 +103,6 @@ private:
   std::vector<Vector> v_face_, v_mid_, v_remapped_, traction_;
   std::vector<Vector> reaction_; ///< of matched layers, part of traction_
   ConsistentDashpots dashpots_;
-  std::optional<FullMassMatrix> full_mass_;
   std::optional<Subcycling> subcycling_;
   std::optional<SubcycledBoundary> subcycled_boundary_;
   std::vector<Pass> passes_;

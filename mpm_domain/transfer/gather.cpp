@@ -38,7 +38,6 @@ struct Blocks {
 struct Settings {
   Blocks blocks;
   double dt;
-  double flip_share; ///< 1 for FLIP, 0 for PIC, between them in a blend
 };
 
 template <typename Group>
@@ -52,13 +51,9 @@ template <typename Group>
 }
 
 template <typename Group>
-[[gnu::always_inline]] inline void take_blend(Particles& p, std::size_t k, Group group, const Samples& q,
-                                              double flip_share) {
-  const auto blend = [&](double* v, const Lanes& before, const Lanes& after) {
-    group.store(v, flip_share * (group.load(v) + after - before) + (1.0 - flip_share) * after);
-  };
-  blend(&p.vx[k], q.v.x, q.v_new.x);
-  blend(&p.vy[k], q.v.y, q.v_new.y);
+[[gnu::always_inline]] inline void take_change(Particles& p, std::size_t k, Group group, const Samples& q) {
+  group.store(&p.vx[k], group.load(&p.vx[k]) + q.v_new.x - q.v.x);
+  group.store(&p.vy[k], group.load(&p.vy[k]) + q.v_new.y - q.v.y);
 }
 
 /// sigma : de of the increments from `c` on, J/m3
@@ -119,10 +114,7 @@ void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments
   points.deyy = inc.eyy.data();
   points.dgxy = inc.gxy.data();
   points.dwxy = inc.wxy.data();
-  if constexpr (all_effects)
-    materials::update(p.law, points);
-  else
-    materials::update(std::get<materials::LinearElastic>(p.law), points);
+  materials::update(p.law, points);
   by_fours(0, count, [&](std::size_t c, auto group) {
     const std::size_t k = begin + c;
     const Lanes before = group.load(&p.volume[k]);
@@ -158,7 +150,7 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
         if constexpr (affine)
           take_affine(p, k, group, q);
         else
-          take_blend(p, k, group, q, set.flip_share);
+          take_change(p, k, group, q);
       }
       if constexpr (parts.strain) {
         const DisplacementGradient<Lanes> a{set.dt * q.vx_x, set.dt * q.vx_y, set.dt * q.vy_x,
@@ -214,11 +206,11 @@ GatherSums gather_across(Domain& domain, std::size_t s, std::size_t block, const
 template <GatherParts parts, bool strain_of_first, bool affine>
 GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
   Particles& p = domain.sets[s];
-  if (all_effects && block >= domain.block_count())
+  if (block >= domain.block_count())
     return p.has_own_boxes()
                ? gather_across<parts, strain_of_first, affine, true>(domain, s, block, settings)
                : gather_across<parts, strain_of_first, affine, false>(domain, s, block, settings);
-  return all_effects && p.has_own_boxes()
+  return p.has_own_boxes()
              ? gather_lattice<parts, strain_of_first, affine, OwnRectangles>(domain, p, block, settings)
              : gather_lattice<parts, strain_of_first, affine, OneSquare>(domain, p, block, settings);
 }
@@ -231,7 +223,7 @@ GatherSums gather_blocks(Domain& domain, const Settings& settings) {
     const std::size_t block = task < lattice_blocks ? settings.blocks.lattice.first + task
                                                     : settings.blocks.across.first + task - lattice_blocks;
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-      const GatherSums work = !all_effects || domain.sets[s].bxx.empty()
+      const GatherSums work = domain.sets[s].bxx.empty()
                                   ? gather_block<parts, strain_of_first, false>(domain, s, block, settings)
                                   : gather_block<parts, strain_of_first, true>(domain, s, block, settings);
       sums[task].elastic += work.elastic;
@@ -249,7 +241,6 @@ GatherSums gather_blocks(Domain& domain, const Settings& settings) {
 }
 
 constexpr GatherParts all_parts{.velocity = true, .position = true, .strain = true};
-constexpr GatherParts motion_parts{.velocity = true, .position = true};
 constexpr GatherParts velocity_part{.velocity = true};
 constexpr GatherParts rest_parts{.position = true, .strain = true};
 constexpr GatherParts drift_parts{.drift = true, .strain = true};
@@ -259,26 +250,11 @@ constexpr GatherParts strain_part{.strain = true};
 
 namespace {
 
-double flip_share(const Scheme& scheme, double dt) {
-  switch (scheme.transfer) {
-  case Transfer::pic_blend:
-    return std::exp(-dt / scheme.blend_time);
-  case Transfer::fmpm:
-    return 0.0;
-  case Transfer::apic:
-  case Transfer::flip:
-    break;
-  }
-  return 1.0;
-}
-
 GatherSums gather_from(Domain& domain, double dt, GatherParts parts, bool strain_of_first,
                        const Blocks& blocks) {
-  const Settings settings{blocks, dt, flip_share(domain.spec.scheme, dt)};
+  const Settings settings{blocks, dt};
   if (parts == all_parts && !strain_of_first)
     return gather_blocks<all_parts, false>(domain, settings);
-  if (parts == motion_parts)
-    return gather_blocks<motion_parts, false>(domain, settings);
   if (parts == velocity_part)
     return gather_blocks<velocity_part, false>(domain, settings);
   if (parts == rest_parts && strain_of_first)

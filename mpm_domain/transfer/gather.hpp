@@ -24,13 +24,11 @@ struct GatherSums {
 
 /// Grid to particles over a step dt (s).
 ///
-///   apic:       v_p = sum_i S v+,  C_p = sum_i S v+ (x_i - x_p)^T D_p^-1
-///   flip:       v_p += sum_i S (v+ - v-)
-///   fmpm:       v_p = sum_i S v+, which stands for v(k) meanwhile (full_mass_matrix.hpp)
-///   pic_blend:  a flip + (1 - a) pic with a = exp(-dt/tau), so that the loss does not depend on the step
+///   apic:  v_p = sum_i S v+,  C_p = sum_i S v+ (x_i - x_p)^T D_p^-1
+///   flip:  v_p += sum_i S (v+ - v-)
 ///
 /// With A = dt sum_i u_i grad S and u = v+, or, if `strain_of_first`, the grid's velocity v before the
-/// update: v- (usf) or the remapped one (musl), the strain increment de is the symmetric part of A - A^2/2,
+/// update, remapped by then (musl), the strain increment de is the symmetric part of A - A^2/2,
 /// the rotation its skew part. Volumes grow by det(I + A), to second order in A; boxes that follow the soil
 /// by I + A (particle_boxes.hpp).
 GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first = false);

@@ -214,10 +214,10 @@ void scatter_set(const Particles& p, std::size_t block, const Lattice& lattice, 
     scatter_range<motion, force, affine, Boxes>(p, p.block_start[block], p.block_start[block + 1], lattice,
                                                 domain.grid, domain.spec.gravity);
   };
-  if (all_effects && p.has_own_boxes())
+  if (p.has_own_boxes())
     p.bxx.empty() ? scatter_as.template operator()<false, OwnRectangles>()
                   : scatter_as.template operator()<true, OwnRectangles>();
-  else if (all_effects && !p.bxx.empty())
+  else if (!p.bxx.empty())
     scatter_as.template operator()<true, OneSquare>();
   else
     scatter_as.template operator()<false, OneSquare>();
@@ -296,7 +296,7 @@ void add_clock(Domain& domain, int clock) {
       for (const Particles& p : domain.sets)
         scatter_set<motion, force>(p, block, lattice, domain);
     });
-  if (all_effects && domain.mesh)
+  if (domain.mesh)
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
       const Particles& p = domain.sets[s];
       if (p.bxx.empty())
