@@ -6,6 +6,7 @@
 #include "materials/law/law.hpp"
 #include "motion/read/read.hpp"
 #include "scene/geometry.hpp"
+#include "scene/text/errors.hpp"
 
 #include <array>
 #include <cstddef>
@@ -331,6 +332,7 @@ struct Case {
   double verify_tolerance = 0.0; ///< relative L2 error of particle velocity that `tremolo verify` allows
 
   std::vector<ValueInForce> values;
+  std::vector<Finding> remarks; ///< warnings, then notes, of the rules that such a case goes by
 };
 
 /// Reads and checks a case file.

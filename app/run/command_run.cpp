@@ -6,7 +6,7 @@
 #include "app/run/local_options.hpp"
 #include "app/run/run_display.hpp"
 #include "results/exchange_file.hpp"
-#include "scene/case.hpp"
+#include "scene/plan/plan.hpp"
 #include "scene/read/override.hpp"
 
 #include <fmt/format.h>
@@ -101,6 +101,7 @@ void run(const RunArguments& arguments) {
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
+  fmt::print("{}", scene::remarks_text(scene));
   const auto summaries =
       run_case(scene, {folder, arguments.mode, arguments.local.transport, arguments.local.threads,
                        arguments.local.keys, arguments.local.local});

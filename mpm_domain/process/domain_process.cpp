@@ -58,7 +58,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
   std::optional<coupler::DomainClient::FirstStep> first;
   if (saved != nullptr)
     before = results::set_aside(options.out / "run.h5");
-  RunOutput output(options.out, scene, scene::to_json(plan), domain, coupled->sources());
+  RunOutput output(options.out, scene, scene::to_json(scene, plan), domain, coupled->sources());
   try {
     if (saved != nullptr) {
       load_state(*saved, domain, stepper);

@@ -2,6 +2,9 @@
 
 #include "scene/plan/plan.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -150,6 +153,16 @@ double critical_time_step(const Case& scene, std::span<const Level> levels) {
       steps *= 2.0;
   }
   return critical;
+}
+
+std::string by_level(std::span<const Level> levels, const std::function<double(double)>& value) {
+  std::vector<std::string> values;
+  std::vector<double> sizes;
+  for (const Level& level : levels) {
+    values.push_back(fmt::format("{:.3g}", value(level.cell_size)));
+    sizes.push_back(level.cell_size);
+  }
+  return fmt::format("{} on cells of {} m", fmt::join(values, ", "), fmt::join(sizes, ", "));
 }
 
 } // namespace tremolo::scene
