@@ -12,11 +12,11 @@ namespace tremolo::coupler {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
-class Sets : public testing::Test {
+class Sets : public ::testing::Test {
 protected:
   void publish_set(std::uint64_t step, std::size_t keep = 10) {
     const auto draft = draft_folder(checkpoints_, step);
@@ -77,7 +77,7 @@ TEST_F(Sets, AnotherVersionIsNoDamage) {
   const std::string build = "\"build\": \"";
   text.insert(text.find(build) + build.size(), "9");
   std::ofstream(manifest) << text;
-  EXPECT_THAT([&] { find_sets(checkpoints_); }, testing::ThrowsMessage<Error>(HasSubstr("build is 9")));
+  EXPECT_THAT([&] { find_sets(checkpoints_); }, ::testing::ThrowsMessage<Error>(HasSubstr("build is 9")));
 }
 
 TEST_F(Sets, FoldersThatAreNotNamedByAStepAreNoSets) {
