@@ -6,6 +6,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <string>
 
 namespace tremolo::coupler {
@@ -73,10 +74,10 @@ TEST_F(Sets, AnotherVersionIsNoDamage) {
   publish_set(40);
   const auto manifest = folder(40) / "manifest.json";
   std::ifstream in(manifest);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::string build = "\"build\": \"";
-  text.insert(text.find(build) + build.size(), "9");
-  std::ofstream(manifest) << text;
+  const auto at = text.find(build) + build.size();
+  std::ofstream(manifest) << text.substr(0, at) << '9' << text.substr(at);
   EXPECT_THAT([&] { find_sets(checkpoints_); }, ::testing::ThrowsMessage<Error>(HasSubstr("build is 9")));
 }
 
