@@ -164,7 +164,7 @@ void conform(const Arguments& arguments) {
 
 } // namespace
 
-void add_conform(CLI::App& app) {
+void add_conform(Command& app) {
   auto* command = app.add_subcommand(
       "conform", "Check a free-field program of your own: protocol, units, points, timing, determinism");
   const auto arguments = std::make_shared<Arguments>();
@@ -175,7 +175,7 @@ void add_conform(CLI::App& app) {
   command
       ->add_option("--case", arguments->case_file,
                    "Case that it shall serve; without it a box of 20 m x 10 m under a vertical SV pulse")
-      ->check(CLI::ExistingFile);
+      ->existing_file();
   command->add_option(
       "--name", arguments->name,
       "Which free field of the case, as `tremolo explain` names it, e.g. left-right-base where one "

@@ -124,7 +124,7 @@ void join(const JoinArguments& arguments) {
 
 } // namespace
 
-void add_join(CLI::App& app) {
+void add_join(Command& app) {
   auto* command = app.add_subcommand(
       "join", "Take part in a run on another machine: compute one of its free fields here (docs/cluster.md)");
   const auto arguments = std::make_shared<JoinArguments>();
@@ -137,22 +137,22 @@ void add_join(CLI::App& app) {
       ->add_option("--keys", arguments->keys,
                    "Folder of CURVE keys with ROLE.public, ROLE.secret and hub.public")
       ->required()
-      ->check(CLI::ExistingDirectory);
+      ->existing_folder();
   command
       ->add_option("--case", arguments->case_file,
                    "Case file that the run must have; without it the case is that of the run")
-      ->check(CLI::ExistingFile);
+      ->existing_file();
   command->add_option(
       "--run", arguments->run,
       "Number of the run that is meant, 16 hexadecimal digits; without it the one that is there");
   command
       ->add_option("--out", arguments->out, "Folder for what the process writes; without it nothing is kept")
-      ->check(CLI::ExistingDirectory);
+      ->existing_folder();
   command->add_option("--threads", arguments->threads, "Threads to compute with")
-      ->check(CLI::PositiveNumber)
+      ->positive()
       ->capture_default_str();
   command->add_option("--deadline", arguments->deadline, "How long to wait for the run, s")
-      ->check(CLI::PositiveNumber)
+      ->positive()
       ->capture_default_str();
   command->callback([arguments] { join(*arguments); });
 }

@@ -41,7 +41,7 @@ void keygen(const KeygenArguments& arguments) {
 
 } // namespace
 
-void add_keygen(CLI::App& app) {
+void add_keygen(Command& app) {
   auto* command = app.add_subcommand(
       "keygen", "Make CURVE keys, without which no address is served that other machines can reach");
   const auto arguments = std::make_shared<KeygenArguments>();

@@ -55,14 +55,12 @@ void resume(const ResumeArguments& arguments) {
 
 } // namespace
 
-void add_resume(CLI::App& app) {
+void add_resume(Command& app) {
   auto* command = app.add_subcommand(
       "resume", "Go on with a run that has ended early, from its newest checkpoint: the results are the same "
                 "bits as those of an unbroken run");
   const auto arguments = std::make_shared<ResumeArguments>();
-  command->add_option("RUN", arguments->folder, "Folder of the run")
-      ->required()
-      ->check(CLI::ExistingDirectory);
+  command->add_option("RUN", arguments->folder, "Folder of the run")->required()->existing_folder();
   add_local_options(*command, arguments->local);
   command->callback([arguments] { resume(*arguments); });
 }

@@ -6,7 +6,7 @@
 #include "app/run/local_options.hpp"
 #include "app/run/run_display.hpp"
 #include "results/exchange_file.hpp"
-#include "scene/case.hpp"
+#include "scene/plan/plan.hpp"
 #include "scene/read/override.hpp"
 
 #include <fmt/format.h>
@@ -101,6 +101,7 @@ void run(const RunArguments& arguments) {
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
+  fmt::print("{}", scene::remarks_text(scene));
   const auto summaries =
       run_case(scene, {folder, arguments.mode, arguments.local.transport, arguments.local.threads,
                        arguments.local.keys, arguments.local.local});
@@ -109,7 +110,7 @@ void run(const RunArguments& arguments) {
 
 } // namespace
 
-void add_run(CLI::App& app) {
+void add_run(Command& app) {
   auto* command = app.add_subcommand("run", "Run a case: start its processes, watch them, and sum up");
   const auto arguments = std::make_shared<RunArguments>();
   command->add_option("CASE", arguments->case_file, "Case file")->required();
@@ -118,10 +119,9 @@ void add_run(CLI::App& app) {
   command
       ->add_option("--mode", arguments->mode,
                    "Exchange: window or lockstep; the same bits (default: the case's)")
-      ->check(CLI::IsMember({"window", "lockstep"}));
+      ->one_of({"window", "lockstep"});
   add_local_options(*command, arguments->local);
-  command->add_option("--motion", arguments->motion, "Record to use instead of the case's")
-      ->check(CLI::ExistingFile);
+  command->add_option("--motion", arguments->motion, "Record to use instead of the case's")->existing_file();
   command->add_option("--angle", arguments->angle_deg, "Angle of incidence instead of the case's, degrees");
   command->add_option("--replay", arguments->replays,
                       "RUN:left, RUN:right or RUN:base: this side is served from the recorded exchange of an "

@@ -6,32 +6,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-Transfer transfer(scene::Transfer choice) {
-  switch (choice) {
-  case scene::Transfer::flip:
-    return Transfer::flip;
-  case scene::Transfer::fmpm:
-    return Transfer::fmpm;
-  case scene::Transfer::pic_blend:
-    return Transfer::pic_blend;
-  case scene::Transfer::apic:
-    break;
-  }
-  return Transfer::apic;
-}
-
-StepOrder order(scene::StepOrder choice) {
-  switch (choice) {
-  case scene::StepOrder::usl:
-    return StepOrder::usl;
-  case scene::StepOrder::usf:
-    return StepOrder::usf;
-  case scene::StepOrder::musl:
-    break;
-  }
-  return StepOrder::musl;
-}
-
 /// Softening goes with the size of the cells that it happens in.
 std::vector<materials::Law> finer_laws(const scene::Soil& soil, const scene::Mesh& mesh) {
   const auto* softening = std::get_if<materials::MohrCoulomb>(&soil.law);
@@ -55,9 +29,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   for (const scene::Refinement& refine : scene.mesh.refine)
     spec.refine.push_back(
         {{refine.box.x_min, refine.box.y_min, refine.box.x_max, refine.box.y_max}, refine.level});
-  spec.join_particles = scene.mesh.join_particles;
-  spec.boxes = scene.mesh.particle_boxes == scene::ParticleBoxes::deforming ? ParticleBoxes::deforming
-                                                                            : ParticleBoxes::fixed;
+  spec.boxes = scene.mesh.particle_boxes;
   for (const scene::Soil& soil : scene.soils)
     spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh)});
   for (const scene::Region& region : scene.regions) {
@@ -66,15 +38,13 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
     for (const scene::Point& point : region.polygon)
       copy.polygon.push_back({point.x, point.y});
   }
-  spec.scheme = {.transfer = transfer(scene.time.transfer),
-                 .order = order(scene.time.order),
-                 .blend_time = scene.time.blend_time,
-                 .fmpm_order = scene.time.fmpm_order,
+  spec.scheme = {.transfer = scene.time.transfer,
+                 .order = scene.time.order,
                  .fraction = scene.time.fraction,
                  .dt = scene.time.dt,
                  .subcycle = scene.time.subcycle};
   const auto& [sides, left, right, base] = scene.boundary;
-  spec.periodic_sides = sides == scene::Sides::periodic;
+  spec.sides = sides;
   if (left.absorber == scene::Absorber::matched_layer)
     spec.matched_sides.push_back(Side::left);
   if (right.absorber == scene::Absorber::matched_layer)
