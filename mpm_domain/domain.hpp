@@ -30,8 +30,9 @@ struct Domain {
   ClockMap clocks;                ///< one clock unless the spec sub-cycles
   std::vector<Particles> sets;    ///< one per soil
   std::vector<BoundaryFace> faces;
-  std::vector<Vector> static_tractions; ///< f^st of Eq. (6), Pa, one per face
-  std::vector<MatchedLayer> layers;     ///< see attach_matched_layers
+  std::vector<Vector> static_tractions;    ///< f^st of Eq. (6), Pa, one per face
+  std::vector<MatchedLayer> layers;        ///< see attach_matched_layers
+  std::vector<JoinedLayers> joined_layers; ///< at the lower corners
   EnergyLedger energy;
   BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them
   /// Of the particles that touch several lattices; clock by clock and in it set by set.

@@ -70,6 +70,11 @@ void visit_state(Domain& domain, Visit& visit) {
     visit("layer" + std::to_string(l), layer);
     domain.layers[l].restore(layer);
   }
+  for (std::size_t c = 0; c < domain.joined_layers.size(); ++c) {
+    std::vector<double> corner = domain.joined_layers[c].joint.state();
+    visit("corner" + std::to_string(c), corner);
+    domain.joined_layers[c].joint.restore(corner);
+  }
 }
 
 } // namespace tremolo::mpm_domain

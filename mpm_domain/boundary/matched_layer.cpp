@@ -27,6 +27,10 @@ Reach reach(const BoundaryFace& face) {
   return {middle - 0.5 * face.length, middle + 0.5 * face.length};
 }
 
+bool is_matched(const Domain& domain, Side side) {
+  return std::ranges::find(domain.spec.matched_sides, side) != domain.spec.matched_sides.end();
+}
+
 std::string_view name(Side side) {
   return side == Side::left ? "left side" : side == Side::right ? "right side" : "base";
 }
@@ -60,6 +64,15 @@ LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Re
   return column;
 }
 
+/// The fastest P wave of the ground behind any layer, m/s: they all stretch alike.
+double fastest(const Domain& domain) {
+  double speed = 0.0;
+  for (const BoundaryFace& face : domain.faces)
+    if (is_matched(domain, face.side))
+      speed = std::max(speed, face.face.impedance_p / materials::elasticity(domain.sets[face.set].law).density);
+  return speed;
+}
+
 LayerShape shape(const Domain& domain, Side side) {
   const std::span<const BoundaryFace> faces = faces_of(domain, side);
   const Spec& spec = domain.spec;
@@ -72,10 +85,16 @@ LayerShape shape(const Domain& domain, Side side) {
         ground(domain, faces, {whole.from + length * i / count, whole.from + length * (i + 1) / count}));
   result.cells = spec.layer_cells;
   result.depth = spec.layer_cells * spec.cell_size;
+  result.fastest = fastest(domain);
+  const auto towards = [&](Side other) {
+    return is_matched(domain, other) ? LayerEnd::corner : LayerEnd::dashpots;
+  };
   if (spec.periodic_sides)
     result.ends = {LayerEnd::repeated, LayerEnd::repeated};
-  else if (side != Side::base)
-    result.ends = {LayerEnd::dashpots, LayerEnd::free}; // below, and at the ground's surface
+  else if (side == Side::base)
+    result.ends = {towards(Side::left), towards(Side::right)};
+  else
+    result.ends = {towards(Side::base), LayerEnd::free}; // at the ground's surface
   return result;
 }
 
@@ -87,7 +106,7 @@ double hat_integral(double x) {
 
 } // namespace
 
-MatchedLayer::MatchedLayer(const Domain& domain, Side side) : lattice_(shape(domain, side)) {
+MatchedLayer::MatchedLayer(const Domain& domain, Side side) : side_(side), lattice_(shape(domain, side)) {
   const std::span<const BoundaryFace> faces = faces_of(domain, side);
   first_ = static_cast<std::size_t>(&faces.front() - domain.faces.data());
   normal_ = faces.front().face.normal;
@@ -114,10 +133,8 @@ MatchedLayer::MatchedLayer(const Domain& domain, Side side) : lattice_(shape(dom
     }
   }
   for (Tie& tie : ties_)
-    for (auto& [j, weight] : tie.weights) {
+    for (auto& [j, weight] : tie.weights)
       weight /= covered[j];
-      tie.mass += weight * lattice_.boundary_mass()[j] / tie.length;
-    }
   v_free_.resize(faces.size());
   a_free_.resize(faces.size());
   velocity_.resize(nodes);
@@ -127,9 +144,15 @@ Vector MatchedLayer::local(Vector v) const {
   return {dot(v, along_), dot(v, normal_)};
 }
 
-void MatchedLayer::react(double time, std::span<const Vector> v_domain,
-                         std::span<const eq6::FreeField> free_field, std::span<Vector> tractions) {
-  const double dt = time - time_;
+void MatchedLayer::lump() {
+  for (Tie& tie : ties_) {
+    tie.mass = 0.0;
+    for (const auto& [j, weight] : tie.weights)
+      tie.mass += weight * lattice_.boundary_mass()[j] / tie.length;
+  }
+}
+
+void MatchedLayer::follow(std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field) {
   std::ranges::fill(velocity_, Vector{});
   for (std::size_t f = 0; started_ && f < ties_.size(); ++f) {
     const Vector now = free_field[first_ + f].velocity;
@@ -140,8 +163,16 @@ void MatchedLayer::react(double time, std::span<const Vector> v_domain,
       velocity_[j].y += weight * w.y;
     }
   }
+}
+
+void MatchedLayer::advance(double time) {
   if (started_)
-    lattice_.advance(dt, velocity_);
+    lattice_.advance(time - time_, velocity_);
+}
+
+void MatchedLayer::react(double time, std::span<const eq6::FreeField> free_field,
+                         std::span<Vector> tractions) {
+  const double dt = time - time_;
   for (std::size_t f = 0; f < ties_.size(); ++f) {
     const Vector now = free_field[first_ + f].velocity;
     Vector force;
@@ -187,14 +218,42 @@ void MatchedLayer::restore(std::span<const double> state) {
 }
 
 void attach_matched_layers(Domain& domain) {
-  for (const Side side : domain.spec.matched_sides) {
-    const MatchedLayer& layer = domain.layers.emplace_back(domain, side);
+  for (const Side side : domain.spec.matched_sides)
+    domain.layers.emplace_back(domain, side);
+  for (std::size_t s = 0; s < domain.layers.size(); ++s)
+    for (std::size_t b = 0; b < domain.layers.size(); ++b) {
+      MatchedLayer& side = domain.layers[s];
+      MatchedLayer& base = domain.layers[b];
+      if (side.side() != Side::base && base.side() == Side::base)
+        domain.joined_layers.push_back({s, b, LayerJoint(side.side(), side.lattice(), base.lattice())});
+    }
+  for (MatchedLayer& layer : domain.layers) {
+    layer.lump();
     for (std::size_t f = 0; f < layer.face_count(); ++f) {
       BoundaryFace& face = domain.faces[layer.first_face() + f];
       face.face.impedance_p = face.face.impedance_s = 0.0;
       face.mass = layer.mass(f);
     }
   }
+}
+
+void react(Domain& domain, double time, std::span<const Vector> v_domain,
+           std::span<const eq6::FreeField> free_field, std::span<Vector> tractions) {
+  for (MatchedLayer& layer : domain.layers)
+    layer.follow(v_domain, free_field);
+  for (auto& [s, b, joint] : domain.joined_layers) {
+    MatchedLayer& side = domain.layers[s];
+    MatchedLayer& base = domain.layers[b];
+    if (const std::optional<double> dt = base.step_to(time))
+      joint.advance(*dt, side.end_velocity(0), base.end_velocity(joint.base_end()), side.lattice(),
+                    base.lattice());
+  }
+  for (MatchedLayer& layer : domain.layers)
+    layer.advance(time);
+  for (auto& [s, b, joint] : domain.joined_layers)
+    joint.pull(domain.layers[s].lattice(), domain.layers[b].lattice());
+  for (MatchedLayer& layer : domain.layers)
+    layer.react(time, free_field, tractions);
 }
 
 } // namespace tremolo::mpm_domain

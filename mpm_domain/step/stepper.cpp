@@ -223,8 +223,7 @@ void Stepper::exchange() {
 
 void Stepper::react() {
   std::ranges::fill(reaction_, Vector{});
-  for (MatchedLayer& layer : domain_.layers)
-    layer.react(time_, v_face_, free_field_(), reaction_);
+  mpm_domain::react(domain_, time_, v_face_, free_field_(), reaction_);
   for (std::size_t f = 0; f < traction_.size(); ++f)
     traction_[f] = {traction_[f].x + reaction_[f].x, traction_[f].y + reaction_[f].y};
 }
