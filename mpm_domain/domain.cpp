@@ -289,7 +289,11 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
 } // namespace
 
 double critical_time_step(Domain& domain, double max_speed) {
-  return least_step(domain, max_speed, [](int) { return 1.0; });
+  const Spec& spec = domain.spec;
+  const double soil = least_step(domain, max_speed, [](int) { return 1.0; });
+  if (!spec.below_base || std::ranges::find(spec.matched_sides, Side::base) == spec.matched_sides.end())
+    return soil;
+  return std::min(soil, largest_courant_number * spec.cell_size / spec.below_base->p_wave_speed());
 }
 
 double critical_subcycled_step(Domain& domain, double max_speed) {

@@ -101,7 +101,8 @@ double empty_mass(const Domain& domain);
 /// at a corner, taken centred with lumped damping, allow 0.65 (measured; tests/stability/mpm_domain).
 inline constexpr double largest_courant_number = 0.65;
 
-/// The critical time step, s: the least of 0.65 h / (c_p + |v|) over the cells' levels and the soil in them.
+/// The critical time step, s: the least of 0.65 h / (c_p + |v|) over the cells' levels and the soil in them,
+/// and of 0.65 h / c_p in a matched layer of ground below the base that is not the soil.
 double critical_time_step(Domain& domain, double max_speed);
 
 /// The same for the step of clock 0 where every clock keeps to the limit of its own particles: the least of

@@ -52,7 +52,8 @@ inline Vector dashpots(const BoundaryFace& face) {
 }
 
 /// The faces of the model's left, right and lower edge, in this order, each from low to high coordinate.
-/// Their impedances are those of the soil in its present stress.
+/// Their impedances are those of the soil in its present stress, at the base those of the ground below, where
+/// the spec gives it.
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);
 
 /// act(f) for all faces, portions of them side by side.

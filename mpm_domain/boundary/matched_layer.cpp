@@ -48,6 +48,13 @@ std::span<const BoundaryFace> faces_of(const Domain& domain, Side side) {
   return {first, last};
 }
 
+/// Of what the face's impedances belong to, kg/m3.
+double ground_density(const Domain& domain, const BoundaryFace& face) {
+  if (face.side == Side::base && domain.spec.below_base)
+    return domain.spec.below_base->density;
+  return materials::elasticity(domain.sets[face.set].law).density;
+}
+
 /// Elastic constants per area of the boundary between two places, in the soil's present stress.
 LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Reach span) {
   LayerColumn column{.width = span.to - span.from};
@@ -56,7 +63,7 @@ LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Re
         (std::min(span.to, reach(face).to) - std::max(span.from, reach(face).from)) / column.width;
     if (!(share > 1e-9))
       continue;
-    const double density = materials::elasticity(domain.sets[face.set].law).density;
+    const double density = ground_density(domain, face);
     column.density += share * density;
     column.p_modulus += share * face.face.impedance_p * face.face.impedance_p / density;
     column.shear_modulus += share * face.face.impedance_s * face.face.impedance_s / density;
@@ -69,7 +76,7 @@ double fastest(const Domain& domain) {
   double speed = 0.0;
   for (const BoundaryFace& face : domain.faces)
     if (is_matched(domain, face.side))
-      speed = std::max(speed, face.face.impedance_p / materials::elasticity(domain.sets[face.set].law).density);
+      speed = std::max(speed, face.face.impedance_p / ground_density(domain, face));
   return speed;
 }
 

@@ -83,9 +83,8 @@ Table base() {
       "surface level and layers on both sides. `blended`: the total fields of both sides, each under its own "
       "surface and layers, blended linearly from the left side to the right one; the same as `total` where "
       "they are equal, best where they differ, with matched layers on all sides and room. `incident`: the "
-      "incident wave alone, dashpots take up what comes down again; exact at vertical incidence, 3 % off at "
-      "15 "
-      "degrees and 16 % at 30 degrees.",
+      "incident wave alone, dashpots take up what comes down again; needs a base in the half-space or at its "
+      "top; exact at vertical incidence, in uniform ground 3 % off at 15 degrees and 16 % at 30 degrees.",
       "blended"));
   keys.push_back(absorber());
   return {.name = "boundary.base",

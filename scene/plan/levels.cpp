@@ -1,5 +1,6 @@
 #include "scene/plan/levels.hpp"
 
+#include "scene/plan/layers.hpp"
 #include "scene/plan/plan.hpp"
 
 #include <algorithm>
@@ -149,6 +150,9 @@ double critical_time_step(const Case& scene, std::span<const Level> levels) {
     if (scene.time.subcycle)
       steps *= 2.0;
   }
+  const auto below = ground_below_base(scene);
+  if (below && scene.boundary.base.absorber == Absorber::matched_layer)
+    critical = std::min(critical, largest_courant_number * scene.mesh.size / below->p_wave_speed());
   return critical;
 }
 
