@@ -74,7 +74,7 @@ Points only_point(PointState& point) {
 } // namespace
 
 PointTest::PointTest(const Law& law, const PointStress& initial, const StressTolerance& tolerance)
-    : law_(law), tolerance_(tolerance), three_dimensional_(materials::three_dimensional(law)) {
+    : law_(law), tolerance_(tolerance), three_dimensional_(traits(law).three_dimensional) {
   validate(law_);
   now_.stress = initial;
   now_.variables.resize(state_variables(law_).size());

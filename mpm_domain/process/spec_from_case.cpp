@@ -34,13 +34,12 @@ StepOrder order(scene::StepOrder choice) {
 
 /// Softening goes with the size of the cells that it happens in.
 std::vector<materials::Law> finer_laws(const scene::Soil& soil, const scene::Mesh& mesh) {
-  const auto* softening = std::get_if<materials::MohrCoulomb>(&soil.law);
-  if (softening == nullptr || !soil.softening_size || mesh.refine.empty())
+  if (!soil.softening_size || mesh.refine.empty())
     return {};
   const int finest = std::ranges::max(mesh.refine, {}, &scene::Refinement::level).level;
   std::vector<materials::Law> laws;
   for (int level = 1; level <= finest; ++level)
-    laws.push_back(materials::regularised(*softening, mesh.size / (1 << level), *soil.softening_size));
+    laws.push_back(materials::for_cell_size(soil.law, mesh.size / (1 << level), *soil.softening_size));
   return laws;
 }
 

@@ -1,6 +1,7 @@
 #include "scene/keys/keys_model.hpp"
 
 #include "mesh/quadtree.hpp"
+#include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 #include "scene/keys/keys_soil.hpp"
 
@@ -24,10 +25,11 @@ Table time() {
            .meaning = "A fixed time step instead of `fraction`, with the same limits.",
            .otherwise = "from `fraction`",
            .range = positive},
-          choice("transfer", {"apic", "flip", "fmpm", "pic_blend"},
-                 "How velocity travels between particles and grid: affine particle-in-cell, FLIP, PIC by an "
-                 "approximate inverse of the full mass matrix, or FLIP blended with PIC.",
-                 "apic"),
+          choice<Transfer>(
+              "transfer",
+              "How velocity travels between particles and grid: affine particle-in-cell, FLIP, PIC by an "
+              "approximate inverse of the full mass matrix, or FLIP blended with PIC.",
+              Transfer::apic),
           {.name = "fmpm_order",
            .type = Type::integer,
            .unit = "1",
@@ -35,7 +37,7 @@ Table time() {
                       "transfer of velocities to the grid and back. Not with `order = \"usl\"`.",
            .fallback = "3",
            .range = {.low = 2.0, .high = 10.0},
-           .when = {"transfer", {"fmpm"}}},
+           .when = {"transfer", {name(Transfer::fmpm)}}},
           {.name = "blend_time",
            .unit = "s",
            .meaning =
@@ -43,11 +45,11 @@ Table time() {
                "time step.",
            .required = true,
            .range = positive,
-           .when = {"transfer", {"pic_blend"}}},
-          choice("order", {"usl", "usf", "musl"},
-                 "When stress is updated in a step: last, first, or last with "
-                 "remapped velocity.",
-                 "musl"),
+           .when = {"transfer", {name(Transfer::pic_blend)}}},
+          choice<StepOrder>("order",
+                            "When stress is updated in a step: last, first, or last with "
+                            "remapped velocity.",
+                            StepOrder::musl),
           {.name = "subcycle",
            .type = Type::boolean,
            .meaning = "Each level of a refined mesh takes a step of its own, half of the next coarser one's; "
@@ -159,13 +161,13 @@ std::vector<Table> model_keys() {
                         "has never yielded and their stresses are alike. Needs `[[refine]]`; see "
                         "docs/mesh.md.",
              .fallback = "false"},
-            choice(
-                "particle_boxes", {"fixed", "deforming"},
+            choice<ParticleBoxes>(
+                "particle_boxes",
                 "Boxes over which particles see the grid. `fixed`: they keep their size, which is exact "
                 "while strains are small; soil stretched by tens of per cent is no longer tiled by them and "
                 "breaks into pieces in the end. `deforming`: they follow the soil, up to two cells "
                 "wide; not with order = \"usf\". See docs/mesh.md.",
-                "fixed"),
+                ParticleBoxes::fixed),
             {.name = "layer_cells",
              .type = Type::integer,
              .unit = "cells",

@@ -1,7 +1,5 @@
 #include "scene/plan/levels.hpp"
 
-#include "scene/plan/plan.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -25,7 +23,7 @@ double p_wave_speed(const Case& scene, const materials::Law& law) {
   const auto& elastic = materials::elasticity(law);
   if (!(elastic.density > 0.0) || !(elastic.young > 0.0))
     return 0.0;
-  if (!follows_pressure(law) || !scene.gravity)
+  if (!materials::traits(law).follows_pressure || !scene.gravity)
     return elastic.p_wave_speed();
   double syy = -elastic.density * scene.gravity->acceleration * scene.mesh.box.height();
   double sxx = elastic.rest_coefficient() * syy;

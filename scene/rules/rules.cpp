@@ -16,7 +16,6 @@ struct Rule {
 /// Errors, then warnings, then notes: the order in which they are found and told.
 constexpr std::array rules = {
     Rule{Severity::error, record_is_readable},
-    Rule{Severity::error, strength_is_ordered},
     Rule{Severity::error, box_fits_lattice},
     Rule{Severity::error, refinements_suit_mesh},
     Rule{Severity::error, joining_needs_levels},

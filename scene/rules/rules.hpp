@@ -20,8 +20,6 @@ bool mesh_is_sound(const Case& scene, const Findings& findings);
 
 /// The motion's record can be read.
 void record_is_readable(const Case& scene, Findings& findings);
-/// Residual strength does not exceed peak strength, dilation does not exceed friction.
-void strength_is_ordered(const Case& scene, Findings& findings);
 /// The box has a width and a height that the particle lattice divides, and not too many particles.
 void box_fits_lattice(const Case& scene, Findings& findings);
 /// Boxes to refine reach into the model, and the cells are not too many.
