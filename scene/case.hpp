@@ -128,7 +128,6 @@ struct Mesh {
   int particles_per_cell = 2; ///< per direction
   int layer_cells = 10;       ///< depth of matched layers behind the box, in cells
   std::vector<Refinement> refine;
-  bool join_particles = false; ///< that have left finer cells
   ParticleBoxes particle_boxes = ParticleBoxes::fixed;
 };
 
@@ -136,8 +135,6 @@ struct TimeStepping {
   double fraction = 0.5;    ///< of the critical step, in (0, 1]
   std::optional<double> dt; ///< a fixed step instead, s
   Transfer transfer = Transfer::apic;
-  double blend_time = 0.0; ///< tau of pic_blend, s
-  int fmpm_order = 0;      ///< k of fmpm
   StepOrder order = StepOrder::musl;
   bool subcycle = false; ///< each level of the mesh takes a step of its own
 };

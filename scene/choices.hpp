@@ -51,17 +51,14 @@ constexpr auto words(ParticleBoxes) {
       {{ParticleBoxes::fixed, "fixed"}, {ParticleBoxes::deforming, "deforming"}});
 }
 
-enum class Transfer { apic, flip, fmpm, pic_blend };
+enum class Transfer { apic, flip };
 constexpr auto words(Transfer) {
-  return word_table<Transfer>({{Transfer::apic, "apic"},
-                               {Transfer::flip, "flip"},
-                               {Transfer::fmpm, "fmpm"},
-                               {Transfer::pic_blend, "pic_blend"}});
+  return word_table<Transfer>({{Transfer::apic, "apic"}, {Transfer::flip, "flip"}});
 }
 
-enum class StepOrder { usl, usf, musl };
+enum class StepOrder { usl, musl };
 constexpr auto words(StepOrder) {
-  return word_table<StepOrder>({{StepOrder::usl, "usl"}, {StepOrder::usf, "usf"}, {StepOrder::musl, "musl"}});
+  return word_table<StepOrder>({{StepOrder::usl, "usl"}, {StepOrder::musl, "musl"}});
 }
 
 enum class Side { left, right, base };
@@ -185,7 +182,7 @@ constexpr auto words(LoadingKind) {
                                   {LoadingKind::path, "path"}});
 }
 
-/// The word of a choice, e.g. "pic_blend".
+/// The word of a choice, e.g. "kelvin_voigt".
 using tremolo::name;
 
 } // namespace tremolo::scene

@@ -24,7 +24,6 @@ constexpr double node_bytes = 14 * 8; // sums, velocities, acceleration
 // CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
 // plasticity where the soil yields.
 constexpr double base_cost_ns = 200.0;
-constexpr double fmpm_cost_ns = 50.0; // for each order above the first
 constexpr double box_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
@@ -68,13 +67,6 @@ std::string subcycling_text(const Case& scene) {
                              : "[time] subcycle = false: one step for all levels";
 }
 
-std::string joining_text(const Case& scene) {
-  return scene.mesh.join_particles
-             ? "[mesh] join_particles = true: four that leave finer cells become one, where their soil has "
-               "never yielded and their stresses are alike"
-             : "[mesh] join_particles = false: what was cut in finer cells stays cut";
-}
-
 std::string periodic_text(Sides sides) {
   switch (sides) {
   case Sides::free_field:
@@ -92,7 +84,6 @@ std::string periodic_text(Sides sides) {
 
 std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources) {
   const bool apic = scene.time.transfer == Transfer::apic;
-  const bool fmpm = scene.time.transfer == Transfer::fmpm;
   const bool deforming = scene.mesh.particle_boxes == ParticleBoxes::deforming;
   const std::string plastic_soils = soils_that_are(scene, materials::Response::plastic);
   const std::string hysteretic_soils = soils_that_are(scene, materials::Response::hysteretic);
@@ -109,10 +100,6 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"soil skeleton", true, "always: GIMP particles, plane strain", particle_bytes, base_cost_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
        apic ? affine_bytes : 0.0, 0.0},
-      {"full mass matrix", fmpm,
-       fmpm ? fmt::format("[time] transfer = \"fmpm\": inverted to order {}", scene.time.fmpm_order)
-            : fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
-       0.0, fmpm ? fmpm_cost_ns * (scene.time.fmpm_order - 1) : 0.0},
       {"deforming boxes", deforming,
        fmt::format("[mesh] particle_boxes = \"{}\"", name(scene.mesh.particle_boxes)),
        deforming ? box_bytes : 0.0, deforming ? box_cost_ns : 0.0},
@@ -140,7 +127,6 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"material damping", damped,
        fmt::format("[damping] model = \"{}\", of the free field", name(scene.damping.model))},
       {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
-      {"joined particles", scene.mesh.join_particles, joining_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
   };

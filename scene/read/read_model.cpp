@@ -17,9 +17,8 @@ TimeStepping read_time(Document& document, Findings& findings) {
   const auto table = document.table("time");
   if (table.given("dt") && table.given("fraction"))
     findings.add(table.path("dt"), "'dt' and 'fraction' exclude each other: remove one");
-  return {table.number("fraction"),   table.optional_number("dt"), table.choice<Transfer>("transfer"),
-          table.number("blend_time"), table.integer("fmpm_order"), table.choice<StepOrder>("order"),
-          table.boolean("subcycle")};
+  return {table.number("fraction"), table.optional_number("dt"), table.choice<Transfer>("transfer"),
+          table.choice<StepOrder>("order"), table.boolean("subcycle")};
 }
 
 } // namespace
@@ -56,7 +55,6 @@ void read_mesh(Document& document, Case& scene) {
                 table.integer("particles_per_cell"),
                 table.integer("layer_cells"),
                 {},
-                table.boolean("join_particles"),
                 table.choice<ParticleBoxes>("particle_boxes")};
   for (const auto& refine : document.array("refine"))
     scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});

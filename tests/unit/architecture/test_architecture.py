@@ -46,10 +46,6 @@ SOURCES = {".cpp", ".hpp", ".py", ".sh", ".cmake"}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 
 
-# The one file of the app that knows the mains of all processes: `run --in-process` calls them as threads.
-IN_PROCESS = "app/run/in_process.cpp"
-
-
 def folder_of(path):
     """The architectural folder of a path relative to the root, e.g. coupler/eq6."""
     return "coupler/eq6" if path.startswith("coupler/eq6/") else path.split("/")[0]
@@ -64,8 +60,6 @@ def allowed(path):
     others = LIBRARIES[folder]
     if folder in PROCESSES and is_process(path):
         others = others | PROCESSES[folder]
-    if path == IN_PROCESS:
-        others = others | set(PROCESSES)
     return others | {folder, FOR_ALL}
 
 
