@@ -8,7 +8,7 @@
 
 #include "freefield/profile.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,9 @@
 #include "mpm_domain/domain.hpp"
 
+#include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
+#include "mpm_domain/spec/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -14,16 +16,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Cells of empty grid around the model, room for soil that moves out of its box.
-constexpr int margin_cells = 6;
-
-/// Layers of coarser cells that run on the clock of finer ones beside them.
-constexpr int buffer_layers = 2;
-
-/// Way of a particle on a graded mesh from one sort to the next, in finest cells. Particles that near to
-/// other levels are weighed the general way: the less of them, the more often is sorted.
-constexpr double across_margin = 0.25;
-
 Grid make_grid(const Spec& spec) {
   Grid grid;
   grid.h = spec.cell_size;
@@ -33,7 +25,7 @@ Grid make_grid(const Spec& spec) {
     return static_cast<int>(std::ceil(length / grid.h - 1e-9)) + 1 + 2 * margin_cells;
   };
   resize(grid, nodes(spec.box.x_max - spec.box.x_min), nodes(spec.box.y_max - spec.box.y_min));
-  if (spec.periodic_sides) {
+  if (spec.periodic()) {
     grid.period = static_cast<int>(std::lround((spec.box.x_max - spec.box.x_min) / grid.h));
     grid.first_column = margin_cells;
   }
@@ -42,10 +34,6 @@ Grid make_grid(const Spec& spec) {
 
 mesh::Roots roots_of(const Grid& grid) {
   return {grid.x0, grid.y0, grid.h, grid.nx - 1, grid.ny - 1, grid.period, grid.first_column};
-}
-
-std::size_t blocks_of(const Lattice& lattice) {
-  return static_cast<std::size_t>((lattice.ny + rows_per_block - 1) / rows_per_block);
 }
 
 const Spec& checked(const Spec& spec) {
@@ -66,26 +54,10 @@ const Spec& checked(const Spec& spec) {
                 "particles per cell and direction", spec.particles_per_cell, "1 to 4");
   refuse_unless(spec.scheme.fraction > 0.0 && spec.scheme.fraction <= 1.0,
                 "the fraction of the critical time step", spec.scheme.fraction, "in (0, 1]");
-  refuse_unless(spec.scheme.transfer != Transfer::pic_blend || spec.scheme.blend_time > 0.0,
-                "the time constant of the PIC blend (s)", spec.scheme.blend_time, "> 0");
-  refuse_unless(spec.scheme.transfer != Transfer::fmpm ||
-                    (spec.scheme.fmpm_order >= 2 && spec.scheme.fmpm_order <= highest_fmpm_order),
-                "the order k of FMPM(k)", spec.scheme.fmpm_order, fmt::format("2 to {}", highest_fmpm_order));
-  if (spec.scheme.transfer == Transfer::fmpm && spec.scheme.order == StepOrder::usl)
-    throw std::invalid_argument(
-        "FMPM needs the order musl or usf: with usl it is not stable up to the critical time step");
-  const bool clocked = spec.scheme.transfer == Transfer::apic || spec.scheme.transfer == Transfer::flip;
-  if (spec.scheme.subcycle && (spec.refine.empty() || !clocked || spec.scheme.order != StepOrder::musl ||
-                               !spec.matched_sides.empty()))
-    throw std::invalid_argument(
-        "sub-cycling needs a refined mesh, the transfer apic or flip, the order musl, "
-        "and dashpots instead of matched layers");
-  if (spec.boxes == ParticleBoxes::deforming && spec.scheme.order == StepOrder::usf)
-    throw std::invalid_argument(
-        "boxes that follow the soil change with its strain: at the end of a step, with "
-        "the order musl or usl; with usf they would within it");
-  if (spec.join_particles && spec.refine.empty())
-    throw std::invalid_argument("particles are joined where they leave finer cells: it needs a refined mesh");
+  if (spec.scheme.subcycle && (spec.refine.empty() || spec.scheme.transfer != Transfer::apic ||
+                               spec.scheme.order != StepOrder::musl || spec.sides == Sides::springs))
+    throw std::invalid_argument("sub-cycling needs a refined mesh, the transfer apic, the order musl, "
+                                "and sides without springs");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");
@@ -94,39 +66,20 @@ const Spec& checked(const Spec& spec) {
   return spec;
 }
 
-/// Particles [begin, end).
-struct ParticleRange {
-  std::size_t begin;
-  std::size_t end;
-};
-
-/// The particles of a set on a clock whose finest cells are of a level: those of its lattice, and those that
-/// touch others too. Without particles, a range is left out.
-std::vector<ParticleRange> ranges_of(const Domain& domain, const Particles& set, int level, int clock) {
-  std::vector<ParticleRange> ranges;
-  const auto add = [&](std::size_t first_block, std::size_t blocks) {
-    const std::size_t begin = set.block_start[first_block];
-    const std::size_t end = set.block_start[first_block + blocks];
-    if (begin < end)
-      ranges.push_back({begin, end});
-  };
-  std::size_t first = static_cast<std::size_t>(clock) * domain.blocks_per_clock();
-  for (int coarser = 0; coarser < level; ++coarser)
-    first += blocks_of(domain.lattice(coarser));
-  add(first, blocks_of(domain.lattice(level)));
-  if (domain.mesh)
-    add(domain.block_count() + static_cast<std::size_t>(clock * domain.lattice_count() + level), 1);
-  return ranges;
-}
-
 } // namespace
 
+std::size_t blocks_of(const Lattice& lattice) {
+  return static_cast<std::size_t>((lattice.ny + rows_per_block - 1) / rows_per_block);
+}
+
 void rebuild_mesh(Domain& domain) {
-  if (domain.spec.refine.empty())
-    return;
   const Spec& spec = domain.spec;
+  if (spec.refine.empty()) {
+    domain.images = images_of(domain.grid);
+    return;
+  }
   domain.mesh.emplace(roots_of(domain.grid),
-                      mesh::beyond_edges(spec.refine, spec.box, 1e-6 * spec.cell_size, !spec.periodic_sides));
+                      mesh::beyond_edges(spec.refine, spec.box, 1e-6 * spec.cell_size, !spec.periodic()));
   domain.basis_cells = {};
   domain.across.clear();
   if (spec.scheme.subcycle)
@@ -148,7 +101,7 @@ void sort_particles(Domain& domain) {
     else
       sort_by_cell(domain.sets[s], domain.grid);
   resize_fields(domain.grid, domain.grid.size());
-  find_levels(domain);
+  domain.boundary.find_levels(domain);
   find_reach(domain);
 }
 
@@ -194,10 +147,9 @@ Domain::Domain(const Spec& specification)
     : spec(checked(specification)), grid(make_grid(spec)), workers(spec.threads) {
   rebuild_mesh(*this);
   sets = fill(spec, mesh ? &mesh->tree() : nullptr);
-  faces = find_faces(sets, spec);
-  for (const BoundaryFace& face : faces)
+  boundary.match(sets, spec);
+  for (const BoundaryFace& face : boundary.faces())
     keep_whole(*this, face.set, face.id);
-  static_tractions.resize(faces.size());
   sort_particles(*this);
 }
 
@@ -242,7 +194,7 @@ NodeRange Domain::row(std::size_t row) const {
 }
 
 double Domain::sort_distance() const {
-  return mesh ? across_margin * finest_lattice().h : 0.9 * grid.h;
+  return mesh ? across_margin * finest_lattice().h : sort_cells * grid.h;
 }
 
 std::size_t Domain::particle_count() const {
@@ -267,39 +219,6 @@ double empty_mass(const Domain& domain) {
     density = std::max(density, materials::elasticity(set.law).density);
   const double h = domain.finest_lattice().h;
   return share_of_full_cell * density * h * h;
-}
-
-namespace {
-
-/// The least over all particles of steps_of(clock) 0.65 h/(c_p + |v|).
-template <typename StepsOf>
-double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
-  double critical = std::numeric_limits<double>::infinity();
-  for (Particles& set : domain.sets)
-    for (int clock = 0; clock < domain.clocks.count(); ++clock)
-      for (int level = 0; level < domain.lattice_count(); ++level)
-        for (const auto& [begin, end] : ranges_of(domain, set, level, clock)) {
-          const double c = materials::p_wave_speed_bound(set.law, set.points(begin, end - begin));
-          critical = std::min(critical, steps_of(clock) * largest_courant_number * domain.lattice(level).h /
-                                            (c + max_speed));
-        }
-  return critical;
-}
-
-} // namespace
-
-double critical_time_step(Domain& domain, double max_speed) {
-  const Spec& spec = domain.spec;
-  const double soil = least_step(domain, max_speed, [](int) { return 1.0; });
-  if (!spec.below_base || std::ranges::find(spec.matched_sides, Side::base) == spec.matched_sides.end())
-    return soil;
-  return std::min(soil, largest_courant_number * spec.cell_size / spec.below_base->p_wave_speed());
-}
-
-double critical_subcycled_step(Domain& domain, double max_speed) {
-  const double stable =
-      least_step(domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); });
-  return max_speed > 0.0 ? std::min(stable, 0.5 * domain.sort_distance() / max_speed) : stable;
 }
 
 } // namespace tremolo::mpm_domain

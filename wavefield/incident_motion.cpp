@@ -1,7 +1,7 @@
 #include "wavefield/incident_motion.hpp"
 
+#include "base/require.hpp"
 #include "wavefield/layers/transfer.hpp"
-#include "wavefield/require.hpp"
 #include "wavefield/signal/fourier.hpp"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 namespace tremolo::app {
 
-void add_check(CLI::App& app) {
+void add_check(Command& app) {
   auto* command =
       app.add_subcommand("check", "Check a case file and report everything that is wrong with it");
   const auto file = std::make_shared<std::string>();
@@ -21,7 +21,7 @@ void add_check(CLI::App& app) {
                plan.steps, plan.dt);
     for (const auto& source : plan.sources)
       fmt::print(", {}", source.name);
-    fmt::print("\n");
+    fmt::print("\n{}", scene::remarks_text(scene));
   });
 }
 

@@ -1,6 +1,6 @@
 #include "freefield/fe/column_mesh.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "freefield/fe/fe_column.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <fmt/format.h>
 

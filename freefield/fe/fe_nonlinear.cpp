@@ -8,8 +8,8 @@
 
 #include "freefield/fe/fe_nonlinear.hpp"
 
+#include "base/require.hpp"
 #include "freefield/fe/fe_linear.hpp"
-#include "freefield/require.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -20,8 +20,8 @@
 
 #include "freefield/oblique/oblique_column.hpp"
 
+#include "base/require.hpp"
 #include "freefield/ode/ode_backbone.hpp"
-#include "freefield/require.hpp"
 
 #include <Eigen/LU>
 

@@ -32,7 +32,7 @@
 
 #include "freefield/oblique/scalar_column.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <algorithm>
 #include <cmath>

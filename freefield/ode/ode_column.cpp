@@ -1,8 +1,8 @@
 #include "freefield/ode/ode_column.hpp"
 
+#include "base/require.hpp"
 #include "freefield/ode/ode_backbone.hpp"
 #include "freefield/ode/ode_polarisation.hpp"
-#include "freefield/require.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 
 #include "freefield/ode/ode_integrator.hpp"
 
+#include "base/require.hpp"
 #include "freefield/ode/ode_runge_kutta.hpp"
-#include "freefield/require.hpp"
 
 #include <arkode/arkode_arkstep.h>
 #include <arkode/arkode_erkstep.h>

@@ -4,7 +4,7 @@
 
 #include "freefield/ode/ode_polarisation.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <algorithm>
 #include <cmath>

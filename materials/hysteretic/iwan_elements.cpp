@@ -14,6 +14,24 @@
 namespace tremolo::materials {
 namespace {
 
+/// Numbered names stay where they are, for the variables that view them.
+struct Table {
+  std::vector<std::string> names;
+  std::vector<StateVariable> variables;
+
+  Table() {
+    names.reserve(3 * most_iwan_elements);
+    for (std::size_t first = 1; first <= most_iwan_elements; first += iwan_group) {
+      for (const char* component : {"xx", "yy", "xy"}) {
+        for (std::size_t k = 0; k < iwan_group; ++k) {
+          names.push_back(fmt::format("element_{:02}_s{}", first + k, component));
+          variables.push_back({names.back(), "Pa", "deviatoric stress of an Iwan element", 0.0, true});
+        }
+      }
+    }
+  }
+};
+
 /// What a step asks of every element: twice the deviatoric strain, and the rotation by its double angle.
 struct Step {
   double xx;
@@ -130,6 +148,11 @@ void update(const Elasticity& elastic, std::span<const IwanElement> elements, co
   for (std::size_t i = 0; i < points.count; ++i) {
     move_point(elements, lame, shear, points, i);
   }
+}
+
+std::span<const StateVariable> iwan_state_variables(std::size_t elements) {
+  static const Table table;
+  return std::span<const StateVariable>(table.variables).first(3 * elements);
 }
 
 void check_element_count(std::size_t count) {

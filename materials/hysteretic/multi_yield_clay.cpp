@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <stdexcept>
 
@@ -173,6 +174,26 @@ void initialise(const MultiYieldClay& law, const Points& points) {
       points.sxy[i] = kept * xy;
     }
   }
+}
+
+Traits traits(const MultiYieldClay& /*law*/) {
+  return {.name = "multi_yield_clay",
+          .response = Response::hysteretic,
+          .remembers_initial_stress = true,
+          .total_stress = true};
+}
+
+std::span<const StateVariable> state_variables(const MultiYieldClay& law) {
+  return iwan_state_variables(law.elements.size());
+}
+
+std::vector<StrengthLine> strength_lines(const MultiYieldClay& law) {
+  return {{"failure",
+           [strength = law.undrained_strength](double /*p*/) { return std::numbers::sqrt3 * strength; }}};
+}
+
+LinearElastic without_softening(const MultiYieldClay& law) {
+  return {law.elastic};
 }
 
 void update(const MultiYieldClay& law, const Points& points) {

@@ -74,7 +74,7 @@ Points only_point(PointState& point) {
 } // namespace
 
 PointTest::PointTest(const Law& law, const PointStress& initial, const StressTolerance& tolerance)
-    : law_(law), tolerance_(tolerance), three_dimensional_(materials::three_dimensional(law)) {
+    : law_(law), tolerance_(tolerance), three_dimensional_(traits(law).three_dimensional) {
   validate(law_);
   now_.stress = initial;
   now_.variables.resize(state_variables(law_).size());
@@ -130,7 +130,21 @@ bool PointTest::solve(const MixedStep& step, double rotation, double tolerance) 
     return false;
   }
   std::swap(now_, trial_);
+  count_leap(found);
   return true;
+}
+
+void PointTest::count_leap(const MixedControl::Found& found) {
+  if (found.away) {
+    ++leaps_.steps_away;
+  }
+  if (found.leap > 0.0) {
+    if (leaps_.count == 0) {
+      leaps_.first = now_.strain;
+    }
+    ++leaps_.count;
+    leaps_.largest = std::max(leaps_.largest, found.leap);
+  }
 }
 
 void PointTest::solve_in_halves(const MixedStep& step, double rotation, int depth) {

@@ -2,6 +2,7 @@
 
 #include "materials/elastic/elastic_parameters.hpp"
 #include "materials/law/parameter_check.hpp"
+#include "materials/plastic/plastic_strain.hpp"
 #include "materials/tensor/independent_loop.hpp"
 #include "materials/tensor/objective_rate.hpp"
 
@@ -119,6 +120,20 @@ Cone cone(const DruckerPrager& law) {
   made.apex =
       sine > 0.0 ? law.cohesion * std::cos(law.friction) / sine : std::numeric_limits<double>::infinity();
   return made;
+}
+
+Traits traits(const DruckerPrager& /*law*/) {
+  return {.name = "drucker_prager", .response = Response::plastic};
+}
+
+std::span<const StateVariable> state_variables(const DruckerPrager& /*law*/) {
+  return plastic_strain_state;
+}
+
+/// In space q = sqrt(3 J2), which is sqrt(3) times the q of the cone.
+std::vector<StrengthLine> strength_lines(const DruckerPrager& law) {
+  return {{"failure",
+           [made = cone(law)](double p) { return std::numbers::sqrt3 * (made.strength + made.slope * p); }}};
 }
 
 void update(const DruckerPrager& law, const Points& points) {

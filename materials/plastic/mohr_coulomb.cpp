@@ -6,6 +6,7 @@
 #include "materials/law/plastic_work.hpp"
 #include "materials/plastic/mohr_coulomb_main_plane.hpp"
 #include "materials/plastic/mohr_coulomb_softening.hpp"
+#include "materials/plastic/plastic_strain.hpp"
 
 #include <fmt/format.h>
 
@@ -153,6 +154,22 @@ void check_softening_pair(const char* quantity, double peak, double residual, do
 
 } // namespace
 
+Traits traits(const MohrCoulomb& law) {
+  return {
+      .name = "mohr_coulomb", .response = Response::plastic, .softening = law.softening, .in_plane = true};
+}
+
+std::span<const StateVariable> state_variables(const MohrCoulomb& /*law*/) {
+  return plastic_strain_state;
+}
+
+/// sigma_1 - sigma_3 = 2 c cos(phi) + 2 p sin(phi), where sigma_zz lies between them.
+std::vector<StrengthLine> strength_lines(const MohrCoulomb& law) {
+  return {{"failure", [cohesion = law.cohesion_peak, friction = law.friction_peak](double p) {
+             return 2.0 * (cohesion * std::cos(friction) + p * std::sin(friction));
+           }}};
+}
+
 void update(const MohrCoulomb& law, const Points& points) {
   const FadingStrength peak = strength_at(law, 0.0);
   std::array<std::uint8_t, block_size> suspect{};
@@ -204,7 +221,7 @@ MohrCoulomb without_softening(MohrCoulomb law) {
   return law;
 }
 
-MohrCoulomb regularised(MohrCoulomb law, double cell_size, double reference_size) {
+MohrCoulomb for_cell_size(MohrCoulomb law, double cell_size, double reference_size) {
   check_positive("cell size", cell_size);
   check_positive("reference size", reference_size);
   law.softening *= cell_size / reference_size;

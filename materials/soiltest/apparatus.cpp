@@ -12,7 +12,8 @@ Apparatus::Apparatus(const SoilTest& test, const PointTest& start) : test_(test)
   const bool lateral =
       triaxial() || test.kind == Kind::plane_strain_compression || test.kind == Kind::plane_strain_extension;
   reference_stress_ = lateral ? -start_.xx : -start_.yy;
-  out_of_plane_ = triaxial() || (test.kind == Kind::isotropic_compression && three_dimensional(start.law()));
+  out_of_plane_ =
+      triaxial() || (test.kind == Kind::isotropic_compression && traits(start.law()).three_dimensional);
   if (const Path* path = std::get_if<Path>(&test.loading)) {
     out_of_plane_ =
         path->by_stress[3] || std::any_of(path->rows.begin(), path->rows.end(),

@@ -31,7 +31,7 @@ void add_changed_stress(std::vector<std::string>& notes, double level, const mat
                                                 {"sig_xy", wanted.xy, held.xy}}};
   std::string list;
   for (const Component& one : components) {
-    const bool made = one.name == "sig_zz" && !three_dimensional(point.law());
+    const bool made = one.name == "sig_zz" && !traits(point.law()).three_dimensional;
     if (!made && std::abs(one.held - one.wanted) > rounding * level) {
       list += fmt::format("{}{} = {:.4g} Pa becomes {:.4g} Pa", list.empty() ? "" : ", ", one.name,
                           one.wanted, one.held);
@@ -61,14 +61,8 @@ void add_offset(std::vector<std::string>& notes, double level, const materials::
 
 } // namespace
 
-bool total_stress(const materials::Law& law) {
-  return std::holds_alternative<materials::MultiYieldClay>(law) ||
-         std::holds_alternative<materials::MasingShear>(law) ||
-         std::holds_alternative<materials::IwanShear>(law);
-}
-
 bool has_pore_pressure_ratio(const materials::Law& law, const SoilTest& test) {
-  return test.drainage == Drainage::drained || !total_stress(law);
+  return test.drainage == Drainage::drained || !materials::traits(law).total_stress;
 }
 
 std::vector<std::string> notes(const materials::Law& law, const SoilTest& test) {

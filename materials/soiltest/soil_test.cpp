@@ -1,25 +1,21 @@
 #include "materials/soiltest/soil_test.hpp"
 
 #include "materials/law/parameter_check.hpp"
-#include "materials/soiltest/names.hpp"
 #include "materials/soiltest/path/path_start.hpp"
 #include "materials/soiltest/path/path_table.hpp"
 #include "materials/soiltest/size.hpp"
 #include "materials/soiltest/specimen.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <stdexcept>
 
 namespace tremolo::soiltest {
 namespace {
 
 using materials::check_positive;
 using materials::check_range;
-
-constexpr std::array<std::string_view, 8> kinds = {"direct_simple_shear",    "triaxial_compression",
-                                                   "triaxial_extension",     "plane_strain_compression",
-                                                   "plane_strain_extension", "oedometer",
-                                                   "isotropic_compression",  "path"};
-constexpr std::array<std::string_view, 3> drainages = {"drained", "undrained", "constant_volume"};
 
 bool has_shear(Kind kind) {
   return kind != Kind::oedometer && kind != Kind::isotropic_compression && kind != Kind::path;
@@ -110,26 +106,10 @@ void check_drainage(const SoilTest& test) {
 
 } // namespace
 
-std::string_view name(Kind kind) {
-  return kinds[static_cast<std::size_t>(kind)];
-}
-
-std::string_view name(Drainage drainage) {
-  return drainages[static_cast<std::size_t>(drainage)];
-}
-
-Kind kind_named(std::string_view text) {
-  return static_cast<Kind>(index_of(kinds, text, "kind of soil test"));
-}
-
-Drainage drainage_named(std::string_view text) {
-  return static_cast<Drainage>(index_of(drainages, text, "drainage"));
-}
-
 void validate(const materials::Law& law, const SoilTest& test) {
   materials::validate(law);
   if ((test.kind == Kind::triaxial_compression || test.kind == Kind::triaxial_extension) &&
-      !three_dimensional(law)) {
+      !traits(law).three_dimensional) {
     refuse(fmt::format(
         "{} needs a law that takes out-of-plane strain; {} is one of plane strain: use plane_strain_"
         "compression or _extension",

@@ -36,7 +36,7 @@ std::string_view name(Side side) {
 }
 
 std::span<const BoundaryFace> faces_of(const Domain& domain, Side side) {
-  const auto [first, last] = std::ranges::equal_range(domain.faces, side, {}, &BoundaryFace::side);
+  const auto [first, last] = std::ranges::equal_range(domain.boundary.faces(), side, {}, &BoundaryFace::side);
   if (first == last)
     throw std::invalid_argument(fmt::format("the {} has no faces for a matched layer", name(side)));
   for (auto face = first + 1; face != last; ++face)
@@ -65,8 +65,8 @@ LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Re
       continue;
     const double density = ground_density(domain, face);
     column.density += share * density;
-    column.p_modulus += share * face.face.impedance_p * face.face.impedance_p / density;
-    column.shear_modulus += share * face.face.impedance_s * face.face.impedance_s / density;
+    column.p_modulus += share * face.ground.impedance_p * face.ground.impedance_p / density;
+    column.shear_modulus += share * face.ground.impedance_s * face.ground.impedance_s / density;
   }
   return column;
 }
@@ -74,9 +74,9 @@ LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Re
 /// The fastest P wave of the ground behind any layer, m/s: they all stretch alike.
 double fastest(const Domain& domain) {
   double speed = 0.0;
-  for (const BoundaryFace& face : domain.faces)
+  for (const BoundaryFace& face : domain.boundary.faces())
     if (is_matched(domain, face.side))
-      speed = std::max(speed, face.face.impedance_p / ground_density(domain, face));
+      speed = std::max(speed, face.ground.impedance_p / ground_density(domain, face));
   return speed;
 }
 
@@ -96,7 +96,7 @@ LayerShape shape(const Domain& domain, Side side) {
   const auto towards = [&](Side other) {
     return is_matched(domain, other) ? LayerEnd::corner : LayerEnd::dashpots;
   };
-  if (spec.periodic_sides)
+  if (spec.periodic())
     result.ends = {LayerEnd::repeated, LayerEnd::repeated};
   else if (side == Side::base)
     result.ends = {towards(Side::left), towards(Side::right)};
@@ -115,13 +115,13 @@ double hat_integral(double x) {
 
 MatchedLayer::MatchedLayer(const Domain& domain, Side side) : side_(side), lattice_(shape(domain, side)) {
   const std::span<const BoundaryFace> faces = faces_of(domain, side);
-  first_ = static_cast<std::size_t>(&faces.front() - domain.faces.data());
-  normal_ = faces.front().face.normal;
+  first_ = static_cast<std::size_t>(&faces.front() - domain.boundary.faces().data());
+  normal_ = faces.front().ground.normal;
   along_ = {std::abs(normal_.y), std::abs(normal_.x)};
   const double from = reach(faces.front()).from;
   const double length = reach(faces.back()).to - from;
   const std::size_t nodes = lattice_.width();
-  const std::size_t cells = nodes - (domain.spec.periodic_sides ? 0 : 1);
+  const std::size_t cells = nodes - (domain.spec.periodic() ? 0 : 1);
   const double width = length / static_cast<double>(cells);
 
   std::vector<double> covered(nodes);
@@ -224,42 +224,31 @@ void MatchedLayer::restore(std::span<const double> state) {
       value = {*next++, *next++};
 }
 
-void attach_matched_layers(Domain& domain) {
-  for (const Side side : domain.spec.matched_sides)
-    domain.layers.emplace_back(domain, side);
-  for (std::size_t s = 0; s < domain.layers.size(); ++s)
-    for (std::size_t b = 0; b < domain.layers.size(); ++b) {
-      MatchedLayer& side = domain.layers[s];
-      MatchedLayer& base = domain.layers[b];
-      if (side.side() != Side::base && base.side() == Side::base)
-        domain.joined_layers.push_back({s, b, LayerJoint(side.side(), side.lattice(), base.lattice())});
-    }
-  for (MatchedLayer& layer : domain.layers) {
+std::vector<JoinedLayers> join(std::span<MatchedLayer> layers) {
+  std::vector<JoinedLayers> joined;
+  for (std::size_t s = 0; s < layers.size(); ++s)
+    for (std::size_t b = 0; b < layers.size(); ++b)
+      if (layers[s].side() != Side::base && layers[b].side() == Side::base)
+        joined.push_back({s, b, LayerJoint(layers[s].side(), layers[s].lattice(), layers[b].lattice())});
+  for (MatchedLayer& layer : layers)
     layer.lump();
-    for (std::size_t f = 0; f < layer.face_count(); ++f) {
-      BoundaryFace& face = domain.faces[layer.first_face() + f];
-      face.face.impedance_p = face.face.impedance_s = 0.0;
-      face.mass = layer.mass(f);
-    }
-  }
+  return joined;
 }
 
-void react(Domain& domain, double time, std::span<const Vector> v_domain,
-           std::span<const eq6::FreeField> free_field, std::span<Vector> tractions) {
-  for (MatchedLayer& layer : domain.layers)
+void react(std::span<MatchedLayer> layers, std::span<JoinedLayers> joined, double time,
+           std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field,
+           std::span<Vector> tractions) {
+  for (MatchedLayer& layer : layers)
     layer.follow(v_domain, free_field);
-  for (auto& [s, b, joint] : domain.joined_layers) {
-    MatchedLayer& side = domain.layers[s];
-    MatchedLayer& base = domain.layers[b];
-    if (const std::optional<double> dt = base.step_to(time))
-      joint.advance(*dt, side.end_velocity(0), base.end_velocity(joint.base_end()), side.lattice(),
-                    base.lattice());
-  }
-  for (MatchedLayer& layer : domain.layers)
+  for (auto& [s, b, joint] : joined)
+    if (const std::optional<double> dt = layers[b].step_to(time))
+      joint.advance(*dt, layers[s].end_velocity(0), layers[b].end_velocity(joint.base_end()),
+                    layers[s].lattice(), layers[b].lattice());
+  for (MatchedLayer& layer : layers)
     layer.advance(time);
-  for (auto& [s, b, joint] : domain.joined_layers)
-    joint.pull(domain.layers[s].lattice(), domain.layers[b].lattice());
-  for (MatchedLayer& layer : domain.layers)
+  for (auto& [s, b, joint] : joined)
+    joint.pull(layers[s].lattice(), layers[b].lattice());
+  for (MatchedLayer& layer : layers)
     layer.react(time, free_field, tractions);
 }
 

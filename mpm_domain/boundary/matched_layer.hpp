@@ -40,7 +40,8 @@ public:
   void lump();
 
   /// How the layer's nodes on the boundary move to this time from the last one.
-  /// @param v_domain of half a step before it, free_field of this time, of all faces of the domain
+  /// @param v_domain of half a step before it, or of the mean of the step before; free_field of this time; both
+  /// of all faces of the domain
   void follow(std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field);
   /// Moves the layer to this time (s), its boundary as it follows.
   void advance(double time);
@@ -90,21 +91,21 @@ private:
   std::vector<Vector> velocity_; ///< of the lattice's nodes on the boundary, m/s
 };
 
-/// Two of a domain's layers and the corner between them.
+/// Two layers of a domain and the corner between them.
 struct JoinedLayers {
-  std::size_t side; ///< indices into Domain::layers
+  std::size_t side; ///< which of the layers
   std::size_t base;
   LayerJoint joint;
 };
 
-/// Puts a layer behind every side that the spec wants one for: its faces lose their dashpots and carry the
-/// layer's mass. Layers that meet at a corner are joined. Called when the domain is at rest and its faces
-/// have the impedance of the soil in its stress.
-void attach_matched_layers(Domain& domain);
+/// Joins the layers that meet at a corner, and lumps the masses of all.
+std::vector<JoinedLayers> join(std::span<MatchedLayer> layers);
 
-/// Moves all layers to a time (s) and adds their tractions (Pa) to those of the faces.
-/// @param v_domain of half a step before it, free_field of this time, tractions: of all faces of the domain
-void react(Domain& domain, double time, std::span<const Vector> v_domain,
-           std::span<const eq6::FreeField> free_field, std::span<Vector> tractions);
+/// Moves all layers to a time (s) and adds their tractions (Pa) to those of their faces.
+/// @param v_domain of half a step before it, or of the mean of the step before; free_field of this time
+/// @param v_domain, free_field, tractions of all faces of the domain
+void react(std::span<MatchedLayer> layers, std::span<JoinedLayers> joined, double time,
+           std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field,
+           std::span<Vector> tractions);
 
 } // namespace tremolo::mpm_domain

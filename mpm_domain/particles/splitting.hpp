@@ -16,8 +16,7 @@ namespace tremolo::mpm_domain {
 
 /// Cuts every particle whose box lies in leaves of one level, finer than its own, and was at the start wider
 /// than 3/4 of them; those that are to stay whole (Particles::whole) are passed over. Particles are out of
-/// order afterwards: to be sorted. Those that leave fine cells again are joined only where asked for
-/// (joining.hpp).
+/// order afterwards: to be sorted. Those that leave fine cells again stay small.
 /// @returns the number of particles that were cut
 std::size_t split_particles(Domain& domain);
 

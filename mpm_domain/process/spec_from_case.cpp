@@ -9,40 +9,33 @@ namespace tremolo::mpm_domain {
 namespace {
 
 Transfer transfer(scene::Transfer choice) {
-  switch (choice) {
-  case scene::Transfer::flip:
-    return Transfer::flip;
-  case scene::Transfer::fmpm:
-    return Transfer::fmpm;
-  case scene::Transfer::pic_blend:
-    return Transfer::pic_blend;
-  case scene::Transfer::apic:
-    break;
-  }
-  return Transfer::apic;
+  return choice == scene::Transfer::flip ? Transfer::flip : Transfer::apic;
 }
 
 StepOrder order(scene::StepOrder choice) {
+  return choice == scene::StepOrder::usl ? StepOrder::usl : StepOrder::musl;
+}
+
+Sides sides_of(scene::Sides choice) {
   switch (choice) {
-  case scene::StepOrder::usl:
-    return StepOrder::usl;
-  case scene::StepOrder::usf:
-    return StepOrder::usf;
-  case scene::StepOrder::musl:
+  case scene::Sides::periodic:
+    return Sides::periodic;
+  case scene::Sides::periodic_springs:
+    return Sides::springs;
+  case scene::Sides::free_field:
     break;
   }
-  return StepOrder::musl;
+  return Sides::free_field;
 }
 
 /// Softening goes with the size of the cells that it happens in.
 std::vector<materials::Law> finer_laws(const scene::Soil& soil, const scene::Mesh& mesh) {
-  const auto* softening = std::get_if<materials::MohrCoulomb>(&soil.law);
-  if (softening == nullptr || !soil.softening_size || mesh.refine.empty())
+  if (!soil.softening_size || mesh.refine.empty())
     return {};
   const int finest = std::ranges::max(mesh.refine, {}, &scene::Refinement::level).level;
   std::vector<materials::Law> laws;
   for (int level = 1; level <= finest; ++level)
-    laws.push_back(materials::regularised(*softening, mesh.size / (1 << level), *soil.softening_size));
+    laws.push_back(materials::for_cell_size(soil.law, mesh.size / (1 << level), *soil.softening_size));
   return laws;
 }
 
@@ -57,7 +50,6 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   for (const scene::Refinement& refine : scene.mesh.refine)
     spec.refine.push_back(
         {{refine.box.x_min, refine.box.y_min, refine.box.x_max, refine.box.y_max}, refine.level});
-  spec.join_particles = scene.mesh.join_particles;
   spec.boxes = scene.mesh.particle_boxes == scene::ParticleBoxes::deforming ? ParticleBoxes::deforming
                                                                             : ParticleBoxes::fixed;
   for (const scene::Soil& soil : scene.soils)
@@ -70,13 +62,11 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   }
   spec.scheme = {.transfer = transfer(scene.time.transfer),
                  .order = order(scene.time.order),
-                 .blend_time = scene.time.blend_time,
-                 .fmpm_order = scene.time.fmpm_order,
                  .fraction = scene.time.fraction,
                  .dt = scene.time.dt,
                  .subcycle = scene.time.subcycle};
   const auto& [sides, left, right, base] = scene.boundary;
-  spec.periodic_sides = sides == scene::Sides::periodic;
+  spec.sides = sides_of(sides);
   if (left.absorber == scene::Absorber::matched_layer)
     spec.matched_sides.push_back(Side::left);
   if (right.absorber == scene::Absorber::matched_layer)

@@ -2,6 +2,8 @@
 
 #include "scene/plan/layers.hpp"
 #include "scene/plan/plan.hpp"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +25,7 @@ double p_wave_speed(const Case& scene, const materials::Law& law) {
   const auto& elastic = materials::elasticity(law);
   if (!(elastic.density > 0.0) || !(elastic.young > 0.0))
     return 0.0;
-  if (!follows_pressure(law) || !scene.gravity)
+  if (!materials::traits(law).follows_pressure || !scene.gravity)
     return elastic.p_wave_speed();
   double syy = -elastic.density * scene.gravity->acceleration * scene.mesh.box.height();
   double sxx = elastic.rest_coefficient() * syy;
@@ -154,6 +156,16 @@ double critical_time_step(const Case& scene, std::span<const Level> levels) {
   if (below && scene.boundary.base.absorber == Absorber::matched_layer)
     critical = std::min(critical, largest_courant_number * scene.mesh.size / below->p_wave_speed());
   return critical;
+}
+
+std::string by_level(std::span<const Level> levels, const std::function<double(double)>& value) {
+  std::vector<std::string> values;
+  std::vector<double> sizes;
+  for (const Level& level : levels) {
+    values.push_back(fmt::format("{:.3g}", value(level.cell_size)));
+    sizes.push_back(level.cell_size);
+  }
+  return fmt::format("{} on cells of {} m", fmt::join(values, ", "), fmt::join(sizes, ", "));
 }
 
 } // namespace tremolo::scene

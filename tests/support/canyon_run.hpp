@@ -4,7 +4,6 @@
 // evaluates the closed form of the flat half-space on every face of the box, whatever the canyon sends out is
 // the scattered field. The canyon's surface is y = -depth exp(-x^2/(2 sigma^2)).
 
-#include "mpm_domain/boundary/matched_layer.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/plane_wave.hpp"
 
@@ -12,6 +11,7 @@
 #include <cstddef>
 #include <map>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -77,21 +77,15 @@ using Seen = std::vector<std::vector<eq6::Vector>>;
 /// @param watched particles that start in it are watched
 inline Seen run_canyon(const Canyon& canyon, const mpm_domain::Box& watched) {
   mpm_domain::Domain domain(canyon_spec(canyon));
-  mpm_domain::attach_matched_layers(domain);
   const PlaneWave wave = canyon_wave(canyon.angle_deg);
-  std::vector<eq6::FreeField> field(domain.faces.size());
   const double way = 0.5 * canyon.width * std::sin(wave.angle) + canyon.depth * std::cos(wave.angle);
   const double start = -sampling * std::ceil((way / wave.vs + before_pulse) / sampling);
-  mpm_domain::Stepper stepper(
-      domain, start,
-      [&](long, double t, auto v, auto traction) {
-        for (std::size_t f = 0; f < v.size(); ++f) {
-          const auto [x, y] = domain.faces[f].position;
-          field[f] = wave.at(x, y, t);
-          traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f], field[f], {});
-        }
-      },
-      [&] { return std::span<const eq6::FreeField>(field); });
+  mpm_domain::Stepper stepper(domain, start, [&](long, double t, auto, std::span<eq6::FreeField> field) {
+    for (std::size_t f = 0; f < field.size(); ++f) {
+      const auto [x, y] = domain.boundary.faces()[f].position;
+      field[f] = wave.at(x, y, t);
+    }
+  });
   const mpm_domain::Particles& set = domain.sets.front();
   std::map<std::pair<long, long>, std::uint32_t> by_place;
   for (std::size_t k = 0; k < set.size(); ++k)

@@ -7,8 +7,8 @@
 
 #include "wavefield/layers/equivalent_linear.hpp"
 
+#include "base/require.hpp"
 #include "wavefield/layers/reflectivity.hpp"
-#include "wavefield/require.hpp"
 #include "wavefield/signal/fourier.hpp"
 
 #include <algorithm>

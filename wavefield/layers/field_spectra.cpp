@@ -11,7 +11,7 @@
 
 #include "wavefield/layers/field_spectra.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 #include "wavefield/signal/phase_train.hpp"
 
 #include <algorithm>

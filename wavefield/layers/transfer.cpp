@@ -1,8 +1,8 @@
 #include "wavefield/layers/transfer.hpp"
 
+#include "base/require.hpp"
 #include "wavefield/layers/field_spectra.hpp"
 #include "wavefield/layers/reflectivity.hpp"
-#include "wavefield/require.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 #include "wavefield/signal/signal.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -23,7 +23,7 @@
 
 #include "wavefield/signal/synthesis.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 #include "wavefield/signal/phase_train.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "wavefield/signal/window_choice.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 #include "wavefield/signal/synthesis.hpp"
 
 #include <algorithm>

@@ -35,6 +35,10 @@ void touch_surfaces(const Pdmy03& law, const Pdmy03Memory& memory, const Deviato
 
 } // namespace
 
+LinearElastic without_softening(const Pdmy03& law) {
+  return {law.elastic};
+}
+
 void initialise(const Pdmy03& law, const Points& points) {
   const std::size_t size = pdmy03_state_size(law.surfaces);
   const YieldCone failure = {law.ratio[law.surfaces], {}};

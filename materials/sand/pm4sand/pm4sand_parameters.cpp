@@ -142,6 +142,19 @@ Pm4Sand after_shaking(Pm4Sand law) {
   return law;
 }
 
+std::optional<double> relative_density(const Pm4Sand& law) {
+  return law.relative_density;
+}
+
+std::optional<double> contraction_rate(const Pm4Sand& law) {
+  return law.h_po;
+}
+
+Pm4Sand with_contraction_rate(Pm4Sand law, double rate) {
+  law.h_po = rate;
+  return law;
+}
+
 std::vector<ParameterValue> parameters(const Pm4Sand& law) {
   std::vector<ParameterValue> list = {
       {"density", law.elastic.density, "kg/m3", "mass density", "given"},

@@ -1,7 +1,5 @@
 #include "materials/soiltest/path/path_table.hpp"
 
-#include "materials/soiltest/names.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -108,7 +106,12 @@ std::string place(const PathRow& row, std::size_t index) {
 Path read_path(std::istream& table, const std::vector<std::string>& by_stress, double stress_unit) {
   Path path;
   for (const std::string& name : by_stress) {
-    path.by_stress[index_of(stress_names, name, "stress that can be prescribed")] = true;
+    const auto* found = std::find(stress_names.begin(), stress_names.end(), name);
+    if (found == stress_names.end()) {
+      throw std::invalid_argument(fmt::format("\"{}\" is no stress that can be prescribed; known: {}", name,
+                                              fmt::join(stress_names, ", ")));
+    }
+    path.by_stress[static_cast<std::size_t>(found - stress_names.begin())] = true;
   }
   std::string header;
   if (!std::getline(table, header)) {
