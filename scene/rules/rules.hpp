@@ -54,7 +54,7 @@ void reference_lies_in_halfspace(const Case& scene, Findings& findings);
 void incident_base_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A fixed time step does not exceed the critical one.
 void time_step_is_stable(const Case& scene, Findings& findings);
-/// FLIP, which keeps what nodes do not see, has no free surface across the grid.
+/// Where particles take the transfer FLIP, free surfaces lie on lines between cells.
 void flip_has_surface_along_grid(const Case& scene, Findings& findings);
 /// Levels with steps of their own need levels, and what sub-cycling is made for.
 void subcycling_suits_case(const Case& scene, Findings& findings);

@@ -28,7 +28,8 @@ struct Canyon {
   mpm_domain::Transfer transfer = mpm_domain::Transfer::apic;
   double canyon_depth = 16.0; ///< m
   double sigma = 10.0;        ///< m
-  double end = 1.6;           ///< s after the incident wave has met the flat ground at x = 0
+  bool notch = false; ///< a notch as deep and 2.4 sigma wide instead: its walls lie on lines of a grid of 4 m
+  double end = 1.6;   ///< s after the incident wave has met the flat ground at x = 0
 };
 
 inline constexpr double sampling = 0.02;    ///< s
@@ -44,7 +45,10 @@ inline mpm_domain::Spec canyon_spec(const Canyon& canyon) {
   spec.soils = {{"ground", materials::LinearElastic{canyon_ground}}};
   mpm_domain::Region ground{0, {{spec.box.x_min, -canyon.depth}, {spec.box.x_max, -canyon.depth}}};
   ground.polygon.push_back({spec.box.x_max, 0.0});
-  for (double x = 5.0 * canyon.sigma; x >= -5.0 * canyon.sigma; x -= 0.25)
+  if (canyon.notch)
+    for (const auto& [x, y] : {std::pair(1.2, 0.0), {1.2, -1.0}, {-1.2, -1.0}, {-1.2, 0.0}})
+      ground.polygon.push_back({x * canyon.sigma, y * canyon.canyon_depth});
+  for (double x = 5.0 * canyon.sigma; !canyon.notch && x >= -5.0 * canyon.sigma; x -= 0.25)
     ground.polygon.push_back({x, -canyon.canyon_depth * std::exp(-0.5 * std::pow(x / canyon.sigma, 2))});
   ground.polygon.push_back({spec.box.x_min, 0.0});
   spec.regions = {ground};

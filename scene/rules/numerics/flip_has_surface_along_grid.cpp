@@ -18,12 +18,20 @@ bool is_free(const Case& scene, Point at, Point normal, double distance) {
   return soil_at(distance) != soil_at(-distance);
 }
 
-/// Whether a piece of the edge from a to b, neither level nor upright, lies bare.
-bool is_bare_slope(const Case& scene, Point a, Point b) {
+/// Whether the edge from a to b runs along a line between cells.
+bool is_on_line(const Case& scene, Point a, Point b) {
+  const double size = scene.mesh.size;
+  const auto on_line = [&](double from, double to, double origin) {
+    const double cells = (from - origin) / size;
+    return std::abs(to - from) < 1e-6 * size && std::abs(cells - std::round(cells)) < 1e-6;
+  };
+  return on_line(a.x, b.x, scene.mesh.box.x_min) || on_line(a.y, b.y, scene.mesh.box.y_min);
+}
+
+/// Whether a piece of the edge from a to b lies bare.
+bool is_bare(const Case& scene, Point a, Point b) {
   const double size = scene.mesh.size;
   const double dx = b.x - a.x, dy = b.y - a.y;
-  if (std::min(std::abs(dx), std::abs(dy)) < 1e-6 * size)
-    return false;
   const double length = std::hypot(dx, dy);
   const Point normal{-dy / length, dx / length};
   const int pieces = static_cast<int>(std::min(std::ceil(length / size), 1000.0));
@@ -45,14 +53,15 @@ void flip_has_surface_along_grid(const Case& scene, Findings& findings) {
     for (std::size_t i = 0; i < region.polygon.size(); ++i) {
       const Point a = region.polygon[i];
       const Point b = region.polygon[(i + 1) % region.polygon.size()];
-      if (!is_bare_slope(scene, a, b))
+      if (is_on_line(scene, a, b) || !is_bare(scene, a, b))
         continue;
       findings.add(
           "time.transfer",
-          fmt::format("'transfer' = \"flip\" with a free surface across the grid, from ({}, {}) to ({}, "
-                      "{}): particles in cells that are not full ring, and FLIP never forgets it; use "
-                      "\"apic\"",
-                      a.x, a.y, b.x, b.y));
+          fmt::format(
+              "'transfer' = \"flip\" with a free surface off the lines of the grid, from ({}, {}) to "
+              "({}, {}): particles in cells that are not full start to ring, which FLIP never forgets; "
+              "use \"apic\"",
+              a.x, a.y, b.x, b.y));
       return;
     }
 }

@@ -8,6 +8,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
 namespace tremolo {
 namespace {
 
@@ -42,6 +46,29 @@ TEST(HardCase36, WhateverTheDepthOfTheLayer) {
   }
   canyon.layers = false;
   breaks("dashpots", relative_difference(run_canyon(canyon, small_box), wide), 0.015);
+}
+
+/// Largest speed of any particle in the last 1.5 s of 3 s after the pulse, over that of the incident wave.
+double late_speed(Canyon canyon) {
+  canyon.cell_size = 4.0;
+  canyon.angle_deg = 15.0;
+  canyon.end = 3.0;
+  double largest = 0.0;
+  const Seen seen = run_canyon(canyon, small_box);
+  for (std::size_t sample = seen.size() - 75; sample < seen.size(); ++sample)
+    for (const eq6::Vector& v : seen[sample])
+      largest = std::max(largest, std::hypot(v.x, v.y));
+  return largest / canyon_wave(15.0).amplitude;
+}
+
+// A particle in a cell of its surface that is not full moves in a way that nodes hardly see, so hardly
+// anything pulls it back. APIC forgets that motion, FLIP does not: it is refused there
+// (flip_has_surface_along_grid.cpp).
+TEST(HardCase37, NothingRingsAfterThePulse) {
+  bounded("APIC, canyon", late_speed({}), 0.01);
+  bounded("FLIP, notch along the grid", late_speed({.transfer = mpm_domain::Transfer::flip, .notch = true}),
+          0.3);
+  breaks("FLIP, canyon", late_speed({.transfer = mpm_domain::Transfer::flip}), 0.3);
 }
 
 } // namespace
