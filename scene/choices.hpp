@@ -4,8 +4,16 @@
 // messages and reports take them from there.
 
 #include "base/words.hpp"
+#include "mpm_domain/spec/numerics.hpp"
 
 namespace tremolo::scene {
+
+// The domain's own choices, under their own names.
+using mpm_domain::ParticleBoxes;
+using mpm_domain::Side;
+using mpm_domain::Sides;
+using mpm_domain::StepOrder;
+using mpm_domain::Transfer;
 
 enum class Wave { sv, p };
 constexpr auto words(Wave) {
@@ -42,28 +50,6 @@ constexpr auto words(OdeMethod) {
                                 {OdeMethod::bdf, "bdf"},
                                 {OdeMethod::erk, "erk"},
                                 {OdeMethod::imex, "imex"}});
-}
-
-/// What becomes of the particles' boxes where soil is strained: they keep their size, or follow it.
-enum class ParticleBoxes { fixed, deforming };
-constexpr auto words(ParticleBoxes) {
-  return word_table<ParticleBoxes>(
-      {{ParticleBoxes::fixed, "fixed"}, {ParticleBoxes::deforming, "deforming"}});
-}
-
-enum class Transfer { apic, flip };
-constexpr auto words(Transfer) {
-  return word_table<Transfer>({{Transfer::apic, "apic"}, {Transfer::flip, "flip"}});
-}
-
-enum class StepOrder { usl, musl };
-constexpr auto words(StepOrder) {
-  return word_table<StepOrder>({{StepOrder::usl, "usl"}, {StepOrder::musl, "musl"}});
-}
-
-enum class Side { left, right, base };
-constexpr auto words(Side) {
-  return word_table<Side>({{Side::left, "left"}, {Side::right, "right"}, {Side::base, "base"}});
 }
 
 enum class SourceModel {
@@ -106,18 +92,6 @@ enum class Absorber {
 };
 constexpr auto words(Absorber) {
   return word_table<Absorber>({{Absorber::dashpots, "dashpots"}, {Absorber::matched_layer, "matched_layer"}});
-}
-
-/// What the sides are.
-enum class Sides {
-  free_field,      ///< driven by their free fields
-  periodic,        ///< one and the same: the model repeats itself beyond them
-  periodic_springs ///< the same by a penalty: springs between particles of equal height
-};
-constexpr auto words(Sides) {
-  return word_table<Sides>({{Sides::free_field, "free_field"},
-                            {Sides::periodic, "periodic"},
-                            {Sides::periodic_springs, "periodic_springs"}});
 }
 
 enum class ExchangeMode { window, lockstep };

@@ -95,9 +95,8 @@ void move_point(std::span<const IwanElement> elements, double lame, double shear
   const Step step = step_of(points, i);
   Relaxed relaxed;
   double* const state = points.state + i * 3 * elements.size();
-  for (std::size_t first = 0; first < elements.size(); first += iwan_group) {
+  for (std::size_t first = 0; first < elements.size(); first += iwan_group)
     move_group(&elements[first], step, state + 3 * first, relaxed);
-  }
   const double rxx = sum(relaxed.xx);
   const double ryy = sum(relaxed.yy);
   const double rxy = sum(relaxed.xy);
@@ -136,18 +135,16 @@ std::vector<IwanElement> parallel_elements(std::span<const CurveVertex> vertices
 
 double monotonic_stress(std::span<const IwanElement> elements, double strain) {
   double stress = 0.0;
-  for (const IwanElement& element : elements) {
+  for (const IwanElement& element : elements)
     stress += std::clamp(element.shear_modulus * strain, -element.strength, element.strength);
-  }
   return stress;
 }
 
 void update(const Elasticity& elastic, std::span<const IwanElement> elements, const Points& points) {
   const double lame = elastic.lame();
   const double shear = elastic.shear_modulus();
-  for (std::size_t i = 0; i < points.count; ++i) {
+  for (std::size_t i = 0; i < points.count; ++i)
     move_point(elements, lame, shear, points, i);
-  }
 }
 
 std::span<const StateVariable> iwan_state_variables(std::size_t elements) {

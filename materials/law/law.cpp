@@ -48,9 +48,8 @@ void initialise(const Law& law, const Points& points) {
             fmt::format("initial stress of point {}: {:g} Pa is not finite", i, stress));
       }
     }
-    for (std::size_t k = 0; k < variables.size(); ++k) {
+    for (std::size_t k = 0; k < variables.size(); ++k)
       points.state[i * variables.size() + k] = variables[k].initial;
-    }
   }
   using defaults::initialise;
   std::visit([&](const auto& one) { initialise(one, points); }, law);

@@ -146,9 +146,8 @@ void validate(const DruckerPrager& law) {
   check_range("cohesion", law.cohesion, 0.0, std::numeric_limits<double>::max());
   check_range("friction", law.friction, 0.0, steepest);
   check_range("dilation", law.dilation, 0.0, law.friction);
-  if (law.cohesion == 0.0 && law.friction == 0.0) {
+  if (law.cohesion == 0.0 && law.friction == 0.0)
     throw std::invalid_argument("cohesion and friction are both 0: the soil would have no strength");
-  }
 }
 
 std::vector<ParameterValue> parameters(const DruckerPrager& law) {

@@ -37,9 +37,8 @@ void add_changed_stress(std::vector<std::string>& notes, double level, const mat
                           one.wanted, one.held);
     }
   }
-  if (!list.empty()) {
+  if (!list.empty())
     notes.push_back(fmt::format("the law cannot hold the initial stress: {}", list));
-  }
 }
 
 /// PM4Sand reports the stress that it was given and keeps the part that its surfaces cannot hold apart.
@@ -48,9 +47,8 @@ void add_offset(std::vector<std::string>& notes, double level, const materials::
   std::string list;
   for (std::size_t k = 0; k < variables.size(); ++k) {
     const std::string_view name = variables[k].name;
-    if (name.starts_with("offset_") && std::abs(point.state()[k]) > rounding * level) {
+    if (name.starts_with("offset_") && std::abs(point.state()[k]) > rounding * level)
       list += fmt::format("{}{} = {:.4g} Pa", list.empty() ? "" : ", ", name, point.state()[k]);
-    }
   }
   if (!list.empty()) {
     notes.push_back(fmt::format("the law cannot hold the initial stress: it keeps {} of it (compression "

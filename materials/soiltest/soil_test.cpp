@@ -30,46 +30,37 @@ void check_loading(Kind /*kind*/, const Monotonic& loading) {
 }
 
 void check_loading(Kind kind, const StressCycles& loading) {
-  if (!has_shear(kind)) {
+  if (!has_shear(kind))
     refuse(fmt::format("{} has no cycles by stress ratio: it does not shear", name(kind)));
-  }
   check_range("stress_ratio", loading.stress_ratio, 1e-6, 100.0);
   check_range("largest_strain", loading.largest_strain, 1e-9, 10.0);
   check_range("most_cycles", loading.most_cycles, 0.0, 1e6);
-  if (loading.pore_pressure_ratio) {
+  if (loading.pore_pressure_ratio)
     check_range("pore_pressure_ratio", *loading.pore_pressure_ratio, 1e-3, 2.0);
-  }
 }
 
 void check_loading(Kind kind, const StrainCycles& loading) {
-  if (!has_shear(kind)) {
+  if (!has_shear(kind))
     refuse(fmt::format("{} has no strain cycles: it does not shear", name(kind)));
-  }
-  if (loading.amplitudes.empty()) {
+  if (loading.amplitudes.empty())
     refuse("strain cycles need at least one amplitude");
-  }
-  for (const double amplitude : loading.amplitudes) {
+  for (const double amplitude : loading.amplitudes)
     check_range("amplitude", amplitude, 1e-9, 10.0);
-  }
   check_range("cycles", loading.cycles, 1, 1e6);
 }
 
 void check_row(const PathRow& row, std::size_t index) {
   for (const double value : {row.strain.xx, row.strain.yy, row.strain.xy, row.strain.zz, row.stress.xx,
-                             row.stress.yy, row.stress.xy, row.stress.zz}) {
-    if (!std::isfinite(value)) {
+                             row.stress.yy, row.stress.xy, row.stress.zz})
+    if (!std::isfinite(value))
       refuse(fmt::format("{} holds {:g}", place(row, index), value));
-    }
-  }
 }
 
 void check_loading(Kind kind, const Path& loading) {
-  if (kind != Kind::path) {
+  if (kind != Kind::path)
     refuse(fmt::format("{} takes no prescribed path; that is the kind \"path\"", name(kind)));
-  }
-  if (loading.rows.size() < 2) {
+  if (loading.rows.size() < 2)
     refuse(fmt::format("a path needs at least 2 rows, not {}", loading.rows.size()));
-  }
   for (std::size_t i = 0; i < loading.rows.size(); ++i) {
     check_row(loading.rows[i], i);
     const double steps = i == 0 ? 1.0 : loading.rows[i].step - loading.rows[i - 1].step;
@@ -115,20 +106,17 @@ void validate(const materials::Law& law, const SoilTest& test) {
         "compression or _extension",
         name(test.kind), materials::name(law)));
   }
-  if (test.kind == Kind::path && !std::holds_alternative<Path>(test.loading)) {
+  if (test.kind == Kind::path && !std::holds_alternative<Path>(test.loading))
     refuse("a test of the kind \"path\" needs a path as its loading");
-  }
   check_initial(test.kind, test.initial);
   check_drainage(test);
   std::visit([&](const auto& loading) { check_loading(test.kind, loading); }, test.loading);
   check_range("strain_increment", test.strain_increment, 1e-9, 0.05);
-  if (test.every == 0) {
+  if (test.every == 0)
     refuse("every = 0 must be at least 1");
-  }
   check_size(test);
-  if (const auto* path = std::get_if<Path>(&test.loading)) {
+  if (const auto* path = std::get_if<Path>(&test.loading))
     check_start(*path, test.initial, specimen(law, test).stress());
-  }
 }
 
 } // namespace tremolo::soiltest

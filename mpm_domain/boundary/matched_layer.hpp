@@ -40,8 +40,8 @@ public:
   void lump();
 
   /// How the layer's nodes on the boundary move to this time from the last one.
-  /// @param v_domain of half a step before it, or of the mean of the step before; free_field of this time; both
-  /// of all faces of the domain
+  /// @param v_domain of half a step before it, or of the mean of the step before; free_field of this time;
+  /// both of all faces of the domain
   void follow(std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field);
   /// Moves the layer to this time (s), its boundary as it follows.
   void advance(double time);

@@ -1,5 +1,6 @@
 #include "scene/plan/plan.hpp"
 
+#include "mpm_domain/spec/bytes.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/sources.hpp"
 #include "scene/soils/domain_soils.hpp"
@@ -12,14 +13,6 @@
 namespace tremolo::scene {
 
 namespace {
-
-// Doubles and 32-bit numbers of one particle and one node of the domain (mpm_domain/particles/particles.hpp,
-// grid.hpp).
-constexpr double particle_bytes =
-    12 * 8 + 2 * 4; // place, velocity, stress, mass, volume, first place; id, index
-constexpr double affine_bytes = 4 * 8;
-constexpr double box_bytes = 3 * 8;
-constexpr double node_bytes = 14 * 8; // sums, velocities, acceleration
 
 // CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
 // plasticity where the soil yields.
@@ -39,8 +32,8 @@ std::string soils_that_are(const Case& scene, materials::Response response) {
 }
 
 bool any_softens(const Case& scene) {
-  return std::ranges::any_of(domain_soils(scene),
-                             [](const Soil& soil) { return materials::traits(soil.law).softening > 0.0; });
+  return std::ranges::any_of(
+      domain_soils(scene), [](const Soil& soil) { return materials::traits(soil.law).softening > 0.0; });
 }
 
 /// Largest number of state variables of a soil, all or those that are written.
@@ -52,6 +45,11 @@ double state_size(const Case& scene, bool written) {
                                                         return !written || !variable.internal;
                                                       }));
   return static_cast<double>(largest);
+}
+
+/// Bytes of a particle that has some traits, besides its law's state.
+double particle_bytes(mpm_domain::ParticleTraits traits) {
+  return static_cast<double>(mpm_domain::bytes_per_particle(traits));
 }
 
 std::string listed(const std::vector<SourceProcess>& sources) {
@@ -95,9 +93,12 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const auto& [sides, left, right, base] = scene.boundary;
   const bool layered = left.absorber == Absorber::matched_layer ||
                        right.absorber == Absorber::matched_layer || base.absorber == Absorber::matched_layer;
+  const double bare_bytes = particle_bytes({});
+  const double affine_bytes = particle_bytes({.affine = true}) - bare_bytes;
+  const double box_bytes = particle_bytes({.own_boxes = true}) - bare_bytes;
   const bool damped = scene.damping.model != DampingModel::none;
   return {
-      {"soil skeleton", true, "always: GIMP particles, plane strain", particle_bytes, base_cost_ns},
+      {"soil skeleton", true, "always: GIMP particles, plane strain", bare_bytes, base_cost_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
        apic ? affine_bytes : 0.0, 0.0},
       {"deforming boxes", deforming,
@@ -191,7 +192,7 @@ Plan plan(const Case& scene) {
     bytes += effect.bytes_per_particle;
     ns += effect.ns_per_particle_step;
   }
-  result.memory_bytes = particles * bytes + nodes * node_bytes;
+  result.memory_bytes = particles * bytes + nodes * static_cast<double>(mpm_domain::bytes_per_node);
   result.estimated_time = static_cast<double>(result.steps) * updates * ns * 1e-9;
   result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
   const double rows = scene.shaking.duration / scene.output.history_every;

@@ -78,9 +78,8 @@ void initialise(const Pm4Sand& law, const Points& points) {
 void update(const Pm4Sand& law, const Points& points) {
   check_increments("pm4sand", points, largest_increment);
   check_finite("pm4sand", points, pm4::state_size);
-  for (std::size_t i = 0; i < points.count; ++i) {
+  for (std::size_t i = 0; i < points.count; ++i)
     advance(law, points, i);
-  }
 }
 
 double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {

@@ -13,9 +13,8 @@ namespace {
 
 const StressCycles& stress_cycles(const SoilTest& test) {
   const auto* loading = std::get_if<StressCycles>(&test.loading);
-  if (loading == nullptr) {
+  if (loading == nullptr)
     throw std::invalid_argument("cyclic strength needs a test with cycles by stress ratio");
-  }
   return *loading;
 }
 

@@ -1,3 +1,4 @@
+#include "mpm_domain/spec/limits.hpp"
 #include "scene/plan/levels.hpp"
 #include "scene/rules/rules.hpp"
 
@@ -5,13 +6,7 @@
 
 namespace tremolo::scene {
 
-namespace {
-
-/// Of the critical step, with the order usl: in a free body with noise usl grows above (measured;
-/// tests/stability/mpm_domain).
-constexpr double usl_share = 0.85;
-
-} // namespace
+using mpm_domain::usl_share;
 
 void time_step_is_stable(const Case& scene, Findings& findings) {
   const bool usl = scene.time.order == StepOrder::usl && findings.sound("time.order");

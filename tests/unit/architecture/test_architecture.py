@@ -13,7 +13,8 @@ LONGEST_FILE = 500  # lines
 
 FOR_ALL = "base"  # may be included by every folder
 
-# Libraries: folder -> folders whose headers it may include besides its own. coupler/eq6 is a leaf of its own.
+# Libraries: folder -> folders whose headers it may include besides its own. coupler/eq6 and mpm_domain/spec are
+# libraries of their own.
 LIBRARIES = {
     "base": set(),
     "mesh": set(),
@@ -23,8 +24,9 @@ LIBRARIES = {
     "results": set(),
     "coupler/eq6": set(),
     "freefield": {"materials"},
-    "mpm_domain": {"mesh", "materials", "results", "coupler/eq6"},
-    "scene": {"mesh", "materials", "motion"},
+    "mpm_domain/spec": {"mesh", "materials", "coupler/eq6"},
+    "mpm_domain": {"mpm_domain/spec", "mesh", "materials", "results", "coupler/eq6"},
+    "scene": {"mpm_domain/spec", "mesh", "materials", "motion"},
     "coupler": {"results", "coupler/eq6"},
     "app": {"scene", "coupler", "results", "materials", "motion", "wavefield", "freefield"},
 }
@@ -34,7 +36,7 @@ PROCESSES = {
     "coupler": {"results", "coupler/eq6", "scene"},
     "wavefield": {"materials", "motion", "scene", "coupler"},
     "freefield": {"materials", "motion", "wavefield", "scene", "coupler"},
-    "mpm_domain": {"materials", "motion", "results", "coupler/eq6", "scene", "coupler", "freefield", "wavefield"},
+    "mpm_domain": {"mpm_domain/spec", "materials", "motion", "results", "coupler/eq6", "scene", "coupler", "freefield", "wavefield"},
 }
 
 # All that a process knows of the coupler. recorded_case takes no part in an exchange: it describes a case.
@@ -47,8 +49,10 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 
 
 def folder_of(path):
-    """The architectural folder of a path relative to the root, e.g. coupler/eq6."""
-    return "coupler/eq6" if path.startswith("coupler/eq6/") else path.split("/")[0]
+    """The architectural folder of a path relative to the root, e.g. coupler/eq6; the tables of fields belong to spec."""
+    if path.startswith("mpm_domain/fields/"):
+        return "mpm_domain/spec"
+    return next((leaf for leaf in LIBRARIES if "/" in leaf and path.startswith(leaf + "/")), path.split("/")[0])
 
 
 def is_process(path):
