@@ -1,5 +1,7 @@
 #include "scene/geometry.hpp"
 
+#include "mesh/polygon.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -51,19 +53,8 @@ bool on_outline(const Polygon& polygon, Point p) {
   return false;
 }
 
-/// Even-odd rule; undecided on the edge itself.
-bool crosses_odd(const Polygon& polygon, Point p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const auto [a, b] = edge(polygon, i);
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-      inside = !inside;
-  }
-  return inside;
-}
-
 bool strictly_inside(const Polygon& polygon, Point p) {
-  return !on_outline(polygon, p) && crosses_odd(polygon, p);
+  return !on_outline(polygon, p) && mesh::inside(polygon, p.x, p.y);
 }
 
 /// Parameters in [0, 1] along s where it meets the segment other, for segments that are not parallel.
@@ -140,7 +131,7 @@ double area(const Polygon& polygon) {
 }
 
 bool contains(const Polygon& polygon, Point p) {
-  return on_outline(polygon, p) || crosses_odd(polygon, p);
+  return on_outline(polygon, p) || mesh::inside(polygon, p.x, p.y);
 }
 
 bool intersects_itself(const Polygon& polygon) {

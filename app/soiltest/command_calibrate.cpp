@@ -12,7 +12,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <variant>
 
 namespace tremolo::app {
 namespace {
@@ -23,11 +22,8 @@ struct Options {
 };
 
 soiltest::Calibration fit(const scene::SoilTestFile& file) {
-  const auto& sand = std::get<materials::Pm4Sand>(file.soil.law);
-  const auto law = [&sand](double contraction_rate) -> materials::Law {
-    auto changed = sand;
-    changed.h_po = contraction_rate;
-    return changed;
+  const auto law = [&file](double contraction_rate) {
+    return materials::with_contraction_rate(file.soil.law, contraction_rate);
   };
   const auto& target = *file.target;
   return soiltest::calibrate(
@@ -68,8 +64,7 @@ constexpr std::string_view counting =
 std::string out_of_reach(const scene::SoilTestFile& file, const std::string& found) {
   const auto& target = *file.target;
   const auto strength = [&](double contraction_rate) {
-    auto law = std::get<materials::Pm4Sand>(file.soil.law);
-    law.h_po = contraction_rate;
+    const auto law = materials::with_contraction_rate(file.soil.law, contraction_rate);
     auto test = file.test;
     test.loading = soiltest::StressCycles{.stress_ratio = target.stress_ratio};
     try {

@@ -1,6 +1,6 @@
 #include "freefield/fe/fe_soil.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +32,8 @@ void set_geostatic(SoilState& state, const Profile& profile, const ColumnMesh& m
 FeSoil::FeSoil(const Profile& profile, const ColumnMesh& mesh)
     : no_strain_(mesh.elements()), initial_stiffness_(mesh.elements()) {
   const std::size_t n = mesh.elements();
-  for (auto* stress : {&initial_.sxx, &initial_.syy, &initial_.szz, &initial_.sxy, &initial_.plastic_work}) {
+  for (auto* stress : {&initial_.sxx, &initial_.syy, &initial_.szz, &initial_.sxy, &initial_.plastic_work})
     stress->resize(n);
-  }
   for (std::size_t e = 0; e < n; ++e) {
     const Layer& layer = profile.layers[mesh.element_layer[e]];
     initial_stiffness_[e] = {layer.soil.shear_modulus(), 0.0, 0.0, layer.soil.p_modulus()};
@@ -43,9 +42,8 @@ FeSoil::FeSoil(const Profile& profile, const ColumnMesh& mesh)
           {layer.law.value_or(materials::LinearElastic{layer.soil}), e, 0, initial_.history.size()});
     }
     ++blocks_.back().count;
-    for (const materials::StateVariable& variable : materials::state_variables(blocks_.back().law)) {
+    for (const materials::StateVariable& variable : materials::state_variables(blocks_.back().law))
       initial_.history.push_back(variable.initial);
-    }
   }
   start(profile, mesh);
 }
@@ -95,9 +93,8 @@ void FeSoil::tangents(const SoilState& begin, const SoilState& end, const std::v
     std::vector<double> ahead_eyy = deyy;
     std::vector<double> ahead_gxy = dgxy;
     std::vector<double>& ahead = shear ? ahead_gxy : ahead_eyy;
-    for (double& increment : ahead) {
+    for (double& increment : ahead)
       increment += look_ahead(increment);
-    }
     SoilState state = begin;
     update(state, ahead_eyy, ahead_gxy);
     for (std::size_t e = 0; e < n; ++e) {

@@ -1,4 +1,3 @@
-#include "scene/keys/names.hpp"
 #include "scene/read/read.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +14,8 @@ RickerPulse read_pulse(Document& document) {
 void read_motion(Document& document, Findings& findings, Case& scene) {
   const auto table = document.table("motion");
   using enum motion::MotionKind;
-  scene.motion.kind = from_name(table.text("kind"), std::array{incident, outcrop, within});
-  scene.motion.wave = from_name(table.text("wave"), std::array{Wave::sv, Wave::p});
+  scene.motion.kind = table.choice<motion::MotionKind>("kind");
+  scene.motion.wave = table.choice<Wave>("wave");
   scene.motion.angle_deg = table.number("angle_deg");
   scene.motion.reference = table.point("reference");
 
@@ -45,8 +44,7 @@ void read_motion(Document& document, Findings& findings, Case& scene) {
 void read_damping(Document& document, Case& scene) {
   const auto table = document.table("damping");
   using enum DampingModel;
-  scene.damping.model = from_name(table.text("model"),
-                                  std::array{none, rayleigh, kelvin_voigt, hysteretic, shake, kjartansson});
+  scene.damping.model = table.choice<DampingModel>("model");
   scene.damping.ratio = table.number("ratio");
   if (const auto f = table.numbers("frequencies"); f.size() == 2)
     scene.damping.frequencies = {f[0], f[1]};

@@ -14,6 +14,9 @@ namespace tremolo::scene {
 Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, double mesh_size,
                Findings& findings);
 
+/// Reads soil of the Mohr-Coulomb law, with its softening for cells of `mesh_size`.
+Soil read_mohr_coulomb(const NamedTable& soil, double mesh_size, Findings& findings);
+
 /// Of PM4Sand and PDMY03.
 Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
 

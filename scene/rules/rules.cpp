@@ -16,7 +16,6 @@ struct Rule {
 /// Errors, then warnings, then notes: the order in which they are found and told.
 constexpr std::array rules = {
     Rule{Severity::error, record_is_readable},
-    Rule{Severity::error, strength_is_ordered},
     Rule{Severity::error, box_fits_lattice},
     Rule{Severity::error, refinements_suit_mesh},
     Rule{Severity::error, regions_are_simple},
@@ -34,6 +33,7 @@ constexpr std::array rules = {
     Rule{Severity::error, reference_lies_in_halfspace},
     Rule{Severity::error, incident_base_lies_in_halfspace},
     Rule{Severity::error, time_step_is_stable},
+    Rule{Severity::error, flip_has_surface_along_grid},
     Rule{Severity::error, subcycling_suits_case},
     Rule{Severity::error, monitors_lie_in_soil},
     Rule{Severity::error, hosts_can_meet},

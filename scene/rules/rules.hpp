@@ -20,8 +20,6 @@ bool mesh_is_sound(const Case& scene, const Findings& findings);
 
 /// The motion's record can be read.
 void record_is_readable(const Case& scene, Findings& findings);
-/// Residual strength does not exceed peak strength, dilation does not exceed friction.
-void strength_is_ordered(const Case& scene, Findings& findings);
 /// The box has a width and a height that the particle lattice divides, and not too many particles.
 void box_fits_lattice(const Case& scene, Findings& findings);
 /// Boxes to refine reach into the model, and the cells are not too many.
@@ -56,6 +54,8 @@ void reference_lies_in_halfspace(const Case& scene, Findings& findings);
 void incident_base_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A fixed time step does not exceed the critical one.
 void time_step_is_stable(const Case& scene, Findings& findings);
+/// Where particles take the transfer FLIP, free surfaces lie on lines between cells.
+void flip_has_surface_along_grid(const Case& scene, Findings& findings);
 /// Levels with steps of their own need levels, and what sub-cycling is made for.
 void subcycling_suits_case(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.

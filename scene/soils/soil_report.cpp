@@ -53,11 +53,6 @@ std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::s
   return parameters;
 }
 
-std::vector<std::string> notes(const Soil& soil) {
-  const auto* sand = std::get_if<materials::Pdmy03>(&soil.law);
-  return sand != nullptr ? materials::notes(*sand) : std::vector<std::string>{};
-}
-
 std::string text(const std::vector<ParameterInForce>& parameters) {
   std::string lines;
   for (const auto& [name, value, unit, meaning, origin, word] : parameters)

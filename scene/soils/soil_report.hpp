@@ -29,9 +29,6 @@ std::string model_in_force(const std::string& table, const std::vector<ValueInFo
 std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::string& table,
                                                   const std::vector<ValueInForce>& values);
 
-/// What a user of the soil should know before trusting it.
-std::vector<std::string> notes(const Soil& soil);
-
 /// The parameters as lines of text.
 std::string text(const std::vector<ParameterInForce>& parameters);
 

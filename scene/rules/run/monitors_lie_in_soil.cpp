@@ -9,8 +9,8 @@ namespace tremolo::scene {
 namespace {
 
 bool in_soil(const Case& scene, Point p) {
-  return std::ranges::any_of(scene.regions,
-                             [p](const Region& region) { return contains(region.polygon, p); });
+  return std::ranges::any_of(
+      scene.regions, [p](const Region& region) { return contains(region.polygon, p); });
 }
 
 } // namespace

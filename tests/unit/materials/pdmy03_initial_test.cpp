@@ -124,9 +124,8 @@ TEST(Pdmy03Initial, CentresKeepSinglePrecisionAndAreNeverNotNumbers) {
     const double x = static_cast<double>(i);
     memory.rest_centre(i, {1.0 / x, -0.3 * x, -1e-30 * x});
   }
-  for (const double value : block) {
+  for (const double value : block)
     EXPECT_TRUE(std::isfinite(value));
-  }
   for (std::size_t i = 1; i < 20; ++i) {
     const double x = static_cast<double>(i);
     EXPECT_NEAR(memory.resting_centre(i, 20).a * x, 1.0, 1e-7);
@@ -174,7 +173,7 @@ TEST(Pdmy03Initial, OutOfPlaneStrainIsTaken) {
   update(law, points);
   EXPECT_LT(point.szz, point.sxx);
   EXPECT_NEAR(point.sxx, point.syy, 1e-9);
-  EXPECT_TRUE(three_dimensional(Law(law)));
+  EXPECT_TRUE(traits(law).three_dimensional);
 }
 
 } // namespace

@@ -20,9 +20,8 @@ Pm4SandInput input() {
 
 std::map<std::string_view, ParameterValue> by_name(const Pm4Sand& law) {
   std::map<std::string_view, ParameterValue> result;
-  for (const ParameterValue& parameter : parameters(law)) {
+  for (const ParameterValue& parameter : parameters(law))
     result[parameter.name] = parameter;
-  }
   return result;
 }
 
@@ -116,15 +115,14 @@ TEST(Pm4Parameters, OutsideTheirRangeAreRefused) {
        {&Pm4SandInput::p_A, &Pm4SandInput::e_max, &Pm4SandInput::n_b, &Pm4SandInput::n_d, &Pm4SandInput::Q,
         &Pm4SandInput::R, &Pm4SandInput::m, &Pm4SandInput::h_o, &Pm4SandInput::c_z, &Pm4SandInput::c_eps,
         &Pm4SandInput::C_GD, &Pm4SandInput::C_DR, &Pm4SandInput::C_kaf, &Pm4SandInput::F_sed_min,
-        &Pm4SandInput::p_sedo}) {
+        &Pm4SandInput::p_sedo})
     refused([member](Pm4SandInput& i) { i.*member = nan; });
-  }
 }
 
 TEST(Pm4Parameters, ReachTheLawsInterface) {
   const Law law = report_sand(55);
   EXPECT_EQ(name(law), "pm4sand");
-  EXPECT_FALSE(three_dimensional(law));
+  EXPECT_FALSE(traits(law).three_dimensional);
   EXPECT_NEAR(elasticity(law).shear_modulus(), 677.0 * 101.3e3, 1.0);
   EXPECT_TRUE(std::holds_alternative<LinearElastic>(without_softening(law)));
   EXPECT_TRUE(std::get<Pm4Sand>(after_shaking(law)).post_shake);

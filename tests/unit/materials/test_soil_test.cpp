@@ -57,14 +57,6 @@ TEST(SoilTestInput, RefusesWhatMakesNoSense) {
   expect_refused(simple_shear(Path{}), "path");
 }
 
-TEST(SoilTestInput, NamesAreReadAsTheyAreWritten) {
-  EXPECT_EQ(kind_named(name(Kind::plane_strain_extension)), Kind::plane_strain_extension);
-  EXPECT_EQ(drainage_named("constant_volume"), Drainage::constant_volume);
-  EXPECT_EQ(criterion_named("ru_98"), Criterion::ru_98);
-  EXPECT_THAT([] { kind_named("triaxal"); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("triaxial_compression")));
-}
-
 TEST(SoilTestInput, PathsAreReadByTheNamesOfTheirColumns) {
   std::istringstream table(
       "step, sig_yy,eps_yy,eps_xx,note,gamma_xy\r\n0,-100,0,0,7,0\n10,-90,0,1e-4,7,-2e-3\n\n");
@@ -111,9 +103,8 @@ TEST(SoilTestCycles, ReverseExactlyAtTheStressRatio) {
   EXPECT_EQ(result.end, End::most_cycles);
   EXPECT_EQ(result.history.column("cycle"), (std::vector<double>{0.0, 0.25, 0.75, 1.25, 1.75, 2.25}));
   const std::vector<double>& tau = result.history.column("sig_xy");
-  for (std::size_t i = 1; i < tau.size(); ++i) {
+  for (std::size_t i = 1; i < tau.size(); ++i)
     EXPECT_NEAR(tau[i], 5e3 + (i % 2 == 1 ? 12.34e3 : -12.34e3), 1e-3);
-  }
 }
 
 /// In between the cycle runs with the shear stress: elastic, so with the strain.
@@ -207,9 +198,8 @@ TEST(Root, SaysThatThereIsNone) {
   EXPECT_FALSE(none.found);
   EXPECT_EQ(none.x, 0.1);
   const auto fails = [](double x) -> double {
-    if (x > 2.0) {
+    if (x > 2.0)
       throw std::runtime_error("too far");
-    }
     return -1.0;
   };
   EXPECT_THROW(find_root(fails, {1.0, 0.1, 10.0, 1.0, 1e-6}), std::runtime_error);

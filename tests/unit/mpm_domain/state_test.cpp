@@ -52,12 +52,14 @@ struct Shaken {
   mpm_domain::Domain domain;
   test_support::PlaneWave wave{.angle = 0.2, .arrival = 0.1, .amplitude = 0.6, .y_reference = -4.0};
   std::vector<double> faces;
+  std::vector<eq6::FreeField> beyond_layers; ///< at rest: what they take up is the whole wave
   mpm_domain::Stepper stepper;
 
   /// @param at_rest of another one after its gravity stage; empty: this one has its own
   Shaken(const mpm_domain::Spec& spec, const std::vector<double>& at_rest)
-      : domain(spec), faces(rest(domain, at_rest)),
-        stepper(domain, 0.0, test_support::plane_wave_source(domain, wave, true)) {}
+      : domain(spec), faces(rest(domain, at_rest)), beyond_layers(domain.faces.size()),
+        stepper(domain, 0.0, test_support::plane_wave_source(domain, wave, true),
+                [this] { return std::span<const eq6::FreeField>(beyond_layers); }) {}
 
   static std::vector<double> rest(mpm_domain::Domain& domain, const std::vector<double>& at_rest) {
     if (at_rest.empty())
@@ -65,7 +67,9 @@ struct Shaken {
           domain, mpm_domain::relax_under_gravity(domain, {.residual = 1e-6}, [](long, double) {}));
     else
       mpm_domain::set_faces_at_rest(domain, at_rest);
-    return mpm_domain::faces_at_rest(domain);
+    std::vector<double> faces = mpm_domain::faces_at_rest(domain);
+    mpm_domain::attach_matched_layers(domain);
+    return faces;
   }
 
   void steps(int count) {
@@ -150,6 +154,14 @@ TEST(State, OfEveryTransferGoesOnWithTheSameBits) {
       spec.scheme.order = order;
       expect_exact_resumption(spec);
     }
+}
+
+TEST(State, OfMatchedLayersAndTheirCornersGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(softening_soil());
+  spec.layer_cells = 3;
+  using enum mpm_domain::Side;
+  spec.matched_sides = {left, right, base};
+  expect_exact_resumption(spec);
 }
 
 TEST(State, OnAGradedMeshGoesOnWithTheSameBits) {

@@ -56,9 +56,8 @@ void expect_exact_curve(const MohrCoulomb& soil, double lateral, double incremen
     const CurvePoint target = exact(soil, lateral, multiplier);
     const double missing = target.strain + point.strain().yy;
     const int steps = static_cast<int>(std::ceil(missing / increment));
-    for (int n = 0; n < steps; ++n) {
+    for (int n = 0; n < steps; ++n)
       point.apply({Control::stress(-lateral), Control::strain(-missing / steps)});
-    }
     EXPECT_NEAR(-point.stress().yy, target.stress, 1e-6 * target.stress) << "strain " << target.strain;
     EXPECT_NEAR(point.state()[equivalent_plastic_strain], 2.0 / std::sqrt(3.0) * multiplier, 1e-6);
   }
@@ -89,9 +88,8 @@ TEST(SofteningCurve, IsFollowedAtConstantVolume) {
       const CurvePoint target = exact_undrained(soil, 75.0 * kPa, multiplier);
       const double missing = target.strain - point.strain().xy;
       const int steps = static_cast<int>(std::ceil(missing / increment));
-      for (int n = 0; n < steps; ++n) {
+      for (int n = 0; n < steps; ++n)
         point.apply({Control::strain(0.0), Control::strain(0.0), Control::strain(missing / steps)});
-      }
       EXPECT_NEAR(point.stress().xy, target.stress, 1e-6 * target.stress);
     }
   }
@@ -100,9 +98,8 @@ TEST(SofteningCurve, IsFollowedAtConstantVolume) {
 TEST(SofteningCurve, WithoutSofteningStaysAtThePeak) {
   const MohrCoulomb soil = without_softening(slope_soil());
   PointTest point(soil, {-50.0 * kPa, -50.0 * kPa, -50.0 * kPa, 0.0});
-  for (int n = 0; n < 100; ++n) {
+  for (int n = 0; n < 100; ++n)
     point.apply({Control::stress(-50.0 * kPa), Control::strain(-1e-3)});
-  }
   EXPECT_NEAR(-point.stress().yy, exact(slope_soil(), 50.0 * kPa, 0.0).stress, 1e-6 * kPa);
   EXPECT_GT(point.state()[equivalent_plastic_strain], 0.09);
 }
@@ -114,7 +111,7 @@ TEST(SofteningCurve, RegularisationKeepsStrengthAgainstSlip) {
   const double slip = 0.02;
   const double expected = exact(slope_soil(), 50.0 * kPa, slip / (2.0 * reference)).stress;
   for (const double h : {0.125, 0.25, 1.0}) {
-    const MohrCoulomb soil = regularised(slope_soil(), h, reference);
+    const MohrCoulomb soil = for_cell_size(slope_soil(), h, reference);
     EXPECT_NEAR(exact(soil, 50.0 * kPa, slip / (2.0 * h)).stress, expected, 1e-9 * expected);
     EXPECT_DOUBLE_EQ(soil.softening, 15.0 * h / reference);
   }

@@ -35,5 +35,21 @@ TEST(Rules, TimeStepIsStable) {
                           "and its fastest soil"));
 }
 
+TEST(Rules, FlipHasSurfaceAlongGrid) {
+  const std::string flip = "[time]\ntransfer = \"flip\"\n";
+  const std::string whole = "[20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]";
+  const auto cut = [](const std::string& corners) {
+    return "[20.0, -10.0], [20.0, 0.0], [12.0, 0.0], " + corners + ", [8.0, 0.0], [0.0, 0.0]]";
+  };
+  EXPECT_THAT(errors_of(plus(flip)), IsEmpty());
+  EXPECT_THAT(errors_of(with(whole, cut("[12.0, -2.0], [8.0, -2.0]"), plus(flip))), IsEmpty());
+  for (const std::string corners : {"[10.0, -3.0]", "[12.0, -2.5], [8.0, -2.5]"}) {
+    EXPECT_THAT(
+        errors_of(with(whole, cut(corners), plus(flip))),
+        ElementsAre(::testing::HasSubstr("[time] 'transfer' = \"flip\" with a free surface off the lines")));
+    EXPECT_THAT(errors_of(with(whole, cut(corners))), IsEmpty());
+  }
+}
+
 } // namespace
 } // namespace tremolo::scene::testing
