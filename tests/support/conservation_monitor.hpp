@@ -15,7 +15,6 @@
 
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/hard_case.hpp"
-#include "tests/support/no_traction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ namespace tremolo::test_support {
 /// A domain ready to be stepped and what shakes it.
 struct Scene {
   std::unique_ptr<mpm_domain::Domain> domain;
-  mpm_domain::TractionSource source;
+  mpm_domain::FreeFieldSource source; ///< none for a domain without faces
   double start = 0.0; ///< s
 };
 
@@ -51,11 +50,13 @@ public:
   void after(const mpm_domain::Stepper& stepper) {
     const double dt = stepper.kick();
     add_impulse({0.0, -domain_.spec.gravity * start_.mass}, dt);
-    for (std::size_t f = 0; f < domain_.faces.size(); ++f) {
-      const mpm_domain::Vector t = stepper.face_tractions()[f];
-      add_impulse({domain_.faces[f].length * t.x, domain_.faces[f].length * t.y}, dt);
+    const mpm_domain::Boundary& boundary = domain_.boundary;
+    for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
+      const mpm_domain::Vector t = boundary.tractions()[f];
+      const double length = boundary.faces()[f].length;
+      add_impulse({length * t.x, length * t.y}, dt);
     }
-    if (!domain_.faces.empty()) {
+    if (!boundary.faces().empty()) {
       const mpm_domain::Grid& grid = domain_.grid;
       for (std::size_t n = 0; n < grid.size(); ++n) {
         impulse_.x -= 0.5 * dt * dt * grid.dashpot_x[n] * grid.ax[n];

@@ -4,6 +4,7 @@
 
 #include "tests/support/box_run.hpp"
 #include "tests/support/hard_case.hpp"
+#include "tests/support/no_traction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -92,11 +93,10 @@ struct Flight {
 
 /// Ten rounds.
 Flight fly(Domain& domain, double drift) {
-  domain.faces.clear();
   const auto count = static_cast<double>(domain.particle_count());
   const Sums start = sums_of(domain);
   const double vibration = vibration_of(domain, start.momentum.x / start.mass);
-  Stepper stepper(domain, 0.0, [](long, double, auto, auto) {});
+  Stepper stepper(domain, 0.0, no_traction(domain));
   Flight flight;
   double kinetic_before = 0.0;
   double elastic_before = 0.0;

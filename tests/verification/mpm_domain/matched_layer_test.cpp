@@ -90,20 +90,9 @@ double box_error(double angle_deg, bool layers) {
   if (layers)
     spec.matched_sides = {mpm_domain::Side::left, mpm_domain::Side::right, mpm_domain::Side::base};
   mpm_domain::Domain domain(spec);
-  mpm_domain::attach_matched_layers(domain);
   test_support::PlaneWave wave;
   wave.angle = angle_deg * std::numbers::pi / 180.0;
-  std::vector<eq6::FreeField> field(domain.faces.size());
-  mpm_domain::Stepper stepper(
-      domain, 0.0,
-      [&](long, double t, auto v, auto traction) {
-        for (std::size_t f = 0; f < v.size(); ++f) {
-          const mpm_domain::BoundaryFace& face = domain.faces[f];
-          field[f] = wave.at(face.position.x, face.position.y, t);
-          traction[f] = eq6::boundary_traction(face.face, v[f], field[f], {});
-        }
-      },
-      [&] { return std::span<const eq6::FreeField>(field); });
+  mpm_domain::Stepper stepper(domain, 0.0, test_support::plane_wave_source(domain, wave, true));
   test_support::VelocityError error;
   while (stepper.time() < 2.2) {
     stepper.step();
@@ -133,7 +122,6 @@ std::vector<double> after(const Blow& blow) {
   if (blow.layers)
     spec.matched_sides = {mpm_domain::Side::left, mpm_domain::Side::right, mpm_domain::Side::base};
   mpm_domain::Domain domain(spec);
-  mpm_domain::attach_matched_layers(domain);
   const double middle = 0.5 * blow.width;
   mpm_domain::Particles& set = domain.sets.front();
   std::vector<std::uint32_t> watched;
@@ -149,7 +137,7 @@ std::vector<double> after(const Blow& blow) {
            std::tuple(std::round(4.0 * set.y[j]), set.x[j]);
   };
   std::ranges::sort(watched, by_place);
-  mpm_domain::Stepper stepper = test_support::quiet_stepper(domain);
+  mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground());
   std::vector<double> seen;
   while (stepper.time() < 0.6) {
     stepper.step();
@@ -189,11 +177,10 @@ TEST(MatchedLayers, StandInTheEnergyLedger) {
   spec.scheme.order = mpm_domain::StepOrder::usl; // its ledger is exact but for the order of the step
   spec.matched_sides = {mpm_domain::Side::left, mpm_domain::Side::right, mpm_domain::Side::base};
   mpm_domain::Domain domain(spec);
-  mpm_domain::attach_matched_layers(domain);
   mpm_domain::Particles& set = domain.sets.front();
   for (std::size_t k = 0; k < set.size(); ++k)
     set.vx[k] = 0.01 * std::exp(-(std::pow(set.x[k] - 10.0, 2) + std::pow(set.y[k] + 5.0, 2)) / 9.0);
-  mpm_domain::Stepper stepper = test_support::quiet_stepper(domain);
+  mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground());
   while (stepper.time() < 0.6)
     stepper.step();
   const mpm_domain::EnergyLedger& energy = domain.energy;
@@ -206,7 +193,6 @@ TEST(MatchedLayers, NeedToBeToldTheFreeField) {
   spec.threads = 1;
   spec.matched_sides = {mpm_domain::Side::base};
   mpm_domain::Domain domain(spec);
-  mpm_domain::attach_matched_layers(domain);
   EXPECT_THROW(mpm_domain::Stepper(domain, 0.0, {}), std::invalid_argument);
 }
 

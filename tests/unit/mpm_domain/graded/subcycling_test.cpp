@@ -4,6 +4,7 @@
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,19 +69,16 @@ TEST(Subcycling, OnOneClockIsTheSingleStep) {
   fine.threads = refined.threads = 1;
   test_support::PlaneWave wave = oblique_wave();
   // The exchange holds the free field over two ticks: without one both runs are the same.
-  const TractionSource none = test_support::no_traction();
   std::vector<Fields> results;
   for (Spec* spec : {&fine, &refined}) {
     Domain domain(*spec);
-    domain.faces.clear();
-    domain.static_tractions.clear();
     for (Particles& set : domain.sets)
       for (std::size_t k = 0; k < set.size(); ++k) {
         const eq6::Vector v = wave.at(set.x[k], set.y[k], 1.0).velocity;
         set.vx[k] = v.x + 0.01 * std::sin(set.x[k]);
         set.vy[k] = v.y + 0.01 * std::cos(set.x[k] + set.y[k]);
       }
-    Stepper stepper(domain, 0.0, none);
+    Stepper stepper(domain, 0.0, test_support::no_traction(domain));
     for (int step = 0; step < (spec == &fine ? 80 : 40); ++step)
       stepper.step();
     results.push_back(fields_of(domain));
@@ -125,8 +123,6 @@ TEST(Subcycling, KeepsMomentumUnderInitialStress) {
   spec.scheme.subcycle = true;
   spec.threads = 1;
   Domain domain(spec);
-  domain.faces.clear();
-  domain.static_tractions.clear();
   double scale = 0.0;
   for (Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k) {
@@ -141,7 +137,7 @@ TEST(Subcycling, KeepsMomentumUnderInitialStress) {
         sum = {sum.x + set.mass[k] * set.vx[k], sum.y + set.mass[k] * set.vy[k]};
     return sum;
   };
-  Stepper stepper(domain, 0.0, [](long, double, auto, auto) {});
+  Stepper stepper(domain, 0.0, test_support::no_traction(domain));
   for (const double fraction : {0.5, 0.3, 0.7}) {
     domain.spec.scheme.fraction = fraction;
     for (int step = 0; step < 20; ++step)
@@ -195,7 +191,7 @@ TEST(Subcycling, RefusesWhatItIsNotMadeFor) {
   for (const auto& change : std::vector<std::function<void(Spec&)>>{
            [](Spec& spec) { spec.refine.clear(); }, [](Spec& spec) { spec.scheme.transfer = Transfer::flip; },
            [](Spec& spec) { spec.scheme.order = StepOrder::usl; },
-           [](Spec& spec) { spec.matched_sides = {Side::base}; }}) {
+           [](Spec& spec) { spec.sides = Sides::springs; }}) {
     Spec spec = shaken_box(true);
     change(spec);
     EXPECT_THROW(Domain{spec}, std::invalid_argument);
@@ -203,7 +199,7 @@ TEST(Subcycling, RefusesWhatItIsNotMadeFor) {
   Spec spec = shaken_box(true);
   spec.scheme.dt = 1.0;
   Domain domain(spec);
-  EXPECT_THROW(Stepper(domain, 0.0, [](long, double, auto, auto) {}), std::invalid_argument);
+  EXPECT_THROW(Stepper(domain, 0.0, test_support::quiet_ground()), std::invalid_argument);
 }
 
 } // namespace
