@@ -1,7 +1,7 @@
 #pragma once
 
-// A flat elastic box shaken by a plane wave through all its faces, without processes: the free field of its faces is
-// the closed form.
+// A flat elastic box shaken by a plane wave through all its faces, without processes: the free field of its
+// faces is the closed form.
 
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/plane_wave.hpp"

@@ -46,10 +46,10 @@ TEST_P(BoundaryTraction, HasTheClosedFormsOfItsParts) {
 
 TEST_P(BoundaryTraction, IsTheSumOfItsParts) {
   const Traction found = boundary_traction(face_, v_domain, field, held);
-  expect_near(found.total(),
-              {found.viscous.x + found.dynamic.x + found.held.x,
-               found.viscous.y + found.dynamic.y + found.held.y},
-              std::abs(held.x));
+  expect_near(
+      found.total(),
+      {found.viscous.x + found.dynamic.x + found.held.x, found.viscous.y + found.dynamic.y + found.held.y},
+      std::abs(held.x));
 }
 
 /// A part that nothing calls for is zero, to the last bit.

@@ -239,8 +239,10 @@ TEST(GradedDomain, ApicHandsLinearVelocitiesToNodesOfAllLevels) {
       for_nodes(domain, [&](std::size_t n, double x, double y) {
         if (grid.mass[n] <= 1e-6 * 1700.0)
           return;
-        EXPECT_NEAR(grid.vx_before[n], a.xx * x + a.xy * y, 1e-11) << x << ", " << y << ", per cell " << per_cell;
-        EXPECT_NEAR(grid.vy_before[n], a.yx * x + a.yy * y, 1e-11) << x << ", " << y << ", per cell " << per_cell;
+        EXPECT_NEAR(grid.vx_before[n], a.xx * x + a.xy * y, 1e-11)
+            << x << ", " << y << ", per cell " << per_cell;
+        EXPECT_NEAR(grid.vy_before[n], a.yx * x + a.yy * y, 1e-11)
+            << x << ", " << y << ", per cell " << per_cell;
       });
     }
 }

@@ -69,7 +69,8 @@ double energy_below(const Domain& domain) {
     for (int j = 0; j < lattice.ny; ++j)
       for (int i = 0; i < lattice.nx && lattice.y0 + j * lattice.h < -1e-6; ++i) {
         const std::size_t n = lattice.index(i, j);
-        sum += 0.5 * grid.mass[n] * (grid.vx_before[n] * grid.vx_before[n] + grid.vy_before[n] * grid.vy_before[n]);
+        sum += 0.5 * grid.mass[n] *
+               (grid.vx_before[n] * grid.vx_before[n] + grid.vy_before[n] * grid.vy_before[n]);
       }
   }
   return sum;
