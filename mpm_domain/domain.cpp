@@ -18,22 +18,9 @@ namespace {
 
 Grid make_grid(const Spec& spec) {
   Grid grid;
-  grid.h = spec.cell_size;
-  grid.x0 = spec.box.x_min - margin_cells * grid.h;
-  grid.y0 = spec.box.y_min - margin_cells * grid.h;
-  const auto nodes = [&](double length) {
-    return static_cast<int>(std::ceil(length / grid.h - 1e-9)) + 1 + 2 * margin_cells;
-  };
-  resize(grid, nodes(spec.box.x_max - spec.box.x_min), nodes(spec.box.y_max - spec.box.y_min));
-  if (spec.periodic()) {
-    grid.period = static_cast<int>(std::lround((spec.box.x_max - spec.box.x_min) / grid.h));
-    grid.first_column = margin_cells;
-  }
+  static_cast<GridShape&>(grid) = grid_shape(spec.box, spec.cell_size, spec.sides);
+  resize_fields(grid, grid.count());
   return grid;
-}
-
-mesh::Roots roots_of(const Grid& grid) {
-  return {grid.x0, grid.y0, grid.h, grid.nx - 1, grid.ny - 1, grid.period, grid.first_column};
 }
 
 const Spec& checked(const Spec& spec) {
@@ -55,7 +42,7 @@ const Spec& checked(const Spec& spec) {
   refuse_unless(spec.scheme.fraction > 0.0 && spec.scheme.fraction <= 1.0,
                 "the fraction of the critical time step", spec.scheme.fraction, "in (0, 1]");
   if (spec.scheme.subcycle && (spec.refine.empty() || spec.scheme.transfer != Transfer::apic ||
-                               spec.scheme.order != StepOrder::musl || spec.sides == Sides::springs))
+                               spec.scheme.order != StepOrder::musl || spec.sides == Sides::periodic_springs))
     throw std::invalid_argument("sub-cycling needs a refined mesh, the transfer apic, the order musl, "
                                 "and sides without springs");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
@@ -79,7 +66,7 @@ void rebuild_mesh(Domain& domain) {
     return;
   }
   domain.mesh.emplace(roots_of(domain.grid),
-                      mesh::beyond_edges(spec.refine, spec.box, 1e-6 * spec.cell_size, !spec.periodic()));
+                      refinements_of(spec.refine, spec.box, spec.cell_size, spec.sides));
   domain.basis_cells = {};
   domain.across.clear();
   if (spec.scheme.subcycle)

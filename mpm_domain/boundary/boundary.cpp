@@ -119,7 +119,7 @@ void Boundary::build_supports(const Domain& domain) {
       face.layer_mass = layer.mass(f);
     }
   }
-  if (domain.spec.sides == Sides::springs && !faces_.empty()) {
+  if (domain.spec.sides == Sides::periodic_springs && !faces_.empty()) {
     springs_.emplace(domain);
     for (std::size_t f = 0; f < springs_->face_count(); ++f)
       faces_[f].support = Support::opposite_face;

@@ -2,7 +2,7 @@
 
 #include "coupler/eq6/boundary_traction.hpp"
 #include "mpm_domain/fields/node_fields.hpp"
-#include "mpm_domain/spec/lattice.hpp"
+#include "mpm_domain/spec/grid_shape.hpp"
 
 #include <cstddef>
 
@@ -10,11 +10,7 @@ namespace tremolo::mpm_domain {
 
 /// The background grid: its nodes' fields, and the place of the coarsest nodes. A graded mesh has more
 /// lattices, whose nodes stand behind these in every field; on a uniform one the grid is this lattice alone.
-struct Grid : Lattice, NodeFields {
-  /// Columns after which the grid repeats itself, from column `first_column` on; 0: it does not.
-  int period = 0;
-  int first_column = 0;
-
+struct Grid : GridShape, NodeFields {
   /// The column that column i stands for: itself, or the one of the period that it is an image of.
   int real_column(int i) const {
     if (period == 0)

@@ -35,8 +35,8 @@ void Checkpoints::after_step(coupler::DomainClient& client, const Domain& domain
       stepper.save(file);
     });
   } catch (const std::runtime_error& error) {
-    fmt::print(log_, "warning: no checkpoint at step {}: {}\n", stepper.steps(), error.what());
-    std::fflush(log_);
+    fmt::print("warning: no checkpoint at step {}: {}\n", stepper.steps(), error.what());
+    std::fflush(stdout);
   }
   last_ = coupler::Clock::now();
 }

@@ -13,9 +13,7 @@ namespace tremolo::mpm_domain {
 /// Makes the domain's part of checkpoints when the case wants them, and reads it again.
 class Checkpoints {
 public:
-  /// @param log where warnings go
-  Checkpoints(const scene::Checkpoints& wanted, std::FILE* log)
-      : wanted_(wanted), log_(log), last_(coupler::Clock::now()) {}
+  explicit Checkpoints(const scene::Checkpoints& wanted) : wanted_(wanted), last_(coupler::Clock::now()) {}
 
   /// Called after every step; saves what is due. A disk that does not take it is a warning: the run goes on,
   /// and so does the last checkpoint.
@@ -26,7 +24,6 @@ private:
   [[nodiscard]] bool due(long step) const;
 
   const scene::Checkpoints& wanted_;
-  std::FILE* log_;
   coupler::Clock::time_point last_;
 };
 

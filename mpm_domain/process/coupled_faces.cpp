@@ -8,18 +8,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-scene::Side scene_side(Side side) {
-  switch (side) {
-  case Side::left:
-    return scene::Side::left;
-  case Side::right:
-    return scene::Side::right;
-  case Side::base:
-    break;
-  }
-  return scene::Side::base;
-}
-
 Vector mixed(Vector a, Vector b, double s) {
   return {(1.0 - s) * a.x + s * b.x, (1.0 - s) * a.y + s * b.y};
 }
@@ -44,7 +32,7 @@ CoupledFaces::CoupledFaces(const Domain& domain, const scene::Case& scene, const
   };
   for (std::size_t f = first_; f < all.size(); ++f) {
     const Side side = all[f].side;
-    add(f, side == Side::base ? base.left : scene::source_of(plan, scene_side(side)).name,
+    add(f, side == Side::base ? base.left : scene::source_of(plan, side).name,
         side == Side::base && incident);
   }
   single_ = faces_.size();

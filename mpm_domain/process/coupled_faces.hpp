@@ -25,7 +25,7 @@ public:
   CoupledFaces(const Domain& domain, const scene::Case& scene, const scene::Plan& plan);
 
   /// As they are announced.
-  const std::vector<coupler::BoundaryFace>& faces() const { return faces_; }
+  const std::vector<coupler::ExchangedFace>& faces() const { return faces_; }
   /// Who drives each of the domain's faces, those of tied sides too.
   std::vector<std::string> sources() const;
 
@@ -41,7 +41,7 @@ private:
   std::size_t first_;          ///< of the domain's faces that a free field drives
   std::size_t single_ = 0;     ///< faces without the second ones of the base
   std::vector<double> shares_; ///< s of the base's faces, where it is blended
-  std::vector<coupler::BoundaryFace> faces_;
+  std::vector<coupler::ExchangedFace> faces_;
   std::vector<Vector> v_, traction_;
 };
 

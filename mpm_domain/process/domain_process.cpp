@@ -3,8 +3,7 @@
 // brings it to rest under gravity, replaces the supports by tractions, and shakes it through its boundary
 // faces with what the coupler brings.
 
-#include "mpm_domain/process/domain_process.hpp"
-
+#include "coupler/participant.hpp"
 #include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/process/checkpoints.hpp"
@@ -18,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 
@@ -27,8 +25,7 @@ namespace tremolo::mpm_domain {
 namespace {
 
 /// Brings the domain to rest and returns the wall time it took, s.
-double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::DomainClient& client,
-                     std::FILE* log) {
+double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::DomainClient& client) {
   coupler::Stopwatch watch;
   watch.start();
   const GravitySettings settings{stage.residual, stage.max_time};
@@ -37,8 +34,7 @@ double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::
   };
   const Reactions reactions = relax_under_gravity(domain, settings, progress);
   if (reactions.unheld > 0)
-    fmt::print(log,
-               "warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
+    fmt::print("warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
                "it: the soil "
                "there is not at rest; a gentler slope or stronger soil would be\n",
                reactions.unheld, domain.particle_count());
@@ -50,7 +46,7 @@ double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::
 void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
            const coupler::ParticipantOptions& options, coupler::DomainClient& client, double gravity_seconds,
            const results::CheckpointReader* saved) {
-  Checkpoints checkpoints(scene.checkpoints, options.surroundings.log);
+  Checkpoints checkpoints(scene.checkpoints);
   const double end = scene.shaking.duration;
   double waiting_seconds = 0.0;
   std::optional<CoupledFaces> coupled; // when the stepper has put supports behind the faces
@@ -62,7 +58,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
   std::optional<coupler::DomainClient::FirstStep> first;
   if (saved != nullptr)
     before = results::set_aside(options.out / "run.h5");
-  RunOutput output(options.out, scene, scene::to_json(plan), domain, coupled->sources());
+  RunOutput output(options.out, scene, scene::to_json(scene, plan), domain, coupled->sources());
   try {
     if (saved != nullptr) {
       load_state(*saved, domain, stepper);
@@ -102,8 +98,7 @@ void run(const coupler::ParticipantOptions& options) {
     if (saved)
       load_rest_state(*saved, domain);
     const double gravity_seconds =
-        scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client, options.surroundings.log)
-                                : 0.0;
+        scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client) : 0.0;
     shake(domain, scene, plan, options, client, gravity_seconds, saved.get());
   } catch (const std::exception& error) {
     client.abandon(error.what());
@@ -112,10 +107,10 @@ void run(const coupler::ParticipantOptions& options) {
 }
 
 } // namespace
-
-int domain_process(const coupler::CommandLine& command, const coupler::Surroundings& surroundings) {
-  return coupler::participant_main("tremolo-domain", "The Material Point Method domain of a tremolo run.",
-                                   command, surroundings, run);
-}
-
 } // namespace tremolo::mpm_domain
+
+int main(int argc, char** argv) {
+  return tremolo::coupler::participant_main("tremolo-domain",
+                                            "The Material Point Method domain of a tremolo run.", argc, argv,
+                                            tremolo::mpm_domain::run);
+}

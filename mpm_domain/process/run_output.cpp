@@ -220,6 +220,7 @@ void RunOutput::write_history(const Stepper& stepper) {
                                                   y - set.y_initial[k], set.vx[k], set.vy[k], a.x, a.y});
   }
   write_boundary(stepper);
+  writer_.flush_if_large();
 }
 
 void RunOutput::write_frame(const Stepper& stepper) {

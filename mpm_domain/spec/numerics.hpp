@@ -21,11 +21,13 @@ enum class ParticleBoxes {
   deforming, ///< they follow it (particle_boxes.hpp)
 };
 
-/// The two sides of the model.
+enum class Side { left, right, base };
+
+/// What the two sides of the model are.
 enum class Sides {
-  free_field, ///< they carry faces
-  periodic,   ///< the domain repeats itself beyond them; it is a whole number of cells wide
-  springs,    ///< their faces are tied to each other (periodic_springs.hpp)
+  free_field,       ///< they carry faces
+  periodic,         ///< the domain repeats itself beyond them; it is a whole number of cells wide
+  periodic_springs, ///< their faces are tied to each other (periodic_springs.hpp)
 };
 
 /// The numerical scheme of the domain.

@@ -29,8 +29,6 @@ struct Region {
   std::vector<Vector> polygon;
 };
 
-enum class Side { left, right, base };
-
 /// Everything the domain is built from.
 struct Spec {
   Box box;                    ///< model; its left, right and lower edges carry boundary faces

@@ -207,7 +207,7 @@ TEST(Robustness, RecordsOfCoarseAndOfFineSamples) {
     std::vector<double> samples;
     for (std::size_t i = 0; static_cast<double>(i) * sampling < 2.0; ++i)
       samples.push_back(pulse.velocity(static_cast<double>(i) * sampling));
-    const scene::Motion record = scene::Motion::record(samples, sampling);
+    const scene::Motion record = scene::Motion::of_velocity(samples, sampling);
     const wavefield::Signal incident{[record](double t) { return record.velocity(t); }, record.begin(),
                                      record.end(), record.highest_frequency()};
     const auto make = [&](int threads) {
