@@ -110,7 +110,7 @@ TEST(PeriodicSprings, AddNoEnergy) {
 TEST(PeriodicSprings, RefuseSidesThatDoNotFaceEachOther) {
   Spec spec = test_support::elastic_box(6.0, 4.0, 1.0);
   spec.regions[0].polygon = {{0.0, -4.0}, {6.0, -4.0}, {6.0, -1.0}, {3.0, 0.0}, {0.0, 0.0}};
-  spec.sides = Sides::springs;
+  spec.sides = Sides::periodic_springs;
   Domain domain(spec);
   try {
     domain.boundary.build_supports(domain);

@@ -1,16 +1,9 @@
 // A field of one's own is one line of a spec. No other file knows of it, and yet particles carry it wherever
-// they go: it is sorted, cut, saved, resumed and written.
+// they go: it is sorted, cut, saved and resumed, and written (process/run_output_test.cpp).
 
 #include "mpm_domain/particles/splitting.hpp"
-#include "mpm_domain/process/run_output.hpp"
-#include "mpm_domain/process/spec_from_case.hpp"
-#include "results/run_file.hpp"
-#include "scene/case.hpp"
-#include "tests/support/exact_run.hpp"
 #include "tests/support/no_traction.hpp"
-#include "tests/support/quiet_ground.hpp"
 #include "tests/support/saved_state.hpp"
-#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/mpm_domain/graded/levels_in_x.hpp"
 
 #include <gtest/gtest.h>
@@ -118,34 +111,6 @@ TEST(FieldOfOnesOwn, IsSavedUnderItsNameAndResumed) {
   for (const Particles& p : again.sets)
     for (std::size_t k = 0; k < p.size(); ++k)
       EXPECT_EQ(p.more.front()[k], tag_of(p, k));
-}
-
-TEST(FieldOfOnesOwn, IsWrittenInEveryFrame) {
-  const scene::Case scene = scene::parse(testing::exact_case, "case.toml", ".");
-  Domain domain(tagged(spec_from_case(scene, 1)));
-  set_tags(domain);
-  const testing::TemporaryFolder folder;
-  const std::vector<std::string> sources(domain.boundary.faces().size(), "wave");
-  {
-    RunOutput output(folder / "", scene, "{}", domain, sources);
-    Stepper stepper(domain, 0.0, test_support::quiet_ground());
-    stepper.step();
-    output.after_step(stepper);
-    stepper.step();
-    output.finish(stepper, 0.0, 0.0);
-  }
-  const results::RunReader run(folder / "run.h5");
-  ASSERT_EQ(run.frame_times().size(), 2U);
-  for (std::size_t frame = 0; frame < 2; ++frame) {
-    const results::FieldData tags = run.frame_field(frame, "tag");
-    EXPECT_EQ(tags.unit, "1");
-    EXPECT_EQ(tags.components, 1U);
-    std::vector<double> expected;
-    const Particles& p = domain.sets.front();
-    for (const std::uint32_t k : p.index_of)
-      expected.push_back(tag_of(p, k));
-    EXPECT_EQ(tags.values, expected);
-  }
 }
 
 } // namespace

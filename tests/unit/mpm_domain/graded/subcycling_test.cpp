@@ -207,7 +207,7 @@ TEST(Subcycling, RefusesWhatItIsNotMadeFor) {
   for (const auto& change : std::vector<std::function<void(Spec&)>>{
            [](Spec& spec) { spec.refine.clear(); }, [](Spec& spec) { spec.scheme.transfer = Transfer::flip; },
            [](Spec& spec) { spec.scheme.order = StepOrder::usl; },
-           [](Spec& spec) { spec.sides = Sides::springs; }}) {
+           [](Spec& spec) { spec.sides = Sides::periodic_springs; }}) {
     Spec spec = shaken_box(true);
     change(spec);
     EXPECT_THROW(Domain{spec}, std::invalid_argument);
