@@ -37,8 +37,9 @@ ColumnSample at(const Column& column, double y) {
 }
 
 void run_until(Column& column, double time) {
-  while (column.time() < time - 0.5 * column.time_step())
+  while (column.time() < time - 0.5 * column.time_step()) {
     column.step();
+  }
 }
 
 /// Largest imbalance of energy over 3 s, relative to the largest energy in the column.
@@ -119,8 +120,9 @@ TEST_P(EitherIntegrator, StressVanishesAtTheSurfaceIsContinuousAndMeetsTheDashpo
       peak = std::max(peak, std::abs(dashpot));
       at_surface = std::max({at_surface, std::abs(at(column, 0.0).sxy), std::abs(at(column, 0.0).syy)});
       at_base = std::max(at_base, std::abs(at(column, -30.0).sxy - dashpot));
-      for (const double node : {-8.0, -5.0, -20.0})
+      for (const double node : {-8.0, -5.0, -20.0}) {
         jump = std::max(jump, std::abs(at(column, node + 1e-9).sxy - at(column, node - 1e-9).sxy));
+      }
     }
     EXPECT_LT(at_surface, 1e-9 * peak);
     EXPECT_LT(at_base, 1e-9 * peak);

@@ -37,8 +37,9 @@ double spectral_radius(double alpha, double w_dt) {
   const auto c = recurrence(alpha, w_dt);
   Eigen::Matrix3d companion = Eigen::Matrix3d::Zero();
   companion(1, 0) = companion(2, 1) = 1.0;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i) {
     companion(i, 2) = -c[static_cast<std::size_t>(i)] / c[3];
+  }
   return companion.eigenvalues().cwiseAbs().maxCoeff();
 }
 

@@ -63,8 +63,9 @@ double difference(FeColumn one, FeColumn other, Quantities quantities) {
     }
   }
   double largest = 0.0;
-  for (std::size_t q = 0; q < error.size(); ++q)
+  for (std::size_t q = 0; q < error.size(); ++q) {
     largest = std::max(largest, error[q] / peak[q]);
+  }
   return largest;
 }
 
@@ -166,11 +167,10 @@ TEST(NewtonsMethod, FindsTheSameMotionWithEitherTangent) {
 
 // What cannot be balanced in one step is taken in halves; a step that cannot be at all names the place.
 TEST(NewtonsMethod, SaysWhereItDoesNotConverge) {
-  FeColumn column(
-      hysteretic_profile(), {.max_element_size = 1.0, .time_step = 1e-2, .damping = damping},
-      [](double t) {
-        return Velocity{t > 0.095 ? std::numeric_limits<double>::infinity() : 0.0, 0.0};
-      });
+  FeColumn column(hysteretic_profile(), {.max_element_size = 1.0, .time_step = 1e-2, .damping = damping},
+                  [](double t) {
+                    return Velocity{t > 0.095 ? std::numeric_limits<double>::infinity() : 0.0, 0.0};
+                  });
   const auto run = [&] {
     for (int i = 0; i < 20; ++i) {
       column.step();
@@ -184,8 +184,9 @@ TEST(NewtonsMethod, SaysWhereItDoesNotConverge) {
 TEST(FeColumn, ServesBothLimitsAtAnInterface) {
   const Profile profile{0.0, {{8.0, soft, 0.0}, {22.0, stiff, 0.0}}, rock};
   FeColumn column(profile, {.max_element_size = 0.5, .time_step = 1e-3}, pulse);
-  while (column.time() < 0.62)
+  while (column.time() < 0.62) {
     column.step();
+  }
   constexpr std::array<double, 5> asked = {-8.0 - 1e-7, -8.0, -8.0, -8.0 + 1e-7, 0.0};
   std::array<ColumnSample, 5> s;
   column.sample(asked, s);
@@ -223,14 +224,17 @@ TEST(GeostaticStress, LeavesTheColumnAtRest) {
     FeColumn column(sand_profile(30.0, 0.5),
                     {.max_element_size = 0.5, .time_step = 1e-3, .integrator = integrator},
                     [](double) { return Velocity{}; });
-    for (int i = 0; i < 1000; ++i)
+    for (int i = 0; i < 1000; ++i) {
       column.step();
+    }
     std::array<ColumnSample, 3> s;
     constexpr std::array<double, 3> places = {-10.0, -4.0, 0.0};
     column.sample(places, s);
-    for (const ColumnSample& one : s)
-      for (const double value : {one.vx, one.vy, one.ux, one.uy, one.eyy, one.gxy})
+    for (const ColumnSample& one : s) {
+      for (const double value : {one.vx, one.vy, one.ux, one.uy, one.eyy, one.gxy}) {
         EXPECT_LT(std::abs(value), 1e-12);
+      }
+    }
   }
 }
 
@@ -268,8 +272,9 @@ TEST(DrySand, YieldsAndFlowsAtTheAccelerationsOfSimpleShear) {
       ColumnSample s;
       column.sample({&probe, 1}, {&s, 1});
       largest = std::max(largest, std::abs(s.sxy) / vertical);
-      if (yield_acceleration == 0.0 && column.energy().plastic > 0.0)
+      if (yield_acceleration == 0.0 && column.energy().plastic > 0.0) {
         yield_acceleration = rise * column.time();
+      }
     }
     std::printf("yield at %.4f, %.4f of the closed form; flow at %.4f of it\n", yield_acceleration,
                 yield_acceleration / first_yield, largest / sine);

@@ -18,8 +18,7 @@ Profile profile() {
 
 std::string refusal(const Profile& soil, const ObliqueColumnSettings& settings) {
   try {
-    const ObliqueColumn column(
-        soil, settings, [](double) { return Velocity{}; });
+    const ObliqueColumn column(soil, settings, [](double) { return Velocity{}; });
   } catch (const std::invalid_argument& error) {
     return error.what();
   }

@@ -26,8 +26,7 @@ OdeColumnSettings settings() {
 
 std::string refusal(const Profile& profile, const OdeColumnSettings& s) {
   try {
-    const OdeColumn column(
-        profile, s, [](double) { return Velocity{}; });
+    const OdeColumn column(profile, s, [](double) { return Velocity{}; });
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -65,8 +64,9 @@ TEST(OdeColumn, SaysWhenAndWhereItStopped) {
       return Velocity{t < 0.1 ? 0.0 : std::numeric_limits<double>::quiet_NaN(), 0.0};
     });
     try {
-      while (column.time() < 0.3)
+      while (column.time() < 0.3) {
         column.step();
+      }
       ADD_FAILURE() << "no exception";
     } catch (const std::runtime_error& error) {
       EXPECT_THAT(error.what(),
@@ -81,8 +81,9 @@ TEST(OdeColumn, AtRestCostsNothingAndTheFirstInputIsNotMissed) {
   auto s = settings();
   const OdeStatistics idle = [&] {
     OdeColumn column(profile, s, [](double) { return Velocity{}; });
-    while (column.time() < 1.0)
+    while (column.time() < 1.0) {
       column.step();
+    }
     return column.statistics();
   }();
   EXPECT_EQ(idle.right_hand_sides, 0);

@@ -31,8 +31,9 @@ TEST(LinearElastic, FollowsHooke) {
   const double exx = 1e-3;
   const double eyy = -2e-3;
   const double gxy = 5e-4;
-  for (int n = 0; n < 10; ++n)
+  for (int n = 0; n < 10; ++n) {
     point.apply({Control::strain(exx / 10), Control::strain(eyy / 10), Control::strain(gxy / 10)});
+  }
   const double nu = soil.poisson;
   const double factor = soil.young / ((1.0 + nu) * (1.0 - 2.0 * nu));
   const PointStress s = point.stress();
@@ -65,8 +66,9 @@ TEST(Blocks, PointsDoNotAffectEachOther) {
   std::vector<double> sxx(count, -50e3), syy(count, -80e3), szz(count, -50e3), sxy(count, 0.0),
       state(count, 0.0);
   std::vector<double> work(count, 0.0), dexx(count, 0.0), deyy(count, 0.0), dgxy(count), dwxy(count, 1e-3);
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
     dgxy[i] = 1e-5 * static_cast<double>(i);
+  }
   Points points{count,       sxx.data(),  syy.data(),  szz.data(),  sxy.data(), state.data(),
                 work.data(), dexx.data(), deyy.data(), dgxy.data(), dwxy.data()};
   update(law, points);

@@ -54,8 +54,9 @@ TEST(HystereticParameters, OutsideTheirRangeAreRefused) {
 TEST(HystereticParameters, EveryStateVariableHasANameOfItsOwn) {
   for (const Law& law : {Law(MasingShear{elastic, 5e-4}), Law(iwan_shear(elastic, 5e-4, 1.0, 0.9))}) {
     std::set<std::string_view> names;
-    for (const StateVariable& variable : state_variables(law))
+    for (const StateVariable& variable : state_variables(law)) {
       EXPECT_TRUE(names.insert(variable.name).second) << variable.name;
+    }
     const std::size_t expected = name(law) == "masing_shear" ? masing_history_size : 3 * IwanFit{}.elements;
     EXPECT_EQ(names.size(), expected);
   }

@@ -51,8 +51,9 @@ TEST(Laws, AgreeWithTheirTraits) {
     EXPECT_EQ(traits(without_softening(law)).softening, 0.0);
     EXPECT_TRUE(like.remembers_initial_stress || !like.follows_pressure);
     EXPECT_FALSE(like.total_stress && like.follows_pressure);
-    if (shear_backbone(law))
+    if (shear_backbone(law)) {
       EXPECT_DOUBLE_EQ(shear_backbone(law)->shear_modulus, elasticity(law).shear_modulus());
+    }
     const Law finer = for_cell_size(law, 0.5, 1.0);
     EXPECT_DOUBLE_EQ(traits(finer).softening, 0.5 * like.softening);
     EXPECT_EQ(traits(finer).name, like.name);

@@ -18,8 +18,9 @@ using History = std::array<double, masing_history_size>;
 
 History after(std::initializer_list<double> strains) {
   History history{};
-  for (const double strain : strains)
+  for (const double strain : strains) {
     masing_commit(backbone, history, strain);
+  }
   return history;
 }
 
@@ -51,8 +52,9 @@ TEST(Masing, AnInnerLoopEndsOnTheCurveItLeft) {
   const History outer = after({1e-3, -5e-4});
   const History inner = after({1e-3, -5e-4, 2e-4, -1e-4});
   EXPECT_EQ(inner[masing::reversals], 3.0); // 1e-3, -5e-4, 2e-4; the strain is now at -1e-4
-  for (const double strain : {3e-4, 9e-4})
+  for (const double strain : {3e-4, 9e-4}) {
     EXPECT_EQ(masing_stress(backbone, inner, strain), masing_stress(backbone, outer, strain));
+  }
   EXPECT_EQ(masing_stress(backbone, inner, -6e-4), doubled(-6e-4, 1e-3, backbone.stress(1e-3)));
 }
 
@@ -108,8 +110,9 @@ void ring_down(int reversals, double ratio, Visit visit) {
 /// The rules with an unbounded memory: every reversal of a shrinking sequence is still open.
 double shrinking_stress(const std::vector<double>& turns, double strain) {
   double reversal_stress = backbone.stress(turns.front());
-  for (std::size_t k = 1; k < turns.size(); ++k)
+  for (std::size_t k = 1; k < turns.size(); ++k) {
     reversal_stress = doubled(turns[k], turns[k - 1], reversal_stress);
+  }
   return doubled(strain, turns.back(), reversal_stress);
 }
 
@@ -117,9 +120,10 @@ TEST(Masing, AFullMemoryKeepsStressAndDampingOfSmallerLoops) {
   History history{};
   std::vector<double> turns;
   ring_down(201, 0.97, [&](double strain) {
-    if (turns.size() > 1)
+    if (turns.size() > 1) {
       EXPECT_NEAR(masing_stress(backbone, history, strain), shrinking_stress(turns, strain),
                   1e-9 * 50e6 * 2e-3);
+    }
     masing_commit(backbone, history, strain);
     turns.push_back(strain);
   });
@@ -142,15 +146,18 @@ TEST(Masing, AFullMemoryErrsByNoMoreThanTheLoopItRemembers) {
     std::vector<double> open(turns.begin(), turns.end() - 1);
     const double direction = strain > turns.back() ? 1.0 : -1.0;
     const bool turning = direction * (turns.back() - open.back()) < 0.0;
-    if (turning)
+    if (turning) {
       open.push_back(turns.back());
-    while (open.size() > 2 && direction * (strain - open[open.size() - 2]) > 0.0)
+    }
+    while (open.size() > 2 && direction * (strain - open[open.size() - 2]) > 0.0) {
       open.resize(open.size() - 2);
+    }
     return shrinking_stress(open, strain);
   };
   double worst = 0.0;
-  for (double strain = turns[1]; strain < turns[0]; strain += 1e-6)
+  for (double strain = turns[1]; strain < turns[0]; strain += 1e-6) {
     worst = std::max(worst, std::abs(masing_stress(backbone, history, strain) - exact(strain)));
+  }
   EXPECT_LT(worst, bound);
   EXPECT_GT(worst, 0.0);
   // Outside of the loops that were merged nothing is lost.

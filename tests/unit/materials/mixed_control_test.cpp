@@ -26,8 +26,9 @@ TEST(MixedControl, RepeatedStepsNeedNoIteration) {
   point.apply(step);
   const std::size_t first = point.updates();
   constexpr std::size_t steps = 100;
-  for (std::size_t k = 0; k < steps; ++k)
+  for (std::size_t k = 0; k < steps; ++k) {
     point.apply(step);
+  }
   EXPECT_LE(point.updates() - first, 2 * steps + 4);
   EXPECT_NEAR(point.strain().xx, 101e-5 * 0.28 / 0.72, 1e-12); // nu/(1 - nu)
 }
@@ -149,8 +150,9 @@ double only_a_far_root(double x) {
 
 TEST(MixedControl, TakesTheRootNextToWhereTheStepsHaveBeenGoing) {
   MixedControl control;
-  for (int k = 0; k < 3; ++k)
+  for (int k = 0; k < 3; ++k) {
     EXPECT_NEAR(Branches(one_root).step(control).strain[1], -0.1 * Branches::shear, 1e-12);
+  }
   const auto found = Branches(three_roots).step(control);
   EXPECT_NEAR(found.strain[1], -0.14 * Branches::shear, 1e-9 * Branches::shear);
   EXPECT_EQ(found.leap, 0.0);
@@ -158,8 +160,9 @@ TEST(MixedControl, TakesTheRootNextToWhereTheStepsHaveBeenGoing) {
 
 TEST(MixedControl, TellsALeapAndComesBackWhenTheRootNearbyDoes) {
   MixedControl control;
-  for (int k = 0; k < 3; ++k)
+  for (int k = 0; k < 3; ++k) {
     EXPECT_FALSE(Branches(one_root).step(control).away);
+  }
   for (int k = 0; k < 2; ++k) {
     const auto found = Branches(only_a_far_root).step(control);
     EXPECT_NEAR(found.strain[1], far_root * Branches::shear, 1e-6 * Branches::shear);

@@ -18,8 +18,9 @@ double mid_step_increment(double angle) {
 }
 
 InPlaneStress turned(InPlaneStress stress, double angle, int steps) {
-  for (int n = 0; n < steps; ++n)
+  for (int n = 0; n < steps; ++n) {
     stress = rotated(stress, mid_step_increment(angle / steps));
+  }
   return stress;
 }
 
@@ -44,8 +45,9 @@ TEST(ObjectiveRate, KeepsThePrincipalStressesForAnyIncrement) {
 TEST(ObjectiveRate, IntegratesAnAngularVelocityToSecondOrder) {
   const auto error = [](int steps) {
     InPlaneStress s{0.0, 1.0, 0.0};
-    for (int n = 0; n < steps; ++n)
+    for (int n = 0; n < steps; ++n) {
       s = rotated(s, quarter_turn / steps);
+    }
     return std::abs(s.xy);
   };
   EXPECT_NEAR(std::log2(error(50) / error(100)), 2.0, 0.01);
@@ -64,8 +66,9 @@ PointTest sheared(bool turn) {
   const double exx = 2e-5;
   const double eyy = -3e-5;
   const double gxy = 1e-4;
-  for (int n = 0; n < 200; ++n)
+  for (int n = 0; n < 200; ++n) {
     point.apply({Control::strain(exx), Control::strain(eyy), Control::strain(gxy)});
+  }
   for (int n = 0; turn && n < 500; ++n) {
     PointStep rotation;
     rotation.rotation = mid_step_increment(quarter_turn / 500);

@@ -43,8 +43,9 @@ std::vector<Law> laws() {
 TEST(OutOfPlane, UniaxialStressFollowsHooke) {
   PointTest point(LinearElastic{elastic}, {});
   const double axial = -1e-3;
-  for (int n = 0; n < 10; ++n)
+  for (int n = 0; n < 10; ++n) {
     point.apply(step_of(-0.028 * axial, 0.1 * axial, -0.028 * axial, 0.0));
+  }
   EXPECT_NEAR(point.stress().yy, 40e6 * axial, 1e-8 * 40e3);
   EXPECT_NEAR(point.stress().xx, 0.0, 1e-8 * 40e3);
   EXPECT_NEAR(point.stress().zz, 0.0, 1e-8 * 40e3);
@@ -76,8 +77,9 @@ TEST(OutOfPlane, ZeroIsPlaneStrain) {
                        &work[k], &strain[0],    &strain[1],    &strain[2],    &strain[3]};
       points.dezz = k == 0 ? nullptr : &none;
       initialise(law, points);
-      for (int n = 0; n < 20; ++n)
+      for (int n = 0; n < 20; ++n) {
         update(law, points);
+      }
     }
     EXPECT_EQ(stress[0], stress[1]) << name(law);
     EXPECT_EQ(work[0], work[1]) << name(law);

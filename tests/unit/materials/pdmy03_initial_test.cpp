@@ -124,8 +124,9 @@ TEST(Pdmy03Initial, CentresKeepSinglePrecisionAndAreNeverNotNumbers) {
     const double x = static_cast<double>(i);
     memory.rest_centre(i, {1.0 / x, -0.3 * x, -1e-30 * x});
   }
-  for (const double value : block)
+  for (const double value : block) {
     EXPECT_TRUE(std::isfinite(value));
+  }
   for (std::size_t i = 1; i < 20; ++i) {
     const double x = static_cast<double>(i);
     EXPECT_NEAR(memory.resting_centre(i, 20).a * x, 1.0, 1e-7);

@@ -37,8 +37,9 @@ TEST(Pdmy03Parameters, ConesMeetMohrCoulombWhereTheyShould) {
     EXPECT_NEAR(cone_ratio(Pdmy03Cone::plane_strain, phi),
                 std::sqrt(3.0) / 2.0 * (n - 1.0) / ((n + 1.0) / 2.0), 1e-12);
     for (const Pdmy03Cone cone :
-         {Pdmy03Cone::triaxial_compression, Pdmy03Cone::triaxial_extension, Pdmy03Cone::plane_strain})
+         {Pdmy03Cone::triaxial_compression, Pdmy03Cone::triaxial_extension, Pdmy03Cone::plane_strain}) {
       EXPECT_NEAR(cone_friction(cone, cone_ratio(cone, phi)), phi, 1e-12);
+    }
   }
 }
 
@@ -66,8 +67,9 @@ TEST(Pdmy03Parameters, SurfacesFollowTheOctahedralHyperbola) {
   }
   EXPECT_NEAR(gamma, 0.1, 1e-9);
   EXPECT_EQ(law.plastic_modulus[20], 0.0);
-  for (std::size_t i = 1; i < 20; ++i) // 1/E = 1/2G + 1/H'
+  for (std::size_t i = 1; i < 20; ++i) { // 1/E = 1/2G + 1/H'
     EXPECT_NEAR(1.0 / law.tangent_modulus[i], 1.0 / (2.0 * shear) + 1.0 / law.plastic_modulus[i], 1e-15);
+  }
 }
 
 TEST(Pdmy03Parameters, TheRecommendedSets) {
@@ -102,8 +104,9 @@ TEST(Pdmy03Parameters, TheRecommendedSets) {
 TEST(Pdmy03Parameters, OtherDensitiesAreRefusedWithTheFourThatHaveASet) {
   for (const double density : {0.0, 0.34, 0.5, 0.65, 57.0, 1.0}) {
     const std::string text = refusal({.relative_density = density});
-    for (const char* known : {"0.33", "0.57", "0.74", "0.87", "not interpolated"})
+    for (const char* known : {"0.33", "0.57", "0.74", "0.87", "not interpolated"}) {
       EXPECT_THAT(text, HasSubstr(known)) << density;
+    }
     EXPECT_THROW(pdmy03_recommended(density), std::invalid_argument);
   }
 }
@@ -172,8 +175,9 @@ TEST(Pdmy03Parameters, SimpleShearUnderConstantPressureFollowsTheMeasuredCurve) 
   double strain = 0.0;
   for (std::size_t i = 0; i < 3; ++i) { // the first point is reached elastically, 2e-7 of strain too early
     const auto [target, ratio] = input.modulus_reduction[i];
-    for (int n = 0, count = static_cast<int>(std::lround((target - strain) / 1e-6)); n < count; ++n)
+    for (int n = 0, count = static_cast<int>(std::lround((target - strain) / 1e-6)); n < count; ++n) {
       update(law, points);
+    }
     strain = target;
     EXPECT_NEAR(sxy, 73.7e6 * ratio * target, 73.7e6 * (2.1e-7 + 1e-3 * ratio * target)) << target;
   }
@@ -205,9 +209,11 @@ TEST(Pdmy03Parameters, EveryValueIsListedWithItsOrigin) {
     EXPECT_TRUE(std::isfinite(value.value));
   }
   const auto find = [&](const std::string& name) {
-    for (const ParameterValue& value : list)
-      if (value.name == name)
+    for (const ParameterValue& value : list) {
+      if (value.name == name) {
         return value;
+      }
+    }
     throw std::runtime_error(name);
   };
   EXPECT_EQ(find("contraction_a").value, 0.02);
@@ -230,8 +236,9 @@ TEST(Pdmy03Parameters, EveryValueIsListedWithItsOrigin) {
 TEST(Pdmy03Parameters, NotesWarnOfTheConeInPlaneStrain) {
   const auto text = [](const Pdmy03& law) {
     std::string all;
-    for (const std::string& note : notes(law))
+    for (const std::string& note : notes(law)) {
       all += note;
+    }
     return all;
   };
   EXPECT_THAT(text(pdmy03({.relative_density = 0.57})), HasSubstr("stronger in plane strain"));

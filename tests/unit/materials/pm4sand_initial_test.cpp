@@ -15,9 +15,11 @@ namespace {
 /// The entry of a point's state by the name that its description gives it.
 double entry(const PointTest& point, std::string_view name) {
   const auto variables = state_variables(point.law());
-  for (std::size_t k = 0; k < variables.size(); ++k)
-    if (variables[k].name == name)
+  for (std::size_t k = 0; k < variables.size(); ++k) {
+    if (variables[k].name == name) {
       return point.state()[k];
+    }
+  }
   throw std::invalid_argument(std::string(name));
 }
 
@@ -79,8 +81,9 @@ TEST(Pm4Initial, HoldsByAnOffsetWhatTheSurfacesCannot) {
     EXPECT_NEAR(point.stress().xx, stress.xx, 1e-9);
     EXPECT_NEAR(point.stress().yy, stress.yy, 1e-9);
     EXPECT_NEAR(point.stress().xy, stress.xy, 1e-9);
-    for (int n = 0; n < 100; ++n)
+    for (int n = 0; n < 100; ++n) {
       point.apply({Control::strain(0.0), Control::strain(-1e-6), Control::strain(1e-6)});
+    }
     EXPECT_LT(point.stress().yy, stress.yy); // it resists
   }
 }
@@ -115,8 +118,9 @@ TEST(Pm4ClosedForm, SmallStrainStiffness) {
 TEST(Pm4ClosedForm, IsotropicCompression) {
   const double p = 50.0 * kilopascal;
   PointTest point(report_sand(55), geostatic(p, 1.0));
-  for (int n = 0; n < 100; ++n)
+  for (int n = 0; n < 100; ++n) {
     point.apply({Control::strain(-1e-5), Control::strain(-1e-5)});
+  }
   const double root = std::sqrt(p) + 0.5 * 2e-3 * 2.5 * 677.0 * std::sqrt(101.3e3);
   EXPECT_NEAR(pressure(point.stress()), root * root, 1e-4 * root * root);
 }
@@ -124,8 +128,9 @@ TEST(Pm4ClosedForm, IsotropicCompression) {
 /// At large strain the sand shears at its critical state: drained, it loosens to xi_R = 0 and M_cur meets M.
 TEST(Pm4ClosedForm, CriticalState) {
   PointTest point(report_sand(35), geostatic(100.0 * kilopascal, 0.5));
-  for (int n = 0; n < 2000; ++n)
+  for (int n = 0; n < 2000; ++n) {
     point.apply({Control::strain(0.0), Control::stress(-100.0 * kilopascal), Control::strain(1e-3)});
+  }
   const PointStress& s = point.stress();
   const double M_cur = 2.0 * std::hypot(0.5 * (s.xx - s.yy), s.xy) / pressure(s);
   EXPECT_NEAR(M_cur, 2.0 * std::sin(33.0 * std::numbers::pi / 180.0), 2e-3);
@@ -142,8 +147,9 @@ TEST(Pm4ClosedForm, PlasticWorkOfAClosedLoop) {
   constexpr int quarter = 500;
   constexpr double amplitude = 2e-3;
   for (int n = 0; n < 36 * quarter; ++n) {
-    if (n == 33 * quarter) // the last loop, between two peaks of the strain
+    if (n == 33 * quarter) { // the last loop, between two peaks of the strain
       break;
+    }
     if (n == 29 * quarter) {
       work = 0.0;
       plastic = point.plastic_work();
@@ -200,8 +206,9 @@ TEST(Pm4ClosedForm, WaveSpeedBoundHoldsFromAnyInitialStressDownToTheFloor) {
   for (const double p_0 : {0.1, 1.0, 10.0, 100.0, 500.0, 2000.0}) {
     PointTest point(law, geostatic(p_0 * kilopascal, 1.0));
     EXPECT_GE(speed_bound(law, point) * (1.0 + 1e-5), measured_speed(law, point)) << p_0;
-    for (int n = 0; n < 400; ++n)
+    for (int n = 0; n < 400; ++n) {
       point.apply({Control::strain(2e-5), Control::strain(2e-5)});
+    }
     ASSERT_GT(pm4::load(point.state().data()).now.gap, 0.0) << p_0;
     const double bound = speed_bound(law, point);
     EXPECT_GE(bound * (1.0 + 1e-5), measured_speed(law, point)) << p_0;

@@ -20,8 +20,9 @@ Pm4SandInput input() {
 
 std::map<std::string_view, ParameterValue> by_name(const Pm4Sand& law) {
   std::map<std::string_view, ParameterValue> result;
-  for (const ParameterValue& parameter : parameters(law))
+  for (const ParameterValue& parameter : parameters(law)) {
     result[parameter.name] = parameter;
+  }
   return result;
 }
 
@@ -115,8 +116,9 @@ TEST(Pm4Parameters, OutsideTheirRangeAreRefused) {
        {&Pm4SandInput::p_A, &Pm4SandInput::e_max, &Pm4SandInput::n_b, &Pm4SandInput::n_d, &Pm4SandInput::Q,
         &Pm4SandInput::R, &Pm4SandInput::m, &Pm4SandInput::h_o, &Pm4SandInput::c_z, &Pm4SandInput::c_eps,
         &Pm4SandInput::C_GD, &Pm4SandInput::C_DR, &Pm4SandInput::C_kaf, &Pm4SandInput::F_sed_min,
-        &Pm4SandInput::p_sedo})
+        &Pm4SandInput::p_sedo}) {
     refused([member](Pm4SandInput& i) { i.*member = nan; });
+  }
 }
 
 TEST(Pm4Parameters, ReachTheLawsInterface) {

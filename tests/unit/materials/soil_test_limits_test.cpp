@@ -46,8 +46,9 @@ TEST(SoilTestLimits, AMissedStressIsReported) {
   const Result result = run(materials::pdmy03(materials::pdmy03_recommended(0.33)), test);
   EXPECT_EQ(result.end, End::completed);
   double missed = 0.0;
-  for (const double vertical : result.history.column("sig_yy"))
+  for (const double vertical : result.history.column("sig_yy")) {
     missed = std::max(missed, std::abs(vertical + 101e3));
+  }
   EXPECT_GT(missed, 1e-4 * 101e3);
   EXPECT_NEAR(result.largest_missing_stress / missed, 1.0, 1e-3);
 }

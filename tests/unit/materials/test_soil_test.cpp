@@ -103,8 +103,9 @@ TEST(SoilTestCycles, ReverseExactlyAtTheStressRatio) {
   EXPECT_EQ(result.end, End::most_cycles);
   EXPECT_EQ(result.history.column("cycle"), (std::vector<double>{0.0, 0.25, 0.75, 1.25, 1.75, 2.25}));
   const std::vector<double>& tau = result.history.column("sig_xy");
-  for (std::size_t i = 1; i < tau.size(); ++i)
+  for (std::size_t i = 1; i < tau.size(); ++i) {
     EXPECT_NEAR(tau[i], 5e3 + (i % 2 == 1 ? 12.34e3 : -12.34e3), 1e-3);
+  }
 }
 
 /// In between the cycle runs with the shear stress: elastic, so with the strain.
@@ -198,8 +199,9 @@ TEST(Root, SaysThatThereIsNone) {
   EXPECT_FALSE(none.found);
   EXPECT_EQ(none.x, 0.1);
   const auto fails = [](double x) -> double {
-    if (x > 2.0)
+    if (x > 2.0) {
       throw std::runtime_error("too far");
+    }
     return -1.0;
   };
   EXPECT_THROW(find_root(fails, {1.0, 0.1, 10.0, 1.0, 1e-6}), std::runtime_error);

@@ -27,8 +27,9 @@ void expect_balanced(const Quadtree& tree) {
   };
   for (const Cell& a : leaves)
     for (const Cell& b : leaves)
-      if (touch(tree.rectangle(a), tree.rectangle(b)))
+      if (touch(tree.rectangle(a), tree.rectangle(b))) {
         EXPECT_LE(std::abs(a.level - b.level), 1);
+      }
 }
 
 TEST(Quadtree, WithoutRefinementIsItsRoots) {

@@ -63,8 +63,9 @@ std::vector<double> strains_by_shake(const LayeredHalfSpace& ground,
   for (std::size_t k = 1; k <= length / 2; ++k) {
     const double w = 2.0 * std::numbers::pi * static_cast<double>(k) / (static_cast<double>(length) * dt);
     Complex input = 0.0;
-    for (std::size_t j = 0; j < acceleration.size(); ++j)
+    for (std::size_t j = 0; j < acceleration.size(); ++j) {
       input += acceleration[j] * std::polar(1.0, -w * dt * static_cast<double>(j));
+    }
     // E up, F down at the top of each layer, from a unit surface amplitude.
     std::vector<Complex> e{1.0};
     std::vector<Complex> f{1.0};
@@ -142,8 +143,9 @@ TEST(EquivalentLinear, EndsWhereStrainAndPropertiesBelongTogether) {
     once.max_iterations = 1;
     once.allow_non_convergence = true;
     LayeredHalfSpace small = soft_ground();
-    for (std::size_t j = 0; j < small.layers.size(); ++j)
+    for (std::size_t j = 0; j < small.layers.size(); ++j) {
       small.layers[j] = result.profile.layers[j];
+    }
     const auto strains = equivalent_linear(small, curves(), WaveType::SV, tremolo::testing::radians(degrees),
                                            {acceleration, dt}, once)
                              .iterations.front()

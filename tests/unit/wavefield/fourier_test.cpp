@@ -11,8 +11,9 @@ using namespace tremolo::wavefield;
 
 TEST(RealFourier, InverseOfACosineBinIsACosine) {
   RealFourier fourier(12);
-  for (auto& bin : fourier.bins())
+  for (auto& bin : fourier.bins()) {
     bin = 0.0;
+  }
   fourier.bins()[2] = {0.5, -0.25}; // and its conjugate: cos + 1/2 sin
   fourier.inverse();
   for (std::size_t j = 0; j < 12; ++j) {
@@ -28,8 +29,9 @@ TEST(RealFourier, ForwardIsTheDefinition) {
   fourier.forward();
   for (std::size_t k = 0; k <= 3; ++k) {
     std::complex<double> sum = 0.0;
-    for (std::size_t j = 0; j < 6; ++j)
+    for (std::size_t j = 0; j < 6; ++j) {
       sum += std::polar(x[j], -2.0 * std::numbers::pi * static_cast<double>(j * k) / 6.0);
+    }
     EXPECT_NEAR(std::abs(fourier.bins()[k] - sum), 0.0, 1e-14);
   }
 }

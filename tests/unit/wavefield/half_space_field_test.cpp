@@ -102,8 +102,9 @@ TEST(LayeredField, OfTheIncidentPartIsTheSignalAtTheReferencePoint) {
 
 double largest(const std::vector<double>& values) {
   double result = 0.0;
-  for (const double value : values)
+  for (const double value : values) {
     result = std::max(result, std::abs(value));
+  }
   return result;
 }
 
@@ -173,8 +174,9 @@ TEST_P(AnyAngle, SatisfiesMomentumBalanceAndHookesLaw) {
     const auto at = field(wave, GetParam()).sample(points, {0.8, 0.02, 40});
     const auto slope = [&](std::vector<double> History::*q, std::size_t first, std::size_t i) {
       double sum = 0.0;
-      for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t k = 0; k < 4; ++k) {
         sum += weights[k] * ((at[4 * k + first].*q)[i] - (at[4 * k + first + 1].*q)[i]);
+      }
       return sum / h;
     };
     const auto ddx = [&](std::vector<double> History::*q, std::size_t i) { return slope(q, 1, i); };

@@ -34,8 +34,9 @@ std::vector<double> motion_of(const LayeredHalfSpace& profile, double surface, W
 void expect_the_pulse(const std::vector<double>& incident, double tolerance) {
   const Signal pulse = ricker(3.0, 1.0, 0.1);
   ASSERT_EQ(incident.size(), count);
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
     EXPECT_NEAR(incident[i], pulse.velocity(static_cast<double>(i) * dt), 0.1 * tolerance);
+  }
 }
 
 TEST(IncidentMotion, OfAnOutcropMotion) {
@@ -88,8 +89,9 @@ std::vector<double> within_motion(const LayeredHalfSpace& profile, double degree
 TEST(IncidentMotion, HoldsTheBaseWhereTheRecordEndsBeforeTheLayersRest) {
   const Signal pulse = ricker(3.0, 0.8, 0.1);
   std::vector<double> within(160); // the pulse has ended after 1.55 s, not so the layers
-  for (std::size_t i = 0; i < within.size(); ++i)
+  for (std::size_t i = 0; i < within.size(); ++i) {
     within[i] = pulse.velocity(static_cast<double>(i) * dt);
+  }
   for (const DampingModel model : {DampingModel::kelvin_voigt, DampingModel::hysteretic}) {
     for (const double degrees : {0.0, 20.0}) {
       const LayeredHalfSpace profile = layered3({model, 3.0});
@@ -100,8 +102,9 @@ TEST(IncidentMotion, HoldsTheBaseWhereTheRecordEndsBeforeTheLayersRest) {
       for (std::size_t i = 0; i < result.incident.size(); ++i) {
         const bool recorded = i >= result.lead && i - result.lead < within.size();
         error = std::max(error, std::abs(base[i] - (recorded ? within[i - result.lead] : 0.0)));
-        if (i > result.lead + within.size())
+        if (i > result.lead + within.size()) {
           goes_on = std::max(goes_on, std::abs(result.incident[i]));
+        }
       }
       EXPECT_LT(error, 0.1 * 1e-7) << degrees;
       EXPECT_GT(goes_on, 0.1 * 0.1);

@@ -18,15 +18,17 @@ using tremolo::testing::radians;
 
 double largest(const std::vector<double>& values) {
   double result = 0.0;
-  for (const double value : values)
+  for (const double value : values) {
     result = std::max(result, std::abs(value));
+  }
   return result;
 }
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double result = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
+  for (std::size_t i = 0; i < a.size(); ++i) {
     result = std::max(result, std::abs(a[i] - b[i]));
+  }
   return result;
 }
 
@@ -68,8 +70,9 @@ TEST_P(InLayers, MomentumStrainAndHooke) {
     const auto at = under_test().sample(points, {0.7, 0.02, 40});
     const auto slope = [&](std::vector<double> History::*q, std::size_t first, std::size_t i) {
       double sum = 0.0;
-      for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t k = 0; k < 4; ++k) {
         sum += weights[k] * ((at[4 * k + first].*q)[i] - (at[4 * k + first + 1].*q)[i]);
+      }
       return sum / h;
     };
     const auto ddx = [&](std::vector<double> History::*q, std::size_t i) { return slope(q, 1, i); };
@@ -115,8 +118,9 @@ TEST_P(InLayers, TractionVanishesAtTheSurfaceAndPassesInterfaces) {
     EXPECT_LT(largest_difference(a.sxy, b.sxy), 1e-11 * stress);
     EXPECT_LT(largest_difference(a.syy, b.syy), 1e-11 * stress);
     EXPECT_GT(largest_difference(a.gxy, b.gxy), 1e-7);
-    if (GetParam().degrees > 0.0)
+    if (GetParam().degrees > 0.0) {
       EXPECT_GT(largest_difference(a.sxx, b.sxx), 1e-4 * stress); // sxx jumps
+    }
   }
 }
 

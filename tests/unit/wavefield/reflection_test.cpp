@@ -128,8 +128,9 @@ TEST(Reflection, AreRegularAtVerticalIncidence) {
   for (const WaveType wave : {WaveType::SV, WaveType::P}) {
     const Reflected vertical(soil, wave, 0.0);
     const Reflected almost(soil, wave, 1e-9 * 180.0 / std::numbers::pi);
-    for (std::size_t i = 0; i < vertical.waves.size(); ++i)
+    for (std::size_t i = 0; i < vertical.waves.size(); ++i) {
       EXPECT_LT((vertical.waves[i] - almost.waves[i]).norm(), 1e-8);
+    }
     EXPECT_EQ(std::abs(vertical.sum()[wave == WaveType::SV ? 1 : 0]), 0.0);
   }
 }

@@ -43,10 +43,12 @@ TEST(ExponentialWindow, AgreesWithPaddingWhereItIsValid) {
     const auto a = field(profile, wave, degrees, {}).sample(points, grid);
     const auto b = field(profile, wave, degrees, exponential).sample(points, grid);
     double result = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t t = 0; t < grid.count; ++t)
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (std::size_t t = 0; t < grid.count; ++t) {
         result = std::max({result, std::abs(a[i].vx[t] - b[i].vx[t]), std::abs(a[i].vy[t] - b[i].vy[t]),
                            3.0 * std::abs(a[i].ux[t] - b[i].ux[t])});
+      }
+    }
     return result / 0.1;
   };
   EXPECT_LT(difference(layered3({}), WaveType::SV, 20.0), 1e-6);

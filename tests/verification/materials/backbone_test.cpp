@@ -43,8 +43,9 @@ TEST(Backbone, TangentIsTheDerivativeOfStress) {
 
 TEST(MasingDamping, IsThatOfTheReferenceTable) {
   const auto file = tremolo::testing::reference_folder() / "waves" / "masing_damping.csv";
-  if (!std::filesystem::exists(file))
+  if (!std::filesystem::exists(file)) {
     GTEST_SKIP() << "no reference data at " << file;
+  }
   const auto rows = tremolo::testing::read_table(file);
   ASSERT_GT(rows.size(), 20u);
   for (const auto& row : rows) {

@@ -74,8 +74,9 @@ TEST(MkzFit, HoldsTheExponentWhereTheStressWouldFall) {
   // The least squares for s = 1: no other gamma_r does better.
   const auto sum = [&](double reference) {
     double squares = 0.0;
-    for (std::size_t i = 0; i < curves.strain.size(); ++i)
+    for (std::size_t i = 0; i < curves.strain.size(); ++i) {
       squares += std::pow(1.0 / (1.0 + curves.strain[i] / reference) - curves.modulus_ratio[i], 2);
+    }
     return squares;
   };
   EXPECT_LT(sum(fit.reference_strain), sum(1.001 * fit.reference_strain));

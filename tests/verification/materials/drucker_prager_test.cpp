@@ -57,8 +57,9 @@ double tested_deviator(const Law& law, ConeMatch condition, double strain, int s
   const double sign = condition == triaxial_extension ? 1.0 : -1.0;
   for (int n = 0; n < steps; ++n) {
     PointStep step = {.xx = Control::stress(-cell), .yy = Control::strain(sign * strain / steps)};
-    if (condition != plane_strain)
+    if (condition != plane_strain) {
       step.zz = Control::stress(-cell);
+    }
     point.apply(step);
   }
   return std::abs(point.stress().yy - point.stress().xx);
@@ -116,8 +117,9 @@ TEST(DruckerPrager, SimpleShearLimitAndDilation) {
                          (1.0 - sine * std::sin(law.dilation));
     PointTest point(law, {-0.5 * cell, -cell, -0.5 * cell, 0.0});
     const auto shear = [&](int steps) {
-      for (int n = 0; n < steps; ++n)
+      for (int n = 0; n < steps; ++n) {
         point.apply({Control::strain(0.0), Control::stress(-cell), Control::strain(1e-3)});
+      }
     };
     shear(400);
     EXPECT_NEAR(point.stress().xy, limit, 1e-6 * limit);
@@ -134,8 +136,9 @@ TEST(DruckerPrager, TensionEndsAtTheApex) {
       const DruckerPrager law = soil(match, 30.0, dilation, 4.0 * kPa);
       const double apex = 4.0 * kPa / std::tan(30.0 * degree);
       PointTest point(law, {-10.0 * kPa, -10.0 * kPa, -10.0 * kPa, 0.0});
-      for (int n = 0; n < 100; ++n)
+      for (int n = 0; n < 100; ++n) {
         point.apply({Control::strain(1e-3), Control::strain(0.9e-3), Control::strain(1e-4)});
+      }
       EXPECT_NEAR(point.stress().xx, apex, 1e-9 * apex);
       EXPECT_NEAR(point.stress().yy, apex, 1e-9 * apex);
       EXPECT_NEAR(point.stress().zz, apex, 1e-9 * apex);
@@ -153,8 +156,9 @@ TEST(DruckerPrager, PlasticStrainAndWorkInSimpleShear) {
   const double shear = law.elastic.shear_modulus();
   PointTest point(law, {-50.0 * kPa, -50.0 * kPa, -50.0 * kPa, 0.0});
   const double yield = 20.0 * kPa / shear;
-  for (const double change : {yield, 0.04, 0.06})
+  for (const double change : {yield, 0.04, 0.06}) {
     point.apply({Control::strain(0.0), Control::strain(0.0), Control::strain(change)});
+  }
   EXPECT_NEAR(point.stress().xy, 20.0 * kPa, 1e-6);
   EXPECT_NEAR(point.state()[0], 0.1 / std::numbers::sqrt3, 1e-12);
   EXPECT_NEAR(point.plastic_work(), 20.0 * kPa * 0.1, 1e-6);

@@ -61,8 +61,9 @@ TEST(IwanShear, PolygonIsAsCloseToTheBackboneAsItsSidesAllow) {
     EXPECT_LT(worst.above, side * side / 16.0);
     EXPECT_LT(worst.below, 1.05 * side * side / 16.0); // the spacing is that of many short sides
     double modulus = 0.0;
-    for (const IwanElement& element : law.elements)
+    for (const IwanElement& element : law.elements) {
       modulus += element.shear_modulus;
+    }
     EXPECT_NEAR(modulus / elastic.shear_modulus(), 1.0, 1e-12);
   }
 }
@@ -136,9 +137,11 @@ TEST(HystereticLaws, StressDoesNotDriftFromItsElements) {
     strain = next;
   }
   double sum = 8e3;
-  for (std::size_t first = 0; first < point.state().size(); first += 3 * iwan_group)
-    for (std::size_t k = 0; k < iwan_group; ++k)
+  for (std::size_t first = 0; first < point.state().size(); first += 3 * iwan_group) {
+    for (std::size_t k = 0; k < iwan_group; ++k) {
       sum += point.state()[first + 2 * iwan_group + k];
+    }
+  }
   EXPECT_NEAR(point.stress().xy, sum, 1e-9 * 100e3);
 }
 
@@ -208,8 +211,9 @@ TEST(HystereticLaws, GiveTheSameBitsHoweverPointsAreGrouped) {
     Batch apart(law, count);
     std::mt19937_64 random(8);
     for (int k = 0; k < 50; ++k) {
-      for (std::size_t i = 0; i < together.strain.size(); ++i)
+      for (std::size_t i = 0; i < together.strain.size(); ++i) {
         together.strain[i] = apart.strain[i] = 2e-3 * between(random, -1.0, 1.0);
+      }
       update(law, together.points(0, count, width));
       for (std::size_t begin = 0; begin < count;) {
         const std::size_t part = std::min<std::size_t>(1 + random() % 5, count - begin);

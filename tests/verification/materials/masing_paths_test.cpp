@@ -47,15 +47,17 @@ TEST(RandomMasingPaths, ClosedInnerLoopsReturnToTheSamePoint) {
   std::mt19937_64 random(12);
   for (int path = 0; path < 2000; ++path) {
     History history{};
-    for (int k = 0; k < 6; ++k)
+    for (int k = 0; k < 6; ++k) {
       masing_commit(backbone, history, next_strain(random));
+    }
     const History before = history;
     const double here = history[masing::strain];
     // Away from here against the last direction, wandering inside [here, here + reach], and back.
     const double reach = (masing_reverses(history, here + 1e-9) ? 1.0 : -1.0) * 1e-7;
     masing_commit(backbone, history, here + reach);
-    for (int k = 0; k < 10; ++k)
+    for (int k = 0; k < 10; ++k) {
       masing_commit(backbone, history, here + reach * between(random, 0.01, 1.0));
+    }
     masing_commit(backbone, history, here);
     const double on = here - 1e-3 * reach;
     EXPECT_NEAR(history[masing::stress], before[masing::stress], 1e-9 * backbone.stress(1e-2));
@@ -93,8 +95,9 @@ IwanShear law_of(std::size_t elements) {
 /// Largest relative distance of the springs' polygon from the backbone.
 double polygon_error(const IwanShear& law) {
   double worst = 0.0;
-  for (double strain = 1e-9; strain < 0.1; strain *= 1.001)
+  for (double strain = 1e-9; strain < 0.1; strain *= 1.001) {
     worst = std::max(worst, std::abs(monotonic_stress(law, strain) / backbone.stress(strain) - 1.0));
+  }
   return worst;
 }
 

@@ -24,8 +24,9 @@ PointStep shear(double change) {
 
 void shear_to(PointTest& point, double strain, int steps) {
   const double change = (strain - point.strain().xy) / steps;
-  for (int n = 0; n < steps; ++n)
+  for (int n = 0; n < steps; ++n) {
     point.apply(shear(change));
+  }
 }
 
 TEST(MultiYieldClay, ReachesItsStrengthInSimpleShearAtThePeakStrain) {
@@ -67,8 +68,9 @@ TEST(MultiYieldClay, StrengthIsVonMisesAndIndependentOfPressure) {
         PointTest point(clay, {-cell, -cell, -cell, 0.0});
         for (int n = 0; n < 100; ++n) {
           PointStep step = {.xx = Control::stress(-cell), .yy = Control::strain(0.01 * axial)};
-          if (triaxial)
+          if (triaxial) {
             step.zz = Control::stress(-cell);
+          }
           point.apply(step);
         }
         const double expected = (triaxial ? std::numbers::sqrt3 : 2.0) * s_u;
@@ -111,8 +113,9 @@ TEST(MultiYieldClay, InitialShearStressIsPartOfTheStrength) {
   PointTest loaded(clay, {-80e3, -80e3, -80e3, 0.0});
   shear_to(loaded, 2e-3, 50);
   PointTest started(clay, {-80e3, -80e3, -80e3, loaded.stress().xy});
-  for (std::size_t k = 0; k < loaded.state().size(); ++k)
+  for (std::size_t k = 0; k < loaded.state().size(); ++k) {
     EXPECT_NEAR(started.state()[k], loaded.state()[k], 1e-9 * s_u);
+  }
   for (const double change : {-3e-3, 1e-3, 0.2}) {
     loaded.apply(shear(change));
     started.apply(shear(change));
@@ -176,8 +179,9 @@ TEST(MultiYieldClay, PassesThroughAModulusReductionCurve) {
 
 TEST(MultiYieldClay, StopsACurveAtTheStrength) {
   const MultiYieldClay clay = multi_yield_clay(elastic, 10e3, table());
-  for (const double strain : {3e-4, 1e-3, 0.1}) // the table gives 5.9 and 11.4 kPa
+  for (const double strain : {3e-4, 1e-3, 0.1}) { // the table gives 5.9 and 11.4 kPa
     EXPECT_NEAR(monotonic_stress(clay, strain), strain < 5e-4 ? 30e6 * 3e-4 * 0.66 : 10e3, 1e-6);
+  }
 }
 
 TEST(MultiYieldClay, RefusesCurvesThatAreNotConcave) {

@@ -17,8 +17,9 @@ constexpr double increment = 1e-5; // of shear strain in the cyclic tests
 /// that turn at a stress, full ones and a shorter last.
 double worst_difference(const std::string& name, bool shorter_last, std::size_t last = std::string::npos) {
   const std::vector<Pdmy03Row> rows = pdmy03_rows(name);
-  if (rows.empty())
+  if (rows.empty()) {
     return std::numeric_limits<double>::quiet_NaN();
+  }
   PointTest point(pdmy03_of(name), rows.front().stress);
   double worst = 0.0;
   for (std::size_t i = 1; i < std::min(rows.size(), last); ++i) {
@@ -49,8 +50,9 @@ class ConstantVolume : public ::testing::TestWithParam<Replay> {};
 
 TEST_P(ConstantVolume, FollowsTheReference) {
   const double worst = worst_difference(GetParam().file, GetParam().shorter_last);
-  if (std::isnan(worst))
+  if (std::isnan(worst)) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   RecordProperty("worst_Pa", std::to_string(worst));
   EXPECT_LT(worst, GetParam().bound);
 }
@@ -77,8 +79,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Pdmy03, LowPressurePathFollowsTheReferenceUntilAGapOpens) {
   const std::string name = "dr57_path_lowp";
   const std::vector<Pdmy03Row> rows = pdmy03_rows(name);
-  if (rows.empty())
+  if (rows.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   constexpr std::size_t gap = pdmy03_state::gap;
   PointTest point(pdmy03_of(name), rows.front().stress);
   const auto pressure = [](const PointStress& s) { return -(s.xx + s.yy + s.zz) / 3.0; };

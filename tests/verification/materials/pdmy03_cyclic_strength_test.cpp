@@ -22,8 +22,9 @@ struct Cycles {
 
   void note(double cycle, double shear_strain, double r_u) {
     const auto first = [&](std::optional<double>& when, bool reached) {
-      if (reached && !when)
+      if (reached && !when) {
         when = cycle;
+      }
     };
     first(pressure_ratio, r_u >= 0.98);
     first(one_per_cent, std::abs(shear_strain) >= 0.01);
@@ -56,8 +57,9 @@ Cycles reference_cycles(const testing::ReferenceCurve& curve) {
   const auto cycle = curve.column("cycle");
   const auto strain = curve.column("gamma_xy");
   const auto vertical = curve.column("sig_yy");
-  for (std::size_t i = 0; i < curve.size(); ++i)
+  for (std::size_t i = 0; i < curve.size(); ++i) {
     cycles.note(cycle[i], strain[i], 1.0 - vertical[i] / vertical[0]);
+  }
   return cycles;
 }
 
@@ -74,8 +76,9 @@ class CyclicStrength : public ::testing::TestWithParam<CyclicTest> {};
 TEST_P(CyclicStrength, TakesAsManyCyclesAsTheReference) {
   const CyclicTest& test = GetParam();
   const testing::ReferenceCurve curve("pdmy03_" + std::string(test.file) + ".csv");
-  if (curve.empty())
+  if (curve.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   const Cycles ours = run(test, pdmy03_rows(test.file).front().stress);
   const Cycles theirs = reference_cycles(curve);
   expect_same("pressure_ratio_0.98", ours.pressure_ratio, theirs.pressure_ratio);
@@ -101,8 +104,9 @@ TEST(Pdmy03, RecommendedSetsHaveTheCyclicStrengthTheyWereFittedTo) {
     const auto cycles = [&law = law](double stress_ratio) {
       PointTest point(law, {-0.5 * vertical, -vertical, -0.5 * vertical, 0.0});
       testing::CyclicShear shear(point, stress_ratio * vertical, 0.0, 1e-5);
-      while (std::abs(point.strain().xy) < 0.03)
+      while (std::abs(point.strain().xy) < 0.03) {
         shear.step();
+      }
       return shear.cycle();
     };
     EXPECT_GT(cycles(0.98 * target), 15.0) << density;

@@ -111,9 +111,11 @@ Loop loop(const Curve& curve, std::size_t first, std::size_t last) {
 /// Places at which the strain turns.
 std::vector<std::size_t> turns(const std::vector<double>& strain) {
   std::vector<std::size_t> places;
-  for (std::size_t i = 1; i + 1 < strain.size(); ++i)
-    if ((strain[i] - strain[i - 1]) * (strain[i + 1] - strain[i]) < 0.0)
+  for (std::size_t i = 1; i + 1 < strain.size(); ++i) {
+    if ((strain[i] - strain[i - 1]) * (strain[i + 1] - strain[i]) < 0.0) {
       places.push_back(i);
+    }
+  }
   return places;
 }
 
@@ -125,15 +127,17 @@ void expect_ratio(const char* what, double amplitude, double ours, double theirs
 
 TEST(Pdmy03Drained, CyclicSimpleShear) {
   const std::vector<Pdmy03Row> rows = pdmy03_rows("dr57_dcdss_s100");
-  if (rows.empty())
+  if (rows.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   Curve ours;
   Curve theirs;
   PointTest point(pdmy03_of("dr57"), rows.front().stress);
   HeldStress vertical(point, true);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i > 0)
+    if (i > 0) {
       vertical.take(rows[i].strain.xy - rows[i - 1].strain.xy, 0.0);
+    }
     ours.shear_strain.push_back(rows[i].strain.xy);
     ours.shear_stress.push_back(point.stress().xy);
     ours.vertical_strain.push_back(point.strain().yy);
@@ -144,17 +148,20 @@ TEST(Pdmy03Drained, CyclicSimpleShear) {
   const std::vector<std::size_t> places = turns(ours.shear_strain);
   for (const double amplitude : {1e-4, 1e-3, 1e-2}) {
     std::vector<std::size_t> peaks;
-    for (const std::size_t i : places)
-      if (std::abs(std::abs(ours.shear_strain[i]) / amplitude - 1.0) < 1e-3)
+    for (const std::size_t i : places) {
+      if (std::abs(std::abs(ours.shear_strain[i]) / amplitude - 1.0) < 1e-3) {
         peaks.push_back(i);
+      }
+    }
     ASSERT_GE(peaks.size(), 3U) << amplitude;
     const Loop a = loop(ours, peaks[peaks.size() - 3], peaks.back());
     const Loop b = loop(theirs, peaks[peaks.size() - 3], peaks.back());
     expect_ratio("peak shear stress", amplitude, a.peak, b.peak, 0.01);
     expect_ratio("secant modulus", amplitude, a.modulus, b.modulus, 0.03);
     expect_ratio("damping", amplitude, a.damping, b.damping, 0.05);
-    if (amplitude == 1e-3) // at 1e-2 it is the sum of the increments that the reference missed
+    if (amplitude == 1e-3) { // at 1e-2 it is the sum of the increments that the reference missed
       expect_ratio("volumetric strain", amplitude, a.volume, b.volume, 0.05);
+    }
   }
 }
 
@@ -168,8 +175,9 @@ class Drained : public ::testing::TestWithParam<Monotonic> {};
 TEST_P(Drained, MonotonicTestFollowsTheReference) {
   const std::string name = GetParam().file;
   const std::vector<Pdmy03Row> rows = pdmy03_rows(name);
-  if (rows.empty())
+  if (rows.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   PointTest point(pdmy03_of(name), rows.front().stress);
   const PointStress& initial = rows.front().stress;
   HeldStress control(point, GetParam().shear);
@@ -181,8 +189,9 @@ TEST_P(Drained, MonotonicTestFollowsTheReference) {
     const int n = rows[i].step - rows[i - 1].step;
     const PointStrain& from = rows[i - 1].strain;
     const PointStrain& to = rows[i].strain;
-    for (int k = 0; k < n; ++k)
+    for (int k = 0; k < n; ++k) {
       control.take((to.xy - from.xy) / n, GetParam().shear ? 0.0 : (to.yy - from.yy) / n);
+    }
     stress = std::max(stress, difference(point.stress(), rows[i].stress));
     largest_stress = std::max(largest_stress, difference(rows[i].stress, initial));
     const double free = GetParam().shear ? to.yy : to.xx;

@@ -20,8 +20,9 @@ struct Pdmy03Row {
 /// The rows of $TREMOLO_REFERENCE/materials/pdmy03_<name>.csv; none where it is absent.
 inline std::vector<Pdmy03Row> pdmy03_rows(const std::string& name) {
   const testing::ReferenceCurve curve("pdmy03_" + name + ".csv");
-  if (curve.empty())
+  if (curve.empty()) {
     return {};
+  }
   const auto step = curve.column("step");
   const auto exx = curve.column("eps_xx");
   const auto eyy = curve.column("eps_yy");
@@ -48,8 +49,9 @@ inline Pdmy03 pdmy03_of(const std::string& name) {
 /// Largest difference of a stress component, Pa.
 inline double difference(const PointStress& a, const PointStress& b) {
   double largest = 0.0;
-  for (const double d : {a.xx - b.xx, a.yy - b.yy, a.zz - b.zz, a.xy - b.xy})
+  for (const double d : {a.xx - b.xx, a.yy - b.yy, a.zz - b.zz, a.xy - b.xy}) {
     largest = std::max(largest, std::abs(d));
+  }
   return largest;
 }
 

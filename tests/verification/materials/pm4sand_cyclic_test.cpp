@@ -27,12 +27,15 @@ Cycles cycles_to_liquefaction(const Law& law, const PointStress& initial, double
   for (long n = 0; n < static_cast<long>(3.0 / increment); ++n) {
     shear.step();
     const double strain = std::abs(point.strain().xy);
-    if (!ru_98 && point.stress().yy >= 0.02 * initial.yy)
+    if (!ru_98 && point.stress().yy >= 0.02 * initial.yy) {
       ru_98 = shear.cycle();
-    if (!strain_1 && strain >= 0.01)
+    }
+    if (!strain_1 && strain >= 0.01) {
       strain_1 = shear.cycle();
-    if (strain >= 0.03 && ru_98)
+    }
+    if (strain >= 0.03 && ru_98) {
       return {*ru_98, strain_1.value_or(0.0), shear.cycle()};
+    }
   }
   return {};
 }

@@ -51,8 +51,9 @@ Curve drained_compression(const Law& law, const PointStress& initial, double inc
 
 std::vector<double> ramp(double increment, double end) {
   std::vector<double> strains;
-  for (int i = 0; i <= std::lround(end / increment); ++i)
+  for (int i = 0; i <= std::lround(end / increment); ++i) {
     strains.push_back(i * increment);
+  }
   return strains;
 }
 
@@ -66,12 +67,15 @@ class Pm4Drained : public ::testing::TestWithParam<Monotonic> {};
 TEST_P(Pm4Drained, HasThePeakAndTheDilationOfTheReference) {
   const Monotonic& test = GetParam();
   const Pm4Reference reference(std::string("pm4_dr55_mono_") + test.file);
-  if (reference.empty())
+  if (reference.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   std::vector<double> stress = reference.sxy;
-  if (!test.shear)
-    for (std::size_t i = 0; i < stress.size(); ++i)
+  if (!test.shear) {
+    for (std::size_t i = 0; i < stress.size(); ++i) {
       stress[i] = reference.sxx[i] - reference.syy[i];
+    }
+  }
   const double volumetric = reference.exx.back() + reference.eyy.back();
   const Pm4Sand law = report_sand(55);
   constexpr double increment = 1e-5;
@@ -122,16 +126,19 @@ Loop loop_ending_at(const std::vector<double>& strain, const std::vector<double>
 /// before.
 std::size_t last_peak(const std::vector<double>& strain, double amplitude) {
   std::size_t peak = 0;
-  for (std::size_t i = 1; i + 1 < strain.size() && std::abs(strain[i]) < 1.01 * amplitude; ++i)
-    if (strain[i] > strain[i - 1] && strain[i] > strain[i + 1])
+  for (std::size_t i = 1; i + 1 < strain.size() && std::abs(strain[i]) < 1.01 * amplitude; ++i) {
+    if (strain[i] > strain[i - 1] && strain[i] > strain[i + 1]) {
       peak = i;
+    }
+  }
   return peak;
 }
 
 TEST(Pm4DrainedCycles, HaveTheLoopsOfTheReference) {
   const Pm4Reference reference("pm4_dr55_dcdss_s100");
-  if (reference.empty())
+  if (reference.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   PointTest point(report_sand(55), reference.stress(0));
   std::vector<double> stress = {0.0};
   std::vector<double> volumetric = {0.0};
@@ -156,8 +163,9 @@ TEST(Pm4DrainedCycles, HaveTheLoopsOfTheReference) {
                    std::to_string(ours.volumetric) + " " + std::to_string(theirs.volumetric));
     EXPECT_NEAR(ours.secant, theirs.secant, 0.03 * theirs.secant) << amplitude;
     EXPECT_NEAR(ours.damping, theirs.damping, 0.05 * theirs.damping) << amplitude;
-    if (amplitude >= 1e-3)
+    if (amplitude >= 1e-3) {
       EXPECT_NEAR(ours.volumetric, theirs.volumetric, 0.05 * std::abs(theirs.volumetric)) << amplitude;
+    }
   }
 }
 

@@ -21,8 +21,9 @@ class Pm4Replay : public ::testing::TestWithParam<Replay> {};
 TEST_P(Pm4Replay, FollowsTheStressOfTheReference) {
   const Replay& test = GetParam();
   const Pm4Reference reference(std::string("pm4_") + test.file);
-  if (reference.empty())
+  if (reference.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   const Pm4Sand law = report_sand(test.density);
   PointTest point(law, reference.stress(0));
   const double p_min = std::max(pressure(reference.stress(0)), law.p_A) / 200.0;
@@ -68,13 +69,15 @@ INSTANTIATE_TEST_SUITE_P(Path, Pm4Replay, ::testing::Values(Replay{"dr55_path_no
 /// reduced stiffness after shaking.
 TEST(Pm4PostShake, ReconsolidatesAsTheReference) {
   const Pm4Reference reference("pm4_dr55_postshake_s101");
-  if (reference.empty())
+  if (reference.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   const Pm4Sand law = report_sand(55);
   PointTest shaken(law, reference.stress(0));
   std::size_t row = 1;
-  for (; reference.eyy[row] == 0.0; ++row)
+  for (; reference.eyy[row] == 0.0; ++row) {
     replay_row(shaken, reference, row);
+  }
   PointTest settling(after_shaking(Law(law)), reference.stress(0));
   settling.set(shaken.now());
   PointTest stiff(law, reference.stress(0));
@@ -95,8 +98,9 @@ TEST(Pm4PostShake, ReconsolidatesAsTheReference) {
 /// and sets the shear stress to the positive side; trends are compared, not values.
 TEST(Pm4LowPressure, FollowsTheTrendsOfTheReference) {
   const Pm4Reference reference("pm4_dr55_path_lowp");
-  if (reference.empty())
+  if (reference.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   const Pm4Sand law = report_sand(55);
   PointTest point(law, reference.stress(0));
   std::vector<PointStress> at(reference.size());

@@ -47,8 +47,9 @@ TEST(Pm4Rotation, AQuarterTurnInTheMiddleChangesNothing) {
     EXPECT_NEAR(b.zz, a.zz, bound) << steps;
     EXPECT_NEAR(b.xy, -a.xy, bound) << steps;
     EXPECT_NEAR(turned.plastic_work(), still.plastic_work(), 1e-8 * still.plastic_work()) << steps;
-    for (std::size_t k = 1; k < turned.state().size(); ++k) // all but the angle
+    for (std::size_t k = 1; k < turned.state().size(); ++k) { // all but the angle
       EXPECT_NEAR(turned.state()[k], still.state()[k], 1e-8 * (1.0 + std::abs(still.state()[k]))) << k;
+    }
   }
 }
 

@@ -23,8 +23,9 @@ struct Row {
 /// file is absent.
 std::vector<Row> rows(const std::string& name) {
   std::vector<Row> result;
-  for (const std::vector<double>& c : testing::read_table(testing::reference_folder() / "materials" / name))
+  for (const std::vector<double>& c : testing::read_table(testing::reference_folder() / "materials" / name)) {
     result.push_back({{c[0], c[1], c[2]}, {c[3] * kPa, c[4] * kPa, c[5] * kPa, c[6] * kPa}});
+  }
   return result;
 }
 
@@ -35,8 +36,9 @@ double worst_shear_stress(const MohrCoulomb& soil, const std::vector<Row>& rows,
   double worst = 0.0;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const double shear = (rows[i].strain.xy - rows[i - 1].strain.xy) / substeps;
-    for (int n = 0; n < substeps; ++n)
+    for (int n = 0; n < substeps; ++n) {
       point.apply({Control::strain(0.0), Control::stress(rows.front().stress.yy), Control::strain(shear)});
+    }
     worst = std::max(worst, std::abs(point.stress().xy - rows[i].stress.xy));
   }
   return worst;
@@ -45,23 +47,26 @@ double worst_shear_stress(const MohrCoulomb& soil, const std::vector<Row>& rows,
 TEST(ReferenceCurve, SimpleShearWithoutSoftening) {
   const std::vector<Row> friction = rows("mc_perfect45_dss_d_s100_k05.csv");
   const std::vector<Row> dilation = rows("mc_perfect30psi10_dss_d_s100_k05.csv");
-  if (friction.empty() || dilation.empty())
+  if (friction.empty() || dilation.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   EXPECT_LT(worst_shear_stress(without_softening(slope_soil()), friction, 10), 0.05 * kPa);
   EXPECT_LT(worst_shear_stress(perfect_soil(30.0, 10.0, 10.0), dilation, 10), 0.05 * kPa);
 }
 
 TEST(ReferenceCurve, SimpleShearWithSoftening) {
   const std::vector<Row> curve = rows("mc_seed_dss_d_s100_k05.csv");
-  if (curve.empty())
+  if (curve.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   EXPECT_LT(worst_shear_stress(slope_soil(), curve, 4), 0.1 * kPa);
 }
 
 TEST(ReferenceCurve, CompressionWithSoftening) {
   const std::vector<Row> curve = rows("mc_seed_psc_d_s50.csv");
-  if (curve.empty())
+  if (curve.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   PointTest point(slope_soil(), curve.front().stress);
   for (std::size_t i = 1; i < curve.size(); ++i) {
     const double shortening = curve[i].strain.yy - curve[i - 1].strain.yy;
@@ -72,8 +77,9 @@ TEST(ReferenceCurve, CompressionWithSoftening) {
 
 TEST(ReferenceCurve, StrainPathThroughTheApex) {
   const std::vector<Row> path = rows("mc_seed_path_apex_s10.csv");
-  if (path.empty())
+  if (path.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   PointTest point(slope_soil(), path.front().stress);
   for (std::size_t i = 1; i < path.size(); ++i) {
     const PointStrain a = path[i - 1].strain;

@@ -39,10 +39,11 @@ PointTest driven(const Law& law, int turning_steps) {
       turn.rotation = 2.0 * std::tan(0.25 * std::numbers::pi / turning_steps);
       point.apply(turn);
     }
-    if (k < 200 || turning_steps == 0)
+    if (k < 200 || turning_steps == 0) {
       point.apply({Control::strain(xx), Control::strain(yy), Control::strain(xy)});
-    else
+    } else {
       point.apply({Control::strain(yy), Control::strain(xx), Control::strain(-xy)});
+    }
   }
   return point;
 }

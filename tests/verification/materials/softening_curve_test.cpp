@@ -56,8 +56,9 @@ void expect_exact_curve(const MohrCoulomb& soil, double lateral, double incremen
     const CurvePoint target = exact(soil, lateral, multiplier);
     const double missing = target.strain + point.strain().yy;
     const int steps = static_cast<int>(std::ceil(missing / increment));
-    for (int n = 0; n < steps; ++n)
+    for (int n = 0; n < steps; ++n) {
       point.apply({Control::stress(-lateral), Control::strain(-missing / steps)});
+    }
     EXPECT_NEAR(-point.stress().yy, target.stress, 1e-6 * target.stress) << "strain " << target.strain;
     EXPECT_NEAR(point.state()[equivalent_plastic_strain], 2.0 / std::sqrt(3.0) * multiplier, 1e-6);
   }
@@ -88,8 +89,9 @@ TEST(SofteningCurve, IsFollowedAtConstantVolume) {
       const CurvePoint target = exact_undrained(soil, 75.0 * kPa, multiplier);
       const double missing = target.strain - point.strain().xy;
       const int steps = static_cast<int>(std::ceil(missing / increment));
-      for (int n = 0; n < steps; ++n)
+      for (int n = 0; n < steps; ++n) {
         point.apply({Control::strain(0.0), Control::strain(0.0), Control::strain(missing / steps)});
+      }
       EXPECT_NEAR(point.stress().xy, target.stress, 1e-6 * target.stress);
     }
   }
@@ -98,8 +100,9 @@ TEST(SofteningCurve, IsFollowedAtConstantVolume) {
 TEST(SofteningCurve, WithoutSofteningStaysAtThePeak) {
   const MohrCoulomb soil = without_softening(slope_soil());
   PointTest point(soil, {-50.0 * kPa, -50.0 * kPa, -50.0 * kPa, 0.0});
-  for (int n = 0; n < 100; ++n)
+  for (int n = 0; n < 100; ++n) {
     point.apply({Control::stress(-50.0 * kPa), Control::strain(-1e-3)});
+  }
   EXPECT_NEAR(-point.stress().yy, exact(slope_soil(), 50.0 * kPa, 0.0).stress, 1e-6 * kPa);
   EXPECT_GT(point.state()[equivalent_plastic_strain], 0.09);
 }

@@ -53,8 +53,9 @@ TEST(CyclicSoilTest, MasingLoopsCloseAtTheBackbone) {
   const double strain = strain_at(ratio * vertical, reference);
   const std::vector<double>& gamma = result.history.column("gamma_xy");
   ASSERT_EQ(gamma.size(), 8U); // start, 6 reversals, a last half of a half cycle
-  for (std::size_t i = 1; i < 7; ++i)
+  for (std::size_t i = 1; i < 7; ++i) {
     EXPECT_NEAR(gamma[i], i % 2 == 1 ? strain : -strain, 1e-9);
+  }
   EXPECT_TRUE(std::isnan(result.cycles_to.strain_1pc));
 }
 

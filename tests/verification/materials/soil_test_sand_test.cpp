@@ -72,10 +72,11 @@ SoilTest simple_shear(double vertical_stress, double stress_ratio) {
 void expect_cycles(const Result& result, const CyclesTo& reference) {
   const CyclesTo& ours = result.cycles_to;
   constexpr double tolerance = 0.05;
-  if (std::isnan(reference.ru_98))
+  if (std::isnan(reference.ru_98)) {
     EXPECT_TRUE(std::isnan(ours.ru_98));
-  else
+  } else {
     EXPECT_NEAR(ours.ru_98, reference.ru_98, tolerance);
+  }
   EXPECT_NEAR(ours.strain_1pc, reference.strain_1pc, tolerance);
   EXPECT_NEAR(ours.strain_3pc, reference.strain_3pc, tolerance);
   EXPECT_NEAR(ours.double_amplitude_5pc, reference.double_amplitude_5pc, tolerance);

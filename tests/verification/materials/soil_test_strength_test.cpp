@@ -107,8 +107,9 @@ double worst(const std::string& file, const MohrCoulomb& soil, const std::vector
              const InitialState& initial, double increments, const std::string& stress) {
   std::ifstream table(testing::reference_folder() / "materials" / file);
   Path path = read_path(table, by_stress, kPa);
-  for (PathRow& row : path.rows)
+  for (PathRow& row : path.rows) {
     row.step *= increments;
+  }
   SoilTest test;
   test.kind = Kind::path;
   test.drainage = Drainage::drained;
@@ -118,14 +119,16 @@ double worst(const std::string& file, const MohrCoulomb& soil, const std::vector
   const Result result = run(soil, test);
   const std::vector<double> wanted = testing::ReferenceCurve(file).column(stress);
   double difference = 0.0;
-  for (std::size_t i = 0; i < wanted.size(); ++i)
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
     difference = std::max(difference, std::abs(result.history.column(stress).at(i) - kPa * wanted[i]));
+  }
   return difference;
 }
 
 TEST(StrengthBySoilTest, FollowsReferencePaths) {
-  if (testing::ReferenceCurve("mc_seed_psc_d_s50.csv").empty())
+  if (testing::ReferenceCurve("mc_seed_psc_d_s50.csv").empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
+  }
   const InitialState at_rest = {100.0 * kPa, 0.5};
   EXPECT_LT(worst("mc_perfect30psi10_dss_d_s100_k05.csv", perfect_soil(30.0, 10.0, 10.0), {"sig_yy"}, at_rest,
                   10.0, "sig_xy"),

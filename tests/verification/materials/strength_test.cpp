@@ -31,16 +31,18 @@ Compression compress(const MohrCoulomb& soil, double lateral, double strain, int
 /// Horizontal stress left after moving the x sides by a given strain under constant vertical stress.
 double horizontal_after(const MohrCoulomb& soil, double vertical, double strain, int steps) {
   PointTest point(soil, {-0.5 * vertical, -vertical, -0.5 * vertical, 0.0});
-  for (int n = 0; n < steps; ++n)
+  for (int n = 0; n < steps; ++n) {
     point.apply({Control::strain(strain / steps), Control::stress(-vertical)});
+  }
   return -point.stress().xx;
 }
 
 /// Simple shear from K0 = 0.5 under constant vertical stress without lateral strain.
 PointTest shear_drained(const MohrCoulomb& soil, double vertical, double shear_strain, int steps) {
   PointTest point(soil, {-0.5 * vertical, -vertical, -0.5 * vertical, 0.0});
-  for (int n = 0; n < steps; ++n)
+  for (int n = 0; n < steps; ++n) {
     point.apply({Control::strain(0.0), Control::stress(-vertical), Control::strain(shear_strain / steps)});
+  }
   return point;
 }
 
@@ -118,8 +120,9 @@ TEST(SimpleShear, SofteningSoilComesToItsResidualStrength) {
 TEST(SimpleShear, LimitAtConstantVolume) {
   const MohrCoulomb soil = without_softening(slope_soil());
   PointTest point(soil, {-75.0 * kPa, -75.0 * kPa, -50.0 * kPa, 0.0});
-  for (int n = 0; n < 100; ++n)
+  for (int n = 0; n < 100; ++n) {
     point.apply({Control::strain(0.0), Control::strain(0.0), Control::strain(1e-4)});
+  }
   const double limit =
       75.0 * kPa * std::sin(soil.friction_peak) + soil.cohesion_peak * std::cos(soil.friction_peak);
   EXPECT_NEAR(limit, 55.86 * kPa, 5.0);
@@ -131,8 +134,9 @@ TEST(SimpleShear, VolumeGrowsWithTheDilationAngle) {
   const double dilation = 10.0 * degree;
   PointTest point = shear_drained(perfect_soil(30.0, 10.0, 10.0), 100.0 * kPa, 0.1, 400);
   const PointStrain before = point.strain();
-  for (int n = 0; n < 100; ++n)
+  for (int n = 0; n < 100; ++n) {
     point.apply({Control::strain(0.0), Control::stress(-100.0 * kPa), Control::strain(1e-4)});
+  }
   EXPECT_NEAR((point.strain().yy - before.yy) / (point.strain().xy - before.xy), std::tan(dilation), 1e-5);
 }
 

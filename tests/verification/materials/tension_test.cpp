@@ -11,8 +11,9 @@ namespace {
 
 PointTest expanded(const MohrCoulomb& soil, const PointStep& step, int steps) {
   PointTest point(soil, {-10.0 * kPa, -10.0 * kPa, -10.0 * kPa, 0.0});
-  for (int n = 0; n < steps; ++n)
+  for (int n = 0; n < steps; ++n) {
     point.apply(step);
+  }
   return point;
 }
 
