@@ -24,14 +24,12 @@ struct Shaken {
   mpm_domain::Domain domain;
   test_support::PlaneWave wave{.angle = 0.2, .arrival = 0.1, .amplitude = 0.6, .y_reference = -4.0};
   std::vector<double> faces;
-  std::vector<eq6::FreeField> beyond_layers; ///< at rest: what they take up is the whole wave
   mpm_domain::Stepper stepper;
 
   /// @param at_rest of another one after its gravity stage; empty: this one has its own
   Shaken(const mpm_domain::Spec& spec, const std::vector<double>& at_rest)
-      : domain(spec), faces(rest(domain, at_rest)), beyond_layers(domain.faces.size()),
-        stepper(domain, 0.0, test_support::plane_wave_source(domain, wave, true),
-                [this] { return std::span<const eq6::FreeField>(beyond_layers); }) {}
+      : domain(spec), faces(rest(domain, at_rest)),
+        stepper(domain, 0.0, test_support::plane_wave_source(domain, wave, true)) {}
 
   static std::vector<double> rest(mpm_domain::Domain& domain, const std::vector<double>& at_rest) {
     if (at_rest.empty())
