@@ -3,11 +3,31 @@
 #include "app/commands.hpp"
 #include "app/python.hpp"
 #include "scene/text/errors.hpp"
+#include "scene/text/nearest.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace {
+
+/// Says which command was meant. @throws Exit
+void require_known(const CLI::App& app, std::string_view word) {
+  if (word.starts_with('-'))
+    return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({}))
+    names.push_back(command->get_name());
+  if (std::ranges::find(names, word) != names.end())
+    return;
+  std::fprintf(
+      stderr, "tremolo: '%.*s' is no command, %s\n", static_cast<int>(word.size()), word.data(),
+      tremolo::scene::suggestion(word, std::vector<std::string_view>(names.begin(), names.end())).c_str());
+  throw tremolo::app::Exit{tremolo::app::refused};
+}
 
 int run(int argc, char** argv) {
   CLI::App app("tremolo: a large-deformation soil domain shaken through its boundaries by free-field models",
@@ -34,6 +54,8 @@ int run(int argc, char** argv) {
   tremolo::app::add_column(app);
   tremolo::app::add_soiltest(app);
   tremolo::app::add_calibrate(app);
+  if (argc > 1)
+    require_known(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -142,7 +142,7 @@ void add_join(CLI::App& app) {
       ->add_option("--out", arguments->out, "Folder for what the process writes; without it nothing is kept")
       ->check(CLI::ExistingDirectory);
   command->add_option("--threads", arguments->threads, "Threads to compute with")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, most_threads))
       ->capture_default_str();
   command->add_option("--deadline", arguments->deadline, "How long to wait for the run, s")
       ->check(CLI::PositiveNumber)

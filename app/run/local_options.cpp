@@ -18,7 +18,7 @@ void add_local_options(CLI::App& command, LocalOptions& options) {
   command.add_flag("--local", options.local,
                    "All processes on this machine, whatever the [hosts] of the case say");
   command.add_option("--threads", options.threads, "Threads of the domain; results do not depend on it")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, most_threads))
       ->capture_default_str();
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <exception>
 #include <numbers>
+#include <utility>
 
 namespace tremolo::scene {
 
@@ -27,9 +28,17 @@ materials::MohrCoulomb read_mohr_coulomb(const TableReader& table, const materia
           .tension_cutoff = table.optional_number("tension_cutoff")};
 }
 
-Soil read_softening(const NamedTable& soil, const materials::Elasticity& elastic, double mesh_size) {
+Soil read_softening(const NamedTable& soil, const materials::Elasticity& elastic, double mesh_size,
+                    Findings& findings) {
   auto law = read_mohr_coulomb(soil.reader, elastic);
   const auto reference = soil.reader.optional_number("reference_size");
+  if (!reference && mesh_size > 0.0 && law.softening > 0.0)
+    findings.add(
+        soil.reader.path("reference_size"),
+        fmt::format("missing 'reference_size', m: the cell size for which 'softening' = {} holds. A shear "
+                    "band is a cell or two wide, so without it the work that it takes, and what slides, "
+                    "would follow the mesh",
+                    law.softening));
   if (!reference || !(mesh_size > 0.0))
     return {soil.name, law, law, reference, std::nullopt};
   law = materials::regularised(law, mesh_size, *reference);
@@ -153,15 +162,19 @@ Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, d
   need(soil.reader, "density", findings);
   const auto elastic = read_elasticity(soil.reader, findings);
   if (model == "mohr_coulomb")
-    return read_softening(soil, elastic, mesh_size);
+    return read_softening(soil, elastic, mesh_size, findings);
   if (model == "hyperbolic" || model == "mkz")
     return read_hysteretic(soil, elastic, directory, findings);
   return {soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
 }
 
 void read_soils(Document& document, Findings& findings, Case& scene) {
-  for (const auto& soil : document.named("soil"))
+  for (const auto& soil : document.named("soil")) {
     scene.soils.push_back(read_soil(soil, scene.directory, scene.mesh.size, findings));
+    if (const auto at_rest = soil.reader.optional_number("rest_coefficient"))
+      for (materials::Law* law : {&scene.soils.back().law, &scene.soils.back().column_law})
+        *law = materials::with_rest_coefficient(std::move(*law), *at_rest);
+  }
 }
 
 std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,
