@@ -3,7 +3,7 @@
 // The sub-commands of `tremolo`. Each adds itself to the command line; its callback does the work and leaves
 // by an exception where it fails: main turns that into a message and an exit status.
 
-#include <CLI/CLI.hpp>
+#include "app/command_line.hpp"
 
 namespace tremolo::app {
 
@@ -15,25 +15,25 @@ struct Exit {
 /// Exit status of a refused case file or command line.
 inline constexpr int refused = 2;
 
-void add_check(CLI::App& app);
-void add_conform(CLI::App& app);
-void add_cost(CLI::App& app);
-void add_explain(CLI::App& app);
-void add_join(CLI::App& app);
-void add_keygen(CLI::App& app);
-void add_docs(CLI::App& app);
-void add_export(CLI::App& app);
-void add_import(CLI::App& app);
-void add_motion(CLI::App& app);
-void add_plot(CLI::App& app);
-void add_wave(CLI::App& app);
-void add_verify(CLI::App& app);
-void add_resume(CLI::App& app);
-void add_run(CLI::App& app);
-void add_sbatch(CLI::App& app);
-void add_swap(CLI::App& app);
-void add_column(CLI::App& app);
-void add_soiltest(CLI::App& app);
-void add_calibrate(CLI::App& app);
+void add_check(Command& app);
+void add_conform(Command& app);
+void add_cost(Command& app);
+void add_explain(Command& app);
+void add_join(Command& app);
+void add_keygen(Command& app);
+void add_docs(Command& app);
+void add_export(Command& app);
+void add_import(Command& app);
+void add_motion(Command& app);
+void add_plot(Command& app);
+void add_wave(Command& app);
+void add_verify(Command& app);
+void add_resume(Command& app);
+void add_run(Command& app);
+void add_sbatch(Command& app);
+void add_swap(Command& app);
+void add_column(Command& app);
+void add_soiltest(Command& app);
+void add_calibrate(Command& app);
 
 } // namespace tremolo::app

@@ -10,7 +10,7 @@
 
 namespace tremolo::app {
 
-void add_check(CLI::App& app) {
+void add_check(Command& app) {
   auto* command =
       app.add_subcommand("check", "Check a case file and report everything that is wrong with it");
   const auto file = std::make_shared<std::string>();

@@ -21,7 +21,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 
 } // namespace
 
-void add_docs(CLI::App& app) {
+void add_docs(Command& app) {
   auto* command = app.add_subcommand(
       "docs", "Write the generated reference of case files and soil tests, pages and JSON schemas");
   const auto folder = std::make_shared<std::string>();

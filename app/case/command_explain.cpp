@@ -11,7 +11,7 @@
 
 namespace tremolo::app {
 
-void add_explain(CLI::App& app) {
+void add_explain(Command& app) {
   auto* command = app.add_subcommand("explain", "Print the plan of a case: effects, processes, size, cost");
   const auto file = std::make_shared<std::string>();
   const auto values = std::make_shared<bool>(false);

@@ -2,20 +2,18 @@
 #include "app/python.hpp"
 
 #include <string>
+#include <vector>
 
 namespace tremolo::app {
 namespace {
 
-void add_python_command(CLI::App& app, const std::string& name, const std::string& summary) {
-  auto* command = app.add_subcommand(name, summary);
-  command->prefix_command();
-  command->set_help_flag();
-  command->callback([command, name] { become_python(name, command->remaining()); });
+void add_python_command(Command& app, const std::string& name, const std::string& summary) {
+  app.add_relay(name, summary, [name](const std::vector<std::string>& rest) { become_python(name, rest); });
 }
 
 } // namespace
 
-void add_plot(CLI::App& app) {
+void add_plot(Command& app) {
   add_python_command(app, "plot",
                      "Pictures of a run: model, accelerations, shear bands, histories, energy, fronts");
   add_python_command(app, "timeline",

@@ -196,7 +196,7 @@ void study_cost(const Options& options) {
 
 } // namespace
 
-void add_cost(CLI::App& app) {
+void add_cost(Command& app) {
   auto* command = app.add_subcommand(
       "cost",
       "Run a case with several settings: error against CPU time, and the cheapest for a wanted error");
@@ -208,7 +208,7 @@ void add_cost(CLI::App& app) {
           "KEY=VALUE,VALUE: a key of the case and its values, such as mesh.size=1,0.5; 'none' is the "
           "case without the key; 'width' moves the sides (m). Several knobs: every combination. "
           "Without any: transfer, step and three cell sizes")
-      ->allow_extra_args(false);
+      ->one_at_a_time();
   command->add_option("--target", options->target,
                       "Wanted error, such as 1%: which setting, for how much time");
   command
@@ -216,14 +216,14 @@ void add_cost(CLI::App& app) {
           "--reference", options->reference,
           "Folder of a run of the case that the monitors are held against, instead of the exact field or, "
           "where that is not known, of the rung with the most particle updates")
-      ->check(CLI::ExistingDirectory);
+      ->existing_folder();
   command
       ->add_option(
           "--out", options->out,
           "Folder: one run a rung, cost.csv, cost.json and cost.png. Finished rungs in it are not run again")
       ->required();
   command->add_option("--threads", options->threads, "Threads of the domain")
-      ->check(CLI::Range(1, most_threads))
+      ->between(1, most_threads)
       ->capture_default_str();
   command->callback([options] { study_cost(*options); });
 }

@@ -204,7 +204,7 @@ void compute(const Options& options) {
 
 } // namespace
 
-void add_column(CLI::App& app) {
+void add_column(Command& app) {
   auto* command = app.add_subcommand(
       "column",
       "The free field of a case alone: histories, peak profiles, spectra, transfer functions, loops");
@@ -219,13 +219,13 @@ void add_column(CLI::App& app) {
       ->required();
   command->add_option("--model", options->model, "Free-field model: wave, fe, ode, oblique or eql")
       ->required()
-      ->check(CLI::IsMember(names));
+      ->one_of(names);
   command
       ->add_option(
           "--side", options->side,
           "left or right of a complete case: its layers and surface, at its edge of the box (default: "
           "[[profile]] under [surface], at the reference point; of a recording the left side)")
-      ->check(CLI::IsMember({"left", "right"}));
+      ->one_of({"left", "right"});
   auto* out = command->add_option("--out", options->out, "Written: HDF5 tables, see docs/output-format.md");
   auto* recording =
       command
@@ -236,7 +236,7 @@ void add_column(CLI::App& app) {
       ->add_option("--depths", options->depths,
                    "Depths of the histories, m, separated by commas (default: surface, interfaces, base)")
       ->delimiter(',')
-      ->check(CLI::NonNegativeNumber)
+      ->non_negative()
       ->excludes(recording);
   command
       ->add_option("--duration", options->duration,
@@ -249,7 +249,7 @@ void add_column(CLI::App& app) {
   command->add_flag("--plot", options->plot, "Draw OUT.png beside the file")->excludes(recording);
   command->callback([options] {
     if (options->out.empty() && options->record.empty())
-      throw CLI::RequiredError("--out or --record");
+      throw_required("--out or --record");
     require_writable(options->record.empty() ? options->out : options->record);
     if (options->record.empty())
       compute(*options);

@@ -121,7 +121,7 @@ void run(const Options& options) {
 
 } // namespace
 
-void add_wave(CLI::App& app) {
+void add_wave(Command& app) {
   auto* command =
       app.add_subcommand("wave", "The exact wavefield of a case at points and times of your own, or its "
                                  "transfer functions");

@@ -133,7 +133,7 @@ void work_on(const Options& options) {
     draw(named, options);
 }
 
-void add_reading(CLI::App& command, Options& options) {
+void add_reading(Command& command, Options& options) {
   command.add_option("FILE", options.file, "PEER AT2, VT2 or DT2; two columns of time and value; or HDF5");
   command.add_option(
       "--synthesise", options.recipe,
@@ -145,7 +145,7 @@ void add_reading(CLI::App& command, Options& options) {
   command.add_option("--kind", options.kind, "incident, outcrop or within: what it is the motion of");
 }
 
-void add_steps(CLI::App& command, Options& options) {
+void add_steps(Command& command, Options& options) {
   MotionSteps& steps = options.steps;
   auto* rotate = command.add_option("--rotate", steps.rotate_deg,
                                     "1. Component along an axis at DEG degrees from this one towards --with");
@@ -156,7 +156,7 @@ void add_steps(CLI::App& command, Options& options) {
       "--baseline", steps.baseline,
       "2. Subtract the baseline: degree of the polynomial fitted; the velocity ends at zero");
   command.add_option("--baseline-fit", options.fit, "   What it is fitted to")
-      ->check(CLI::IsMember({"velocity", "displacement"}))
+      ->one_of({"velocity", "displacement"})
       ->needs(baseline)
       ->capture_default_str();
   command.add_option("--taper", steps.taper, "3. Half a cosine over this time at each end, s");
@@ -176,7 +176,7 @@ void add_steps(CLI::App& command, Options& options) {
                      "8. Make it incident or outcrop (vertical incidence: outcrop = 2 x incident)");
 }
 
-void add_writing(CLI::App& command, Options& options) {
+void add_writing(Command& command, Options& options) {
   command.add_option("--out", options.out, "Written: the motion as .AT2 (g), .VT2 (cm/s), .DT2 (cm) or .csv");
   command.add_option("--out-unit", options.out_unit, "Unit, and by it quantity, of the report and of .csv");
   command.add_option(
@@ -186,7 +186,7 @@ void add_writing(CLI::App& command, Options& options) {
   command.add_option("--fourier", options.fourier,
                      "Written: Fourier amplitudes of the acceleration (CSV, SI)");
   command.add_option("--damping", options.damping, "Damping of the response spectrum, of critical")
-      ->check(CLI::Range(0.0, 0.99))
+      ->between(0.0, 0.99)
       ->capture_default_str();
   command.add_option("--plot", options.picture, "Picture of histories and spectra (default motion.png)")
       ->expected(0, 1)
@@ -195,7 +195,7 @@ void add_writing(CLI::App& command, Options& options) {
 
 } // namespace
 
-void add_motion(CLI::App& app) {
+void add_motion(Command& app) {
   auto* command =
       app.add_subcommand("motion", "Measures, spectra, processing and synthesis of strong motions");
   command->footer("The steps are done in the order of their numbers.");

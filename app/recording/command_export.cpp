@@ -138,7 +138,7 @@ void run(const Options& options) {
 
 } // namespace
 
-void add_export(CLI::App& app) {
+void add_export(Command& app) {
   auto* command = app.add_subcommand(
       "export", "A recorded free field as a table: time, level, velocity and stress, in SI units");
   const auto options = std::make_shared<Options>();
@@ -155,7 +155,7 @@ void add_export(CLI::App& app) {
           "lockstep, tx,ty")
       ->required();
   command->add_option("--field", options->field, "total or incident (default: the one that the side takes)")
-      ->check(CLI::IsMember({"total", "incident"}));
+      ->one_of({"total", "incident"});
   command->callback([options] { run(*options); });
 }
 

@@ -92,31 +92,31 @@ void run(const Options& options) {
              field.start_time, field.end_time());
 }
 
-void add_questions(CLI::App& command, Options& options) {
+void add_questions(Command& command, Options& options) {
   const std::vector<std::string> up_or_down{"up", "down"};
   command.add_option("--velocity-unit", options.velocity_unit, "Of velocities")
       ->required()
-      ->check(CLI::IsMember(names(velocity_units)));
+      ->one_of(names(velocity_units));
   command.add_option("--stress-unit", options.stress_unit, "Of stresses")
       ->required()
-      ->check(CLI::IsMember(names(stress_units)));
+      ->one_of(names(stress_units));
   command.add_option("--stress-sign", options.stress_sign, "Stresses are positive in tension or compression")
       ->required()
-      ->check(CLI::IsMember({"tension", "compression"}));
+      ->one_of({"tension", "compression"});
   command.add_option("--depth-positive", options.depth_positive, "Depths grow down (depth) or up (level)")
       ->required()
-      ->check(CLI::IsMember(up_or_down));
+      ->one_of(up_or_down);
   command
       .add_option("--vertical-positive", options.vertical_positive,
                   "Vertical velocities are positive up or down, and the shear stress refers to such an axis")
       ->required()
-      ->check(CLI::IsMember(up_or_down));
+      ->one_of(up_or_down);
 }
 
-void add_settings(CLI::App& command, Options& options) {
+void add_settings(Command& command, Options& options) {
   auto& conventions = options.conventions;
   command.add_option("--depth-unit", options.depth_unit, "Of depths")
-      ->check(CLI::IsMember(names(length_units)))
+      ->one_of(names(length_units))
       ->capture_default_str();
   command.add_option("--surface", conventions.surface, "y of depth zero in the case, m")
       ->capture_default_str();
@@ -127,17 +127,17 @@ void add_settings(CLI::App& command, Options& options) {
   command
       .add_option("--resample", conventions.resample,
                   "Interpolate to this even step, s, by cubics of third order")
-      ->check(CLI::PositiveNumber);
+      ->positive();
   command.add_flag("--remove-initial-stress", conventions.remove_initial,
                    "Take the stress of the first time, the static one, away from all");
   command
       .add_option("--density", conventions.density,
                   "Density of the ground, kg/m3, to check units and signs by; without it 1000 to 3000")
-      ->check(CLI::PositiveNumber);
+      ->positive();
   command
       .add_option("--field", conventions.field,
                   "total (with the free surface) or incident (the upgoing wave alone)")
-      ->check(CLI::IsMember({"total", "incident"}))
+      ->one_of({"total", "incident"})
       ->capture_default_str();
   command.add_option("--x", conventions.x, "x of the line in the case, m; only with a slowness")
       ->capture_default_str();
@@ -149,7 +149,7 @@ void add_settings(CLI::App& command, Options& options) {
 
 } // namespace
 
-void add_import(CLI::App& app) {
+void add_import(Command& app) {
   auto* command =
       app.add_subcommand("import", "A free field that another program computed, as a recording for model "
                                    "= \"recording\"; units and signs are asked for and checked");
@@ -160,11 +160,11 @@ void add_import(CLI::App& app) {
                    "(and sxx); or, "
                    "with --opensees, the recorder files of nodal velocities and of element stresses")
       ->required()
-      ->check(CLI::ExistingFile);
+      ->existing_file();
   command
       ->add_option("--opensees", options->points,
                    "Table kind,tag,depth of the nodes and elements in the order of the recorders' columns")
-      ->check(CLI::ExistingFile);
+      ->existing_file();
   command->add_option("--out", options->out, "Written: the recording (HDF5)")->required();
   add_questions(*command, *options);
   add_settings(*command, *options);

@@ -22,9 +22,11 @@ struct KeygenArguments {
 };
 
 void keygen(const KeygenArguments& arguments) {
+  std::vector<std::string> names = arguments.names;
+  for (const std::string& name : names)
+    coupler::require_key_name(name);
   if (fs::create_directories(arguments.folder))
     fs::permissions(arguments.folder, fs::perms::owner_all);
-  std::vector<std::string> names = arguments.names;
   // Names are added to a folder that has the hub's pair already.
   if (const std::string hub(coupler::hub_key); !fs::exists(arguments.folder / (hub + ".secret")))
     names.insert(names.begin(), hub);
@@ -39,7 +41,7 @@ void keygen(const KeygenArguments& arguments) {
 
 } // namespace
 
-void add_keygen(CLI::App& app) {
+void add_keygen(Command& app) {
   auto* command = app.add_subcommand(
       "keygen", "Make CURVE keys, without which no address is served that other machines can reach");
   const auto arguments = std::make_shared<KeygenArguments>();

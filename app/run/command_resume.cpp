@@ -4,6 +4,7 @@
 #include "app/run/case_run.hpp"
 #include "app/run/local_options.hpp"
 #include "app/run/run_display.hpp"
+#include "coupler/wire/printable.hpp"
 #include "scene/case.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +31,9 @@ void resume(const ResumeArguments& arguments) {
   if (has_all_results(folder))
     throw std::runtime_error(
         fmt::format("the run in {} is complete: there is nothing to go on with", folder.string()));
-  const auto set = coupler::newest_set(folder / "checkpoints");
+  const auto [set, damaged] = coupler::find_sets(folder / "checkpoints");
+  for (const auto& what : damaged)
+    fmt::print(stderr, "tremolo: warning: {}\n", coupler::printable(what));
   if (!set)
     throw std::runtime_error(fmt::format(
         "the run in {} has no complete checkpoint; they are made as [checkpoint] of the case says. "
@@ -52,14 +55,12 @@ void resume(const ResumeArguments& arguments) {
 
 } // namespace
 
-void add_resume(CLI::App& app) {
+void add_resume(Command& app) {
   auto* command = app.add_subcommand(
       "resume", "Go on with a run that has ended early, from its newest checkpoint: the results are the same "
                 "bits as those of an unbroken run");
   const auto arguments = std::make_shared<ResumeArguments>();
-  command->add_option("RUN", arguments->folder, "Folder of the run")
-      ->required()
-      ->check(CLI::ExistingDirectory);
+  command->add_option("RUN", arguments->folder, "Folder of the run")->required()->existing_folder();
   add_local_options(*command, arguments->local);
   command->callback([arguments] { resume(*arguments); });
 }

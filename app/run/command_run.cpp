@@ -14,8 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -34,7 +32,6 @@ struct RunArguments {
   std::string case_file;
   fs::path out;
   std::optional<std::string> mode;
-  bool in_process = false;
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
   std::vector<std::string> replays;
@@ -105,30 +102,16 @@ void run(const RunArguments& arguments) {
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
-  const auto transport = arguments.in_process ? "inproc" : arguments.local.transport;
   fmt::print("  {}{}", motion_levels_text(scene), scene::remarks_text(scene));
   const auto summaries =
-      run_case(scene, {folder, arguments.mode, transport, arguments.local.threads, arguments.local.keys,
-                       arguments.local.local || arguments.in_process});
+      run_case(scene, {folder, arguments.mode, arguments.local.transport, arguments.local.threads,
+                       arguments.local.keys, arguments.local.local});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
-}
-
-/// Runs and ends this process: a thread that does not react when it is told to end can be ended in no other
-/// way, and must not meet the destructors of what it uses.
-[[noreturn]] void run_in_process(const RunArguments& arguments) {
-  int status = 0;
-  try {
-    run(arguments);
-  } catch (const Exit& exit) {
-    status = exit.status;
-  }
-  std::fflush(nullptr);
-  std::_Exit(status);
 }
 
 } // namespace
 
-void add_run(CLI::App& app) {
+void add_run(Command& app) {
   auto* command = app.add_subcommand("run", "Run a case: start its processes, watch them, and sum up");
   const auto arguments = std::make_shared<RunArguments>();
   command->add_option("CASE", arguments->case_file, "Case file")->required();
@@ -137,19 +120,14 @@ void add_run(CLI::App& app) {
   command
       ->add_option("--mode", arguments->mode,
                    "Exchange: window or lockstep; the same bits (default: the case's)")
-      ->check(CLI::IsMember({"window", "lockstep"}));
+      ->one_of({"window", "lockstep"});
   add_local_options(*command, arguments->local);
-  command
-      ->add_flag("--in-process", arguments->in_process,
-                 "All participants are threads of this process: the same bits; for a debugger or a profiler")
-      ->excludes("--transport");
-  command->add_option("--motion", arguments->motion, "Record to use instead of the case's")
-      ->check(CLI::ExistingFile);
+  command->add_option("--motion", arguments->motion, "Record to use instead of the case's")->existing_file();
   command->add_option("--angle", arguments->angle_deg, "Angle of incidence instead of the case's, degrees");
   command->add_option("--replay", arguments->replays,
                       "RUN:left, RUN:right or RUN:base: this side is served from the recorded exchange of an "
                       "earlier run instead of its model; RUN alone: all sides. Several are allowed");
-  command->callback([arguments] { arguments->in_process ? run_in_process(*arguments) : run(*arguments); });
+  command->callback([arguments] { run(*arguments); });
 }
 
 } // namespace tremolo::app

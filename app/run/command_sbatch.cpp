@@ -69,7 +69,7 @@ void sbatch(const SbatchArguments& arguments) {
 
 } // namespace
 
-void add_sbatch(CLI::App& app) {
+void add_sbatch(Command& app) {
   auto* command = app.add_subcommand(
       "sbatch", "Print the script of a Slurm job that runs a case with the processes that its [hosts] place "
                 "by Slurm (docs/cluster.md)");
@@ -77,7 +77,7 @@ void add_sbatch(CLI::App& app) {
   command->add_option("CASE", arguments->case_file, "Case file")->required();
   command->add_option("--keys", arguments->keys, "Folder of CURVE keys (`tremolo keygen`) that all nodes see")
       ->required()
-      ->check(CLI::ExistingDirectory);
+      ->existing_folder();
   command->callback([arguments] { sbatch(*arguments); });
 }
 

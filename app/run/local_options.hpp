@@ -2,7 +2,7 @@
 
 // What the command line says about how a run's processes are started and talk; `run` and `resume` share it.
 
-#include <CLI/CLI.hpp>
+#include "app/command_line.hpp"
 
 #include <filesystem>
 #include <string>
@@ -22,6 +22,6 @@ struct LocalOptions {
 };
 
 /// @param options  outlives the command
-void add_local_options(CLI::App& command, LocalOptions& options);
+void add_local_options(Command& command, LocalOptions& options);
 
 } // namespace tremolo::app

@@ -142,7 +142,7 @@ void calibrate(const Options& options) {
 
 } // namespace
 
-void add_calibrate(CLI::App& app) {
+void add_calibrate(Command& app) {
   auto* command =
       app.add_subcommand("calibrate", "Fit the contraction rate of PM4Sand to a wanted cyclic strength");
   const auto options = std::make_shared<Options>();

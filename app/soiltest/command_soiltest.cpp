@@ -57,7 +57,7 @@ void test_soil(const Options& options) {
 
 } // namespace
 
-void add_soiltest(CLI::App& app) {
+void add_soiltest(Command& app) {
   auto* command = app.add_subcommand(
       "soiltest",
       "Element tests of a soil: simple shear, triaxial, oedometer; cyclic strength; modulus and damping");
@@ -71,7 +71,7 @@ void add_soiltest(CLI::App& app) {
     if (options->library)
       fmt::print("{}", library_text());
     else if (options->test.empty())
-      throw CLI::RequiredError("TEST or --library");
+      throw_required("TEST or --library");
     else
       test_soil(*options);
   });

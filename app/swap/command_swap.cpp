@@ -73,7 +73,7 @@ void compare(const Options& options) {
 
 } // namespace
 
-void add_swap(CLI::App& app) {
+void add_swap(Command& app) {
   auto* command = app.add_subcommand(
       "swap", "Run a case with several free-field models and show what the choice changes");
   const auto options = std::make_shared<Options>();
@@ -83,11 +83,11 @@ void add_swap(CLI::App& app) {
                    "Models for both sides and the base, separated by commas; the first is the reference")
       ->required()
       ->delimiter(',')
-      ->check(CLI::IsMember(names()));
+      ->one_of(names());
   command->add_option("--out", options->out, "New folder: one run a model, swap.json and swap.png")
       ->required();
   command->add_option("--threads", options->threads, "Threads of the domain")
-      ->check(CLI::Range(1, most_threads))
+      ->between(1, most_threads)
       ->capture_default_str();
   command->callback([options] { compare(*options); });
 }

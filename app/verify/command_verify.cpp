@@ -47,7 +47,7 @@ void verify_run(const fs::path& run) {
 
 } // namespace
 
-void add_verify(CLI::App& app) {
+void add_verify(Command& app) {
   auto* command = app.add_subcommand(
       "verify",
       "Compare a run on level, uniform, elastic ground with the exact field: numbers and a picture");

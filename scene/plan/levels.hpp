@@ -24,7 +24,7 @@ struct Level {
   double dt = 0.0; ///< that they take, s; set by the plan
 };
 
-/// The cells of the model's box, for a mesh with a size and a box.
+/// The cells of the domain's mesh, those around the model's box included; for a mesh with a size and a box.
 mesh::Quadtree quadtree(const Case& scene);
 
 /// For a mesh with a size, a box and soils.

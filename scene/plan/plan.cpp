@@ -1,5 +1,6 @@
 #include "scene/plan/plan.hpp"
 
+#include "mpm_domain/spec/bytes.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/sources.hpp"
 #include "scene/soils/domain_soils.hpp"
@@ -15,18 +16,9 @@ namespace {
 
 using materials::MohrCoulomb;
 
-// Doubles and 32-bit numbers of one particle and one node of the domain (mpm_domain/particles/particles.hpp,
-// grid.hpp).
-constexpr double particle_bytes =
-    12 * 8 + 2 * 4; // place, velocity, stress, mass, volume, first place; id, index
-constexpr double affine_bytes = 4 * 8;
-constexpr double box_bytes = 3 * 8;
-constexpr double node_bytes = 14 * 8; // sums, velocities, acceleration
-
 // CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
 // plasticity where the soil yields.
 constexpr double base_cost_ns = 200.0;
-constexpr double fmpm_cost_ns = 50.0; // for each order above the first
 constexpr double box_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
@@ -62,6 +54,11 @@ double state_size(const Case& scene, bool written) {
   return static_cast<double>(largest);
 }
 
+/// Bytes of a particle that has some traits, besides its law's state.
+double particle_bytes(mpm_domain::ParticleTraits traits) {
+  return static_cast<double>(mpm_domain::bytes_per_particle(traits));
+}
+
 std::string listed(const std::vector<SourceProcess>& sources) {
   std::string text;
   for (const SourceProcess& source : sources)
@@ -73,13 +70,6 @@ std::string subcycling_text(const Case& scene) {
   return scene.time.subcycle ? "[time] subcycle = true: a step for each level of the mesh, the boundary "
                                "exchanged once in the coarsest's"
                              : "[time] subcycle = false: one step for all levels";
-}
-
-std::string joining_text(const Case& scene) {
-  return scene.mesh.join_particles
-             ? "[mesh] join_particles = true: four that leave finer cells become one, where their soil has "
-               "never yielded and their stresses are alike"
-             : "[mesh] join_particles = false: what was cut in finer cells stays cut";
 }
 
 std::string periodic_text(Sides sides) {
@@ -99,7 +89,6 @@ std::string periodic_text(Sides sides) {
 
 std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources) {
   const bool apic = scene.time.transfer == Transfer::apic;
-  const bool fmpm = scene.time.transfer == Transfer::fmpm;
   const bool deforming = scene.mesh.particle_boxes == ParticleBoxes::deforming;
   const bool plastic = any_soil(scene, is_plastic);
   const bool softening = any_soil(scene, softens);
@@ -108,15 +97,14 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const auto& [sides, left, right, base] = scene.boundary;
   const bool layered = left.absorber == Absorber::matched_layer ||
                        right.absorber == Absorber::matched_layer || base.absorber == Absorber::matched_layer;
+  const double bare_bytes = particle_bytes({});
+  const double affine_bytes = particle_bytes({.affine = true}) - bare_bytes;
+  const double box_bytes = particle_bytes({.own_boxes = true}) - bare_bytes;
   const bool damped = scene.damping.model != DampingModel::none;
   return {
-      {"soil skeleton", true, "always: GIMP particles, plane strain", particle_bytes, base_cost_ns},
+      {"soil skeleton", true, "always: GIMP particles, plane strain", bare_bytes, base_cost_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
        apic ? affine_bytes : 0.0, 0.0},
-      {"full mass matrix", fmpm,
-       fmpm ? fmt::format("[time] transfer = \"fmpm\": inverted to order {}", scene.time.fmpm_order)
-            : fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
-       0.0, fmpm ? fmpm_cost_ns * (scene.time.fmpm_order - 1) : 0.0},
       {"deforming boxes", deforming,
        fmt::format("[mesh] particle_boxes = \"{}\"", name(scene.mesh.particle_boxes)),
        deforming ? box_bytes : 0.0, deforming ? box_cost_ns : 0.0},
@@ -148,7 +136,6 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"material damping", damped,
        fmt::format("[damping] model = \"{}\", of the free field", name(scene.damping.model))},
       {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
-      {"joined particles", scene.mesh.join_particles, joining_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
   };
@@ -217,7 +204,7 @@ Plan plan(const Case& scene) {
     bytes += effect.bytes_per_particle;
     ns += effect.ns_per_particle_step;
   }
-  result.memory_bytes = particles * bytes + nodes * node_bytes;
+  result.memory_bytes = particles * bytes + nodes * static_cast<double>(mpm_domain::bytes_per_node);
   result.estimated_time = static_cast<double>(result.steps) * updates * ns * 1e-9;
   result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
   const double rows = scene.shaking.duration / scene.output.history_every;

@@ -26,8 +26,6 @@ void strength_is_ordered(const Case& scene, Findings& findings);
 void box_fits_lattice(const Case& scene, Findings& findings);
 /// Boxes to refine reach into the model, and the cells are not too many.
 void refinements_suit_mesh(const Case& scene, Findings& findings);
-/// Only a refined mesh has particles to join.
-void joining_needs_levels(const Case& scene, Findings& findings);
 /// Polygons have an area and do not cross themselves.
 void regions_are_simple(const Case& scene, Findings& findings);
 /// Polygons lie in the box.
@@ -58,10 +56,6 @@ void reference_lies_in_halfspace(const Case& scene, Findings& findings);
 void incident_base_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A fixed time step does not exceed the critical one.
 void time_step_is_stable(const Case& scene, Findings& findings);
-/// FMPM goes with the orders whose critical step holds for it.
-void fmpm_suits_order(const Case& scene, Findings& findings);
-/// Boxes that follow the soil change at the end of a step.
-void boxes_suit_order(const Case& scene, Findings& findings);
 /// Levels with steps of their own need levels, and what sub-cycling is made for.
 void subcycling_suits_case(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.

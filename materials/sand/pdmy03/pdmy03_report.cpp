@@ -154,7 +154,7 @@ std::vector<std::string> notes(const Pdmy03& law) {
                     law.friction * degrees));
   }
   if (law.relative_density > 0.0) {
-    list.push_back(
+    list.emplace_back(
         "the recommended set reproduces the cyclic strength it was fitted to, which identifies the "
         "moduli, the angles, contraction_a and contraction_d only together, and contraction_b, "
         "contraction_c, contraction_e and dilation_a, _b, _c hardly at all; check them against tests");

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace tremolo::scene {
@@ -21,12 +19,8 @@ void subcycling_suits_case(const Case& scene, Findings& findings) {
     refuse(fmt::format("needs transfer = \"apic\", found \"{}\"", name(scene.time.transfer)));
   if (scene.time.order != StepOrder::musl && findings.sound("time.order"))
     refuse(fmt::format("needs order = \"musl\", found \"{}\"", name(scene.time.order)));
-  const auto& [sides, left, right, base] = scene.boundary;
-  if (sides == Sides::periodic_springs && findings.sound("boundary.sides"))
+  if (scene.boundary.sides == Sides::periodic_springs && findings.sound("boundary.sides"))
     refuse("needs sides = \"free_field\" or \"periodic\" in [boundary]: springs go by one step for all");
-  if (std::ranges::count(std::array{left.absorber, right.absorber, base.absorber}, Absorber::matched_layer) >
-      0)
-    refuse("needs absorber = \"dashpots\" on all sides of [boundary]");
 }
 
 } // namespace tremolo::scene

@@ -1,3 +1,4 @@
+#include "mpm_domain/spec/limits.hpp"
 #include "scene/plan/levels.hpp"
 #include "scene/rules/rules.hpp"
 
@@ -5,11 +6,9 @@
 
 namespace tremolo::scene {
 
-namespace {
+using mpm_domain::usl_share;
 
-/// Of the critical step, with the order usl: in a free body with noise usl grows above (measured;
-/// tests/stability/mpm_domain).
-constexpr double usl_share = 0.85;
+namespace {
 
 /// Nobody waits for more.
 constexpr double most_steps = 1e9;

@@ -184,13 +184,6 @@ TEST(Keys, KeyOfAnotherChoiceDoesNotApply) {
       ElementsAre(
           "case.toml:18:13: [soil.sand] 'softening' does not apply to model = \"linear_elastic\", only to "
           "mohr_coulomb"));
-  EXPECT_THAT(
-      errors_of(plus("[time]\nfmpm_order = 4\n")),
-      ElementsAre("case.toml:32:14: [time] 'fmpm_order' does not apply to transfer = \"apic\", only to "
-                  "fmpm"));
-  EXPECT_THAT(errors_of(plus("[time]\ntransfer = \"pic_blend\"\n")),
-              ElementsAre(::testing::StartsWith(
-                  "case.toml:31:1: [time] missing 'blend_time', number s: Time constant")));
 }
 
 TEST(Keys, InvalidToml) {

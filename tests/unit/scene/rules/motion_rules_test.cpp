@@ -10,8 +10,8 @@
 namespace tremolo::scene::testing {
 namespace {
 
-using ::testing::AnyOf;
 using ::testing::Contains;
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -73,7 +73,8 @@ TEST(Rules, MotionEndsBeforeTheRun) {
       Contains(HasSubstr("case.toml:2:1: warning: [motion] 100 % of the incident wave's energy reaches the "
                          "model after the run's end at 2 s; the wave ends at 5.7")));
   // A symmetric pulse whose middle arrives at the end.
-  EXPECT_THAT(remarks_of(with("time = 1.0", "time = 2.0")), Contains(AnyOf(HasSubstr("[motion] 49."), HasSubstr("[motion] 50"))));
+  EXPECT_THAT(remarks_of(with("time = 1.0", "time = 2.0")),
+              Contains(ContainsRegex("motion. (4[5-9]|5[0-5])")));
 }
 
 TEST(Rules, UnitIsThatOfTheHeader) {

@@ -11,18 +11,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-TEST(Rules, FmpmSuitsOrder) {
-  const auto fmpm = [](const std::string& order) {
-    return errors_of(plus("[time]\ntransfer = \"fmpm\"\norder = \"" + order + "\"\n"));
-  };
-  EXPECT_THAT(fmpm("musl"), IsEmpty());
-  EXPECT_THAT(fmpm("usf"), IsEmpty());
-  EXPECT_THAT(
-      fmpm("usl"),
-      ElementsAre("case.toml:33:9: [time] transfer = \"fmpm\" needs order = \"musl\" or \"usf\": with "
-                  "\"usl\" it is not stable up to the critical step"));
-}
-
 TEST(Rules, TimeStepIsStableWithUsl) {
   const auto usl = [](const std::string& step) {
     return errors_of(plus("[time]\norder = \"usl\"\n" + step + "\n"));

@@ -1,0 +1,186 @@
+#include "app/command_line.hpp"
+
+#include "app/commands.hpp"
+#include "scene/text/nearest.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace tremolo::app {
+
+Option* Option::required() {
+  option_.required();
+  return this;
+}
+
+Option* Option::one_of(std::vector<std::string> values) {
+  option_.check(CLI::IsMember(std::move(values)));
+  return this;
+}
+
+Option* Option::existing_file() {
+  option_.check(CLI::ExistingFile);
+  return this;
+}
+
+Option* Option::existing_folder() {
+  option_.check(CLI::ExistingDirectory);
+  return this;
+}
+
+Option* Option::positive() {
+  option_.check(CLI::PositiveNumber);
+  return this;
+}
+
+Option* Option::non_negative() {
+  option_.check(CLI::NonNegativeNumber);
+  return this;
+}
+
+Option* Option::between(int least, int most) {
+  option_.check(CLI::Range(least, most));
+  return this;
+}
+
+Option* Option::between(double least, double most) {
+  option_.check(CLI::Range(least, most));
+  return this;
+}
+
+Option* Option::needs(const Option* other) {
+  option_.needs(&other->option_);
+  return this;
+}
+
+Option* Option::excludes(const Option* other) {
+  option_.excludes(&other->option_);
+  return this;
+}
+
+Option* Option::excludes(const std::string& other) {
+  option_.excludes(other);
+  return this;
+}
+
+Option* Option::expected(int count) {
+  option_.expected(count);
+  return this;
+}
+
+Option* Option::expected(int least, int most) {
+  option_.expected(least, most);
+  return this;
+}
+
+Option* Option::one_at_a_time() {
+  option_.allow_extra_args(false);
+  return this;
+}
+
+Option* Option::delimiter(char between) {
+  option_.delimiter(between);
+  return this;
+}
+
+Option* Option::capture_default_str() {
+  option_.capture_default_str();
+  return this;
+}
+
+Option* Option::default_str(const std::string& value) {
+  option_.default_str(value);
+  return this;
+}
+
+Command::Command(CLI::App& app) : app_(app) {}
+Command::~Command() = default;
+
+Command* Command::add_subcommand(const std::string& name, const std::string& description) {
+  return commands_.emplace_back(std::make_unique<Command>(*app_.add_subcommand(name, description))).get();
+}
+
+void Command::add_relay(const std::string& name, const std::string& description,
+                        const std::function<void(const std::vector<std::string>&)>& action) {
+  auto* command = app_.add_subcommand(name, description);
+  command->prefix_command();
+  command->set_help_flag();
+  command->callback([command, action] { action(command->remaining()); });
+}
+
+template <class Value>
+Option* Command::add_option(const std::string& name, Value& variable, const std::string& description) {
+  return options_.emplace_back(std::make_unique<Option>(*app_.add_option(name, variable, description))).get();
+}
+
+template Option* Command::add_option(const std::string&, int&, const std::string&);
+template Option* Command::add_option(const std::string&, double&, const std::string&);
+template Option* Command::add_option(const std::string&, std::string&, const std::string&);
+template Option* Command::add_option(const std::string&, std::filesystem::path&, const std::string&);
+template Option* Command::add_option(const std::string&, std::optional<int>&, const std::string&);
+template Option* Command::add_option(const std::string&, std::optional<double>&, const std::string&);
+template Option* Command::add_option(const std::string&, std::optional<std::string>&, const std::string&);
+template Option* Command::add_option(const std::string&, std::optional<std::filesystem::path>&,
+                                     const std::string&);
+template Option* Command::add_option(const std::string&, std::vector<double>&, const std::string&);
+template Option* Command::add_option(const std::string&, std::vector<std::string>&, const std::string&);
+template Option* Command::add_option(const std::string&, std::vector<std::filesystem::path>&,
+                                     const std::string&);
+
+Option* Command::add_flag(const std::string& name, bool& variable, const std::string& description) {
+  return options_.emplace_back(std::make_unique<Option>(*app_.add_flag(name, variable, description))).get();
+}
+
+void Command::footer(const std::string& text) {
+  app_.footer(text);
+}
+
+void Command::callback(const std::function<void()>& action) {
+  app_.callback(action);
+}
+
+void throw_required(const std::string& names) {
+  throw CLI::RequiredError(names);
+}
+
+namespace {
+
+/// Says which command was meant. @throws Exit
+void require_known(const CLI::App& app, std::string_view word) {
+  if (word.starts_with('-'))
+    return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({}))
+    names.push_back(command->get_name());
+  if (std::ranges::find(names, word) != names.end())
+    return;
+  std::fprintf(stderr, "tremolo: '%.*s' is no command, %s\n", static_cast<int>(word.size()), word.data(),
+               scene::suggestion(word, std::vector<std::string_view>(names.begin(), names.end())).c_str());
+  throw Exit{refused};
+}
+
+} // namespace
+
+int run_command_line(int argc, char** argv, const std::string& program, const std::string& description,
+                     const std::string& version, const std::function<void(Command&)>& add_commands) {
+  CLI::App app(description, program);
+  app.set_version_flag("--version", version);
+  app.require_subcommand(1);
+  Command commands(app);
+  add_commands(commands);
+  if (argc > 1)
+    require_known(app, argv[1]);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : refused;
+  }
+  return 0;
+}
+
+} // namespace tremolo::app
