@@ -43,8 +43,8 @@ Key absorber() {
       "What takes up waves that leave the model here, that is, what differs from the free field. "
       "`dashpots`: those of Eq. (6), good near the normal; 11 % of the energy of SV waves come back at 60 "
       "degrees. `matched_layer`: a perfectly matched layer of `[mesh] layer_cells` behind the boundary, less "
-      "than 1 % up to 60 degrees; beside `form = \"total\"`, since waves of the free field itself that come "
-      "down are not what it can take up.",
+      "than 1 % up to 60 degrees; at a base whose `form` is \"total\" or \"blended\", since under "
+      "\"incident\" the free field's own waves come down into it, which it does not know.",
       Absorber::dashpots);
 }
 

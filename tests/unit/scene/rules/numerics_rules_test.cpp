@@ -8,6 +8,7 @@ namespace tremolo::scene::testing {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 TEST(Rules, TimeStepIsStableWithUsl) {
@@ -24,6 +25,14 @@ TEST(Rules, TimeStepIsStableWithUsl) {
       usl("dt = 3.19e-3"),
       ElementsAre("case.toml:33:6: [time] 'dt' = 0.00319 is not stable with order = \"usl\"; allowed: at "
                   "most 0.85 of the critical step, 0.0031856 s"));
+}
+
+TEST(Rules, StepsCanBeCounted) {
+  EXPECT_THAT(
+      errors_of(plus("[time]\nfraction = 1e-300\n")),
+      ElementsAre(HasSubstr("case.toml:32:12: [time] steps of 3.75e-303 s make 5.34e+302 for 2 s of shaking, "
+                            "must be at most 1e+09")));
+  EXPECT_THAT(errors_of(plus("[time]\ndt = 1e-12\n")), ElementsAre(HasSubstr("must be at most 1e+09")));
 }
 
 TEST(Rules, TimeStepIsStable) {
