@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <numbers>
 
 namespace tremolo::scene {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 materials::ConeMatch cone(const TableReader& table) {
   using enum materials::ConeMatch;

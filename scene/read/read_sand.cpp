@@ -7,14 +7,11 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <numbers>
 #include <stdexcept>
 
 namespace tremolo::scene {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// Hands out the optional numbers of a table.
 class Numbers {
@@ -79,7 +76,7 @@ std::vector<materials::ModulusReduction> modulus_reduction(const TableReader& ta
   return points;
 }
 
-std::optional<materials::Pdmy03Cone> cone(const TableReader& table) {
+std::optional<materials::Pdmy03Cone> pdmy03_cone(const TableReader& table) {
   using enum materials::Pdmy03Cone;
   if (!table.given("cone"))
     return std::nullopt;
@@ -109,7 +106,7 @@ materials::Law pdmy03(const TableReader& table, const std::filesystem::path& dir
        .liquefaction_2 = number("liquefaction_2"),
        .atmospheric_pressure = number("atmospheric_pressure"),
        .zero_pressure_strength = number("zero_pressure_strength"),
-       .cone = cone(table),
+       .cone = pdmy03_cone(table),
        .modulus_reduction = modulus_reduction(table, directory)});
 }
 

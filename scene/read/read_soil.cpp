@@ -8,14 +8,12 @@
 
 #include <algorithm>
 #include <exception>
-#include <numbers>
 
 namespace tremolo::scene {
 
 namespace {
 
 materials::MohrCoulomb read_mohr_coulomb(const TableReader& table, const materials::Elasticity& elastic) {
-  constexpr double degree = std::numbers::pi / 180.0;
   return {.elastic = elastic,
           .cohesion_peak = table.number("cohesion_peak"),
           .cohesion_residual = table.number("cohesion_residual"),
