@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/python.hpp"
+#include "coupler/wire/error.hpp"
 #include "scene/text/errors.hpp"
 
 #include <cstdio>
@@ -47,7 +48,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", errors.what());
     return tremolo::app::refused;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "tremolo: %s\n", error.what());
+    std::fprintf(stderr, "tremolo: %s\n", tremolo::coupler::message_of(error).c_str());
     return 1;
   }
 }

@@ -7,7 +7,6 @@ find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(ZLIB REQUIRED)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
-find_library(FFTW_THREADS fftw3_threads REQUIRED) # has no pkg-config file
 pkg_check_modules(GSL REQUIRED IMPORTED_TARGET gsl)
 find_package(SUNDIALS REQUIRED)
 pkg_check_modules(ZMQ REQUIRED IMPORTED_TARGET libzmq)

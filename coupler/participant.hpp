@@ -19,7 +19,7 @@
 
 #include "coupler/client/participant_options.hpp"
 #include "coupler/client/timeline.hpp"
-#include "coupler/hub/boundary_exchange.hpp"
+#include "coupler/mapping/face_exchange.hpp"
 #include "coupler/mapping/timing.hpp"
 #include "coupler/wire/connection.hpp"
 #include "coupler/wire/field.hpp"
@@ -75,7 +75,6 @@ private:
   struct Outgoing {
     std::uint64_t next_step = 0;
     std::uint64_t credit = 0; ///< steps below this one may be sent
-    std::uint32_t steps_per_frame = 1;
   };
 
   void take_messages(double wait_s);
@@ -95,7 +94,7 @@ private:
 
 /// The domain's side of the exchange. Whether Eq. (6) is evaluated here (mode window) or in the hub (mode
 /// lockstep) makes no difference to the caller, nor to a single bit of the tractions: both use
-/// BoundaryExchange.
+/// FaceExchange.
 class DomainClient {
 public:
   /// Connects and waits until all participants are there. To be made early: a mismatch is found before any
@@ -114,7 +113,7 @@ public:
   /// @pre called once, before the first tractions(); first as in the checkpoint that the run is resumed from
   /// @post the sources compute ahead
   /// @throws Error if a source does not exist or does not cover a face's elevation or the time
-  void ready(const std::vector<BoundaryFace>& faces, double start_time, double end_time,
+  void ready(const std::vector<ExchangedFace>& faces, double start_time, double end_time,
              const std::optional<FirstStep>& first = {});
 
   /// What came with the tractions of a step.
@@ -174,7 +173,7 @@ private:
   void take_tractions(std::uint64_t step, std::span<const std::byte> bytes, std::span<eq6::Vector> tractions);
   void take_source_frame(std::span<const std::byte> bytes);
   void grant_credits();
-  void beat(const std::optional<BoundaryExchange::Missing>& awaited);
+  void beat(const std::optional<FaceExchange::Missing>& awaited);
   std::optional<Incoming> await(const std::string& whom);
   void check_hub(const std::string& awaited);
   void drain();
@@ -182,9 +181,8 @@ private:
   ParticipantOptions options_;
   Connection connection_;
   Mode mode_ = Mode::window;
-  std::uint32_t window_steps_ = default_window_steps;
   std::vector<SourceDescription> sources_;
-  std::optional<BoundaryExchange> exchange_;
+  std::optional<FaceExchange> exchange_;
   std::size_t face_count_ = 0;
   std::vector<eq6::FreeField> free_field_;
   std::vector<double> batch_; ///< steps of [time, vx, vy of each face] not yet sent

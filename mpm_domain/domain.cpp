@@ -1,7 +1,9 @@
 #include "mpm_domain/domain.hpp"
 
+#include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
+#include "mpm_domain/spec/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -14,38 +16,11 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Cells of empty grid around the model, room for soil that moves out of its box.
-constexpr int margin_cells = 6;
-
-/// Layers of coarser cells that run on the clock of finer ones beside them.
-constexpr int buffer_layers = 2;
-
-/// Way of a particle on a graded mesh from one sort to the next, in finest cells. Particles that near to
-/// other levels are weighed the general way: the less of them, the more often is sorted.
-constexpr double across_margin = 0.25;
-
 Grid make_grid(const Spec& spec) {
   Grid grid;
-  grid.h = spec.cell_size;
-  grid.x0 = spec.box.x_min - margin_cells * grid.h;
-  grid.y0 = spec.box.y_min - margin_cells * grid.h;
-  const auto nodes = [&](double length) {
-    return static_cast<int>(std::ceil(length / grid.h - 1e-9)) + 1 + 2 * margin_cells;
-  };
-  resize(grid, nodes(spec.box.x_max - spec.box.x_min), nodes(spec.box.y_max - spec.box.y_min));
-  if (spec.periodic_sides) {
-    grid.period = static_cast<int>(std::lround((spec.box.x_max - spec.box.x_min) / grid.h));
-    grid.first_column = margin_cells;
-  }
+  static_cast<GridShape&>(grid) = grid_shape(spec.box, spec.cell_size, spec.sides);
+  resize_fields(grid, grid.count());
   return grid;
-}
-
-mesh::Roots roots_of(const Grid& grid) {
-  return {grid.x0, grid.y0, grid.h, grid.nx - 1, grid.ny - 1, grid.period, grid.first_column};
-}
-
-std::size_t blocks_of(const Lattice& lattice) {
-  return static_cast<std::size_t>((lattice.ny + rows_per_block - 1) / rows_per_block);
 }
 
 const Spec& checked(const Spec& spec) {
@@ -67,9 +42,9 @@ const Spec& checked(const Spec& spec) {
   refuse_unless(spec.scheme.fraction > 0.0 && spec.scheme.fraction <= 1.0,
                 "the fraction of the critical time step", spec.scheme.fraction, "in (0, 1]");
   if (spec.scheme.subcycle && (spec.refine.empty() || spec.scheme.transfer != Transfer::apic ||
-                               spec.scheme.order != StepOrder::musl || !spec.matched_sides.empty()))
+                               spec.scheme.order != StepOrder::musl || spec.sides == Sides::periodic_springs))
     throw std::invalid_argument("sub-cycling needs a refined mesh, the transfer apic, the order musl, "
-                                "and dashpots instead of matched layers");
+                                "and sides without springs");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");
@@ -78,39 +53,20 @@ const Spec& checked(const Spec& spec) {
   return spec;
 }
 
-/// Particles [begin, end).
-struct ParticleRange {
-  std::size_t begin;
-  std::size_t end;
-};
-
-/// The particles of a set on a clock whose finest cells are of a level: those of its lattice, and those that
-/// touch others too. Without particles, a range is left out.
-std::vector<ParticleRange> ranges_of(const Domain& domain, const Particles& set, int level, int clock) {
-  std::vector<ParticleRange> ranges;
-  const auto add = [&](std::size_t first_block, std::size_t blocks) {
-    const std::size_t begin = set.block_start[first_block];
-    const std::size_t end = set.block_start[first_block + blocks];
-    if (begin < end)
-      ranges.push_back({begin, end});
-  };
-  std::size_t first = static_cast<std::size_t>(clock) * domain.blocks_per_clock();
-  for (int coarser = 0; coarser < level; ++coarser)
-    first += blocks_of(domain.lattice(coarser));
-  add(first, blocks_of(domain.lattice(level)));
-  if (domain.mesh)
-    add(domain.block_count() + static_cast<std::size_t>(clock * domain.lattice_count() + level), 1);
-  return ranges;
-}
-
 } // namespace
 
+std::size_t blocks_of(const Lattice& lattice) {
+  return static_cast<std::size_t>((lattice.ny + rows_per_block - 1) / rows_per_block);
+}
+
 void rebuild_mesh(Domain& domain) {
-  if (domain.spec.refine.empty())
-    return;
   const Spec& spec = domain.spec;
+  if (spec.refine.empty()) {
+    domain.images = images_of(domain.grid);
+    return;
+  }
   domain.mesh.emplace(roots_of(domain.grid),
-                      mesh::beyond_edges(spec.refine, spec.box, 1e-6 * spec.cell_size, !spec.periodic_sides));
+                      refinements_of(spec.refine, spec.box, spec.cell_size, spec.sides));
   domain.basis_cells = {};
   domain.across.clear();
   if (spec.scheme.subcycle)
@@ -132,7 +88,7 @@ void sort_particles(Domain& domain) {
     else
       sort_by_cell(domain.sets[s], domain.grid);
   resize_fields(domain.grid, domain.grid.size());
-  find_levels(domain);
+  domain.boundary.find_levels(domain);
   find_reach(domain);
 }
 
@@ -178,10 +134,9 @@ Domain::Domain(const Spec& specification)
     : spec(checked(specification)), grid(make_grid(spec)), workers(spec.threads) {
   rebuild_mesh(*this);
   sets = fill(spec, mesh ? &mesh->tree() : nullptr);
-  faces = find_faces(sets, spec);
-  for (const BoundaryFace& face : faces)
+  boundary.match(sets, spec);
+  for (const BoundaryFace& face : boundary.faces())
     keep_whole(*this, face.set, face.id);
-  static_tractions.resize(faces.size());
   sort_particles(*this);
 }
 
@@ -226,7 +181,7 @@ NodeRange Domain::row(std::size_t row) const {
 }
 
 double Domain::sort_distance() const {
-  return mesh ? across_margin * finest_lattice().h : 0.9 * grid.h;
+  return mesh ? across_margin * finest_lattice().h : sort_cells * grid.h;
 }
 
 std::size_t Domain::particle_count() const {
@@ -251,35 +206,6 @@ double empty_mass(const Domain& domain) {
     density = std::max(density, materials::elasticity(set.law).density);
   const double h = domain.finest_lattice().h;
   return share_of_full_cell * density * h * h;
-}
-
-namespace {
-
-/// The least over all particles of steps_of(clock) 0.65 h/(c_p + |v|).
-template <typename StepsOf>
-double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
-  double critical = std::numeric_limits<double>::infinity();
-  for (Particles& set : domain.sets)
-    for (int clock = 0; clock < domain.clocks.count(); ++clock)
-      for (int level = 0; level < domain.lattice_count(); ++level)
-        for (const auto& [begin, end] : ranges_of(domain, set, level, clock)) {
-          const double c = materials::p_wave_speed_bound(set.law, set.points(begin, end - begin));
-          critical = std::min(critical, steps_of(clock) * largest_courant_number * domain.lattice(level).h /
-                                            (c + max_speed));
-        }
-  return critical;
-}
-
-} // namespace
-
-double critical_time_step(Domain& domain, double max_speed) {
-  return least_step(domain, max_speed, [](int) { return 1.0; });
-}
-
-double critical_subcycled_step(Domain& domain, double max_speed) {
-  const double stable =
-      least_step(domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); });
-  return max_speed > 0.0 ? std::min(stable, 0.5 * domain.sort_distance() / max_speed) : stable;
 }
 
 } // namespace tremolo::mpm_domain

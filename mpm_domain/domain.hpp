@@ -1,7 +1,6 @@
 #pragma once
 
-#include "mpm_domain/boundary/boundary_faces.hpp"
-#include "mpm_domain/boundary/matched_layer.hpp"
+#include "mpm_domain/boundary/boundary.hpp"
 #include "mpm_domain/grid/across_weights.hpp"
 #include "mpm_domain/grid/graded_mesh.hpp"
 #include "mpm_domain/grid/grid.hpp"
@@ -16,8 +15,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// The state of the two-dimensional plane-strain domain: particles, grid and boundary faces. What happens to
-/// it in a step stands in the passes (scatter, grid_update, gather, ...), which the Stepper strings together.
+/// The state of the two-dimensional plane-strain domain: particles, grid and boundary. What happens to it in
+/// a step stands in the passes (scatter, grid_update, gather, ...), which the Stepper strings together.
 struct Domain {
   /// Fills the regions with particles at rest and without stress.
   /// @throws std::invalid_argument for a spec that cannot be built
@@ -26,11 +25,10 @@ struct Domain {
   Spec spec;
   Grid grid;
   std::optional<GradedMesh> mesh; ///< where the spec refines; without it the grid is one lattice
+  Prolongation images;            ///< of periodic sides without a mesh: ties()
   ClockMap clocks;                ///< one clock unless the spec sub-cycles
   std::vector<Particles> sets;    ///< one per soil
-  std::vector<BoundaryFace> faces;
-  std::vector<Vector> static_tractions; ///< f^st of Eq. (6), Pa, one per face
-  std::vector<MatchedLayer> layers;     ///< see attach_matched_layers
+  Boundary boundary;
   EnergyLedger energy;
   BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them
   /// Of the particles that touch several lattices; clock by clock and in it set by set.
@@ -64,14 +62,18 @@ struct Domain {
   std::size_t row_count() const;
   /// One of them.
   NodeRange row(std::size_t row) const;
-  /// Nodes whose motion is that of others: images of a period, or the tied nodes of a graded mesh.
-  bool has_tied_nodes() const { return spec.periodic_sides || mesh.has_value(); }
+  /// Nodes whose motion is that of others: images of a period, and the tied nodes of a graded mesh.
+  const Prolongation& ties() const { return mesh ? mesh->prolongation() : images; }
   /// How far particles may move from one sort to the next, m.
   double sort_distance() const;
   double fastest_wave(); ///< largest c_p of the particles in their present stress, m/s
 };
 
-/// Builds the graded mesh, if the spec refines, on the present extent of the grid; all fields become zero.
+/// Blocks of rows of a lattice.
+std::size_t blocks_of(const Lattice& lattice);
+
+/// Builds the ties on the present extent of the grid, and the graded mesh if the spec refines; then all
+/// fields become zero.
 void rebuild_mesh(Domain& domain);
 
 /// Names a particle that something rides on, which is then never cut (splitting.hpp).
@@ -92,18 +94,5 @@ void weigh_across(Domain& domain, int slowest_clock = 0);
 /// mass goes. Far more than soil at rest moves, and far less than momentum would show: without a least mass,
 /// the least motion of soil whose surface lies on nodes would have these nodes pull at it.
 double empty_mass(const Domain& domain);
-
-/// Of the critical time step: dt c_p/h.
-///
-/// 0.746 h/c_p is what two-dimensional uGIMP with two particles a cell and direction allows inside; dashpots
-/// at a corner, taken centred with lumped damping, allow 0.65 (measured; tests/stability/mpm_domain).
-inline constexpr double largest_courant_number = 0.65;
-
-/// The critical time step, s: the least of 0.65 h / (c_p + |v|) over the cells' levels and the soil in them.
-double critical_time_step(Domain& domain, double max_speed);
-
-/// The same for the step of clock 0 where every clock keeps to the limit of its own particles: the least of
-/// 2^r 0.65 h / (c_p + |v|). Nor may a particle come near other cells within it, unsorted.
-double critical_subcycled_step(Domain& domain, double max_speed);
 
 } // namespace tremolo::mpm_domain

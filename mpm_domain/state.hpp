@@ -2,74 +2,97 @@
 
 // What a domain remembers from step to step, for checkpoints. A domain that was built from the same spec and
 // is given this state goes on with the same bits. The grid is not part of it: every step makes it anew from
-// the particles; only its extent is, since it may have grown. Faces do not change once the domain is at rest.
+// the particles; only its extent is, since it may have grown.
+//
+// A Writer has write(name, values) for std::vector<double> and std::vector<std::uint64_t>; a Reader has
+// numbers(name) and integers(name). Those of results/checkpoint_file.hpp are such.
 
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
-/// What the gravity stage has found for the faces: impedances P and S (Pa s/m) and static traction (Pa) of
-/// each. Read before attach_matched_layers, which takes the impedances away.
-std::vector<double> faces_at_rest(const Domain& domain);
-
-/// Stands for a gravity stage whose faces were these.
-/// @throws std::invalid_argument for those of another boundary
-void set_faces_at_rest(Domain& domain, std::span<const double> faces);
-
-/// Calls visit(name, array) for a few numbers as one array, and takes them from it afterwards: visit may read
-/// or replace what it is given.
-template <class Visit, class... Number>
-void visit_numbers(Visit& visit, const std::string& name, Number&... numbers) {
-  std::vector<double> values{static_cast<double>(numbers)...};
-  visit(name, values);
-  std::size_t i = 0;
-  ((numbers = static_cast<Number>(values.at(i++))), ...);
+/// Reads an array that must have a known length.
+/// @throws std::runtime_error if it has another
+template <class Reader>
+std::vector<double> numbers_of_size(const Reader& from, const std::string& name, std::size_t size) {
+  std::vector<double> values = from.numbers(name);
+  if (values.size() != size)
+    throw std::runtime_error(
+        fmt::format("the checkpoint holds {} numbers of {}, the domain has {}", values.size(), name, size));
+  return values;
 }
 
-/// Calls visit(name, array) for all that changes of a soil's particles; an array is a vector of double,
-/// std::uint32_t or std::size_t.
-template <class Visit>
-void visit_state(Particles& set, const std::string& name, Visit& visit) {
-  visit(name + ".id", set.id);
-  std::size_t number = 0;
-  for (std::vector<double>* column : set.columns({.affine = true, .boxes = true}))
-    visit(name + ".column" + std::to_string(number++), *column);
-  visit(name + ".state", set.state);
-  visit(name + ".block_start", set.block_start);
-  visit(name + ".index_of", set.index_of);
+template <class Number, class Writer>
+void write_integers(Writer& to, const std::string& name, const std::vector<Number>& values) {
+  to.write(name, std::vector<std::uint64_t>(values.begin(), values.end()));
 }
 
-/// The same for a domain.
-template <class Visit>
-void visit_state(Domain& domain, Visit& visit) {
-  Grid& grid = domain.grid;
-  visit_numbers(visit, "grid", grid.x0, grid.y0, grid.nx, grid.ny);
-  resize(grid, grid.nx, grid.ny);
+template <class Number, class Reader>
+void read_integers(const Reader& from, const std::string& name, std::vector<Number>& values) {
+  values.clear();
+  for (const std::uint64_t value : from.integers(name))
+    values.push_back(static_cast<Number>(value));
+}
+
+template <class Writer>
+void save(const Particles& set, const std::string& name, Writer& to) {
+  write_integers(to, name + ".id", set.id);
+  set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
+    to.write(name + "." + line.name, values);
+  });
+  to.write(name + ".state", set.state);
+  write_integers(to, name + ".block_start", set.block_start);
+  write_integers(to, name + ".index_of", set.index_of);
+}
+
+/// @param cut whether there may be more particles than at the start
+template <class Reader>
+void restore(Particles& set, const std::string& name, bool cut, const Reader& from) {
+  const std::size_t before = set.size();
+  read_integers(from, name + ".id", set.id);
+  if (!cut && set.id.size() != before)
+    throw std::runtime_error(fmt::format("the checkpoint holds {} numbers of {}, the domain has {}",
+                                         set.id.size(), name + ".id", before));
+  set.for_fields([&](const ParticleFieldDescription& line, std::vector<double>& values) {
+    values = numbers_of_size(from, name + "." + line.name, set.id.size());
+  });
+  set.state = numbers_of_size(from, name + ".state", set.id.size() * set.state_size);
+  read_integers(from, name + ".block_start", set.block_start);
+  read_integers(from, name + ".index_of", set.index_of);
+}
+
+template <class Writer>
+void save(const Domain& domain, Writer& to) {
+  const Grid& grid = domain.grid;
+  to.write("grid",
+           std::vector<double>{grid.x0, grid.y0, static_cast<double>(grid.nx), static_cast<double>(grid.ny)});
+  for (std::size_t s = 0; s < domain.sets.size(); ++s)
+    save(domain.sets[s], "soil" + std::to_string(s), to);
+  domain.boundary.save(to);
+  to.write("energy", domain.energy.state());
+}
+
+template <class Reader>
+void restore(Domain& domain, const Reader& from) {
+  const std::vector<double> grid = numbers_of_size(from, "grid", 4);
+  domain.grid.x0 = grid[0];
+  domain.grid.y0 = grid[1];
+  resize(domain.grid, static_cast<int>(grid[2]), static_cast<int>(grid[3]));
   rebuild_mesh(domain);
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
-    visit_state(domain.sets[s], "soil" + std::to_string(s), visit);
-  std::vector<double> levels;
-  for (const BoundaryFace& face : domain.faces)
-    levels.push_back(face.level);
-  visit("faces.level", levels);
-  for (std::size_t f = 0; f < domain.faces.size(); ++f)
-    domain.faces[f].level = static_cast<int>(levels.at(f));
+    restore(domain.sets[s], "soil" + std::to_string(s), domain.mesh.has_value(), from);
+  domain.boundary.restore(from);
   find_reach(domain);
-  EnergyLedger& energy = domain.energy;
-  visit_numbers(visit, "energy", energy.kinetic_start, energy.kinetic, energy.elastic, energy.plastic,
-                energy.gravity, energy.input, energy.static_, energy.dashpots, energy.transfer);
-  for (std::size_t l = 0; l < domain.layers.size(); ++l) {
-    std::vector<double> layer = domain.layers[l].state();
-    visit("layer" + std::to_string(l), layer);
-    domain.layers[l].restore(layer);
-  }
+  domain.energy.set_state(numbers_of_size(from, "energy", domain.energy.state().size()));
 }
 
 } // namespace tremolo::mpm_domain

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -56,8 +57,9 @@ void sync_to_disk(const std::filesystem::path& path) {
 std::filesystem::path set_aside(const std::filesystem::path& file) {
   std::filesystem::path before = file;
   before += ".before";
-  if (!std::filesystem::exists(before)) {
-    std::filesystem::rename(file, before);
+  if (!std::filesystem::exists(before) && std::rename(file.c_str(), before.c_str()) != 0) {
+    throw std::runtime_error(
+        fmt::format("cannot take over {}: {}", file.string(), std::generic_category().message(errno)));
   }
   return before;
 }
@@ -68,12 +70,7 @@ public:
 
   template <class Action>
   void guarded(Action action) {
-    try {
-      action(Place{file_.get(), path_});
-    } catch (const std::runtime_error&) {
-      refuse_further_writes(file_);
-      throw;
-    }
+    guard_(file_, [&] { action(Place{file_.get(), path_}); });
   }
 
   void close() {
@@ -85,6 +82,7 @@ public:
 private:
   std::filesystem::path path_;
   Handle file_;
+  WriteGuard guard_;
 };
 
 CheckpointWriter::CheckpointWriter(const std::filesystem::path& file, const CheckpointIdentity& identity)

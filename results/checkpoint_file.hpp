@@ -14,7 +14,7 @@
 namespace tremolo::results {
 
 /// Version of what the files of a set hold; a set of another version is refused.
-inline constexpr std::string_view checkpoint_schema_version = "1.0";
+inline constexpr std::string_view checkpoint_schema_version = "1.1";
 
 /// What a file belongs to. It is read again only where all of it is the same.
 struct CheckpointIdentity {
@@ -65,7 +65,7 @@ private:
 /// Moves a file that a run which is resumed writes anew out of the way, to FILE.before, from which it takes
 /// over what the checkpoint knows of; a resumption that was ended in the middle of that has left it there.
 /// @returns FILE.before, to be removed when all is taken over
-/// @throws std::filesystem::filesystem_error where there is no such file
+/// @throws std::runtime_error where there is no such file
 std::filesystem::path set_aside(const std::filesystem::path& file);
 
 /// Waits until the disk has what was written to a file, or the entries of a folder.

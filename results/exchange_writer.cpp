@@ -198,18 +198,13 @@ Table value_table(const std::vector<RecordedValue>& values) {
 class ExchangeWriter::Implementation {
 public:
   Implementation(const std::filesystem::path& path, const ExchangeDescription& description)
-      : path_(path), file_(create_file(path_)) {
+      : path_(path), file_(create_draft(path_)) {
     guarded([&] { describe(description); });
   }
 
   template <class Action>
   void guarded(Action action) {
-    try {
-      action();
-    } catch (const std::runtime_error&) {
-      refuse_further_writes(file_);
-      throw;
-    }
+    guard_(file_, action);
   }
 
   void describe(const ExchangeDescription& description) {
@@ -227,7 +222,7 @@ public:
       add_source({sources.get(), path_}, source);
     }
     add_domain(description);
-    flush_file(file_, path_);
+    publish_draft(file_, path_);
   }
 
   void link_table(Place place, const std::string& name, const Table& table) {
@@ -322,6 +317,7 @@ private:
 
   std::filesystem::path path_;
   Handle file_;
+  WriteGuard guard_;
   std::deque<std::deque<Track>> sources_;
   std::optional<Track> velocities_;
   std::optional<Track> tractions_;

@@ -57,7 +57,7 @@ struct BoundaryFaces {
 };
 
 /// What passes through the faces at one time; all arrays [faces * 2].
-struct BoundaryExchange {
+struct BoundarySample {
   std::span<const double> free_field_velocity; ///< v^ff, m/s
   std::span<const double> domain_velocity;     ///< v^m, m/s
   std::span<const double> traction;            ///< on the domain, Pa

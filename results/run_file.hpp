@@ -81,7 +81,7 @@ public:
   void set_boundary(const BoundaryFaces& faces);
 
   /// Adds one time of the boundary exchange; it reaches the file at the next flush.
-  void append_boundary(double time, const BoundaryExchange& exchange);
+  void append_boundary(double time, const BoundarySample& exchange);
 
   /// Writes the particles at `time` (s) as /frames/NNNN, flushes the file and then renews the XDMF. The
   /// number of particles may differ from frame to frame. `fields` must hold "position" with 2 components.
@@ -89,6 +89,10 @@ public:
 
   /// Makes everything written so far durable against the end of this process.
   void flush();
+
+  /// The same where the rows that wait for it hold more than a mebibyte: to be called after the rows of a
+  /// time, so that memory does not grow with the time between two frames.
+  void flush_if_large();
 
   /// The same against the end of the machine: waits for the disk.
   void sync();
@@ -122,9 +126,6 @@ struct NamedTable {
   std::string path; ///< e.g. "/histories/toe"
   Table table;
 };
-
-/// Whether several threads may use files at the same time: how the HDF5 library was built.
-bool is_thread_safe();
 
 /// Creates an HDF5 file of tables, e.g. verify.h5.
 /// @throws std::runtime_error where the file cannot be written

@@ -73,6 +73,11 @@ struct BoundaryDatasets {
   std::vector<double> pending_domain_velocity;
   std::vector<double> pending_traction;
 
+  std::size_t waiting() const {
+    return pending_time.size() + pending_free_field_velocity.size() + pending_domain_velocity.size() +
+           pending_traction.size();
+  }
+
   void write_pending() {
     const auto move_to = [](GrowingDataset& dataset, std::vector<double>& rows) {
       dataset.append(rows);
@@ -98,7 +103,7 @@ void TimeSeries::append(std::span<const double> row) {
 class RunWriter::Implementation {
 public:
   Implementation(const std::filesystem::path& path, const RunDescription& description)
-      : path_(path), file_(create_file(path_)), frames_(create_group(root(), "frames", expected_frames)),
+      : path_(path), file_(create_draft(path_)), frames_(create_group(root(), "frames", expected_frames)),
         monitors_(create_group(root(), "monitors", expected_monitors)), xdmf_(path_) {
     create_status(root());
     write_attribute(root(), "schema_version", std::string(schema_version));
@@ -110,7 +115,7 @@ public:
     write_attribute(root(), "started", utc_now());
     write_text(root(), "case", description.case_text);
     write_text(root(), "plan", description.plan);
-    flush();
+    publish_draft(file_, path_);
   }
 
   Place root() const { return {file_.get(), path_}; }
@@ -121,12 +126,7 @@ public:
     if (file_.get() < 0) {
       throw std::invalid_argument(fmt::format("{}: the run is already closed", path_.string()));
     }
-    try {
-      action();
-    } catch (const std::runtime_error&) {
-      refuse_further_writes(file_);
-      throw;
-    }
+    guard_(file_, action);
   }
 
   void require_new(std::string_view path) const {
@@ -188,7 +188,7 @@ public:
     write_attribute({boundary_->traction.id(), path_}, "unit", std::string("Pa"));
   }
 
-  void append_boundary(double time, const BoundaryExchange& exchange) {
+  void append_boundary(double time, const BoundarySample& exchange) {
     if (!boundary_) {
       throw std::invalid_argument("the boundary faces must be declared before their exchange is written");
     }
@@ -248,6 +248,17 @@ public:
     flush_file(file_, path_);
   }
 
+  void flush_if_large() {
+    constexpr std::size_t most_waiting = (std::size_t{1} << 20) / sizeof(double);
+    std::size_t waiting = boundary_ ? boundary_->waiting() : 0;
+    for (const auto& [buffer, dataset] : series_) {
+      waiting += buffer->pending_.size();
+    }
+    if (waiting > most_waiting) {
+      flush();
+    }
+  }
+
   void close(std::string_view status) {
     set_status(root(), status);
     flush();
@@ -279,6 +290,7 @@ private:
 
   std::filesystem::path path_;
   Handle file_;
+  WriteGuard guard_;
   Handle frames_;
   Handle monitors_;
   std::vector<Series> series_;
@@ -312,7 +324,7 @@ void RunWriter::set_boundary(const BoundaryFaces& faces) {
   implementation_->guarded([&] { implementation_->set_boundary(faces); });
 }
 
-void RunWriter::append_boundary(double time, const BoundaryExchange& exchange) {
+void RunWriter::append_boundary(double time, const BoundarySample& exchange) {
   implementation_->append_boundary(time, exchange);
 }
 
@@ -322,6 +334,10 @@ void RunWriter::write_frame(double time, std::span<const Field> fields) {
 
 void RunWriter::flush() {
   implementation_->guarded([&] { implementation_->flush(); });
+}
+
+void RunWriter::flush_if_large() {
+  implementation_->guarded([&] { implementation_->flush_if_large(); });
 }
 
 void RunWriter::sync() {

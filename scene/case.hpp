@@ -5,7 +5,9 @@
 
 #include "materials/law/law.hpp"
 #include "motion/read/read.hpp"
+#include "mpm_domain/spec/numerics.hpp"
 #include "scene/geometry.hpp"
+#include "scene/text/errors.hpp"
 
 #include <array>
 #include <cstddef>
@@ -19,6 +21,13 @@
 #include <vector>
 
 namespace tremolo::scene {
+
+// The domain's own choices, under their own names.
+using mpm_domain::ParticleBoxes;
+using mpm_domain::Side;
+using mpm_domain::Sides;
+using mpm_domain::StepOrder;
+using mpm_domain::Transfer;
 
 /// [motion] pulse: the Ricker velocity pulse V (1 - 2a) exp(-a), a = (pi f (t - t0))^2.
 struct RickerPulse {
@@ -129,33 +138,23 @@ struct Refinement {
   int level = 0;
 };
 
-/// What becomes of the particles' boxes where soil is strained: they keep their size, or follow it.
-enum class ParticleBoxes { fixed, deforming };
-
 struct Mesh {
   double size = 0.0;          ///< h, of the coarsest cells, m
   Box box;                    ///< the model; its left, right and lower edges carry boundary faces
   int particles_per_cell = 2; ///< per direction
   int layer_cells = 10;       ///< depth of matched layers behind the box, in cells
   std::vector<Refinement> refine;
-  bool join_particles = false; ///< that have left finer cells
   ParticleBoxes particle_boxes = ParticleBoxes::fixed;
 };
-
-enum class Transfer { apic, flip, fmpm, pic_blend };
-enum class StepOrder { usl, usf, musl };
 
 struct TimeStepping {
   double fraction = 0.5;    ///< of the critical step, in (0, 1]
   std::optional<double> dt; ///< a fixed step instead, s
   Transfer transfer = Transfer::apic;
-  double blend_time = 0.0; ///< tau of pic_blend, s
-  int fmpm_order = 0;      ///< k of fmpm
   StepOrder order = StepOrder::musl;
   bool subcycle = false; ///< each level of the mesh takes a step of its own
 };
 
-enum class Side { left, right, base };
 enum class SourceModel {
   wave,      ///< plane waves in layers, frequency domain
   fe,        ///< finite-element column
@@ -201,13 +200,6 @@ struct BaseBoundary {
   FreeFieldModel field;
   BaseForm form = BaseForm::total;
   Absorber absorber = Absorber::dashpots;
-};
-
-/// What the sides are.
-enum class Sides {
-  free_field,      ///< driven by their free fields
-  periodic,        ///< one and the same: the model repeats itself beyond them
-  periodic_springs ///< the same by a penalty: springs between particles of equal height
 };
 
 struct Boundary {
@@ -334,6 +326,7 @@ struct Case {
   double verify_tolerance = 0.0; ///< relative L2 error of particle velocity that `tremolo verify` allows
 
   std::vector<ValueInForce> values;
+  std::vector<Finding> remarks; ///< warnings, then notes, of the rules that such a case goes by
 };
 
 /// Reads and checks a case file.
@@ -349,7 +342,7 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
 /// @throws CaseErrors with every error of these tables
 Case load_free_field(const std::filesystem::path& file, SourceModel model);
 
-/// The name that a case file uses for a value, e.g. "pic_blend".
+/// The name that a case file uses for a value, e.g. "kelvin_voigt".
 std::string_view name(Wave);
 std::string_view name(DampingModel);
 std::string_view name(Integrator);

@@ -21,7 +21,7 @@ void add_check(Command& app) {
                plan.steps, plan.dt);
     for (const auto& source : plan.sources)
       fmt::print(", {}", source.name);
-    fmt::print("\n");
+    fmt::print("\n{}", scene::remarks_text(scene));
   });
 }
 

@@ -110,9 +110,9 @@ std::vector<double> pseudo_acceleration(const std::vector<double>& acceleration,
 }
 
 results::Table spectra(const std::vector<double>& surface, const std::vector<double>& outcrop, double dt) {
-  constexpr double shortest = 0.02; // s
-  constexpr double longest = 5.0;   // s
-  const auto periods = motion::spaced_periods(std::max(shortest, 2.0 * dt), longest, 120);
+  constexpr double shortest = 0.01; // s
+  constexpr double longest = 10.0;  // s
+  const auto periods = motion::tabulated_periods(std::max(shortest, 2.0 * dt), longest, 120);
   results::Table table{
       {{"period", "s", periods}, {"surface", "m/s2", pseudo_acceleration(surface, dt, periods)}}};
   if (!outcrop.empty())

@@ -179,8 +179,10 @@ void add_steps(Command& command, Options& options) {
 void add_writing(Command& command, Options& options) {
   command.add_option("--out", options.out, "Written: the motion as .AT2 (g), .VT2 (cm/s), .DT2 (cm) or .csv");
   command.add_option("--out-unit", options.out_unit, "Unit, and by it quantity, of the report and of .csv");
-  command.add_option("--response", options.response,
-                     "Written: response spectrum, 200 periods from 0.01 to 10 s (CSV, SI)");
+  command.add_option(
+      "--response", options.response,
+      "Written: response spectrum (CSV, SI) at PEER's 105 periods from 0.01 to 10 s and 200 even on a "
+      "logarithmic axis");
   command.add_option("--fourier", options.fourier,
                      "Written: Fourier amplitudes of the acceleration (CSV, SI)");
   command.add_option("--damping", options.damping, "Damping of the response spectrum")->capture_default_str();

@@ -74,7 +74,7 @@ void write_response_spectrum(const motion::Record& record, double damping,
   const auto a = acceleration_of(record).samples;
   std::string text = "period,displacement,velocity,acceleration\n";
   for (const auto& one : motion::response_spectrum(
-           a, record.dt, motion::spaced_periods(shortest_period, longest_period, periods), damping))
+           a, record.dt, motion::tabulated_periods(shortest_period, longest_period, periods), damping))
     text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", one.period, one.displacement, one.velocity,
                         one.acceleration);
   write(file, text);

@@ -19,8 +19,8 @@ std::string motion_warning(const motion::Record& record);
 /// written.
 void write_histories(const motion::Record& record, const std::filesystem::path& file);
 
-/// period (s), displacement (m), pseudo-velocity (m/s) and pseudo-acceleration (m/s2) of 200 periods from
-/// 0.01 to 10 s.
+/// period (s), displacement (m), pseudo-velocity (m/s) and pseudo-acceleration (m/s2) at PEER's periods from
+/// 0.01 to 10 s and at 200 even on a logarithmic axis.
 void write_response_spectrum(const motion::Record& record, double damping, const std::filesystem::path& file);
 
 /// frequency (Hz), amplitude (m/s) of the acceleration.

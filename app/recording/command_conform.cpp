@@ -4,6 +4,8 @@
 #include "app/commands.hpp"
 #include "app/temporary_folder.hpp"
 #include "coupler/conformance/conformance.hpp"
+#include "coupler/wire/printable.hpp"
+#include "results/text_file.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/service.hpp"
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -79,15 +80,11 @@ struct Arguments {
 
 fs::path written_built_in_case(const fs::path& folder) {
   fs::path file = folder / "case.toml";
-  std::ofstream out(file);
-  out << built_in_case;
-  out.close();
-  if (!out)
-    throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
+  results::write_text_file(file, built_in_case);
   return file;
 }
 
-coupler::BoundaryFace face(const std::string& source, scene::BaseForm field, double x, double y) {
+coupler::ExchangedFace face(const std::string& source, scene::BaseForm field, double x, double y) {
   return {.position = {x, y}, .source = source, .field = std::string(scene::name(field))};
 }
 
@@ -102,10 +99,10 @@ std::vector<double> middles(double from, double to, double spacing) {
 }
 
 /// Faces half way between the points of the boundary, as those of particles are.
-std::vector<coupler::BoundaryFace> faces(const scene::Case& scene, const scene::SourceProcess& source) {
+std::vector<coupler::ExchangedFace> faces(const scene::Case& scene, const scene::SourceProcess& source) {
   const scene::Box& box = scene.mesh.box;
   const double spacing = scene.mesh.size / scene.mesh.particles_per_cell;
-  std::vector<coupler::BoundaryFace> list;
+  std::vector<coupler::ExchangedFace> list;
   for (const scene::Served& served : source.serves) {
     if (served.side == scene::Side::base) {
       for (const double x : middles(box.x_min, box.x_max, spacing))
@@ -153,7 +150,8 @@ void conform(const Arguments& arguments) {
              built_in ? "the built-in case" : case_file.string());
   const auto checks = coupler::conform(options, demand(scene, source));
   for (const coupler::Check& check : checks)
-    fmt::print("  {:<4}  {:<22}  {}\n", coupler::name(check.verdict), check.name, check.finding);
+    fmt::print("  {:<4}  {:<22}  {}\n", coupler::name(check.verdict), check.name,
+               coupler::printable(check.finding));
   const auto count = [&](coupler::Verdict verdict) {
     return std::ranges::count(checks, verdict, &coupler::Check::verdict);
   };

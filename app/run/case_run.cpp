@@ -2,14 +2,15 @@
 
 #include "app/commands.hpp"
 #include "app/run/hosts.hpp"
-#include "app/run/in_process.hpp"
 #include "app/run/participant_program.hpp"
 #include "app/run/run_display.hpp"
 #include "app/run/run_lock.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "coupler/recording/exchange_recorder.hpp"
 #include "coupler/wire/messages.hpp"
+#include "coupler/wire/printable.hpp"
 #include "results/run_file.hpp"
+#include "results/text_file.hpp"
 #include "scene/plan/hosts.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/text/files.hpp"
@@ -28,14 +29,6 @@ namespace tremolo::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out)
-    throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
-}
 
 /// Places the processes that [hosts] names on their machines.
 void place_elsewhere(const scene::Case& scene, const CaseRun& run, coupler::LaunchOptions& options) {
@@ -63,11 +56,6 @@ std::string description(const coupler::ProcessSpec& process) {
                                                            : "by " + process.elsewhere->started_by);
 }
 
-/// Nothing where each participant has a process of its own.
-coupler::ParticipantMain main_for(const CaseRun& run, const std::string& program) {
-  return run.transport == "inproc" ? main_of(program) : coupler::ParticipantMain{};
-}
-
 coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run) {
   coupler::LaunchOptions options;
   options.case_file = scene.file;
@@ -87,13 +75,11 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& r
     options.processes.push_back({.name = source.name,
                                  .role = coupler::Role::source,
                                  .program = located(scene::program(source.field)),
-                                 .arguments = own_arguments(source.field),
-                                 .main = main_for(run, scene::program(source.field))});
+                                 .arguments = own_arguments(source.field)});
   options.processes.push_back({.name = "domain",
                                .role = coupler::Role::domain,
                                .program = located("tremolo-domain"),
-                               .threads = run.threads,
-                               .main = main_for(run, "tremolo-domain")});
+                               .threads = run.threads});
   place_elsewhere(scene, run, options);
   return options;
 }
@@ -164,14 +150,18 @@ std::unique_ptr<coupler::ExchangeRecorder> recorder_of(const scene::Case& scene,
 }
 
 /// The command that goes on with a run that has ended early.
-std::string resume_hint(const fs::path& folder) {
+/// @param refused the set that the run could not go on from, if it could not
+std::string resume_hint(const fs::path& folder, const std::optional<coupler::CheckpointSet>& refused) {
   if (has_all_results(folder))
     return fmt::format("its results were complete before that: {}", (folder / "run.h5").string());
-  const auto set = coupler::newest_set(folder / "checkpoints");
-  return set ? fmt::format("to go on from step {} ({:.6g} s): tremolo resume {}", set->step, set->time,
-                           folder.string())
-             : fmt::format("it had made no checkpoint yet: to begin again: tremolo run {}",
-                           (folder / "case.toml").string());
+  const auto set = coupler::find_sets(folder / "checkpoints").newest;
+  const auto again = fmt::format("to begin again: tremolo run {}", (folder / "case.toml").string());
+  if (!set)
+    return "it has no checkpoint to go on from: " + again;
+  if (refused && set->step == refused->step)
+    return fmt::format("it could not go on from its newest checkpoint, {}: {}", set->folder.string(), again);
+  return fmt::format("to go on from step {} ({:.6g} s): tremolo resume {}", set->step, set->time,
+                     folder.string());
 }
 
 /// A domain that was killed could not say so in its file; the launcher does it for it.
@@ -187,7 +177,7 @@ std::vector<std::string> warnings_of(const std::string& process, const fs::path&
   std::ifstream log(folder / "log" / (process + ".log"));
   for (std::string text; std::getline(log, text);)
     if (text.starts_with(mark))
-      warnings.push_back(fmt::format("{}: {}", process, text));
+      warnings.push_back(fmt::format("{}: {}", process, coupler::printable(text)));
   return warnings;
 }
 
@@ -230,13 +220,11 @@ coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<s
 }
 
 std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& run) {
-  if (run.transport == "inproc")
-    share_process();
   fs::create_directories(run.folder);
   const RunLock lock(run.folder);
   scene.file = run.folder / "case.toml";
   if (!run.resume)
-    write_text(scene.file, scene.text);
+    results::write_text_file(scene.file, scene.text);
   auto options = launch_options(scene, run);
   ProgressLine line;
   options.on_progress = [&](const coupler::Progress& progress) { line.show(progress); };
@@ -264,7 +252,7 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
     if (recorder)
       recorder->finish(failure.what());
     mark_aborted(file, failure.what());
-    line.note(resume_hint(run.folder));
+    line.note(resume_hint(run.folder, failure.refuses_checkpoint() ? run.resume : std::nullopt));
     throw Exit{failure.exit_status()};
   }
 }

@@ -16,7 +16,7 @@ namespace tremolo::app {
 struct CaseRun {
   std::filesystem::path folder;                   ///< empty, or not there yet
   std::optional<std::string> mode;                ///< of the exchange, instead of the case's
-  std::string transport = "ipc";                  ///< "inproc": all participants are threads of this process
+  std::string transport = "ipc";                  ///< or "tcp" on the loopback interface
   int threads = 1;                                ///< of the domain
   std::filesystem::path keys{};                   ///< folder of CURVE keys; empty: none
   bool local = false;                             ///< all processes on this machine, whatever [hosts] says

@@ -7,6 +7,7 @@
 #include "coupler/launch/joining.hpp"
 #include "coupler/launch/termination.hpp"
 #include "coupler/wire/messages.hpp"
+#include "coupler/wire/printable.hpp"
 #include "scene/plan/service.hpp"
 #include "scene/read/override.hpp"
 
@@ -20,6 +21,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace tremolo::app {
 
@@ -27,12 +29,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Of a participant's log that are shown.
+constexpr std::size_t most_log_bytes = 65536;
+
 struct JoinArguments {
   std::string endpoint;
   std::string role;
   fs::path keys;
   std::optional<fs::path> case_file;
-  std::string session;
+  std::string run;
   fs::path out;
   int threads = 1;
   double deadline = 30.0;
@@ -48,8 +53,8 @@ void require_same_files(const coupler::Invitation& invitation) {
 }
 
 /// The participant's program and its command line, as the run itself would start it.
-std::vector<std::string> command(const JoinArguments& arguments, const coupler::Invitation& invitation,
-                                 const fs::path& folder) {
+coupler::Command command(const JoinArguments& arguments, const coupler::Invitation& invitation,
+                         const fs::path& folder) {
   const auto file = folder / "case.toml";
   std::ofstream(file, std::ios::binary) << invitation.case_text;
   const auto plan = scene::plan(scene::load(file));
@@ -57,16 +62,17 @@ std::vector<std::string> command(const JoinArguments& arguments, const coupler::
   std::vector<std::string> words{located(scene::program(field)).string()};
   const auto own = own_arguments(field);
   words.insert(words.end(), own.begin(), own.end());
-  const auto common = coupler::command_line({.case_file = file,
-                                             .name = arguments.role,
-                                             .endpoint = arguments.endpoint,
-                                             .session = invitation.session,
-                                             .threads = arguments.threads,
-                                             .out = arguments.out.empty() ? folder : arguments.out,
-                                             .deadlines = invitation.deadlines,
-                                             .keys = arguments.keys});
+  const coupler::ParticipantOptions told{.case_file = file,
+                                         .name = arguments.role,
+                                         .endpoint = arguments.endpoint,
+                                         .session = invitation.session,
+                                         .threads = arguments.threads,
+                                         .out = arguments.out.empty() ? folder : arguments.out,
+                                         .deadlines = invitation.deadlines,
+                                         .keys = arguments.keys};
+  const auto common = coupler::command_line(told);
   words.insert(words.end(), common.begin(), common.end());
-  return words;
+  return {std::move(words), coupler::environment(told)};
 }
 
 /// Until the participant has ended, or must: then why.
@@ -94,7 +100,7 @@ void join(const JoinArguments& arguments) {
   if (arguments.case_file)
     given = scene::overridden_text(scene::load(*arguments.case_file), {});
   coupler::Joining line(
-      {arguments.endpoint, arguments.role, arguments.keys, arguments.session, given, arguments.deadline});
+      {arguments.endpoint, arguments.role, arguments.keys, arguments.run, given, arguments.deadline});
   const auto invitation = line.invitation();
   require_same_files(invitation);
   const TemporaryFolder folder;
@@ -107,7 +113,7 @@ void join(const JoinArguments& arguments) {
   participant.kill();
   if (!trouble && !participant.succeeded())
     trouble = participant.ending();
-  fmt::print("{}", coupler::file_text(log));
+  fmt::print("{}", coupler::printable(coupler::file_text(log), most_log_bytes));
   std::fflush(stdout);
   if (!trouble)
     return;
@@ -136,8 +142,9 @@ void add_join(Command& app) {
       ->add_option("--case", arguments->case_file,
                    "Case file that the run must have; without it the case is that of the run")
       ->existing_file();
-  command->add_option("--session", arguments->session,
-                      "The run that is meant, 16 hexadecimal digits; without it the one that is there");
+  command->add_option(
+      "--run", arguments->run,
+      "Number of the run that is meant, 16 hexadecimal digits; without it the one that is there");
   command
       ->add_option("--out", arguments->out, "Folder for what the process writes; without it nothing is kept")
       ->existing_folder();

@@ -22,9 +22,11 @@ struct KeygenArguments {
 };
 
 void keygen(const KeygenArguments& arguments) {
+  std::vector<std::string> names = arguments.names;
+  for (const std::string& name : names)
+    coupler::require_key_name(name);
   if (fs::create_directories(arguments.folder))
     fs::permissions(arguments.folder, fs::perms::owner_all);
-  std::vector<std::string> names = arguments.names;
   // Names are added to a folder that has the hub's pair already.
   if (const std::string hub(coupler::hub_key); !fs::exists(arguments.folder / (hub + ".secret")))
     names.insert(names.begin(), hub);

@@ -6,15 +6,13 @@
 #include "app/run/local_options.hpp"
 #include "app/run/run_display.hpp"
 #include "results/exchange_file.hpp"
-#include "scene/case.hpp"
+#include "scene/plan/plan.hpp"
 #include "scene/read/override.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -33,7 +31,6 @@ struct RunArguments {
   std::string case_file;
   fs::path out;
   std::optional<std::string> mode;
-  bool in_process = false;
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
   std::vector<std::string> replays;
@@ -104,24 +101,11 @@ void run(const RunArguments& arguments) {
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
-  const auto transport = arguments.in_process ? "inproc" : arguments.local.transport;
+  fmt::print("{}", scene::remarks_text(scene));
   const auto summaries =
-      run_case(scene, {folder, arguments.mode, transport, arguments.local.threads, arguments.local.keys,
-                       arguments.local.local || arguments.in_process});
+      run_case(scene, {folder, arguments.mode, arguments.local.transport, arguments.local.threads,
+                       arguments.local.keys, arguments.local.local});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
-}
-
-/// Runs and ends this process: a thread that does not react when it is told to end can be ended in no other
-/// way, and must not meet the destructors of what it uses.
-[[noreturn]] void run_in_process(const RunArguments& arguments) {
-  int status = 0;
-  try {
-    run(arguments);
-  } catch (const Exit& exit) {
-    status = exit.status;
-  }
-  std::fflush(nullptr);
-  std::_Exit(status);
 }
 
 } // namespace
@@ -137,16 +121,12 @@ void add_run(Command& app) {
                    "Exchange: window or lockstep; the same bits (default: the case's)")
       ->one_of({"window", "lockstep"});
   add_local_options(*command, arguments->local);
-  command
-      ->add_flag("--in-process", arguments->in_process,
-                 "All participants are threads of this process: the same bits; for a debugger or a profiler")
-      ->excludes("--transport");
   command->add_option("--motion", arguments->motion, "Record to use instead of the case's")->existing_file();
   command->add_option("--angle", arguments->angle_deg, "Angle of incidence instead of the case's, degrees");
   command->add_option("--replay", arguments->replays,
                       "RUN:left, RUN:right or RUN:base: this side is served from the recorded exchange of an "
                       "earlier run instead of its model; RUN alone: all sides. Several are allowed");
-  command->callback([arguments] { arguments->in_process ? run_in_process(*arguments) : run(*arguments); });
+  command->callback([arguments] { run(*arguments); });
 }
 
 } // namespace tremolo::app

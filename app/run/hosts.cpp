@@ -51,9 +51,9 @@ std::string quoted(const std::string& text) {
 
 /// What a shell on the other machine is given.
 std::string shell_line(const scene::Host& host, const std::string& participant, const fs::path& keys,
-                       const std::string& endpoint, const std::string& session) {
-  return fmt::format("{} join {} --role {} --keys {} --session {}", host.command, quoted(endpoint),
-                     quoted(participant), quoted(host.keys.empty() ? keys.string() : host.keys), session);
+                       const std::string& endpoint, const std::string& run) {
+  return fmt::format("{} join {} --role {} --keys {} --run {}", host.command, quoted(endpoint),
+                     quoted(participant), quoted(host.keys.empty() ? keys.string() : host.keys), run);
 }
 
 Words joined(Words words, const Words& more) {
@@ -67,8 +67,8 @@ coupler::Elsewhere through_ssh(const scene::Host& host, const std::string& parti
   const Words ssh = joined({found_on_path("ssh"), "-n", "-T", "-o", "BatchMode=yes", "-o",
                             fmt::format("ConnectTimeout={}", std::llround(std::ceil(connect_deadline)))},
                            words_of(host.options));
-  return {"ssh to " + host.address, [=](const std::string& endpoint, const std::string& session) {
-            return joined(ssh, {"--", host.address, shell_line(host, participant, keys, endpoint, session)});
+  return {"ssh to " + host.address, [=](const std::string& endpoint, const std::string& run) {
+            return joined(ssh, {"--", host.address, shell_line(host, participant, keys, endpoint, run)});
           }};
 }
 
@@ -85,8 +85,8 @@ coupler::Elsewhere through_slurm(const scene::Host& host, const std::string& par
       joined({found_on_path("srun"), "--nodes=1", "--ntasks=1", "--overlap", "--input=none",
               fmt::format("--relative={}", node), fmt::format("--job-name=tremolo-{}", participant)},
              words_of(host.options));
-  return {"srun", [=](const std::string& endpoint, const std::string& session) {
-            return joined(srun, {"sh", "-c", shell_line(host, participant, keys, endpoint, session)});
+  return {"srun", [=](const std::string& endpoint, const std::string& run) {
+            return joined(srun, {"sh", "-c", shell_line(host, participant, keys, endpoint, run)});
           }};
 }
 

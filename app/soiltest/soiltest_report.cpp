@@ -122,6 +122,22 @@ std::string missing_text(const scene::SoilTestFile& file, const SoilTestRun& run
   return text;
 }
 
+std::string leaps_text(const scene::SoilTestFile& file, const SoilTestRun& run) {
+  std::string text;
+  for (const Specimen& specimen : run.specimens)
+    if (const materials::Leaps& leaps = specimen.result.leaps; leaps.count > 0)
+      text += fmt::format(
+          "\n  note: {}: the law is not unique. {} at gamma = {:.3g} (eps_yy = {:.3g}), no strain near the "
+          "last "
+          "increments holds the {}; the strain leaps by up to {:.2g} ({:.2g} increments), and {} of {} "
+          "increments "
+          "lie on another branch\n",
+          label(file, specimen), leaps.count == 1 ? "Once," : fmt::format("{} times, first", leaps.count),
+          leaps.first.xy, leaps.first.yy, held_stress(file.test).second, leaps.largest,
+          leaps.largest / file.test.strain_increment, leaps.steps_away, specimen.result.increments);
+  return text;
+}
+
 std::string cost_text(const SoilTestRun& run) {
   double updates = 0.0;
   double seconds = 0.0;
@@ -170,7 +186,7 @@ std::string results_text(const scene::SoilTestFile& file, const SoilTestRun& run
     lines += peak_text(run);
     break;
   }
-  return lines + missing_text(file, run) + cost_text(run);
+  return lines + missing_text(file, run) + leaps_text(file, run) + cost_text(run);
 }
 
 std::string library_text() {

@@ -2,6 +2,7 @@
 
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/incoming.hpp"
+#include "coupler/wire/json_keys.hpp"
 #include "coupler/wire/layout.hpp"
 
 #include <algorithm>
@@ -27,13 +28,11 @@ DomainClient::DomainClient(const ParticipantOptions& options)
     : options_(options), connection_(options), last_beat_(Clock::now()) {
   const Message welcome = connection_.introduce({"HELLO", {{"role", "domain"}}});
   timeline_ = Timeline();
-  mode_ = mode_from(welcome.body.at("mode").get<std::string>());
-  window_steps_ = welcome.body.at("window_steps").get<std::uint32_t>();
-  for (const auto& source : welcome.body.at("sources"))
-    sources_.push_back(source_from(source));
+  mode_ = mode_from(text_at(welcome.body, "mode"));
+  sources_ = sources_from(welcome);
 }
 
-void DomainClient::ready(const std::vector<BoundaryFace>& faces, double start_time, double end_time,
+void DomainClient::ready(const std::vector<ExchangedFace>& faces, double start_time, double end_time,
                          const std::optional<FirstStep>& first) {
   face_count_ = faces.size();
   free_field_.resize(face_count_);
@@ -41,7 +40,7 @@ void DomainClient::ready(const std::vector<BoundaryFace>& faces, double start_ti
   next_step_ = batch_first_step_ = first ? first->step : 0;
   // Both modes build it, so that a mistake is told by whoever finds it first, in the same words.
   try {
-    exchange_.emplace(sources_, faces, start_time, end_time, window_steps_);
+    exchange_.emplace(sources_, faces, start_time, end_time);
     exchange_->release_before(last_time_);
   } catch (const std::invalid_argument& error) {
     connection_.fail(fmt::format("domain '{}': {}", options_.name, error.what()));
@@ -214,7 +213,7 @@ void DomainClient::progress(const std::string& stage, std::uint64_t step, double
   beat(std::nullopt);
 }
 
-void DomainClient::beat(const std::optional<BoundaryExchange::Missing>& awaited) {
+void DomainClient::beat(const std::optional<FaceExchange::Missing>& awaited) {
   last_beat_ = Clock::now();
   Message message{
       "BEAT",

@@ -1,5 +1,6 @@
 #include "coupler/client/participant_options.hpp"
 
+#include "coupler/wire/error.hpp"
 #include "coupler/wire/messages.hpp"
 
 #include <CLI/CLI.hpp>
@@ -8,8 +9,24 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
 
 namespace tremolo::coupler {
+
+namespace {
+
+constexpr const char* session_variable = "TREMOLO_SESSION";
+
+std::uint64_t session_of_environment() {
+  const char* session = std::getenv(session_variable);
+  if (session == nullptr)
+    throw std::runtime_error(fmt::format(
+        "{} is not set: the run that starts this process gives it its session there", session_variable));
+  return session_from(session);
+}
+
+} // namespace
 
 std::vector<std::string> command_line(const ParticipantOptions& options) {
   std::vector<std::string> line{"--case",
@@ -18,8 +35,6 @@ std::vector<std::string> command_line(const ParticipantOptions& options) {
                                 options.name,
                                 "--endpoint",
                                 options.endpoint,
-                                "--session",
-                                session_text(options.session),
                                 "--threads",
                                 std::to_string(options.threads),
                                 "--connect-deadline",
@@ -35,18 +50,18 @@ std::vector<std::string> command_line(const ParticipantOptions& options) {
   return line;
 }
 
-int participant_main(const std::string& program, const std::string& description, const CommandLine& command,
-                     const Surroundings& surroundings,
+std::vector<std::string> environment(const ParticipantOptions& options) {
+  return {fmt::format("{}={}", session_variable, session_text(options.session))};
+}
+
+int participant_main(const std::string& program, const std::string& description, int argc, char** argv,
                      const std::function<void(const ParticipantOptions&)>& body,
                      const std::vector<OwnOption>& own_options) {
   CLI::App app(description, program);
   ParticipantOptions options;
-  options.surroundings = surroundings;
-  std::string session;
   app.add_option("--case", options.case_file, "case file")->required();
   app.add_option("--name", options.name, "this participant's name in the run")->required();
   app.add_option("--endpoint", options.endpoint, "address of the hub")->required();
-  app.add_option("--session", session, "the run's session, 16 hexadecimal digits")->required();
   app.add_option("--threads", options.threads, "threads to compute with")->check(CLI::PositiveNumber);
   app.add_option("--out", options.out, "folder of the run");
   app.add_option("--resume", options.resume, "folder of the checkpoint to go on from");
@@ -56,27 +71,21 @@ int participant_main(const std::string& program, const std::string& description,
   for (const auto& own : own_options)
     app.add_option(own.flag, own.value, own.help);
   try {
-    app.parse(CommandLine(command.rbegin(), command.rend() - 1)); // CLI11 takes them from the back
+    app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   // A file that reaches its size limit shall be an error with a message, not a death by signal.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    options.session = session_from(session);
+    options.session = session_of_environment();
     body(options);
     return 0;
   } catch (const std::exception& error) {
     // fmt::print would throw where the log's disk is full.
-    std::fprintf(surroundings.errors, "%s: %s\n", program.c_str(), error.what());
+    std::fprintf(stderr, "%s: %s\n", program.c_str(), message_of(error).c_str());
     return 1;
   }
-}
-
-int participant_main(const std::string& program, const std::string& description, int argc, char** argv,
-                     const std::function<void(const ParticipantOptions&)>& body,
-                     const std::vector<OwnOption>& own_options) {
-  return participant_main(program, description, CommandLine(argv, argv + argc), {}, body, own_options);
 }
 
 } // namespace tremolo::coupler

@@ -2,6 +2,7 @@
 
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/incoming.hpp"
+#include "coupler/wire/json_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +19,13 @@ SourceClient::SourceClient(const ParticipantOptions& options, std::vector<FieldD
   }
   const Message welcome = connection_.introduce(std::move(hello));
   timeline_ = Timeline();
-  const auto window_steps = welcome.body.at("window_steps").get<std::uint32_t>();
-  for (const auto& field : fields_)
-    outgoing_.push_back({.steps_per_frame = steps_per_frame(field, window_steps)});
+  outgoing_.resize(fields_.size());
+  for (const auto& source : sources_from(welcome))
+    if (source.number == connection_.number())
+      fields_ = source.fields;
+  if (fields_.size() != outgoing_.size())
+    throw Error(fmt::format("WELCOME names {} fields of '{}', which serves {}", fields_.size(), options_.name,
+                            outgoing_.size()));
 }
 
 void SourceClient::serve(const Fill& fill, const std::vector<PassTime>& passes) {
@@ -54,9 +59,11 @@ void SourceClient::take_messages(double wait_s) {
     if (type == "BYE")
       finished_ = true;
     if (type == "CREDIT") {
-      const auto field = body.at("field").get<std::size_t>();
-      outgoing_.at(field).credit =
-          std::min(body.at("steps").get<std::uint64_t>(), fields_.at(field).step_count);
+      const auto field = whole_at(body, "field");
+      if (field >= fields_.size())
+        throw Error(fmt::format("CREDIT for field {} of '{}', which serves {}", field, options_.name,
+                                fields_.size()));
+      outgoing_[field].credit = std::min(whole_at(body, "steps"), fields_[field].step_count);
     }
   }
 }
@@ -65,11 +72,12 @@ bool SourceClient::send_frames(const Fill& fill) {
   bool sent = false;
   for (std::size_t field = 0; field < fields_.size(); ++field) {
     const auto& out = outgoing_[field];
+    const std::uint32_t most = fields_[field].steps_per_frame;
     const std::uint64_t room = out.credit - std::min(out.credit, out.next_step);
     const bool last = out.credit == fields_[field].step_count;
-    if (room == 0 || (room < out.steps_per_frame && !last))
+    if (room == 0 || (room < most && !last))
       continue;
-    send_frame(field, static_cast<std::uint32_t>(std::min<std::uint64_t>(room, out.steps_per_frame)), fill);
+    send_frame(field, static_cast<std::uint32_t>(std::min<std::uint64_t>(room, most)), fill);
     sent = true;
   }
   return sent;

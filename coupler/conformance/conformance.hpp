@@ -3,7 +3,7 @@
 // Does a program that was written by somebody else serve a free field as the hub and a domain need it? It is
 // started three times: a whole exchange that ends with BYE; the same again, which must give the same bits,
 // ended by ABORT; and one in which the hub vanishes. The exchange is marched by the domain's own
-// BoundaryExchange.
+// FaceExchange.
 
 #include "coupler/conformance/source_probe.hpp"
 #include "coupler/wire/field.hpp"
@@ -16,10 +16,10 @@ namespace tremolo::coupler {
 
 /// What a domain would ask of the source.
 struct Demand {
-  std::vector<BoundaryFace> faces; ///< where it reads the fields; face.source is the name of the source
-  double start_time = 0.0;         ///< s
-  double end_time = 0.0;           ///< s
-  double least_density = 0.0;      ///< of the ground at the faces, kg/m3
+  std::vector<ExchangedFace> faces; ///< where it reads the fields; face.source is the name of the source
+  double start_time = 0.0;          ///< s
+  double end_time = 0.0;            ///< s
+  double least_density = 0.0;       ///< of the ground at the faces, kg/m3
   double largest_density = 0.0;
 };
 

@@ -2,6 +2,7 @@
 
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/frame.hpp"
+#include "coupler/wire/json_keys.hpp"
 #include "coupler/wire/mode.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ auto guarded(Row row, const Read& read) {
   }
 }
 
-const FieldDescription& field_of(const SourceDescription& source, const BoundaryFace& face) {
+const FieldDescription& field_of(const SourceDescription& source, const ExchangedFace& face) {
   return *std::ranges::find(source.fields, face.field, &FieldDescription::name);
 }
 
@@ -62,7 +63,6 @@ void Session::shake_hands() {
   probe_.send({"WELCOME",
                {{"number", SourceProbe::number},
                 {"mode", name(Mode::window)},
-                {"window_steps", default_window_steps},
                 {"sources", json::array({to_json(source_)})}}});
 }
 
@@ -112,9 +112,11 @@ void Session::check_handshake(const json& said) {
 void Session::check_fields(const json& said) {
   source_ = {options_.name, SourceProbe::number, {}};
   guarded(fields, [&] {
-    for (const auto& field : said.at("fields"))
+    for (const auto& field : list_at(said, "fields"))
       source_.fields.push_back(field_from(field));
   });
+  for (auto& field : source_.fields)
+    field.steps_per_frame = steps_per_frame(field, default_window_steps);
   std::string names;
   for (const auto& field : source_.fields)
     names += fmt::format("{}'{}' at {} levels", names.empty() ? "" : ", ", field.name, field.y.size());
@@ -143,8 +145,7 @@ void Session::check_points() {
 
 void Session::check_times() {
   guarded(times, [&] {
-    exchange_.emplace(std::vector{source_}, demand_.faces, demand_.start_time, demand_.end_time,
-                      default_window_steps);
+    exchange_.emplace(std::vector{source_}, demand_.faces, demand_.start_time, demand_.end_time);
   });
   const auto& field = source_.fields.front();
   report_.pass(times,
@@ -157,7 +158,7 @@ void Session::grant_credits() {
     probe_.send({"CREDIT", {{"field", credit.address.field}, {"steps", credit.steps}}});
 }
 
-void Session::wait_for(const BoundaryExchange::Missing& missing) {
+void Session::wait_for(const FaceExchange::Missing& missing) {
   const auto incoming = guarded(steps, [&] { return probe_.receive(0.05); });
   if (!incoming) {
     if (seconds_since(last_heard_) > options_.deadlines.step)

@@ -3,7 +3,7 @@
 // One session of conformance.hpp: the rows of its report, and the exchange with the program that fills them.
 
 #include "coupler/conformance/conformance.hpp"
-#include "coupler/hub/boundary_exchange.hpp"
+#include "coupler/mapping/face_exchange.hpp"
 #include "coupler/mapping/served_series.hpp"
 
 #include <cstddef>
@@ -73,7 +73,7 @@ private:
   void check_points();
   void check_times();
   void grant_credits();
-  void wait_for(const BoundaryExchange::Missing& missing);
+  void wait_for(const FaceExchange::Missing& missing);
   void take_frame(std::span<const std::byte> bytes);
 
   const ProbeOptions& options_;
@@ -81,7 +81,7 @@ private:
   Report& report_;
   SourceProbe probe_;
   SourceDescription source_;
-  std::optional<BoundaryExchange> exchange_;
+  std::optional<FaceExchange> exchange_;
   std::vector<ServedSeries> series_;
   Clock::time_point last_heard_ = Clock::now();
 };

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <random>
 #include <thread>
+#include <utility>
 
 namespace tremolo::coupler {
 
@@ -25,11 +26,11 @@ ParticipantOptions participant(const ProbeOptions& probe, const zmq::socket_t& s
           .deadlines = probe.deadlines};
 }
 
-std::vector<std::string> words(const ProbeOptions& probe, const ParticipantOptions& options) {
-  std::vector<std::string> all = probe.command;
+Command command(const ProbeOptions& probe, const ParticipantOptions& options) {
+  std::vector<std::string> words = probe.command;
   const auto common = command_line(options);
-  all.insert(all.end(), common.begin(), common.end());
-  return all;
+  words.insert(words.end(), common.begin(), common.end());
+  return {std::move(words), environment(options)};
 }
 
 } // namespace
@@ -37,7 +38,7 @@ std::vector<std::string> words(const ProbeOptions& probe, const ParticipantOptio
 SourceProbe::SourceProbe(const ProbeOptions& options)
     : endpoint_(Transport::ipc), context_(new_context(1)),
       socket_(bound_router(context_, endpoint_.address())), options_(participant(options, socket_)),
-      process_(options.name, words(options, options_), options.folder / (options.name + ".log")),
+      process_(options.name, command(options, options_), options.folder / (options.name + ".log")),
       last_beat_(Clock::now()) {}
 
 Message SourceProbe::hello() {
@@ -75,9 +76,13 @@ std::optional<Incoming> SourceProbe::receive(double wait_s) {
 std::optional<Incoming> SourceProbe::take() {
   zmq::message_t routing_id;
   Incoming incoming;
-  if (!socket_.recv(routing_id, zmq::recv_flags::dontwait) || !routing_id.more() ||
-      !socket_.recv(incoming.raw, zmq::recv_flags::dontwait))
+  if (!socket_.recv(routing_id, zmq::recv_flags::dontwait))
     return std::nullopt;
+  std::size_t parts = 0;
+  for (bool more = routing_id.more(); more; more = incoming.raw.more(), ++parts)
+    if (!socket_.recv(incoming.raw, zmq::recv_flags::dontwait))
+      return std::nullopt;
+  require_one_part(parts);
   routing_id_ = routing_id.to_string();
   if (looks_like_message(incoming.frame()))
     incoming.message = parse_message(incoming.frame());

@@ -55,15 +55,27 @@ inline Vector viscous_traction(const Face& face, Vector dv) {
   return {std::fma(p, n.x, -(s * n.y)), std::fma(p, n.y, s * n.x)};
 }
 
-/// Eq. (6): traction on a face (Pa) from the domain's velocity there (m/s), the free field, and the static
-/// part.
-inline Vector boundary_traction(const Face& face, Vector v_domain, const FreeField& ff,
-                                Vector static_traction) {
-  const Vector vis = viscous_traction(face, {v_domain.x - ff.velocity.x, v_domain.y - ff.velocity.y});
-  const Vector n = face.normal;
-  const double dyn_x = std::fma(ff.stress.xx, n.x, std::fma(ff.stress.xy, n.y, static_traction.x));
-  const double dyn_y = std::fma(ff.stress.xy, n.x, std::fma(ff.stress.yy, n.y, static_traction.y));
-  return {vis.x + dyn_x, vis.y + dyn_y};
+/// The dynamic part of Eq. (6) alone: the free field's stress on a plane of outward unit normal n, Pa.
+inline Vector dynamic_traction(const Vector& n, const Stress& s) {
+  return {std::fma(s.xx, n.x, s.xy * n.y), std::fma(s.xy, n.x, s.yy * n.y)};
+}
+
+/// The three parts of Eq. (6), Pa.
+struct Traction {
+  Vector viscous;
+  Vector dynamic;
+  Vector held; ///< static
+
+  Vector total() const {
+    return {viscous.x + (dynamic.x + held.x), viscous.y + (dynamic.y + held.y)};
+  }
+};
+
+/// Eq. (6): traction on a face from the domain's velocity there (m/s), the free field, and the static part
+/// (Pa).
+inline Traction boundary_traction(const Face& face, Vector v_domain, const FreeField& ff, Vector held) {
+  return {viscous_traction(face, {v_domain.x - ff.velocity.x, v_domain.y - ff.velocity.y}),
+          dynamic_traction(face.normal, ff.stress), held};
 }
 
 } // namespace tremolo::eq6

@@ -25,7 +25,7 @@ struct ExchangeStart {
   std::vector<std::vector<std::uint64_t>> needed_steps;
   std::string domain;
   std::uint32_t domain_number = 0;
-  std::vector<BoundaryFace> faces;
+  std::vector<ExchangedFace> faces;
   double start_time = 0.0; ///< s
   double end_time = 0.0;   ///< s
 };

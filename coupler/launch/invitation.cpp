@@ -2,6 +2,7 @@
 
 #include "coupler/wire/crc32.hpp"
 #include "coupler/wire/error.hpp"
+#include "coupler/wire/json_keys.hpp"
 #include "coupler/wire/messages.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ DataFile described(const std::filesystem::path& path) {
   constexpr std::size_t piece = std::size_t{1} << 20;
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    throw Error(fmt::format("cannot read {}, which the case names", path.string()));
+    throw Error(fmt::format("cannot read {}", path.string()));
   DataFile file{path, 0, {}};
   std::uint32_t crc = 0;
   for (std::vector<char> bytes(piece); in;) {
@@ -57,16 +58,15 @@ json to_json(const Invitation& invitation) {
 
 Invitation invitation_from(const json& body) {
   try {
-    Invitation invitation{session_from(body.at("session").get<std::string>()),
-                          body.at("case_text").get<std::string>(),
-                          {},
-                          {.connect = body.at("connect_deadline").get<double>(),
-                           .step = body.at("step_deadline").get<double>()}};
-    for (const auto& file : body.at("files"))
-      invitation.files.push_back({file.at("path").get<std::string>(), file.at("bytes").get<std::uint64_t>(),
-                                  file.at("crc").get<std::string>()});
+    Invitation invitation{
+        session_from(text_at(body, "session")),
+        text_at(body, "case_text"),
+        {},
+        {.connect = number_at(body, "connect_deadline"), .step = number_at(body, "step_deadline")}};
+    for (const auto& file : list_at(body, "files"))
+      invitation.files.push_back({text_at(file, "path"), whole_at(file, "bytes"), text_at(file, "crc")});
     return invitation;
-  } catch (const json::exception& error) {
+  } catch (const std::exception& error) {
     throw Error(fmt::format("the hub's invitation: {}", error.what()));
   }
 }

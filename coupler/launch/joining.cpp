@@ -2,7 +2,9 @@
 
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/frame.hpp"
+#include "coupler/wire/json_keys.hpp"
 #include "coupler/wire/messages.hpp"
+#include "coupler/wire/printable.hpp"
 #include "coupler/wire/sockets.hpp"
 
 #include <algorithm>
@@ -70,8 +72,8 @@ void Joining::look_at_line() {
 
 Invitation Joining::invitation() {
   nlohmann::json body{{"protocol", protocol_version}, {"name", options_.name}, {"build", TREMOLO_VERSION}};
-  if (!options_.session.empty())
-    body["session"] = options_.session;
+  if (!options_.run.empty())
+    body["run"] = options_.run;
   if (options_.case_text)
     body["case_text"] = *options_.case_text;
   const std::string join = to_text({"JOIN", std::move(body)});
@@ -88,7 +90,7 @@ Invitation Joining::invitation() {
         parse_message(std::span<const std::byte>(static_cast<const std::byte*>(raw.data()), raw.size()));
     if (answer.type == "REFUSE")
       throw Error(fmt::format("refused by the hub at {}: {}", options_.endpoint,
-                              answer.body.value("reason", "no reason given")));
+                              printable(text_or(answer.body, "reason", "no reason given"))));
     if (answer.type != "INVITE")
       throw Error(fmt::format("the hub at {} answered {} to JOIN", options_.endpoint, answer.type));
     look_at_line();

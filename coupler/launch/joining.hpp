@@ -17,7 +17,7 @@ struct JoinOptions {
   std::string endpoint;
   std::string name;
   std::filesystem::path keys;             ///< folder of CURVE keys
-  std::string session;                    ///< the run that is meant; empty: the one that is there
+  std::string run;                        ///< number of the run that is meant; empty: the one that is there
   std::optional<std::string> case_text{}; ///< the case that is meant, names of files absolute
   double deadline = 30.0;                 ///< for the invitation, s
 };

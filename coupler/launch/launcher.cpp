@@ -1,7 +1,6 @@
 #include "coupler/launch/launcher.hpp"
 
 #include "coupler/launch/child_process.hpp"
-#include "coupler/launch/child_thread.hpp"
 #include "coupler/launch/termination.hpp"
 #include "coupler/wire/messages.hpp"
 #include "coupler/wire/sockets.hpp"
@@ -28,13 +27,13 @@ constexpr double interrupt_grace_s = 10.0;
 constexpr double last_words_s = 0.1;
 constexpr std::size_t shown_lines = 8;
 
-std::uint64_t random_session() {
+std::uint64_t random_number() {
   std::random_device device;
   return (static_cast<std::uint64_t>(device()) << 32) | device();
 }
 
 HubOptions hub_options(const LaunchOptions& launch) {
-  HubOptions hub{.session = random_session(),
+  HubOptions hub{.session = random_number(),
                  .mode = launch.mode,
                  .window_steps = launch.window_steps,
                  .case_text = file_text(launch.case_file),
@@ -44,6 +43,7 @@ HubOptions hub_options(const LaunchOptions& launch) {
                  .note = launch.note,
                  .observer = launch.observer,
                  .outer_endpoint = launch.outer_endpoint,
+                 .run_number = session_text(random_number()),
                  .files = launch.files,
                  .checkpoints = launch.checkpoints,
                  .resume = launch.resume};
@@ -56,16 +56,16 @@ class Run {
 public:
   explicit Run(const LaunchOptions& options)
       : options_(options), endpoint_(options.transport), hub_options_(hub_options(options)),
-        context_(std::make_shared<zmq::context_t>(new_context(options.processes.size()))),
-        hub_(*context_, endpoint_.address(), hub_options_) {
+        context_(new_context(options.processes.size())), hub_(context_, endpoint_.address(), hub_options_) {
     const auto log_folder = options_.out / "log";
     std::filesystem::create_directories(log_folder);
     for (const auto& process : options_.processes)
       if (is_awaited(process))
         options_.note(fmt::format("waiting {} s for '{}'; on its machine: {}", options_.deadlines.connect,
-                                  process.name, fmt::join(command(process), " ")));
+                                  process.name, fmt::join(command(process).words, " ")));
       else
-        children_.push_back(started(process, log_folder / (process.name + ".log")));
+        children_.push_back(std::make_unique<ChildProcess>(process.name, command(process),
+                                                           log_folder / (process.name + ".log")));
   }
 
   std::vector<ProcessSummary> to_its_end() {
@@ -92,30 +92,25 @@ private:
     return process.elsewhere && process.elsewhere->started_by.empty();
   }
 
-  std::vector<std::string> command(const ProcessSpec& process) const {
+  Command command(const ProcessSpec& process) const {
     if (process.elsewhere)
-      return process.elsewhere->command(hub_.outer_endpoint(), session_text(hub_options_.session));
+      return {process.elsewhere->command(hub_.outer_endpoint(), hub_options_.run_number)};
     std::vector<std::string> words{process.program.string()};
     words.insert(words.end(), process.arguments.begin(), process.arguments.end());
-    const auto common =
-        command_line({.case_file = options_.case_file,
-                      .name = process.name,
-                      .endpoint = hub_.endpoint(),
-                      .session = hub_options_.session,
-                      .threads = process.threads,
-                      .out = options_.out,
-                      .deadlines = options_.deadlines,
-                      .keys = options_.outer_endpoint.empty() ? options_.keys : std::filesystem::path{},
-                      .resume = options_.resume && process.role == Role::domain ? options_.resume->folder
-                                                                                : std::filesystem::path()});
+    const ParticipantOptions told{
+        .case_file = options_.case_file,
+        .name = process.name,
+        .endpoint = hub_.endpoint(),
+        .session = hub_options_.session,
+        .threads = process.threads,
+        .out = options_.out,
+        .deadlines = options_.deadlines,
+        .keys = options_.outer_endpoint.empty() ? options_.keys : std::filesystem::path{},
+        .resume = options_.resume && process.role == Role::domain ? options_.resume->folder
+                                                                  : std::filesystem::path()};
+    const auto common = command_line(told);
     words.insert(words.end(), common.begin(), common.end());
-    return words;
-  }
-
-  std::unique_ptr<Child> started(const ProcessSpec& process, const std::filesystem::path& log) const {
-    if (options_.transport != Transport::inproc)
-      return std::make_unique<ChildProcess>(process.name, command(process), log);
-    return std::make_unique<ChildThread>(process.name, process.main, command(process), log, context_);
+    return {std::move(words), environment(told)};
   }
 
   void wait_for_news() {
@@ -177,7 +172,7 @@ private:
                                     [&](const auto& child) { return child->name() == failure.participant; });
     if (found == children_.end()) {
       stop_all(failure.text);
-      throw RunFailed(failure.text, 1);
+      throw RunFailed(failure.text, 1, failure.refuses_checkpoint);
     }
     const auto& culprit = *found;
     const bool died = failure.text.empty();
@@ -191,12 +186,12 @@ private:
     // What it has told the hub stands in its log too.
     std::erase_if(lines, [&](const auto& line) { return !died && line.ends_with(failure.text); });
     if (!died && lines.empty())
-      throw RunFailed(text, 1);
+      throw RunFailed(text, 1, failure.refuses_checkpoint);
     text += lines.empty() ? fmt::format("; '{}' wrote nothing", culprit->name())
                           : fmt::format("; the last lines of '{}':", culprit->name());
     for (const auto& line : lines)
       text += "\n    " + line;
-    throw RunFailed(text, 1);
+    throw RunFailed(text, 1, failure.refuses_checkpoint);
   }
 
   [[noreturn]] void stop_interrupted(int signal) {
@@ -227,7 +222,7 @@ private:
       wait_for_news();
   }
 
-  Child& domain_process() {
+  ChildProcess& domain_process() {
     const auto spec = std::find_if(options_.processes.begin(), options_.processes.end(),
                                    [](const auto& p) { return p.role == Role::domain; });
     return **std::find_if(children_.begin(), children_.end(),
@@ -252,9 +247,9 @@ private:
   SignalWatch signals_; // before the context, whose threads inherit the blocked signals
   RunEndpoint endpoint_;
   HubOptions hub_options_;
-  std::shared_ptr<zmq::context_t> context_;
+  zmq::context_t context_;
   Hub hub_;
-  std::vector<std::unique_ptr<Child>> children_;
+  std::vector<std::unique_ptr<ChildProcess>> children_;
   std::optional<Clock::time_point> domain_left_;
   bool given_up_ = false; ///< waiting for those that the user starts
   Clock::time_point start_ = Clock::now();

@@ -22,12 +22,12 @@ namespace tremolo::coupler {
 /// How a process comes to be on another machine.
 struct Elsewhere {
   std::string started_by; ///< "ssh to node2", "srun"; empty: the user, whom the run tells the command
-  /// The words of the command that starts it, for the hub's address and the run's session.
-  std::function<std::vector<std::string>(const std::string& endpoint, const std::string& session)> command;
+  /// The words of the command that starts it, for the hub's address and the run's number.
+  std::function<std::vector<std::string>(const std::string& endpoint, const std::string& run)> command;
 };
 
-/// A process to start, or a thread where all are in one process. It gets its own arguments, then the command
-/// line of ParticipantOptions; one that is elsewhere learns all that from the hub (invitation.hpp).
+/// A process to start. It gets its own arguments, then the command line of ParticipantOptions; one that is
+/// elsewhere learns all that from the hub (invitation.hpp).
 struct ProcessSpec {
   std::string name;
   Role role = Role::source;
@@ -35,7 +35,6 @@ struct ProcessSpec {
   int threads = 1;
   std::vector<std::string> arguments{};
   std::optional<Elsewhere> elsewhere{};
-  ParticipantMain main{}; ///< the program's, for Transport::inproc
 };
 
 struct LaunchOptions {
@@ -66,16 +65,20 @@ struct ProcessSummary {
 /// The run did not end well; the text names the culprit, how it ended and its last lines.
 class RunFailed : public Error {
 public:
-  RunFailed(const std::string& text, int exit_status) : Error(text), exit_status_(exit_status) {}
+  RunFailed(const std::string& text, int exit_status, bool refuses_checkpoint = false)
+      : Error(text), exit_status_(exit_status), refuses_checkpoint_(refuses_checkpoint) {}
   /// For the shell: 1, or 128 + signal if the user interrupted the run.
   [[nodiscard]] int exit_status() const { return exit_status_; }
+  /// Whether it failed over the checkpoint that it was to go on from.
+  [[nodiscard]] bool refuses_checkpoint() const { return refuses_checkpoint_; }
 
 private:
   int exit_status_;
+  bool refuses_checkpoint_;
 };
 
 /// Runs all processes to their end. On Ctrl-C or SIGTERM all are told to close their files; a second Ctrl-C
-/// kills them. A thread (Transport::inproc) that does not react is still there afterwards (child_thread.hpp).
+/// kills them.
 /// @throws RunFailed when no process is left; Error if the run cannot be set up
 std::vector<ProcessSummary> launch(const LaunchOptions& options);
 

@@ -60,15 +60,12 @@ Transport transport_from(std::string_view name) {
     return Transport::ipc;
   if (name == "tcp")
     return Transport::tcp;
-  if (name == "inproc")
-    return Transport::inproc;
-  throw std::invalid_argument(
-      fmt::format("transport '{}' does not exist, expected ipc, tcp or inproc", name));
+  throw std::invalid_argument(fmt::format("transport '{}' does not exist, expected ipc or tcp", name));
 }
 
 RunEndpoint::RunEndpoint(Transport transport) {
-  if (transport != Transport::ipc) {
-    address_ = transport == Transport::tcp ? "tcp://127.0.0.1:*" : "inproc://hub";
+  if (transport == Transport::tcp) {
+    address_ = "tcp://127.0.0.1:*";
     return;
   }
   const fs::path parent = parent_folder();

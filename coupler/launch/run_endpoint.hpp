@@ -8,9 +8,8 @@ namespace tremolo::coupler {
 
 /// How processes of a run reach the hub.
 enum class Transport {
-  ipc,   ///< a socket file in a folder that only this user can enter
-  tcp,   ///< a free port of the loopback interface
-  inproc ///< all are threads of the hub's process
+  ipc, ///< a socket file in a folder that only this user can enter
+  tcp  ///< a free port of the loopback interface
 };
 
 /// @throws std::invalid_argument naming the value and those that exist

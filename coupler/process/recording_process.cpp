@@ -1,8 +1,7 @@
 // tremolo-recording: serves a recorded free field, bit for bit as it was recorded: one that was recorded
 // alone, or what served a side in the recorded exchange of a run.
 
-#include "coupler/process/recording_process.hpp"
-
+#include "coupler/participant.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "results/exchange_file.hpp"
 #include "results/free_field_recording.hpp"
@@ -110,13 +109,13 @@ void require_same_free_field(const results::ExchangeReader& exchange, const scen
 
 /// Opens what served a side in a recorded exchange, or a free field that was recorded alone.
 results::FreeFieldRecording opened(const std::string& file, const std::string& side, const scene::Case& scene,
-                                   const scene::SourceProcess& source, std::FILE* log) {
+                                   const scene::SourceProcess& source) {
   if (side.empty())
     return results::FreeFieldRecording(file);
   const results::ExchangeReader exchange(file);
   require_same_free_field(exchange, scene, source, side, file);
   if (!exchange.complete())
-    fmt::print(log, "warning: {} is not complete ({})\n", file, exchange.status());
+    fmt::print("warning: {} is not complete ({})\n", file, exchange.status());
   return results::FreeFieldRecording(file, exchange.source_of(side).name);
 }
 
@@ -134,7 +133,7 @@ void run(const coupler::ParticipantOptions& options, const std::string& file, co
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
-  const results::FreeFieldRecording recording = opened(file, side, scene, source, options.surroundings.log);
+  const results::FreeFieldRecording recording = opened(file, side, scene, source);
 
   std::vector<std::size_t> recorded;
   std::vector<coupler::FieldDescription> fields;
@@ -163,15 +162,16 @@ void run(const coupler::ParticipantOptions& options, const std::string& file, co
 }
 
 } // namespace
+} // namespace tremolo::coupler
 
-int recording_process(const CommandLine& command, const Surroundings& surroundings) {
+int main(int argc, char** argv) {
   std::string file;
   std::string side;
-  return participant_main(
-      "tremolo-recording", "A recorded free field, as a source.", command, surroundings,
-      [&](const ParticipantOptions& options) { run(options, file, side); },
+  return tremolo::coupler::participant_main(
+      "tremolo-recording", "A recorded free field, as a source.", argc, argv,
+      [&](const tremolo::coupler::ParticipantOptions& options) {
+        tremolo::coupler::run(options, file, side);
+      },
       {{"--file", "recording (HDF5) to serve; required", file},
        {"--side", "left, right or base: what served this side in a recorded exchange", side}});
 }
-
-} // namespace tremolo::coupler

@@ -95,7 +95,38 @@ void ExchangeRecorder::begin(const ExchangeStart& start) {
   for (const auto& source : start.sources)
     seen_.emplace_back(source.fields.size(), 0);
   domain_steps_ = options_.resume ? options_.resume->step : 0;
-  thread_ = quiet_thread([this, description = recorded(start, options_)] { write(description); });
+  try {
+    writer_ = new_writer(recorded(start, options_));
+  } catch (const std::exception& error) {
+    if (options_.resume)
+      throw Error(fmt::format("the recording of the exchange cannot go on: {}", error.what()));
+    fail(error.what());
+    report_failure(error.what());
+    return;
+  }
+  thread_ = quiet_thread([this] { write(); });
+}
+
+std::unique_ptr<results::ExchangeWriter>
+ExchangeRecorder::new_writer(const results::ExchangeDescription& description) const {
+  if (!options_.resume)
+    return std::make_unique<results::ExchangeWriter>(options_.file, description);
+  const auto before = results::set_aside(options_.file);
+  try {
+    auto writer = std::make_unique<results::ExchangeWriter>(options_.file, description);
+    take_over(before, *writer);
+    std::filesystem::remove(before);
+    return writer;
+  } catch (const std::exception&) {
+    // The recording is the same as before the attempt.
+    std::filesystem::rename(before, options_.file);
+    throw;
+  }
+}
+
+void ExchangeRecorder::take_over(const std::filesystem::path& before, results::ExchangeWriter& writer) const {
+  writer.take_over(before, {options_.resume->folder / recording_checkpoint,
+                            {"recording", text_crc(options_.case_text), options_.resume->step}});
 }
 
 void ExchangeRecorder::frame(std::span<const std::byte> bytes) {
@@ -157,7 +188,7 @@ void ExchangeRecorder::report_failure(const std::string& failure) {
 
 std::optional<std::string> ExchangeRecorder::finish(const std::optional<std::string>& reason) {
   if (!thread_.joinable())
-    return std::nullopt;
+    return failure_;
   const auto missing = reason ? reason : lacking();
   {
     const std::lock_guard lock(mutex_);
@@ -178,19 +209,16 @@ std::optional<std::string> ExchangeRecorder::lacking() const {
   return std::nullopt;
 }
 
-void ExchangeRecorder::write(const results::ExchangeDescription& description) {
+void ExchangeRecorder::write() {
+  std::optional<std::string> failure;
   try {
-    const auto before = options_.resume ? results::set_aside(options_.file) : std::filesystem::path();
-    results::ExchangeWriter writer(options_.file, description);
-    if (options_.resume) {
-      writer.take_over(before, {options_.resume->folder / recording_checkpoint,
-                                {"recording", text_crc(options_.case_text), options_.resume->step}});
-      std::filesystem::remove(before);
-    }
-    write_until_closed(writer);
+    write_until_closed(*writer_);
   } catch (const std::exception& error) {
-    fail(error.what());
+    failure = error.what();
   }
+  writer_.reset();
+  if (failure)
+    fail(*failure);
 }
 
 void ExchangeRecorder::write_until_closed(results::ExchangeWriter& writer) {

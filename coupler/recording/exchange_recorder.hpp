@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -47,7 +48,8 @@ public:
   ExchangeRecorder(const ExchangeRecorder&) = delete;
   ExchangeRecorder& operator=(const ExchangeRecorder&) = delete;
 
-  /// @throws Error if the recording has failed and the run is to stop
+  /// @throws Error if the recording has failed and the run is to stop, and where a run that is resumed cannot
+  /// go on with what was recorded
   void begin(const ExchangeStart& start) override;
   void frame(std::span<const std::byte> bytes) override;
   /// Waits until all is written; a recording that has failed saves nothing.
@@ -67,7 +69,9 @@ private:
     std::vector<double> values;
   };
 
-  void write(const results::ExchangeDescription& description);
+  std::unique_ptr<results::ExchangeWriter> new_writer(const results::ExchangeDescription& description) const;
+  void take_over(const std::filesystem::path& before, results::ExchangeWriter& writer) const;
+  void write();
   void write_until_closed(results::ExchangeWriter& writer);
   void save_if_asked(results::ExchangeWriter& writer);
   void write_job(results::ExchangeWriter& writer, const Job& job);
@@ -81,6 +85,7 @@ private:
   std::vector<std::vector<std::uint64_t>> seen_; ///< steps of each field of each source
   std::uint64_t domain_steps_ = 0;
   bool noted_ = false;
+  std::unique_ptr<results::ExchangeWriter> writer_; ///< the thread's, once it has started
 
   std::thread thread_;
   std::mutex mutex_;

@@ -2,6 +2,8 @@
 
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/incoming.hpp"
+#include "coupler/wire/json_keys.hpp"
+#include "coupler/wire/printable.hpp"
 #include "coupler/wire/sockets.hpp"
 
 #include <fmt/format.h>
@@ -20,10 +22,9 @@ void free_values(void* values, void* /*hint*/) {
 } // namespace
 
 Connection::Connection(const ParticipantOptions& options)
-    : context_(options.surroundings.context ? options.surroundings.context
-                                            : std::make_shared<zmq::context_t>(new_context(1))),
-      name_(options.name), case_text_(file_text(options.case_file)), session_(options.session),
-      deadlines_(options.deadlines), last_heard_(Clock::now()) {
+    : context_(std::make_unique<zmq::context_t>(new_context(1))), name_(options.name),
+      case_text_(file_text(options.case_file)), session_(options.session), deadlines_(options.deadlines),
+      last_heard_(Clock::now()) {
   try {
     std::optional<CurveKeys> keys;
     if (!options.keys.empty())
@@ -50,7 +51,7 @@ Message Connection::introduce(Message hello) {
     const auto incoming = receive(0.5);
     if (!incoming || !incoming->message || incoming->message->type != "WELCOME")
       continue;
-    number_ = incoming->message->body.at("number").get<std::uint32_t>();
+    number_ = whole_32_at(incoming->message->body, "number");
     return *incoming->message;
   }
   throw Error(fmt::format("'{}' waited {:.1f} s for WELCOME from the hub (deadline {} s); {}", name_,
@@ -96,7 +97,7 @@ std::optional<Incoming> Connection::receive(double wait_s) {
   if (!looks_like_message(incoming.frame()))
     return incoming;
   Message message = parse_message(incoming.frame());
-  const std::string reason = message.body.value("reason", "no reason given");
+  const std::string reason = printable(text_or(message.body, "reason", "no reason given"));
   if (message.type == "ABORT")
     throw Aborted("the run was ended: " + reason);
   if (message.type == "REFUSE")

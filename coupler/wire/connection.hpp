@@ -60,7 +60,7 @@ private:
   void send_raw(zmq::message_t& raw, double deadline_s);
   void send_text(const Message& message, double deadline_s);
 
-  std::shared_ptr<zmq::context_t> context_;
+  std::unique_ptr<zmq::context_t> context_;
   std::unique_ptr<zmq::socket_t> socket_;
   std::string name_;
   std::string case_text_;

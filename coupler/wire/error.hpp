@@ -1,6 +1,8 @@
 #pragma once
 
+#include <exception>
 #include <stdexcept>
+#include <string>
 
 namespace tremolo::coupler {
 
@@ -13,5 +15,9 @@ class Error : public std::runtime_error {
 class Aborted : public Error {
   using Error::Error;
 };
+
+/// What an exception says, in words for the user: those of the file system and of memory have none of their
+/// own.
+std::string message_of(const std::exception& error);
 
 } // namespace tremolo::coupler

@@ -1,5 +1,6 @@
 #include "coupler/wire/field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <stdexcept>
@@ -34,6 +35,12 @@ void validate(const FieldDescription& field) {
     refuse(fmt::format("time_step is {} s, expected a positive number", field.time_step));
   if (field.step_count < 2)
     refuse(fmt::format("step_count is {}, expected at least 2", field.step_count));
+}
+
+std::uint32_t steps_per_frame(const FieldDescription& field, std::uint32_t window_steps) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 20;
+  const std::size_t fitting = most_bytes / (field.values_per_step() * sizeof(double));
+  return static_cast<std::uint32_t>(std::clamp<std::size_t>(fitting, 1, window_steps));
 }
 
 } // namespace tremolo::coupler

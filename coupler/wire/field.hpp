@@ -32,6 +32,8 @@ struct FieldDescription {
   double start_time = 0.0;      ///< time of step 0, s
   double time_step = 0.0;       ///< s
   std::uint64_t step_count = 0; ///< steps 0 ... step_count - 1 are served
+  /// Steps that the source sends in one frame, as the hub says in WELCOME.
+  std::uint32_t steps_per_frame = 1;
 
   [[nodiscard]] std::size_t values_per_step() const { return y.size() * values_per_point; }
   [[nodiscard]] double time(std::uint64_t step) const {
@@ -46,6 +48,12 @@ struct FieldDescription {
 /// @throws std::invalid_argument naming the field, the key and its value
 void validate(const FieldDescription& field);
 
+inline constexpr std::uint32_t default_window_steps = 64;
+
+/// Steps of a field in one frame: window_steps, but not more than 1 MiB. What is larger leaves the caches
+/// before it is mapped.
+std::uint32_t steps_per_frame(const FieldDescription& field, std::uint32_t window_steps);
+
 /// A source and what it serves, as the domain and the hub know it after the handshake.
 struct SourceDescription {
   std::string name;
@@ -54,7 +62,7 @@ struct SourceDescription {
 };
 
 /// A boundary face of the domain. It keeps its material position: the free field does not move with the soil.
-struct BoundaryFace {
+struct ExchangedFace {
   eq6::Vector position;        ///< centre, m
   eq6::Face dashpot;           ///< outward normal and impedances
   eq6::Vector static_traction; ///< what held the model at rest, Pa

@@ -31,7 +31,7 @@
 
 namespace tremolo::coupler {
 
-inline constexpr std::uint16_t protocol_version = 1;
+inline constexpr std::uint16_t protocol_version = 2;
 inline constexpr std::size_t frame_header_size = 64;
 
 struct FrameHeader {

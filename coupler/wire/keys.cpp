@@ -1,6 +1,7 @@
 #include "coupler/wire/keys.hpp"
 
 #include "coupler/wire/error.hpp"
+#include "coupler/wire/printable.hpp"
 
 #include <array>
 #include <cerrno>
@@ -32,8 +33,9 @@ void write_key(const fs::path& file, const Z85& key) {
     throw Error(fmt::format("cannot write the key {}: {}", file.string(), std::strerror(errno)));
   const std::string line = fmt::format("{}\n", key.data());
   const bool written = ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  const int reason = errno;
   if (::close(descriptor) != 0 || !written)
-    throw Error(fmt::format("cannot write the key {}: is the disk full?", file.string()));
+    throw Error(fmt::format("cannot write the key {}: {}", file.string(), std::strerror(reason)));
 }
 
 std::string read_key(const fs::path& file) {
@@ -49,7 +51,17 @@ std::string read_key(const fs::path& file) {
 
 } // namespace
 
+void require_key_name(std::string_view name) {
+  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.";
+  if (name.empty() || name.front() == '.' || name.find_first_not_of(allowed) != std::string_view::npos)
+    throw Error(
+        fmt::format("'{}' is no name of a participant: letters, digits, '-', '_' and '.' are allowed, "
+                    "and no '.' in front",
+                    printable(name)));
+}
+
 void write_key_pair(const fs::path& folder, std::string_view name) {
+  require_key_name(name);
   Z85 public_key{};
   Z85 secret_key{};
   if (zmq_curve_keypair(public_key.data(), secret_key.data()) != 0)

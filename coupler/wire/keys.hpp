@@ -20,8 +20,13 @@ struct CurveKeys {
   std::string hub_public;
 };
 
+/// Whether a name can be that of a participant, and so of its files: letters, digits, '-', '_' and '.', which
+/// does not come first.
+/// @throws Error for any other
+void require_key_name(std::string_view name);
+
 /// Makes a fresh pair, readable by its owner alone.
-/// @throws Error if it exists already or cannot be written
+/// @throws Error if it exists already, cannot be written or has another kind of name
 void write_key_pair(const std::filesystem::path& folder, std::string_view name);
 
 /// @throws Error for a file that is missing or holds no key, and for a secret that others may read

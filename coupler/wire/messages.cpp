@@ -2,6 +2,7 @@
 
 #include "coupler/wire/crc32.hpp"
 #include "coupler/wire/error.hpp"
+#include "coupler/wire/json_keys.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,14 +21,12 @@ namespace {
 constexpr std::array<std::string_view, 11> types{
     "JOIN", "INVITE", "HELLO", "WELCOME", "REFUSE", "READY", "CREDIT", "BEAT", "CHECKPOINT", "BYE", "ABORT"};
 
-/// Reading JSON from another process: a missing key or a wrong type is its mistake, told in our words.
+/// What of a message is wrong is told with the part that it stands in.
 template <typename Read>
-auto checked(std::string_view what, const Read& read) {
+auto within(std::string_view what, const Read& read) {
   try {
     return read();
-  } catch (const json::exception& error) {
-    throw Error(fmt::format("{}: {}", what, error.what()));
-  } catch (const std::invalid_argument& error) {
+  } catch (const std::exception& error) {
     throw Error(fmt::format("{}: {}", what, error.what()));
   }
 }
@@ -36,8 +35,11 @@ json pair(eq6::Vector v) {
   return json::array({v.x, v.y});
 }
 
-eq6::Vector vector_from(const json& j) {
-  return {j.at(0).get<double>(), j.at(1).get<double>()};
+eq6::Vector vector_at(const json& object, const char* key) {
+  const auto numbers = numbers_at(object, key);
+  if (numbers.size() != 2)
+    throw Error(fmt::format("'{}' has {} numbers, expected 2", key, numbers.size()));
+  return {numbers[0], numbers[1]};
 }
 
 } // namespace
@@ -54,11 +56,11 @@ bool looks_like_message(std::span<const std::byte> bytes) {
 
 Message parse_message(std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return checked("control message", [&] {
-    Message message{{}, json::parse(text)};
-    message.type = message.body.at("type").get<std::string>();
-    if (std::find(types.begin(), types.end(), message.type) == types.end())
-      throw Error(fmt::format("control message of unknown type '{}'", message.type));
+  return within("control message", [&] {
+    Message message{{}, parsed_json(text)};
+    message.type = text_at(message.body, "type");
+    if (std::ranges::find(types, message.type) == types.end())
+      throw Error(fmt::format("its type '{}' is unknown", message.type));
     return message;
   });
 }
@@ -75,12 +77,14 @@ json to_json(const FieldDescription& field) {
 
 json to_json(const SourceDescription& source) {
   json fields = json::array();
-  for (const auto& field : source.fields)
+  for (const auto& field : source.fields) {
     fields.push_back(to_json(field));
+    fields.back()["steps_per_frame"] = field.steps_per_frame;
+  }
   return {{"name", source.name}, {"number", source.number}, {"fields", std::move(fields)}};
 }
 
-json to_json(const std::vector<BoundaryFace>& faces) {
+json to_json(const std::vector<ExchangedFace>& faces) {
   json list = json::array();
   for (const auto& face : faces)
     list.push_back({{"position", pair(face.position)},
@@ -105,58 +109,69 @@ json to_json(const TimelineReport& timeline) {
 }
 
 FieldDescription field_from(const json& j) {
-  return checked("field", [&] {
-    FieldDescription field{.name = j.at("name").get<std::string>(),
-                           .y = j.at("y").get<std::vector<double>>(),
-                           .x_reference = j.at("x_reference").get<double>(),
-                           .slowness_x = j.at("slowness_x").get<double>(),
-                           .start_time = j.at("start_time").get<double>(),
-                           .time_step = j.at("time_step").get<double>(),
-                           .step_count = j.at("step_count").get<std::uint64_t>()};
+  return within("field", [&] {
+    FieldDescription field{.name = text_at(j, "name"),
+                           .y = numbers_at(j, "y"),
+                           .x_reference = number_at(j, "x_reference"),
+                           .slowness_x = number_at(j, "slowness_x"),
+                           .start_time = number_at(j, "start_time"),
+                           .time_step = number_at(j, "time_step"),
+                           .step_count = whole_at(j, "step_count")};
     validate(field);
     return field;
   });
 }
 
 SourceDescription source_from(const json& j) {
-  return checked("source", [&] {
-    SourceDescription source{j.at("name").get<std::string>(), j.at("number").get<std::uint32_t>(), {}};
-    for (const auto& field : j.at("fields"))
-      source.fields.push_back(field_from(field));
+  return within("source", [&] {
+    SourceDescription source{text_at(j, "name"), whole_32_at(j, "number"), {}};
+    for (const auto& said : list_at(j, "fields")) {
+      auto& field = source.fields.emplace_back(field_from(said));
+      field.steps_per_frame = whole_32_at(said, "steps_per_frame");
+      if (field.steps_per_frame == 0)
+        throw Error(fmt::format("'steps_per_frame' of field '{}' is 0, expected 1 or more", field.name));
+    }
     return source;
   });
 }
 
-std::vector<BoundaryFace> faces_from(const json& j) {
-  return checked("face", [&] {
-    std::vector<BoundaryFace> faces;
+std::vector<SourceDescription> sources_from(const Message& welcome) {
+  std::vector<SourceDescription> sources;
+  for (const auto& source : list_at(welcome.body, "sources"))
+    sources.push_back(source_from(source));
+  return sources;
+}
+
+std::vector<ExchangedFace> faces_from(const json& j) {
+  return within("face", [&] {
+    std::vector<ExchangedFace> faces;
     for (const auto& f : j)
-      faces.push_back({vector_from(f.at("position")),
-                       {vector_from(f.at("normal")), f.at("impedance_p").get<double>(),
-                        f.at("impedance_s").get<double>()},
-                       vector_from(f.at("static_traction")),
-                       f.at("source").get<std::string>(),
-                       f.at("field").get<std::string>()});
+      faces.push_back({vector_at(f, "position"),
+                       {vector_at(f, "normal"), number_at(f, "impedance_p"), number_at(f, "impedance_s")},
+                       vector_at(f, "static_traction"),
+                       text_at(f, "source"),
+                       text_at(f, "field")});
     return faces;
   });
 }
 
 std::vector<PassTime> passes_from(const json& j) {
-  return checked("passes", [&] {
+  return within("passes", [&] {
     std::vector<PassTime> passes;
     for (const auto& p : j)
-      passes.push_back({p.at("name").get<std::string>(), p.at("seconds").get<double>()});
+      passes.push_back({text_at(p, "name"), number_at(p, "seconds")});
     return passes;
   });
 }
 
 TimelineReport timeline_from(const json& j) {
-  return checked("timeline", [&] {
-    TimelineReport timeline{j.at("slice").get<double>(), {}};
+  return within("timeline", [&] {
+    TimelineReport timeline{number_at(j, "slice"), {}};
     if (!(timeline.slice > 0.0))
-      throw Error(fmt::format("timeline: slice is {} s, expected a positive number", timeline.slice));
-    for (const auto& [activity, seconds] : j.at("activities").items())
-      timeline.activities[activity] = seconds.get<std::vector<double>>();
+      throw Error(fmt::format("slice is {} s, expected a positive number", timeline.slice));
+    const json& activities = value_at(j, "activities");
+    for (const auto& [activity, seconds] : activities.items())
+      timeline.activities[activity] = numbers_at(activities, activity.c_str());
     return timeline;
   });
 }

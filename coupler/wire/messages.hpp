@@ -34,7 +34,7 @@ bool looks_like_message(std::span<const std::byte> bytes);
 
 nlohmann::json to_json(const FieldDescription& field);
 nlohmann::json to_json(const SourceDescription& source);
-nlohmann::json to_json(const std::vector<BoundaryFace>& faces);
+nlohmann::json to_json(const std::vector<ExchangedFace>& faces);
 nlohmann::json to_json(const std::vector<PassTime>& passes);
 nlohmann::json to_json(const TimelineReport& timeline);
 
@@ -42,7 +42,8 @@ nlohmann::json to_json(const TimelineReport& timeline);
 /// @throws Error naming the missing or wrong key
 FieldDescription field_from(const nlohmann::json& json);
 SourceDescription source_from(const nlohmann::json& json);
-std::vector<BoundaryFace> faces_from(const nlohmann::json& json);
+std::vector<SourceDescription> sources_from(const Message& welcome);
+std::vector<ExchangedFace> faces_from(const nlohmann::json& json);
 std::vector<PassTime> passes_from(const nlohmann::json& json);
 TimelineReport timeline_from(const nlohmann::json& json);
 

@@ -56,9 +56,14 @@ void require_fits(std::size_t bytes) {
         fmt::format("a message of {} bytes is larger than what is taken, {}", bytes, largest_message));
 }
 
+void require_one_part(std::size_t parts) {
+  if (parts != 1)
+    throw Error(
+        fmt::format("a message of {} parts, expected one without an empty part in front of it", parts));
+}
+
 bool is_local(std::string_view endpoint) {
-  if (endpoint.starts_with("ipc://") || endpoint.starts_with("inproc://") ||
-      endpoint.starts_with("tcp://[::1]:"))
+  if (endpoint.starts_with("ipc://") || endpoint.starts_with("tcp://[::1]:"))
     return true;
   constexpr std::string_view loopback = "tcp://127.";
   return endpoint.starts_with(loopback) &&

@@ -24,7 +24,10 @@ zmq::context_t new_context(std::size_t connections);
 /// @throws Error for a message that is larger
 void require_fits(std::size_t bytes);
 
-/// Whether only processes of this machine can reach an address: ipc, inproc, and tcp on the loopback
+/// @throws Error for a message of several parts, e.g. with an empty one in front as REQ sockets send it
+void require_one_part(std::size_t parts);
+
+/// Whether only processes of this machine can reach an address: ipc, and tcp on the loopback
 /// interface by its number (a name may resolve to anything).
 bool is_local(std::string_view endpoint);
 

@@ -1,7 +1,6 @@
 // tremolo-column: serves a laterally uniform free field, marched in time as the domain asks for it.
 
-#include "freefield/process/column_process.hpp"
-
+#include "coupler/participant.hpp"
 #include "freefield/process/column_from_case.hpp"
 #include "freefield/process/column_values.hpp"
 #include "freefield/process/incident_field.hpp"
@@ -77,14 +76,13 @@ void run(const coupler::ParticipantOptions& options) {
       total.fill(step, fields[f].y, values);
   });
   if (const std::string report = column->report(); !report.empty())
-    fmt::print(options.surroundings.log, "column: {}\n", report);
+    fmt::print("column: {}\n", report);
 }
 
 } // namespace
-
-int column_process(const coupler::CommandLine& command, const coupler::Surroundings& surroundings) {
-  return coupler::participant_main("tremolo-column", "A 1D free-field column, as a source.", command,
-                                   surroundings, run);
-}
-
 } // namespace tremolo::freefield
+
+int main(int argc, char** argv) {
+  return tremolo::coupler::participant_main("tremolo-column", "A 1D free-field column, as a source.", argc,
+                                            argv, tremolo::freefield::run);
+}

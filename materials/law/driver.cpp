@@ -130,7 +130,21 @@ bool PointTest::solve(const MixedStep& step, double rotation, double tolerance) 
     return false;
   }
   std::swap(now_, trial_);
+  count_leap(found);
   return true;
+}
+
+void PointTest::count_leap(const MixedControl::Found& found) {
+  if (found.away) {
+    ++leaps_.steps_away;
+  }
+  if (found.leap > 0.0) {
+    if (leaps_.count == 0) {
+      leaps_.first = now_.strain;
+    }
+    ++leaps_.count;
+    leaps_.largest = std::max(leaps_.largest, found.leap);
+  }
 }
 
 void PointTest::solve_in_halves(const MixedStep& step, double rotation, int depth) {

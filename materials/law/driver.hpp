@@ -74,6 +74,15 @@ struct StressTolerance {
   double nearest = 0.0;
 };
 
+/// Where a law that holds a prescribed stress at more than one strain, or at none near where its increments
+/// lead, was followed to another branch (mixed_control.hpp).
+struct Leaps {
+  std::size_t count = 0;
+  PointStrain first;          ///< strain after the first of them
+  double largest = 0.0;       ///< strain from where the controlled component was expected, of one leap
+  std::size_t steps_away = 0; ///< steps on other branches until the first was come back to
+};
+
 /// A material point and its law.
 class PointTest {
 public:
@@ -102,12 +111,14 @@ public:
   std::size_t updates() const { return updates_; }
   /// Largest prescribed stress that was missing after a step taken as near as could be, Pa
   double largest_missing() const { return largest_missing_; }
+  const Leaps& leaps() const { return leaps_; }
 
 private:
   /// Updates a point by a strain increment and a rotation.
   void advance(PointState& point, const Components& strain, double rotation);
   /// Takes the mixed step if its stresses can be met, to a fraction of the largest stress.
   bool solve(const MixedStep& step, double rotation, double tolerance);
+  void count_leap(const MixedControl::Found& found);
   /// Takes the step as near to its stresses as the tolerance allows.
   bool take_nearest(const MixedStep& step, double rotation);
   /// The step as two halves, each cut further where needed.
@@ -119,6 +130,7 @@ private:
   StressTolerance tolerance_;
   MixedControl control_;
   double largest_missing_ = 0.0;
+  Leaps leaps_;
   double missing_ = 0.0; ///< of a prescribed stress after the last attempt, Pa
   std::string refusal_;  ///< what the law said when it refused a trial
   std::size_t updates_ = 0;

@@ -16,6 +16,13 @@ using Eigen::Index;
 constexpr double refused = std::numeric_limits<double>::infinity();
 constexpr double largest_correction = 0.01; // strain
 
+// As parts of the largest strain increment of a step: how far a root may lie from where it was expected
+// before a nearer one is looked for, the first distance at which that is done, and the distance from which on
+// it belongs to another branch.
+constexpr double surely_near = 0.05;
+constexpr double first_look = 0.05;
+constexpr double another_branch = 0.5;
+
 double norm(const Vector& r) {
   return r.size() == 0 ? 0.0 : r.lpNorm<Eigen::Infinity>();
 }
@@ -188,10 +195,10 @@ private:
   }
 
   /// Where more than one strain holds the stress, soil takes the one next to where it has been going: a root
-  /// that lies far from the start gives way to one in between.
+  /// that does not lie at the start gives way to one in between.
   void prefer_nearer(const Vector& start) {
     const double distance = std::abs(x_[0] - start[0]);
-    if (distance <= 0.5 * equations_.largest(start)) {
+    if (distance <= surely_near * equations_.largest(start)) {
       return;
     }
     const Vector far_x = x_;
@@ -206,19 +213,22 @@ private:
   }
 
   /// One free component whose residual is not monotonic: a change of sign is looked for on both sides in
-  /// growing steps, first where more strain means more stress, and closed in on.
+  /// growing steps, first where more strain means more stress, and closed in on. Where the residual jumps
+  /// from one sign to the other there is no root, and the search goes on.
   /// @param farthest  strain from here within which it is looked for
   void bisect(double farthest) {
     const Point start = {x_[0], r_[0]};
     Point near[2] = {start, start};
-    double distance = std::max(0.1 * equations_.largest(x_), 1e-12);
+    double distance = std::max(first_look * equations_.largest(x_), 1e-12);
     while (distance < farthest) {
       for (Point& last : near) {
         const double side = (&last == near) == (start.r > 0.0) ? -1.0 : 1.0;
         const Point next = at(start.x + side * distance);
         if (std::isfinite(next.r) && (next.r > 0.0) != (last.r > 0.0)) {
           close_in(last, next);
-          return;
+          if (norm(r_) <= accepted_) {
+            return;
+          }
         }
         last = std::isfinite(next.r) ? next : last;
       }
@@ -241,46 +251,83 @@ private:
   Vector r_;
 };
 
+/// Where Newton's method ended.
+struct Root {
+  Vector x;
+  double missing;  ///< Pa
+  double distance; ///< from the start, of one free component
+  double step;     ///< largest strain increment that was expected
+};
+
 } // namespace
+
+/// The free increments of an earlier step, in proportion to the prescribed ones; 0 where these turn back.
+double MixedControl::Increments::ratio_to(const MixedStep& step) const {
+  double along = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!step.by_stress[i]) {
+      along += step.value[i] * prescribed[i];
+      square += prescribed[i] * prescribed[i];
+    }
+  }
+  return square > 0.0 ? std::max(0.0, along / square) : 0.0;
+}
 
 MixedControl::Found MixedControl::find(const MixedStep& step, const StressAfter& stress_after, double wanted,
                                        double accepted) {
   const Equations equations(step, stress_after);
   const Index n = equations.size();
   const bool same = step.by_stress == by_stress_;
-
-  // Steps repeat themselves: the free increments of the last one, in proportion to the prescribed ones.
-  double along = 0.0;
-  double square = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!step.by_stress[i]) {
-      along += step.value[i] * value_[i];
-      square += value_[i] * value_[i];
-    }
-  }
-  const double ratio = same && has_strain_ && square > 0.0 ? std::max(0.0, along / square) : 0.0;
-  Vector x(n);
-  for (Index k = 0; k < n; ++k) {
-    x[k] = ratio * strain_[equations.component(k)];
-  }
-
   Matrix tangent(n, n);
-  const bool has_tangent = same && has_tangent_;
-  for (Index k = 0; k < n * n; ++k) {
-    tangent(k / n, k % n) = tangent_[static_cast<std::size_t>(k)];
+  const auto expected = [&](const std::optional<Increments>& before) {
+    const double ratio = same && before ? before->ratio_to(step) : 0.0;
+    Vector x = Vector::Zero(n);
+    for (Index k = 0; k < n && ratio > 0.0; ++k) {
+      x[k] = ratio * before->strain[equations.component(k)];
+    }
+    return x;
+  };
+  const auto solved_from = [&](const Vector& start) {
+    for (Index k = 0; k < n * n; ++k) {
+      tangent(k / n, k % n) = tangent_[static_cast<std::size_t>(k)];
+    }
+    Newton newton(equations, wanted, accepted);
+    newton.run(start, tangent, same && has_tangent_);
+    const double distance = n == 1 ? std::abs(newton.x()[0] - start[0]) : 0.0;
+    return Root{newton.x(), newton.missing(), distance, equations.largest(start)};
+  };
+  const auto near = [&](const Root& root) {
+    return root.missing <= accepted && root.distance <= surely_near * root.step;
+  };
+
+  // Steps repeat themselves. After a leap, the way before it is tried first.
+  const bool goes_on = same && last_ && last_->ratio_to(step) > 0.0;
+  if (!goes_on) {
+    away_ = false;
+    steady_.reset();
   }
-  Newton newton(equations, wanted, accepted);
-  newton.run(x, tangent, has_tangent);
+  Root root = solved_from(expected(away_ ? steady_ : last_));
+  if (away_ && near(root)) {
+    away_ = false;
+  } else if (away_) {
+    root = solved_from(expected(last_));
+  }
+  const bool found = root.missing <= accepted;
+  const bool leaps = goes_on && steady_ && found && root.distance > another_branch * root.step;
+  away_ = found && (away_ || leaps);
 
   by_stress_ = step.by_stress;
-  value_ = step.value;
-  strain_ = equations.strain(newton.x());
-  has_strain_ = newton.missing() <= accepted;
-  has_tangent_ = has_strain_ && tangent.allFinite();
+  const Components strain = equations.strain(root.x);
+  last_ = found ? std::optional(Increments{step.value, strain}) : std::nullopt;
+  if (!away_ && (near(root) || !steady_)) {
+    steady_ = last_;
+  }
+  has_tangent_ = found && tangent.allFinite();
   for (Index k = 0; k < n * n; ++k) {
     tangent_[static_cast<std::size_t>(k)] = tangent(k / n, k % n);
   }
-  return {strain_, newton.missing()};
+  return {strain, root.missing, leaps ? root.distance : 0.0, away_};
 }
 
 } // namespace tremolo::materials

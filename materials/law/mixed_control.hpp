@@ -10,10 +10,16 @@
 // differences over a hundredth of the step, kept from step to step, and corrected after Broyden (1965, Math.
 // Comp. 19, 577-593) as long as the residual halves; a new one is made where it does not, with a line search
 // on top.
+//
+// r need not be monotonic: with one free component a law may hold the stress at more than one strain, or at
+// none near where the last increments lead. The root next to there is taken. Where even that lies half a step
+// or more away, on another branch, that is told, and in the steps that follow the branch that was left is
+// looked for first: it is come back to once its root lies where its last steady increments lead.
 
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 namespace tremolo::materials {
 
@@ -37,7 +43,9 @@ public:
   struct Found {
     Components strain = {};
     double missing =
-        0.0; ///< largest residual of a free component, Pa; infinite if the law refused every trial
+        0.0;           ///< largest residual of a free component, Pa; infinite if the law refused every trial
+    double leap = 0.0; ///< strain from where the free component was expected, if to another branch, else 0
+    bool away = false; ///< whether the step is on another branch than the one before the leap
   };
 
   /// The best increment found for a step.
@@ -46,12 +54,20 @@ public:
   Found find(const MixedStep& step, const StressAfter& stress_after, double wanted, double accepted);
 
 private:
+  /// Of a step that was found.
+  struct Increments {
+    Components prescribed = {};
+    Components strain = {};
+
+    double ratio_to(const MixedStep& step) const;
+  };
+
   std::array<bool, 4> by_stress_ = {};
   std::array<double, 16> tangent_ = {}; ///< d r / d x of the free components, row by row
   bool has_tangent_ = false;
-  Components value_ = {};
-  Components strain_ = {};
-  bool has_strain_ = false;
+  std::optional<Increments> last_;
+  std::optional<Increments> steady_; ///< of the last step that was as expected
+  bool away_ = false;                ///< from the branch of that step
 };
 
 } // namespace tremolo::materials

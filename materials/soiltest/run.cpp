@@ -85,6 +85,7 @@ public:
     result_.history = recorder_.take();
     result_.updates = point_.updates();
     result_.largest_missing_stress = point_.largest_missing();
+    result_.leaps = point_.leaps();
     return std::move(result_);
   }
 

@@ -155,6 +155,8 @@ struct Result {
   /// that gives it; the nearest was taken then, up to largest_missing_fraction of the largest stress. Beyond
   /// that, and in a path, the test is refused instead.
   double largest_missing_stress = 0.0;
+  materials::Leaps
+      leaps; ///< to strains that the law holds a stress at, but that are not next to the last ones
   std::size_t increments = 0;
   std::size_t updates = 0; ///< of the law
   double cpu_seconds = 0.0;

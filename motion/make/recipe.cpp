@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <optional>
 #include <set>
 
 namespace tremolo::motion {
@@ -24,7 +26,7 @@ public:
   bool has(const char* key) const { return table_.contains(key); }
 
   double number(const char* key) {
-    const auto value = node(key).value<double>();
+    const auto value = number_in(node(key));
     if (!value || !std::isfinite(*value))
       refuse(node(key), fmt::format("{} must be a finite number", key));
     return *value;
@@ -65,7 +67,7 @@ public:
     std::array<double, n> values{};
     bool sound = array != nullptr && array->size() == n;
     for (std::size_t i = 0; sound && i < n; ++i) {
-      const auto value = array->get(i)->value<double>();
+      const auto value = number_in(*array->get(i));
       sound = value.has_value();
       values[i] = value.value_or(0.0);
     }
@@ -89,6 +91,14 @@ public:
   }
 
 private:
+  /// The nearest double, also of an integer that none equals, of which toml++ has no value<double>().
+  static std::optional<double> number_in(const toml::node& node) {
+    if (const auto* integer = node.as_integer())
+      return static_cast<double>(integer->get());
+    const auto* number = node.as_floating_point();
+    return number != nullptr ? std::optional(number->get()) : std::nullopt;
+  }
+
   const toml::node& node(const char* key) {
     known_.insert(key);
     const toml::node* found = table_.get(key);

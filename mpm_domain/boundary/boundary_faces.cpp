@@ -34,7 +34,7 @@ BoundaryFace make_face(Side side, Vector normal, Particles& set, std::size_t set
   face.id = set.id[k];
   face.position = {set.x[k] + 0.5 * size * normal.x, set.y[k] + 0.5 * size * normal.y};
   face.length = size;
-  face.face = {normal, soil.density * c_p, soil.density * c_s};
+  face.ground = {normal, soil.density * c_p, soil.density * c_s};
   return face;
 }
 
@@ -81,28 +81,6 @@ void lattice_weights(const BoundaryFace& face, const Particles& set, const Latti
   }
 }
 
-/// On a graded mesh the basis averaged along the face, in terms of real nodes.
-void graded_weights(const BoundaryFace& face, const Particles& set, const GradedMesh& mesh,
-                    FaceWeights& weights) {
-  weights.clear();
-  const auto add = [&](std::size_t node, double w) {
-    const std::span<const Share> shares = mesh.prolongation().shares_of(node);
-    if (shares.empty())
-      weights.push_back({node, w});
-    for (const Share& share : shares)
-      weights.push_back({share.node, share.weight * w});
-  };
-  if (face.level != BoundaryFace::unknown) {
-    const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(face.level)];
-    lattice_weights(face, set, lattice, [&](int i, int j, double w) { add(lattice.index(i, j), w); });
-    return;
-  }
-  std::vector<BoxWeight> parts;
-  box_average(mesh, line_of(face, set), parts);
-  for (const BoxWeight& part : parts)
-    add(part.node, part.s);
-}
-
 } // namespace
 
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec) {
@@ -111,9 +89,9 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
     const double size = 2.0 * sets[s].half_size;
     const double near = 0.75 * size; // between the first particle at size/2 and the second at 3/2 size
     for (std::size_t k = 0; k < sets[s].size(); ++k) {
-      if (!spec.periodic_sides && sets[s].x[k] - spec.box.x_min < near)
+      if (!spec.periodic() && sets[s].x[k] - spec.box.x_min < near)
         faces.push_back(make_face(Side::left, {-1.0, 0.0}, sets[s], s, k, size));
-      if (!spec.periodic_sides && spec.box.x_max - sets[s].x[k] < near)
+      if (!spec.periodic() && spec.box.x_max - sets[s].x[k] < near)
         faces.push_back(make_face(Side::right, {1.0, 0.0}, sets[s], s, k, size));
       if (sets[s].y[k] - spec.box.y_min < near)
         faces.push_back(make_face(Side::base, {0.0, -1.0}, sets[s], s, k, size));
@@ -125,40 +103,33 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
   return faces;
 }
 
-void find_levels(Domain& domain) {
-  if (!domain.mesh)
-    return;
-  for (BoundaryFace& face : domain.faces) {
-    const Particles& set = domain.sets[face.set];
-    const mesh::Rectangle reach = reach_of(set, set.index_of[face.id], domain.sort_distance());
-    const auto touched = domain.mesh->touched(reach);
-    const double widest = set.has_own_boxes() ? set.cell_size : 2.0 * set.half_size;
-    const bool on_one = touched.one_lattice() && widest < 1.0001 * domain.lattice(touched.finest).h;
-    face.level = on_one ? touched.finest : BoundaryFace::unknown;
-  }
+int level_of(const Domain& domain, const BoundaryFace& face) {
+  const Particles& set = domain.sets[face.set];
+  const mesh::Rectangle reach = reach_of(set, set.index_of[face.id], domain.sort_distance());
+  const auto touched = domain.mesh->touched(reach);
+  const double widest = set.has_own_boxes() ? set.cell_size : 2.0 * set.half_size;
+  const bool on_one = touched.one_lattice() && widest < 1.0001 * domain.lattice(touched.finest).h;
+  return on_one ? touched.finest : BoundaryFace::unknown;
 }
 
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights) {
   const Particles& set = domain.sets[face.set];
-  if (domain.mesh)
-    return graded_weights(face, set, *domain.mesh, weights);
   weights.clear();
-  lattice_weights(face, set, domain.grid, [&](int i, int j, double w) {
-    weights.push_back({domain.grid.index(domain.grid.real_column(i), j), w});
-  });
-}
-
-void face_weights(Domain& domain, std::span<FaceWeights> weights) {
-  for_faces(domain.workers, weights.size(),
-            [&](std::size_t f) { face_weights(domain, domain.faces[f], weights[f]); });
-}
-
-void book_face_work(Domain& domain, std::size_t f, double dt, Vector own, Vector traction, Vector v) {
-  const Vector held = domain.static_tractions[f];
-  const auto work = [&](double tx, double ty) { return dt * domain.faces[f].length * (tx * v.x + ty * v.y); };
-  domain.energy.dashpots += work(own.x, own.y);
-  domain.energy.static_ += work(held.x, held.y);
-  domain.energy.input += work(traction.x - own.x - held.x, traction.y - own.y - held.y);
+  const auto add = [&](std::size_t node, double w) {
+    const std::span<const Share> shares = domain.ties().shares_of(node);
+    if (shares.empty())
+      weights.push_back({node, w});
+    for (const Share& share : shares)
+      weights.push_back({share.node, share.weight * w});
+  };
+  if (!domain.mesh || face.level != BoundaryFace::unknown) {
+    const Lattice& lattice = domain.lattice(domain.mesh ? face.level : 0);
+    return lattice_weights(face, set, lattice, [&](int i, int j, double w) { add(lattice.index(i, j), w); });
+  }
+  std::vector<BoxWeight> parts;
+  box_average(*domain.mesh, line_of(face, set), parts);
+  for (const BoxWeight& part : parts)
+    add(part.node, part.s);
 }
 
 } // namespace tremolo::mpm_domain

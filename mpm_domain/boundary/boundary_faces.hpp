@@ -10,31 +10,40 @@
 // W_if v_i, uses the same W.
 
 #include "coupler/eq6/boundary_traction.hpp"
-#include "mpm_domain/grid/grid.hpp"
 #include "mpm_domain/particles/particles.hpp"
-#include "mpm_domain/tiles/worker_pool.hpp"
-#include "mpm_domain/transfer/kernel.hpp"
 
-#include <algorithm>
-#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
 struct Domain;
 
-/// A face: the particle it rides on and what Eq. (6) needs to know.
+/// What takes up the waves that the domain scatters at a face, or ties it to another one.
+enum class Support {
+  dashpots,      ///< of Eq. (6)
+  matched_layer, ///< matched_layer.hpp
+  opposite_face, ///< a spring to the other side: periodic_springs.hpp
+};
+
+/// A face: the particle it rides on, and what Eq. (6) needs to know.
 struct BoundaryFace {
   Side side = Side::left;
   std::size_t set = 0;  ///< which soil's particles
   std::uint32_t id = 0; ///< the particle
   Vector position;      ///< where it lay at the start: the material point its free field is taken from, m
   double length = 0.0;  ///< m
-  eq6::Face face;       ///< normal and impedances; these are zero before a matched layer
-  double mass = 0.0;    ///< of a matched layer's nodes that move with the face, kg/m2
-  int level = unknown;  ///< of the one lattice of a graded mesh that it can touch until the next sort
+  eq6::Face ground;     ///< normal, and the impedances of the soil in its stress at rest
+  Vector held;          ///< f^st of Eq. (6), what held the model at rest, Pa
+  Support support = Support::dashpots;
+  double layer_mass = 0.0; ///< of a matched layer's nodes that move with the face, kg/m2
+  int level = unknown;     ///< of the one lattice of a graded mesh that it can touch until the next sort
 
   static constexpr int unknown = -1; ///< or several
+
+  /// As Eq. (6) sees it: the dashpots that stand there, if any do.
+  eq6::Face dashpots() const {
+    return support == Support::dashpots ? ground : eq6::Face{ground.normal, 0.0, 0.0};
+  }
 };
 
 /// A node that a face touches, and W.
@@ -46,8 +55,8 @@ struct FaceWeight {
 using FaceWeights = std::vector<FaceWeight>;
 
 /// Diagonal of the dashpots rho c_p n n^T + rho c_s t t^T of a face, whose normal lies along an axis, Pa s/m.
-inline Vector dashpots(const BoundaryFace& face) {
-  const auto& [n, p, s] = face.face;
+inline Vector dashpot_diagonal(const BoundaryFace& face) {
+  const auto& [n, p, s] = face.dashpots();
   return {p * n.x * n.x + s * n.y * n.y, p * n.y * n.y + s * n.x * n.x};
 }
 
@@ -55,27 +64,10 @@ inline Vector dashpots(const BoundaryFace& face) {
 /// Their impedances are those of the soil in its present stress.
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);
 
-/// act(f) for all faces, portions of them side by side.
-template <typename Act>
-void for_faces(WorkerPool& workers, std::size_t count, const Act& act) {
-  constexpr std::size_t portion = 64;
-  workers.run((count + portion - 1) / portion, [&](std::size_t task) {
-    for (std::size_t f = task * portion; f < std::min((task + 1) * portion, count); ++f)
-      act(f);
-  });
-}
+/// The level of a face whose way until the next sort keeps it on one lattice; otherwise unknown.
+int level_of(const Domain& domain, const BoundaryFace& face);
 
-/// Finds the levels of faces whose way until the next sort keeps them on one lattice.
-void find_levels(Domain& domain);
-
-/// Weights of a face at its particle's present place.
+/// Weights of a face at its particle's present place, of nodes that are not tied.
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights);
-/// Those of all faces.
-void face_weights(Domain& domain, std::span<FaceWeights> weights);
-
-/// Books the work of a face's traction (Pa) over a time (s) at the velocity v (m/s): `own` of it, of the
-/// soil's velocity on dashpots and matched layers, as theirs, what held the model at rest as static, and the
-/// rest as input.
-void book_face_work(Domain& domain, std::size_t face, double dt, Vector own, Vector traction, Vector v);
 
 } // namespace tremolo::mpm_domain

@@ -1,40 +1,28 @@
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
 
-#include <algorithm>
+#include "mpm_domain/domain.hpp"
 
 namespace tremolo::mpm_domain {
 
-/// Nodes from former steps may stay: no face gives them a force.
-void ConsistentDashpots::find_nodes(const Domain& domain, std::span<const FaceWeights> weights) {
-  if (known_.size() != domain.grid.size()) {
-    nodes_.clear();
-    known_.assign(domain.grid.size(), 0);
+void ConsistentDashpots::find_nodes(std::size_t grid_size, std::span<const FaceWeights> weights) {
+  if (nodes_.restart(grid_size))
     for (Component* c : {&x_, &y_})
       for (NodeField* field : {&c->a, &c->g})
-        field->assign(domain.grid.size(), 0.0);
-  }
-  const std::size_t before = nodes_.size();
-  for (const FaceWeights& face : weights)
-    for (const auto& [node, w] : face)
-      if (known_[node] == 0) {
-        known_[node] = 1;
-        nodes_.push_back(node);
-      }
-  if (nodes_.size() > before)
-    std::ranges::sort(nodes_);
+        field->assign(grid_size, 0.0);
+  nodes_.add(weights);
 }
 
 void ConsistentDashpots::find_accelerations(const NodeField& mass, const NodeField& force,
                                             const NodeField& dashpot, double empty, double dt,
                                             Component& c) const {
-  for (const std::size_t n : nodes_)
+  for (const std::size_t n : nodes_.all())
     c.a[n] = mass[n] > empty ? (force[n] + c.g[n]) / (mass[n] + 0.5 * dt * dashpot[n]) : 0.0;
 }
 
 /// @param dashpots  L Z dt/2 of each face
 void ConsistentDashpots::find_forces(std::span<const FaceWeights> weights, std::span<const double> dashpots,
                                      Component& c) const {
-  for (const std::size_t n : nodes_)
+  for (const std::size_t n : nodes_.all())
     c.g[n] = 0.0;
   for (std::size_t f = 0; f < weights.size(); ++f) {
     double mean = 0.0;
@@ -47,8 +35,8 @@ void ConsistentDashpots::find_forces(std::span<const FaceWeights> weights, std::
 
 void ConsistentDashpots::correct(Domain& domain, std::span<const FaceWeights> weights, double dt) {
   constexpr int steps = 3;
-  find_nodes(domain, weights);
   Grid& grid = domain.grid;
+  find_nodes(grid.size(), weights);
   const double empty = empty_mass(domain);
   domain.workers.run(2, [&](std::size_t component) {
     const bool is_x = component == 0;
@@ -56,22 +44,23 @@ void ConsistentDashpots::correct(Domain& domain, std::span<const FaceWeights> we
     NodeField& force = is_x ? grid.force_x : grid.force_y;
     const NodeField& dashpot = is_x ? grid.dashpot_x : grid.dashpot_y;
     std::vector<double> of_faces;
-    for (const BoundaryFace& face : domain.faces)
-      of_faces.push_back(0.5 * dt * face.length * (is_x ? dashpots(face).x : dashpots(face).y));
-    for (const std::size_t n : nodes_)
+    for (const BoundaryFace& face : domain.boundary.faces())
+      of_faces.push_back(0.5 * dt * face.length *
+                         (is_x ? dashpot_diagonal(face).x : dashpot_diagonal(face).y));
+    for (const std::size_t n : nodes_.all())
       c.g[n] = 0.0;
     for (int k = 0; k < steps; ++k) {
       find_accelerations(grid.mass, force, dashpot, empty, dt, c);
       find_forces(weights, of_faces, c);
     }
-    for (const std::size_t n : nodes_)
+    for (const std::size_t n : nodes_.all())
       force[n] += c.g[n];
   });
 }
 
 double ConsistentDashpots::power(const NodeField& vx, const NodeField& vy) const {
   double sum = 0.0;
-  for (const std::size_t n : nodes_)
+  for (const std::size_t n : nodes_.all())
     sum += x_.g[n] * vx[n] + y_.g[n] * vy[n];
   return sum;
 }

@@ -14,17 +14,19 @@
 // along the boundary: what the lumping did to it is gone, while a node that has lost nearly all its soil
 // stays bound to its C_L.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/boundary/face_nodes.hpp"
+#include "mpm_domain/fields/node_fields.hpp"
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
+/// Of all faces, or of those that take a step of the same length.
 class ConsistentDashpots {
 public:
   /// Adds g to the nodal forces; the faces' tractions and lumped dashpots are there already.
+  /// @param weights one a face of the domain; a face without any is left out
   /// @param dt time that the forces act for, s
   void correct(Domain& domain, std::span<const FaceWeights> weights, double dt);
 
@@ -37,14 +39,13 @@ private:
     NodeField a, g;
   };
 
-  void find_nodes(const Domain& domain, std::span<const FaceWeights> weights);
+  void find_nodes(std::size_t grid_size, std::span<const FaceWeights> weights);
   void find_accelerations(const NodeField& mass, const NodeField& force, const NodeField& dashpot,
                           double empty, double dt, Component& c) const;
   void find_forces(std::span<const FaceWeights> weights, std::span<const double> dashpots,
                    Component& c) const;
 
-  std::vector<std::size_t> nodes_;  ///< rising, that faces touch or have touched
-  std::vector<std::uint8_t> known_; ///< by node: it is one of them
+  FaceNodes nodes_;
   Component x_, y_;
 };
 

@@ -32,7 +32,7 @@ std::string_view name(Side side) {
 }
 
 std::span<const BoundaryFace> faces_of(const Domain& domain, Side side) {
-  const auto [first, last] = std::ranges::equal_range(domain.faces, side, {}, &BoundaryFace::side);
+  const auto [first, last] = std::ranges::equal_range(domain.boundary.faces(), side, {}, &BoundaryFace::side);
   if (first == last)
     throw std::invalid_argument(fmt::format("the {} has no faces for a matched layer", name(side)));
   for (auto face = first + 1; face != last; ++face)
@@ -54,8 +54,8 @@ LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Re
       continue;
     const double density = materials::elasticity(domain.sets[face.set].law).density;
     column.density += share * density;
-    column.p_modulus += share * face.face.impedance_p * face.face.impedance_p / density;
-    column.shear_modulus += share * face.face.impedance_s * face.face.impedance_s / density;
+    column.p_modulus += share * face.ground.impedance_p * face.ground.impedance_p / density;
+    column.shear_modulus += share * face.ground.impedance_s * face.ground.impedance_s / density;
   }
   return column;
 }
@@ -72,7 +72,7 @@ LayerShape shape(const Domain& domain, Side side) {
         ground(domain, faces, {whole.from + length * i / count, whole.from + length * (i + 1) / count}));
   result.cells = spec.layer_cells;
   result.depth = spec.layer_cells * spec.cell_size;
-  if (spec.periodic_sides)
+  if (spec.periodic())
     result.ends = {LayerEnd::repeated, LayerEnd::repeated};
   else if (side != Side::base)
     result.ends = {LayerEnd::dashpots, LayerEnd::free}; // below, and at the ground's surface
@@ -89,13 +89,13 @@ double hat_integral(double x) {
 
 MatchedLayer::MatchedLayer(const Domain& domain, Side side) : lattice_(shape(domain, side)) {
   const std::span<const BoundaryFace> faces = faces_of(domain, side);
-  first_ = static_cast<std::size_t>(&faces.front() - domain.faces.data());
-  normal_ = faces.front().face.normal;
+  first_ = static_cast<std::size_t>(&faces.front() - domain.boundary.faces().data());
+  normal_ = faces.front().ground.normal;
   along_ = {std::abs(normal_.y), std::abs(normal_.x)};
   const double from = reach(faces.front()).from;
   const double length = reach(faces.back()).to - from;
   const std::size_t nodes = lattice_.width();
-  const std::size_t cells = nodes - (domain.spec.periodic_sides ? 0 : 1);
+  const std::size_t cells = nodes - (domain.spec.periodic() ? 0 : 1);
   const double width = length / static_cast<double>(cells);
 
   std::vector<double> covered(nodes);
@@ -184,17 +184,6 @@ void MatchedLayer::restore(std::span<const double> state) {
   for (std::vector<Vector>* field : {&v_free_, &a_free_})
     for (Vector& value : *field)
       value = {*next++, *next++};
-}
-
-void attach_matched_layers(Domain& domain) {
-  for (const Side side : domain.spec.matched_sides) {
-    const MatchedLayer& layer = domain.layers.emplace_back(domain, side);
-    for (std::size_t f = 0; f < layer.face_count(); ++f) {
-      BoundaryFace& face = domain.faces[layer.first_face() + f];
-      face.face.impedance_p = face.face.impedance_s = 0.0;
-      face.mass = layer.mass(f);
-    }
-  }
 }
 
 } // namespace tremolo::mpm_domain

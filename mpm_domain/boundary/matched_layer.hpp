@@ -32,7 +32,8 @@ public:
   MatchedLayer(const Domain& domain, Side side);
 
   /// Adds the layer's traction (Pa) to those of its faces, up to the inertia that the faces carry.
-  /// @param time s; v_domain of half a step before it, free_field of this time
+  /// @param time s; v_domain of half a step before it, or of the mean of the step before; free_field of this
+  /// time
   /// @param v_domain, free_field, tractions of all faces of the domain
   void react(double time, std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field,
              std::span<Vector> tractions);
@@ -67,10 +68,5 @@ private:
   std::vector<Vector> a_free_;   ///< half a step before it, m/s2
   std::vector<Vector> velocity_; ///< of the lattice's nodes on the boundary, m/s
 };
-
-/// Puts a layer behind every side that the spec wants one for: its faces lose their dashpots and carry the
-/// layer's mass. Called when the domain is at rest and its faces have the impedance of the soil in its
-/// stress.
-void attach_matched_layers(Domain& domain);
 
 } // namespace tremolo::mpm_domain

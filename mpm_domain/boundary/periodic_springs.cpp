@@ -1,5 +1,8 @@
 #include "mpm_domain/boundary/periodic_springs.hpp"
 
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/spec/limits.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +14,7 @@ namespace tremolo::mpm_domain {
 namespace {
 
 std::size_t faces_of(const Domain& domain, Side side) {
-  return static_cast<std::size_t>(std::ranges::count(domain.faces, side, &BoundaryFace::side));
+  return static_cast<std::size_t>(std::ranges::count(domain.boundary.faces(), side, &BoundaryFace::side));
 }
 
 /// rho h / (4 dt^2) of the soil at a face, Pa/m.
@@ -21,13 +24,21 @@ double stiffness_of(const Domain& domain, const BoundaryFace& face) {
   const double density = materials::elasticity(set.law).density;
   const Scheme& scheme = domain.spec.scheme;
   const double dt =
-      scheme.dt.value_or(scheme.fraction * largest_courant_number * h * density / face.face.impedance_p);
+      scheme.dt.value_or(scheme.fraction * largest_courant_number * h * density / face.ground.impedance_p);
   return 0.25 * density * h / (dt * dt);
+}
+
+/// Of the particle that a face rides on, since rest, m.
+Vector displacement(const Domain& domain, std::size_t f) {
+  const BoundaryFace& face = domain.boundary.faces()[f];
+  const Particles& set = domain.sets[face.set];
+  const std::size_t k = set.index_of[face.id];
+  return {set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]};
 }
 
 } // namespace
 
-PeriodicSprings::PeriodicSprings(Domain& domain) : domain_(domain) {
+PeriodicSprings::PeriodicSprings(const Domain& domain) {
   const std::size_t left = faces_of(domain, Side::left);
   const std::size_t right = faces_of(domain, Side::right);
   const auto refuse = [](const std::string& why) {
@@ -37,36 +48,26 @@ PeriodicSprings::PeriodicSprings(Domain& domain) : domain_(domain) {
   if (left != right)
     refuse(fmt::format("there are {} on the left and {} on the right", left, right));
   for (std::size_t f = 0; f < left; ++f) {
-    BoundaryFace& a = domain.faces[f];
-    BoundaryFace& b = domain.faces[left + f];
+    const BoundaryFace& a = domain.boundary.faces()[f];
+    const BoundaryFace& b = domain.boundary.faces()[left + f];
     if (std::abs(a.position.y - b.position.y) > 1e-6 * a.length ||
         std::abs(a.length - b.length) > 1e-6 * a.length)
       refuse(fmt::format("the one at y = {:.6g} m, {:.6g} m high, has none like it", a.position.y, a.length));
     stiffness_.push_back(std::min(stiffness_of(domain, a), stiffness_of(domain, b)));
-    for (BoundaryFace* face : {&a, &b})
-      face->face.impedance_p = face->face.impedance_s = 0.0;
   }
 }
 
-Vector PeriodicSprings::displacement(std::size_t face) const {
-  const Particles& set = domain_.sets[domain_.faces[face].set];
-  const std::size_t k = set.index_of[domain_.faces[face].id];
-  return {set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]};
-}
-
-void PeriodicSprings::pull(std::span<const Vector> v, std::span<Vector> traction,
+void PeriodicSprings::pull(const Domain& domain, std::span<const Vector> v, std::span<Vector> traction,
                            std::span<eq6::FreeField> field) const {
   const std::size_t pairs = stiffness_.size();
   for (std::size_t left = 0; left < pairs; ++left) {
     const std::size_t right = pairs + left;
-    const Vector u_left = displacement(left);
-    const Vector u_right = displacement(right);
+    const Vector u_left = displacement(domain, left);
+    const Vector u_right = displacement(domain, right);
     const Vector pull = {stiffness_[left] * (u_right.x - u_left.x),
                          stiffness_[left] * (u_right.y - u_left.y)};
-    const Vector held_left = domain_.static_tractions[left];
-    const Vector held_right = domain_.static_tractions[right];
-    traction[left] = {held_left.x + pull.x, held_left.y + pull.y};
-    traction[right] = {held_right.x - pull.x, held_right.y - pull.y};
+    traction[left] = pull;
+    traction[right] = {-pull.x, -pull.y};
     field[left] = {v[right], {}};
     field[right] = {v[left], {}};
   }

@@ -14,7 +14,7 @@
 // seam gives way as 0.4 cells more would, an error of first order in h, where the wrapped grid
 // (periodic_sides.hpp) has none.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/boundary/boundary_faces.hpp"
 
 #include <span>
 #include <vector>
@@ -23,21 +23,19 @@ namespace tremolo::mpm_domain {
 
 class PeriodicSprings {
 public:
-  /// Ties the sides of a domain at rest; their dashpots are gone.
+  /// Ties the sides of a domain at rest.
   /// @throws std::invalid_argument where the particles along the sides do not face each other
-  explicit PeriodicSprings(Domain& domain);
+  explicit PeriodicSprings(const Domain& domain);
 
   /// Faces of the sides; they stand before those of the base.
   std::size_t face_count() const { return 2 * stiffness_.size(); }
 
-  /// Sets the tractions of the sides' faces, Pa, and as the free field of each what it meets beyond the seam:
-  /// the velocity of the opposite face among those of all faces, m/s.
-  void pull(std::span<const Vector> v, std::span<Vector> traction, std::span<eq6::FreeField> field) const;
+  /// Sets what the springs add to the static tractions of the sides' faces, Pa, and as the free field of each
+  /// what it meets beyond the seam: the velocity of the opposite face among those of all faces, m/s.
+  void pull(const Domain& domain, std::span<const Vector> v, std::span<Vector> traction,
+            std::span<eq6::FreeField> field) const;
 
 private:
-  Vector displacement(std::size_t face) const;
-
-  const Domain& domain_;
   std::vector<double> stiffness_; ///< of a pair, Pa/m, upwards
 };
 

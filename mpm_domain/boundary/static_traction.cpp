@@ -26,7 +26,7 @@ bool holds(const BoundaryFace& face, Direction d) {
 /// The soil's own traction sigma n at a face.
 Vector soil_traction(const Particles& set, const BoundaryFace& face) {
   const std::size_t k = set.index_of[face.id];
-  const Vector n = face.face.normal;
+  const Vector n = face.ground.normal;
   return {set.sxx[k] * n.x + set.sxy[k] * n.y, set.sxy[k] * n.x + set.syy[k] * n.y};
 }
 
@@ -37,8 +37,8 @@ double solve(Domain& domain, const std::vector<std::size_t>& nodes, const Reacti
     row[nodes[i]] = static_cast<Eigen::Index>(i);
   std::vector<Eigen::Triplet<double>> entries;
   FaceWeights weights;
-  for (std::size_t f = 0; f < domain.faces.size(); ++f) {
-    const BoundaryFace& face = domain.faces[f];
+  for (std::size_t f = 0; f < domain.boundary.faces().size(); ++f) {
+    const BoundaryFace& face = domain.boundary.faces()[f];
     if (!holds(face, d))
       continue;
     face_weights(domain, face, weights);
@@ -47,14 +47,14 @@ double solve(Domain& domain, const std::vector<std::size_t>& nodes, const Reacti
         entries.emplace_back(row[weight.node], static_cast<Eigen::Index>(f), face.length * weight.w);
   }
   Eigen::SparseMatrix<double> a(static_cast<Eigen::Index>(nodes.size()),
-                                static_cast<Eigen::Index>(domain.faces.size()));
+                                static_cast<Eigen::Index>(domain.boundary.faces().size()));
   a.setFromTriplets(entries.begin(), entries.end());
 
   Eigen::VectorXd t = Eigen::VectorXd::Zero(a.cols());
-  for (std::size_t f = 0; f < domain.faces.size(); ++f)
-    if (holds(domain.faces[f], d))
-      t[static_cast<Eigen::Index>(f)] =
-          component(soil_traction(domain.sets[domain.faces[f].set], domain.faces[f]), d);
+  for (std::size_t f = 0; f < domain.boundary.faces().size(); ++f)
+    if (holds(domain.boundary.faces()[f], d))
+      t[static_cast<Eigen::Index>(f)] = component(
+          soil_traction(domain.sets[domain.boundary.faces()[f].set], domain.boundary.faces()[f]), d);
   Eigen::VectorXd r(a.rows());
   for (std::size_t i = 0; i < nodes.size(); ++i)
     r[static_cast<Eigen::Index>(i)] = component(reactions.force[nodes[i]], d);
@@ -66,9 +66,11 @@ double solve(Domain& domain, const std::vector<std::size_t>& nodes, const Reacti
         "the boundary faces cannot carry the reactions of the gravity stage: singular system");
   for (int pass = 0; pass < 2; ++pass)
     t += a.transpose() * normal.solve(r - a * t);
-  for (std::size_t f = 0; f < domain.faces.size(); ++f)
-    (d == Direction::x ? domain.static_tractions[f].x : domain.static_tractions[f].y) =
-        t[static_cast<Eigen::Index>(f)];
+  for (std::size_t f = 0; f < domain.boundary.faces().size(); ++f)
+    if (Vector& held = domain.boundary.faces()[f].held; d == Direction::x)
+      held.x = t[static_cast<Eigen::Index>(f)];
+    else
+      held.y = t[static_cast<Eigen::Index>(f)];
   return (r - a * t).lpNorm<Eigen::Infinity>();
 }
 

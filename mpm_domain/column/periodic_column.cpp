@@ -7,6 +7,7 @@
 #include "mpm_domain/column/periodic_column.hpp"
 
 #include "mpm_domain/boundary/static_traction.hpp"
+#include "mpm_domain/step/time_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ PeriodicColumnSpec checked(PeriodicColumnSpec spec) {
   if (!(spec.time_step > 0.0 && std::isfinite(spec.time_step)))
     throw std::invalid_argument(
         "a periodic column needs a finite interval > 0 between the states that it serves");
-  spec.domain.periodic_sides = true;
+  spec.domain.sides = Sides::periodic;
   spec.domain.scheme.dt.reset();
   return spec;
 }
@@ -40,9 +41,9 @@ PeriodicColumn::PeriodicColumn(PeriodicColumnSpec spec)
     : spec_(checked(std::move(spec))), domain_(spec_.domain) {
   if (spec_.domain.gravity > 0.0)
     replace_constraints(domain_, relax_under_gravity(domain_, {}, [](long, double) {}));
-  for (BoundaryFace& face : domain_.faces) {
-    face.face.impedance_p = spec_.half_space.density * spec_.half_space.p_wave_speed();
-    face.face.impedance_s = spec_.half_space.density * spec_.half_space.s_wave_speed();
+  for (BoundaryFace& face : domain_.boundary.faces()) {
+    face.ground.impedance_p = spec_.half_space.density * spec_.half_space.p_wave_speed();
+    face.ground.impedance_s = spec_.half_space.density * spec_.half_space.s_wave_speed();
   }
   struct Row {
     double y;
@@ -68,14 +69,10 @@ PeriodicColumn::PeriodicColumn(PeriodicColumnSpec spec)
 
   velocity_before_.resize(levels_.size());
   cut_interval();
-  stepper_ =
-      std::make_unique<Stepper>(domain_, spec_.start_time, [this](long, double t, auto v, auto traction) {
-        sample_velocities(velocity_before_, false);
-        const eq6::FreeField incident = spec_.incident(t);
-        for (std::size_t f = 0; f < v.size(); ++f)
-          traction[f] =
-              eq6::boundary_traction(domain_.faces[f].face, v[f], incident, domain_.static_tractions[f]);
-      });
+  stepper_ = std::make_unique<Stepper>(domain_, spec_.start_time, [this](long, double t, auto, auto field) {
+    sample_velocities(velocity_before_, false);
+    std::ranges::fill(field, spec_.incident(t));
+  });
   at_rest_ = before_ = now_ = stresses();
   time_ = spec_.start_time;
   previous_dt_ = *domain_.spec.scheme.dt;
@@ -123,7 +120,8 @@ void PeriodicColumn::record(const std::vector<eq6::Stress>& after) {
     points_[r + 1].stress_rate = 1.0 / (dt + previous_dt_) * (after[r] - before_[r]);
   }
   const auto at_base = [&](double time, Vector v) {
-    const Vector t = eq6::boundary_traction(domain_.faces.front().face, v, spec_.incident(time), {});
+    const Vector t =
+        eq6::boundary_traction(domain_.boundary.faces().front().ground, v, spec_.incident(time), {}).total();
     return eq6::Stress{points_[1].stress.xx, -t.y, -t.x};
   };
   const Vector v = points_.front().velocity;
@@ -140,9 +138,11 @@ void PeriodicColumn::record(const std::vector<eq6::Stress>& after) {
 /// At the faces of the base, at the particles' rows, and at the surface, as side faces of a domain would.
 void PeriodicColumn::sample_velocities(std::vector<Vector>& v, bool accelerations) const {
   const Grid& grid = domain_.grid;
-  const auto node = [&](std::size_t n) { return accelerations ? grid.acceleration(n) : grid.velocity(n); };
+  const auto node = [&](std::size_t n) {
+    return accelerations ? grid.acceleration(n) : grid.velocity_before(n);
+  };
   const auto column = static_cast<int>(std::lround((spec_.domain.box.x_min - grid.x0) / grid.h));
-  const BoundaryFace& base = domain_.faces.front();
+  const BoundaryFace& base = domain_.boundary.faces().front();
   v.front() = {};
   FaceWeights weights_of_base;
   face_weights(domain_, base, weights_of_base);

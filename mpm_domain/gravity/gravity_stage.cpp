@@ -2,6 +2,7 @@
 
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 
@@ -40,8 +41,8 @@ void find_supports(const Domain& domain, const Lattice& lattice, Supports& suppo
       supports.full[n] = 1;
       const bool base = on_line(lattice.y0 + j * lattice.h, box.y_min, lattice.h);
       const double x = lattice.x0 + i * lattice.h;
-      const bool side = !domain.spec.periodic_sides &&
-                        (on_line(x, box.x_min, lattice.h) || on_line(x, box.x_max, lattice.h));
+      const bool side =
+          !domain.spec.periodic() && (on_line(x, box.x_min, lattice.h) || on_line(x, box.x_max, lattice.h));
       supports.fixed_y[n] = base;
       supports.fixed_x[n] = base || side;
       if (base)
@@ -72,11 +73,11 @@ double relax_grid(Domain& domain, const Supports& supports, double dt, double al
     if (!supports.full[n])
       continue;
     const double m = grid.mass[n];
-    const Vector v = grid.new_velocity(n);
+    const Vector v = grid.velocity_after(n);
     const double fx = supports.fixed_x[n] ? 0.0 : grid.force_x[n];
     const double fy = supports.fixed_y[n] ? 0.0 : grid.force_y[n];
-    grid.vx_new[n] = supports.fixed_x[n] ? 0.0 : keep * v.x + gain * fx / m;
-    grid.vy_new[n] = supports.fixed_y[n] ? 0.0 : keep * v.y + gain * fy / m;
+    grid.vx_after[n] = supports.fixed_x[n] ? 0.0 : keep * v.x + gain * fx / m;
+    grid.vy_after[n] = supports.fixed_y[n] ? 0.0 : keep * v.y + gain * fy / m;
     unbalanced += fx * fx + fy * fy;
     applied += m * m * domain.spec.gravity * domain.spec.gravity;
   }
@@ -113,7 +114,7 @@ std::size_t begin_history(Domain& domain) {
       unheld += change > 1e-3 * (std::abs(before[0][k]) + std::abs(before[1][k])) ? 1 : 0;
     }
   }
-  domain.faces = find_faces(domain.sets, domain.spec);
+  domain.boundary.match(domain.sets, domain.spec);
   return unheld;
 }
 
@@ -133,7 +134,7 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   const std::vector<Geometry> given(domain.sets.begin(), domain.sets.end());
 
   scatter(domain, ScatterPart::motion);
-  for (NodeField* velocity : {&domain.grid.vx_new, &domain.grid.vy_new})
+  for (NodeField* velocity : {&domain.grid.vx_after, &domain.grid.vy_after})
     std::fill(velocity->begin(), velocity->end(), 0.0);
   Reactions reactions;
   const Supports supports = find_supports(domain, reactions);
@@ -148,8 +149,7 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   for (long step = 0;; ++step) {
     scatter(domain, ScatterPart::force);
     residual = relax_grid(domain, supports, dt, alpha);
-    if (domain.has_tied_nodes())
-      copy_to_tied(domain, {&domain.grid.vx_new, &domain.grid.vy_new});
+    prolong(domain, NodeGroup::velocity);
     if (step % report_every == 0)
       progress(step, residual);
     if (residual < settings.residual)

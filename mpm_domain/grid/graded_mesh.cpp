@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <unordered_map>
 
 namespace tremolo::mpm_domain {
@@ -13,9 +12,6 @@ namespace {
 
 using mesh::Cell;
 using mesh::Roots;
-
-/// Empty nodes around a level's cells, for kernels that read whole rows of four nodes.
-constexpr int padding = 2;
 
 /// The column of cells or nodes of a level that a column stands for, itself or within the period.
 int real_column(const Roots& roots, int level, int i) {
@@ -100,7 +96,7 @@ public:
 
   void tie_all() {
     for (const Cell& leaf : mesh_.tree().leaves())
-      if (mesh_.is_split(leaf)) {
+      if (is_split(mesh_.tree(), leaf)) {
         const std::array<Shares, 9> table = split_table(real_, leaf);
         for (int n = 0; n < 9; ++n)
           tie({leaf.level + 1, 2 * leaf.i + n % 3, 2 * leaf.j + n / 3}, table[static_cast<std::size_t>(n)]);
@@ -144,50 +140,17 @@ private:
   std::vector<bool> done_;
 };
 
-/// Columns and rows of the cells of a level, leaves and quarters.
-struct Extent {
-  int i_min = std::numeric_limits<int>::max();
-  int j_min = std::numeric_limits<int>::max();
-  int i_max = std::numeric_limits<int>::min();
-  int j_max = std::numeric_limits<int>::min();
-
-  void take(int i0, int j0, int i1, int j1) {
-    i_min = std::min(i_min, i0);
-    j_min = std::min(j_min, j0);
-    i_max = std::max(i_max, i1);
-    j_max = std::max(j_max, j1);
-  }
-};
-
 } // namespace
 
 GradedMesh::GradedMesh(const mesh::Roots& roots, std::span<const mesh::Refinement> refinements)
     : tree_(roots, refinements) {
-  const auto levels = static_cast<std::size_t>(tree_.finest()) + 1;
-  std::vector<Extent> extents(levels);
-  for (const Cell& leaf : tree_.leaves()) {
-    const auto level = static_cast<std::size_t>(leaf.level);
-    extents[level].take(leaf.i, leaf.j, leaf.i, leaf.j);
-    if (is_split(leaf))
-      extents[level + 1].take(2 * leaf.i, 2 * leaf.j, 2 * leaf.i + 1, 2 * leaf.j + 1);
-  }
-  extents.front() = {padding, padding, roots.nx - 1 - padding, roots.ny - 1 - padding};
-  for (std::size_t level = 0; level < levels; ++level) {
-    const Extent& extent = extents[level];
-    origin_i_.push_back(extent.i_min - padding);
-    origin_j_.push_back(extent.j_min - padding);
-    const double h = tree_.size(static_cast<int>(level));
-    lattices_.push_back({h, roots.x0 + origin_i_[level] * h, roots.y0 + origin_j_[level] * h,
-                         extent.i_max - extent.i_min + 2 + 2 * padding,
-                         extent.j_max - extent.j_min + 2 + 2 * padding, node_count_});
-    node_count_ += lattices_.back().count();
+  for (const LevelLattice& one : lattices_of(tree_)) {
+    lattices_.push_back(one.lattice);
+    origin_i_.push_back(one.origin_i);
+    origin_j_.push_back(one.origin_j);
+    node_count_ += one.lattice.count();
   }
   Ties(*this, prolongation_).tie_all();
-}
-
-bool GradedMesh::is_split(const Cell& leaf) const {
-  return tree_.is_cut({leaf.level, leaf.i - 1, leaf.j}) || tree_.is_cut({leaf.level, leaf.i + 1, leaf.j}) ||
-         tree_.is_cut({leaf.level, leaf.i, leaf.j - 1}) || tree_.is_cut({leaf.level, leaf.i, leaf.j + 1});
 }
 
 } // namespace tremolo::mpm_domain

@@ -26,7 +26,7 @@
 
 #include "mesh/quadtree.hpp"
 #include "mpm_domain/grid/prolongation.hpp"
-#include "mpm_domain/spec/lattice.hpp"
+#include "mpm_domain/spec/grid_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,9 +46,6 @@ public:
   const std::vector<Lattice>& lattices() const { return lattices_; }
   std::size_t node_count() const { return node_count_; }
   const Prolongation& prolongation() const { return prolongation_; }
-
-  /// Whether a leaf has a hanging node on an edge and is therefore virtually split.
-  bool is_split(const mesh::Cell& leaf) const;
 
   /// Calls act(cell, part) for every leaf that is not split and every quarter that a box overlaps, with the
   /// part that lies in it. A box without width or height belongs to the cell to its right or above it. What
@@ -102,7 +99,7 @@ private:
         box.y_min < box.y_max ? part.y_min < part.y_max : all.y_min <= box.y_min && box.y_min < all.y_max;
     if (!in_columns || !in_rows)
       return;
-    const bool whole = !tree_.exists(cell) || (!tree_.is_cut(cell) && !is_split(cell));
+    const bool whole = !tree_.exists(cell) || (!tree_.is_cut(cell) && !is_split(tree_, cell));
     if (whole)
       return act(cell, part);
     for (int quarter = 0; quarter < 4; ++quarter)

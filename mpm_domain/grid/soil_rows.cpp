@@ -25,7 +25,7 @@ public:
   void touch(int level, const mesh::Rectangle& box) {
     const Lattice& lattice = domain_.lattice(level);
     const auto cell = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
-    const bool whole = !domain_.mesh && domain_.spec.periodic_sides;
+    const bool whole = !domain_.mesh && domain_.spec.periodic();
     const int first = whole ? 0 : cell(box.x_min, lattice.x0);
     const int last = whole ? lattice.nx - 1 : cell(box.x_max, lattice.x0) + 1;
     for (int j = std::max(0, cell(box.y_min, lattice.y0));

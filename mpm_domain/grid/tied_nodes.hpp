@@ -1,21 +1,28 @@
 #pragma once
 
-// Nodes whose motion is that of others: the images of a periodic domain (periodic_sides.hpp) and the tied
-// nodes of a graded mesh (graded/graded_mesh.hpp), among which are its images.
+// Nodes whose motion is that of others, Domain::ties(): the images of a periodic grid (periodic_sides.hpp)
+// and the tied nodes of a graded mesh (graded_mesh.hpp), among which are its images. With P the prolongation,
+// tied nodes hand on what they have collected, P^T, and take over the motion of the nodes that they follow,
+// P.
 
 #include "mpm_domain/domain.hpp"
 
-#include <initializer_list>
+#include <span>
 
 namespace tremolo::mpm_domain {
 
-/// Adds what tied nodes have collected (mass and momentum, momentum alone, or forces) to the nodes that they
-/// follow, P^T, and leaves the tied ones empty.
-void fold_motion(Domain& domain);
-void fold_momentum(Domain& domain);
-void fold_forces(Domain& domain);
+/// Adds to the nodes that they follow what tied nodes have in the fields of a group, and leaves them empty.
+/// @param rows of the prolongation
+void fold(Domain& domain, NodeGroup group, std::span<const std::size_t> rows);
 
-/// Gives tied nodes what the nodes that they follow have in some fields, velocities or accelerations, P.
-void copy_to_tied(Domain& domain, std::initializer_list<NodeField*> fields);
+/// Gives tied nodes the fields of a group of the nodes that they follow.
+void prolong(Domain& domain, NodeGroup group, std::span<const std::size_t> rows);
+
+/// Both for all tied nodes.
+void fold(Domain& domain, NodeGroup group);
+void prolong(Domain& domain, NodeGroup group);
+
+/// The images of a periodic grid of one lattice, tied to the columns that they stand for.
+Prolongation images_of(const Grid& grid);
 
 } // namespace tremolo::mpm_domain

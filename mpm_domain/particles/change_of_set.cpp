@@ -2,12 +2,15 @@
 
 namespace tremolo::mpm_domain {
 
-void add_copy(const Particles& from, std::size_t k, Particles& to) {
-  const ExtraColumns extra = from.extra_columns();
-  const auto values = from.columns(extra);
-  const auto into = to.columns(extra);
-  for (std::size_t c = 0; c < values.size(); ++c)
-    into[c]->push_back((*values[c])[k]);
+void add_quarter(const Particles& from, std::size_t k, Particles& to) {
+  std::vector<double> values;
+  from.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& of_whole) {
+    values.push_back(line.on_cut == OnCut::shared ? 0.25 * of_whole[k] : of_whole[k]);
+  });
+  auto next = values.begin();
+  to.for_fields([&](const ParticleFieldDescription&, std::vector<double>& of_quarter) {
+    of_quarter.push_back(*next++);
+  });
   const auto state = from.state.begin() + static_cast<std::ptrdiff_t>(k * from.state_size);
   to.state.insert(to.state.end(), state, state + static_cast<std::ptrdiff_t>(from.state_size));
   to.id.push_back(static_cast<std::uint32_t>(to.index_of.size()));
@@ -31,8 +34,7 @@ void remove(Particles& p, const std::vector<std::size_t>& gone) {
     array.resize(end);
   };
   keep(p.state, p.state_size);
-  for (std::vector<double>* column : p.columns())
-    keep(*column, 1);
+  p.for_fields([&](const ParticleFieldDescription&, std::vector<double>& values) { keep(values, 1); });
   keep(p.id, 1);
 }
 

@@ -9,8 +9,9 @@
 
 namespace tremolo::mpm_domain {
 
-/// Adds a copy of a particle to another set, with an id of its own there.
-void add_copy(const Particles& from, std::size_t k, Particles& to);
+/// Adds to another set what a quarter of a particle takes over from it by the table of fields, with an id of
+/// its own there; fields that move are copied.
+void add_quarter(const Particles& from, std::size_t k, Particles& to);
 
 /// Takes the particles of these places, in rising order and at least one, out of a set.
 void remove(Particles& p, const std::vector<std::size_t>& gone);

@@ -34,12 +34,13 @@ int count_along(double length, double size) {
 void add_particle(Particles& set, std::uint32_t id, double x, double y, double size) {
   const double density = materials::elasticity(set.law).density;
   set.id.push_back(id);
-  for (std::vector<double>* column : set.columns())
-    column->push_back(0.0);
+  set.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.push_back(0.0); });
   set.x.back() = set.x_initial.back() = x;
   set.y.back() = set.y_initial.back() = y;
   set.volume.back() = size * size;
   set.mass.back() = density * size * size;
+  if (set.traits.own_boxes)
+    set.box_xx.back() = set.box_yy.back() = set.half_size * set.half_size;
 }
 
 std::vector<Particles> empty_sets(const Spec& spec, int finest) {
@@ -51,6 +52,10 @@ std::vector<Particles> empty_sets(const Spec& spec, int finest) {
       Particles& set = sets.emplace_back();
       set.soil = soil.name;
       set.soil_index = s;
+      set.traits = {.affine = spec.scheme.transfer == Transfer::apic,
+                    .own_boxes = spec.boxes == ParticleBoxes::deforming};
+      set.more_fields = spec.more_fields;
+      set.more.resize(spec.more_fields.size());
       set.level = level;
       set.cell_size = spec.cell_size / static_cast<double>(1 << level);
       set.half_size = 0.5 * particle_size(spec, level);
@@ -102,16 +107,6 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
     set.state.resize(set.size() * set.state_size);
     materials::initialise(set.law, set.points(0, set.size()));
   }
-  if (spec.scheme.transfer == Transfer::apic)
-    for (Particles& set : sets)
-      for (std::vector<double>* affine : {&set.bxx, &set.bxy, &set.byx, &set.byy})
-        affine->assign(set.size(), 0.0);
-  if (spec.boxes == ParticleBoxes::deforming)
-    for (Particles& set : sets) {
-      for (std::vector<double>* moment : {&set.box_xx, &set.box_yy})
-        moment->assign(set.size(), set.half_size * set.half_size);
-      set.box_xy.assign(set.size(), 0.0);
-    }
   return sets;
 }
 

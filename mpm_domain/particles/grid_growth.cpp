@@ -39,7 +39,7 @@ Box room_of(const Grid& grid) {
 Box limits_of(const Domain& domain) {
   Box limits{-far, -far, far, far};
   Box sides{far, far, -far, far};
-  for (const BoundaryFace& face : domain.faces) {
+  for (const BoundaryFace& face : domain.boundary.faces()) {
     const Particles& set = domain.sets[face.set];
     const std::size_t k = set.index_of[face.id];
     switch (face.side) {
@@ -112,10 +112,8 @@ void resize(Grid& grid, int nx, int ny) {
 }
 
 void resize_fields(Grid& grid, std::size_t count) {
-  for (NodeField* field :
-       {&grid.mass, &grid.momentum_x, &grid.momentum_y, &grid.force_x, &grid.force_y, &grid.dashpot_x,
-        &grid.dashpot_y, &grid.vx, &grid.vy, &grid.vx_new, &grid.vy_new, &grid.ax, &grid.ay})
-    field->assign(count, 0.0);
+  for (const NodeFieldDescription& line : node_field_table)
+    (grid.*line.field).assign(count, 0.0);
 }
 
 void make_room(Domain& domain, double time, long step) {

@@ -23,30 +23,6 @@ materials::Points Particles::points(std::size_t first, std::size_t count) {
 
 namespace {
 
-/// Of particles, const or not.
-template <typename Array, typename Set>
-std::vector<Array*> columns_of(Set& p, ExtraColumns extra) {
-  std::vector<Array*> all{&p.x,   &p.y,   &p.vx,   &p.vy,     &p.sxx,       &p.syy,
-                          &p.szz, &p.sxy, &p.mass, &p.volume, &p.x_initial, &p.y_initial};
-  if (extra.affine)
-    all.insert(all.end(), {&p.bxx, &p.bxy, &p.byx, &p.byy});
-  if (extra.boxes)
-    all.insert(all.end(), {&p.box_xx, &p.box_xy, &p.box_yy});
-  return all;
-}
-
-} // namespace
-
-std::vector<std::vector<double>*> Particles::columns(ExtraColumns extra) {
-  return columns_of<std::vector<double>>(*this, extra);
-}
-
-std::vector<const std::vector<double>*> Particles::columns(ExtraColumns extra) const {
-  return columns_of<const std::vector<double>>(*this, extra);
-}
-
-namespace {
-
 [[noreturn]] void refuse_outside(const Particles& p, std::size_t k, const mesh::Rectangle& allowed) {
   throw std::runtime_error(fmt::format("particle {} of soil '{}' has left the grid: x = {:.6g} m, y = "
                                        "{:.6g} m; allowed x {:.6g} to {:.6g} m, y {:.6g} "
@@ -79,11 +55,11 @@ std::vector<std::size_t> order_by(Particles& particles, std::span<const std::siz
     from[next[key[k]]++] = k;
 
   std::vector<double> old;
-  for (std::vector<double>* column : particles.columns()) {
-    old = *column;
+  particles.for_fields([&](const ParticleFieldDescription&, std::vector<double>& values) {
+    old = values;
     for (std::size_t k = 0; k < n; ++k)
-      (*column)[k] = old[from[k]];
-  }
+      values[k] = old[from[k]];
+  });
   old = particles.state;
   const std::size_t width = particles.state_size;
   for (std::size_t k = 0; k < n; ++k)

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "mpm_domain/grid/clock_map.hpp"
+#include "mpm_domain/fields/particle_fields.hpp"
 #include "mpm_domain/grid/graded_mesh.hpp"
 #include "mpm_domain/grid/grid.hpp"
 #include "mpm_domain/spec/spec.hpp"
+#include "mpm_domain/step/clock_map.hpp"
 #include "mpm_domain/transfer/kernel.hpp"
 #include "mpm_domain/transfer/particle_boxes.hpp"
 
@@ -21,14 +22,8 @@ namespace tremolo::mpm_domain {
 /// they touch the nodes -2 to n + 2, and those of the block after the next one 2n - 2 and more. So n > 4.
 inline constexpr int rows_per_block = 5;
 
-/// Which columns of particles there are besides those that all have.
-struct ExtraColumns {
-  bool affine = false;
-  bool boxes = false;
-};
-
 /// All particles of one soil and of one size, one array a quantity, ordered by grid cell.
-struct Particles {
+struct Particles : ParticleFields {
   std::string soil;
   std::size_t soil_index = 0; ///< into Spec::soils
   int level = 0;              ///< of the cells that they belong to by their size
@@ -37,17 +32,11 @@ struct Particles {
   materials::Law law;
   std::size_t state_size = 0; ///< doubles per particle in `state`
 
+  ParticleTraits traits;
+  std::vector<ParticleFieldDescription> more_fields; ///< of ParticleFields::more
+
   std::vector<std::uint32_t> id; ///< number at creation; the same for the whole run
-  std::vector<double> x, y, vx, vy;
-  /// B_ab = sum S v_a (x_b,i - x_b), m2/s; empty unless APIC. Kept rather than the affine velocity C = B
-  /// D^-1, for B moves with the particle and D, the second moment of its weights, does not: so angular
-  /// momentum stays (Jiang, Schroeder and Teran 2017).
-  std::vector<double> bxx, bxy, byx, byy;
-  std::vector<double> sxx, syy, szz, sxy;     ///< Cauchy stress, Pa, tension positive
-  std::vector<double> mass, volume;           ///< per metre out of plane, kg/m and m2
-  std::vector<double> box_xx, box_xy, box_yy; ///< M of boxes that follow the soil (particle_boxes.hpp)
-  std::vector<double> x_initial, y_initial;
-  std::vector<double> state; ///< [particle][state_size]
+  std::vector<double> state;     ///< [particle][state_size]
 
   std::vector<std::size_t> block_start; ///< first particle of each of the domain's blocks, and the end
   std::vector<std::uint32_t> index_of;  ///< place of each id in the arrays, or nowhere
@@ -59,15 +48,30 @@ struct Particles {
   std::size_t size() const { return x.size(); }
   /// Stress and state of particles [first, first + count), as laws see them; who steps adds the increments.
   materials::Points points(std::size_t first, std::size_t count);
-  /// Every array of one double a particle, for passes that treat all alike.
-  std::vector<std::vector<double>*> columns() { return columns(extra_columns()); }
-  std::vector<std::vector<double>*> columns(ExtraColumns extra);
-  std::vector<const std::vector<double>*> columns(ExtraColumns extra) const;
-  ExtraColumns extra_columns() const { return {.affine = !bxx.empty(), .boxes = has_own_boxes()}; }
+
+  /// act(description, values) for every field that the set has, in the order of the table.
+  template <typename Act>
+  void for_fields(const Act& act) {
+    each_field(*this, act);
+  }
+  template <typename Act>
+  void for_fields(const Act& act) const {
+    each_field(*this, act);
+  }
 
   /// Whether boxes follow the soil, or all stay one square.
-  bool has_own_boxes() const { return !box_xx.empty(); }
+  bool has_own_boxes() const { return traits.own_boxes; }
   BoxLimits box_limits() const { return BoxLimits(cell_size); }
+
+private:
+  template <typename Set, typename Act>
+  static void each_field(Set& set, const Act& act) {
+    for (const ParticleFieldDescription& line : particle_field_table())
+      if (set.traits.have(line.trait))
+        act(line, set.*line.field);
+    for (std::size_t n = 0; n < set.more_fields.size(); ++n)
+      act(set.more_fields[n], set.more[n]);
+  }
 };
 
 /// Orders the particles by cell, rows first, keeping the order of those that share a cell.

@@ -39,19 +39,14 @@ void share_affine_velocity(const Particles& whole, std::size_t k, Particles& to,
 void add_quarters(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
   const Vector half = half_sides(whole, k);
   for (int quarter = 0; quarter < 4; ++quarter) {
-    add_copy(whole, k, to);
+    add_quarter(whole, k, to);
     const double dx = (quarter % 2 == 0 ? -0.5 : 0.5) * half.x;
     const double dy = (quarter / 2 == 0 ? -0.5 : 0.5) * half.y;
-    to.mass.back() *= 0.25;
-    to.volume.back() *= 0.25;
     to.x.back() += dx;
     to.y.back() += dy;
     to.x_initial.back() += dx;
     to.y_initial.back() += dy;
-    if (whole.has_own_boxes())
-      for (std::vector<double>* moment : {&to.box_xx, &to.box_xy, &to.box_yy})
-        moment->back() *= 0.25;
-    if (!whole.bxx.empty())
+    if (whole.traits.affine)
       share_affine_velocity(whole, k, to, mesh);
   }
 }

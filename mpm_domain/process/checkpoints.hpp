@@ -7,33 +7,28 @@
 #include "scene/case.hpp"
 
 #include <cstdio>
-#include <vector>
 
 namespace tremolo::mpm_domain {
 
 /// Makes the domain's part of checkpoints when the case wants them, and reads it again.
 class Checkpoints {
 public:
-  /// @param faces see faces_at_rest()
-  /// @param log where warnings go
-  Checkpoints(const scene::Checkpoints& wanted, std::vector<double> faces, std::FILE* log)
-      : wanted_(wanted), faces_(std::move(faces)), log_(log), last_(coupler::Clock::now()) {}
+  explicit Checkpoints(const scene::Checkpoints& wanted) : wanted_(wanted), last_(coupler::Clock::now()) {}
 
   /// Called after every step; saves what is due. A disk that does not take it is a warning: the run goes on,
   /// and so does the last checkpoint.
-  void after_step(coupler::DomainClient& client, Domain& domain, Stepper& stepper, RunOutput& output);
+  void after_step(coupler::DomainClient& client, const Domain& domain, const Stepper& stepper,
+                  RunOutput& output);
 
 private:
   [[nodiscard]] bool due(long step) const;
 
   const scene::Checkpoints& wanted_;
-  std::vector<double> faces_;
-  std::FILE* log_;
   coupler::Clock::time_point last_;
 };
 
 /// Takes the place of the gravity stage in a run that is resumed.
-void load_faces(const results::CheckpointReader& saved, Domain& domain);
+void load_rest_state(const results::CheckpointReader& saved, Domain& domain);
 
 /// Everything that the next step needs.
 void load_state(const results::CheckpointReader& saved, Domain& domain, Stepper& stepper);

@@ -1,12 +1,13 @@
 #pragma once
 
 // The domain's faces as the coupler knows them: those of sides that are tied to each other it does not know;
-// those of a base that is blended from two free fields it knows twice, once with each. Eq. (6) is affine in
-// the free field, so that with the same v^m
+// those of a base that is blended from two free fields it knows twice, once with each, and
 //
-//     t = (1 - s) t_left + s t_right,      s from 0 at the left side to 1 at the right one,
+//     v^ff = (1 - s) v_left + s v_right,      sigma^ff likewise,      s from 0 at the left side to 1 at the
+//     right.
 //
-// is the traction of the blended field.
+// Eq. (6) itself is the domain's boundary's. In mode lockstep the hub works it out too and sends the
+// tractions; both must agree to the last bit.
 
 #include "coupler/participant.hpp"
 #include "mpm_domain/domain.hpp"
@@ -21,24 +22,26 @@ namespace tremolo::mpm_domain {
 
 class CoupledFaces {
 public:
-  /// @param first of the domain's faces that a free field drives
-  CoupledFaces(const Domain& domain, const scene::Case& scene, const scene::Plan& plan, std::size_t first);
+  CoupledFaces(const Domain& domain, const scene::Case& scene, const scene::Plan& plan);
 
   /// As they are announced.
-  const std::vector<coupler::BoundaryFace>& faces() const { return faces_; }
+  const std::vector<coupler::ExchangedFace>& faces() const { return faces_; }
   /// Who drives each of the domain's faces, those of tied sides too.
   std::vector<std::string> sources() const;
 
-  /// Exchanges for one step. Spans are over all faces of the domain; those before the first stay as they are.
+  /// Exchanges for one step. Spans are over all faces of the domain; fields of tied sides stay as they are.
   /// @returns seconds spent waiting so far
+  /// @throws std::runtime_error if the tractions are not those of Eq. (6) here
   double exchange(coupler::DomainClient& client, std::uint64_t step, double time, std::span<const Vector> v,
-                  std::span<Vector> traction, std::span<eq6::FreeField> field);
+                  std::span<eq6::FreeField> field);
 
 private:
-  std::size_t first_;
+  void require_eq6(std::uint64_t step, std::span<const eq6::FreeField> field) const;
+
+  std::size_t first_;          ///< of the domain's faces that a free field drives
   std::size_t single_ = 0;     ///< faces without the second ones of the base
   std::vector<double> shares_; ///< s of the base's faces, where it is blended
-  std::vector<coupler::BoundaryFace> faces_;
+  std::vector<coupler::ExchangedFace> faces_;
   std::vector<Vector> v_, traction_;
 };
 

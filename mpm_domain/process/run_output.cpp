@@ -25,14 +25,32 @@ bool wants(const scene::Case& scene, scene::OutputField field) {
          scene.output.fields.end();
 }
 
+/// Fields of one's own are written whenever there are any.
+bool wants_carried(const scene::Case& scene, std::string_view name) {
+  if (name == "velocity")
+    return wants(scene, scene::OutputField::velocity);
+  if (name == "stress" || name == "volume")
+    return wants(scene, scene::OutputField::stress);
+  return true;
+}
+
 /// Fields of a frame, before those of the laws.
 constexpr std::array<std::string_view, 7> field_order{"position",     "soil",   "displacement", "velocity",
                                                       "acceleration", "stress", "volume"};
 
+/// A field of a frame that particles carry.
+struct CarriedField {
+  std::string name;
+  std::string unit;
+  std::vector<std::size_t> components; ///< places in Particles::for_fields
+  std::vector<double> values;
+};
+
 /// Arrays of a frame: all soils one after the other, each in the order of particle ids.
 struct Frame {
-  std::vector<double> position, displacement, velocity, acceleration, stress, volume, size;
+  std::vector<double> position, displacement, acceleration, size;
   std::vector<std::int32_t> soil;
+  std::vector<CarriedField> carried;               ///< by the table of fields
   std::vector<materials::StateVariable> variables; ///< of all soils, each name once
   std::vector<std::vector<double>> states; ///< one array a variable; 0 where a soil has no such variable
 };
@@ -60,12 +78,34 @@ Vector place(const Particles& set, std::size_t k, double dt) {
   return {set.x[k] - 0.5 * dt * set.vx[k], set.y[k] - 0.5 * dt * set.vy[k]};
 }
 
+/// The fields of frames that the table of particle fields names, in its order, and fields of one's own.
+std::vector<CarriedField> carried_fields(const Domain& domain) {
+  std::vector<CarriedField> fields;
+  std::size_t place = 0;
+  domain.sets.front().for_fields([&](const ParticleFieldDescription& line, const std::vector<double>&) {
+    const std::string& name = line.field == nullptr ? line.name : line.frame;
+    if (!name.empty()) {
+      auto known = std::ranges::find(fields, name, &CarriedField::name);
+      if (known == fields.end())
+        known = fields.insert(known, {name, line.unit, {}, {}});
+      known->components.push_back(place);
+    }
+    ++place;
+  });
+  return fields;
+}
+
 Frame collect(const Domain& domain, double dt) {
   Frame frame;
+  frame.carried = carried_fields(domain);
   frame.variables = all_state_variables(domain);
   frame.states.resize(frame.variables.size());
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     const Particles& set = domain.sets[s];
+    std::vector<const std::vector<double>*> columns;
+    set.for_fields([&](const ParticleFieldDescription&, const std::vector<double>& values) {
+      columns.push_back(&values);
+    });
     for (const std::uint32_t k : set.index_of) {
       if (k == Particles::nowhere)
         continue;
@@ -73,10 +113,10 @@ Frame collect(const Domain& domain, double dt) {
       const auto [x, y] = place(set, k, dt);
       frame.position.insert(frame.position.end(), {x, y});
       frame.displacement.insert(frame.displacement.end(), {x - set.x_initial[k], y - set.y_initial[k]});
-      frame.velocity.insert(frame.velocity.end(), {set.vx[k], set.vy[k]});
       frame.acceleration.insert(frame.acceleration.end(), {acceleration.x, acceleration.y});
-      frame.stress.insert(frame.stress.end(), {set.sxx[k], set.syy[k], set.szz[k], set.sxy[k]});
-      frame.volume.push_back(set.volume[k]);
+      for (CarriedField& field : frame.carried)
+        for (const std::size_t component : field.components)
+          field.values.push_back((*columns[component])[k]);
       frame.soil.push_back(static_cast<std::int32_t>(set.soil_index));
       frame.size.push_back(2.0 * set.half_size);
       for (std::size_t v = 0; v < frame.variables.size(); ++v)
@@ -88,10 +128,10 @@ Frame collect(const Domain& domain, double dt) {
 
 results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std::string> sources) {
   results::BoundaryFaces faces;
-  for (std::size_t f = 0; f < domain.faces.size(); ++f) {
-    const BoundaryFace& face = domain.faces[f];
+  for (std::size_t f = 0; f < domain.boundary.faces().size(); ++f) {
+    const BoundaryFace& face = domain.boundary.faces()[f];
     faces.position.insert(faces.position.end(), {face.position.x, face.position.y});
-    faces.normal.insert(faces.normal.end(), {face.face.normal.x, face.face.normal.y});
+    faces.normal.insert(faces.normal.end(), {face.ground.normal.x, face.ground.normal.y});
     faces.length.push_back(face.length);
     faces.source.push_back(sources[f]);
   }
@@ -150,10 +190,10 @@ void RunOutput::add_monitors() {
   }
 }
 
-void RunOutput::after_step(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
+void RunOutput::after_step(const Stepper& stepper) {
   const double time = stepper.velocity_time();
   if (time >= next_history_) {
-    write_history(stepper, free_field);
+    write_history(stepper);
     next_history_ += scene_.output.history_every *
                      std::max(1.0, std::ceil((time - next_history_) / scene_.output.history_every));
   }
@@ -163,7 +203,7 @@ void RunOutput::after_step(const Stepper& stepper, std::span<const eq6::FreeFiel
   }
 }
 
-void RunOutput::write_history(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
+void RunOutput::write_history(const Stepper& stepper) {
   const double dt = stepper.dt();
   ++history_rows_;
   last_history_ = stepper.velocity_time();
@@ -179,7 +219,8 @@ void RunOutput::write_history(const Stepper& stepper, std::span<const eq6::FreeF
     follower.series->append(std::array<double, 9>{stepper.velocity_time(), x, y, x - set.x_initial[k],
                                                   y - set.y_initial[k], set.vx[k], set.vy[k], a.x, a.y});
   }
-  write_boundary(stepper, free_field);
+  write_boundary(stepper);
+  writer_.flush_if_large();
 }
 
 void RunOutput::write_frame(const Stepper& stepper) {
@@ -189,14 +230,11 @@ void RunOutput::write_frame(const Stepper& stepper) {
     fields.push_back({"size", "m", 1, frame.size});
   if (wants(scene_, scene::OutputField::displacement))
     fields.push_back({"displacement", "m", 2, frame.displacement});
-  if (wants(scene_, scene::OutputField::velocity))
-    fields.push_back({"velocity", "m/s", 2, frame.velocity});
   if (wants(scene_, scene::OutputField::acceleration))
     fields.push_back({"acceleration", "m/s2", 2, frame.acceleration});
-  if (wants(scene_, scene::OutputField::stress)) {
-    fields.push_back({"stress", "Pa", 4, frame.stress});
-    fields.push_back({"volume", "m2", 1, frame.volume});
-  }
+  for (const CarriedField& field : frame.carried)
+    if (wants_carried(scene_, field.name))
+      fields.push_back({field.name, field.unit, field.components.size(), field.values});
   if (wants(scene_, scene::OutputField::state))
     for (std::size_t v = 0; v < frame.variables.size(); ++v)
       fields.push_back({frame.variables[v].name, frame.variables[v].unit, 1, frame.states[v]});
@@ -204,12 +242,13 @@ void RunOutput::write_frame(const Stepper& stepper) {
   writer_.write_frame(last_frame_, fields);
 }
 
-void RunOutput::write_boundary(const Stepper& stepper, std::span<const eq6::FreeField> free_field) {
+void RunOutput::write_boundary(const Stepper& stepper) {
   std::vector<double> v_free, v_domain, traction;
-  for (std::size_t f = 0; f < domain_.faces.size(); ++f) {
-    v_free.insert(v_free.end(), {free_field[f].velocity.x, free_field[f].velocity.y});
-    v_domain.insert(v_domain.end(), {stepper.face_velocities()[f].x, stepper.face_velocities()[f].y});
-    traction.insert(traction.end(), {stepper.face_tractions()[f].x, stepper.face_tractions()[f].y});
+  for (std::size_t f = 0; f < domain_.boundary.faces().size(); ++f) {
+    const Boundary& boundary = domain_.boundary;
+    v_free.insert(v_free.end(), {boundary.free_field()[f].velocity.x, boundary.free_field()[f].velocity.y});
+    v_domain.insert(v_domain.end(), {boundary.velocities()[f].x, boundary.velocities()[f].y});
+    traction.insert(traction.end(), {boundary.tractions()[f].x, boundary.tractions()[f].y});
   }
   writer_.append_boundary(stepper.time() - stepper.dt(), {v_free, v_domain, traction});
 }
@@ -245,7 +284,7 @@ void RunOutput::take_over_histories(const results::RunReader& before, std::size_
   for (std::size_t m = 0; m < followers_.size(); ++m)
     append("/monitors/" + scene_.monitors[m].name, *followers_[m].series);
   const results::BoundaryHistory boundary = before.boundary();
-  const std::size_t width = 2 * domain_.faces.size();
+  const std::size_t width = 2 * domain_.boundary.faces().size();
   const auto row_of = [&](const std::vector<double>& values, std::size_t row) {
     return std::span(values).subspan(row * width, width);
   };
@@ -279,10 +318,9 @@ void RunOutput::take_over_frame(const results::RunReader& before, std::size_t fr
   writer_.write_frame(before.frame_times().at(frame), fields);
 }
 
-void RunOutput::finish(const Stepper& stepper, std::span<const eq6::FreeField> free_field,
-                       double gravity_seconds, double waiting_seconds) {
+void RunOutput::finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
   if (stepper.velocity_time() > last_history_)
-    write_history(stepper, free_field);
+    write_history(stepper);
   if (stepper.velocity_time() > last_frame_)
     write_frame(stepper);
   std::vector<std::string> names{"gravity stage", "waiting for the exchange"};

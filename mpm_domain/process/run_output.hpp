@@ -24,11 +24,10 @@ public:
             Domain& domain, std::span<const std::string> face_sources);
 
   /// Called after every step; writes what is due.
-  void after_step(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
+  void after_step(const Stepper& stepper);
 
   /// Writes the last state and the timings, and closes the file as complete.
-  void finish(const Stepper& stepper, std::span<const eq6::FreeField> free_field, double gravity_seconds,
-              double waiting_seconds);
+  void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds);
 
   /// Writes what an output that goes on from here needs, besides the file as it is now.
   void save(results::CheckpointWriter& checkpoint);
@@ -49,9 +48,9 @@ private:
   void add_monitors();
   void take_over_histories(const results::RunReader& before, std::size_t rows);
   void take_over_frame(const results::RunReader& before, std::size_t frame);
-  void write_history(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
+  void write_history(const Stepper& stepper);
   void write_frame(const Stepper& stepper);
-  void write_boundary(const Stepper& stepper, std::span<const eq6::FreeField> free_field);
+  void write_boundary(const Stepper& stepper);
 
   const scene::Case& scene_;
   Domain& domain_;

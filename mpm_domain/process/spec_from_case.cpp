@@ -6,14 +6,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-Transfer transfer(scene::Transfer choice) {
-  return choice == scene::Transfer::flip ? Transfer::flip : Transfer::apic;
-}
-
-StepOrder order(scene::StepOrder choice) {
-  return choice == scene::StepOrder::usl ? StepOrder::usl : StepOrder::musl;
-}
-
 /// Softening goes with the size of the cells that it happens in.
 std::vector<materials::Law> finer_laws(const scene::Soil& soil, const scene::Mesh& mesh) {
   const auto* softening = std::get_if<materials::MohrCoulomb>(&soil.law);
@@ -37,8 +29,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   for (const scene::Refinement& refine : scene.mesh.refine)
     spec.refine.push_back(
         {{refine.box.x_min, refine.box.y_min, refine.box.x_max, refine.box.y_max}, refine.level});
-  spec.boxes = scene.mesh.particle_boxes == scene::ParticleBoxes::deforming ? ParticleBoxes::deforming
-                                                                            : ParticleBoxes::fixed;
+  spec.boxes = scene.mesh.particle_boxes;
   for (const scene::Soil& soil : scene.soils)
     spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh)});
   for (const scene::Region& region : scene.regions) {
@@ -47,13 +38,13 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
     for (const scene::Point& point : region.polygon)
       copy.polygon.push_back({point.x, point.y});
   }
-  spec.scheme = {.transfer = transfer(scene.time.transfer),
-                 .order = order(scene.time.order),
+  spec.scheme = {.transfer = scene.time.transfer,
+                 .order = scene.time.order,
                  .fraction = scene.time.fraction,
                  .dt = scene.time.dt,
                  .subcycle = scene.time.subcycle};
   const auto& [sides, left, right, base] = scene.boundary;
-  spec.periodic_sides = sides == scene::Sides::periodic;
+  spec.sides = sides;
   if (left.absorber == scene::Absorber::matched_layer)
     spec.matched_sides.push_back(Side::left);
   if (right.absorber == scene::Absorber::matched_layer)

@@ -3,8 +3,9 @@
 #include "coupler/eq6/boundary_traction.hpp"
 #include "materials/law/law.hpp"
 #include "mesh/quadtree.hpp"
+#include "mpm_domain/fields/particle_fields.hpp"
+#include "mpm_domain/spec/numerics.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,34 +29,6 @@ struct Region {
   std::vector<Vector> polygon;
 };
 
-enum class Side { left, right, base };
-
-/// How velocity travels between particles and grid.
-enum class Transfer {
-  apic, ///< affine particle-in-cell (Jiang et al. 2015): angular momentum kept, noise filtered
-  flip, ///< particles take the grid's acceleration; no dissipation, no filter
-};
-
-/// When stress is updated in a step: last, or last with remapped velocity.
-enum class StepOrder { usl, musl };
-
-/// What becomes of the particles' boxes where soil is strained.
-enum class ParticleBoxes {
-  fixed,     ///< they keep their size: uGIMP
-  deforming, ///< they follow it (particle_boxes.hpp)
-};
-
-/// The numerical scheme of the domain.
-struct Scheme {
-  Transfer transfer = Transfer::apic;
-  StepOrder order = StepOrder::musl;
-  double fraction = 0.5;    ///< of the critical time step, in (0, 1]
-  std::optional<double> dt; ///< a fixed time step instead, s
-  /// Each level of a graded mesh takes a step of its own, half of the coarser one's (subcycling.hpp);
-  /// fraction and dt are of the coarsest one's. For the transfer apic and the order musl.
-  bool subcycle = false;
-};
-
 /// Everything the domain is built from.
 struct Spec {
   Box box;                    ///< model; its left, right and lower edges carry boundary faces
@@ -68,13 +41,15 @@ struct Spec {
   std::vector<Soil> soils;
   std::vector<Region> regions;
   Scheme scheme;
-  /// The domain repeats itself beyond its sides, which then carry no faces; it is a whole number of cells
-  /// wide.
-  bool periodic_sides = false;
+  Sides sides = Sides::free_field;
   /// Sides whose scattered waves a matched layer takes up instead of dashpots, and its depth in cells.
   std::vector<Side> matched_sides;
   int layer_cells = 10;
+  /// Fields of one's own that particles carry besides those of the table.
+  std::vector<ParticleFieldDescription> more_fields = {};
   int threads = 1;
+
+  bool periodic() const { return sides == Sides::periodic; }
 };
 
 } // namespace tremolo::mpm_domain

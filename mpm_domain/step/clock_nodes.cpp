@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -28,7 +29,7 @@ struct Reach {
 class ClockNodes::Builder {
 public:
   Builder(const Domain& domain, ClockNodes& nodes)
-      : domain_(domain), prolongation_(domain.mesh->prolongation()), nodes_(nodes),
+      : domain_(domain), prolongation_(domain.ties()), nodes_(nodes),
         tied_seen_(nodes.ties_.size() * prolongation_.tied_count(), false) {}
 
   /// Particles of a block on one lattice.
@@ -91,9 +92,16 @@ private:
   std::vector<bool> tied_seen_; ///< by clock and row of the prolongation
 };
 
-ClockNodes::ClockNodes(const Domain& domain)
-    : clock_(domain.grid.size(), 0), slowest_(domain.grid.size(), 0),
-      ties_(static_cast<std::size_t>(domain.clocks.count())) {
+ClockNodes::ClockNodes(const Domain& domain) : ties_(static_cast<std::size_t>(domain.clocks.count())) {
+  if (domain.clocks.count() == 1) {
+    of_ = from_ = {domain.soil_rows};
+    shared_.resize(1);
+    ties_.front().resize(domain.ties().tied_count());
+    std::iota(ties_.front().begin(), ties_.front().end(), std::size_t{0});
+    return;
+  }
+  clock_.assign(domain.grid.size(), 0);
+  slowest_.assign(domain.grid.size(), 0);
   Builder builder(domain, *this);
   for (const Particles& set : domain.sets) {
     for (std::size_t block = 0; block < domain.block_count(); ++block)
@@ -108,7 +116,7 @@ ClockNodes::ClockNodes(const Domain& domain)
 
 void ClockNodes::require_fit(const Domain& domain) const {
   const std::size_t nodes = domain.grid.size();
-  const std::size_t rows = domain.mesh->prolongation().tied_count();
+  const std::size_t rows = domain.ties().tied_count();
   const auto beyond = [rows](const std::vector<std::size_t>& ties) {
     return std::ranges::any_of(ties, [rows](std::size_t row) { return row >= rows; });
   };

@@ -2,9 +2,10 @@
 
 // Which nodes move on which clock. A node belongs to the fastest clock among the particles that touch it,
 // directly or through a tie: slower particles give it mass and an impulse now and then, and between their
-// steps read it as a mean.
+// steps read it as a mean. With one clock all nodes that soil may touch are its own.
 
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/state.hpp"
 
 #include <cstdint>
 #include <span>
@@ -26,17 +27,24 @@ public:
   std::span<const NodeRange> shared(int clock) const { return shared_[static_cast<std::size_t>(clock)]; }
   /// Rows of the prolongation whose tied nodes the particles of a clock touch.
   std::span<const std::size_t> ties_of(int clock) const { return ties_[static_cast<std::size_t>(clock)]; }
-  /// Of a real node; -1 if no particle touches it.
-  int clock_of(std::size_t node) const { return static_cast<int>(clock_[node]) - 1; }
+  /// Of a real node; -1 if there are several clocks and no particle touches it.
+  int clock_of(std::size_t node) const { return clock_.empty() ? 0 : static_cast<int>(clock_[node]) - 1; }
 
-  /// Its part of a checkpoint, see state.hpp.
-  /// @throws std::runtime_error for clocks of another grid
-  template <class Visit>
-  void visit_state(const Domain& domain, Visit& visit) {
-    visit("clock_nodes.clock", clock_);
-    visit("clock_nodes.slowest", slowest_);
+  /// What a checkpoint keeps (state.hpp).
+  template <class Writer>
+  void save(Writer& to) const {
+    write_integers(to, "clock_nodes.clock", clock_);
+    write_integers(to, "clock_nodes.slowest", slowest_);
     for (std::size_t clock = 0; clock < ties_.size(); ++clock)
-      visit("clock_nodes.ties" + std::to_string(clock), ties_[clock]);
+      write_integers(to, "clock_nodes.ties" + std::to_string(clock), ties_[clock]);
+  }
+  /// @throws std::runtime_error for clocks of another grid
+  template <class Reader>
+  void restore(const Domain& domain, const Reader& from) {
+    read_integers(from, "clock_nodes.clock", clock_);
+    read_integers(from, "clock_nodes.slowest", slowest_);
+    for (std::size_t clock = 0; clock < ties_.size(); ++clock)
+      read_integers(from, "clock_nodes.ties" + std::to_string(clock), ties_[clock]);
     require_fit(domain);
     collect(domain);
   }
@@ -46,7 +54,7 @@ private:
   void require_fit(const Domain& domain) const;
   void collect(const Domain& domain);
 
-  std::vector<std::uint32_t> clock_;   ///< 1 + the clock, or 0
+  std::vector<std::uint32_t> clock_;   ///< 1 + the clock, or 0; empty with one clock
   std::vector<std::uint32_t> slowest_; ///< of the particles that touch a node, likewise
   std::vector<std::vector<NodeRange>> of_, from_, shared_;
   std::vector<std::vector<std::size_t>> ties_;

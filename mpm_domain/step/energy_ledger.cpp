@@ -6,4 +6,15 @@ std::array<double, 9> EnergyLedger::row() const {
   return {kinetic, elastic, plastic, gravity, input, static_, dashpots, transfer, residual()};
 }
 
+std::vector<double> EnergyLedger::state() const {
+  return {kinetic_start, kinetic, elastic, plastic, gravity, input, static_, dashpots, transfer};
+}
+
+void EnergyLedger::set_state(const std::vector<double>& state) {
+  auto next = state.begin();
+  for (double* entry :
+       {&kinetic_start, &kinetic, &elastic, &plastic, &gravity, &input, &static_, &dashpots, &transfer})
+    *entry = *next++;
+}
+
 } // namespace tremolo::mpm_domain

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 namespace tremolo::mpm_domain {
 
@@ -41,6 +42,10 @@ struct EnergyLedger {
   static constexpr std::array<std::string_view, 9> columns{
       "kinetic", "elastic", "plastic", "gravity", "input", "static", "dashpots", "transfer", "residual"};
   std::array<double, 9> row() const;
+
+  /// All entries, for a checkpoint, and back.
+  std::vector<double> state() const;
+  void set_state(const std::vector<double>& state);
 };
 
 } // namespace tremolo::mpm_domain

@@ -1,24 +1,23 @@
 #pragma once
 
+// What happens on the nodes themselves between the transfers. All functions work on the rows of nodes that
+// they are given; tied nodes are left alone (grid/tied_nodes.hpp).
+
 #include "mpm_domain/domain.hpp"
 
 #include <span>
 
 namespace tremolo::mpm_domain {
 
-/// v- = p/m at every node; nodes without soil rest.
-/// @returns the grid's kinetic energy, J/m
-double grid_velocities(Domain& domain);
-/// The same on some nodes alone; tied ones are left.
+/// v- = p/m; nodes without soil rest.
+/// @returns the nodes' kinetic energy, J/m
 double grid_velocities(Domain& domain, std::span<const NodeRange> nodes);
 
-/// Replaces v- by the velocity that the particles' new momenta give the node; v+ stays. For musl.
-/// @returns power of the nodal forces, weight aside, on what v+ differs from the remapped velocity by, W/m
-double remap_velocities(Domain& domain);
-/// The same on some nodes alone; tied ones are left.
+/// u = p/m of the particles' new momenta, the velocity that strains the soil. For musl.
+/// @returns power of the nodal forces, weight aside, on what v+ differs from u by, W/m
 double remap_velocities(Domain& domain, std::span<const NodeRange> nodes);
 
-/// What the grid update adds up, J/m.
+/// What the update of nodes adds up, J/m.
 struct GridUpdate {
   double kinetic = 0.0; ///< K(v+)
   double gravity_work = 0.0;
@@ -30,21 +29,7 @@ struct GridUpdate {
 /// f holds the dashpots of v- in full, so this is the centred form, -C (v+ + v-)/2, for a lone node. However
 /// small the mass of a node, |v+ - v-| stays below 2 |f|/C: a boundary node that has lost nearly all its soil
 /// remains stable.
-GridUpdate update_grid(Domain& domain, double dt);
-/// The same on some nodes alone; tied ones are left.
+/// @param dt time that the forces act for, s
 GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> nodes);
-
-/// Reads face velocities v^m_f = sum_i W_if v_i (m/s), before (v-) the update.
-void face_velocities(Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v);
-
-/// The same of v = (v- + v+)/2.
-void face_mid_velocities(Domain& domain, std::span<const FaceWeights> weights, std::span<Vector> v);
-
-/// Adds tractions (Pa) to nodal forces and lumps the faces' dashpots to the nodes.
-void spread_tractions(Domain& domain, std::span<const FaceWeights> weights,
-                      std::span<const Vector> tractions);
-
-/// Lumps the faces' share of matched layers to the nodes: update_grid then moves soil and layer as one mass.
-void spread_layer_mass(Domain& domain, std::span<const FaceWeights> weights, double dt);
 
 } // namespace tremolo::mpm_domain

@@ -1,17 +1,18 @@
 #include "mpm_domain/step/stepper.hpp"
 
 #include "mpm_domain/grid/periodic_sides.hpp"
+#include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
 #include "mpm_domain/particles/splitting.hpp"
 #include "mpm_domain/step/grid_update.hpp"
-#include "mpm_domain/transfer/gather.hpp"
-#include "mpm_domain/transfer/scatter.hpp"
+#include "mpm_domain/step/time_step.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -19,89 +20,47 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Of the critical step, with the order usl: in a free body with noise usl grows above (measured;
-/// tests/stability/mpm_domain).
-constexpr double usl_share = 0.85;
+double fastest_particle(const Domain& domain) {
+  double speed = 0.0;
+  for (const Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      speed = std::max(speed, std::hypot(set.vx[k], set.vy[k]));
+  return speed;
+}
 
 } // namespace
 
-Stepper::Stepper(Domain& domain, double start_time, TractionSource source, FreeFieldOfFaces free_field)
-    : domain_(domain), source_(std::move(source)), free_field_(std::move(free_field)), time_(start_time),
-      weights_(domain.faces.size()), v_face_(domain.faces.size()), v_mid_(domain.faces.size()),
-      v_remapped_(domain.faces.size()), traction_(domain.faces.size()), reaction_(domain.faces.size()) {
-  if (!domain.layers.empty() && !free_field_)
-    throw std::invalid_argument("matched layers take up what differs from the free field, which is not told");
-  for (const Particles& set : domain.sets)
-    for (std::size_t k = 0; k < set.size(); ++k)
-      max_speed_ = std::max(max_speed_, std::hypot(set.vx[k], set.vy[k]));
-  if (domain.spec.scheme.subcycle) {
-    subcycling_.emplace(domain);
-    subcycled_boundary_.emplace(domain, *subcycling_);
-  }
-  passes_ = subcycling_ ? assemble_subcycled() : assemble();
-  choose_dt();
+Stepper::Stepper(Domain& domain, double start_time, FreeFieldSource free_field)
+    : domain_(domain), free_field_(std::move(free_field)), time_(start_time),
+      max_speed_(fastest_particle(domain)), ticks_(domain.clocks.count()), nodes_(domain),
+      shared_(domain, ticks_, nodes_), kinetic_(static_cast<std::size_t>(ticks_.clocks())),
+      kicks_(kinetic_.size()), passes_(recipe()) {
+  domain.boundary.build_supports(domain);
+  dt_ = next_time_step(domain_, max_speed_, 0.0);
 }
 
-std::vector<Pass> Stepper::assemble() {
-  const auto gather_pass = [this](GatherParts parts, bool of_first) {
-    return [this, parts, of_first] { book(gather(domain_, dt_, parts, of_first)); };
+std::vector<Pass> Stepper::recipe() {
+  std::vector<Pass> passes;
+  const auto add = [&](std::string name, void (Stepper::*pass)()) {
+    passes.push_back({std::move(name), [this, pass] { (this->*pass)(); }});
   };
-  const GatherParts all{.velocity = true, .position = true, .strain = true};
-  std::vector<Pass> passes{{"time step", [this] { choose_step(); }}, {"sort", [this] { sort(); }}};
-  const auto add = [&](std::string name, std::function<void()> run) {
-    passes.push_back({std::move(name), std::move(run)});
-  };
-  const bool drifts = domain_.spec.scheme.transfer == Transfer::apic;
-  add("particles to grid", [this] { scatter(domain_, ScatterPart::both); });
-  add("grid velocities", [this] { velocities(); });
-  add("boundary exchange", [this] { exchange(); });
-  if (!domain_.layers.empty())
-    add("matched layers", [this] { react(); });
-  add("boundary tractions", [this] { boundary(); });
-  add("grid update", [this] { grid(); });
-  switch (domain_.spec.scheme.order) {
-  case StepOrder::usl:
-    add("grid to particles, stress", gather_pass(all, false));
-    break;
-  case StepOrder::musl:
-    add("grid to particles", gather_pass({.velocity = true}, false));
-    add("velocities to grid again", [this] { scatter(domain_, ScatterPart::momentum); });
-    add("remapped velocities", [this] { book_remap(remap_velocities(domain_)); });
-    add("strain and stress", gather_pass(drifts ? GatherParts{.drift = true, .strain = true}
-                                                : GatherParts{.position = true, .strain = true},
-                                         true));
-    break;
+  add("time step", &Stepper::choose_step);
+  add("sort", &Stepper::sort);
+  add("particles to grid", &Stepper::scatter_particles);
+  add("grid velocities", &Stepper::find_velocities);
+  add("boundary exchange", &Stepper::exchange);
+  passes.push_back({"boundary tractions", [this] { domain_.boundary.apply(domain_, ticks_, nodes_); }});
+  add("grid update", &Stepper::update);
+  if (domain_.spec.scheme.order == StepOrder::usl) {
+    add("grid to particles, stress", &Stepper::gather_all);
+  } else {
+    add("grid to particles", &Stepper::gather_velocities);
+    add("velocities to grid again", &Stepper::scatter_momenta);
+    add("remapped velocities", &Stepper::remap);
+    add("strain and stress", &Stepper::gather_rest);
   }
+  add("accelerations", &Stepper::gather_accelerations);
   return passes;
-}
-
-std::vector<Pass> Stepper::assemble_subcycled() {
-  Subcycling& levels = *subcycling_;
-  SubcycledBoundary& faces = *subcycled_boundary_;
-  return {{"time step",
-           [this, &levels] {
-             choose_step();
-             levels.set_step(dt_, kick_);
-           }},
-          {"sort", [this] { sort(); }},
-          {"particles to grid", [&levels] { levels.scatter(); }},
-          {"grid velocities", [this, &levels] { book(levels.velocities()); }},
-          {"boundary exchange",
-           [this, &levels, &faces] {
-             if (levels.tick() > 0)
-               return;
-             exchange();
-             faces.hold(v_face_, traction_);
-           }},
-          {"boundary tractions", [&faces] { faces.spread(); }},
-          {"grid update",
-           [this, &levels, &faces] {
-             book(levels.update());
-             faces.book();
-           }},
-          {"grid to particles", [&levels] { levels.gather_velocities(); }},
-          {"velocities to grid again", [&levels] { levels.remap(); }},
-          {"strain and stress", [this, &levels] { book(levels.gather_rest()); }}};
 }
 
 void Stepper::run(std::span<Pass> passes) {
@@ -120,46 +79,18 @@ void Stepper::step() {
   run(std::span(passes_).first(once));
   do
     run(std::span(passes_).subspan(once));
-  while (subcycling_ && subcycling_->next());
+  while (ticks_.next());
   moved_ += max_speed_ * dt_;
-  updates_ += subcycling_ ? subcycling_->updates_per_step() : static_cast<double>(domain_.particle_count());
+  updates_ += updates_per_step();
   time_ += dt_;
   ++steps_;
 }
 
 void Stepper::choose_step() {
   const double before = dt_;
-  choose_dt();
+  dt_ = next_time_step(domain_, max_speed_, before);
   kick_ = 0.5 * (before + dt_);
-}
-
-void Stepper::choose_dt() {
-  const Scheme& scheme = domain_.spec.scheme;
-  const double critical =
-      subcycling_ ? critical_subcycled_step(domain_, max_speed_) : critical_time_step(domain_, max_speed_);
-  const double wanted = scheme.dt.value_or(scheme.fraction * critical);
-  if (scheme.order == StepOrder::usl && wanted > usl_share * critical)
-    throw std::invalid_argument(
-        fmt::format("the time step {:.6g} s is not stable with the order usl; allowed: at most {} of "
-                    "the critical step, {:.6g} s",
-                    wanted, usl_share, usl_share * critical));
-  if (scheme.dt) {
-    if (*scheme.dt > critical && subcycling_)
-      throw std::invalid_argument(fmt::format(
-          "the time step {:.6g} s of the coarsest level is over the limit {:.6g} s: the least of 2^k 0.65 "
-          "h/(c_p + |v|), k the level whose step a particle takes",
-          *scheme.dt, critical));
-    if (*scheme.dt > critical)
-      throw std::invalid_argument(fmt::format(
-          "the time step {:.6g} s is over the limit {:.6g} s = 0.65 h/(c_p + |v|) with h = {:.6g} m, c_p = "
-          "{:.6g} m/s, |v| = {:.3g} m/s",
-          *scheme.dt, critical, domain_.finest_lattice().h, domain_.fastest_wave(), max_speed_));
-    dt_ = *scheme.dt;
-  } else {
-    // Leapfrog is second order only while dt stays the same, so small changes of the limit are let pass.
-    if (dt_ == 0.0 || dt_ > std::min(1.02 * wanted, critical) || dt_ < 0.8 * wanted)
-      dt_ = wanted;
-  }
+  ticks_.set_step(dt_, kick_);
 }
 
 void Stepper::sort() {
@@ -169,91 +100,125 @@ void Stepper::sort() {
     weigh_across(domain_);
     return;
   }
-  if (domain_.spec.periodic_sides)
+  if (domain_.spec.periodic())
     for (Particles& set : domain_.sets)
       wrap(set, domain_.spec.box);
   make_room(domain_, time_, steps_);
   split_particles(domain_);
   sort_particles(domain_);
-  if (subcycling_)
-    subcycling_->restart();
+  nodes_ = ClockNodes(domain_);
+  shared_.restart();
   moved_ = 0.0;
 }
 
-void Stepper::velocities() {
-  book(grid_velocities(domain_) - kinetic_after_);
+void Stepper::scatter_particles() {
+  const int first = ticks_.first_due();
+  if (!ticks_.is_first())
+    weigh_across(domain_, first);
+  clear(domain_, ScatterPart::both, nodes_.from(first));
+  shared_.take_masses(first);
+  for (int clock = first; clock < ticks_.clocks(); ++clock) {
+    add_particles(domain_, ScatterPart::both, clock);
+    fold(domain_, ScatterPart::both, nodes_.ties_of(clock));
+    shared_.keep(clock);
+  }
+  shared_.add_steady();
+}
+
+void Stepper::find_velocities() {
+  double gained = 0.0;
+  for (int clock = ticks_.first_due(); clock < ticks_.clocks(); ++clock)
+    gained += grid_velocities(domain_, nodes_.of(clock)) - kinetic_of(clock);
+  book_transfer(gained);
 }
 
 /// Kinetic energy of the grid that a transfer from the particles has brought; before the first, all of it.
-void Stepper::book(double kinetic_gain) {
+void Stepper::book_transfer(double kinetic_gain) {
   EnergyLedger& energy = domain_.energy;
-  if (steps_ == 0 && !(subcycling_ && subcycling_->tick() > 0))
+  if (steps_ == 0 && ticks_.is_first())
     energy.kinetic_start = kinetic_gain;
   else
     energy.transfer += kinetic_gain;
 }
 
 void Stepper::exchange() {
-  face_weights(domain_, weights_);
-  mpm_domain::face_velocities(domain_, weights_, v_face_);
-  source_(steps_, time_, v_face_, traction_);
+  if (ticks_.is_first() && !domain_.boundary.faces().empty())
+    domain_.boundary.exchange(domain_, nodes_, free_field_, steps_, time_);
 }
 
-void Stepper::react() {
-  std::ranges::fill(reaction_, Vector{});
-  for (MatchedLayer& layer : domain_.layers)
-    layer.react(time_, v_face_, free_field_(), reaction_);
-  for (std::size_t f = 0; f < traction_.size(); ++f)
-    traction_[f] = {traction_[f].x + reaction_[f].x, traction_[f].y + reaction_[f].y};
-}
-
-void Stepper::boundary() {
-  spread_tractions(domain_, weights_, traction_);
-  if (!domain_.layers.empty())
-    spread_layer_mass(domain_, weights_, kick_);
-  dashpots_.correct(domain_, weights_, kick_);
-}
-
-void Stepper::grid() {
-  book(update_grid(domain_, kick_));
-  book_boundary_work();
-}
-
-void Stepper::book(const GridUpdate& update) {
-  if (!std::isfinite(update.kinetic))
+void Stepper::update() {
+  EnergyLedger& energy = domain_.energy;
+  for (int clock = ticks_.first_due(); clock < ticks_.clocks(); ++clock) {
+    const double kick = ticks_.kick_of(clock);
+    const GridUpdate sums = update_grid(domain_, kick, nodes_.of(clock));
+    kicks_[static_cast<std::size_t>(clock)] = kick;
+    kinetic_of(clock) = sums.kinetic;
+    energy.gravity += sums.gravity_work;
+    energy.dashpots += sums.dashpot_relief;
+  }
+  energy.kinetic = std::accumulate(kinetic_.begin(), kinetic_.end(), 0.0);
+  if (!std::isfinite(energy.kinetic))
     throw std::runtime_error(
         fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
-  EnergyLedger& energy = domain_.energy;
-  energy.kinetic = update.kinetic;
-  energy.gravity += update.gravity_work;
-  const Grid& grid = domain_.grid;
-  const double power = 0.5 * (dashpots_.power(grid.vx, grid.vy) + dashpots_.power(grid.vx_new, grid.vy_new));
-  energy.dashpots += update.dashpot_relief + kick_ * power;
-  kinetic_after_ = update.kinetic;
+  domain_.boundary.book(domain_, ticks_, nodes_);
+  shared_.follow_update();
 }
 
-void Stepper::book_boundary_work() {
-  face_mid_velocities(domain_, weights_, v_mid_);
-  for (std::size_t f = 0; f < weights_.size(); ++f) {
-    const Vector viscous = eq6::viscous_traction(domain_.faces[f].face, v_face_[f]);
-    const Vector own = {viscous.x + reaction_[f].x, viscous.y + reaction_[f].y};
-    book_face_work(domain_, f, kick_, own, traction_[f], v_mid_[f]);
+void Stepper::gather_all() {
+  prolong(domain_, NodeGroup::velocity, nodes_.ties_of(0));
+  book(gather(domain_, dt_, {.velocity = true, .position = true, .strain = true}, 0));
+}
+
+/// Fast clocks first: each slower one finds on its shared nodes what it reads there in the place of what the
+/// faster ones have read.
+void Stepper::gather_velocities() {
+  for (int clock = ticks_.clocks() - 1; clock >= ticks_.first_ending(); --clock) {
+    prolong(domain_, NodeGroup::velocity, nodes_.ties_of(clock));
+    gather(domain_, ticks_.dt_of(clock), {.velocity = true}, clock);
   }
 }
 
-void Stepper::book_remap(double power) {
-  // Stresses work on the remapped velocity u of this step and, with trapezoidal work, of the one before,
-  // which is v-, while K grows by their power on (v- + v+)/2: half of their power on v+ - u is the
-  // transfer's. What weight and boundary do is booked on v+.
-  mpm_domain::face_velocities(domain_, weights_, v_remapped_);
-  for (std::size_t f = 0; f < weights_.size(); ++f) {
-    const Vector lost = {2.0 * v_mid_[f].x - v_face_[f].x - v_remapped_[f].x,
-                         2.0 * v_mid_[f].y - v_face_[f].y - v_remapped_[f].y};
-    power -= domain_.faces[f].length * (traction_[f].x * lost.x + traction_[f].y * lost.y);
+void Stepper::scatter_momenta() {
+  const int first = ticks_.first_ending();
+  clear(domain_, ScatterPart::momentum, nodes_.from(first));
+  shared_.take_momenta(first);
+  for (int clock = first; clock < ticks_.clocks(); ++clock) {
+    add_particles(domain_, ScatterPart::momentum, clock);
+    fold(domain_, ScatterPart::momentum, nodes_.ties_of(clock));
   }
-  const Grid& grid = domain_.grid;
-  power -= dashpots_.power(grid.vx_new, grid.vy_new) - dashpots_.power(grid.vx, grid.vy);
-  domain_.energy.transfer += 0.5 * kick_ * power;
+}
+
+// Stresses work on the remapped velocity u of this step and, with trapezoidal work, of the one before, which
+// is v-, while K grows by their power on (v- + v+)/2: half of their power on v+ - u is the transfer's. What
+// weight and boundary do is booked on v+.
+void Stepper::remap() {
+  for (int clock = ticks_.first_ending(); clock < ticks_.clocks(); ++clock) {
+    const double power = remap_velocities(domain_, nodes_.of(clock)) -
+                         domain_.boundary.remap_power(domain_.grid, nodes_, clock);
+    domain_.energy.transfer += 0.5 * kicks_[static_cast<std::size_t>(clock)] * power;
+  }
+}
+
+void Stepper::gather_rest() {
+  const bool drifts = ticks_.clocks() == 1 && domain_.spec.scheme.transfer == Transfer::apic;
+  const GatherParts rest = drifts ? GatherParts{.drift = true, .strain = true, .remapped = true}
+                                  : GatherParts{.position = true, .strain = true, .remapped = true};
+  GatherSums sums;
+  for (int clock = ticks_.clocks() - 1; clock >= ticks_.first_ending(); --clock) {
+    shared_.take_mean(clock);
+    prolong(domain_, NodeGroup::velocity, nodes_.ties_of(clock));
+    sums += gather(domain_, ticks_.dt_of(clock), rest, clock);
+    shared_.add_mean(clock);
+  }
+  book(sums);
+}
+
+/// For output.
+void Stepper::gather_accelerations() {
+  if (ticks_.first_ending() > 0)
+    return;
+  shared_.mean_accelerations();
+  prolong(domain_, NodeGroup::acceleration);
 }
 
 void Stepper::book(const GatherSums& sums) {
@@ -261,6 +226,22 @@ void Stepper::book(const GatherSums& sums) {
   domain_.energy.plastic += sums.plastic;
   if (sums.max_speed > 0.0)
     max_speed_ = sums.max_speed;
+}
+
+double Stepper::updates_per_step() const {
+  double updates = 0.0;
+  const std::size_t blocks = domain_.blocks_per_clock();
+  const auto levels = static_cast<std::size_t>(domain_.lattice_count());
+  for (const Particles& set : domain_.sets)
+    for (int clock = 0; clock < ticks_.clocks(); ++clock) {
+      const auto c = static_cast<std::size_t>(clock);
+      const auto count = [&](std::size_t first, std::size_t n) {
+        return static_cast<double>(set.block_start[first + n] - set.block_start[first]);
+      };
+      const double across = domain_.mesh ? count(domain_.block_count() + c * levels, levels) : 0.0;
+      updates += (count(c * blocks, blocks) + across) * static_cast<double>(1 << clock);
+    }
+  return updates;
 }
 
 } // namespace tremolo::mpm_domain

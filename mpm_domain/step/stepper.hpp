@@ -1,26 +1,19 @@
 #pragma once
 
-#include "mpm_domain/boundary/consistent_dashpots.hpp"
-#include "mpm_domain/boundary/subcycled_boundary.hpp"
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/state.hpp"
+#include "mpm_domain/step/clock_nodes.hpp"
+#include "mpm_domain/step/shared_nodes.hpp"
+#include "mpm_domain/step/ticks.hpp"
 #include "mpm_domain/transfer/gather.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace tremolo::mpm_domain {
-
-/// Gives every face its traction by Eq. (6), static part included, Pa, at a time (s) from the domain's
-/// velocities there (m/s). Called once a step.
-using TractionSource =
-    std::function<void(long step, double time, std::span<const Vector> v_domain, std::span<Vector> traction)>;
-
-/// The free field at every face in the last call of the traction source, for matched layers.
-using FreeFieldOfFaces = std::function<std::span<const eq6::FreeField>()>;
 
 /// A named, timed part of a step.
 struct Pass {
@@ -29,24 +22,25 @@ struct Pass {
   double seconds = 0.0;
 };
 
-/// Advances a domain in time. The step is a list of passes put together once from the scheme (update stress
-/// last, or last with remapped velocity):
+/// Advances a domain in time. The step is one list of passes, put together once from the scheme (update
+/// stress last, or last with remapped velocity):
 ///
-///   usl:   scatter | velocities | boundary | grid | gather all
-///   musl:  scatter | velocities | boundary | grid | gather velocity | scatter motion | remap | gather rest
+///   usl:   scatter | velocities | boundary | update | gather all
+///   musl:  scatter | velocities | boundary | update | gather velocity | scatter momentum | remap | gather
+///   rest
 ///
-/// Where levels have steps of their own (subcycling.hpp) a step is that of the coarsest one, and all passes
-/// after the sort run at each of its ticks.
+/// It runs on a list of clocks (ticks.hpp): passes after the sort run at every tick for the clocks that begin
+/// or end a step of theirs with it. Where all particles take the same step there is one clock and one tick.
 ///
 /// Time levels are those of leapfrog: at time() places and stresses are known; particle velocities belong to
 /// velocity_time() = time() - dt/2. Where the step changes, from dt' to dt, the grid update takes velocities
 /// from t - dt'/2 to t + dt/2: kick() = (dt' + dt)/2.
 class Stepper {
 public:
-  /// @param free_field needed by a domain with matched layers
-  /// @throws std::invalid_argument if the spec's fixed time step is over the critical one, or matched layers
-  /// are not told the free field
-  Stepper(Domain& domain, double start_time, TractionSource source, FreeFieldOfFaces free_field = {});
+  /// Puts what the spec wants behind the faces of the domain, which is at rest, and makes it ready to step.
+  /// @param free_field gives the faces their free field; never called for a domain without faces
+  /// @throws std::invalid_argument if the spec's fixed time step is over the critical one
+  Stepper(Domain& domain, double start_time, FreeFieldSource free_field);
 
   void step();
 
@@ -58,53 +52,70 @@ public:
   /// Of all particles, by this stepper: how often one was moved.
   double particle_updates() const { return updates_; }
   const std::vector<Pass>& passes() const { return passes_; }
-  /// Of the step just made, per face: v^m before the update (m/s) and the traction (Pa).
-  std::span<const Vector> face_velocities() const { return v_face_; }
-  std::span<const Vector> face_tractions() const { return traction_; }
 
-  /// Its part of a checkpoint, see state.hpp.
-  template <class Visit>
-  void visit_state(Visit& visit) {
-    visit_numbers(visit, "stepper", time_, dt_, steps_, max_speed_, moved_, kinetic_after_);
-    if (subcycling_)
-      subcycling_->visit_state(visit);
+  /// Its part of a checkpoint (state.hpp).
+  template <class Writer>
+  void save(Writer& to) const {
+    to.write("stepper", std::vector<double>{time_, dt_, static_cast<double>(steps_), max_speed_, moved_});
+    to.write("stepper.kinetic", kinetic_);
+    if (ticks_.clocks() > 1) {
+      nodes_.save(to);
+      shared_.save(to);
+    }
+  }
+  /// Goes on from there; the domain has been restored already.
+  template <class Reader>
+  void restore(const Reader& from) {
+    const std::vector<double> numbers = numbers_of_size(from, "stepper", 5);
+    time_ = numbers[0];
+    dt_ = numbers[1];
+    steps_ = static_cast<long>(numbers[2]);
+    max_speed_ = numbers[3];
+    moved_ = numbers[4];
+    kinetic_ = numbers_of_size(from, "stepper.kinetic", kinetic_.size());
+    nodes_ = ClockNodes(domain_);
+    if (ticks_.clocks() > 1) {
+      nodes_.restore(domain_, from);
+      shared_.restore(from);
+    }
   }
 
 private:
-  void choose_step();
-  void choose_dt();
-  void sort();
-  void velocities();
-  void exchange();
-  void react();
-  void boundary();
-  void grid();
-  void book_boundary_work();
-  void book_remap(double power);
-  void book(const GatherSums& sums);
-  void book(double kinetic_gain);
-  void book(const GridUpdate& update);
-  std::vector<Pass> assemble();
-  std::vector<Pass> assemble_subcycled();
+  std::vector<Pass> recipe();
   void run(std::span<Pass> passes);
 
+  void choose_step();
+  void sort();
+  void scatter_particles();
+  void find_velocities();
+  void exchange();
+  void update();
+  void gather_all();
+  void gather_velocities();
+  void scatter_momenta();
+  void remap();
+  void gather_rest();
+  void gather_accelerations();
+
+  void book_transfer(double kinetic_gain);
+  void book(const GatherSums& sums);
+  double updates_per_step() const;
+  double& kinetic_of(int clock) { return kinetic_[static_cast<std::size_t>(clock)]; }
+
   Domain& domain_;
-  TractionSource source_;
-  FreeFieldOfFaces free_field_;
+  FreeFieldSource free_field_;
   double time_;
   double dt_ = 0.0;
   double kick_ = 0.0;
   long steps_ = 0;
   double max_speed_ = 0.0;
-  double moved_ = 0.0;         ///< bound on any particle's way since the last sort, m
-  double kinetic_after_ = 0.0; ///< K(v+) of the step before
+  double moved_ = 0.0; ///< bound on any particle's way since the last sort, m
   double updates_ = 0.0;
-  std::vector<FaceWeights> weights_;
-  std::vector<Vector> v_face_, v_mid_, v_remapped_, traction_;
-  std::vector<Vector> reaction_; ///< of matched layers, part of traction_
-  ConsistentDashpots dashpots_;
-  std::optional<Subcycling> subcycling_;
-  std::optional<SubcycledBoundary> subcycled_boundary_;
+  Ticks ticks_;
+  ClockNodes nodes_;
+  SharedNodes shared_;
+  std::vector<double> kinetic_; ///< K(v+) of each clock's nodes after their last update, J/m
+  std::vector<double> kicks_;   ///< time that the forces of that update acted for, s
   std::vector<Pass> passes_;
 };
 

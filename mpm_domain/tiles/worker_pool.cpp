@@ -1,6 +1,9 @@
 #include "mpm_domain/tiles/worker_pool.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include <immintrin.h>
@@ -29,11 +32,22 @@ bool soon(const Condition& condition) {
 } // namespace
 
 WorkerPool::WorkerPool(int threads) {
-  for (int i = 1; i < threads; ++i)
-    threads_.emplace_back([this] { work(); });
+  try {
+    for (int i = 1; i < threads; ++i)
+      threads_.emplace_back([this] { work(); });
+  } catch (const std::system_error& error) {
+    const auto started = threads_.size() + 1;
+    end();
+    throw std::runtime_error("--threads " + std::to_string(threads) + ": the system allows " +
+                             std::to_string(started) + ": " + error.code().message());
+  }
 }
 
 WorkerPool::~WorkerPool() {
+  end();
+}
+
+void WorkerPool::end() {
   stop_ = true;
   ++generation_;
   generation_.notify_all();

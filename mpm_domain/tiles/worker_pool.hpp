@@ -18,6 +18,7 @@ namespace tremolo::mpm_domain {
 /// sleep, since the loops of a step follow each other faster than a thread wakes up.
 class WorkerPool {
 public:
+  /// @throws std::runtime_error where the system does not allow so many
   explicit WorkerPool(int threads);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -28,6 +29,7 @@ public:
 
 private:
   void work();
+  void end();
   void await_loop(std::uint64_t seen) const;
   void take_tasks();
   /// Counts this thread among those at work, unless the loop has no tasks left to begin.

@@ -42,8 +42,8 @@ struct Settings {
 
 template <typename Group>
 [[gnu::always_inline]] inline void take_affine(Particles& p, std::size_t k, Group group, const Samples& q) {
-  group.store(&p.vx[k], q.v_new.x);
-  group.store(&p.vy[k], q.v_new.y);
+  group.store(&p.vx[k], q.v_after.x);
+  group.store(&p.vy[k], q.v_after.y);
   group.store(&p.bxx[k], q.bxx);
   group.store(&p.byx[k], q.byx);
   group.store(&p.bxy[k], q.bxy);
@@ -52,8 +52,8 @@ template <typename Group>
 
 template <typename Group>
 [[gnu::always_inline]] inline void take_change(Particles& p, std::size_t k, Group group, const Samples& q) {
-  group.store(&p.vx[k], group.load(&p.vx[k]) + q.v_new.x - q.v.x);
-  group.store(&p.vy[k], group.load(&p.vy[k]) + q.v_new.y - q.v.y);
+  group.store(&p.vx[k], group.load(&p.vx[k]) + q.v_after.x - q.v_before.x);
+  group.store(&p.vy[k], group.load(&p.vy[k]) + q.v_after.y - q.v_before.y);
 }
 
 /// sigma : de of the increments from `c` on, J/m3
@@ -126,11 +126,11 @@ void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments
   });
 }
 
-template <GatherParts parts, bool strain_of_first, bool affine>
-constexpr Wanted wanted_by{.v = parts.velocity && !affine,
-                           .v_new = parts.velocity || parts.position,
+template <GatherParts parts, bool affine>
+constexpr Wanted wanted_by{.v_before = parts.velocity && !affine,
+                           .v_after = parts.velocity || parts.position,
                            .gradient = parts.strain,
-                           .of_v = strain_of_first,
+                           .remapped = parts.remapped,
                            .affine = (parts.velocity && affine)};
 
 /// @param sample_at  (k, group, x, y) -> what a group of particles from k on, at x and y, reads off the grid
@@ -160,7 +160,7 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
           deform_boxes(p, k, group, a);
       }
       if constexpr (parts.position || parts.drift) {
-        const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_new;
+        const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_after;
         group.store(&p.x[k], x + set.dt * v.x);
         group.store(&p.y[k], y + set.dt * v.y);
         sums.max_speed2 = larger(v.x * v.x + v.y * v.y, sums.max_speed2);
@@ -173,9 +173,9 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
 }
 
 /// The particles of a soil in a block on one lattice.
-template <GatherParts parts, bool strain_of_first, bool affine, typename Boxes>
+template <GatherParts parts, bool affine, typename Boxes>
 GatherSums gather_lattice(Domain& domain, Particles& p, std::size_t block, const Settings& settings) {
-  constexpr Wanted wanted = wanted_by<parts, strain_of_first, affine>;
+  constexpr Wanted wanted = wanted_by<parts, affine>;
   const Grid& grid = domain.grid;
   const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
   const Axis x_axis(lattice.x0, lattice.h);
@@ -190,9 +190,9 @@ GatherSums gather_lattice(Domain& domain, Particles& p, std::size_t block, const
 }
 
 /// In a block across several lattices.
-template <GatherParts parts, bool strain_of_first, bool affine, bool boxes_follow>
+template <GatherParts parts, bool affine, bool boxes_follow>
 GatherSums gather_across(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
-  constexpr Wanted wanted = wanted_by<parts, strain_of_first, affine>;
+  constexpr Wanted wanted = wanted_by<parts, affine>;
   Particles& p = domain.sets[s];
   const Grid& grid = domain.grid;
   const AcrossWeights& weights = domain.across_of(s, domain.clock_of_block(block));
@@ -203,84 +203,64 @@ GatherSums gather_across(Domain& domain, std::size_t s, std::size_t block, const
       });
 }
 
-template <GatherParts parts, bool strain_of_first, bool affine>
+template <GatherParts parts, bool affine>
 GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
   Particles& p = domain.sets[s];
   if (block >= domain.block_count())
-    return p.has_own_boxes()
-               ? gather_across<parts, strain_of_first, affine, true>(domain, s, block, settings)
-               : gather_across<parts, strain_of_first, affine, false>(domain, s, block, settings);
-  return p.has_own_boxes()
-             ? gather_lattice<parts, strain_of_first, affine, OwnRectangles>(domain, p, block, settings)
-             : gather_lattice<parts, strain_of_first, affine, OneSquare>(domain, p, block, settings);
+    return p.has_own_boxes() ? gather_across<parts, affine, true>(domain, s, block, settings)
+                             : gather_across<parts, affine, false>(domain, s, block, settings);
+  return p.has_own_boxes() ? gather_lattice<parts, affine, OwnRectangles>(domain, p, block, settings)
+                           : gather_lattice<parts, affine, OneSquare>(domain, p, block, settings);
 }
 
-template <GatherParts parts, bool strain_of_first>
+template <GatherParts parts>
 GatherSums gather_blocks(Domain& domain, const Settings& settings) {
   const std::size_t lattice_blocks = settings.blocks.lattice.count;
   std::vector<GatherSums> sums(lattice_blocks + settings.blocks.across.count);
   domain.workers.run(sums.size(), [&](std::size_t task) {
     const std::size_t block = task < lattice_blocks ? settings.blocks.lattice.first + task
                                                     : settings.blocks.across.first + task - lattice_blocks;
-    for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-      const GatherSums work = domain.sets[s].bxx.empty()
-                                  ? gather_block<parts, strain_of_first, false>(domain, s, block, settings)
-                                  : gather_block<parts, strain_of_first, true>(domain, s, block, settings);
-      sums[task].elastic += work.elastic;
-      sums[task].plastic += work.plastic;
-      sums[task].max_speed = std::max(sums[task].max_speed, work.max_speed);
-    }
+    for (std::size_t s = 0; s < domain.sets.size(); ++s)
+      sums[task] += domain.sets[s].traits.affine ? gather_block<parts, true>(domain, s, block, settings)
+                                                 : gather_block<parts, false>(domain, s, block, settings);
   });
   GatherSums total;
-  for (const GatherSums& sum : sums) {
-    total.elastic += sum.elastic;
-    total.plastic += sum.plastic;
-    total.max_speed = std::max(total.max_speed, sum.max_speed);
-  }
+  for (const GatherSums& sum : sums)
+    total += sum;
   return total;
 }
 
 constexpr GatherParts all_parts{.velocity = true, .position = true, .strain = true};
 constexpr GatherParts velocity_part{.velocity = true};
-constexpr GatherParts rest_parts{.position = true, .strain = true};
-constexpr GatherParts drift_parts{.drift = true, .strain = true};
+constexpr GatherParts rest_parts{.position = true, .strain = true, .remapped = true};
+constexpr GatherParts drift_parts{.drift = true, .strain = true, .remapped = true};
 constexpr GatherParts strain_part{.strain = true};
 
 } // namespace
 
-namespace {
-
-GatherSums gather_from(Domain& domain, double dt, GatherParts parts, bool strain_of_first,
-                       const Blocks& blocks) {
-  const Settings settings{blocks, dt};
-  if (parts == all_parts && !strain_of_first)
-    return gather_blocks<all_parts, false>(domain, settings);
-  if (parts == velocity_part)
-    return gather_blocks<velocity_part, false>(domain, settings);
-  if (parts == rest_parts && strain_of_first)
-    return gather_blocks<rest_parts, true>(domain, settings);
-  if (parts == drift_parts && strain_of_first)
-    return gather_blocks<drift_parts, true>(domain, settings);
-  if (parts == strain_part)
-    return strain_of_first ? gather_blocks<strain_part, true>(domain, settings)
-                           : gather_blocks<strain_part, false>(domain, settings);
-  throw std::logic_error("gather: no scheme asks for this combination of parts");
-}
-
-} // namespace
-
-GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first) {
-  const std::size_t blocks = domain.block_count();
-  return gather_from(domain, dt, parts, strain_of_first,
-                     {{0, blocks}, {blocks, domain.across_block_count()}});
-}
-
-GatherSums gather_clock(Domain& domain, double dt, GatherParts parts, bool strain_of_first, int clock) {
+GatherSums gather(Domain& domain, double dt, GatherParts parts, int clock) {
   const auto c = static_cast<std::size_t>(clock);
   const std::size_t blocks = domain.blocks_per_clock();
   const std::size_t levels = domain.mesh ? domain.mesh->lattices().size() : 0;
-  return gather_from(domain, dt, parts, strain_of_first,
-                     {{c * blocks, blocks}, {domain.block_count() + c * levels, levels}});
+  const Settings settings{{{c * blocks, blocks}, {domain.block_count() + c * levels, levels}}, dt};
+  if (parts == all_parts)
+    return gather_blocks<all_parts>(domain, settings);
+  if (parts == velocity_part)
+    return gather_blocks<velocity_part>(domain, settings);
+  if (parts == rest_parts)
+    return gather_blocks<rest_parts>(domain, settings);
+  if (parts == drift_parts)
+    return gather_blocks<drift_parts>(domain, settings);
+  if (parts == strain_part)
+    return gather_blocks<strain_part>(domain, settings);
+  throw std::logic_error("gather: no step asks for this combination of parts");
+}
+
+GatherSums gather(Domain& domain, double dt, GatherParts parts) {
+  GatherSums total;
+  for (int clock = 0; clock < domain.clocks.count(); ++clock)
+    total += gather(domain, dt, parts, clock);
+  return total;
 }
 
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {

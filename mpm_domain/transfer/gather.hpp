@@ -2,15 +2,18 @@
 
 #include "mpm_domain/domain.hpp"
 
+#include <algorithm>
+
 namespace tremolo::mpm_domain {
 
-/// What a gather pass brings to the particles: all, velocity with or without position, or strain with or
-/// without position or drift.
+/// What a gather pass brings to the particles: all, velocity alone, or strain with or without position or
+/// drift.
 struct GatherParts {
   bool velocity = false; ///< v_p (and C_p with APIC)
   bool position = false; ///< x_p += dt sum_i S_ip v+_i
-  bool drift = false;    ///< x_p += dt v_p: the same, once apic has gathered v_p
+  bool drift = false;    ///< x_p += dt v_p: the same, once APIC has gathered v_p
   bool strain = false;   ///< strain increment from the grid velocity, then stress, state and volume
+  bool remapped = false; ///< the strain is that of the remapped velocity, not of v+
 
   friend constexpr bool operator==(const GatherParts&, const GatherParts&) = default;
 };
@@ -20,21 +23,27 @@ struct GatherSums {
   double elastic = 0.0;   ///< work of the stresses on elastic strain, J/m
   double plastic = 0.0;   ///< on plastic strain, J/m
   double max_speed = 0.0; ///< of particles that were moved, m/s
+
+  GatherSums& operator+=(const GatherSums& more) {
+    elastic += more.elastic;
+    plastic += more.plastic;
+    max_speed = std::max(max_speed, more.max_speed);
+    return *this;
+  }
 };
 
-/// Grid to particles over a step dt (s).
+/// Grid to the particles of a clock over its step dt (s).
 ///
 ///   apic:  v_p = sum_i S v+,  C_p = sum_i S v+ (x_i - x_p)^T D_p^-1
 ///   flip:  v_p += sum_i S (v+ - v-)
 ///
-/// With A = dt sum_i u_i grad S and u = v+, or, if `strain_of_first`, the grid's velocity v before the
-/// update, remapped by then (musl), the strain increment de is the symmetric part of A - A^2/2,
-/// the rotation its skew part. Volumes grow by det(I + A), to second order in A; boxes that follow the soil
-/// by I + A (particle_boxes.hpp).
-GatherSums gather(Domain& domain, double dt, GatherParts parts, bool strain_of_first = false);
+/// With A = dt sum_i u_i grad S, u being v+ or the remapped velocity, the strain increment de is the
+/// symmetric part of A - A^2/2, the rotation its skew part. Volumes grow by det(I + A), to second order in A;
+/// boxes that follow the soil by I + A (particle_boxes.hpp).
+GatherSums gather(Domain& domain, double dt, GatherParts parts, int clock);
 
-/// The same for the particles of one clock alone.
-GatherSums gather_clock(Domain& domain, double dt, GatherParts parts, bool strain_of_first, int clock);
+/// Grid to all particles over the same step.
+GatherSums gather(Domain& domain, double dt, GatherParts parts);
 
 /// The grid's acceleration of the last update at particle k of one soil, m/s2, for output.
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k);

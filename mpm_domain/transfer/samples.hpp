@@ -1,6 +1,6 @@
 #pragma once
 
-// What particles read off the grid, four at a time: on one lattice by its stencils, across several node by
+// What particles read from the grid, four at a time: on one lattice by its stencils, across several node by
 // node.
 
 #include "mpm_domain/domain.hpp"
@@ -91,34 +91,37 @@ struct Vectors {
   Lanes x{}, y{};
 };
 
-/// What four particles read off the grid.
+/// What four particles read from the grid.
 struct Samples {
-  Vectors v;                            ///< sum S v, before the update
-  Vectors v_new;                        ///< after it
-  Lanes vx_x{}, vx_y{}, vy_x{}, vy_y{}; ///< d v_a/d x_b of the velocity that strains
-  Lanes bxx{}, bxy{}, byx{}, byy{};     ///< sum S v_new (x_i - x)^T
+  Vectors v_before;                     ///< sum S v-
+  Vectors v_after;                      ///< sum S v+
+  Lanes vx_x{}, vx_y{}, vy_x{}, vy_y{}; ///< d v_a/d x_b of the velocity that strains, 1/s
+  Lanes bxx{}, bxy{}, byx{}, byy{};     ///< sum S v+ (x_i - x)^T, m2/s
 };
 
 /// Which velocities a gather samples, and which of them strains.
 struct Wanted {
-  bool v = false;
-  bool v_new = false;
+  bool v_before = false;
+  bool v_after = false;
   bool gradient = false;
-  bool of_v = false; ///< the gradient, not of v_new
+  bool remapped = false; ///< the gradient is that of the remapped velocity, not of v+
   bool affine = false;
 };
 
-/// Both components before and after the update, as far as they are wanted.
+/// Both components of the velocities of the grid, as far as they are wanted.
 struct Velocities {
-  Component vx, vy, vx_new, vy_new;
+  Component x_before, y_before, x_after, y_after, x_strain, y_strain;
 };
 
 template <Wanted wanted>
-constexpr Reading of_old{.value = wanted.v, .gradient = wanted.gradient&& wanted.of_v};
+constexpr Reading of_before{.value = wanted.v_before};
 
 template <Wanted wanted>
-constexpr Reading of_new{
-    .value = wanted.v_new, .gradient = wanted.gradient && !wanted.of_v, .moments = wanted.affine};
+constexpr Reading of_after{
+    .value = wanted.v_after, .gradient = wanted.gradient && !wanted.remapped, .moments = wanted.affine};
+
+template <Wanted wanted>
+constexpr Reading of_strain{.gradient = wanted.gradient && wanted.remapped};
 
 constexpr bool reads(Reading reading) {
   return reading.value || reading.gradient || reading.moments;
@@ -126,18 +129,18 @@ constexpr bool reads(Reading reading) {
 
 template <Wanted wanted>
 [[gnu::always_inline]] inline Samples samples_of(const Velocities& read) {
-  const Component& ux = wanted.of_v ? read.vx : read.vx_new;
-  const Component& uy = wanted.of_v ? read.vy : read.vy_new;
-  return {.v = {read.vx.value, read.vy.value},
-          .v_new = {read.vx_new.value, read.vy_new.value},
+  const Component& ux = wanted.remapped ? read.x_strain : read.x_after;
+  const Component& uy = wanted.remapped ? read.y_strain : read.y_after;
+  return {.v_before = {read.x_before.value, read.y_before.value},
+          .v_after = {read.x_after.value, read.y_after.value},
           .vx_x = ux.d_dx,
           .vx_y = ux.d_dy,
           .vy_x = uy.d_dx,
           .vy_y = uy.d_dy,
-          .bxx = read.vx_new.moment_x,
-          .bxy = read.vx_new.moment_y,
-          .byx = read.vy_new.moment_x,
-          .byy = read.vy_new.moment_y};
+          .bxx = read.x_after.moment_x,
+          .bxy = read.x_after.moment_y,
+          .byx = read.y_after.moment_x,
+          .byy = read.y_after.moment_y};
 }
 
 template <Wanted wanted, std::size_t rows, typename Boxes>
@@ -146,13 +149,17 @@ template <Wanted wanted, std::size_t rows, typename Boxes>
                                              const Axis& y_axis, const Boxes& boxes) {
   const Reader<rows> at(Stencils(x, y, x_axis, y_axis, boxes), count, lattice, x_axis, y_axis, boxes);
   Velocities read;
-  if constexpr (reads(of_old<wanted>)) {
-    read.vx = at.template read<of_old<wanted>>(grid.vx);
-    read.vy = at.template read<of_old<wanted>>(grid.vy);
+  if constexpr (reads(of_before<wanted>)) {
+    read.x_before = at.template read<of_before<wanted>>(grid.vx_before);
+    read.y_before = at.template read<of_before<wanted>>(grid.vy_before);
   }
-  if constexpr (reads(of_new<wanted>)) {
-    read.vx_new = at.template read<of_new<wanted>>(grid.vx_new);
-    read.vy_new = at.template read<of_new<wanted>>(grid.vy_new);
+  if constexpr (reads(of_after<wanted>)) {
+    read.x_after = at.template read<of_after<wanted>>(grid.vx_after);
+    read.y_after = at.template read<of_after<wanted>>(grid.vy_after);
+  }
+  if constexpr (reads(of_strain<wanted>)) {
+    read.x_strain = at.template read<of_strain<wanted>>(grid.vx_strain);
+    read.y_strain = at.template read<of_strain<wanted>>(grid.vy_strain);
   }
   return samples_of<wanted>(read);
 }
@@ -181,13 +188,19 @@ struct NodesReader {
   }
 };
 
-/// What a lane of each of a particle's sums has is added up and becomes the particle's lane.
+/// Adds up the lanes of each of a particle's sums, which become the particle's lane.
+template <Reading reading>
 [[gnu::always_inline]] inline void collect(const Component& sums, std::size_t lane, Component& particles) {
-  particles.value[lane] = sum(sums.value);
-  particles.d_dx[lane] = sum(sums.d_dx);
-  particles.d_dy[lane] = sum(sums.d_dy);
-  particles.moment_x[lane] = sum(sums.moment_x);
-  particles.moment_y[lane] = sum(sums.moment_y);
+  if constexpr (reading.value)
+    particles.value[lane] = sum(sums.value);
+  if constexpr (reading.gradient) {
+    particles.d_dx[lane] = sum(sums.d_dx);
+    particles.d_dy[lane] = sum(sums.d_dy);
+  }
+  if constexpr (reading.moments) {
+    particles.moment_x[lane] = sum(sums.moment_x);
+    particles.moment_y[lane] = sum(sums.moment_y);
+  }
 }
 
 /// The same for particles from `first` on that touch several lattices.
@@ -201,15 +214,19 @@ Samples sample_across(const Grid& grid, const AcrossWeights& weights, const Basi
     for (const FourWeights& w : weights.of(k)) {
       const FourNodes& nodes = cells.four(w.four);
       const NodesReader at{w, nodes.x - p.x[k], nodes.y - p.y[k]};
-      at.add<of_old<wanted>>(grid.vx, sums.vx);
-      at.add<of_old<wanted>>(grid.vy, sums.vy);
-      at.add<of_new<wanted>>(grid.vx_new, sums.vx_new);
-      at.add<of_new<wanted>>(grid.vy_new, sums.vy_new);
+      at.add<of_before<wanted>>(grid.vx_before, sums.x_before);
+      at.add<of_before<wanted>>(grid.vy_before, sums.y_before);
+      at.add<of_after<wanted>>(grid.vx_after, sums.x_after);
+      at.add<of_after<wanted>>(grid.vy_after, sums.y_after);
+      at.add<of_strain<wanted>>(grid.vx_strain, sums.x_strain);
+      at.add<of_strain<wanted>>(grid.vy_strain, sums.y_strain);
     }
-    collect(sums.vx, lane, read.vx);
-    collect(sums.vy, lane, read.vy);
-    collect(sums.vx_new, lane, read.vx_new);
-    collect(sums.vy_new, lane, read.vy_new);
+    collect<of_before<wanted>>(sums.x_before, lane, read.x_before);
+    collect<of_before<wanted>>(sums.y_before, lane, read.y_before);
+    collect<of_after<wanted>>(sums.x_after, lane, read.x_after);
+    collect<of_after<wanted>>(sums.y_after, lane, read.y_after);
+    collect<of_strain<wanted>>(sums.x_strain, lane, read.x_strain);
+    collect<of_strain<wanted>>(sums.y_strain, lane, read.y_strain);
   }
   return samples_of<wanted>(read);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace tremolo::mpm_domain {
 
@@ -215,9 +216,9 @@ void scatter_set(const Particles& p, std::size_t block, const Lattice& lattice, 
                                                 domain.grid, domain.spec.gravity);
   };
   if (p.has_own_boxes())
-    p.bxx.empty() ? scatter_as.template operator()<false, OwnRectangles>()
-                  : scatter_as.template operator()<true, OwnRectangles>();
-  else if (!p.bxx.empty())
+    p.traits.affine ? scatter_as.template operator()<true, OwnRectangles>()
+                    : scatter_as.template operator()<false, OwnRectangles>();
+  else if (p.traits.affine)
     scatter_as.template operator()<true, OneSquare>();
   else
     scatter_as.template operator()<false, OneSquare>();
@@ -270,22 +271,6 @@ void scatter_across(const Particles& p, const AcrossWeights& weights, const Basi
 }
 
 template <Motion motion, bool force>
-void clear_row(Grid& grid, const NodeRange& nodes) {
-  const auto clear = [&](NodeField& field) {
-    std::fill(field.begin() + static_cast<std::ptrdiff_t>(nodes.begin),
-              field.begin() + static_cast<std::ptrdiff_t>(nodes.end), 0.0);
-  };
-  if constexpr (motion != Motion::none)
-    for (NodeField* field : {&grid.momentum_x, &grid.momentum_y})
-      clear(*field);
-  if constexpr (motion == Motion::mass_and_momentum)
-    clear(grid.mass);
-  if constexpr (force)
-    for (NodeField* field : {&grid.force_x, &grid.force_y, &grid.dashpot_x, &grid.dashpot_y})
-      clear(*field);
-}
-
-template <Motion motion, bool force>
 void add_clock(Domain& domain, int clock) {
   const std::size_t blocks = domain.blocks_per_clock();
   const std::size_t first = static_cast<std::size_t>(clock) * blocks;
@@ -299,47 +284,37 @@ void add_clock(Domain& domain, int clock) {
   if (domain.mesh)
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
       const Particles& p = domain.sets[s];
-      if (p.bxx.empty())
-        scatter_across<motion, force, false>(p, domain.across_of(s, clock), domain.basis_cells, domain.grid,
-                                             domain.spec.gravity);
-      else
-        scatter_across<motion, force, true>(p, domain.across_of(s, clock), domain.basis_cells, domain.grid,
-                                            domain.spec.gravity);
+      const auto scatter_as =
+          p.traits.affine ? scatter_across<motion, force, true> : scatter_across<motion, force, false>;
+      scatter_as(p, domain.across_of(s, clock), domain.basis_cells, domain.grid, domain.spec.gravity);
     }
 }
 
-template <Motion motion, bool force>
-void scatter_blocks(Domain& domain) {
-  domain.workers.run(domain.soil_rows.size(),
-                     [&](std::size_t row) { clear_row<motion, force>(domain.grid, domain.soil_rows[row]); });
-  for (int clock = 0; clock < domain.clocks.count(); ++clock)
-    add_clock<motion, force>(domain, clock);
-  if (domain.has_tied_nodes()) {
-    if constexpr (motion == Motion::mass_and_momentum)
-      fold_motion(domain);
-    if constexpr (motion == Motion::momentum)
-      fold_momentum(domain);
-    if constexpr (force)
-      fold_forces(domain);
-  }
+/// act(group) for the groups of node fields that a part sums up.
+template <typename Act>
+void for_groups(ScatterPart part, const Act& act) {
+  if (part == ScatterPart::motion || part == ScatterPart::both)
+    act(NodeGroup::mass);
+  if (part != ScatterPart::force)
+    act(NodeGroup::momentum);
+  if (part == ScatterPart::force || part == ScatterPart::both)
+    act(NodeGroup::force);
 }
 
 } // namespace
 
-void scatter(Domain& domain, ScatterPart part) {
-  switch (part) {
-  case ScatterPart::motion:
-    return scatter_blocks<Motion::mass_and_momentum, false>(domain);
-  case ScatterPart::momentum:
-    return scatter_blocks<Motion::momentum, false>(domain);
-  case ScatterPart::force:
-    return scatter_blocks<Motion::none, true>(domain);
-  case ScatterPart::both:
-    return scatter_blocks<Motion::mass_and_momentum, true>(domain);
-  }
+void clear(Domain& domain, ScatterPart part, std::span<const NodeRange> nodes) {
+  std::vector<NodeField*> fields;
+  for_groups(part, [&](NodeGroup group) {
+    for_group(domain.grid, group, [&](NodeField& field) { fields.push_back(&field); });
+  });
+  domain.workers.run(nodes.size(), [&](std::size_t row) {
+    for (NodeField* field : fields)
+      std::fill(field->data() + nodes[row].begin, field->data() + nodes[row].end, 0.0);
+  });
 }
 
-void scatter_clock(Domain& domain, ScatterPart part, int clock) {
+void add_particles(Domain& domain, ScatterPart part, int clock) {
   switch (part) {
   case ScatterPart::motion:
     return add_clock<Motion::mass_and_momentum, false>(domain, clock);
@@ -350,6 +325,17 @@ void scatter_clock(Domain& domain, ScatterPart part, int clock) {
   case ScatterPart::both:
     return add_clock<Motion::mass_and_momentum, true>(domain, clock);
   }
+}
+
+void fold(Domain& domain, ScatterPart part, std::span<const std::size_t> rows) {
+  for_groups(part, [&](NodeGroup group) { fold(domain, group, rows); });
+}
+
+void scatter(Domain& domain, ScatterPart part) {
+  clear(domain, part, domain.soil_rows);
+  for (int clock = 0; clock < domain.clocks.count(); ++clock)
+    add_particles(domain, part, clock);
+  for_groups(part, [&](NodeGroup group) { fold(domain, group); });
 }
 
 } // namespace tremolo::mpm_domain

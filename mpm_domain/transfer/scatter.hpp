@@ -2,6 +2,8 @@
 
 #include "mpm_domain/domain.hpp"
 
+#include <span>
+
 namespace tremolo::mpm_domain {
 
 /// What a scatter pass brings to the nodes.
@@ -12,16 +14,23 @@ enum class ScatterPart {
   both, ///< motion and force
 };
 
-/// Particles to grid; sums of the chosen part are zeroed first.
+/// Particles to grid, in three moves that the step puts together clock by clock:
 ///
 ///   motion:  m_i = sum_p S_ip m_p,    p_i = sum_p S_ip m_p (v_p + C_p (x_i - x_p))    (C only with APIC)
 ///   force:   f_i = sum_p (S_ip m_p g - V_p sigma_p grad S_ip)
 ///
 /// Blocks of rows are scattered in two colours, so no two threads write one node and every node receives its
 /// contributions in the same order for any thread count.
-void scatter(Domain& domain, ScatterPart part);
 
-/// Adds what the particles of one clock bring to what the nodes hold; tied nodes keep their part.
-void scatter_clock(Domain& domain, ScatterPart part, int clock);
+/// Makes the sums of a part zero.
+void clear(Domain& domain, ScatterPart part, std::span<const NodeRange> nodes);
+/// Adds what the particles of a clock bring; tied nodes keep their share.
+void add_particles(Domain& domain, ScatterPart part, int clock);
+/// Hands on what tied nodes have collected.
+/// @param rows of the prolongation
+void fold(Domain& domain, ScatterPart part, std::span<const std::size_t> rows);
+
+/// All three for all particles and nodes.
+void scatter(Domain& domain, ScatterPart part);
 
 } // namespace tremolo::mpm_domain

@@ -13,6 +13,7 @@ run` gives a process, the handshake, credit, frames, deadlines. It needs pyzmq a
 import argparse
 import dataclasses
 import json
+import os
 import struct
 import time
 import tomllib
@@ -23,11 +24,10 @@ from pathlib import Path
 import numpy as np
 import zmq
 
-PROTOCOL = 1
+PROTOCOL = 2
 VALUES_PER_POINT = 10
-LARGEST_FRAME = 4 << 20  # bytes of a frame's body
 HEADER = struct.Struct("<4sHHQIIQIII20x")
-OPTIONS = ("case", "name", "endpoint", "session", "threads", "out", "connect-deadline", "step-deadline")
+OPTIONS = ("case", "name", "endpoint", "threads", "out", "connect-deadline", "step-deadline")
 
 
 class RunEnded(SystemExit):
@@ -61,8 +61,9 @@ class Field:
             raise ValueError(f"field '{self.name}': y = {self.y}, must be two or more finite elevations, ascending")
         if not (np.isfinite(self.time_step) and self.time_step > 0.0):
             raise ValueError(f"field '{self.name}': time_step = {self.time_step} s, must be finite and > 0")
-        if self.step_count < 2:
-            raise ValueError(f"field '{self.name}': step_count = {self.step_count}, must be 2 or more")
+        if self.step_count != int(self.step_count) or self.step_count < 2:
+            raise ValueError(f"field '{self.name}': step_count = {self.step_count}, must be a whole number, 2 or more")
+        self.step_count = int(self.step_count)
 
     def times(self, first, count):
         """Times of steps [first, first + count), s."""
@@ -95,13 +96,16 @@ class Participant:
             parser.add_argument("--" + option, required=option not in ("threads", "out"))
         parser.add_argument("--keys", help="folder of CURVE keys, for a hub on another machine")
         self._options = parser.parse_args(arguments)
+        self._session = os.environ.get("TREMOLO_SESSION")
+        if self._session is None:
+            parser.error("TREMOLO_SESSION is not set: the run that starts this process gives it its session there")
         with open(self._options.case, "rb") as file:
             self._text = file.read()
         self.case = tomllib.loads(self._text.decode("utf-8"))
 
     def serve(self, fields):
         """Serves the fields until the domain has finished."""
-        window = self._introduce(fields)
+        steps_per_frame = self._introduce(fields)
         sent, computing, waiting = [0] * len(fields), 0.0, 0.0
         while True:
             started = time.monotonic()
@@ -115,7 +119,7 @@ class Participant:
                 continue
             f = message["field"]
             field, credit = fields[f], min(message["steps"], fields[f].step_count)
-            most = max(1, min(window, LARGEST_FRAME // (8 * VALUES_PER_POINT * len(field.y))))
+            most = steps_per_frame[f]
             while credit - sent[f] >= most or sent[f] < credit == field.step_count:
                 steps = min(most, credit - sent[f])
                 started = time.monotonic()
@@ -146,14 +150,15 @@ class Participant:
         described = [vars(field) | {"y": field.y.tolist()} for field in fields]
         for field in described:
             del field["motion"]
-        self._say(type="HELLO", protocol=PROTOCOL, session=options.session, name=options.name, role="source",
+        self._say(type="HELLO", protocol=PROTOCOL, session=self._session, name=options.name, role="source",
                   build=f"python, pyzmq {zmq.__version__}", units="SI", case=f"{zlib.crc32(self._text):08x}",
                   case_text=self._text.decode("utf-8"), fields=described)
         while (welcome := self._receive())["type"] != "WELCOME":
             pass
         self._number = welcome["number"]
         self._socket.setsockopt(zmq.RCVTIMEO, int(1000.0 * (float(options.step_deadline) + 1.0)))
-        return welcome["window_steps"]
+        own = next(source for source in welcome["sources"] if source["number"] == self._number)
+        return [field["steps_per_frame"] for field in own["fields"]]
 
     def _say(self, **message):
         self._socket.send(json.dumps(message).encode("utf-8"))
@@ -176,7 +181,7 @@ class Participant:
             self._say(type="ABORT", reason=reason)
             raise RunEnded(reason)
         body = values.astype("<f8").tobytes()
-        head = [b"TRML", PROTOCOL, 1, int(self._options.session, 16), self._number, field, first, len(values),
+        head = [b"TRML", PROTOCOL, 1, int(self._session, 16), self._number, field, first, len(values),
                 values[0].size]
         crc = zlib.crc32(HEADER.pack(*head, 0) + body)
         self._socket.send(HEADER.pack(*head, crc) + body)

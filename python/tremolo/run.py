@@ -8,12 +8,18 @@
 All values are SI units; tension is positive; x points right, y up.
 """
 
+import contextlib
 from pathlib import Path
 
 import h5py
 import numpy as np
 
 SCHEMA_MAJOR = "1"
+
+
+class DamagedRun(ValueError):
+    """A run file that cannot be read as what it should hold; says which part of which file."""
+
 
 
 def _text(value):
@@ -56,11 +62,20 @@ class Run:
             self._file = h5py.File(self.path, "r")
         except OSError as error:
             raise OSError(f"{self.path}: cannot be read as HDF5: {error}") from error
-        version = self.attribute("schema_version", "none")
+        version = str(self.attribute("schema_version", "none"))
         if version.split(".")[0] != SCHEMA_MAJOR:
             raise ValueError(f"{self.path}: schema version {version}, this package reads {SCHEMA_MAJOR}.x")
-        self._frames = sorted(self._file["frames"], key=int)
-        self.times = np.array([self._file["frames"][name].attrs["time"] for name in self._frames])
+        with self._reading("the frames"):
+            self._frames = sorted(self._file["frames"], key=int)
+            self.times = np.array([float(self._file["frames"][name].attrs["time"]) for name in self._frames])
+
+    @contextlib.contextmanager
+    def _reading(self, what):
+        """What h5py and numpy say of a damaged file, in many kinds of exceptions, becomes one that names file and part."""
+        try:
+            yield
+        except (OSError, RuntimeError, LookupError, ValueError, TypeError, AttributeError, MemoryError) as error:
+            raise DamagedRun(f"{self.path}: cannot read {what}, the file is damaged: {error}") from error
 
     def close(self):
         self._file.close()
@@ -73,7 +88,8 @@ class Run:
 
     def attribute(self, name, default=None):
         """An attribute of the root, e.g. mesh_size (m), angle_deg, box, soil_names."""
-        return _text(self._file.attrs[name]) if name in self._file.attrs else default
+        with self._reading(f"the attribute {name}"):
+            return _text(self._file.attrs[name]) if name in self._file.attrs else default
 
     @property
     def title(self):
@@ -87,18 +103,22 @@ class Run:
     @property
     def case(self):
         """The text of the case file."""
-        return _text(self._file["case"][()])
+        with self._reading("the case"):
+            return _text(self._file["case"][()])
 
     def frame(self, index):
         """Fields of one frame: name -> array [particles] or [particles, components]."""
-        return {name: data[()] for name, data in self._file["frames"][self._frames[index]].items()}
+        with self._reading(f"frame {index}"):
+            return {name: data[()] for name, data in self._file["frames"][self._frames[index]].items()}
 
     def field(self, index, name):
         """One field of one frame."""
-        return self._file["frames"][self._frames[index]][name][()]
+        with self._reading(f"{name} of frame {index}"):
+            return self._file["frames"][self._frames[index]][name][()]
 
     def has_field(self, name):
-        return bool(self._frames) and name in self._file["frames"][self._frames[0]]
+        with self._reading("frame 0"):
+            return bool(self._frames) and name in self._file["frames"][self._frames[0]]
 
     def nearest_frame(self, time):
         """Index of the frame nearest to a time (s)."""
@@ -107,33 +127,40 @@ class Run:
     @property
     def monitors(self):
         """Names of the monitors."""
-        return sorted(self._file["monitors"])
+        with self._reading("the monitors"):
+            return sorted(self._file["monitors"])
 
     def monitor(self, name):
         """Series of a monitor: time, x, y, ux, uy, vx, vy, ax, ay."""
-        return Series(self._file["monitors"][name])
+        if name not in self.monitors:
+            raise KeyError(f"{self.path}: no monitor '{name}'; it has {', '.join(self.monitors) or 'none'}")
+        with self._reading(f"the monitor {name}"):
+            return Series(self._file["monitors"][name])
 
     @property
     def energy(self):
         """The energy ledger, J per metre of thickness; None where the run has none."""
-        return Series(self._file["energy"]) if "energy" in self._file else None
+        with self._reading("the energy"):
+            return Series(self._file["energy"]) if "energy" in self._file else None
 
     @property
     def boundary(self):
         """Boundary exchange: name -> array (faces and [times, faces, 2]); None where the run has none."""
-        if "boundary" not in self._file:
-            return None
-        group = self._file["boundary"]
-        arrays = {name: data[()] for name, data in group.items()}
-        whole = int(np.count_nonzero(~np.isnan(arrays["time"])))
-        for name in ("time", "free_field_velocity", "domain_velocity", "traction"):
-            arrays[name] = arrays[name][:whole]
-        arrays["source"] = _text(group.attrs["source"])
-        return arrays
+        with self._reading("the boundary"):
+            if "boundary" not in self._file:
+                return None
+            group = self._file["boundary"]
+            arrays = {name: data[()] for name, data in group.items()}
+            whole = int(np.count_nonzero(~np.isnan(arrays["time"])))
+            for name in ("time", "free_field_velocity", "domain_velocity", "traction"):
+                arrays[name] = arrays[name][:whole]
+            arrays["source"] = _text(group.attrs["source"])
+            return arrays
 
     def table(self, name):
         """A table, e.g. 'timings': column -> list or array; None where the run has none."""
-        if name not in self._file:
-            return None
-        group = self._file[name]
-        return {column: _text(group[column][()]) for column in _text(group.attrs["columns"])}
+        with self._reading(f"the table {name}"):
+            if name not in self._file:
+                return None
+            group = self._file[name]
+            return {column: _text(group[column][()]) for column in _text(group.attrs["columns"])}

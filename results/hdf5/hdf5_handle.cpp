@@ -37,11 +37,6 @@ void prepare_hdf5() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-bool is_thread_safe() {
-  bool safe = false;
-  return H5is_library_threadsafe(&safe) >= 0 && safe;
-}
-
 void throw_hdf5_error(const std::filesystem::path& file, std::string_view action) {
   std::string reason = "unknown HDF5 error";
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_description, &reason);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 #include <system_error>
 
@@ -140,6 +141,23 @@ void reserve_links(hid_t group_properties, std::size_t expected_links) {
                        typical_name_length);
 }
 
+std::filesystem::path draft_of(const std::filesystem::path& file) {
+  std::filesystem::path draft = file;
+  draft += ".new";
+  return draft;
+}
+
+/// @param told for messages
+Handle created(const std::filesystem::path& file, const std::filesystem::path& told) {
+  prepare_hdf5();
+  constexpr std::size_t expected_root_links = 32;
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  reserve_links(creation.get(), expected_root_links);
+  return {checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.get(), access_properties().get()), told,
+                  "create the file"),
+          H5Fclose};
+}
+
 } // namespace
 
 Handle string_type(std::size_t size) {
@@ -225,13 +243,11 @@ Handle open_for_writing(const std::filesystem::path& file) {
 }
 
 Handle create_file(const std::filesystem::path& file) {
-  prepare_hdf5();
-  constexpr std::size_t expected_root_links = 32;
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  reserve_links(creation.get(), expected_root_links);
-  return {checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.get(), access_properties().get()), file,
-                  "create the file"),
-          H5Fclose};
+  return created(file, file);
+}
+
+Handle create_draft(const std::filesystem::path& file) {
+  return created(draft_of(file), file);
 }
 
 void flush_file(const Handle& open_file, const std::filesystem::path& file) {
@@ -252,7 +268,15 @@ void flush_file(const Handle& open_file, const std::filesystem::path& file) {
   checked(H5Fflush(open_file.get(), H5F_SCOPE_GLOBAL), file, "flush");
 }
 
-void refuse_further_writes(const Handle& open_file) {
+void publish_draft(const Handle& open_file, const std::filesystem::path& file) {
+  flush_file(open_file, file);
+  if (std::rename(draft_of(file).c_str(), file.c_str()) != 0) {
+    throw std::runtime_error(
+        fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(errno)));
+  }
+}
+
+void WriteGuard::refuse_further_writes(const Handle& open_file) {
   void* descriptor = nullptr;
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (nothing >= 0 && H5Fget_vfd_handle(open_file.get(), H5P_DEFAULT, &descriptor) >= 0) {

@@ -8,7 +8,9 @@
 #include "results/run_data.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -54,8 +56,36 @@ Handle create_file(const std::filesystem::path& file);
 /// state: first the end of the file, then the metadata, which may refer to anything before it.
 void flush_file(const Handle& open_file, const std::filesystem::path& file);
 
-/// To be called when a write has failed: leaves the file as the last flush made it. Its descriptor is
-/// replaced by one that refuses writes, so that closing cannot add half of what failed.
-void refuse_further_writes(const Handle& open_file);
+/// The same under another name, FILE.new, until publish_draft(): whoever finds a file under its own name
+/// finds one that opens.
+Handle create_draft(const std::filesystem::path& file);
+
+/// Flushes a draft and gives it its own name.
+void publish_draft(const Handle& open_file, const std::filesystem::path& file);
+
+/// Runs actions that write. When one fails, the file is left as the last flush made it: its descriptor is
+/// replaced by one that refuses writes, so that closing cannot add half of what failed. Whatever is tried
+/// afterwards fails with the same reason, not with what has become of the descriptor.
+class WriteGuard {
+public:
+  template <class Action>
+  void operator()(const Handle& open_file, Action action) {
+    if (failure_) {
+      throw std::runtime_error(*failure_);
+    }
+    try {
+      action();
+    } catch (const std::runtime_error& error) {
+      failure_ = error.what();
+      refuse_further_writes(open_file);
+      throw;
+    }
+  }
+
+private:
+  static void refuse_further_writes(const Handle& open_file);
+
+  std::optional<std::string> failure_;
+};
 
 } // namespace tremolo::results

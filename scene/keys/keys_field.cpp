@@ -17,11 +17,9 @@ Table motion() {
            .meaning =
                "Record, relative to the case file: PEER format (AT2, VT2, DT2), a table of time and value, "
                "or HDF5. "
-               "Accelerations are integrated by the trapezoidal rule. The velocity rises with a "
-               "half "
-               "cosine over the first 0.1 s, falls with a half cosine to zero within 1 s after the last "
-               "sample, "
-               "and is joined by a cubic spline; it is zero before and after.",
+               "The motion is the band-limited function through the samples: its spectrum is the record's up "
+               "to its Nyquist frequency. Velocities rise with a half cosine over the first 0.1 s; after the "
+               "last sample a half cosine takes the velocity to zero within 1 s.",
            .otherwise = "`pulse`"},
           {.name = "quantity",
            .type = Type::choice,

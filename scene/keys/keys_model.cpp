@@ -24,29 +24,11 @@ Table time() {
            .meaning = "A fixed time step instead of `fraction`, with the same limits.",
            .otherwise = "from `fraction`",
            .range = positive},
-          choice("transfer", {"apic", "flip", "fmpm", "pic_blend"},
-                 "How velocity travels between particles and grid: affine particle-in-cell, FLIP, PIC by an "
-                 "approximate inverse of the full mass matrix, or FLIP blended with PIC.",
-                 "apic"),
-          {.name = "fmpm_order",
-           .type = Type::integer,
-           .unit = "1",
-           .meaning = "k of FMPM(k): waves lose the less the higher it is, and every one more costs a "
-                      "transfer of velocities to the grid and back. Not with `order = \"usl\"`.",
-           .fallback = "3",
-           .range = {.low = 2.0, .high = 10.0},
-           .when = {"transfer", {"fmpm"}}},
-          {.name = "blend_time",
-           .unit = "s",
-           .meaning =
-               "Time constant tau of the blend: the difference to PIC decays with exp(-t/tau), whatever the "
-               "time step.",
-           .required = true,
-           .range = positive,
-           .when = {"transfer", {"pic_blend"}}},
-          choice("order", {"usl", "usf", "musl"},
-                 "When stress is updated in a step: last, first, or last with "
-                 "remapped velocity.",
+          choice("transfer", {"apic", "flip"},
+                 "How velocity travels between particles and grid: affine particle-in-cell or FLIP.", "apic"),
+          choice("order", {"usl", "musl"},
+                 "The velocity that strains the soil: `usl` takes the one that the step gives the nodes, "
+                 "`musl` maps the particles' new velocity to the nodes once more.",
                  "musl"),
           {.name = "subcycle",
            .type = Type::boolean,
@@ -153,18 +135,12 @@ std::vector<Table> model_keys() {
              .meaning = "Particles per cell in each direction.",
              .fallback = "2",
              .range = {.low = 1.0, .high = 4.0}},
-            {.name = "join_particles",
-             .type = Type::boolean,
-             .meaning = "Particles that have left finer cells are joined, four to one, where their soil "
-                        "has never yielded and their stresses are alike. Needs `[[refine]]`; see "
-                        "docs/mesh.md.",
-             .fallback = "false"},
             choice(
                 "particle_boxes", {"fixed", "deforming"},
                 "Boxes over which particles see the grid. `fixed`: they keep their size, which is exact "
                 "while strains are small; soil stretched by tens of per cent is no longer tiled by them and "
                 "breaks into pieces in the end. `deforming`: they follow the soil, up to two cells "
-                "wide; not with order = \"usf\". See docs/mesh.md.",
+                "wide. See docs/mesh.md.",
                 "fixed"),
             {.name = "layer_cells",
              .type = Type::integer,

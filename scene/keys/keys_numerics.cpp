@@ -103,7 +103,7 @@ Table eql() {
                 .unit = "1",
                 .meaning = "At most so many.",
                 .fallback = "50",
-                .range = {.low = 1.0}},
+                .range = {.low = 1.0, .high = 1e6}},
                choice("unconverged", {"refuse", "allow"},
                       "What an iteration that has not converged is: an error, or served with a warning.",
                       "refuse")}};

@@ -60,10 +60,6 @@ std::string_view name(Transfer transfer) {
     return "apic";
   case Transfer::flip:
     return "flip";
-  case Transfer::fmpm:
-    return "fmpm";
-  case Transfer::pic_blend:
-    return "pic_blend";
   }
   return {};
 }
@@ -82,8 +78,6 @@ std::string_view name(StepOrder order) {
   switch (order) {
   case StepOrder::usl:
     return "usl";
-  case StepOrder::usf:
-    return "usf";
   case StepOrder::musl:
     return "musl";
   }

@@ -119,13 +119,18 @@ std::string explain(const Case& scene, const Plan& plan) {
                   size_text(plan.memory_bytes), size_text(plan.output_bytes), plan.frames,
                   duration_text(plan.estimated_time));
   text += soils_text(scene);
-  text += "\nNotes\n";
-  for (const std::string& note : plan.notes)
-    text += fmt::format("  - {}\n", note);
+  text += "\nRemarks\n";
+  return text + remarks_text(scene);
+}
+
+std::string remarks_text(const Case& scene) {
+  std::string text;
+  for (const Finding& remark : scene.remarks)
+    text += fmt::format("  {}\n", remark.message());
   return text;
 }
 
-std::string to_json(const Plan& plan) {
+std::string to_json(const Case& scene, const Plan& plan) {
   using nlohmann::ordered_json;
   ordered_json json;
   for (const Effect& effect : plan.effects)
@@ -145,7 +150,9 @@ std::string to_json(const Plan& plan) {
                                {"serves", serves}});
   }
   json["base"] = plan.base;
-  json["notes"] = plan.notes;
+  json["notes"] = ordered_json::array();
+  for (const Finding& remark : scene.remarks)
+    json["notes"].push_back(remark.text);
   for (const Level& level : plan.levels)
     json["levels"].push_back({{"cell_size_m", level.cell_size},
                               {"particle_size_m", level.particle_size},

@@ -1,6 +1,11 @@
 #include "scene/plan/levels.hpp"
 
+#include "mpm_domain/spec/grid_shape.hpp"
+#include "mpm_domain/spec/limits.hpp"
 #include "scene/plan/plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +15,12 @@ namespace tremolo::scene {
 
 namespace {
 
-constexpr int padding = 6;                      // cells around the box
-constexpr double largest_courant_number = 0.65; // 2D uGIMP with dashpots at corners
-
 mesh::Rectangle rectangle(const Box& box) {
   return {box.x_min, box.y_min, box.x_max, box.y_max};
+}
+
+mpm_domain::GridShape grid_shape_of(const Case& scene) {
+  return mpm_domain::grid_shape(rectangle(scene.mesh.box), scene.mesh.size, scene.boundary.sides);
 }
 
 /// c_p of a soil, m/s: that of sand in the stress that its own weight would cause at the base of the model.
@@ -54,33 +60,17 @@ Level uniform_level(const Case& scene) {
   for (const Region& region : scene.regions)
     soil_area += area(region.polygon);
   const double spacing = mesh.size / mesh.particles_per_cell;
-  const auto cells = [&](double length) { return std::ceil(length / mesh.size - 1e-6) + 2 * padding; };
-  const double count = cells(mesh.box.width()) * cells(mesh.box.height());
+  const mpm_domain::GridShape grid = grid_shape_of(scene);
   double fastest = 0.0;
   for (const double speed : p_wave_speeds(scene))
     fastest = std::max(fastest, speed);
   return {.cell_size = mesh.size,
           .particle_size = spacing,
-          .cells = count,
+          .cells = static_cast<double>(grid.nx - 1) * static_cast<double>(grid.ny - 1),
           .particles = std::round(soil_area / (spacing * spacing)),
-          .nodes = count,
-          .critical_dt = largest_courant_number * mesh.size / fastest};
+          .nodes = static_cast<double>(grid.count()),
+          .critical_dt = mpm_domain::largest_courant_number * mesh.size / fastest};
 }
-
-/// The block of nodes that encloses cells.
-struct Block {
-  mesh::Rectangle box{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-                      -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-  void take(const mesh::Rectangle& cell) {
-    box = {std::min(box.x_min, cell.x_min), std::min(box.y_min, cell.y_min), std::max(box.x_max, cell.x_max),
-           std::max(box.y_max, cell.y_max)};
-  }
-  double nodes(double h) const {
-    const auto along = [h](double length) { return std::max(0.0, length / h + 2 * padding); };
-    return along(box.x_max - box.x_min) * along(box.y_max - box.y_min);
-  }
-};
 
 /// Calls act(region) for every particle of a leaf that lies in one.
 template <typename Act>
@@ -102,12 +92,8 @@ mesh::Quadtree quadtree(const Case& scene) {
   std::vector<mesh::Refinement> refinements;
   for (const Refinement& refine : mesh.refine)
     refinements.push_back({rectangle(refine.box), refine.level});
-  const mesh::Roots roots{.x0 = mesh.box.x_min,
-                          .y0 = mesh.box.y_min,
-                          .h = mesh.size,
-                          .nx = static_cast<int>(std::lround(mesh.box.width() / mesh.size)),
-                          .ny = static_cast<int>(std::ceil(mesh.box.height() / mesh.size - 1e-6))};
-  return {roots, mesh::beyond_edges(refinements, rectangle(mesh.box), 1e-6 * mesh.size, true)};
+  return {mpm_domain::roots_of(grid_shape_of(scene)),
+          mpm_domain::refinements_of(refinements, rectangle(mesh.box), mesh.size, scene.boundary.sides)};
 }
 
 std::vector<Level> levels(const Case& scene) {
@@ -120,24 +106,27 @@ std::vector<Level> levels(const Case& scene) {
     all.push_back({.cell_size = tree.size(level),
                    .particle_size = tree.size(level) / scene.mesh.particles_per_cell,
                    .critical_dt = std::numeric_limits<double>::infinity()});
-  std::vector<Block> blocks(all.size());
+  const mesh::Rectangle box = rectangle(scene.mesh.box);
+  const double near = 1e-3 * all.back().cell_size;
   for (const mesh::Cell& leaf : tree.leaves()) {
     const auto level = static_cast<std::size_t>(leaf.level);
     const mesh::Rectangle cell = tree.rectangle(leaf);
+    if (cell.x_min > box.x_max - near || cell.x_max < box.x_min + near || cell.y_min > box.y_max - near ||
+        cell.y_max < box.y_min + near)
+      continue;
     ++all[level].cells;
-    blocks[level].take(cell);
     // Particles at the edge of their cell take the step of finer cells beside it.
-    const double near = 1e-3 * all.back().cell_size;
     const auto finest = static_cast<std::size_t>(
         tree.finest_in({cell.x_min - near, cell.y_min - near, cell.x_max + near, cell.y_max + near}));
     for_particles(scene, cell, all[level].particle_size, [&](std::size_t region) {
       ++all[level].particles;
-      all[finest].critical_dt =
-          std::min(all[finest].critical_dt, largest_courant_number * all[finest].cell_size / speeds[region]);
+      all[finest].critical_dt = std::min(all[finest].critical_dt, mpm_domain::largest_courant_number *
+                                                                      all[finest].cell_size / speeds[region]);
     });
   }
+  const std::vector<mpm_domain::LevelLattice> lattices = mpm_domain::lattices_of(tree);
   for (std::size_t level = 0; level < all.size(); ++level)
-    all[level].nodes = blocks[level].nodes(all[level].cell_size);
+    all[level].nodes = static_cast<double>(lattices[level].lattice.count());
   return all;
 }
 
@@ -150,6 +139,16 @@ double critical_time_step(const Case& scene, std::span<const Level> levels) {
       steps *= 2.0;
   }
   return critical;
+}
+
+std::string by_level(std::span<const Level> levels, const std::function<double(double)>& value) {
+  std::vector<std::string> values;
+  std::vector<double> sizes;
+  for (const Level& level : levels) {
+    values.push_back(fmt::format("{:.3g}", value(level.cell_size)));
+    sizes.push_back(level.cell_size);
+  }
+  return fmt::format("{} on cells of {} m", fmt::join(values, ", "), fmt::join(sizes, ", "));
 }
 
 } // namespace tremolo::scene

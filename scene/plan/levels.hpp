@@ -6,7 +6,9 @@
 #include "mesh/quadtree.hpp"
 #include "scene/case.hpp"
 
+#include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tremolo::scene {
@@ -22,7 +24,7 @@ struct Level {
   double dt = 0.0; ///< that they take, s; set by the plan
 };
 
-/// The cells of the model's box, for a mesh with a size and a box.
+/// The cells of the domain's mesh, those around the model's box included; for a mesh with a size and a box.
 mesh::Quadtree quadtree(const Case& scene);
 
 /// For a mesh with a size, a box and soils.
@@ -31,5 +33,8 @@ std::vector<Level> levels(const Case& scene);
 /// The critical time step of the domain at rest: the least of its levels, s. Where each has a step of its
 /// own, half of the next coarser one's, it is that of the coarsest.
 double critical_time_step(const Case& scene, std::span<const Level> levels);
+
+/// "60, 30, 15 on cells of 1, 0.5, 0.25 m": a value that goes with the cell size (m), on each level.
+std::string by_level(std::span<const Level> levels, const std::function<double(double)>& value);
 
 } // namespace tremolo::scene

@@ -4,10 +4,12 @@
 //
 // Ricker: v(t) = V (1 - 2a) exp(-a), a = (pi f (t - t0))^2.
 //
-// Record: velocities (accelerations are integrated by the trapezoidal rule, v_0 = 0) are scaled, multiplied
-// by a half cosine that rises from 0 to 1 over the first 0.1 s, continued after the last sample by a half
-// cosine that falls from there to 0 within 1 s, and joined by a natural cubic spline. Before the first sample
-// (t = 0) and after the continuation the velocity is zero.
+// Record: the band-limited function through its samples (motion/band_limited.hpp), which has the record's
+// discrete Fourier spectrum up to its Nyquist frequency and nothing above. Accelerations are integrated as
+// that function; velocities are first multiplied by a half cosine that rises from 0 to 1 over the first 0.1
+// s. After the last sample a half cosine takes the velocity to 0 within 1 s. A band-limited function that is
+// not zero at its first sample is not zero just before it either: there a half cosine takes the velocity to 0
+// within 16 steps.
 
 #include "scene/case.hpp"
 
@@ -22,9 +24,10 @@ class Motion {
 public:
   static Motion ricker(const RickerPulse& pulse);
 
-  /// A record of velocities (m/s) at 0, dt, 2 dt, ... (s).
+  /// A record of velocities (m/s) or accelerations (m/s2) at 0, dt, 2 dt, ... (s).
   /// @throws std::invalid_argument for fewer than two samples, dt <= 0, or values that are not finite
-  static Motion record(std::span<const double> velocity, double dt);
+  static Motion of_velocity(std::span<const double> velocity, double dt);
+  static Motion of_acceleration(std::span<const double> acceleration, double dt);
 
   /// m/s at time t (s); zero outside [begin(), end()].
   double velocity(double t) const;
@@ -34,13 +37,15 @@ public:
   double end() const { return end_; }
 
   /// Hz; above it the spectrum is negligible: 6.5 f of a Ricker pulse (1e-16 of its peak), 1/dt of a record
-  /// (twice its Nyquist frequency, beyond which only the spline's fall-off is left).
+  /// (twice its Nyquist frequency, so that what samples by this frequency keeps the record's own ones).
   double highest_frequency() const { return highest_frequency_; }
 
 private:
   class Shape;
   class Ricker;
-  class Spline;
+  class Samples;
+  /// The band-limited function through velocities from `start` on.
+  static Motion through(double start, std::span<const double> velocity, double dt);
   Motion(std::shared_ptr<const Shape> shape, double begin, double end, double highest_frequency);
 
   std::shared_ptr<const Shape> shape_;

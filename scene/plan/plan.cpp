@@ -1,17 +1,14 @@
 #include "scene/plan/plan.hpp"
 
-#include "motion/measures.hpp"
+#include "mpm_domain/spec/bytes.hpp"
 #include "scene/plan/layers.hpp"
-#include "scene/plan/motion.hpp"
 #include "scene/plan/sources.hpp"
-#include "scene/soils/soil_report.hpp"
+#include "scene/soils/domain_soils.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tremolo::scene {
 
@@ -19,35 +16,17 @@ namespace {
 
 using materials::MohrCoulomb;
 
-// Doubles and 32-bit numbers of one particle and one node of the domain (mpm_domain/particles/particles.hpp,
-// grid.hpp).
-constexpr double particle_bytes =
-    12 * 8 + 2 * 4; // place, velocity, stress, mass, volume, first place; id, index
-constexpr double affine_bytes = 4 * 8;
-constexpr double box_bytes = 3 * 8;
-constexpr double node_bytes = 14 * 8; // sums, velocities, acceleration
-
 // CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
 // plasticity where the soil yields.
 constexpr double base_cost_ns = 200.0;
-constexpr double fmpm_cost_ns = 50.0; // for each order above the first
 constexpr double box_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double mobility_cost_ns = 400.0;   // PM4Sand or PDMY03 at small strain increments
 
-/// Soils that lie in the domain; others belong to layers of the free field alone.
-std::vector<Soil> domain_soils(const Case& scene) {
-  std::vector<Soil> soils;
-  for (std::size_t i = 0; i < scene.soils.size(); ++i)
-    if (std::ranges::find(scene.regions, i, &Region::soil) != scene.regions.end())
-      soils.push_back(scene.soils[i]);
-  return soils;
-}
-
 template <class Predicate>
 bool any_soil(const Case& scene, Predicate predicate) {
-  return std::ranges::any_of(domain_soils(scene), predicate, &Soil::law);
+  return std::ranges::any_of(domain_soils(scene), [&](const Soil& soil) { return predicate(soil.law); });
 }
 
 bool is_plastic(const materials::Law& law) {
@@ -75,6 +54,11 @@ double state_size(const Case& scene, bool written) {
   return static_cast<double>(largest);
 }
 
+/// Bytes of a particle that has some traits, besides its law's state.
+double particle_bytes(mpm_domain::ParticleTraits traits) {
+  return static_cast<double>(mpm_domain::bytes_per_particle(traits));
+}
+
 std::string listed(const std::vector<SourceProcess>& sources) {
   std::string text;
   for (const SourceProcess& source : sources)
@@ -86,13 +70,6 @@ std::string subcycling_text(const Case& scene) {
   return scene.time.subcycle ? "[time] subcycle = true: a step for each level of the mesh, the boundary "
                                "exchanged once in the coarsest's"
                              : "[time] subcycle = false: one step for all levels";
-}
-
-std::string joining_text(const Case& scene) {
-  return scene.mesh.join_particles
-             ? "[mesh] join_particles = true: four that leave finer cells become one, where their soil has "
-               "never yielded and their stresses are alike"
-             : "[mesh] join_particles = false: what was cut in finer cells stays cut";
 }
 
 std::string periodic_text(Sides sides) {
@@ -112,7 +89,6 @@ std::string periodic_text(Sides sides) {
 
 std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources) {
   const bool apic = scene.time.transfer == Transfer::apic;
-  const bool fmpm = scene.time.transfer == Transfer::fmpm;
   const bool deforming = scene.mesh.particle_boxes == ParticleBoxes::deforming;
   const bool plastic = any_soil(scene, is_plastic);
   const bool softening = any_soil(scene, softens);
@@ -121,15 +97,14 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const auto& [sides, left, right, base] = scene.boundary;
   const bool layered = left.absorber == Absorber::matched_layer ||
                        right.absorber == Absorber::matched_layer || base.absorber == Absorber::matched_layer;
+  const double bare_bytes = particle_bytes({});
+  const double affine_bytes = particle_bytes({.affine = true}) - bare_bytes;
+  const double box_bytes = particle_bytes({.own_boxes = true}) - bare_bytes;
   const bool damped = scene.damping.model != DampingModel::none;
   return {
-      {"soil skeleton", true, "always: GIMP particles, plane strain", particle_bytes, base_cost_ns},
+      {"soil skeleton", true, "always: GIMP particles, plane strain", bare_bytes, base_cost_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
        apic ? affine_bytes : 0.0, 0.0},
-      {"full mass matrix", fmpm,
-       fmpm ? fmt::format("[time] transfer = \"fmpm\": inverted to order {}", scene.time.fmpm_order)
-            : fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
-       0.0, fmpm ? fmpm_cost_ns * (scene.time.fmpm_order - 1) : 0.0},
       {"deforming boxes", deforming,
        fmt::format("[mesh] particle_boxes = \"{}\"", name(scene.mesh.particle_boxes)),
        deforming ? box_bytes : 0.0, deforming ? box_cost_ns : 0.0},
@@ -161,129 +136,9 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"material damping", damped,
        fmt::format("[damping] model = \"{}\", of the free field", name(scene.damping.model))},
       {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
-      {"joined particles", scene.mesh.join_particles, joining_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
   };
-}
-
-/// When the incident wave first reaches the model: at its lower left corner, s.
-double first_arrival(const Case& scene) {
-  const double speed =
-      scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
-  const double angle = scene.motion.angle_deg * std::numbers::pi / 180.0;
-  const double dx = scene.mesh.box.x_min - scene.motion.reference.x;
-  const double dy = scene.mesh.box.y_min - scene.motion.reference.y;
-  return motion(scene.motion).begin() + (dx * std::sin(angle) + dy * std::cos(angle)) / speed;
-}
-
-/// Says so where a record does not end at rest.
-std::optional<std::string> residual_motion(const Case& scene) {
-  const auto* file = std::get_if<MotionFile>(&scene.motion.source);
-  if (file == nullptr)
-    return std::nullopt;
-  const auto warning = motion::residual_warning(motion::measures(motion::read_record(file->path, file->as)));
-  return warning ? std::optional(fmt::format("{}: {}", file->path.filename().string(), *warning))
-                 : std::nullopt;
-}
-
-/// What became of a soil's curve: the backbone, and how far the Masing rules are from the damping asked for.
-std::optional<std::string> fitted_soil(const Soil& soil) {
-  const auto* law = std::get_if<materials::MasingShear>(&soil.column_law);
-  if (law == nullptr || !soil.curves || !soil.curves->whole)
-    return std::nullopt;
-  constexpr double strain = 1e-3;
-  return fmt::format(
-      "soil '{}': backbone fitted to its curve, reference_strain = {:.4g}, beta = {:.4g}, exponent = "
-      "{:.4g}; at {} % strain G/G0 is {:.3f} (curve {:.3f}) and the damping of the Masing rules {:.1f} % "
-      "(curve {:.1f} %)",
-      soil.name, law->reference_strain, law->beta, law->exponent, 100.0 * strain,
-      law->backbone().secant(strain) / law->elastic.shear_modulus(), soil.curves->modulus_reduction(strain),
-      100.0 * materials::masing_damping(law->backbone(), strain), 100.0 * soil.curves->damping(strain));
-}
-
-/// "60, 30, 15 on cells of 1, 0.5, 0.25 m", of value(h) on the cells of several levels.
-template <typename Value>
-std::string by_level(const std::vector<Level>& levels, const Value& value) {
-  std::vector<std::string> values;
-  std::vector<double> sizes;
-  for (const Level& level : levels) {
-    values.push_back(fmt::format("{:.3g}", value(level.cell_size)));
-    sizes.push_back(level.cell_size);
-  }
-  return fmt::format("{} on cells of {} m", fmt::join(values, ", "), fmt::join(sizes, ", "));
-}
-
-/// Of a soil whose softening goes with the size of the cells.
-std::optional<std::string> softening_by_level(const Soil& soil, const std::vector<Level>& levels) {
-  const auto* law = std::get_if<MohrCoulomb>(&soil.law);
-  if (law == nullptr || !soil.softening_size || !(law->softening > 0.0) || levels.size() == 1)
-    return std::nullopt;
-  return fmt::format("soil '{}': softening eta = {}", soil.name, by_level(levels, [&](double h) {
-                       return materials::regularised(*law, h, *soil.softening_size).softening;
-                     }));
-}
-
-std::vector<std::string> plan_notes(const Case& scene, const std::vector<Level>& levels,
-                                    double highest_speed) {
-  double slowest = highest_speed;
-  for (const Soil& soil : domain_soils(scene))
-    slowest = std::min(slowest, materials::elasticity(soil.law).s_wave_speed());
-  constexpr double cells_per_wavelength = 15.0;
-  const auto resolved_by = [&](double h) { return slowest / (cells_per_wavelength * h); };
-  const double resolved = resolved_by(scene.mesh.size);
-  std::vector<std::string> notes = {
-      fmt::format("shear waves up to {:.3g} Hz have {} cells per wavelength or more (speed error "
-                  "below about 2 % with apic or fmpm, 3.5 % with flip)",
-                  resolved, cells_per_wavelength)};
-  if (levels.size() > 1)
-    notes.push_back(fmt::format("level by level these are, in Hz: {}", by_level(levels, resolved_by)));
-  for (const Soil& soil : domain_soils(scene))
-    if (auto softening = softening_by_level(soil, levels))
-      notes.push_back(*std::move(softening));
-  if (const auto* pulse = std::get_if<RickerPulse>(&scene.motion.source);
-      pulse && 2.5 * pulse->frequency > resolved)
-    notes.push_back(fmt::format("the pulse reaches up to about {:.3g} Hz: the mesh is coarse for it",
-                                2.5 * pulse->frequency));
-  if (const double arrival = first_arrival(scene); arrival < 0.0)
-    notes.push_back(fmt::format(
-        "the wave reaches the model {:.3g} s before the shaking starts and finds it at rest: what "
-        "came earlier is missing; a later pulse or a deeper [motion] reference avoids it",
-        -arrival));
-  if (const auto& base = scene.boundary.base;
-      base.form == BaseForm::incident && base.absorber == Absorber::matched_layer)
-    notes.push_back("the base takes the incident wave alone, so all that comes down again meets its matched "
-                    "layer, whose ends do not know it: form = \"blended\", or dashpots, err less there "
-                    "(docs/boundaries.md)");
-  for (const SourceProcess& source : plan_sources(scene))
-    for (std::string& note : linearised_soils(scene, source))
-      notes.push_back(std::move(note));
-  for (const Soil& soil : scene.soils)
-    if (const auto fit = fitted_soil(soil))
-      notes.push_back(*fit);
-  for (const Soil& soil : domain_soils(scene))
-    if (follows_pressure(soil.law))
-      notes.push_back(fmt::format(
-          "soil '{}': stiffness grows with pressure; speeds above are those at its reference "
-          "pressure, the time step that of its own weight at the base of the model; the run takes "
-          "those of the stress it has",
-          soil.name));
-  for (const Soil& soil : scene.soils)
-    for (const std::string& note : scene::notes(soil))
-      notes.push_back(fmt::format("soil '{}': {}", soil.name, note));
-  if (const auto warning = residual_motion(scene))
-    notes.push_back(*warning);
-  for (const Soil& soil : domain_soils(scene)) {
-    const auto& elastic = materials::elasticity(soil.law);
-    const auto& half = scene.halfspace;
-    if (scene.profile.empty() &&
-        (elastic.density != half.density || elastic.young != half.young || elastic.poisson != half.poisson))
-      notes.push_back(fmt::format(
-          "soil '{}' differs elastically from [halfspace]: where it lies at a boundary, the free field "
-          "there is not that of the domain",
-          soil.name));
-  }
-  return notes;
 }
 
 double output_doubles_per_particle(const Case& scene) {
@@ -323,7 +178,6 @@ Plan plan(const Case& scene) {
   result.base = describe_base(scene, result.sources);
   result.levels = levels(scene);
   result.critical_dt = critical_time_step(scene, result.levels);
-  result.notes = plan_notes(scene, result.levels, scene.mesh.size / result.critical_dt);
   result.dt = scene.time.dt.value_or(scene.time.fraction * result.critical_dt);
   result.steps = std::llround(std::ceil(scene.shaking.duration / result.dt));
 
@@ -350,7 +204,7 @@ Plan plan(const Case& scene) {
     bytes += effect.bytes_per_particle;
     ns += effect.ns_per_particle_step;
   }
-  result.memory_bytes = particles * bytes + nodes * node_bytes;
+  result.memory_bytes = particles * bytes + nodes * static_cast<double>(mpm_domain::bytes_per_node);
   result.estimated_time = static_cast<double>(result.steps) * updates * ns * 1e-9;
   result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
   const double rows = scene.shaking.duration / scene.output.history_every;

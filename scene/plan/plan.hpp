@@ -41,8 +41,7 @@ std::string program(const FreeFieldModel& field);
 struct Plan {
   std::vector<Effect> effects;
   std::vector<SourceProcess> sources;
-  std::string base;               ///< in words: what the base uses
-  std::vector<std::string> notes; ///< what the user should know of this case, e.g. a coarse mesh
+  std::string base; ///< in words: what the base uses
 
   std::vector<Level> levels; ///< of the mesh, coarse to fine
   std::size_t particles = 0;
@@ -78,7 +77,11 @@ BaseSources base_sources(const Case& scene, const Plan& plan);
 /// The plan as text for people.
 std::string explain(const Case& scene, const Plan& plan);
 
-/// The plan as JSON, for result files.
-std::string to_json(const Plan& plan);
+/// The warnings and notes on a case, a line each; empty where there are none. `check`, `explain` and `run`
+/// tell them alike.
+std::string remarks_text(const Case& scene);
+
+/// The plan and the remarks as JSON, for result files.
+std::string to_json(const Case& scene, const Plan& plan);
 
 } // namespace tremolo::scene

@@ -24,10 +24,8 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
   read_model(document, findings, scene);
   read_run(document, findings, scene);
   read_hosts(document, scene);
-  for (const Rule rule : rules())
-    rule(scene, findings);
-
-  findings.throw_if_any();
+  judge(scene, findings);
+  scene.remarks = findings.remarks();
   return scene;
 }
 
@@ -52,7 +50,7 @@ Case load_free_field(const std::filesystem::path& file, SourceModel model) {
   auto& [sides, left, right, base] = scene.boundary;
   left.field.model = right.field.model = base.field.model = model;
   left.surface = right.surface = scene.surface_level;
-  for (const Rule rule : {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models,
+  for (const auto rule : {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models,
                           reference_lies_in_halfspace})
     rule(scene, findings);
 

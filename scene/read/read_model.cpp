@@ -18,13 +18,9 @@ TimeStepping read_time(Document& document, Findings& findings) {
   const auto table = document.table("time");
   if (table.given("dt") && table.given("fraction"))
     findings.add(table.path("dt"), "'dt' and 'fraction' exclude each other: remove one");
-  return {table.number("fraction"),
-          table.optional_number("dt"),
-          from_name(table.text("transfer"),
-                    std::array{Transfer::apic, Transfer::flip, Transfer::fmpm, Transfer::pic_blend}),
-          table.number("blend_time"),
-          table.integer("fmpm_order"),
-          from_name(table.text("order"), std::array{StepOrder::usl, StepOrder::usf, StepOrder::musl}),
+  return {table.number("fraction"), table.optional_number("dt"),
+          from_name(table.text("transfer"), std::array{Transfer::apic, Transfer::flip}),
+          from_name(table.text("order"), std::array{StepOrder::usl, StepOrder::musl}),
           table.boolean("subcycle")};
 }
 
@@ -63,7 +59,6 @@ void read_mesh(Document& document, Case& scene) {
       table.integer("particles_per_cell"),
       table.integer("layer_cells"),
       {},
-      table.boolean("join_particles"),
       from_name(table.text("particle_boxes"), std::array{ParticleBoxes::fixed, ParticleBoxes::deforming})};
   for (const auto& refine : document.array("refine"))
     scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});

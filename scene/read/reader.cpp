@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 namespace tremolo::scene {
 
@@ -229,12 +230,16 @@ std::optional<double> TableReader::convert_number(const Key& key, const toml::no
     return refuse(key, node,
                   fmt::format("'{}' must be {}, found {}", key.name, whole ? "an integer" : "a number",
                               type_name(node)));
-  const double value = *node.value<double>();
+  // toml++ hands out no double for an integer that none equals: the nearest one is meant.
+  const toml::value<std::int64_t>* integer = node.as_integer();
+  const double value =
+      integer != nullptr ? static_cast<double>(integer->get()) : node.as_floating_point()->get();
   if (!std::isfinite(value))
     return refuse(key, node, fmt::format("'{}' is {}, must be a finite number", key.name, value));
   if (!key.range.contains(value))
     return refuse(key, node,
-                  fmt::format("'{}' = {} is out of range, must be {}", key.name, value,
+                  fmt::format("'{}' = {} is out of range, must be {}", key.name,
+                              integer != nullptr ? std::to_string(integer->get()) : fmt::to_string(value),
                               with_unit(key.range.text(), key.unit)));
   return value;
 }

@@ -6,6 +6,54 @@
 
 namespace tremolo::scene {
 
+namespace {
+
+struct Rule {
+  Severity severity;
+  void (*look)(const Case& scene, Findings& findings);
+};
+
+/// Errors, then warnings, then notes: the order in which they are found and told.
+constexpr std::array rules = {
+    Rule{Severity::error, record_is_readable},
+    Rule{Severity::error, strength_is_ordered},
+    Rule{Severity::error, box_fits_lattice},
+    Rule{Severity::error, refinements_suit_mesh},
+    Rule{Severity::error, regions_are_simple},
+    Rule{Severity::error, regions_lie_in_mesh},
+    Rule{Severity::error, regions_are_apart},
+    Rule{Severity::error, soil_reaches_boundaries},
+    Rule{Severity::error, sides_can_be_periodic},
+    Rule{Severity::error, springs_tie_equal_cells},
+    Rule{Severity::error, total_base_has_one_surface},
+    Rule{Severity::error, models_take_the_wave},
+    Rule{Severity::error, model_files_exist},
+    Rule{Severity::error, damping_suits_models},
+    Rule{Severity::error, soils_suit_models},
+    Rule{Severity::error, sand_has_weight},
+    Rule{Severity::error, reference_lies_in_halfspace},
+    Rule{Severity::error, incident_base_lies_in_halfspace},
+    Rule{Severity::error, time_step_is_stable},
+    Rule{Severity::error, subcycling_suits_case},
+    Rule{Severity::error, monitors_lie_in_soil},
+    Rule{Severity::error, hosts_can_meet},
+
+    Rule{Severity::warning, mesh_resolves_pulse},
+    Rule{Severity::warning, wave_arrives_after_start},
+    Rule{Severity::warning, record_ends_at_rest},
+    Rule{Severity::warning, incident_base_has_dashpots},
+    Rule{Severity::warning, models_know_nonlinear_soil},
+    Rule{Severity::warning, soil_is_that_of_halfspace},
+
+    Rule{Severity::note, mesh_resolves_frequencies},
+    Rule{Severity::note, softening_goes_with_cells},
+    Rule{Severity::note, backbone_is_fitted},
+    Rule{Severity::note, stiffness_follows_pressure},
+    Rule{Severity::note, laws_have_limits},
+};
+
+} // namespace
+
 bool mesh_is_sound(const Case& scene, const Findings& findings) {
   if (!findings.sound("mesh.size") || !findings.sound("mesh.box"))
     return false;
@@ -16,35 +64,13 @@ bool mesh_is_sound(const Case& scene, const Findings& findings) {
   return true;
 }
 
-std::span<const Rule> rules() {
-  static constexpr std::array<Rule, 25> all = {
-      record_is_readable,
-      strength_is_ordered,
-      box_fits_lattice,
-      refinements_suit_mesh,
-      joining_needs_levels,
-      regions_are_simple,
-      regions_lie_in_mesh,
-      regions_are_apart,
-      soil_reaches_boundaries,
-      sides_can_be_periodic,
-      springs_tie_equal_cells,
-      total_base_has_one_surface,
-      models_take_the_wave,
-      model_files_exist,
-      damping_suits_models,
-      soils_suit_models,
-      sand_has_weight,
-      reference_lies_in_halfspace,
-      incident_base_lies_in_halfspace,
-      time_step_is_stable,
-      fmpm_suits_order,
-      boxes_suit_order,
-      subcycling_suits_case,
-      monitors_lie_in_soil,
-      hosts_can_meet,
-  };
-  return all;
+void judge(const Case& scene, Findings& findings) {
+  for (const Rule& rule : rules) {
+    if (rule.severity != Severity::error)
+      findings.throw_if_any();
+    findings.grade(rule.severity);
+    rule.look(scene, findings);
+  }
 }
 
 } // namespace tremolo::scene

@@ -1,20 +1,19 @@
 #pragma once
 
-// What a case must fulfil beyond each key's own type and range. A rule is a function in a file of its own: it
-// looks at the case as read and reports what is violated, why, and how to mend it. A rule stays silent where
-// a value that it needs is missing or wrong; that has been reported already.
+// What a case must fulfil beyond each key's own type and range, and what its user should know of it. A rule
+// is a function in a file of its own: it looks at the case as read and reports what is violated, why, and how
+// to mend it. Its severity stands in the list in rules.cpp. A rule whose findings are errors stays silent
+// where a value that it needs is missing or wrong, since that has been reported already; the others see only
+// cases without errors.
 
 #include "scene/case.hpp"
 #include "scene/text/findings.hpp"
 
-#include <span>
-
 namespace tremolo::scene {
 
-using Rule = void (*)(const Case& scene, Findings& findings);
-
-/// All rules.
-std::span<const Rule> rules();
+/// Applies all rules: those whose findings are errors, and to a case without errors the others.
+/// @throws CaseErrors where anything is wrong, which includes what was found before
+void judge(const Case& scene, Findings& findings);
 
 /// Whether the mesh's size and box and all refinements are known and have passed their rules.
 bool mesh_is_sound(const Case& scene, const Findings& findings);
@@ -27,8 +26,6 @@ void strength_is_ordered(const Case& scene, Findings& findings);
 void box_fits_lattice(const Case& scene, Findings& findings);
 /// Boxes to refine reach into the model, and the cells are not too many.
 void refinements_suit_mesh(const Case& scene, Findings& findings);
-/// Only a refined mesh has particles to join.
-void joining_needs_levels(const Case& scene, Findings& findings);
 /// Polygons have an area and do not cross themselves.
 void regions_are_simple(const Case& scene, Findings& findings);
 /// Polygons lie in the box.
@@ -59,16 +56,35 @@ void reference_lies_in_halfspace(const Case& scene, Findings& findings);
 void incident_base_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A fixed time step does not exceed the critical one.
 void time_step_is_stable(const Case& scene, Findings& findings);
-/// FMPM goes with the orders whose critical step holds for it.
-void fmpm_suits_order(const Case& scene, Findings& findings);
-/// Boxes that follow the soil change at the end of a step.
-void boxes_suit_order(const Case& scene, Findings& findings);
 /// Levels with steps of their own need levels, and what sub-cycling is made for.
 void subcycling_suits_case(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.
 void monitors_lie_in_soil(const Case& scene, Findings& findings);
-
 /// [hosts] places sides, one host for a process, at an endpoint that other machines can be told.
 void hosts_can_meet(const Case& scene, Findings& findings);
+
+/// Cells are small enough for the frequencies of the pulse.
+void mesh_resolves_pulse(const Case& scene, Findings& findings);
+/// The incident wave finds the model after the shaking starts.
+void wave_arrives_after_start(const Case& scene, Findings& findings);
+/// The motion's record ends without a velocity.
+void record_ends_at_rest(const Case& scene, Findings& findings);
+/// A base that takes the incident wave alone has no matched layer.
+void incident_base_has_dashpots(const Case& scene, Findings& findings);
+/// No model of a free field takes nonlinear soil as linear.
+void models_know_nonlinear_soil(const Case& scene, Findings& findings);
+/// Without layers, the soils of the domain have the half-space's elasticity.
+void soil_is_that_of_halfspace(const Case& scene, Findings& findings);
+
+/// Up to which frequency the cells resolve shear waves.
+void mesh_resolves_frequencies(const Case& scene, Findings& findings);
+/// Which softening a soil has on the cells of each level.
+void softening_goes_with_cells(const Case& scene, Findings& findings);
+/// Which backbone was fitted to a soil's curve, and how near it comes.
+void backbone_is_fitted(const Case& scene, Findings& findings);
+/// Which soils have a stiffness that goes with pressure.
+void stiffness_follows_pressure(const Case& scene, Findings& findings);
+/// What a soil's law is known not to do.
+void laws_have_limits(const Case& scene, Findings& findings);
 
 } // namespace tremolo::scene

@@ -2,25 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace tremolo::scene {
 
 namespace {
 
-std::string all_messages(const std::vector<CaseError>& errors) {
+std::string all_messages(const std::vector<Finding>& errors) {
   std::string text;
-  for (const CaseError& error : errors)
+  for (const Finding& error : errors)
     text += fmt::format("{}{}", text.empty() ? "" : "\n", error.message());
   return text;
 }
 
-} // namespace
-
-std::string CaseError::message() const {
-  const std::string where = table.empty() ? "" : fmt::format("[{}] ", table);
-  return fmt::format("{}:{}:{}: {}{}", file, line, column, where, text);
+std::string_view prefix(Severity severity) {
+  switch (severity) {
+  case Severity::error:
+    break;
+  case Severity::warning:
+    return "warning: ";
+  case Severity::note:
+    return "note: ";
+  }
+  return "";
 }
 
-CaseErrors::CaseErrors(std::vector<CaseError> errors)
+} // namespace
+
+std::string Finding::message() const {
+  const std::string where = table.empty() ? "" : fmt::format("[{}] ", table);
+  return fmt::format("{}:{}:{}: {}{}{}", file, line, column, prefix(severity), where, text);
+}
+
+CaseErrors::CaseErrors(std::vector<Finding> errors)
     : std::runtime_error(all_messages(errors)), errors_(std::move(errors)) {}
 
 } // namespace tremolo::scene

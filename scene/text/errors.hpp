@@ -6,29 +6,34 @@
 
 namespace tremolo::scene {
 
-/// One thing wrong with a case file. Lines and columns count from 1.
-struct CaseError {
+/// How grave a finding is. A case with errors is refused; warnings doubt its results; notes say what they
+/// hold for.
+enum class Severity { error, warning, note };
+
+/// One thing that was found in a case file. Lines and columns count from 1.
+struct Finding {
   std::string file;
   unsigned line = 1;
   unsigned column = 1;
   std::string
       table; ///< "mesh", "soil.sand", "[region]" for the array [[region]]; empty at the top of the file
   std::string text; ///< what, why, and what would be right
+  Severity severity = Severity::error;
 
-  /// "file:line:column: [table] text"
+  /// "file:line:column: [table] text"; "warning: " or "note: " stands before the table.
   std::string message() const;
 
-  bool operator==(const CaseError&) const = default;
+  bool operator==(const Finding&) const = default;
 };
 
 /// Every error of one case file, in the order of the file; what() holds one message a line.
 class CaseErrors : public std::runtime_error {
 public:
-  explicit CaseErrors(std::vector<CaseError> errors);
-  const std::vector<CaseError>& errors() const { return errors_; }
+  explicit CaseErrors(std::vector<Finding> errors);
+  const std::vector<Finding>& errors() const { return errors_; }
 
 private:
-  std::vector<CaseError> errors_;
+  std::vector<Finding> errors_;
 };
 
 } // namespace tremolo::scene

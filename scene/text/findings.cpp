@@ -27,10 +27,13 @@ void Findings::add(const std::string& path, std::string text) {
 }
 
 void Findings::add(const std::string& path, const Place& place, std::string text) {
-  unsound_.insert(path);
-  CaseError error{file_, place.line, place.column, place.table, std::move(text)};
-  if (std::ranges::find(errors_, error) == errors_.end())
-    errors_.push_back(std::move(error));
+  const bool is_error = severity_ == Severity::error;
+  if (is_error)
+    unsound_.insert(path);
+  auto& found = is_error ? errors_ : remarks_;
+  Finding finding{file_, place.line, place.column, place.table, std::move(text), severity_};
+  if (std::ranges::find(found, finding) == found.end())
+    found.push_back(std::move(finding));
 }
 
 bool Findings::sound(std::string path) const {
@@ -44,7 +47,7 @@ void Findings::throw_if_any() const {
   if (errors_.empty())
     return;
   auto errors = errors_;
-  std::ranges::stable_sort(errors, {}, [](const CaseError& e) { return std::tuple(e.line, e.column); });
+  std::ranges::stable_sort(errors, {}, [](const Finding& e) { return std::tuple(e.line, e.column); });
   throw CaseErrors(std::move(errors));
 }
 

@@ -17,9 +17,9 @@ struct Place {
   std::string table;
 };
 
-/// What has been found wrong so far while a case is read, and where everything stands.
+/// What has been found so far in a case that is read, and where everything stands.
 ///
-/// Keys are named by their path: "mesh.size", "soil.sand.young", "region[0].polygon". A key that failed is
+/// Keys are named by their path: "mesh.size", "soil.sand.young", "region[0].polygon". A key with an error is
 /// unsound, so that a later rule does not judge a value that is not there.
 class Findings {
 public:
@@ -33,22 +33,30 @@ public:
   /// The place of the path, or of the nearest table above it that is in the file.
   Place place(std::string path) const;
 
-  /// Records an error at the place of the path, once, and makes the path unsound.
+  /// What is added from now on is of this severity; until the first call it is an error.
+  void grade(Severity severity) { severity_ = severity; }
+
+  /// Records a finding at the place of the path, once. An error makes the path unsound.
   void add(const std::string& path, std::string text);
-  /// The same at a place of its own.
+  /// Records a finding at a place of its own.
   void add(const std::string& path, const Place& place, std::string text);
 
   /// Whether neither the path nor a table above it has failed.
   bool sound(std::string path) const;
 
-  /// @throws CaseErrors with everything recorded, in the order of the file, if there is anything
+  /// @throws CaseErrors with all errors, in the order of the file, if there are any
   void throw_if_any() const;
+
+  /// The warnings and notes, in the order in which they were found.
+  const std::vector<Finding>& remarks() const { return remarks_; }
 
 private:
   std::string file_;
   std::map<std::string, Place, std::less<>> places_;
   std::set<std::string, std::less<>> unsound_;
-  std::vector<CaseError> errors_;
+  Severity severity_ = Severity::error;
+  std::vector<Finding> errors_;
+  std::vector<Finding> remarks_;
 };
 
 } // namespace tremolo::scene

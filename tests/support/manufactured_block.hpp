@@ -83,25 +83,19 @@ private:
     return spec;
   }
 
-  /// The domain without faces, with the velocities (and their gradients) of half a step before the start;
-  /// with stress updated first, also with the stress of one step before.
+  /// The domain without faces, with the velocities (and their gradients) of half a step before the start.
   mpm_domain::Domain& released() {
     domain_.faces.clear();
     domain_.static_tractions.clear();
     const double dt =
         domain_.spec.scheme.fraction * mpm_domain::critical_time_step(domain_, amplitude_ * omega);
     const double rate = amplitude_ * omega * std::cos(0.5 * omega * dt);
-    const double strain = domain_.spec.scheme.order == mpm_domain::StepOrder::usf
-                              ? -amplitude_ * wave_number * std::sin(omega * dt)
-                              : 0.0;
     for (mpm_domain::Particles& p : domain_.sets)
       for (std::size_t k = 0; k < p.size(); ++k) {
         const double cos_x = std::cos(wave_number * p.x[k]);
         const double cos_y = std::cos(wave_number * p.y[k]);
         p.vx[k] = rate * std::sin(wave_number * p.x[k]);
         p.vy[k] = -rate * std::sin(wave_number * p.y[k]);
-        p.sxx[k] = young * std::log1p(strain * cos_x);
-        p.syy[k] = young * std::log1p(-strain * cos_y);
         if (!p.bxx.empty())
           set_affine_velocity(domain_, p, k,
                               {.xx = rate * wave_number * cos_x, .yy = -rate * wave_number * cos_y});

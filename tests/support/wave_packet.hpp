@@ -94,7 +94,7 @@ inline mpm_domain::Spec packet_ground(const WavePacket& packet, double h, double
   spec.cell_size = h;
   spec.soils = {{"ground", materials::LinearElastic{packet.ground}}};
   spec.regions = {{0, {{0.0, 0.0}, {spec.box.x_max, 0.0}, {spec.box.x_max, height}, {0.0, height}}}};
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   spec.scheme.transfer = mpm_domain::Transfer::flip; // with musl it keeps the energy of waves
   spec.scheme.order = mpm_domain::StepOrder::musl;
   return spec;

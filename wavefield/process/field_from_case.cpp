@@ -1,6 +1,6 @@
 #include "wavefield/process/field_from_case.hpp"
 
-#include "motion/record.hpp"
+#include "motion/band_limited.hpp"
 #include "scene/plan/layers.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
@@ -45,7 +45,7 @@ std::vector<double> acceleration_of(const Signal& signal, double dt) {
   std::vector<double> velocity;
   for (std::size_t i = 0; i < count; ++i)
     velocity.push_back(signal.velocity(std::min(signal.begin + static_cast<double>(i) * dt, signal.end)));
-  return motion::differentiate(velocity, dt);
+  return motion::band_limited_slope(velocity, dt);
 }
 
 } // namespace

@@ -33,14 +33,14 @@ Signal signal_of(const scene::Motion& motion) {
           motion.highest_frequency()};
 }
 
-/// Samples of a velocity fine enough for a cubic spline between them.
+/// Samples of a velocity that hold all its frequencies.
 struct Sampled {
   std::vector<double> velocity;
   double dt = 0.0;
 };
 
 Sampled sampled(const scene::Motion& motion) {
-  constexpr double samples_per_period = 10.0;
+  constexpr double samples_per_period = 2.0;
   Sampled samples{{}, 1.0 / (samples_per_period * motion.highest_frequency())};
   const auto count = static_cast<std::size_t>(std::ceil((motion.end() - motion.begin()) / samples.dt)) + 1;
   for (std::size_t i = 0; i < count; ++i)
@@ -48,14 +48,14 @@ Sampled sampled(const scene::Motion& motion) {
   return samples;
 }
 
-/// The incident motion of a record that begins like `within`. A record of the scene rises in its first 0.1 s,
-/// so it is given zeros there.
+/// The incident motion of a record that begins like `within`. A record of velocities rises in its first 0.1
+/// s, so it is given zeros there.
 Signal smooth(const Deconvolution& deconvolution, double dt, const scene::Motion& within) {
   constexpr double zeros = 0.2; // s
   std::vector<double> velocity(static_cast<std::size_t>(std::ceil(zeros / dt)), 0.0);
   const double begin = within.begin() - dt * static_cast<double>(velocity.size() + deconvolution.lead);
   velocity.insert(velocity.end(), deconvolution.incident.begin(), deconvolution.incident.end());
-  const auto shape = scene::Motion::record(velocity, dt);
+  const auto shape = scene::Motion::of_velocity(velocity, dt);
   return {[shape, begin](double t) { return shape.velocity(t - begin); }, begin, begin + shape.end(),
           within.highest_frequency()};
 }

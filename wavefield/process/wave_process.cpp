@@ -2,12 +2,12 @@
 // computed at once for the whole run on a vertical line; along x it is the same, delayed by the horizontal
 // slowness.
 
-#include "wavefield/process/wave_process.hpp"
-
+#include "coupler/participant.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/motion.hpp"
 #include "scene/plan/service.hpp"
 #include "wavefield/process/field_from_case.hpp"
+#include "wavefield/process/served_steps.hpp"
 
 #include <fmt/format.h>
 
@@ -30,6 +30,9 @@ constexpr double samples_per_period = 20.0;
 /// Levels computed between two signs of life.
 constexpr std::size_t levels_per_beat = 32;
 
+/// Of all steps of the levels that are computed together.
+constexpr std::size_t most_lot_bytes = std::size_t{64} << 20;
+
 /// Velocity, stress and their rates; nothing else is sent.
 constexpr wavefield::Quantities served_quantities{.displacement = false, .strain = false};
 
@@ -50,33 +53,32 @@ std::vector<coupler::FieldDescription> descriptions(const scene::Service& servic
 }
 
 /// The field at all its levels, some at a time, with a sign of life after each lot: a long record takes a
-/// while.
+/// while. A lot of a long record is smaller, so that it does not need more memory than a shorter one.
 /// @param done levels of the fields before this one
-std::vector<wavefield::History> histories(const wavefield::LayeredField& field,
-                                          const coupler::FieldDescription& served, std::size_t done,
-                                          coupler::SourceClient& client) {
+wavefield::ServedSteps served_steps(const wavefield::LayeredField& field,
+                                    const coupler::FieldDescription& served, std::size_t done,
+                                    coupler::SourceClient& client) {
   const bool incident = served.name == scene::name(scene::BaseForm::incident);
   const wavefield::Part part = incident ? wavefield::Part::incident : wavefield::Part::total;
-  std::vector<wavefield::History> all;
   const auto points = wavefield::points_on_line(served.x_reference, served.y);
   const wavefield::TimeGrid times{served.start_time, served.time_step, served.step_count};
-  for (std::size_t begin = 0; begin < points.size(); begin += levels_per_beat) {
-    const auto lot = std::span(points).subspan(begin, std::min(levels_per_beat, points.size() - begin));
-    for (wavefield::History& history : field.sample(lot, times, part, served_quantities))
-      all.push_back(std::move(history));
-    client.beat(static_cast<double>(done + all.size()));
+  const std::size_t level_bytes = served.step_count * coupler::values_per_point * sizeof(double);
+  const std::size_t lot_levels = std::clamp<std::size_t>(most_lot_bytes / level_bytes, 1, levels_per_beat);
+  wavefield::ServedSteps steps(served.step_count);
+  for (std::size_t begin = 0; begin < points.size(); begin += lot_levels) {
+    const auto lot = std::span(points).subspan(begin, std::min(lot_levels, points.size() - begin));
+    steps.append(field.sample(lot, times, part, served_quantities));
+    client.beat(static_cast<double>(done + steps.levels()));
   }
-  return all;
+  return steps;
 }
 
 /// Says in the log what an equivalent-linear iteration did.
-wavefield::LayeredField field_of(const scene::Case& scene, const scene::SourceProcess& source,
-                                 std::FILE* log) {
+wavefield::LayeredField field_of(const scene::Case& scene, const scene::SourceProcess& source) {
   if (source.field.model != scene::SourceModel::eql)
     return wavefield::field_from_case(scene, source);
   const auto result = wavefield::equivalent_linear_from_case(scene, source);
-  fmt::print(log, "{}equivalent linear: {}\n",
-             result.converged ? "" : "warning: ", wavefield::summary(result));
+  fmt::print("{}equivalent linear: {}\n", result.converged ? "" : "warning: ", wavefield::summary(result));
   return wavefield::field_from_case(scene, source, result);
 }
 
@@ -84,7 +86,7 @@ void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
-  const wavefield::LayeredField field = field_of(scene, source, options.surroundings.log);
+  const wavefield::LayeredField field = field_of(scene, source);
   const double dt = 1.0 / (samples_per_period * scene::motion(scene.motion).highest_frequency());
   const std::vector<coupler::FieldDescription> fields =
       descriptions(scene::service(scene, source, field.slowness_x()), field.slowness_x(), dt);
@@ -92,31 +94,25 @@ void run(const coupler::ParticipantOptions& options) {
   coupler::SourceClient client(options, fields);
   coupler::Stopwatch synthesis;
   synthesis.start();
-  std::vector<std::vector<wavefield::History>> computed;
+  std::vector<wavefield::ServedSteps> computed;
   computed.reserve(fields.size());
   std::size_t levels = 0;
   for (const coupler::FieldDescription& served : fields) {
-    computed.push_back(histories(field, served, levels, client));
-    levels += computed.back().size();
+    computed.push_back(served_steps(field, served, levels, client));
+    levels += computed.back().levels();
   }
   synthesis.stop();
 
   client.serve(
-      [&](std::size_t f, std::uint64_t step, std::span<double> values) {
-        std::size_t at = 0;
-        for (const wavefield::History& h : computed[f])
-          for (const std::vector<double>* series : {&h.vx, &h.vy, &h.sxx, &h.syy, &h.sxy, &h.vx_rate,
-                                                    &h.vy_rate, &h.sxx_rate, &h.syy_rate, &h.sxy_rate})
-            values[at++] = (*series)[step];
-      },
+      [&](std::size_t f, std::uint64_t step, std::span<double> values) { computed[f].read(step, values); },
       {{"Fourier synthesis", synthesis.seconds()}});
 }
 
 } // namespace
-
-int wave_process(const coupler::CommandLine& command, const coupler::Surroundings& surroundings) {
-  return coupler::participant_main("tremolo-wave", "The exact free field of an oblique wave, as a source.",
-                                   command, surroundings, run);
-}
-
 } // namespace tremolo::wavefield
+
+int main(int argc, char** argv) {
+  return tremolo::coupler::participant_main("tremolo-wave",
+                                            "The exact free field of an oblique wave, as a source.", argc,
+                                            argv, tremolo::wavefield::run);
+}

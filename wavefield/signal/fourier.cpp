@@ -58,10 +58,6 @@ void RealFourier::inverse() {
   fftw_execute(plans_->to_samples.get());
 }
 
-void plan_in_threads() {
-  fftw_make_planner_thread_safe();
-}
-
 std::size_t fast_length(std::size_t length) {
   for (std::size_t candidate = length + length % 2;; candidate += 2) {
     std::size_t rest = candidate;

@@ -8,7 +8,8 @@
 namespace tremolo::wavefield {
 
 /// Discrete Fourier transforms of one real record of fixed length: plans and buffers are made once and
-/// reused. Different ones may be used in different threads; making them there needs plan_in_threads().
+/// reused. Different ones may be used in different threads, but must be made in one: FFTW's planner is
+/// shared.
 class RealFourier {
 public:
   explicit RealFourier(std::size_t length);
@@ -29,10 +30,6 @@ private:
   struct Plans;
   std::unique_ptr<Plans> plans_;
 };
-
-/// From now on a RealFourier may be made and destroyed in any thread: FFTW's planner, which all share, takes
-/// a lock. To be called before the threads start.
-void plan_in_threads();
 
 /// The smallest even length >= `length` with no prime factor above 5, which FFTW does fast.
 std::size_t fast_length(std::size_t length);

@@ -28,11 +28,7 @@ LINES = {
     "APIC usl": (style.COLOURS[0], ":"),
     "FLIP musl": (style.COLOURS[1], "-"),
     "FLIP usl": (style.COLOURS[1], ":"),
-    "FLIP musl blended": (style.COLOURS[3], "-"),
     "APIC musl 3x3 particles": (style.COLOURS[2], "-"),
-    "FMPM(2) musl": (style.COLOURS[4], ":"),
-    "FMPM(3) musl": (style.COLOURS[4], "-"),
-    "FMPM(10) musl": (style.COLOURS[4], "--"),
 }
 
 

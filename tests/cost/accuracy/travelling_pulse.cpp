@@ -173,20 +173,14 @@ struct Named {
 } // namespace
 
 int main() {
-  const double blend = 100.0 * period; // FLIP that forgets 10 % of its difference to PIC in ten wavelengths
   const std::vector<Named> schemes{
       {"FLIP usl", {Transfer::flip, StepOrder::usl}},
       {"FLIP musl", {Transfer::flip, StepOrder::musl}},
-      {"FLIP musl blended", {Transfer::pic_blend, StepOrder::musl, blend}},
       {"APIC usl", {Transfer::apic, StepOrder::usl}},
       {"APIC musl", {Transfer::apic, StepOrder::musl}},
       {"APIC musl 1 particle", {Transfer::apic, StepOrder::musl}, 1},
       {"APIC musl 3x3 particles", {Transfer::apic, StepOrder::musl}, 3},
       {"APIC musl 4x4 particles", {Transfer::apic, StepOrder::musl}, 4},
-      {"FMPM(2) musl", {.transfer = Transfer::fmpm, .fmpm_order = 2}},
-      {"FMPM(3) musl", {.transfer = Transfer::fmpm, .fmpm_order = 3}},
-      {"FMPM(5) musl", {.transfer = Transfer::fmpm, .fmpm_order = 5}},
-      {"FMPM(10) musl", {.transfer = Transfer::fmpm, .fmpm_order = 10}},
       {"FLIP musl 3x3 particles", {Transfer::flip, StepOrder::musl}, 3},
   };
   fmt::print("scheme,cells_per_wavelength,relative_error,phase_periods,amplitude,cpu_s,updates\n");

@@ -36,8 +36,8 @@ FieldDescription field() {
   return field;
 }
 
-std::vector<BoundaryFace> faces() {
-  std::vector<BoundaryFace> list;
+std::vector<ExchangedFace> faces() {
+  std::vector<ExchangedFace> list;
   for (int i = 0; i < 160; ++i)
     list.push_back({.position = {0.0, -39.9 + 0.249 * i},
                     .dashpot = {{-1.0, 0.0}, 3e5, 1e5},

@@ -50,8 +50,7 @@ public:
   Consumer(const Setup& setup, bool mapped)
       : frame_steps_(steps_per_frame(field(setup), setup.window_steps)), arrived_(setup.sources, 0) {
     if (mapped)
-      exchange_.emplace(sources(setup), faces(setup), 0.0, time_step * static_cast<double>(setup.steps),
-                        setup.window_steps);
+      exchange_.emplace(sources(setup), faces(setup), 0.0, time_step * static_cast<double>(setup.steps));
     free_field_.resize(setup.points * setup.sources);
   }
 
@@ -81,7 +80,7 @@ public:
 private:
   std::uint64_t frame_steps_;
   std::vector<std::uint64_t> arrived_;
-  std::optional<BoundaryExchange> exchange_;
+  std::optional<FaceExchange> exchange_;
   std::vector<eq6::FreeField> free_field_;
 };
 

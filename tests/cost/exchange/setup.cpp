@@ -31,6 +31,7 @@ coupler::FieldDescription field(const Setup& setup) {
       .name = "total", .start_time = -2.0 * time_step, .time_step = time_step, .step_count = setup.steps + 8};
   for (std::size_t i = 0; i < setup.points; ++i)
     field.y.push_back(depth * (static_cast<double>(i) / static_cast<double>(setup.points - 1) - 1.0));
+  field.steps_per_frame = steps_per_frame(field, setup.window_steps);
   return field;
 }
 
@@ -41,8 +42,8 @@ std::vector<coupler::SourceDescription> sources(const Setup& setup) {
   return list;
 }
 
-std::vector<coupler::BoundaryFace> faces(const Setup& setup) {
-  std::vector<coupler::BoundaryFace> list;
+std::vector<coupler::ExchangedFace> faces(const Setup& setup) {
+  std::vector<coupler::ExchangedFace> list;
   for (std::size_t s = 0; s < setup.sources; ++s)
     for (std::size_t i = 0; i < setup.points; ++i)
       list.push_back(

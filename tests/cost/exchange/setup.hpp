@@ -3,7 +3,6 @@
 // What is exchanged in the measurements: sources of N points each, whose motion N faces each of a domain
 // take, one step of the domain to a step of a source. Nobody computes anything, so all time is exchange.
 
-#include "coupler/hub/boundary_exchange.hpp"
 #include "coupler/wire/field.hpp"
 #include "coupler/wire/mode.hpp"
 
@@ -37,7 +36,7 @@ inline constexpr double time_step = 0.01; ///< of source and domain, s
 std::string source_name(std::size_t index);
 coupler::FieldDescription field(const Setup& setup);
 std::vector<coupler::SourceDescription> sources(const Setup& setup);
-std::vector<coupler::BoundaryFace> faces(const Setup& setup);
+std::vector<coupler::ExchangedFace> faces(const Setup& setup);
 void fill(std::uint64_t step, std::span<double> values);
 
 /// From its making to cost().

@@ -44,7 +44,6 @@ mpm_domain::Spec square(int cells_a_side, const materials::Law& law, Transfer tr
   spec.regions = {{0, {{0.0, 0.0}, {side, 0.0}, {side, side}, {0.0, side}}}};
   spec.scheme.transfer = transfer;
   spec.scheme.order = order;
-  spec.scheme.blend_time = 1.0;
   spec.threads = threads;
   return spec;
 }
@@ -204,7 +203,6 @@ void triad(benchmark::State& run) {
 BENCHMARK(plain);
 BENCHMARK_CAPTURE(domain, usl_flip, Transfer::flip, StepOrder::usl);
 BENCHMARK_CAPTURE(domain, usl_apic, Transfer::apic, StepOrder::usl);
-BENCHMARK_CAPTURE(domain, usf_flip, Transfer::flip, StepOrder::usf);
 BENCHMARK_CAPTURE(domain, musl_flip, Transfer::flip, StepOrder::musl);
 BENCHMARK_CAPTURE(domain, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK_CAPTURE(boxes_follow, usl_apic, Transfer::apic, StepOrder::usl);

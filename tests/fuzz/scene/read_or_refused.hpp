@@ -63,7 +63,7 @@ void expect_read_or_refused(const std::string& path, unsigned seed, std::size_t 
       ++good;
     } catch (const CaseErrors& errors) {
       EXPECT_FALSE(errors.errors().empty());
-      for (const CaseError& error : errors.errors())
+      for (const Finding& error : errors.errors())
         EXPECT_FALSE(error.text.empty());
     } catch (const std::exception& error) {
       FAIL() << error.what() << "\n" << text;

@@ -209,7 +209,7 @@ TEST(Robustness, RecordsOfCoarseAndOfFineSamples) {
     std::vector<double> samples;
     for (std::size_t i = 0; static_cast<double>(i) * sampling < 2.0; ++i)
       samples.push_back(pulse.velocity(static_cast<double>(i) * sampling));
-    const scene::Motion record = scene::Motion::record(samples, sampling);
+    const scene::Motion record = scene::Motion::of_velocity(samples, sampling);
     const wavefield::Signal incident{[record](double t) { return record.velocity(t); }, record.begin(),
                                      record.end(), record.highest_frequency()};
     const auto make = [&](int threads) {
@@ -248,7 +248,7 @@ protected:
   /// Waves of all lengths down to two cells, of random phase, moved by `shift`; all drifts at 3 m/s.
   static Scene box(int threads, double shift) {
     Spec spec = elastic_box(width, 2.0, h);
-    spec.periodic_sides = true;
+    spec.sides = mpm_domain::Sides::periodic;
     return free_scene(spec, threads, [shift](Domain& domain) {
       set_velocity(domain, [shift](double x, double y) {
         std::mt19937 random(18);
@@ -315,7 +315,7 @@ TEST(HardCase19, ABaseThatDriftsLeavesRelativeDisplacementAlone) {
   };
   const auto make = [&](int threads) {
     Spec spec = elastic_box(0.5, depth, 0.5);
-    spec.periodic_sides = true;
+    spec.sides = mpm_domain::Sides::periodic;
     spec.threads = threads;
     auto domain = std::make_unique<Domain>(spec);
     TractionSource source = [&d = *domain, incident, &wave](long, double t, std::span<const Vector> v,

@@ -61,7 +61,7 @@ void lay_across_cells(Domain& domain) {
 TEST(HardCase02, APreloadedStripDriftsFiftyCells) {
   const auto make = [](int threads) {
     Spec spec = elastic_box(4.0, 2.0, h);
-    spec.periodic_sides = true;
+    spec.sides = mpm_domain::Sides::periodic;
     return free_scene(spec, threads, [](Domain& domain) {
       lay_across_cells(domain);
       Particles& p = domain.sets.front();

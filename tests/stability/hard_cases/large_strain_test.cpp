@@ -149,7 +149,7 @@ TEST(HardCase07, AStripIsShearedToFive) {
   const auto make = [](int threads) {
     Spec spec = elastic_box(2.0, height, 0.5);
     spec.soils = {{"soil", materials::LinearElastic{{1700.0, soft, 0.28}}}};
-    spec.periodic_sides = true;
+    spec.sides = mpm_domain::Sides::periodic;
     spec.scheme.fraction = 0.1;
     return free_scene(spec, threads, [](Domain& domain) {
       set_velocity(domain, [](double, double y) { return Vector{rate * (y + 0.5 * height), 0.0}; });

@@ -13,12 +13,10 @@
 //     role           says that it is a domain
 //     deaf           stays after BYE
 //     stubborn       stays on ABORT
-//     stubborn       stays on ABORT
 //     orphan         stays when the hub is gone
 //
 // It speaks the protocol by hand, since SourceClient would not let most of this out of the house.
 
-#include "coupler/hub/boundary_exchange.hpp"
 #include "coupler/wire/connection.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/incoming.hpp"
@@ -58,7 +56,7 @@ public:
     field_ = description(options.name);
     const Message welcome = connection_.introduce(
         {"HELLO", {{"role", is("role") ? "domain" : "source"}, {"fields", {to_json(field_)}}}});
-    frame_steps_ = steps_per_frame(field_, welcome.body.at("window_steps").get<std::uint32_t>());
+    frame_steps_ = sources_from(welcome).front().fields.front().steps_per_frame;
   }
 
   void serve() {

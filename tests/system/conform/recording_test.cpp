@@ -1,7 +1,6 @@
 // tremolo-recording serves a recording bit for bit, and refuses one that does not cover the case.
 
 #include "coupler/conformance/source_probe.hpp"
-#include "coupler/hub/boundary_exchange.hpp"
 #include "coupler/wire/frame.hpp"
 #include "results/free_field_recording.hpp"
 #include "scene/plan/service.hpp"
@@ -129,9 +128,13 @@ TEST_F(Recording, ArrivesBitForBit) {
   const auto hello = probe.hello();
   ASSERT_EQ(hello.type, "HELLO");
   ASSERT_EQ(hello.body.at("fields").size(), 2U);
-  probe.send(
-      {"WELCOME",
-       {{"number", 1}, {"mode", "window"}, {"window_steps", 64}, {"sources", nlohmann::json::array()}}});
+  coupler::SourceDescription source{"left", 1, {}};
+  for (const auto& said : hello.body.at("fields"))
+    source.fields.push_back(coupler::field_from(said));
+  for (auto& served : source.fields)
+    served.steps_per_frame = 64;
+  probe.send({"WELCOME",
+              {{"number", 1}, {"mode", "window"}, {"sources", nlohmann::json::array({to_json(source)})}}});
   for (std::uint32_t f = 0; f < 2; ++f) {
     const auto served = coupler::field_from(hello.body.at("fields").at(f));
     EXPECT_EQ(served.y, fields[f].levels);

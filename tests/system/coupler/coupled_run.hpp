@@ -51,8 +51,6 @@ protected:
       text = error.what();
       exit_status_ = error.exit_status();
     }
-    if (what.transport == Transport::inproc)
-      return text;
     for (const auto& process : what.processes) {
       pid_t pid = 0;
       std::ifstream(folder_ / (process.name + ".pid")) >> pid;

@@ -49,8 +49,8 @@ inline void fill(const FieldDescription& field, std::uint64_t step, std::span<do
 }
 
 /// Left, right and lower edge of a box of 40 m x 40 m.
-inline std::vector<BoundaryFace> faces() {
-  std::vector<BoundaryFace> list;
+inline std::vector<ExchangedFace> faces() {
+  std::vector<ExchangedFace> list;
   for (int i = 0; i < 40; ++i) {
     const double s = -39.5 + i;
     list.push_back({{-20.0, s}, {{-1.0, 0.0}, 3e5, 1e5}, {1e4 * s, 0.0}, "left", "total"});

@@ -96,7 +96,8 @@ def open_address(faults):
     with faults.attack() as run:
         run.await_phase("handshake")
         done = subprocess.run([Path(faults.tremolo).parent / "tremolo-wave", "--case", run.folder / "case.toml", "--name", "right",
-                               "--endpoint", "tcp://10.255.255.1:5555", "--session", "0" * 16], capture_output=True, text=True)
+                               "--endpoint", "tcp://10.255.255.1:5555"], capture_output=True, text=True,
+                              env=os.environ | {"TREMOLO_SESSION": "0" * 16})
         require(done.returncode == 1 and "can be reached from other machines: it needs CURVE keys" in done.stderr, done.stderr)
         run.must_succeed()
     return "refused"

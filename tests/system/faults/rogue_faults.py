@@ -117,7 +117,7 @@ def frame_fault(misdeed, injected, message):
 frame_fault("nan", "a frame with NaN, checksum right", r"source 'left' sent nonsense: field 'total', step \d+: value 3 of step \d+ is nan")
 frame_fault("inf", "a frame with Inf, checksum right", r"value 3 of step \d+ is inf")
 frame_fault("unit", "another unit tag", "unit tag is 2, expected 1")
-frame_fault("version", "another protocol version", "protocol version is 2, expected 1")
+frame_fault("version", "another protocol version", "protocol version is 1, expected 2")
 frame_fault("count", "ten values a step too few", "count of values per step is 200, expected 210")
 frame_fault("repeat", "a frame sent twice", r"first step is \d+, expected \d+")
 frame_fault("reorder", "two steps in the wrong order", r"first step is \d+, expected \d+")
@@ -130,7 +130,7 @@ frame_fault("truncate", "eight bytes missing", r"length in bytes is \d+, expecte
 frame_fault("two-gib", "a header that claims 2^32 - 1 steps", r"holds 4294967295 steps, expected 1 to \d+")
 frame_fault("greedy", "5000 steps where 64 were asked for", r"holds 5000 steps, expected 1 to \d+")
 frame_fault("empty", "a message of no bytes", "a message of 0 bytes is neither JSON nor a frame")
-frame_fault("json", "a control message of unknown type", "control message of unknown type 'HALLO'")
+frame_fault("json", "a control message of unknown type", "control message: its type 'HALLO' is unknown")
 frame_fault("broken-json", "half a control message", "control message: ")
 
 
@@ -144,13 +144,26 @@ def hello_fault(misdeed, injected, message):
     fault(injected, "refused with a message on both sides, no wait")(check)
 
 
-hello_fault("protocol", "HELLO of another protocol version", r"'left' \(build rogue\) says protocol = 2, the hub \(build [\d.]+\) has 1")
-hello_fault("session", "HELLO of another run", r"'left' belongs to session 0123456789abcdef, this run is \w{16}")
+hello_fault("protocol", "HELLO of another protocol version", r"'left' \(build rogue\) says protocol = 1, the hub \(build [\d.]+\) has 2")
+hello_fault("session", "HELLO of another run", r"'left' belongs to session 0123456789abcdef, which is not that of this run")
 hello_fault("name", "HELLO under the domain's name", r"'domain' .*says role = source, the hub .* has domain|'domain' is already taking part")
 hello_fault("unknown", "HELLO under a name the run does not have", "this run has no participant 'middle'")
 hello_fault("units", "HELLO with other units", "says units = cgs, the hub .* has SI")
 hello_fault("role", "HELLO in another role", "says role = domain, the hub .* has source")
 hello_fault("case", "HELLO with another case", r"says case = 00000000, the hub .* has \w{8}; line \d+, \[mesh\]: 'size = 0.5' against 'size = 1.0'")
+
+
+hello_fault("steps", "HELLO with a field of -1 steps", r"'step_count' is -1, expected a whole number")
+hello_fault("half-step", "HELLO with a field of 2000.5 steps", r"'step_count' is 2000\.5, expected a whole number")
+hello_fault("twice", "HELLO with two fields of one name", "it serves two fields called 'total'")
+hello_fault("colours", "HELLO with control characters in its build", r"\(build \\x1b\[31mred\\x1b\[0m\) says units = cgs")
+
+
+@fault("HELLO behind an empty part, as a REQ socket sends it", "refused and told")
+def hello_delimiter(faults):
+    with faults.rogue("delimiter") as run:
+        run.must_fail("refused: a message of 2 parts, expected one", 5.0, run.started)
+    return "refused and told"
 
 
 @fault("HELLO without the field that is asked for", "ends, the field named")

@@ -15,9 +15,10 @@ import zlib
 import zmq
 
 options = argparse.ArgumentParser()
-for key in ("case", "name", "endpoint", "session", "threads", "out", "connect-deadline", "step-deadline"):
+for key in ("case", "name", "endpoint", "threads", "out", "connect-deadline", "step-deadline"):
     options.add_argument("--" + key)
 options = options.parse_args()
+SESSION = os.environ["TREMOLO_SESSION"]
 MISDEED, AT = (os.environ["TREMOLO_ROGUE"].split() + ["none", "0"])[:2]
 AT = int(AT)
 
@@ -41,7 +42,7 @@ def hello(**changes):
     field = {"name": "total", "y": LEVELS, "x_reference": 0.0, "slowness_x": 0.0, "start_time": -0.1, "time_step": DT,
              "step_count": STEPS}
     crc = f"{zlib.crc32(text.encode()):08x}"
-    return {"type": "HELLO", "protocol": 1, "session": options.session, "name": options.name, "role": "source", "build": "rogue",
+    return {"type": "HELLO", "protocol": 2, "session": SESSION, "name": options.name, "role": "source", "build": "rogue",
             "units": "SI", "case": crc, "case_text": text, "fields": [field], **changes}
 
 
@@ -51,11 +52,11 @@ def values(step):
     return [v, 0.0, 0.0, 0.0, 0.0, dv, 0.0, 0.0, 0.0, 0.0] * POINTS
 
 
-def frame(first, steps, *, magic=b"TRML", version=1, units=1, session=None, sender=None, field=0, count=COUNT, body=None, crc=None,
+def frame(first, steps, *, magic=b"TRML", version=2, units=1, session=None, sender=None, field=0, count=COUNT, body=None, crc=None,
           says=None):
     body = body or [x for n in range(first, first + steps) for x in values(n)]
     body = struct.pack(f"<{len(body)}d", *body)
-    head = (HEAD, magic, version, units, int(options.session, 16) if session is None else session,
+    head = (HEAD, magic, version, units, int(SESSION, 16) if session is None else session,
             number if sender is None else sender, field, first, says or steps, count)
     crc = zlib.crc32(struct.pack(*head, 0) + body) if crc is None else crc
     return struct.pack(*head, crc) + body
@@ -74,7 +75,7 @@ def wrong_frames(first, steps):
         "nan": lambda: [with_value(first, steps, math.nan)],
         "inf": lambda: [with_value(first, steps, math.inf)],
         "unit": lambda: [frame(first, steps, units=2)],
-        "version": lambda: [frame(first, steps, version=2)],
+        "version": lambda: [frame(first, steps, version=1)],
         "count": lambda: [frame(first, steps, count=COUNT - 10, body=values(first)[10:] * steps)],
         "repeat": lambda: [good, good],
         "reorder": lambda: [frame(first + 1, 1), frame(first, 1)],
@@ -153,12 +154,18 @@ hub = connect()
 if MISDEED == "dumb":
     hub.send(b"hello")
     time.sleep(1000.0)
-changes = {"hello-protocol": {"protocol": 2}, "hello-session": {"session": "0123456789abcdef"}, "hello-name": {"name": "domain"},
+changes = {"hello-protocol": {"protocol": 1}, "hello-session": {"session": "0123456789abcdef"}, "hello-name": {"name": "domain"},
            "hello-unknown": {"name": "middle"}, "hello-units": {"units": "cgs"}, "hello-role": {"role": "domain"},
            "hello-case": {"case": "00000000", "case_text": open(options.case).read().replace("size = 1.0", "size = 0.5")},
            "hello-short": {"fields": []},
+           "hello-steps": {"fields": [{**hello()["fields"][0], "step_count": -1}]},
+           "hello-half-step": {"fields": [{**hello()["fields"][0], "step_count": 2000.5}]},
+           "hello-twice": {"fields": [hello()["fields"][0]] * 2},
+           "hello-colours": {"build": "\x1b[31mred\x1b[0m", "units": "cgs"},
            "hello-huge": {"fields": [{**hello()["fields"][0], "y": [float(i) for i in range(900_000)]}]},
            }.get(MISDEED, {})
+if MISDEED == "delimiter":
+    hub.send(b"", zmq.SNDMORE)
 hub.send_json(hello(**changes))
 sent = frames = 0
 done = False

@@ -56,7 +56,7 @@ struct Exchange {
             .time_step = dt,
             .step_count = steps + delay_steps + 4};
   }
-  [[nodiscard]] std::vector<BoundaryFace> faces() const {
+  [[nodiscard]] std::vector<ExchangedFace> faces() const {
     return {{{0.0, -0.5}, {{-1.0, 0.0}, 3e5, 1e5}, {}, "left", "total"},
             {{width, -0.5}, {{1.0, 0.0}, 3e5, 1e5}, {}, "left", "total"}};
   }

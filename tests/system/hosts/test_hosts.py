@@ -170,7 +170,7 @@ class OverLoopback(HostsTest):
             other = work.path / "other.toml"
             other.write_text(work.case.read_text().replace("velocity = 0.5", "velocity = 0.6"))
             self.assert_failed(work.join(run, "left-base", "--case", other), r"another case.*velocity = 0\.6")
-            self.assert_failed(work.join(run, "left-base", "--session", "0" * 16), "session 0{16}")
+            self.assert_failed(work.join(run, "left-base", "--run", "0" * 16), "meant for run 0{16}")
             words = run.find(r"tremolo (join \S+ --role )left-base( --keys \S+)\n").groups()
             right = f"{words[0]}right{words[1]}".split()
             self.assert_failed(work.start([TREMOLO, *right, "--deadline", "1"]), "the hub does not know this key")

@@ -86,6 +86,21 @@ class Example(Folder):
         self.assertEqual(["coupler/participant.hpp"], re.findall(r'#include "(coupler/.*)"', text))
 
 
+class ManyPoints(Folder):
+    def test_a_frame_is_as_large_as_the_hub_says(self):
+        """A frame of 64 steps has more than 1 MiB from 205 points on, more than 4 MiB from 820 on. The hub grants credit in
+        frames: a source that waits for more than a frame waits for ever."""
+        for points in (625, 700, 5000):
+            with self.subTest(points):
+                text = EXAMPLE.read_text()
+                levels = 'np.arange(case["mesh"]["box"][1] - 1.0, surface + 0.1, 0.5)'
+                self.assertIn(levels, text)
+                self.program(text.replace(levels, f'np.linspace(case["mesh"]["box"][1] - 1.0, surface, {points})'))
+                done, _ = self.run_with('model = "external", program = "model.py"', f"run{points}",
+                                        CASE + "\n[coupling]\nstep_deadline_s = 10\n")
+                self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+
+
 class Page(Folder):
     def test_client_of_the_wire_protocol_page_conforms(self):
         page = (SOURCE / "docs/wire-protocol.md").read_text()
@@ -120,7 +135,7 @@ class Mistakes(Folder):
         self.assertLess(abs(field.values(3, 4)[:, 0, 5] - expected).max(), 1e-7)
 
     def test_fields_that_cannot_be_served_are_refused(self):
-        for wrong in ({"y": [0.0, -1.0]}, {"y": [0.0]}, {"y": [0.0, np.nan]}, {"time_step": 0.0}, {"step_count": 1}):
+        for wrong in ({"y": [0.0, -1.0]}, {"y": [0.0]}, {"y": [0.0, np.nan]}, {"time_step": 0.0}, {"step_count": 1}, {"step_count": 2000.5}):
             keys = {"y": [-1.0, 0.0], "start_time": 0.0, "time_step": 0.01, "step_count": 9} | wrong
             with self.assertRaises(ValueError, msg=wrong):
                 Field("total", None, **keys)

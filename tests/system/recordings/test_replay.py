@@ -98,7 +98,7 @@ class Replay(unittest.TestCase):
             following = first + steps
             body = np.ascontiguousarray(values[first:following]).tobytes()
             count = len(body) // 8 // steps
-            header = ("<4sHHQIIQIII20x", b"TRML", 1, 1, session, sender, field, first, steps, count)
+            header = ("<4sHHQIIQIII20x", b"TRML", 2, 1, session, sender, field, first, steps, count)
             self.assertEqual(crc, zlib.crc32(struct.pack(*header, 0) + body))
         self.assertEqual(following, len(values))
         return len(frames)

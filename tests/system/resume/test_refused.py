@@ -5,6 +5,7 @@
 
 import sys
 import unittest
+import zlib
 from pathlib import Path
 
 TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
@@ -50,35 +51,45 @@ class Refused(unittest.TestCase):
 
     def test_another_schema_and_another_build_with_both(self):
         manifest = self.set / "manifest.json"
-        message = self.spoilt(manifest, '"schema_version": "1.0"', '"schema_version": "7.3"')
-        self.assertIn("schema_version is 7.3 in the checkpoint, 1.0 in this run", message)
+        message = self.spoilt(manifest, '"schema_version": "1.1"', '"schema_version": "7.3"')
+        self.assertIn("schema_version is 7.3 in the checkpoint, 1.1 in this run", message)
         build = next(line for line in manifest.read_text().splitlines() if '"build"' in line)
         message = self.spoilt(manifest, build, ' "build": "0.0.1",')
         self.assertIn("build is 0.0.1 in the checkpoint", message)
 
-    def test_a_manifest_that_is_none(self):
-        self.assertIn("manifest.json", self.spoilt(self.set / "manifest.json", '"step"', '"stop"'))
-
-    def test_a_damaged_file_of_the_domain(self):
-        file = self.set / "domain.h5"
-        good = file.read_bytes()
-        file.write_bytes(good[: len(good) // 2])
-        try:
-            self.assertIn(str(file), self.refusal())
-        finally:
-            file.write_bytes(good)
+    def list_again(self, manifest, old, new):
+        """Puts another checksum of a file into the manifest, whose own is that of all its other lines."""
+        lines = [line for line in manifest.read_text().replace(old, new).splitlines() if not line.startswith(' "crc"')]
+        crc = zlib.crc32("\n".join(lines).encode())
+        manifest.write_text("\n".join([lines[0], f' "crc": "{crc:08x}",', *lines[1:]]))
 
     def test_a_source_that_does_not_compute_the_same_again(self):
-        file = self.set / "left.h5"
-        good = file.read_bytes()
+        file, manifest = self.set / "left.h5", self.set / "manifest.json"
+        good, listed = file.read_bytes(), manifest.read_text()
         with h5py.File(file, "r+") as saved:
             saved["total.last"][3] += 1.0
+        self.list_again(manifest, f"{zlib.crc32(good):08x}", f"{zlib.crc32(file.read_bytes()):08x}")
         try:
             message = self.refusal()
-            for part in ("left", "total", "before the checkpoint"):
+            for part in ("left", "total", "before the checkpoint", f"could not go on from its newest checkpoint, {self.set}"):
                 self.assertIn(part, message)
+            self.assertNotIn("tremolo resume", message)
         finally:
             file.write_bytes(good)
+            manifest.write_text(listed)
+
+    def test_no_set_that_is_whole(self):
+        everything = sorted(file for file in (self.folder / "checkpoints").rglob("*.h5"))
+        good = [file.read_bytes() for file in everything]
+        for file, text in zip(everything, good):
+            file.write_bytes(text[: len(text) // 2])
+        try:
+            message = self.refusal()
+            self.assertIn("is damaged", message)
+            self.assertIn("no complete checkpoint", message)
+        finally:
+            for file, text in zip(everything, good):
+                file.write_bytes(text)
 
     def test_folders_without_a_run_or_a_checkpoint_and_complete_runs(self):
         empty = self.work.path / "empty"

@@ -86,7 +86,7 @@ class Physics(unittest.TestCase):
             self.assertLess(np.max(np.abs(energy["residual"])), 0.02 * np.max(energy["kinetic"]))
 
     def test_a_monitors_acceleration_is_the_derivative_of_its_velocity(self):
-        for order in ("usl", "usf", "musl"):
+        for order in ("usl", "musl"):
             with Workspace(TREMOLO, order=order) as work:
                 surface = Run(work.run("run")).monitor("surface")
             derivative = np.gradient(surface["vx"], surface["time"])

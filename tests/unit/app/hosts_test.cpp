@@ -53,7 +53,7 @@ TEST_F(Hosts, AShellThereReadsEachWordAsItIs) {
   const auto size = std::fread(text.data(), 1, text.size(), shell);
   EXPECT_EQ(::pclose(shell), 0);
   EXPECT_EQ(std::string(text.data(), size),
-            "join\ntcp://10.0.0.1:5555\n--role\nleft\n--keys\n/it's \"here\" $HOME\n--session\n00ff\n");
+            "join\ntcp://10.0.0.1:5555\n--role\nleft\n--keys\n/it's \"here\" $HOME\n--run\n00ff\n");
 }
 
 TEST_F(Hosts, KeysAreWhereTheyAreHereIfNotSaidOtherwise) {

@@ -11,7 +11,8 @@ from pathlib import Path
 ROOT = Path(sys.argv.pop(1)).resolve()
 LONGEST_FILE = 500  # lines
 
-# Libraries: folder -> folders whose headers it may include besides its own. coupler/eq6 is a leaf of its own.
+# Libraries: folder -> folders whose headers it may include besides its own. coupler/eq6 and mpm_domain/spec are
+# libraries of their own.
 LIBRARIES = {
     "mesh": set(),
     "wavefield": set(),
@@ -20,8 +21,9 @@ LIBRARIES = {
     "results": set(),
     "coupler/eq6": set(),
     "freefield": {"materials"},
-    "mpm_domain": {"mesh", "materials", "results", "coupler/eq6"},
-    "scene": {"mesh", "materials", "motion"},
+    "mpm_domain/spec": {"mesh", "materials", "coupler/eq6"},
+    "mpm_domain": {"mpm_domain/spec", "mesh", "materials", "results", "coupler/eq6"},
+    "scene": {"mpm_domain/spec", "mesh", "materials", "motion"},
     "coupler": {"results", "coupler/eq6"},
     "app": {"scene", "coupler", "results", "materials", "motion", "wavefield", "freefield"},
 }
@@ -31,7 +33,7 @@ PROCESSES = {
     "coupler": {"results", "coupler/eq6", "scene"},
     "wavefield": {"materials", "motion", "scene", "coupler"},
     "freefield": {"materials", "motion", "wavefield", "scene", "coupler"},
-    "mpm_domain": {"materials", "motion", "results", "coupler/eq6", "scene", "coupler", "freefield", "wavefield"},
+    "mpm_domain": {"mpm_domain/spec", "materials", "motion", "results", "coupler/eq6", "scene", "coupler", "freefield", "wavefield"},
 }
 
 # All that a process knows of the coupler. recorded_case takes no part in an exchange: it describes a case.
@@ -43,13 +45,11 @@ SOURCES = {".cpp", ".hpp", ".py", ".sh", ".cmake"}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 
 
-# The one file of the app that knows the mains of all processes: `run --in-process` calls them as threads.
-IN_PROCESS = "app/run/in_process.cpp"
-
-
 def folder_of(path):
-    """The architectural folder of a path relative to the root, e.g. coupler/eq6."""
-    return "coupler/eq6" if path.startswith("coupler/eq6/") else path.split("/")[0]
+    """The architectural folder of a path relative to the root, e.g. coupler/eq6; the tables of fields belong to spec."""
+    if path.startswith("mpm_domain/fields/"):
+        return "mpm_domain/spec"
+    return next((leaf for leaf in LIBRARIES if "/" in leaf and path.startswith(leaf + "/")), path.split("/")[0])
 
 
 def is_process(path):
@@ -61,8 +61,6 @@ def allowed(path):
     others = LIBRARIES[folder]
     if folder in PROCESSES and is_process(path):
         others = others | PROCESSES[folder]
-    if path == IN_PROCESS:
-        others = others | set(PROCESSES)
     return others | {folder}
 
 

@@ -54,7 +54,7 @@ TEST(Frame, RoundTripKeepsEveryBit) {
 TEST(Frame, LiesAsDocumented) {
   const auto bytes = encode(header, values);
   ASSERT_EQ(bytes.size(), 64U + 6 * 8);
-  const std::vector<unsigned> start{'T',  'R',  'M', 'L', 1, 0, 1, 0, 0xef, 0xcd, 0xab, 0x89, 0x67, 0x45,
+  const std::vector<unsigned> start{'T',  'R',  'M', 'L', 2, 0, 1, 0, 0xef, 0xcd, 0xab, 0x89, 0x67, 0x45,
                                     0x23, 0x01, 2,   0,   0, 0, 1, 0, 0,    0,    40,   0,    0,    0,
                                     0,    0,    0,   0,   3, 0, 0, 0, 2,    0,    0,    0};
   for (std::size_t i = 0; i < start.size(); ++i)
@@ -86,7 +86,7 @@ TEST(Frame, EveryLengthButTheRightOneIsRefused) {
 
 TEST(Frame, EveryWrongFieldIsRefusedByNameEvenWithARightChecksum) {
   EXPECT_EQ(error_of(sealed_with(0, 'X')), Code::magic);
-  EXPECT_EQ(error_of(sealed_with(4, std::uint16_t{2})), Code::version);
+  EXPECT_EQ(error_of(sealed_with(4, std::uint16_t{1})), Code::version);
   EXPECT_EQ(error_of(sealed_with(6, std::uint16_t{2})), Code::units);
   EXPECT_EQ(error_of(sealed_with(8, header.session + 1)), Code::session);
   EXPECT_EQ(error_of(sealed_with(16, std::uint32_t{3})), Code::sender);

@@ -23,6 +23,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 constexpr std::uint64_t session = 0x0123456789abcdef;
+constexpr const char* run_number = "00000000000000ab";
 
 /// A hub that expects 'left' and 'right' from elsewhere and 'base' and 'domain' on this machine, at work in a
 /// thread of its own.
@@ -41,6 +42,7 @@ protected:
     options.keys = keys_;
     options.note = [](const std::string&) {};
     options.outer_endpoint = "tcp://127.0.0.1:*";
+    options.run_number = run_number;
     options.files = {{"/data/motion.csv", 3, "00000001"}};
     hub_.emplace(context_, endpoint_.address(), options);
     address_ = hub_->outer_endpoint();
@@ -62,7 +64,7 @@ protected:
   }
 
   JoinOptions as(const std::string& name) {
-    return {.endpoint = address_, .name = name, .keys = keys_, .session = {}, .deadline = 10.0};
+    return {.endpoint = address_, .name = name, .keys = keys_, .run = {}, .deadline = 10.0};
   }
 
   /// Keys in which `name` has the pair of `owner`.
@@ -110,7 +112,7 @@ TEST_F(Joined, LearnsSessionCaseAndFiles) {
 
 TEST_F(Joined, MayNameTheRunAndTheCaseThatItMeans) {
   auto options = as("left");
-  options.session = "0123456789abcdef";
+  options.run = run_number;
   options.case_text = "depth = 10.0\n";
   EXPECT_EQ(Joining(options).invitation().session, session);
 }
@@ -121,10 +123,11 @@ TEST_F(Joined, OtherCaseIsRefusedWithTheLineThatDiffers) {
   EXPECT_THAT(refusal(options), AllOf(HasSubstr("another case"), HasSubstr("12.0"), HasSubstr("10.0")));
 }
 
-TEST_F(Joined, OtherSessionIsRefused) {
+TEST_F(Joined, OtherRunIsRefused) {
   auto options = as("left");
-  options.session = "ffffffffffffffff";
-  EXPECT_THAT(refusal(options), HasSubstr("this run is 0123456789abcdef"));
+  options.run = "ffffffffffffffff";
+  EXPECT_THAT(refusal(options),
+              HasSubstr("'left' is meant for run ffffffffffffffff, this is run 00000000000000ab"));
 }
 
 TEST_F(Joined, KeyOfAnotherParticipantIsRefused) {

@@ -35,6 +35,13 @@ TEST_F(Keys, AreNotOverwritten) {
   EXPECT_EQ(read_public_key(folder_ / "", "left"), before);
 }
 
+TEST_F(Keys, StayInTheirFolder) {
+  for (const char* name : {"../outside", "a/b", ".hidden", "", "left\nright", "\x1b[2J"})
+    EXPECT_THROW(write_key_pair(folder_ / "", name), Error) << name;
+  EXPECT_FALSE(fs::exists(folder_ / ".." / "outside.secret"));
+  EXPECT_NO_THROW(write_key_pair(folder_ / "", "left-right_base.2"));
+}
+
 TEST_F(Keys, NonsenseIsRefused) {
   folder_.write("left.public", "short");
   EXPECT_THROW(read_keys(folder_ / "", "left"), Error);

@@ -1,4 +1,5 @@
 #include "coupler/wire/error.hpp"
+#include "coupler/wire/json_keys.hpp"
 #include "coupler/wire/messages.hpp"
 
 #include <cmath>
@@ -21,11 +22,11 @@ TEST(Messages, RoundTrip) {
 }
 
 TEST(Messages, FacesKeepEveryBit) {
-  const std::vector<BoundaryFace> faces{{{1.0 / 3.0, -0.1},
-                                         {{std::sqrt(0.5), -std::sqrt(0.5)}, 1e6 / 3.0, 0.7e6},
-                                         {-1e5 / 7.0, 3.3},
-                                         "left",
-                                         "total"}};
+  const std::vector<ExchangedFace> faces{{{1.0 / 3.0, -0.1},
+                                          {{std::sqrt(0.5), -std::sqrt(0.5)}, 1e6 / 3.0, 0.7e6},
+                                          {-1e5 / 7.0, 3.3},
+                                          "left",
+                                          "total"}};
   const auto again = faces_from(nlohmann::json::parse(to_json(faces).dump()));
   ASSERT_EQ(again.size(), 1U);
   EXPECT_EQ(again[0].position.x, faces[0].position.x);
@@ -34,6 +35,32 @@ TEST(Messages, FacesKeepEveryBit) {
   EXPECT_EQ(again[0].dashpot.impedance_s, faces[0].dashpot.impedance_s);
   EXPECT_EQ(again[0].static_traction.x, faces[0].static_traction.x);
   EXPECT_EQ(again[0].field, "total");
+}
+
+TEST(Messages, WhatIsWrongIsToldInWordsOfOurOwn) {
+  const auto told = [](const std::string& text) -> std::string {
+    try {
+      faces_from(parse(text).body.at("faces"));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(told("{\"type\": "), "control message: no JSON: it cannot be read at byte 10 of 9");
+  EXPECT_EQ(told("{\"type\": \"READY\", \"faces\": [{}]}"), "face: the key 'position' is missing");
+  EXPECT_EQ(told("{\"type\": \"READY\", \"faces\": [{\"position\": [1, \"a\"]}]}"),
+            "face: 'position' is [1,\"a\"], expected numbers, but \"a\" stands in it");
+  EXPECT_EQ(told("{\"type\": \"READY\", \"faces\": [7]}"), "face: 7 is no object with a key 'position'");
+}
+
+TEST(Messages, CountsAreWholeNumbers) {
+  const auto count = [](const char* text) { return whole_at(nlohmann::json::parse(text), "n"); };
+  EXPECT_EQ(count("{\"n\": 2000}"), 2000U);
+  EXPECT_EQ(count("{\"n\": 2000.0}"), 2000U);
+  EXPECT_EQ(count("{\"n\": 18446744073709551615}"), 18446744073709551615U);
+  for (const char* text : {"{\"n\": -1}", "{\"n\": 2000.5}", "{\"n\": 1e300}", "{\"n\": \"7\"}", "{}", "[]",
+                           "{\"n\": 99999999999999999999}"})
+    EXPECT_THROW(count(text), Error) << text;
 }
 
 TEST(Messages, NonsenseIsRefused) {

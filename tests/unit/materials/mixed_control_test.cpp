@@ -110,5 +110,72 @@ TEST(MixedControl, ComesBackFromTrialsThatAreRefused) {
   EXPECT_NEAR(found.strain[1], -1e-4 * std::asinh(50.0), 1e-12);
 }
 
+/// One free component under shear in equal steps: sigma_yy after them, as a function of the free increment.
+class Branches {
+public:
+  explicit Branches(double (*stress)(double)) : stress_(stress) {}
+
+  MixedControl::Found step(MixedControl& control) const {
+    MixedStep step;
+    step.by_stress = {false, true, false, false};
+    step.value = {0.0, 0.0, shear, 0.0};
+    return control.find(
+        step,
+        [this](const Components& strain, Components& stress) {
+          stress[1] = stress_(strain[1] / shear);
+          return true;
+        },
+        1e-6, 1e-3);
+  }
+
+  static constexpr double shear = 1e-5;
+
+private:
+  double (*stress_)(double);
+};
+
+constexpr double far_root = -1.9;
+
+double one_root(double x) {
+  return 400.0 * (x + 0.1);
+}
+/// Near zero it is as steep the wrong way as the far root is the right one, so that a tangent from x = -0.1
+/// leads to the far root; roots at -0.14, -0.3 and -0.38.
+double three_roots(double x) {
+  return 1e5 * (x + 0.14) * (x + 0.30) * (x + 0.38);
+}
+double only_a_far_root(double x) {
+  return x > -1.0 ? 100.0 + 400.0 * std::pow(x + 0.5, 2) : 2000.0 / 9.0 * (x - far_root);
+}
+
+TEST(MixedControl, TakesTheRootNextToWhereTheStepsHaveBeenGoing) {
+  MixedControl control;
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(Branches(one_root).step(control).strain[1], -0.1 * Branches::shear, 1e-12);
+  }
+  const auto found = Branches(three_roots).step(control);
+  EXPECT_NEAR(found.strain[1], -0.14 * Branches::shear, 1e-9 * Branches::shear);
+  EXPECT_EQ(found.leap, 0.0);
+}
+
+TEST(MixedControl, TellsALeapAndComesBackWhenTheRootNearbyDoes) {
+  MixedControl control;
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_FALSE(Branches(one_root).step(control).away);
+  }
+  for (int k = 0; k < 2; ++k) {
+    const auto found = Branches(only_a_far_root).step(control);
+    EXPECT_NEAR(found.strain[1], far_root * Branches::shear, 1e-6 * Branches::shear);
+    EXPECT_TRUE(found.away);
+    EXPECT_NEAR(found.leap, k == 0 ? 1.8 * Branches::shear : 0.0, 1e-5 * Branches::shear); // told once
+  }
+  // The far root is still there, and next to the last increments.
+  const auto both = [](double x) { return (x + 0.12) * (x - far_root) * 400.0; };
+  const auto found = Branches(both).step(control);
+  EXPECT_NEAR(found.strain[1], -0.12 * Branches::shear, 1e-6 * Branches::shear);
+  EXPECT_FALSE(found.away);
+  EXPECT_EQ(found.leap, 0.0);
+}
+
 } // namespace
 } // namespace tremolo::materials

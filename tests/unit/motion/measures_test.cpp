@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -176,6 +177,20 @@ TEST(Fourier, TransformOfAnyLengthAndBack) {
     for (std::size_t i = 0; i < n; ++i)
       ASSERT_NEAR(again[i], x[i], 1e-13) << n << " " << i;
   }
+}
+
+TEST(Periods, TabulatedOnesHoldTheCustomaryOnesOnce) {
+  const auto customary = customary_periods();
+  EXPECT_EQ(customary.size(), 105U);                 // of the 111 of NGA-West2 all up to 10 s
+  const auto all = tabulated_periods(0.01, 10.0, 4); // 0.01, 0.1, 1 and 10 s are customary
+  EXPECT_EQ(all, std::vector<double>(customary.begin(), customary.end()));
+  const auto some = tabulated_periods(0.04, 5.0, 120);
+  EXPECT_TRUE(std::ranges::is_sorted(some));
+  EXPECT_EQ(some.front(), 0.04);
+  EXPECT_EQ(some.back(), 5.0);
+  for (const double period : {0.04, 0.075, 0.2, 0.3, 0.667, 1.0, 5.0})
+    EXPECT_EQ(std::ranges::count(some, period), 1) << period;
+  EXPECT_GT(some.size(), 190U);
 }
 
 } // namespace

@@ -22,7 +22,7 @@ Spec box(double h, bool wrapped) {
   Spec spec = test_support::elastic_box(12.0, 6.0, h);
   spec.soils.push_back({"soft", materials::LinearElastic{{1700.0, 10e6, 0.28}}});
   spec.regions.push_back({1, {{2.0, -2.0}, {5.0, -2.0}, {5.0, 0.0}, {2.0, 0.0}}});
-  spec.periodic_sides = wrapped;
+  spec.sides = wrapped ? Sides::periodic : Sides::periodic_springs;
   return spec;
 }
 

@@ -143,16 +143,11 @@ TEST(State, OfEveryLawWithMemoryGoesOnWithTheSameBits) {
 }
 
 TEST(State, OfEveryTransferGoesOnWithTheSameBits) {
-  for (const auto transfer : {mpm_domain::Transfer::apic, mpm_domain::Transfer::flip,
-                              mpm_domain::Transfer::fmpm, mpm_domain::Transfer::pic_blend})
-    for (const auto order :
-         {mpm_domain::StepOrder::usl, mpm_domain::StepOrder::usf, mpm_domain::StepOrder::musl}) {
-      if (transfer == mpm_domain::Transfer::fmpm && order == mpm_domain::StepOrder::usl)
-        continue; // refused
+  for (const auto transfer : {mpm_domain::Transfer::apic, mpm_domain::Transfer::flip})
+    for (const auto order : {mpm_domain::StepOrder::usl, mpm_domain::StepOrder::musl}) {
       mpm_domain::Spec spec = box(softening_soil());
       spec.scheme.transfer = transfer;
       spec.scheme.order = order;
-      spec.scheme.blend_time = 0.1;
       expect_exact_resumption(spec);
     }
 }
@@ -177,10 +172,7 @@ TEST(State, OfLevelsWithStepsOfTheirOwnGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = box(softening_soil());
   spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}, {{3.0, -1.0, 4.0, 0.0}, 2}};
   spec.scheme.subcycle = true;
-  for (const auto transfer : {mpm_domain::Transfer::apic, mpm_domain::Transfer::flip}) {
-    spec.scheme.transfer = transfer;
-    expect_exact_resumption(spec);
-  }
+  expect_exact_resumption(spec);
 }
 
 /// A block that flies round a period, half of whose cells are fine.
@@ -198,15 +190,9 @@ struct Flown {
     return domain;
   }
 
-  /// @returns the largest and the smallest number of particles on the way
-  std::pair<std::size_t, std::size_t> steps(int count) {
-    std::pair<std::size_t, std::size_t> numbers{domain.particle_count(), domain.particle_count()};
-    for (int i = 0; i < count; ++i) {
+  void steps(int count) {
+    for (int i = 0; i < count; ++i)
       stepper.step();
-      numbers = {std::max(numbers.first, domain.particle_count()),
-                 std::min(numbers.second, domain.particle_count())};
-    }
-    return numbers;
   }
 
   template <class Visit>
@@ -216,26 +202,26 @@ struct Flown {
   }
 };
 
-TEST(State, OfParticlesThatWereCutAndJoinedGoesOnWithTheSameBits) {
+/// The state is saved where some particles have been cut and others have not.
+TEST(State, OfParticlesThatWereCutGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = test_support::elastic_box(6.0, 4.0, 1.0);
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   spec.refine = {{{3.0, -4.0, 6.0, 0.0}, 1}};
   spec.regions = {{0, {{0.5, -3.0}, {2.0, -3.0}, {2.0, -2.0}, {0.5, -2.0}}}};
-  spec.join_particles = true;
   spec.threads = 1;
   for (const bool subcycle : {false, true}) {
     spec.scheme.subcycle = subcycle;
-    const int round = subcycle ? 180 : 360; // steps
+    const int way_into_fine_cells = subcycle ? 60 : 120; // steps
+    const int round = 3 * way_into_fine_cells;
     Flown whole(spec);
     const std::size_t count = whole.domain.particle_count();
-    const auto [most, fewest] = whole.steps(round);
-    EXPECT_EQ(most, 4 * count);
-    EXPECT_EQ(fewest, count);
+    whole.steps(way_into_fine_cells);
+    EXPECT_GT(whole.domain.particle_count(), count);
+    EXPECT_LT(whole.domain.particle_count(), 4 * count);
     Saved saved;
     whole.visit(Save{saved});
-    const auto [later_most, later_fewest] = whole.steps(round);
-    EXPECT_EQ(later_most, 4 * count);
-    EXPECT_EQ(later_fewest, count);
+    whole.steps(round);
+    EXPECT_EQ(whole.domain.particle_count(), 4 * count);
 
     Flown resumed(spec);
     resumed.visit(Load{saved});

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
+#include <sys/resource.h>
 
 namespace tremolo::mpm_domain {
 namespace {
@@ -15,6 +19,23 @@ TEST(WorkerPool, RunsEveryTaskOnce) {
       pool.run(count, [&](std::size_t i) { ++done[i]; });
       EXPECT_EQ(done, std::vector<int>(count, 1));
     }
+}
+
+/// Stacks of 8 MiB each do not fit into an address space of a few: in a process of its own, which keeps the
+/// limit.
+TEST(WorkerPoolDeathTest, MoreThreadsThanTheSystemAllowsAreRefusedInWords) {
+  const auto refused = [] {
+    const rlimit little{std::uint64_t{256} << 20, std::uint64_t{256} << 20};
+    ::setrlimit(RLIMIT_AS, &little);
+    try {
+      const WorkerPool pool(600);
+    } catch (const std::runtime_error& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      std::_Exit(3);
+    }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(refused(), testing::ExitedWithCode(3), "--threads 600: the system allows [0-9]+: ");
 }
 
 TEST(WorkerPool, ATaskThatThrowsIsReportedToTheCaller) {

@@ -1,6 +1,9 @@
 """Run: what was written is what is read."""
 
+import os
+import random
 import tempfile
+import traceback
 import unittest
 from pathlib import Path
 
@@ -9,6 +12,7 @@ import numpy as np
 
 import synthetic_run
 from tremolo import Run
+from tremolo.run import DamagedRun
 
 
 class ReadsARun(unittest.TestCase):
@@ -68,6 +72,54 @@ class RefusesWhatIsNoRun(unittest.TestCase):
                 file.attrs["schema_version"] = np.bytes_("2.0")
             with self.assertRaisesRegex(ValueError, "schema version 2.0, this package reads 1.x"):
                 Run(folder)
+
+
+def read_everything(path):
+    with Run(path) as run:
+        for index in range(len(run.times)):
+            run.frame(index)
+        for name in run.monitors:
+            run.monitor(name)
+        return run.title, run.status, run.case, run.energy, run.boundary, run.table("timings"), run.attribute("box")
+
+
+class ReadsADamagedRun(unittest.TestCase):
+    """Bytes are changed anywhere, or the end is missing: what is said names the file."""
+
+    def told(self, path):
+        """The status of reading a file, 0 where it is read or refused in words. In a process of its own: the library does not forget damage."""
+        child = os.fork()
+        if child == 0:
+            try:
+                read_everything(path)
+            except (DamagedRun, OSError, ValueError) as error:
+                os._exit(0 if str(path) in str(error) else 1)
+            except BaseException:
+                traceback.print_exc()
+                os._exit(1)
+            os._exit(0)
+        return os.waitpid(child, 0)[1]
+
+    def test_is_refused_in_words(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "run.h5"
+            synthetic_run.write(path, frames=3, size=5.0, damaged=True)
+            good = path.read_bytes()
+            for seed in range(60):
+                chance = random.Random(seed)
+                bytes_now = bytearray(good)
+                for _ in range(chance.choice([1, 5, 50])):
+                    bytes_now[chance.randrange(len(bytes_now))] = chance.randrange(256)
+                if seed % 5 == 0:
+                    del bytes_now[chance.randrange(len(bytes_now)):]
+                path.write_bytes(bytes_now)
+                self.assertEqual(0, self.told(path), f"seed {seed}")
+
+    def test_an_unknown_monitor_is_named_with_those_that_exist(self):
+        with tempfile.TemporaryDirectory() as folder:
+            synthetic_run.write(Path(folder) / "run.h5", frames=1, size=5.0)
+            with Run(folder) as run, self.assertRaisesRegex(KeyError, "no monitor 'summit'; it has crest"):
+                run.monitor("summit")
 
 
 if __name__ == "__main__":

@@ -68,9 +68,17 @@ inline std::vector<std::string> errors_of(const std::string& text) {
   try {
     parse_case(text);
   } catch (const CaseErrors& errors) {
-    for (const CaseError& error : errors.errors())
+    for (const Finding& error : errors.errors())
       messages.push_back(error.message());
   }
+  return messages;
+}
+
+/// Messages of the warnings and notes on a good case.
+inline std::vector<std::string> remarks_of(const std::string& text) {
+  std::vector<std::string> messages;
+  for (const Finding& remark : parse_case(text).remarks)
+    messages.push_back(remark.message());
   return messages;
 }
 

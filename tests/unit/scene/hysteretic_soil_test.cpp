@@ -44,15 +44,16 @@ TEST(HystereticSoil, HyperbolaIsTheBackboneOfExponentOne) {
 }
 
 TEST(HystereticSoil, FitsDarendelisCurvesAndSaysSo) {
-  const auto scene = parse_case(
-      with_clay("model = \"mkz\"\ncurve = \"darendeli\"\nplasticity_index = 15\nmean_stress = 101325.0\n"));
+  const auto text =
+      with_clay("model = \"mkz\"\ncurve = \"darendeli\"\nplasticity_index = 15\nmean_stress = 101325.0\n");
+  const auto scene = parse_case(text);
   const auto& soil = scene.soils.at(*scene.profile.at(0).soil);
   const auto& law = std::get<materials::MasingShear>(soil.column_law);
   // Darendeli (2001): gamma_r = (0.0352 + 0.0010 PI) per cent at 1 atm and OCR 1, exponent 0.9190.
   EXPECT_NEAR(law.reference_strain, 0.000503, 0.000001);
   EXPECT_NEAR(law.exponent, 0.919, 0.001);
   EXPECT_TRUE(soil.curves->whole);
-  EXPECT_THAT(plan(scene).notes, ::testing::Contains(HasSubstr("soil 'clay': backbone fitted to its curve")));
+  EXPECT_THAT(remarks_of(text), ::testing::Contains(HasSubstr("soil 'clay': backbone fitted to its curve")));
 }
 
 TEST(HystereticSoil, SaysWhatIsMissingOrTooMuch) {
@@ -72,13 +73,12 @@ TEST(HystereticSoil, SaysWhatIsMissingOrTooMuch) {
 }
 
 TEST(HystereticSoil, OfALayerAloneCostsTheDomainNothing) {
-  const auto scene =
-      parse_case(with_clay("model = \"mkz\"\nreference_strain = 5e-4\nbeta = 1.0\nexponent = 0.9\n"));
-  const auto layered = plan(scene);
+  const auto text = with_clay("model = \"mkz\"\nreference_strain = 5e-4\nbeta = 1.0\nexponent = 0.9\n");
+  const auto layered = plan(parse_case(text));
   const auto flat = plan(parse_case(std::string(flat_case)));
   EXPECT_EQ(layered.memory_bytes, flat.memory_bytes);
   EXPECT_EQ(layered.critical_dt, flat.critical_dt);
-  EXPECT_THAT(layered.notes,
+  EXPECT_THAT(remarks_of(text),
               ::testing::Contains(HasSubstr("model \"wave\" takes layers of soil 'clay' as linear")));
 }
 

@@ -95,13 +95,6 @@ TEST(Plan, EffectsFollowTheCase) {
   const auto heavy = plan_of(with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]"));
   EXPECT_TRUE(is_on(heavy, "gravity"));
   EXPECT_FALSE(is_on(plan_of(plus("[time]\ntransfer = \"flip\"\n")), "affine velocity"));
-  EXPECT_FALSE(is_on(flat, "full mass matrix"));
-  const auto fmpm = plan_of(plus("[time]\ntransfer = \"fmpm\"\nfmpm_order = 5\n"));
-  EXPECT_TRUE(is_on(fmpm, "full mass matrix"));
-  EXPECT_FALSE(is_on(fmpm, "affine velocity"));
-  EXPECT_EQ(std::ranges::find(fmpm.effects, "full mass matrix", &Effect::name)->why,
-            "[time] transfer = \"fmpm\": inverted to order 5");
-  EXPECT_GT(fmpm.estimated_time, flat.estimated_time);
   EXPECT_FALSE(is_on(flat, "matched layers"));
   EXPECT_FALSE(is_on(flat, "periodic sides"));
   const auto layered =

@@ -174,9 +174,9 @@ TEST(Sand, Pdmy03WithoutADensityNeedsEverything) {
   EXPECT_EQ(law.cone, materials::Pdmy03Cone::plane_strain);
 }
 
-TEST(Sand, NotesOfPdmy03ReachThePlan) {
-  const auto scene = parse_case(with_soil("model = \"pdmy03\"\nrelative_density = 0.57\n"));
-  EXPECT_THAT(plan(scene).notes, Contains(AllOf(HasSubstr("soil 'sand': "), HasSubstr("plane strain"))));
+TEST(Sand, LimitsOfPdmy03AreTold) {
+  EXPECT_THAT(remarks_of(with_soil("model = \"pdmy03\"\nrelative_density = 0.57\n")),
+              Contains(AllOf(HasSubstr("soil 'sand': "), HasSubstr("plane strain"))));
 }
 
 TEST(Sand, WithoutGravityItHasNoStiffness) {

@@ -47,7 +47,7 @@ std::vector<std::string> errors_of(const std::string& text, SoilTestUse use = So
   try {
     parsed(text, use);
   } catch (const CaseErrors& errors) {
-    for (const CaseError& error : errors.errors())
+    for (const Finding& error : errors.errors())
       messages.push_back(error.message());
   }
   return messages;

@@ -1,6 +1,6 @@
 #pragma once
 
-// A block on a mesh that gets finer in x, for particles that are cut and joined.
+// A block on a mesh that gets finer in x, for particles that are cut.
 
 #include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
@@ -69,7 +69,7 @@ inline Sums sums_of(const Domain& domain) {
   return sum;
 }
 
-/// Particles that change(domain) cuts or joins bring to the nodes what they did before.
+/// Particles that change(domain) cuts bring to the nodes what they did before.
 template <typename Change>
 void expect_grid_as_it_was(Domain& domain, const Change& change) {
   sort_particles(domain);

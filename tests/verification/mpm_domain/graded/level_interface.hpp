@@ -25,7 +25,7 @@ inline Spec level_interface(double half, bool is_fine_below) {
   Spec spec = test_support::elastic_box(width, 2.0 * half, h);
   spec.box = {0.0, -half, width, half};
   spec.regions = {{0, {{0.0, -half}, {width, -half}, {width, half}, {0.0, half}}}};
-  spec.periodic_sides = true;
+  spec.sides = mpm_domain::Sides::periodic;
   spec.threads = 1;
   spec.refine = {{{0.0, is_fine_below ? -half : 0.0, width, is_fine_below ? 0.0 : half}, 1}};
   return spec;

@@ -1,0 +1,28 @@
+#include "coupler/hub/notes.hpp"
+
+#include "coupler/wire/printable.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+
+namespace tremolo::coupler {
+
+void Notes::tell(const std::string& text) {
+  note_(printable(text));
+}
+
+void Notes::tell_of_stranger(const std::string& text, Clock::time_point now) {
+  const double elapsed = std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  allowance_ = std::min(most_at_once, allowance_ + each_second * elapsed);
+  if (allowance_ < 1.0) {
+    ++left_out_;
+    return;
+  }
+  allowance_ -= 1.0;
+  if (const auto count = std::exchange(left_out_, 0); count > 0)
+    note_(fmt::format("{} notes about strangers were left out", count));
+  tell(text);
+}
+
+} // namespace tremolo::coupler

@@ -1,0 +1,36 @@
+#pragma once
+
+// What the user of a run is told while it goes on. Others' words are made printable, and strangers, who may
+// say anything as often as they like, are told only now and then: ten notes at once, then one a second.
+
+#include "coupler/mapping/timing.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace tremolo::coupler {
+
+class Notes {
+public:
+  explicit Notes(std::function<void(const std::string&)> note, Clock::time_point now = Clock::now())
+      : note_(std::move(note)), last_(now) {}
+
+  /// About the run itself.
+  void tell(const std::string& text);
+
+  /// About somebody who is no participant.
+  void tell_of_stranger(const std::string& text, Clock::time_point now = Clock::now());
+
+private:
+  static constexpr double most_at_once = 10.0;
+  static constexpr double each_second = 1.0;
+
+  std::function<void(const std::string&)> note_;
+  double allowance_ = most_at_once; ///< notes that may be told now
+  Clock::time_point last_;
+  std::size_t left_out_ = 0;
+};
+
+} // namespace tremolo::coupler

@@ -1,0 +1,50 @@
+#pragma once
+
+// What the hub knows of a run that goes on, or has come to its end.
+
+#include "coupler/client/timeline.hpp"
+#include "coupler/mapping/timing.hpp"
+#include "coupler/wire/error.hpp"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tremolo::coupler {
+
+/// Why the run cannot go on.
+struct Failure {
+  std::string participant; ///< the one it is about; empty if none
+  std::string text;
+  bool refuses_checkpoint = false; ///< the one that the run was to go on from
+};
+
+/// A message that ends the run, with the whole of its reason.
+class Fault : public Error {
+public:
+  explicit Fault(Failure failure) : Error(failure.text), failure_(std::move(failure)) {}
+  [[nodiscard]] const Failure& failure() const { return failure_; }
+
+private:
+  Failure failure_;
+};
+
+/// Where the domain is.
+struct Progress {
+  std::string stage = "start";
+  std::uint64_t step = 0;
+  double time = 0.0;     ///< simulated, s
+  double end_time = 0.0; ///< s
+  friend bool operator==(const Progress&, const Progress&) = default;
+};
+
+/// What a participant says of itself at the end.
+struct ParticipantReport {
+  std::vector<PassTime> passes;
+  double waiting = 0.0;          ///< for the exchange, s
+  double particle_updates = 0.0; ///< the domain's; 0 otherwise
+  TimelineReport timeline;       ///< empty of a participant that keeps none
+};
+
+} // namespace tremolo::coupler

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace tremolo::coupler {
+
+/// What another process says, as it may be shown on a terminal: control characters but for the end of a line
+/// and the tabulator, and bytes that are no UTF-8, become \xNN; what is longer than most bytes is cut, and
+/// says so.
+std::string printable(std::string_view text, std::size_t most = 4096);
+
+} // namespace tremolo::coupler

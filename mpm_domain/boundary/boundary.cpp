@@ -1,0 +1,327 @@
+#include "mpm_domain/boundary/boundary.hpp"
+
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/step/clock_nodes.hpp"
+#include "mpm_domain/step/ticks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+constexpr std::size_t numbers_per_face = 4; // of the rest state
+
+/// A node with less of a face is not touched by it: rounding of weights.
+constexpr double negligible = 1e-12;
+
+double dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// act(f) for all faces, portions of them side by side.
+template <typename Act>
+void for_faces(WorkerPool& workers, std::size_t count, const Act& act) {
+  constexpr std::size_t portion = 64;
+  workers.run((count + portion - 1) / portion, [&](std::size_t task) {
+    for (std::size_t f = task * portion; f < std::min((task + 1) * portion, count); ++f)
+      act(f);
+  });
+}
+
+/// v_f = sum_i W_if v_i, m/s.
+Vector velocity_at(const Grid& grid, const FaceWeights& weights) {
+  Vector v;
+  for (const auto& [node, w] : weights) {
+    v.x += w * grid.vx_before[node];
+    v.y += w * grid.vy_before[node];
+  }
+  return v;
+}
+
+/// Impulses of a clock given to a node of a faster one within one of its steps: the factor on the force.
+double impulse_factor(int node_clock, int clock) {
+  return static_cast<double>(1 << (node_clock - clock));
+}
+
+} // namespace
+
+void Boundary::match(std::vector<Particles>& sets, const Spec& spec) {
+  faces_ = find_faces(sets, spec);
+  resize();
+}
+
+void Boundary::remove_faces() {
+  faces_.clear();
+  layers_.clear();
+  springs_.reset();
+  resize();
+}
+
+void Boundary::resize() {
+  const std::size_t count = faces_.size();
+  weights_.assign(count, {});
+  clock_.assign(count, 0);
+  free_field_.assign(count, {});
+  for (std::vector<Vector>* field : {&v_exchange_, &v_, &reaction_, &exchanged_})
+    field->assign(count, {});
+  traction_.assign(count, {});
+  layer_sums_.assign(3 * count, 0.0);
+}
+
+std::vector<double> Boundary::rest_state() const {
+  std::vector<double> state;
+  for (const BoundaryFace& face : faces_)
+    state.insert(state.end(), {face.ground.impedance_p, face.ground.impedance_s, face.held.x, face.held.y});
+  return state;
+}
+
+void Boundary::set_rest_state(std::span<const double> state) {
+  if (state.size() != numbers_per_face * faces_.size())
+    throw std::invalid_argument(fmt::format("{} numbers for {} faces, {} are needed", state.size(),
+                                            faces_.size(), numbers_per_face * faces_.size()));
+  auto next = state.begin();
+  for (BoundaryFace& face : faces_) {
+    face.ground.impedance_p = *next++;
+    face.ground.impedance_s = *next++;
+    face.held.x = *next++;
+    face.held.y = *next++;
+  }
+}
+
+void Boundary::set_levels(const std::vector<double>& levels) {
+  if (levels.size() != faces_.size())
+    throw std::invalid_argument(
+        fmt::format("levels of {} faces do not go with {} faces", levels.size(), faces_.size()));
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    faces_[f].level = static_cast<int>(levels[f]);
+}
+
+void Boundary::set_layer_sums(const std::vector<double>& sums) {
+  if (sums.size() != layer_sums_.size())
+    throw std::invalid_argument(
+        fmt::format("{} sums of velocities do not go with {} faces", sums.size(), faces_.size()));
+  layer_sums_ = sums;
+}
+
+void Boundary::build_supports(const Domain& domain) {
+  if (supported_)
+    return;
+  supported_ = true;
+  for (const Side side : domain.spec.matched_sides) {
+    const MatchedLayer& layer = layers_.emplace_back(domain, side);
+    for (std::size_t f = 0; f < layer.face_count(); ++f) {
+      BoundaryFace& face = faces_[layer.first_face() + f];
+      face.support = Support::matched_layer;
+      face.layer_mass = layer.mass(f);
+    }
+  }
+  if (domain.spec.sides == Sides::periodic_springs && !faces_.empty()) {
+    springs_.emplace(domain);
+    for (std::size_t f = 0; f < springs_->face_count(); ++f)
+      faces_[f].support = Support::opposite_face;
+  }
+}
+
+void Boundary::find_levels(const Domain& domain) {
+  if (domain.mesh)
+    for (BoundaryFace& face : faces_)
+      face.level = level_of(domain, face);
+}
+
+bool Boundary::is_due(const Ticks& ticks, std::size_t f) const {
+  return clock_[f] >= ticks.first_due();
+}
+
+/// The face's weights at its present place, and at the first tick its clock.
+void Boundary::weigh(const Domain& domain, const ClockNodes& nodes, std::size_t f, bool first_tick) {
+  face_weights(domain, faces_[f], weights_[f]);
+  if (domain.clocks.count() == 1)
+    return;
+  std::erase_if(weights_[f],
+                [&](const FaceWeight& w) { return w.w < negligible || nodes.clock_of(w.node) < 0; });
+  if (!first_tick)
+    return;
+  clock_[f] = domain.clocks.count() - 1;
+  for (const FaceWeight& w : weights_[f])
+    clock_[f] = std::min(clock_[f], nodes.clock_of(w.node));
+}
+
+void Boundary::exchange(Domain& domain, const ClockNodes& nodes, const FreeFieldSource& source, long step,
+                        double time) {
+  for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
+    weigh(domain, nodes, f, true);
+    v_exchange_[f] = velocity_at(domain.grid, weights_[f]);
+  });
+  v_ = v_exchange_;
+  source(step, time, v_exchange_, free_field_);
+  react(domain, time);
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    evaluate(f);
+    const Vector eq6 = traction_[f].total();
+    exchanged_[f] = {eq6.x + reaction_[f].x, eq6.y + reaction_[f].y};
+  }
+}
+
+/// Adds the velocity that the face has read last to the mean over a step of clock 0.
+void Boundary::add_to_layer_mean(std::size_t f) {
+  const double weight = 1.0 / static_cast<double>(1 << clock_[f]);
+  layer_sums_[3 * f] += weight * v_[f].x;
+  layer_sums_[3 * f + 1] += weight * v_[f].y;
+  layer_sums_[3 * f + 2] += weight;
+}
+
+/// What layers and springs exert until the next exchange.
+void Boundary::react(const Domain& domain, double time) {
+  if (springs_)
+    springs_->pull(domain, v_exchange_, reaction_, free_field_);
+  if (layers_.empty())
+    return;
+  std::vector<Vector> mean(faces_.size());
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (faces_[f].support != Support::matched_layer)
+      continue;
+    add_to_layer_mean(f);
+    mean[f] = {layer_sums_[3 * f] / layer_sums_[3 * f + 2], layer_sums_[3 * f + 1] / layer_sums_[3 * f + 2]};
+    reaction_[f] = {};
+  }
+  std::ranges::fill(layer_sums_, 0.0);
+  for (MatchedLayer& layer : layers_)
+    layer.react(time, mean, free_field_, reaction_);
+}
+
+void Boundary::evaluate(std::size_t f) {
+  traction_[f] = eq6::boundary_traction(faces_[f].dashpots(), v_[f], free_field_[f], faces_[f].held);
+}
+
+void Boundary::apply(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
+  if (faces_.empty())
+    return;
+  if (!ticks.is_first())
+    for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
+      if (!is_due(ticks, f))
+        return;
+      weigh(domain, nodes, f, false);
+      v_[f] = velocity_at(domain.grid, weights_[f]);
+      evaluate(f);
+      if (faces_[f].support == Support::matched_layer)
+        add_to_layer_mean(f);
+    });
+  spread(domain, ticks, nodes);
+  correct_dashpots(domain, ticks, nodes);
+}
+
+void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
+  Grid& grid = domain.grid;
+  if (nodes_.restart(grid.size()))
+    for (NodeField* field : {&on_nodes_x_, &on_nodes_y_})
+      field->assign(grid.size(), 0.0);
+  nodes_.add(weights_);
+  domain.workers.run(2, [&](std::size_t component) {
+    const bool is_x = component == 0;
+    const auto part = [is_x](const Vector& v) { return is_x ? v.x : v.y; };
+    NodeField& boundary = is_x ? on_nodes_x_ : on_nodes_y_;
+    NodeField& force = is_x ? grid.force_x : grid.force_y;
+    NodeField& dashpot = is_x ? grid.dashpot_x : grid.dashpot_y;
+    for (const std::size_t n : nodes_.all())
+      if (nodes.clock_of(n) >= ticks.first_due())
+        boundary[n] = 0.0;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const BoundaryFace& face = faces_[f];
+      const double held = ticks.steady_share(clock_[f]) * part(face.held);
+      const bool due = is_due(ticks, f);
+      const double moving = part(traction_[f].viscous) + part(traction_[f].dynamic);
+      const double z = part(dashpot_diagonal(face));
+      const double reaction = ticks.is_first() ? part(reaction_[f]) : 0.0;
+      for (const auto& [node, w] : weights_[f]) {
+        const int clock = nodes.clock_of(node);
+        if (clock < ticks.first_due())
+          continue;
+        const double share = w * face.length;
+        // A node of a slower clock that the face has come to touch since the first tick waits for the next
+        // one.
+        const double factor = due && clock >= clock_[f] ? impulse_factor(clock, clock_[f]) : 0.0;
+        boundary[node] += share * (factor * moving + impulse_factor(clock, 0) * reaction + held);
+        // A mass m_L that moves with the node adds m_L to m in (m + dt C/2) (v+ - v-) = dt f: it is a dashpot
+        // C = 2 m_L/dt that is not in f.
+        dashpot[node] += share * (factor * z + 2.0 / ticks.kick_of(clock) * face.layer_mass);
+      }
+    }
+    for (const std::size_t n : nodes_.all())
+      if (nodes.clock_of(n) >= ticks.first_due())
+        force[n] += boundary[n];
+  });
+}
+
+/// Faces whose nodes are all of one clock have consistent dashpots; the few others stay lumped.
+void Boundary::correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
+  dashpots_.resize(static_cast<std::size_t>(ticks.clocks()));
+  if (ticks.clocks() == 1)
+    return dashpots_.front().correct(domain, weights_, ticks.kick_of(0));
+  consistent_.resize(dashpots_.size());
+  for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
+    std::vector<FaceWeights>& weights = consistent_[static_cast<std::size_t>(clock)];
+    weights.assign(faces_.size(), {});
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      if (std::ranges::all_of(weights_[f],
+                              [&](const FaceWeight& w) { return nodes.clock_of(w.node) == clock; }))
+        weights[f] = weights_[f];
+    dashpots_[static_cast<std::size_t>(clock)].correct(domain, weights, ticks.kick_of(clock));
+  }
+}
+
+void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
+  const Grid& grid = domain.grid;
+  EnergyLedger& energy = domain.energy;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const BoundaryFace& face = faces_[f];
+    const double share = ticks.steady_share(clock_[f]) * face.length;
+    Vector v_all;    // mean over the update of all nodes that are due
+    Vector v_moving; // of those that the moving part acts on
+    for (const auto& [node, w] : weights_[f]) {
+      const int clock = nodes.clock_of(node);
+      if (clock < ticks.first_due())
+        continue;
+      const Vector mid = {0.5 * w * (grid.vx_before[node] + grid.vx_after[node]),
+                          0.5 * w * (grid.vy_before[node] + grid.vy_after[node])};
+      v_all = {v_all.x + mid.x, v_all.y + mid.y};
+      if (clock >= clock_[f])
+        v_moving = {v_moving.x + mid.x, v_moving.y + mid.y};
+      energy.static_ += ticks.kick_of(clock) * share * dot(face.held, mid);
+    }
+    if (is_due(ticks, f)) {
+      const double impulse = ticks.kick_of(clock_[f]) * face.length;
+      const double own = dot(eq6::viscous_traction(face.dashpots(), v_[f]), v_moving);
+      energy.dashpots += impulse * own;
+      energy.input +=
+          impulse * (dot(traction_[f].viscous, v_moving) + dot(traction_[f].dynamic, v_moving) - own);
+    }
+    if (ticks.is_first() && face.support != Support::dashpots)
+      (face.support == Support::matched_layer ? energy.dashpots : energy.input) +=
+          ticks.kick_of(0) * face.length * dot(reaction_[f], v_all);
+  }
+  for (int clock = ticks.first_due(); clock < static_cast<int>(dashpots_.size()); ++clock) {
+    const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
+    energy.dashpots +=
+        0.5 * ticks.kick_of(clock) *
+        (dashpots.power(grid.vx_before, grid.vy_before) + dashpots.power(grid.vx_after, grid.vy_after));
+  }
+}
+
+double Boundary::remap_power(const Grid& grid, const ClockNodes& nodes, int clock) const {
+  double power = 0.0;
+  for (const std::size_t n : nodes_.all())
+    if (nodes.clock_of(n) == clock)
+      power += on_nodes_x_[n] * (grid.vx_after[n] - grid.vx_strain[n]) +
+               on_nodes_y_[n] * (grid.vy_after[n] - grid.vy_strain[n]);
+  if (static_cast<std::size_t>(clock) < dashpots_.size()) {
+    const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
+    power += dashpots.power(grid.vx_after, grid.vy_after) - dashpots.power(grid.vx_strain, grid.vy_strain);
+  }
+  return power;
+}
+
+} // namespace tremolo::mpm_domain

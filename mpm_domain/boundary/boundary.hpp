@@ -1,0 +1,131 @@
+#pragma once
+
+// The boundary of the domain: its faces, what stands behind them, and Eq. (6),
+//
+//     f^b = f^vis + f^dyn + f^st,
+//
+// whose parts it works out, spreads over the nodes and books. Nobody else keeps a copy of any of this.
+//
+// The free field is exchanged once a step, at its first tick, and held over it. Dashpots follow each face's
+// clock, the slowest among its nodes: at a node of fine cells the damping of a whole coarse step would be
+// past its limit. A node faster than its face receives the moving part of the traction as an impulse at the
+// start of the face's step, and the static part, like the weight of the soil that it holds, at every tick of
+// its own. Matched layers step with clock 0 and give their nodes impulses at its ticks; their mass moves with
+// the nodes at every tick.
+
+#include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/boundary/consistent_dashpots.hpp"
+#include "mpm_domain/boundary/matched_layer.hpp"
+#include "mpm_domain/boundary/periodic_springs.hpp"
+#include "mpm_domain/fields/node_fields.hpp"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+class ClockNodes;
+class Ticks;
+
+/// Gives every face the free field of a time (s) in which the domain's velocities there are v (m/s). Called
+/// once a step; faces that a spring ties to the opposite side are left as they are.
+using FreeFieldSource =
+    std::function<void(long step, double time, std::span<const Vector> v, std::span<eq6::FreeField> field)>;
+
+class Boundary {
+public:
+  std::span<const BoundaryFace> faces() const { return faces_; }
+  std::span<BoundaryFace> faces() { return faces_; }
+  /// Leaves the domain without faces: a free body.
+  void remove_faces();
+
+  /// Finds the faces along the edges of the model, before dashpots that match the soil in its present stress.
+  void match(std::vector<Particles>& sets, const Spec& spec);
+  /// Impedances P and S (Pa s/m) and static traction (Pa) of each face, for a checkpoint.
+  std::vector<double> rest_state() const;
+  /// Stands for a gravity stage whose faces were these.
+  /// @throws std::invalid_argument for those of another boundary
+  void set_rest_state(std::span<const double> state);
+
+  /// Puts what the spec wants behind the faces of a domain at rest: matched layers, springs. Does nothing
+  /// when it has been done.
+  void build_supports(const Domain& domain);
+  bool has_layers() const { return !layers_.empty(); }
+
+  /// After a sort.
+  void find_levels(const Domain& domain);
+
+  /// The passes of a step. At its first tick: velocities of the faces, free field, and what layers and
+  /// springs make of it.
+  void exchange(Domain& domain, const ClockNodes& nodes, const FreeFieldSource& source, long step,
+                double time);
+  /// At every tick: Eq. (6) of the faces that are due, on the nodes' forces and dashpots.
+  void apply(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+  /// After the update: the work of the boundary, by its parts.
+  void book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+  /// Work over the last step of a clock's nodes that the boundary would have done on what v+ differs from the
+  /// remapped velocity by, over the time of that step: its power, W/m.
+  double remap_power(const Grid& grid, const ClockNodes& nodes, int clock) const;
+
+  /// Of the last exchange, per face: v^m (m/s), the traction of Eq. (6) (Pa) and the free field.
+  std::span<const Vector> velocities() const { return v_exchange_; }
+  std::span<const Vector> tractions() const { return exchanged_; }
+  std::span<const eq6::FreeField> free_field() const { return free_field_; }
+
+  /// What a checkpoint keeps between steps (state.hpp).
+  template <class Writer>
+  void save(Writer& to) const {
+    std::vector<double> levels;
+    for (const BoundaryFace& face : faces_)
+      levels.push_back(face.level);
+    to.write("faces.level", levels);
+    to.write("faces.layer_sums", layer_sums_);
+    for (std::size_t l = 0; l < layers_.size(); ++l)
+      to.write("layer" + std::to_string(l), layers_[l].state());
+  }
+  /// Goes on from there.
+  /// @throws std::invalid_argument for the state of another boundary
+  template <class Reader>
+  void restore(const Reader& from) {
+    set_levels(from.numbers("faces.level"));
+    set_layer_sums(from.numbers("faces.layer_sums"));
+    for (std::size_t l = 0; l < layers_.size(); ++l)
+      layers_[l].restore(from.numbers("layer" + std::to_string(l)));
+  }
+
+private:
+  void set_levels(const std::vector<double>& levels);
+  void set_layer_sums(const std::vector<double>& sums);
+  void resize();
+  bool is_due(const Ticks& ticks, std::size_t face) const;
+  void weigh(const Domain& domain, const ClockNodes& nodes, std::size_t face, bool first_tick);
+  void add_to_layer_mean(std::size_t face);
+  void react(const Domain& domain, double time);
+  void evaluate(std::size_t face);
+  void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+  void correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+
+  std::vector<BoundaryFace> faces_;
+  std::vector<MatchedLayer> layers_;
+  std::optional<PeriodicSprings> springs_;
+  bool supported_ = false;
+
+  std::vector<FaceWeights> weights_; ///< as of the start of each face's present step
+  std::vector<int> clock_;
+  std::vector<eq6::FreeField> free_field_;
+  std::vector<Vector> v_exchange_;      ///< at the exchange, m/s
+  std::vector<Vector> v_;               ///< at the start of each face's present step, m/s
+  std::vector<eq6::Traction> traction_; ///< Eq. (6) with it, Pa
+  std::vector<Vector> reaction_;        ///< of layers and springs, Pa
+  std::vector<Vector> exchanged_;       ///< all of it at the exchange, Pa
+  std::vector<double> layer_sums_; ///< per face over the ticks of a step: sum of w v_x, w v_y (m/s) and of w
+  FaceNodes nodes_;
+  NodeField on_nodes_x_, on_nodes_y_;                ///< forces of the boundary on the nodes, N/m
+  std::vector<ConsistentDashpots> dashpots_;         ///< one a clock
+  std::vector<std::vector<FaceWeights>> consistent_; ///< by clock: of the faces with nodes of it alone
+};
+
+} // namespace tremolo::mpm_domain

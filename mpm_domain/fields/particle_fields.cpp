@@ -1,0 +1,42 @@
+#include "mpm_domain/fields/particle_fields.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace tremolo::mpm_domain {
+
+const std::vector<ParticleFieldDescription>& particle_field_table() {
+  using F = ParticleFields;
+  using enum FieldTrait;
+  using enum OnCut;
+  static const std::vector<ParticleFieldDescription> table{
+      {"x", "m", "place", always, moved, "", &F::x},
+      {"y", "m", "place", always, moved, "", &F::y},
+      {"vx", "m/s", "velocity, half a step before place and stress", always, moved, "velocity", &F::vx},
+      {"vy", "m/s", "velocity, half a step before place and stress", always, moved, "velocity", &F::vy},
+      {"sxx", "Pa", "Cauchy stress, tension positive", always, copied, "stress", &F::sxx},
+      {"syy", "Pa", "Cauchy stress, tension positive", always, copied, "stress", &F::syy},
+      {"szz", "Pa", "Cauchy stress out of the plane, tension positive", always, copied, "stress", &F::szz},
+      {"sxy", "Pa", "Cauchy stress", always, copied, "stress", &F::sxy},
+      {"mass", "kg/m", "mass per metre out of the plane", always, shared, "", &F::mass},
+      {"volume", "m2", "volume per metre out of the plane", always, shared, "volume", &F::volume},
+      {"x_initial", "m", "place at the start", always, moved, "", &F::x_initial},
+      {"y_initial", "m", "place at the start", always, moved, "", &F::y_initial},
+      {"bxx", "m2/s", "affine momentum over mass, B", affine, moved, "", &F::bxx},
+      {"bxy", "m2/s", "affine momentum over mass, B", affine, moved, "", &F::bxy},
+      {"byx", "m2/s", "affine momentum over mass, B", affine, moved, "", &F::byx},
+      {"byy", "m2/s", "affine momentum over mass, B", affine, moved, "", &F::byy},
+      {"box_xx", "m2", "moments M of the box", own_boxes, shared, "", &F::box_xx},
+      {"box_xy", "m2", "moments M of the box", own_boxes, shared, "", &F::box_xy},
+      {"box_yy", "m2", "moments M of the box", own_boxes, shared, "", &F::box_yy},
+  };
+  return table;
+}
+
+std::size_t bytes_per_particle(ParticleTraits traits) {
+  const auto fields = std::ranges::count_if(
+      particle_field_table(), [&](const ParticleFieldDescription& line) { return traits.have(line.trait); });
+  return static_cast<std::size_t>(fields) * sizeof(double) + 2 * sizeof(std::uint32_t); // id and its place
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,69 @@
+#pragma once
+
+// The table of particle fields. Sorting, cutting, checkpoints, output and the bytes that a plan tells all run
+// over it: a new field is one line here, or one of Spec::more_fields.
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Which sets of particles have a field.
+enum class FieldTrait {
+  always,
+  affine,    ///< with the transfer apic
+  own_boxes, ///< where boxes follow the soil
+};
+
+/// What becomes of a field when a particle is cut in four.
+enum class OnCut {
+  shared, ///< a quarter each
+  copied,
+  moved, ///< by where the quarter lies, with the affine velocity (splitting.cpp)
+};
+
+struct ParticleFields {
+  std::vector<double> x, y, vx, vy;
+  /// B_ab = sum S v_a (x_b,i - x_b), m2/s. Kept rather than the affine velocity C = B D^-1, for B moves with
+  /// the particle and D, the second moment of its weights, does not: so angular momentum stays (Jiang,
+  /// Schroeder and Teran 2017).
+  std::vector<double> bxx, bxy, byx, byy;
+  std::vector<double> sxx, syy, szz, sxy;     ///< Cauchy stress, tension positive
+  std::vector<double> mass, volume;           ///< per metre out of plane
+  std::vector<double> box_xx, box_xy, box_yy; ///< M of boxes that follow the soil (particle_boxes.hpp)
+  std::vector<double> x_initial, y_initial;
+  std::vector<std::vector<double>> more; ///< of Spec::more_fields, in their order
+};
+
+/// A line of the table.
+struct ParticleFieldDescription {
+  std::string name;
+  std::string unit;
+  std::string meaning;
+  FieldTrait trait = FieldTrait::always;
+  OnCut on_cut = OnCut::copied;
+  /// The field of a frame of output that it is a component of, in the order of the table; empty: none.
+  std::string frame;
+  std::vector<double> ParticleFields::*field = nullptr; ///< none for one of Spec::more_fields
+};
+
+/// The fields that particles have by themselves.
+const std::vector<ParticleFieldDescription>& particle_field_table();
+
+/// The traits of a set of particles.
+struct ParticleTraits {
+  bool affine = false;
+  bool own_boxes = false;
+
+  bool have(FieldTrait trait) const {
+    return trait == FieldTrait::always || (trait == FieldTrait::affine ? affine : own_boxes);
+  }
+};
+
+/// Bytes of one particle with its place in the table of ids, besides its law's state.
+std::size_t bytes_per_particle(ParticleTraits traits);
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,30 @@
+#pragma once
+
+// Limits of the step and measures of the grid that the domain and whoever plans one must agree on.
+
+namespace tremolo::mpm_domain {
+
+/// The critical time step times c_p/h.
+///
+/// 0.746 h/c_p is what two-dimensional uGIMP with two particles a cell and direction allows inside; dashpots
+/// at a corner, taken centred with lumped damping, allow 0.65 (measured; tests/stability/mpm_domain).
+inline constexpr double largest_courant_number = 0.65;
+
+/// The share of the critical step that the order usl bears: in a free body with noise it grows above
+/// (measured; tests/stability/mpm_domain).
+inline constexpr double usl_share = 0.85;
+
+/// Cells of empty grid around the model, room for soil that moves out of its box.
+inline constexpr int margin_cells = 6;
+
+/// Layers of coarser cells that run on the clock of finer ones beside them.
+inline constexpr int buffer_layers = 2;
+
+/// Way of a particle on a graded mesh from one sort to the next, in finest cells. Particles that near to
+/// other levels are weighed the general way: the less of them, the more often is sorted.
+inline constexpr double across_margin = 0.25;
+
+/// Way of a particle on a mesh of one level from one sort to the next, in cells.
+inline constexpr double sort_cells = 0.9;
+
+} // namespace tremolo::mpm_domain

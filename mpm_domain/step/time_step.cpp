@@ -1,0 +1,99 @@
+#include "mpm_domain/step/time_step.hpp"
+
+#include "mpm_domain/spec/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Particles [begin, end).
+struct ParticleRange {
+  std::size_t begin;
+  std::size_t end;
+};
+
+/// The particles of a set on a clock whose finest cells are of a level: those of its lattice, and those that
+/// touch others too. Without particles, a range is left out.
+std::vector<ParticleRange> ranges_of(const Domain& domain, const Particles& set, int level, int clock) {
+  std::vector<ParticleRange> ranges;
+  const auto add = [&](std::size_t first_block, std::size_t blocks) {
+    const std::size_t begin = set.block_start[first_block];
+    const std::size_t end = set.block_start[first_block + blocks];
+    if (begin < end)
+      ranges.push_back({begin, end});
+  };
+  std::size_t first = static_cast<std::size_t>(clock) * domain.blocks_per_clock();
+  for (int coarser = 0; coarser < level; ++coarser)
+    first += blocks_of(domain.lattice(coarser));
+  add(first, blocks_of(domain.lattice(level)));
+  if (domain.mesh)
+    add(domain.block_count() + static_cast<std::size_t>(clock * domain.lattice_count() + level), 1);
+  return ranges;
+}
+
+/// The least over all particles of steps_of(clock) 0.65 h/(c_p + |v|).
+template <typename StepsOf>
+double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
+  double critical = std::numeric_limits<double>::infinity();
+  for (Particles& set : domain.sets)
+    for (int clock = 0; clock < domain.clocks.count(); ++clock)
+      for (int level = 0; level < domain.lattice_count(); ++level)
+        for (const auto& [begin, end] : ranges_of(domain, set, level, clock)) {
+          const double c = materials::p_wave_speed_bound(set.law, set.points(begin, end - begin));
+          critical = std::min(critical, steps_of(clock) * largest_courant_number * domain.lattice(level).h /
+                                            (c + max_speed));
+        }
+  return critical;
+}
+
+[[noreturn]] void refuse(Domain& domain, double dt, double critical, double max_speed) {
+  if (domain.clocks.count() > 1)
+    throw std::invalid_argument(fmt::format(
+        "the time step {:.6g} s of the coarsest level is over the limit {:.6g} s: the least of 2^k 0.65 "
+        "h/(c_p + |v|), k the level whose step a particle takes",
+        dt, critical));
+  throw std::invalid_argument(fmt::format(
+      "the time step {:.6g} s is over the limit {:.6g} s = 0.65 h/(c_p + |v|) with h = {:.6g} m, c_p = "
+      "{:.6g} m/s, |v| = {:.3g} m/s",
+      dt, critical, domain.finest_lattice().h, domain.fastest_wave(), max_speed));
+}
+
+} // namespace
+
+double critical_time_step(Domain& domain, double max_speed) {
+  return least_step(domain, max_speed, [](int) { return 1.0; });
+}
+
+double critical_subcycled_step(Domain& domain, double max_speed) {
+  const double stable =
+      least_step(domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); });
+  return max_speed > 0.0 ? std::min(stable, 0.5 * domain.sort_distance() / max_speed) : stable;
+}
+
+double next_time_step(Domain& domain, double max_speed, double last) {
+  const Scheme& scheme = domain.spec.scheme;
+  const double critical =
+      scheme.subcycle ? critical_subcycled_step(domain, max_speed) : critical_time_step(domain, max_speed);
+  const double wanted = scheme.dt.value_or(scheme.fraction * critical);
+  if (scheme.order == StepOrder::usl && wanted > usl_share * critical)
+    throw std::invalid_argument(
+        fmt::format("the time step {:.6g} s is not stable with the order usl; allowed: at most {} of "
+                    "the critical step, {:.6g} s",
+                    wanted, usl_share, usl_share * critical));
+  if (scheme.dt) {
+    if (*scheme.dt > critical)
+      refuse(domain, *scheme.dt, critical, max_speed);
+    return *scheme.dt;
+  }
+  const bool changes = last == 0.0 || last > std::min(1.02 * wanted, critical) || last < 0.8 * wanted;
+  return changes ? wanted : last;
+}
+
+} // namespace tremolo::mpm_domain

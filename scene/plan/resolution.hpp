@@ -1,0 +1,14 @@
+#pragma once
+
+#include "scene/case.hpp"
+
+namespace tremolo::scene {
+
+/// What a cell size resolves: shear waves with this many cells per wavelength or more.
+inline constexpr double cells_per_wavelength = 15.0;
+
+/// The highest frequency of shear waves that cells of a size resolve in the slowest soil of the domain, Hz.
+/// @param cell_size m
+double resolved_frequency(const Case& scene, double cell_size);
+
+} // namespace tremolo::scene

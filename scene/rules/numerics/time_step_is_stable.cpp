@@ -1,0 +1,36 @@
+#include "mpm_domain/spec/limits.hpp"
+#include "scene/plan/levels.hpp"
+#include "scene/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+namespace tremolo::scene {
+
+using mpm_domain::usl_share;
+
+void time_step_is_stable(const Case& scene, Findings& findings) {
+  const bool usl = scene.time.order == StepOrder::usl && findings.sound("time.order");
+  if (!scene.time.dt) {
+    if (usl && scene.time.fraction > usl_share && findings.sound("time.fraction"))
+      findings.add("time.fraction",
+                   fmt::format("'fraction' = {} is not stable with order = \"usl\"; allowed: "
+                               "at most {}",
+                               scene.time.fraction, usl_share));
+    return;
+  }
+  if (!findings.sound("time.dt") || !mesh_is_sound(scene, findings))
+    return;
+  const double critical = critical_time_step(scene, levels(scene));
+  if (*scene.time.dt > critical)
+    findings.add("time.dt",
+                 fmt::format("'dt' = {} exceeds the critical step 0.65 h/c_p = {:.6g} s of this mesh and its "
+                             "fastest soil",
+                             *scene.time.dt, critical));
+  else if (usl && *scene.time.dt > usl_share * critical)
+    findings.add("time.dt",
+                 fmt::format("'dt' = {} is not stable with order = \"usl\"; allowed: at most {} of "
+                             "the critical step, {:.6g} s",
+                             *scene.time.dt, usl_share, usl_share * critical));
+}
+
+} // namespace tremolo::scene

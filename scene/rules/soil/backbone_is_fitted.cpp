@@ -1,0 +1,29 @@
+#include "scene/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+namespace tremolo::scene {
+
+/// Compares the backbone and the damping of the Masing rules with the curve at one strain.
+void backbone_is_fitted(const Case& scene, Findings& findings) {
+  constexpr double strain = 1e-3;
+  for (const Soil& soil : scene.soils) {
+    const auto* law = std::get_if<materials::MasingShear>(&soil.column_law);
+    if (law == nullptr || !soil.curves || !soil.curves->whole)
+      continue;
+    findings.add(
+        "soil." + soil.name + ".curve",
+        fmt::format(
+            "soil '{}': backbone fitted to its curve, reference_strain = {:.4g}, beta = {:.4g}, exponent = "
+            "{:.4g}; at {} % strain G/G0 is {:.3f} (curve {:.3f}) and the damping of the Masing rules {:.1f} "
+            "% "
+            "(curve {:.1f} %)",
+            soil.name, law->reference_strain, law->beta, law->exponent, 100.0 * strain,
+            law->backbone().secant(strain) / law->elastic.shear_modulus(),
+            soil.curves->modulus_reduction(strain),
+            100.0 * materials::masing_damping(law->backbone(), strain),
+            100.0 * soil.curves->damping(strain)));
+  }
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,160 @@
+// The rules of the sides and the base, each with a case that keeps it and one that breaks it, and the
+// message.
+
+#include "rule_cases.hpp"
+
+#include <gmock/gmock.h>
+
+namespace tremolo::scene::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+TEST(Rules, SoilReachesBoundaries) {
+  EXPECT_THAT(
+      errors_of(with("right = { model = \"wave\" }", "right = { model = \"wave\", surface = -2.0 }")),
+      ::testing::Contains(
+          "case.toml:26:37: [boundary.right] soil along the right side, x = 20, reaches from the base to "
+          "y = 0 without a gap, but the free field's surface lies at y = -2; both must agree"));
+  EXPECT_THAT(
+      errors_of(with("[20.0, -10.0]", "[20.0, -9.0]")),
+      ::testing::Contains(
+          "case.toml:27:8: [boundary.base] soil along the base, y = -10, reaches from the left side to x = "
+          "0 without a gap, must reach to the right side, x = 20"));
+}
+
+TEST(Rules, TotalBaseHasOneSurface) {
+  const std::string sloping =
+      with("right = { model = \"wave\" }", "right = { model = \"wave\", surface = -2.0 }",
+           with(polygon, "[[0.0, -10.0], [20.0, -10.0], [20.0, -2.0], [0.0, 0.0]]"));
+  EXPECT_THAT(
+      errors_of(sloping),
+      ElementsAre("case.toml:27:33: [boundary.base] form = \"total\" needs one free field, but the surface "
+                  "lies at 0 m on "
+                  "the left and at -2 m on the right, and no total field has both; use form = \"blended\" or "
+                  "\"incident\""));
+  EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"incident\"", sloping)), IsEmpty());
+  EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"blended\"", sloping)), IsEmpty());
+}
+
+TEST(Rules, PeriodicSidesSuitTheRest) {
+  const auto periodic = [](const std::string& sides, const std::string& text = std::string(flat_case)) {
+    return with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n", "sides = \"" + sides + "\"\n",
+                text);
+  };
+  EXPECT_THAT(errors_of(periodic("periodic")), IsEmpty());
+  EXPECT_THAT(errors_of(periodic("periodic_springs")), IsEmpty());
+  EXPECT_THAT(
+      errors_of(periodic("free_field")),
+      ElementsAre(
+          "case.toml:24:1: [boundary] missing table [boundary.left]: the free field of this side, unless "
+          "[boundary] sides = \"periodic\"",
+          ::testing::HasSubstr("missing table [boundary.right]")));
+  EXPECT_THAT(errors_of(with("left = {", "sides = \"periodic\"\nleft = {")),
+              ElementsAre(::testing::HasSubstr("[boundary.left] is the free field of a side, but sides = "
+                                               "\"periodic\" have none; remove it"),
+                          ::testing::HasSubstr("[boundary.right] is the free field of a side")));
+  EXPECT_THAT(errors_of(with("angle_deg = 0.0", "angle_deg = 15.0", periodic("periodic"))),
+              ElementsAre(::testing::HasSubstr("[motion] angle_deg = 15 reaches its right side later")));
+  const std::string layered =
+      with("form = \"total\"", "form = \"total\", absorber = \"matched_layer\"", std::string(flat_case));
+  EXPECT_THAT(errors_of(periodic("periodic", layered)), IsEmpty());
+  EXPECT_THAT(errors_of(periodic("periodic_springs", layered)),
+              ElementsAre(::testing::HasSubstr("would end at sides that springs tie above it")));
+  const std::string sloping =
+      with(polygon, "[[0.0, -10.0], [20.0, -10.0], [20.0, -2.0], [0.0, 0.0]]", std::string(flat_case));
+  EXPECT_THAT(errors_of(periodic("periodic", sloping)),
+              ElementsAre(::testing::HasSubstr(
+                  "soil along the right side, x = 20, reaches from the base to y = -2")));
+}
+
+TEST(Rules, ColumnsAreShakenVertically) {
+  EXPECT_THAT(errors_of(with_columns()), IsEmpty());
+  EXPECT_THAT(
+      errors_of(with("angle_deg = 0.0", "angle_deg = 15.0",
+                     with("left = { model = \"wave\" }", "left = { model = \"fe\" }"))),
+      ElementsAre(
+          "case.toml:25:18: [boundary.left] model = \"fe\" knows vertical incidence only, but [motion] "
+          "angle_deg = 15; use model = \"wave\", \"oblique\" or \"eql\", or angle_deg = 0"));
+}
+
+TEST(Rules, ObliqueColumnEndsAtTheFirstCriticalAngle) {
+  const auto oblique = [](const std::string& angle) {
+    return errors_of(with("angle_deg = 0.0", "angle_deg = " + angle,
+                          with("left = { model = \"wave\" }", "left = { model = \"oblique\" }")));
+  };
+  // asin(c_s/c_p) = asin(sqrt(0.22/0.72)) for nu = 0.28
+  EXPECT_THAT(oblique("33.5"), IsEmpty());
+  EXPECT_THAT(
+      oblique("33.6"),
+      ElementsAre(
+          "case.toml:25:18: [boundary.left] model = \"oblique\" is possible below 33.56 degrees only, "
+          "where no P wave of this profile is beyond its critical angle, but [motion] angle_deg = "
+          "33.6; use model = \"wave\""));
+}
+
+TEST(Rules, AColumnOfTheDomainsCellsTakesVerticalWavesAndWholeParticles) {
+  const std::string text = with("left = { model = \"wave\" }", "left = { model = \"mpm\" }");
+  EXPECT_THAT(errors_of(text), IsEmpty());
+  EXPECT_THAT(errors_of(with("angle_deg = 0.0", "angle_deg = 10.0", text)),
+              ElementsAre(::testing::HasSubstr("knows vertical incidence only")));
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }", "left = { model = \"mpm\", surface = -0.3 }")),
+              ::testing::Contains(::testing::HasSubstr("must be a multiple of it")));
+}
+
+TEST(Rules, FilesOfModelsExist) {
+  EXPECT_THAT(
+      errors_of(with("left = { model = \"wave\" }", "left = { model = \"recording\", file = \"none.h5\" }")),
+      ElementsAre("case.toml:25:38: [boundary.left] './none.h5': there is no such file"));
+  EXPECT_THAT(
+      errors_of(with("left = { model = \"wave\" }", "left = { model = \"external\", program = \"/dev\" }")),
+      ElementsAre("case.toml:25:40: [boundary.left] '/dev': there is no such file"));
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }",
+                             "left = { model = \"external\", program = \"/etc/passwd\" }")),
+              ElementsAre("case.toml:25:40: [boundary.left] '/etc/passwd' is not a program that may be run"));
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }",
+                             "left = { model = \"external\", program = \"/bin/true\" }")),
+              IsEmpty());
+}
+
+TEST(Rules, IncidentBaseLiesInHalfspace) {
+  const auto deep =
+      std::string("[[profile]]\nthickness = 12.0\ndensity = 1600.0\nyoung = 20e6\npoisson = 0.3\n");
+  const auto incident = with("reference = [0.0, -10.0]", "reference = [0.0, -12.0]",
+                             with("form = \"total\"", "form = \"incident\"", with_columns())) +
+                        deep;
+  EXPECT_THAT(
+      errors_of(incident),
+      ElementsAre("case.toml:27:31: [boundary.base] form = \"incident\" needs a base in the half-space, y <= "
+                  "-12, but [mesh] box ends at y = -10 within the layers; use form = \"total\" or a deeper "
+                  "box"));
+}
+
+TEST(Rules, LayersOfOneSideNeedAnIncidentBase) {
+  const auto own = [](const std::string& soil, const std::string& text) {
+    return with("left = { model = \"wave\" }",
+                "left = { model = \"wave\", profile = [{ thickness = 4.0, soil = \"" + soil + "\" }] }",
+                text);
+  };
+  const auto incident = with("form = \"total\"", "form = \"incident\"");
+  EXPECT_THAT(errors_of(own("sand", incident)), IsEmpty());
+  EXPECT_THAT(errors_of(own("sand", std::string(flat_case))),
+              ElementsAre(::testing::HasSubstr("but a side has layers of its own")));
+  EXPECT_THAT(errors_of(own("snad", incident)),
+              ElementsAre(::testing::HasSubstr("soil 'snad' is not defined, did you mean 'sand'")));
+}
+
+TEST(Rules, AnIncidentBaseHasDashpots) {
+  const auto layered = with("form = \"total\"", "form = \"incident\", absorber = \"matched_layer\"");
+  EXPECT_THAT(remarks_of(layered), Contains(HasSubstr("warning: [boundary.base] the base takes the incident "
+                                                      "wave alone")));
+  EXPECT_THAT(remarks_of(with("\"incident\"", "\"blended\"", layered)),
+              Not(Contains(HasSubstr("takes the incident wave alone"))));
+}
+
+} // namespace
+} // namespace tremolo::scene::testing

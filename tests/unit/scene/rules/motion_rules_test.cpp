@@ -1,0 +1,75 @@
+// The rules of the motion, each with a case that keeps it and one that breaks it, and the message.
+
+#include "rule_cases.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace tremolo::scene::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+TEST(Rules, RecordIsReadable) {
+  const auto pulse = "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }";
+  EXPECT_THAT(errors_of(with(pulse, "file = \"absent.AT2\"")),
+              ElementsAre("case.toml:3:8: [motion] ./absent.AT2: there is no such file"));
+
+  const auto file = std::filesystem::path(::testing::TempDir()) / "rules_record.AT2";
+  std::ofstream(file) << "NPTS= 3, DT= .01 SEC\n0.0 0.1 0.0\n";
+  EXPECT_THAT(errors_of(with(pulse, "file = \"" + file.string() + "\"")), IsEmpty());
+  std::ofstream(file) << "NPTS= 4, DT= .01 SEC\n0.0 0.1 0.0\n";
+  EXPECT_THAT(errors_of(with(pulse, "file = \"" + file.string() + "\"")),
+              ElementsAre("case.toml:3:8: [motion] " + file.string() +
+                          ":2: the header says NPTS = 4 but there are 3 samples"));
+  std::filesystem::remove(file);
+}
+
+TEST(Rules, AMotionWithinTheGroundIsThatOfTheTopOfTheHalfSpace) {
+  const auto within = [](std::string text) {
+    return with("[motion]\n", "[motion]\nkind = \"within\"\n", text);
+  };
+  const auto to_the_base = with_columns() + with("thickness = 4.0", "thickness = 10.0", std::string(layer));
+  EXPECT_THAT(errors_of(within(to_the_base)), IsEmpty());
+  EXPECT_THAT(
+      errors_of(within(std::string(flat_case) + std::string(layer))),
+      ElementsAre(
+          "case.toml:7:13: [motion] 'reference' at y = -10 of a motion within the ground must be at the "
+          "top of the half-space, y = -4"));
+  EXPECT_THAT(errors_of(within(with("left = { model = \"fe\" }", "left = { model = \"eql\" }", to_the_base))),
+              ElementsAre(::testing::HasSubstr("takes an incident or outcrop motion")));
+}
+
+TEST(Rules, ReferenceLiesInHalfspace) {
+  const auto layered = with_columns() + std::string(layer);
+  EXPECT_THAT(errors_of(with("reference = [0.0, -10.0]", "reference = [0.0, -3.0]", layered)),
+              ElementsAre("case.toml:6:13: [motion] 'reference' at y = -3 lies in the layers, must be in the "
+                          "half-space, y <= -4"));
+}
+
+TEST(Rules, WaveArrivesAfterTheStart) {
+  EXPECT_THAT(remarks_of(std::string(flat_case)), Not(Contains(HasSubstr("finds it at rest"))));
+  EXPECT_THAT(remarks_of(with("time = 1.0", "time = 0.1")),
+              Contains(HasSubstr("case.toml:2:1: warning: [motion] the wave reaches the model ")));
+}
+
+TEST(Rules, RecordEndsAtRest) {
+  const auto pulse = "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }";
+  const auto file = std::filesystem::path(::testing::TempDir()) / "rules_residual.AT2";
+  const auto text = with(pulse, "file = \"" + file.string() + "\"");
+  std::ofstream(file) << "NPTS= 4, DT= .01 SEC\n0.0 0.1 0.1 0.0\n";
+  EXPECT_THAT(remarks_of(text),
+              Contains(HasSubstr("warning: [motion] rules_residual.AT2: residual velocity ")));
+  std::ofstream(file) << "NPTS= 7, DT= .01 SEC\n0.0 0.1 0.0 -0.2 0.0 0.1 0.0\n";
+  EXPECT_THAT(remarks_of(text), Not(Contains(HasSubstr("residual velocity"))));
+  std::filesystem::remove(file);
+}
+
+} // namespace
+} // namespace tremolo::scene::testing

@@ -1,0 +1,39 @@
+// The rules of the time step, each with a case that keeps it and one that breaks it, and the message.
+
+#include "rule_cases.hpp"
+
+#include <gmock/gmock.h>
+
+namespace tremolo::scene::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(Rules, TimeStepIsStableWithUsl) {
+  const auto usl = [](const std::string& step) {
+    return errors_of(plus("[time]\norder = \"usl\"\n" + step + "\n"));
+  };
+  EXPECT_THAT(usl("fraction = 0.85"), IsEmpty());
+  EXPECT_THAT(
+      usl("fraction = 0.9"),
+      ElementsAre("case.toml:33:12: [time] 'fraction' = 0.9 is not stable with order = \"usl\"; allowed: "
+                  "at most 0.85"));
+  EXPECT_THAT(usl("dt = 3.18e-3"), IsEmpty()); // 0.85 of 3.74777e-3 s
+  EXPECT_THAT(
+      usl("dt = 3.19e-3"),
+      ElementsAre("case.toml:33:6: [time] 'dt' = 0.00319 is not stable with order = \"usl\"; allowed: at "
+                  "most 0.85 of the critical step, 0.0031856 s"));
+}
+
+TEST(Rules, TimeStepIsStable) {
+  // c_p = sqrt(E (1-nu)/((1+nu)(1-2nu) rho)) = 173.44 m/s, h = 1 m: 0.65 h/c_p = 3.74777e-3 s.
+  EXPECT_THAT(errors_of(plus("[time]\ndt = 3.74e-3\n")), IsEmpty());
+  EXPECT_THAT(errors_of(plus("[time]\ndt = 3.75e-3\n")),
+              ElementsAre("case.toml:32:6: [time] 'dt' = 0.00375 exceeds the critical step 0.65 h/c_p = "
+                          "0.00374777 s of this mesh "
+                          "and its fastest soil"));
+}
+
+} // namespace
+} // namespace tremolo::scene::testing
