@@ -7,17 +7,18 @@ namespace tremolo::scene {
 
 namespace {
 
-constexpr std::string_view models = "Who computes the free field. `wave`: plane waves in layers, exact, any "
-                                    "angle. `fe`: finite-element column. `ode`: "
-                                    "column by the method of lines with error control. `oblique`: column of "
-                                    "oblique waves in the time domain. `eql`: "
-                                    "equivalent-linear layers. `recording`: served again from a `file`. "
-                                    "`external`: a program of your own. `mpm`: a "
-                                    "periodic column of the domain's own cells.";
+constexpr std::string_view models_meaning =
+    "Who computes the free field. `wave`: plane waves in layers, exact, any "
+    "angle. `fe`: finite-element column. `ode`: "
+    "column by the method of lines with error control. `oblique`: column of "
+    "oblique waves in the time domain. `eql`: "
+    "equivalent-linear layers. `recording`: served again from a `file`. "
+    "`external`: a program of your own. `mpm`: a "
+    "periodic column of the domain's own cells.";
 
 std::vector<Key> field_model() {
   return {
-      choice<SourceModel>("model", models),
+      choice<SourceModel>("model", models_meaning),
       {.name = "file",
        .type = Type::text,
        .meaning = "The recorded free field, relative to the case file.",

@@ -2,13 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 namespace tremolo::scene {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 materials::MohrCoulomb law_of(const TableReader& table, const materials::Elasticity& elastic) {
   return {.elastic = elastic,
