@@ -26,6 +26,8 @@ void validate_soil(const materials::Elasticity& soil, const std::string& place) 
   require(positive(soil.young), place + ": Young's modulus", soil.young, "positive, in Pa");
   require(soil.poisson > -1.0 && soil.poisson < 0.5, place + ": Poisson's ratio", soil.poisson,
           "in (-1, 0.5)");
+  require(soil.rest_coefficient() >= 0.0 && std::isfinite(soil.rest_coefficient()),
+          place + ": coefficient of earth pressure at rest", soil.rest_coefficient(), "at least 0");
 }
 
 void validate_law(const Layer& layer, const std::string& place) {
@@ -80,10 +82,6 @@ void validate(const Profile& profile) {
             layer.damping_ratio, "in [0, 1)");
     validate_soil(layer.soil, place);
     validate_law(layer, place);
-    if (layer.rest_coefficient) {
-      require(*layer.rest_coefficient >= 0.0 && std::isfinite(*layer.rest_coefficient),
-              place + ": coefficient of earth pressure at rest", *layer.rest_coefficient, "at least 0");
-    }
   }
   require(profile.gravity >= 0.0 && std::isfinite(profile.gravity), "gravity", profile.gravity,
           "at least 0, in m/s2");

@@ -76,6 +76,8 @@ struct Record {
   std::optional<MotionKind> kind; ///< nothing where nobody has said
   double dt = 0.0;                ///< s
   std::vector<double> samples;    ///< in `unit`
+  /// What the file calls the unit, where its reader was told another one.
+  std::optional<Unit> overruled_unit = std::nullopt;
 
   Quantity quantity() const { return quantity_of(unit); }
 };

@@ -74,9 +74,8 @@ struct Region {
 struct Layer {
   double thickness = 0.0; ///< m
   materials::Elasticity elastic;
-  double damping = 0.0;                   ///< ratio, of critical
-  std::optional<double> rest_coefficient; ///< K0 of nonlinear soil before shaking; nu/(1-nu) without one
-  std::optional<std::size_t> soil;        ///< index into Case::soils; without one the layer is linear elastic
+  double damping = 0.0;            ///< ratio, of critical
+  std::optional<std::size_t> soil; ///< index into Case::soils; without one the layer is linear elastic
 };
 
 struct Damping {

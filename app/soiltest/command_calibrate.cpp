@@ -1,12 +1,14 @@
 // tremolo calibrate: the contraction rate of PM4Sand for a wanted cyclic strength.
 
 #include "app/commands.hpp"
+#include "app/output_place.hpp"
 #include "app/soiltest/soiltest_report.hpp"
 #include "materials/soiltest/cyclic/calibrate.hpp"
 #include "scene/soil_test.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
@@ -110,7 +112,11 @@ std::string provenance(const scene::SoilTestFile& file, const soiltest::Calibrat
 
 void calibrate(const Options& options) {
   const auto file = scene::load_soil_test(options.test, scene::SoilTestUse::calibration);
+  if (!options.out.empty())
+    require_writable(options.out);
   fmt::print("{}", soil_text(file));
+  if (std::ranges::any_of(file.values, [](const auto& value) { return value.key.starts_with("loading."); }))
+    fmt::print("  note: [loading] is for `tremolo soiltest`; a calibration applies the cycles of [target]\n");
   soiltest::Calibration found;
   try {
     found = fit(file);

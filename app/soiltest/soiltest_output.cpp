@@ -1,5 +1,6 @@
 #include "app/soiltest/soiltest_output.hpp"
 
+#include "app/output_place.hpp"
 #include "app/soiltest/soiltest_lines.hpp"
 #include "materials/soiltest/notes.hpp"
 #include "scene/soils/soil_report.hpp"
@@ -233,6 +234,7 @@ void check_output_name(const std::filesystem::path& out, const scene::SoilTestFi
     throw std::runtime_error(
         fmt::format("--out {}: .csv takes the history of one test, but {} asks for {}; use .h5", out.string(),
                     file.file.string(), specimens(file)));
+  require_writable(out);
 }
 
 void write_soiltest(const std::filesystem::path& out, const scene::SoilTestFile& file,

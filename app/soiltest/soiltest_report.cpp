@@ -158,6 +158,8 @@ std::string soil_text(const scene::SoilTestFile& file) {
   lines += scene::text(scene::parameters_in_force(file.soil, "soil", file.values));
   for (const std::string& note : materials::notes(file.soil.law))
     lines += fmt::format("  - {}\n", note);
+  if (const auto doubt = scene::density_doubt(materials::elasticity(file.soil.law).density))
+    lines += fmt::format("  - {}\n", *doubt);
   return lines;
 }
 

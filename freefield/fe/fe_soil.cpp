@@ -20,7 +20,7 @@ void set_geostatic(SoilState& state, const Profile& profile, const ColumnMesh& m
   for (std::size_t e = mesh.elements(); e-- > 0;) {
     const Layer& layer = profile.layers[mesh.element_layer[e]];
     const double weight = layer.soil.density * profile.gravity * mesh.length(e);
-    const double rest = layer.rest_coefficient.value_or(layer.soil.rest_coefficient());
+    const double rest = layer.soil.rest_coefficient();
     state.syy[e] = -(overburden + 0.5 * weight);
     state.sxx[e] = state.szz[e] = rest * state.syy[e];
     overburden += weight;
@@ -58,11 +58,11 @@ void FeSoil::start(const Profile& profile, const ColumnMesh& mesh) {
                           std::abs(held.szz[e] - initial_.szz[e]);
     if (change > 1e-9 * std::abs(initial_.syy[e])) {
       const double depth = profile.surface_level - 0.5 * (mesh.node_y[e] + mesh.node_y[e + 1]);
-      throw std::invalid_argument("layer " + std::to_string(mesh.element_layer[e] + 1) +
-                                  " from the top: at a depth of " + shortest(depth) +
-                                  " m the geostatic stress, syy = " + shortest(initial_.syy[e]) +
-                                  " Pa and sxx = " + shortest(initial_.sxx[e]) +
-                                  " Pa, is beyond the soil's strength; choose another rest_coefficient (K0)");
+      throw std::invalid_argument(
+          "layer " + std::to_string(mesh.element_layer[e] + 1) + " from the top: at a depth of " +
+          shortest(depth) + " m the geostatic stress, syy = " + shortest(initial_.syy[e]) +
+          " Pa and sxx = " + shortest(initial_.sxx[e]) +
+          " Pa, is beyond the soil's strength; choose another K0 (rest_coefficient of the soil)");
     }
   }
 }

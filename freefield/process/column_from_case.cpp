@@ -42,7 +42,6 @@ Profile profile_from_case(const scene::Case& scene, const scene::SourceProcess& 
   profile.gravity = scene.gravity ? scene.gravity->acceleration : 0.0;
   for (const scene::Layer& layer : scene::layers(scene, source)) {
     profile.layers.push_back({layer.thickness, layer.elastic, layer.damping});
-    profile.layers.back().rest_coefficient = layer.rest_coefficient;
     profile.layers.back().law = law_of(scene, layer, element_size);
   }
   const bool has_model = scene.mesh.size > 0.0;

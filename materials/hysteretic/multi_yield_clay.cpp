@@ -177,7 +177,8 @@ Traits traits(const MultiYieldClay& /*law*/) {
   return {.name = "multi_yield_clay",
           .response = Response::hysteretic,
           .remembers_initial_stress = true,
-          .total_stress = true};
+          .total_stress = true,
+          .unlimited_tension = true};
 }
 
 std::span<const StateVariable> state_variables(const MultiYieldClay& law) {

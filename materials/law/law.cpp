@@ -63,6 +63,11 @@ const Elasticity& elasticity(const Law& law) {
   return std::visit([](const auto& one) -> const Elasticity& { return one.elastic; }, law);
 }
 
+Law with_rest_coefficient(Law law, double coefficient) {
+  std::visit([coefficient](auto& one) { one.elastic.at_rest = coefficient; }, law);
+  return law;
+}
+
 double p_wave_speed_bound(const Law& law, const Points& points) {
   using defaults::p_wave_speed_bound;
   return std::visit([&](const auto& one) { return p_wave_speed_bound(one, points); }, law);

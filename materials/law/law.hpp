@@ -57,6 +57,8 @@ void update(const Law& law, const Points& points);
 /// The law's elastic constants at small strain; of a law whose stiffness depends on pressure those at its
 /// reference pressure.
 const Elasticity& elasticity(const Law& law);
+/// The same law with another stress at rest, Elasticity::at_rest.
+Law with_rest_coefficient(Law law, double coefficient);
 
 /// An upper estimate of c_p over the points in their present stress and state, m/s: the elastic one, which
 /// for flow that is not associated is the usual bound, not a proven one.

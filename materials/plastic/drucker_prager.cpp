@@ -122,8 +122,8 @@ Cone cone(const DruckerPrager& law) {
   return made;
 }
 
-Traits traits(const DruckerPrager& /*law*/) {
-  return {.name = "drucker_prager", .response = Response::plastic};
+Traits traits(const DruckerPrager& law) {
+  return {.name = "drucker_prager", .response = Response::plastic, .unlimited_tension = law.friction == 0.0};
 }
 
 std::span<const StateVariable> state_variables(const DruckerPrager& /*law*/) {

@@ -148,8 +148,11 @@ void check_softening_pair(const char* quantity, double peak, double residual, do
 } // namespace
 
 Traits traits(const MohrCoulomb& law) {
-  return {
-      .name = "mohr_coulomb", .response = Response::plastic, .softening = law.softening, .in_plane = true};
+  return {.name = "mohr_coulomb",
+          .response = Response::plastic,
+          .softening = law.softening,
+          .unlimited_tension = law.friction_peak == 0.0 && !law.tension_cutoff,
+          .in_plane = true};
 }
 
 std::span<const StateVariable> state_variables(const MohrCoulomb& /*law*/) {
@@ -158,8 +161,7 @@ std::span<const StateVariable> state_variables(const MohrCoulomb& /*law*/) {
 
 /// sigma_1 - sigma_3 = 2 c cos(phi) + 2 p sin(phi), where sigma_zz lies between them.
 std::vector<StrengthLine> strength_lines(const MohrCoulomb& law) {
-  return {{"failure",
-           [cohesion = law.cohesion_peak, friction = law.friction_peak](double p) {
+  return {{"failure", [cohesion = law.cohesion_peak, friction = law.friction_peak](double p) {
              return 2.0 * (cohesion * std::cos(friction) + p * std::sin(friction));
            }}};
 }

@@ -71,7 +71,8 @@ std::vector<std::string> notes(const materials::Law& law, const SoilTest& test) 
                                 vertical));
   }
   const materials::PointStress wanted = stress_at_start(test);
-  const materials::PointTest point(law, wanted);
+  materials::PointTest point(law, wanted);
+  point.apply({}); // a step of no strain, in which a law returns to its strength
   const double level = std::max({std::abs(wanted.xx), std::abs(wanted.yy), std::abs(wanted.xy)});
   add_changed_stress(notes, level, wanted, point);
   add_offset(notes, level, point);

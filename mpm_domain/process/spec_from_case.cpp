@@ -1,5 +1,7 @@
 #include "mpm_domain/process/spec_from_case.hpp"
 
+#include "scene/plan/layers.hpp"
+
 #include <algorithm>
 
 namespace tremolo::mpm_domain {
@@ -51,6 +53,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   if (base.absorber == scene::Absorber::matched_layer)
     spec.matched_sides.push_back(Side::base);
   spec.layer_cells = scene.mesh.layer_cells;
+  spec.below_base = scene::ground_below_base(scene);
   spec.threads = threads;
   return spec;
 }

@@ -35,6 +35,8 @@ Stepper::Stepper(Domain& domain, double start_time, FreeFieldSource free_field)
       max_speed_(fastest_particle(domain)), ticks_(domain.clocks.count()), nodes_(domain),
       shared_(domain, ticks_, nodes_), kinetic_(static_cast<std::size_t>(ticks_.clocks())),
       kicks_(kinetic_.size()), passes_(recipe()) {
+  if (!free_field_ && !domain.boundary.faces().empty())
+    throw std::invalid_argument("a domain with boundary faces needs to be told their free field");
   domain.boundary.build_supports(domain);
   dt_ = next_time_step(domain_, max_speed_, 0.0);
 }

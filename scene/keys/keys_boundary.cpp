@@ -7,17 +7,18 @@ namespace tremolo::scene {
 
 namespace {
 
-constexpr std::string_view models = "Who computes the free field. `wave`: plane waves in layers, exact, any "
-                                    "angle. `fe`: finite-element column. `ode`: "
-                                    "column by the method of lines with error control. `oblique`: column of "
-                                    "oblique waves in the time domain. `eql`: "
-                                    "equivalent-linear layers. `recording`: served again from a `file`. "
-                                    "`external`: a program of your own. `mpm`: a "
-                                    "periodic column of the domain's own cells.";
+constexpr std::string_view models_meaning =
+    "Who computes the free field. `wave`: plane waves in layers, exact, any "
+    "angle. `fe`: finite-element column. `ode`: "
+    "column by the method of lines with error control. `oblique`: column of "
+    "oblique waves in the time domain. `eql`: "
+    "equivalent-linear layers. `recording`: served again from a `file`. "
+    "`external`: a program of your own. `mpm`: a "
+    "periodic column of the domain's own cells.";
 
 std::vector<Key> field_model() {
   return {
-      choice<SourceModel>("model", models),
+      choice<SourceModel>("model", models_meaning),
       {.name = "file",
        .type = Type::text,
        .meaning = "The recorded free field, relative to the case file.",
@@ -43,8 +44,8 @@ Key absorber() {
       "What takes up waves that leave the model here, that is, what differs from the free field. "
       "`dashpots`: those of Eq. (6), good near the normal; 11 % of the energy of SV waves come back at 60 "
       "degrees. `matched_layer`: a perfectly matched layer of `[mesh] layer_cells` behind the boundary, less "
-      "than 1 % up to 60 degrees; beside `form = \"total\"`, since waves of the free field itself that come "
-      "down are not what it can take up.",
+      "than 1 % up to 60 degrees; at a base whose `form` is \"total\" or \"blended\", since under "
+      "\"incident\" the free field's own waves come down into it, which it does not know.",
       Absorber::dashpots);
 }
 
@@ -85,9 +86,8 @@ Table base() {
       "surface level and layers on both sides. `blended`: the total fields of both sides, each under its own "
       "surface and layers, blended linearly from the left side to the right one; the same as `total` where "
       "they are equal, best where they differ, with matched layers on all sides and room. `incident`: the "
-      "incident wave alone, dashpots take up what comes down again; exact at vertical incidence, 3 % off at "
-      "15 "
-      "degrees and 16 % at 30 degrees.",
+      "incident wave alone, dashpots take up what comes down again; needs a base in the half-space or at its "
+      "top; exact at vertical incidence, in uniform ground 3 % off at 15 degrees and 16 % at 30 degrees.",
       BaseForm::blended));
   keys.push_back(absorber());
   return {.name = "boundary.base",

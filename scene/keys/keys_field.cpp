@@ -37,15 +37,15 @@ Table motion() {
            .unit = "1",
            .meaning = "Factor on the record; only with `file`.",
            .fallback = "1"},
-          choice<motion::MotionKind>(
-              "kind",
-              "Whose motion it is. `incident`: of the upgoing wave alone, along its polarisation. "
-              "`outcrop`: of the "
-              "surface of the bare half-space, horizontal for SV and vertical for P; vertically twice the "
-              "incident "
-              "wave. `within`: of the top of the half-space under the `[[profile]]`, as a downhole sensor "
-              "records it.",
-              motion::MotionKind::incident),
+          {.name = "kind",
+           .type = Type::choice,
+           .meaning =
+               "Whose motion it is; a `file` needs it. `incident`: of the upgoing wave alone, along its "
+               "polarisation. `outcrop`: of the surface of the bare half-space, horizontal for SV and "
+               "vertical for P; vertically twice the incident wave. `within`: of the top of the half-space "
+               "under the `[[profile]]`, as a downhole sensor records it.",
+           .otherwise = "`incident` of a `pulse`",
+           .choices = all_words<motion::MotionKind>()},
           choice<Wave>("wave", "Type of the incident wave."),
           {.name = "angle_deg",
            .unit = "degrees",
@@ -73,8 +73,12 @@ Table pulse() {
                .unit = "Hz",
                .meaning = "Central frequency f.",
                .required = true,
-               .range = positive},
-              {.name = "time", .unit = "s", .meaning = "Time t0 of the peak.", .required = true},
+               .range = {.low = 1e-3, .high = 1e3}},
+              {.name = "time",
+               .unit = "s",
+               .meaning = "Time t0 of the peak.",
+               .required = true,
+               .range = {.low = -1e4, .high = 1e4}},
               {.name = "velocity", .unit = "m/s", .meaning = "Peak velocity V.", .required = true},
           }};
 }
@@ -158,12 +162,6 @@ std::vector<Key> layer_keys() {
        .meaning = "Name of a `[soil]`: the layer has its elastic constants and, in columns, its law.",
        .otherwise = "linear elastic, with constants of its own"});
   keys.push_back(damping_ratio());
-  keys.push_back(
-      {.name = "rest_coefficient",
-       .unit = "1",
-       .meaning = "Horizontal over vertical stress before shaking, K0, of nonlinear soil in the column `fe`.",
-       .otherwise = "poisson/(1 - poisson)",
-       .range = positive});
   return keys;
 }
 

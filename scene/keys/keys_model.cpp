@@ -103,11 +103,28 @@ Table stage() {
            .when = {"kind", {"shaking"}}}}};
 }
 
+/// Of soils in the ground; a soil test says with which stresses it begins.
+std::vector<Key> soil_keys_of_a_case() {
+  auto keys = soil_keys();
+  keys.push_back({.name = "rest_coefficient",
+                  .unit = "1",
+                  .meaning =
+                      "Horizontal over vertical stress before shaking, K0, in the domain and in columns. "
+                      "The gravity stage begins with it.",
+                  .otherwise = "poisson/(1 - poisson)",
+                  .range = {.low = 0.0, .high = 10.0, .low_open = true}});
+  return keys;
+}
+
 } // namespace
 
 std::vector<Table> model_keys() {
   return {
-      {.name = "soil", .kind = Kind::named, .required = true, .meaning = soil_meaning, .keys = soil_keys()},
+      {.name = "soil",
+       .kind = Kind::named,
+       .required = true,
+       .meaning = soil_meaning,
+       .keys = soil_keys_of_a_case()},
       {.name = "region",
        .kind = Kind::array,
        .required = true,

@@ -97,7 +97,7 @@ std::vector<Key> mohr_coulomb_keys() {
        .meaning = "Cell size h_ref for which `softening` holds: eta is scaled by h/h_ref, so that the work "
                   "of a shear band "
                   "does not depend on the mesh.",
-       .otherwise = "no scaling",
+       .otherwise = "needed where `softening` > 0",
        .range = positive,
        .when = mohr_coulomb()},
   };

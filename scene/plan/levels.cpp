@@ -2,6 +2,7 @@
 
 #include "mpm_domain/spec/grid_shape.hpp"
 #include "mpm_domain/spec/limits.hpp"
+#include "scene/plan/layers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -137,6 +138,10 @@ double critical_time_step(const Case& scene, std::span<const Level> levels) {
     if (scene.time.subcycle)
       steps *= 2.0;
   }
+  const auto below = ground_below_base(scene);
+  if (below && scene.boundary.base.absorber == Absorber::matched_layer)
+    critical =
+        std::min(critical, mpm_domain::largest_courant_number * scene.mesh.size / below->p_wave_speed());
   return critical;
 }
 

@@ -14,7 +14,8 @@ RickerPulse read_pulse(Document& document) {
 void read_motion(Document& document, Findings& findings, Case& scene) {
   const auto table = document.table("motion");
   using enum motion::MotionKind;
-  scene.motion.kind = table.choice<motion::MotionKind>("kind");
+  if (table.given("kind"))
+    scene.motion.kind = table.choice<motion::MotionKind>("kind");
   scene.motion.wave = table.choice<Wave>("wave");
   scene.motion.angle_deg = table.number("angle_deg");
   scene.motion.reference = table.point("reference");
@@ -34,10 +35,16 @@ void read_motion(Document& document, Findings& findings, Case& scene) {
         findings.add(table.path(key), fmt::format("'{}' does not apply to 'pulse', only to 'file'", key));
     return;
   }
+  if (!table.given("kind") && findings.sound(table.path()))
+    findings.add(
+        table.path("kind"),
+        "missing 'kind', which a 'file' needs: whose motion the record is, \"outcrop\" of a station on "
+        "rock (twice the incident wave), \"within\" of a sensor at depth, \"incident\" of the upgoing "
+        "wave alone");
   scene.motion.source = MotionFile{scene.directory / table.text("file"),
                                    {.quantity = motion::quantity_named(table.text("quantity")),
                                     .unit = motion::unit_named(table.text("unit")),
-                                    .kind = std::nullopt},
+                                    .kind = scene.motion.kind},
                                    table.number("scale")};
 }
 
@@ -77,7 +84,6 @@ std::vector<Layer> read_layers(Document& document, const char* name, Findings& f
     Layer layer;
     layer.thickness = table.number("thickness");
     layer.damping = table.optional_number("damping").value_or(scene.damping.ratio);
-    layer.rest_coefficient = table.optional_number("rest_coefficient");
     read_layer_soil(table, findings, scene, layer);
     layers.push_back(layer);
   }

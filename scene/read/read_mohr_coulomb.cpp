@@ -2,13 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 namespace tremolo::scene {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 materials::MohrCoulomb law_of(const TableReader& table, const materials::Elasticity& elastic) {
   return {.elastic = elastic,
@@ -57,6 +53,13 @@ Soil read_mohr_coulomb(const NamedTable& soil, double mesh_size, Findings& findi
   check_strength(table, findings);
   materials::Law law = law_of(table, elastic);
   const auto reference = table.optional_number("reference_size");
+  if (const double softening = table.number("softening"); !reference && mesh_size > 0.0 && softening > 0.0)
+    findings.add(
+        table.path("reference_size"),
+        fmt::format("missing 'reference_size', m: the cell size for which 'softening' = {} holds. A shear "
+                    "band is a cell or two wide, so without it the work that it takes, and what slides, "
+                    "would follow the mesh",
+                    softening));
   if (!reference || !(mesh_size > 0.0))
     return {soil.name, law, law, reference, std::nullopt};
   law = materials::for_cell_size(law, mesh_size, *reference);

@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <numbers>
 
 namespace tremolo::scene {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 materials::Law clay(const TableReader& table, const materials::Elasticity& elastic,
                     const std::filesystem::path& directory) {

@@ -7,14 +7,11 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <numbers>
 #include <stdexcept>
 
 namespace tremolo::scene {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// Hands out the optional numbers of a table.
 class Numbers {

@@ -149,8 +149,12 @@ Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, d
 }
 
 void read_soils(Document& document, Findings& findings, Case& scene) {
-  for (const auto& soil : document.named("soil"))
+  for (const auto& soil : document.named("soil")) {
     scene.soils.push_back(read_soil(soil, scene.directory, scene.mesh.size, findings));
+    if (const auto at_rest = soil.reader.optional_number("rest_coefficient"))
+      for (materials::Law* law : {&scene.soils.back().law, &scene.soils.back().column_law})
+        *law = materials::with_rest_coefficient(std::move(*law), *at_rest);
+  }
 }
 
 std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,

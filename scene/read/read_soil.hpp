@@ -6,8 +6,12 @@
 #include "scene/read/read.hpp"
 
 #include <filesystem>
+#include <numbers>
 
 namespace tremolo::scene {
+
+/// One degree in rad: a case file gives angles in degrees.
+inline constexpr double degree = std::numbers::pi / 180.0;
 
 /// @param directory  that the name of a curve starts from
 /// @param mesh_size  cell size for which softening shall hold, m; 0 leaves it as it is given

@@ -1,7 +1,7 @@
 #pragma once
 
-// A flat elastic box shaken by a plane wave through all its faces, without processes: the traction source
-// evaluates the closed form itself.
+// A flat elastic box shaken by a plane wave through all its faces, without processes: the free field of its
+// faces is the closed form.
 
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/plane_wave.hpp"
@@ -21,19 +21,19 @@ inline mpm_domain::Spec elastic_box(double width, double depth, double h) {
   return spec;
 }
 
-/// Eq. (6) with the closed form on every face; the base takes the total field or the incident wave alone. The
-/// whole scene may move at a constant velocity.
-inline mpm_domain::TractionSource plane_wave_source(const mpm_domain::Domain& domain, const PlaneWave& wave,
-                                                    bool total_base, mpm_domain::Vector drift = {}) {
-  return [&domain, wave, total_base, drift](long, double t, std::span<const mpm_domain::Vector> v,
-                                            std::span<mpm_domain::Vector> traction) {
-    for (std::size_t f = 0; f < v.size(); ++f) {
-      const mpm_domain::BoundaryFace& face = domain.faces[f];
+/// The closed form on every face; the base takes the total field or the incident wave alone. The whole scene
+/// may move at a constant velocity.
+/// @param domain outlives what is returned
+inline mpm_domain::FreeFieldSource plane_wave_source(const mpm_domain::Domain& domain, const PlaneWave& wave,
+                                                     bool total_base, mpm_domain::Vector drift = {}) {
+  return [&domain, wave, total_base, drift](long, double t, std::span<const mpm_domain::Vector>,
+                                            std::span<eq6::FreeField> field) {
+    for (std::size_t f = 0; f < field.size(); ++f) {
+      const mpm_domain::BoundaryFace& face = domain.boundary.faces()[f];
       const bool incident = face.side == mpm_domain::Side::base && !total_base;
-      eq6::FreeField field = wave.at(face.position.x, face.position.y, t, incident ? 1 : 3);
-      field.velocity.x += drift.x;
-      field.velocity.y += drift.y;
-      traction[f] = eq6::boundary_traction(face.face, v[f], field, domain.static_tractions[f]);
+      field[f] = wave.at(face.position.x, face.position.y, t, incident ? 1 : 3);
+      field[f].velocity.x += drift.x;
+      field[f].velocity.y += drift.y;
     }
   };
 }

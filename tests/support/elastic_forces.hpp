@@ -10,10 +10,10 @@
 namespace tremolo::test_support {
 
 /// -K u of an elastic domain without stress, by its own passes: puts the nodal forces (N/m) of displacements
-/// u (m) into the grid, which stand in the grid's new velocities. Keep them so small that volumes stay as
-/// they are.
+/// u (m) into the grid, which stand in the grid's velocities after the update. Keep them so small that
+/// volumes stay as they are.
 inline void elastic_forces(mpm_domain::Domain& domain) {
-  mpm_domain::copy_to_tied(domain, {&domain.grid.vx_new, &domain.grid.vy_new});
+  mpm_domain::prolong(domain, mpm_domain::NodeGroup::velocity);
   for (mpm_domain::Particles& p : domain.sets)
     for (std::vector<double>* stress : {&p.sxx, &p.syy, &p.szz, &p.sxy})
       std::ranges::fill(*stress, 0.0);

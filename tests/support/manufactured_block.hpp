@@ -14,7 +14,9 @@
 // dispersion, large ones what the boxes of the particles lose when they no longer tile the soil.
 
 #include "mpm_domain/step/stepper.hpp"
+#include "mpm_domain/step/time_step.hpp"
 #include "tests/support/affine_velocity.hpp"
+#include "tests/support/no_traction.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -28,7 +30,7 @@ public:
   ManufacturedBlock(double amplitude, int cells, int particles_per_cell, const mpm_domain::Scheme& scheme,
                     mpm_domain::ParticleBoxes boxes = mpm_domain::ParticleBoxes::fixed)
       : amplitude_(amplitude), domain_(spec(cells, particles_per_cell, scheme, boxes)),
-        stepper_(released(), 0.0, [](long, double, auto, auto) {}) {}
+        stepper_(released(), 0.0, no_traction(domain_)) {}
 
   double period() const { return 2.0 * std::numbers::pi / omega; }
   double time() const { return stepper_.time(); }
@@ -83,10 +85,8 @@ private:
     return spec;
   }
 
-  /// The domain without faces, with the velocities (and their gradients) of half a step before the start.
+  /// The domain with the velocities (and their gradients) of half a step before the start.
   mpm_domain::Domain& released() {
-    domain_.faces.clear();
-    domain_.static_tractions.clear();
     const double dt =
         domain_.spec.scheme.fraction * mpm_domain::critical_time_step(domain_, amplitude_ * omega);
     const double rate = amplitude_ * omega * std::cos(0.5 * omega * dt);
@@ -96,7 +96,7 @@ private:
         const double cos_y = std::cos(wave_number * p.y[k]);
         p.vx[k] = rate * std::sin(wave_number * p.x[k]);
         p.vy[k] = -rate * std::sin(wave_number * p.y[k]);
-        if (!p.bxx.empty())
+        if (p.traits.affine)
           set_affine_velocity(domain_, p, k,
                               {.xx = rate * wave_number * cos_x, .yy = -rate * wave_number * cos_y});
       }

@@ -2,13 +2,13 @@
 
 #include "mpm_domain/step/stepper.hpp"
 
-#include <algorithm>
-
 namespace tremolo::test_support {
 
-/// Boundaries that nothing pulls at.
-inline mpm_domain::TractionSource no_traction() {
-  return [](long, double, auto, auto traction) { std::ranges::fill(traction, mpm_domain::Vector{}); };
+/// Makes a domain a free body, whose faces nothing pulls at and no dashpot holds.
+/// @returns the source of a free field that nobody asks for
+inline mpm_domain::FreeFieldSource no_traction(mpm_domain::Domain& domain) {
+  domain.boundary.remove_faces();
+  return {};
 }
 
 } // namespace tremolo::test_support

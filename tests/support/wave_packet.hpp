@@ -108,9 +108,8 @@ inline double reflected_energy(const WavePacket& packet, double h, double height
     spec.layer_cells = layer_cells;
   }
   mpm_domain::Domain domain(spec);
-  mpm_domain::attach_matched_layers(domain);
   lay(packet, domain, 1e-3);
-  mpm_domain::Stepper stepper = quiet_stepper(domain);
+  mpm_domain::Stepper stepper(domain, 0.0, quiet_ground());
   stepper.step();
   const double before = wave_energy(domain);
   // Until the packet's centre would be as far below the base as it was above it.

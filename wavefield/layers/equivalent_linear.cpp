@@ -102,10 +102,14 @@ Softening soften(Layer& layer, const Layer& at_small_strain, const StrainCurves&
   const Softening softening{.modulus_change = relative_change(before, reduction),
                             .damping_change = relative_change(layer.damping, damping),
                             .held_damping = damping < wanted};
+  // The curves are of the shear modulus; the bulk modulus K stays, with its damping at small strain. The
+  // moduli below are over the density: rho c_p^2 = K + 4/3 G.
+  const double shear = 4.0 / 3.0 * at_small_strain.vs * at_small_strain.vs * reduction;
+  const double bulk = at_small_strain.vp * at_small_strain.vp - shear / reduction;
   layer.vs = at_small_strain.vs * std::sqrt(reduction);
-  layer.vp = at_small_strain.vp * std::sqrt(reduction);
+  layer.vp = std::sqrt(bulk + shear);
   layer.damping = damping;
-  layer.damping_p.reset();
+  layer.damping_p = (bulk * at_small_strain.damping + shear * damping) / (bulk + shear);
   return softening;
 }
 

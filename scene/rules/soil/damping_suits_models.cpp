@@ -20,8 +20,7 @@ bool marched_in_time(SourceModel model) {
 }
 
 bool damped(const std::vector<Layer>& layers) {
-  return std::ranges::any_of(
-      layers, [](const Layer& layer) { return layer.damping > 0.0; });
+  return std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; });
 }
 
 /// A ratio that stands in the file but has no law of frequency.

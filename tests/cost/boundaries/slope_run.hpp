@@ -120,24 +120,18 @@ inline SlopeMotion shake(const SlopeRun& run) {
   mpm_domain::Spec spec = slope_spec(run);
   spec.scheme.dt = 0.25 * sample;
   mpm_domain::Domain domain(spec);
-  mpm_domain::attach_matched_layers(domain);
   test_support::PlaneWave wave;
   wave.angle = run.angle_deg * std::numbers::pi / 180.0;
   wave.frequency = 2.0;
   wave.y_reference = base_level;
-  std::vector<eq6::FreeField> field(domain.faces.size());
   // The wave reaches the left end of a wide box long before the slope; one second before its pulse all is
   // quiet.
   const double lead = std::max(0.0, 0.5 * run.width * wave.p());
-  mpm_domain::Stepper stepper(
-      domain, -sample * std::ceil(lead / sample),
-      [&](long, double t, auto v, auto traction) {
-        for (std::size_t f = 0; f < v.size(); ++f) {
-          field[f] = free_field(run, wave, domain.faces[f], t);
-          traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f], field[f], {});
-        }
-      },
-      [&] { return std::span<const eq6::FreeField>(field); });
+  mpm_domain::Stepper stepper(domain, -sample * std::ceil(lead / sample),
+                              [&](long, double t, auto, std::span<eq6::FreeField> field) {
+                                for (std::size_t f = 0; f < field.size(); ++f)
+                                  field[f] = free_field(run, wave, domain.boundary.faces()[f], t);
+                              });
 
   const mpm_domain::Particles& set = domain.sets.front();
   std::vector<std::pair<std::pair<double, double>, std::uint32_t>> watched; // by place, for all cuts alike

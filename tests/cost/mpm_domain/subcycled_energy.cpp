@@ -34,8 +34,6 @@ Spec strip(double fraction, bool subcycle) {
 
 /// Waves of 3 and 6 m; the free ends stand between rows of nodes.
 void set_off(Domain& domain) {
-  domain.faces.clear();
-  domain.static_tractions.clear();
   for (Particles& p : domain.sets)
     for (std::size_t k = 0; k < p.size(); ++k) {
       p.vx[k] = 1e-3 * std::cos(p.y[k]);
@@ -49,7 +47,7 @@ void print(double fraction, bool subcycle) {
   Domain domain(strip(fraction, subcycle));
   set_off(domain);
   const double start = test_support::particle_energy(domain);
-  Stepper stepper(domain, 0.0, test_support::no_traction());
+  Stepper stepper(domain, 0.0, test_support::no_traction(domain));
   fmt::print("{},{}", fraction, subcycle ? "own" : "same");
   for (int sample = 1; sample <= samples; ++sample) {
     while (stepper.time() < end_time * sample / samples)

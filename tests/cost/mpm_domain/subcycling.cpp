@@ -6,7 +6,7 @@
 //   speed_up  measured: simulated time a second of CPU over that of the single step
 
 #include "mpm_domain/step/stepper.hpp"
-#include "tests/support/no_traction.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -30,7 +30,7 @@ mpm_domain::Spec slope(bool subcycle) {
 class Shaken {
 public:
   explicit Shaken(bool subcycle)
-      : domain_(slope(subcycle)), stepper_(started(domain_), 0.0, test_support::no_traction()) {}
+      : domain_(slope(subcycle)), stepper_(started(domain_), 0.0, test_support::quiet_ground()) {}
 
   const mpm_domain::Domain& domain() const { return domain_; }
   const mpm_domain::Stepper& stepper() const { return stepper_; }

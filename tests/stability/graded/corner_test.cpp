@@ -31,7 +31,7 @@ Spec corners() {
 TEST(HardCase12, ThreeLevelsWithReentrantCornersRestUnderGravity) {
   Domain domain(corners());
   replace_constraints(domain, relax_under_gravity(domain, {}, [](long, double) {}));
-  Stepper stepper(domain, 0.0, quiet_ground(domain));
+  Stepper stepper(domain, 0.0, quiet_ground());
   double smallest_mass = 0.0;
   double smallest_weight = 0.0;
   double fastest = 0.0;

@@ -36,9 +36,9 @@ protected:
     auto domain = std::make_unique<Domain>(spec);
     replace_constraints(*domain, relax_under_gravity(*domain, {}, [](long, double) {}));
     if (!held)
-      std::ranges::fill(domain->static_tractions, Vector{});
-    TractionSource source = quiet_ground(*domain);
-    return {std::move(domain), std::move(source)};
+      for (BoundaryFace& face : domain->boundary.faces())
+        face.held = {};
+    return {std::move(domain), quiet_ground()};
   }
 };
 
@@ -50,8 +50,9 @@ TEST_F(HardCase14, DashpotBaseUnderSelfWeight) {
                                     if (s.time() < 59.9)
                                       return;
                                     reaction = 0.0;
-                                    for (std::size_t f = 0; f < d.faces.size(); ++f)
-                                      reaction += d.faces[f].length * s.face_tractions()[f].y;
+                                    const Boundary& boundary = d.boundary;
+                                    for (std::size_t f = 0; f < boundary.faces().size(); ++f)
+                                      reaction += boundary.faces()[f].length * boundary.tractions()[f].y;
                                   });
   bounded("drift in 60 s", largest_displacement(*end.domain), 1e-4, "m");
   bounded("reaction over weight, less 1", std::abs(reaction / (1700.0 * 8.0 * 4.0 * 9.81) - 1.0), 1e-3);
@@ -74,7 +75,7 @@ TEST(HardCase15, ThePulseLeavesThroughACompliantBaseAndSides) {
     Spec spec = elastic_box(10.0, 5.0, 1.0);
     spec.threads = threads;
     auto domain = std::make_unique<Domain>(spec);
-    TractionSource source = plane_wave_source(*domain, wave, false);
+    FreeFieldSource source = plane_wave_source(*domain, wave, false);
     return Scene{std::move(domain), std::move(source)};
   };
   double highest = 0.0;
@@ -106,7 +107,7 @@ TEST(HardCase16, ObliqueWavesIntoTheCorners) {
     Spec spec = elastic_box(20.0, 10.0, 1.0);
     spec.threads = threads;
     auto domain = std::make_unique<Domain>(spec);
-    TractionSource source = plane_wave_source(*domain, wave, true);
+    FreeFieldSource source = plane_wave_source(*domain, wave, true);
     return Scene{std::move(domain), std::move(source)};
   };
   VelocityError error;
@@ -126,7 +127,7 @@ public:
     const wavefield::LayeredField field({.half_space = {1700.0, 95.87062360592131, 173.4364837735801}},
                                         {wavefield::WaveType::SV, angle, 0.0, -10.0}, 0.0, incident);
     std::vector<wavefield::Point> points;
-    for (const BoundaryFace& face : domain.faces)
+    for (const BoundaryFace& face : domain.boundary.faces())
       points.push_back({face.position.x, face.position.y});
     faces_ = field.sample(points, {0.0, dt, steps}, wavefield::Part::total,
                           {.displacement = false, .strain = false, .rates = false});
@@ -151,12 +152,10 @@ private:
   std::vector<wavefield::History> faces_, particles_;
 };
 
-TractionSource exact_faces(const Domain& domain, std::shared_ptr<const ExactField> exact) {
-  return [&domain, exact = std::move(exact)](long step, double, std::span<const Vector> v,
-                                             std::span<Vector> traction) {
-    for (std::size_t f = 0; f < v.size(); ++f)
-      traction[f] = eq6::boundary_traction(domain.faces[f].face, v[f],
-                                           exact->at_face(f, static_cast<std::size_t>(step)), {});
+FreeFieldSource exact_faces(std::shared_ptr<const ExactField> exact) {
+  return [exact = std::move(exact)](long step, double, auto, std::span<eq6::FreeField> field) {
+    for (std::size_t f = 0; f < field.size(); ++f)
+      field[f] = exact->at_face(f, static_cast<std::size_t>(step));
   };
 }
 
@@ -175,8 +174,7 @@ TEST(HardCase17, AtAndBeyondTheCriticalAngle) {
       auto domain = std::make_unique<Domain>(spec);
       if (!exact)
         exact = std::make_shared<ExactField>(*domain, angle * degree, dt, steps + 1);
-      TractionSource source = exact_faces(*domain, exact);
-      return Scene{std::move(domain), std::move(source)};
+      return Scene{std::move(domain), exact_faces(exact)};
     };
     double difference = 0.0;
     double norm = 0.0;
@@ -217,8 +215,8 @@ TEST(Robustness, RecordsOfCoarseAndOfFineSamples) {
       spec.threads = threads;
       spec.scheme.dt = dt;
       auto domain = std::make_unique<Domain>(spec);
-      TractionSource source =
-          exact_faces(*domain, std::make_shared<ExactField>(*domain, 15.0 * degree, dt, steps + 1, incident));
+      FreeFieldSource source =
+          exact_faces(std::make_shared<ExactField>(*domain, 15.0 * degree, dt, steps + 1, incident));
       return Scene{std::move(domain), std::move(source)};
     };
     surface.emplace_back();
@@ -318,14 +316,9 @@ TEST(HardCase19, ABaseThatDriftsLeavesRelativeDisplacementAlone) {
     spec.sides = mpm_domain::Sides::periodic;
     spec.threads = threads;
     auto domain = std::make_unique<Domain>(spec);
-    TractionSource source = [&d = *domain, incident, &wave](long, double t, std::span<const Vector> v,
-                                                            std::span<Vector> traction) {
-      for (std::size_t f = 0; f < v.size(); ++f) {
-        eq6::FreeField field;
-        field.velocity.x = incident(t);
-        field.stress.xy = -wave.density * wave.vs * incident(t);
-        traction[f] = eq6::boundary_traction(d.faces[f].face, v[f], field, {});
-      }
+    FreeFieldSource source = [incident, &wave](long, double t, auto, std::span<eq6::FreeField> field) {
+      const double v = incident(t);
+      std::ranges::fill(field, eq6::FreeField{{v, 0.0}, {0.0, 0.0, -wave.density * wave.vs * v}});
     };
     return Scene{std::move(domain), std::move(source)};
   };

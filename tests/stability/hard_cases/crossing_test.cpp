@@ -43,8 +43,7 @@ void lay_across_cells(Domain& domain) {
   constexpr std::size_t count = columns * 7;
   constexpr double size = 8.0 * h / columns;
   Particles& p = domain.sets.front();
-  for (std::vector<double>* column : p.columns())
-    column->resize(count);
+  p.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.resize(count); });
   p.id.resize(count);
   p.index_of.resize(count);
   p.half_size = 0.5 * size;

@@ -7,6 +7,7 @@
 #include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/conservation_monitor.hpp"
+#include "tests/support/no_traction.hpp"
 #include "tests/support/particle_energy.hpp"
 
 #include <cmath>
@@ -20,8 +21,8 @@ namespace tremolo::test_support {
 inline Scene free_scene(mpm_domain::Spec spec, int threads,
                         const std::function<void(mpm_domain::Domain&)>& set_up) {
   spec.threads = threads;
-  Scene scene{std::make_unique<mpm_domain::Domain>(spec), no_traction()};
-  scene.domain->faces.clear();
+  Scene scene{std::make_unique<mpm_domain::Domain>(spec)};
+  scene.source = no_traction(*scene.domain);
   set_up(*scene.domain);
   mpm_domain::sort_particles(*scene.domain);
   return scene;
@@ -83,8 +84,8 @@ inline double critical_step(mpm_domain::Domain& domain) {
   std::normal_distribution<double> normal;
   for (std::size_t n = 0; n < grid.size(); ++n) {
     const bool full = grid.mass[n] > empty;
-    grid.vx_new[n] = full ? normal(random) : 0.0;
-    grid.vy_new[n] = full ? normal(random) : 0.0;
+    grid.vx_after[n] = full ? normal(random) : 0.0;
+    grid.vy_after[n] = full ? normal(random) : 0.0;
   }
   std::vector<std::vector<double>> volumes;
   for (const Particles& p : domain.sets)
@@ -110,16 +111,16 @@ inline double critical_step(mpm_domain::Domain& domain) {
         continue;
       const double ax = -grid.force_x[n] / (grid.mass[n] * small);
       const double ay = -grid.force_y[n] / (grid.mass[n] * small);
-      vv += grid.mass[n] * (grid.vx_new[n] * grid.vx_new[n] + grid.vy_new[n] * grid.vy_new[n]);
-      va += grid.mass[n] * (grid.vx_new[n] * ax + grid.vy_new[n] * ay);
-      grid.vx_new[n] = ax;
-      grid.vy_new[n] = ay;
+      vv += grid.mass[n] * (grid.vx_after[n] * grid.vx_after[n] + grid.vy_after[n] * grid.vy_after[n]);
+      va += grid.mass[n] * (grid.vx_after[n] * ax + grid.vy_after[n] * ay);
+      grid.vx_after[n] = ax;
+      grid.vy_after[n] = ay;
       largest = std::max({largest, std::abs(ax), std::abs(ay)});
     }
     square = va / vv;
     for (std::size_t n = 0; n < grid.size(); ++n) {
-      grid.vx_new[n] /= largest;
-      grid.vy_new[n] /= largest;
+      grid.vx_after[n] /= largest;
+      grid.vy_after[n] /= largest;
     }
   }
   return 2.0 / std::sqrt(square) * domain.fastest_wave() / grid.h;

@@ -102,18 +102,19 @@ double strain_of_fracture(int particles_per_cell, ParticleBoxes boxes) {
     for (Particles& p : domain->sets)
       for (std::size_t k = 0; k < p.size(); ++k)
         set_affine_velocity(*domain, p, k, {.xx = rate});
-    std::erase_if(domain->faces, [](const BoundaryFace& face) { return face.side == Side::base; });
-    domain->static_tractions.resize(domain->faces.size());
-    for (BoundaryFace& face : domain->faces)
-      face.face.impedance_p = face.face.impedance_s = 0.0;
-    TractionSource source = [&d = *domain](long, double t, auto, std::span<Vector> traction) {
-      for (std::size_t f = 0; f < traction.size(); ++f) {
-        const BoundaryFace& face = d.faces[f];
+    for (BoundaryFace& face : domain->boundary.faces())
+      face.ground.impedance_p = face.ground.impedance_s = 0.0;
+    FreeFieldSource source = [&d = *domain](long, double t, auto, std::span<eq6::FreeField> field) {
+      for (std::size_t f = 0; f < field.size(); ++f) {
+        const BoundaryFace& face = d.boundary.faces()[f];
+        field[f] = {};
+        if (face.side == Side::base)
+          continue;
         const Particles& p = d.sets[face.set];
         const std::size_t k = p.index_of[face.id];
-        const double outwards = face.face.normal.x;
+        const double outwards = face.ground.normal.x;
         const double lag = p.x_initial[k] + outwards * speed * t - p.x[k];
-        traction[f] = {young / h * lag, 0.0};
+        field[f].stress.xx = young / h * lag * outwards;
       }
     };
     return Scene{std::move(domain), std::move(source)};

@@ -4,6 +4,8 @@
 #include "mpm_domain/particles/grid_growth.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/conservation_monitor.hpp"
+#include "tests/support/no_traction.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,8 +21,8 @@ using testing::HasSubstr;
 Scene flying_block(int threads, Vector velocity) {
   mpm_domain::Spec spec = elastic_box(2.0, 1.0, 0.5);
   spec.threads = threads;
-  Scene scene{std::make_unique<mpm_domain::Domain>(spec), no_traction()};
-  scene.domain->faces.clear();
+  Scene scene{std::make_unique<mpm_domain::Domain>(spec)};
+  scene.source = no_traction(*scene.domain);
   for (mpm_domain::Particles& set : scene.domain->sets) {
     set.vx.assign(set.size(), velocity.x);
     set.vy.assign(set.size(), velocity.y);
@@ -57,7 +59,7 @@ TEST(LeavingParticles, AModelThatDriftsTakesItsSidesAndTheGridAlong) {
       set.vx.assign(set.size(), drift.x);
       set.vy.assign(set.size(), drift.y);
     }
-    mpm_domain::TractionSource source = plane_wave_source(*domain, wave, true, drift);
+    mpm_domain::FreeFieldSource source = plane_wave_source(*domain, wave, true, drift);
     return Scene{std::move(domain), std::move(source)};
   };
   VelocityError error;
@@ -100,7 +102,7 @@ TEST(LeavingParticles, SoilOverASideStopsTheRunWithWhichWhereAndWhen) {
     grain.vx[0] = vx;
     grain.vy[0] = vy;
     mpm_domain::sort_particles(domain);
-    mpm_domain::Stepper stepper(domain, 0.0, no_traction());
+    mpm_domain::Stepper stepper(domain, 0.0, quiet_ground());
     const std::string text = refusal(domain, stepper);
     EXPECT_THAT(text, HasSubstr("particle 0 of soil 'grain' at x = "));
     EXPECT_THAT(text, HasSubstr(fmt::format("t = {:.6g} s, step {}", stepper.time(), stepper.steps())));

@@ -2,12 +2,10 @@
 // nodes, most cells are empty, gravity points up, metres are ten or a tenth of them, a run is cut in two.
 
 #include "free_block.hpp"
-#include "mpm_domain/state.hpp"
+#include "tests/support/saved_state.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
-#include <map>
 #include <numbers>
 
 namespace tremolo {
@@ -30,7 +28,7 @@ Scene shaken_box(int threads, const PlaneWave& wave, const Spec& spec) {
   Spec mine = spec;
   mine.threads = threads;
   auto domain = std::make_unique<Domain>(mine);
-  TractionSource source = plane_wave_source(*domain, wave, true);
+  FreeFieldSource source = plane_wave_source(*domain, wave, true);
   return {std::move(domain), std::move(source)};
 }
 
@@ -214,48 +212,16 @@ TEST(Robustness, MetresOrTenthsOrTens) {
   bounded("difference of velocity over the largest", difference / largest, 1e-9);
 }
 
-/// Keeps every array it is shown, or puts it back.
-struct Save {
-  std::map<std::string, std::vector<double>> numbers;
-  std::map<std::string, std::vector<std::uint32_t>> ids;
-  std::map<std::string, std::vector<std::size_t>> places;
-
-  std::vector<double>& of(const std::string& name, const std::vector<double>&) { return numbers[name]; }
-  std::vector<std::uint32_t>& of(const std::string& name, const std::vector<std::uint32_t>&) {
-    return ids[name];
-  }
-  std::vector<std::size_t>& of(const std::string& name, const std::vector<std::size_t>&) {
-    return places[name];
-  }
-  template <class Array>
-  void operator()(const std::string& name, const Array& array) {
-    of(name, array) = array;
-  }
-};
-
-struct Restore {
-  Save& saved;
-
-  template <class Array>
-  void operator()(const std::string& name, Array& array) {
-    array = saved.of(name, array);
-  }
-};
-
 TEST(Robustness, ARunThatIsCutInTwoHasTheSameBits) {
   const auto make = [] { return shaken_box(2, oblique_wave(10.0), elastic_box(20.0, 10.0, 1.0)); };
   const Scene whole = make();
   Stepper first(*whole.domain, 0.0, whole.source);
   while (first.steps() < 150)
     first.step();
-  Save saved;
-  visit_state(*whole.domain, saved);
-  first.visit_state(saved);
+  const SavedState saved = saved_state(*whole.domain, first);
   const Scene again = make();
   Stepper second(*again.domain, 0.0, again.source);
-  Restore restore{saved};
-  visit_state(*again.domain, restore);
-  second.visit_state(restore);
+  restore_state(saved, *again.domain, second);
   while (first.steps() < 300) {
     first.step();
     second.step();

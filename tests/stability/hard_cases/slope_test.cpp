@@ -48,8 +48,7 @@ Scene failing(Spec spec, int threads, const materials::MohrCoulomb& law,
     p.law = materials::for_cell_size(law, spec.cell_size / (1 << p.level), 0.5);
   if (add)
     add(*domain);
-  TractionSource source = quiet_ground(*domain);
-  return {std::move(domain), std::move(source)};
+  return {std::move(domain), quiet_ground()};
 }
 
 /// The energy that soil in this place, motion and stress has; only dissipation may change it when the ground

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/step/time_step.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/quiet_ground.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 double speed_after_switch(mpm_domain::Domain& domain) {
   const mpm_domain::Reactions reactions = mpm_domain::relax_under_gravity(domain, {}, [](long, double) {});
   mpm_domain::replace_constraints(domain, reactions);
-  mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground(domain));
+  mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground());
   double fastest = 0.0;
   while (stepper.time() < 1.0) {
     stepper.step();
@@ -109,9 +110,9 @@ TEST(StiffnessOfPressure, SetsTimeStepAndDashpots) {
   EXPECT_NEAR(domain.fastest_wave(), c_p, 1e-4 * c_p);
   EXPECT_NEAR(mpm_domain::critical_time_step(domain, 0.0), 0.65 / c_p, 1e-4 / c_p);
   double base = 0.0;
-  for (const mpm_domain::BoundaryFace& face : domain.faces)
+  for (const mpm_domain::BoundaryFace& face : domain.boundary.faces())
     if (face.side == mpm_domain::Side::base)
-      base = std::max(base, face.face.impedance_p);
+      base = std::max(base, face.ground.impedance_p);
   EXPECT_NEAR(base, 1700.0 * c_p, 1e-4 * 1700.0 * c_p);
 }
 

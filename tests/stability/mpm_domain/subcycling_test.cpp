@@ -45,8 +45,6 @@ void set_moving(Domain& domain) {
       set.vy[k] = 1e-3 * (noise(random) + std::sin(2.0 * set.y[k]));
       set.y[k] -= 0.031;
     }
-  domain.faces.clear();
-  domain.static_tractions.clear();
   sort_particles(domain);
 }
 
@@ -74,7 +72,7 @@ Outcome outcome_of(const Spec& spec) {
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       scale += set.mass[k] * std::hypot(set.vx[k], set.vy[k]);
-  Stepper stepper(domain, 0.0, test_support::no_traction());
+  Stepper stepper(domain, 0.0, test_support::no_traction(domain));
   Outcome outcome;
   for (long step = 1; step <= coarse_steps; ++step) {
     stepper.step();

@@ -7,7 +7,7 @@
 
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/cost/mpm_domain/plain_step.hpp"
-#include "tests/support/no_traction.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -41,7 +41,7 @@ std::size_t step_domain() {
   for (Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       set.vx[k] = 0.01 * std::sin(6.0 * set.y[k] / domain.spec.box.y_max);
-  Stepper stepper(domain, 0.0, test_support::no_traction());
+  Stepper stepper(domain, 0.0, test_support::quiet_ground());
   for (int step = 0; step < steps; ++step)
     stepper.step();
   return domain.particle_count() * steps;

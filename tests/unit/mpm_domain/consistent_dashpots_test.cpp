@@ -1,10 +1,15 @@
-// The dashpots' implicit half step against a dense solution of the same equations.
+// The dashpots' implicit half step against a dense solution of the same equations, whose forces the test puts
+// together by itself.
 
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
 
+#include "mpm_domain/step/clock_nodes.hpp"
 #include "mpm_domain/step/grid_update.hpp"
+#include "mpm_domain/step/ticks.hpp"
+#include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/lumped_faces.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -15,21 +20,27 @@
 namespace tremolo::mpm_domain {
 namespace {
 
-/// A box of 6 m by 4 m whose faces carry tractions that vary smoothly along them.
-struct LoadedBox {
-  LoadedBox() : domain(test_support::elastic_box(6.0, 4.0, 1.0)), weights(domain.faces.size()) {
+/// Varies smoothly along the faces, Pa.
+Vector traction_on(const BoundaryFace& face) {
+  return {std::cos(0.4 * face.position.x), std::sin(0.4 * face.position.y)};
+}
+
+/// A box of 6 m by 4 m at rest.
+struct Box {
+  Box() : domain(test_support::elastic_box(6.0, 4.0, 1.0)), weights(domain.boundary.faces().size()) {
     for (std::size_t f = 0; f < weights.size(); ++f)
-      face_weights(domain, domain.faces[f], weights[f]);
+      face_weights(domain, domain.boundary.faces()[f], weights[f]);
     scatter(domain, ScatterPart::both);
-    grid_velocities(domain);
-    std::vector<Vector> tractions;
-    for (const BoundaryFace& face : domain.faces)
-      tractions.push_back({std::cos(0.4 * face.position.x), std::sin(0.4 * face.position.y)});
-    spread_tractions(domain, weights, tractions);
+    grid_velocities(domain, domain.soil_rows);
   }
 
   Domain domain;
   std::vector<FaceWeights> weights;
+};
+
+/// Its nodes carry the tractions of the faces, and their dashpots lumped.
+struct LoadedBox : Box {
+  LoadedBox() { test_support::add_lumped_faces(domain, traction_on); }
 };
 
 /// Accelerations in x by (M + dt/2 sum_f L Z W W^T) a = f.
@@ -44,18 +55,18 @@ Eigen::VectorXd exact_accelerations(const LoadedBox& box, double dt) {
       force(n) = grid.force_x[static_cast<std::size_t>(n)];
     }
   for (std::size_t f = 0; f < box.weights.size(); ++f) {
-    const BoundaryFace& face = box.domain.faces[f];
+    const BoundaryFace& face = box.domain.boundary.faces()[f];
     for (const auto& [i, w_i] : box.weights[f])
       for (const auto& [j, w_j] : box.weights[f])
         matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
-            0.5 * dt * face.length * dashpots(face).x * w_i * w_j;
+            0.5 * dt * face.length * dashpot_diagonal(face).x * w_i * w_j;
   }
   return matrix.partialPivLu().solve(force);
 }
 
 /// Largest difference of the update's accelerations in x from the exact ones, over the largest of those.
 double error(LoadedBox& box, const Eigen::VectorXd& exact, double dt) {
-  update_grid(box.domain, dt);
+  update_grid(box.domain, dt, box.domain.soil_rows);
   double largest = 0.0;
   for (Eigen::Index n = 0; n < exact.size(); ++n)
     largest = std::max(largest, std::abs(box.domain.grid.ax[static_cast<std::size_t>(n)] - exact(n)));
@@ -71,6 +82,35 @@ TEST(ConsistentDashpots, SolveWithTheFacesOwnWeights) {
   dashpots.correct(box.domain, box.weights, dt);
   EXPECT_GT(lumped, 0.01);
   EXPECT_LT(error(box, exact, dt), 0.02 * lumped);
+}
+
+/// The boundary's own pass does all of it.
+TEST(ConsistentDashpots, AreThoseOfTheBoundary) {
+  LoadedBox loaded;
+  Box box;
+  Domain& domain = box.domain;
+  const double dt = 0.5 * critical_time_step(domain, 0.0);
+  ConsistentDashpots dashpots;
+  dashpots.correct(loaded.domain, loaded.weights, dt);
+  Ticks ticks(1);
+  ticks.set_step(dt, dt);
+  const ClockNodes nodes(domain);
+  for (BoundaryFace& face : domain.boundary.faces())
+    face.held = traction_on(face);
+  domain.boundary.exchange(
+      domain, nodes, [](long, double, auto, auto field) { std::ranges::fill(field, eq6::FreeField{}); }, 0,
+      0.0);
+  domain.boundary.apply(domain, ticks, nodes);
+  double largest = 0.0;
+  for (Domain* d : {&domain, &loaded.domain})
+    update_grid(*d, dt, d->soil_rows);
+  for (const double a : domain.grid.ay)
+    largest = std::max(largest, std::abs(a));
+  EXPECT_GT(largest, 0.0);
+  for (std::size_t n = 0; n < domain.grid.size(); ++n) {
+    EXPECT_NEAR(domain.grid.ax[n], loaded.domain.grid.ax[n], 1e-12 * largest);
+    EXPECT_NEAR(domain.grid.ay[n], loaded.domain.grid.ay[n], 1e-12 * largest);
+  }
 }
 
 TEST(ConsistentDashpots, AddNoMomentum) {

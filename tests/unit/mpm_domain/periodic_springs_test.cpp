@@ -3,6 +3,7 @@
 #include "mpm_domain/boundary/periodic_springs.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <random>
 #include <vector>
 
@@ -26,30 +26,21 @@ Spec box(double h, bool wrapped) {
   return spec;
 }
 
-/// A vertical SV pulse of 4 Hz at the base; the sides are tied by springs, if there are any.
-TractionSource pulse_at_base(const Domain& domain, const PeriodicSprings* springs) {
-  std::vector<eq6::FreeField> field(domain.faces.size());
-  return [&domain, springs, field](long, double t, std::span<const Vector> v,
-                                   std::span<Vector> traction) mutable {
-    if (springs != nullptr)
-      springs->pull(v, traction, field);
+/// A vertical SV pulse of 4 Hz at the base.
+FreeFieldSource pulse_at_base(const Domain& domain) {
+  return [&domain](long, double t, auto, std::span<eq6::FreeField> field) {
     const double a = std::pow(std::numbers::pi * 4.0 * (t - 0.4), 2);
     const double incident = 1e-3 * (1.0 - 2.0 * a) * std::exp(-a);
-    for (std::size_t f = springs != nullptr ? springs->face_count() : 0; f < v.size(); ++f) {
-      const eq6::Face& face = domain.faces[f].face;
-      traction[f] =
-          eq6::boundary_traction(face, v[f], {{incident, 0.0}, {0.0, 0.0, -face.impedance_s * incident}}, {});
-    }
+    for (std::size_t f = 0; f < field.size(); ++f)
+      if (const BoundaryFace& face = domain.boundary.faces()[f]; face.side == Side::base)
+        field[f] = {{incident, 0.0}, {0.0, 0.0, -face.ground.impedance_s * incident}};
   };
 }
 
 /// Velocities of all particles by soil and id, every 0.02 s.
 std::vector<double> motion(double h, bool wrapped) {
   Domain domain(box(h, wrapped));
-  std::optional<PeriodicSprings> springs;
-  if (!wrapped)
-    springs.emplace(domain);
-  Stepper stepper(domain, 0.0, pulse_at_base(domain, springs ? &*springs : nullptr));
+  Stepper stepper(domain, 0.0, pulse_at_base(domain));
   std::vector<double> velocities;
   while (stepper.time() < 1.2) {
     stepper.step();
@@ -88,9 +79,9 @@ TEST(PeriodicSprings, AddNoEnergy) {
   spec.scheme.transfer = Transfer::flip; // which takes hardly any energy out by itself
   spec.scheme.order = StepOrder::usl;
   Domain domain(spec);
-  const PeriodicSprings springs(domain);
-  for (BoundaryFace& face : domain.faces)
-    face.face.impedance_p = face.face.impedance_s = 0.0;
+  domain.boundary.build_supports(domain);
+  for (BoundaryFace& face : domain.boundary.faces())
+    face.ground.impedance_p = face.ground.impedance_s = 0.0;
   std::mt19937 random(3);
   std::normal_distribution<double> speed(0.0, 0.01);
   for (Particles& set : domain.sets)
@@ -106,11 +97,7 @@ TEST(PeriodicSprings, AddNoEnergy) {
     return sum;
   };
   const double before = kinetic();
-  std::vector<eq6::FreeField> field(domain.faces.size());
-  Stepper stepper(domain, 0.0, [&](long, double, auto v, auto traction) {
-    std::ranges::fill(traction, Vector{});
-    springs.pull(v, traction, field);
-  });
+  Stepper stepper(domain, 0.0, test_support::quiet_ground());
   double largest = 0.0;
   while (stepper.steps() < 3000) {
     stepper.step();
@@ -123,9 +110,10 @@ TEST(PeriodicSprings, AddNoEnergy) {
 TEST(PeriodicSprings, RefuseSidesThatDoNotFaceEachOther) {
   Spec spec = test_support::elastic_box(6.0, 4.0, 1.0);
   spec.regions[0].polygon = {{0.0, -4.0}, {6.0, -4.0}, {6.0, -1.0}, {3.0, 0.0}, {0.0, 0.0}};
+  spec.sides = Sides::periodic_springs;
   Domain domain(spec);
   try {
-    const PeriodicSprings springs(domain);
+    domain.boundary.build_supports(domain);
     FAIL() << "not refused";
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("there are 8 on the left and 6 on the right"));

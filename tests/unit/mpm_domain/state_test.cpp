@@ -3,49 +3,21 @@
 
 #include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
-#include "mpm_domain/state.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
+#include "tests/support/saved_state.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <map>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace tremolo {
 namespace {
 
 using namespace materials;
+using test_support::SavedState;
 
 constexpr Elasticity soil{1700.0, 40e6, 0.28};
-
-/// A state as it is saved: names and numbers, all of them exact in a double.
-struct Saved {
-  std::map<std::string, std::vector<double>> arrays;
-};
-
-struct Save {
-  Saved& to;
-  template <class Number>
-  void operator()(const std::string& name, const std::vector<Number>& values) const {
-    EXPECT_FALSE(to.arrays.contains(name)) << name;
-    to.arrays[name].assign(values.begin(), values.end());
-  }
-};
-
-struct Load {
-  const Saved& from;
-  template <class Number>
-  void operator()(const std::string& name, std::vector<Number>& values) const {
-    values.clear();
-    for (const double value : from.arrays.at(name))
-      values.push_back(static_cast<Number>(value));
-  }
-};
 
 /// A box under gravity in a strong wave.
 struct Shaken {
@@ -64,8 +36,8 @@ struct Shaken {
       mpm_domain::replace_constraints(
           domain, mpm_domain::relax_under_gravity(domain, {.residual = 1e-6}, [](long, double) {}));
     else
-      mpm_domain::set_faces_at_rest(domain, at_rest);
-    return mpm_domain::faces_at_rest(domain);
+      domain.boundary.set_rest_state(at_rest);
+    return domain.boundary.rest_state();
   }
 
   void steps(int count) {
@@ -73,19 +45,8 @@ struct Shaken {
       stepper.step();
   }
 
-  Saved save() {
-    Saved saved;
-    Save visit{saved};
-    mpm_domain::visit_state(domain, visit);
-    stepper.visit_state(visit);
-    return saved;
-  }
-
-  void load(const Saved& saved) {
-    Load visit{saved};
-    mpm_domain::visit_state(domain, visit);
-    stepper.visit_state(visit);
-  }
+  SavedState save() const { return test_support::saved_state(domain, stepper); }
+  void load(const SavedState& saved) { test_support::restore_state(saved, domain, stepper); }
 };
 
 mpm_domain::Spec box(const Law& law) {
@@ -96,18 +57,12 @@ mpm_domain::Spec box(const Law& law) {
   return spec;
 }
 
-void expect_same(const Saved& one, const Saved& other) {
-  ASSERT_EQ(one.arrays.size(), other.arrays.size());
-  for (const auto& [name, values] : one.arrays)
-    EXPECT_EQ(values, other.arrays.at(name)) << name;
-}
-
 void expect_exact_resumption(const mpm_domain::Spec& spec) {
   Shaken whole(spec, {});
   const auto at_rest = whole.save();
   whole.steps(37);
-  const Saved saved = whole.save();
-  EXPECT_NE(at_rest.arrays.at("soil0.state"), saved.arrays.at("soil0.state")) << "the law's memory is idle";
+  const SavedState saved = whole.save();
+  EXPECT_NE(at_rest.numbers("soil0.state"), saved.numbers("soil0.state")) << "the law's memory is idle";
   whole.steps(40);
 
   Shaken resumed(spec, whole.faces);
@@ -152,6 +107,14 @@ TEST(State, OfEveryTransferGoesOnWithTheSameBits) {
     }
 }
 
+TEST(State, OfMatchedLayersAndTheirCornersGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(softening_soil());
+  spec.layer_cells = 3;
+  using enum mpm_domain::Side;
+  spec.matched_sides = {left, right, base};
+  expect_exact_resumption(spec);
+}
+
 TEST(State, OnAGradedMeshGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = box(softening_soil());
   spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}};
@@ -181,7 +144,7 @@ struct Flown {
   mpm_domain::Stepper stepper;
 
   explicit Flown(const mpm_domain::Spec& spec)
-      : domain(spec), stepper(set_moving(domain), 0.0, test_support::no_traction()) {}
+      : domain(spec), stepper(set_moving(domain), 0.0, test_support::no_traction(domain)) {}
 
   static mpm_domain::Domain& set_moving(mpm_domain::Domain& domain) {
     for (mpm_domain::Particles& set : domain.sets)
@@ -195,11 +158,7 @@ struct Flown {
       stepper.step();
   }
 
-  template <class Visit>
-  void visit(Visit visit) {
-    mpm_domain::visit_state(domain, visit);
-    stepper.visit_state(visit);
-  }
+  SavedState save() const { return test_support::saved_state(domain, stepper); }
 };
 
 /// The state is saved where some particles have been cut and others have not.
@@ -218,24 +177,20 @@ TEST(State, OfParticlesThatWereCutGoesOnWithTheSameBits) {
     whole.steps(way_into_fine_cells);
     EXPECT_GT(whole.domain.particle_count(), count);
     EXPECT_LT(whole.domain.particle_count(), 4 * count);
-    Saved saved;
-    whole.visit(Save{saved});
+    const SavedState saved = whole.save();
     whole.steps(round);
     EXPECT_EQ(whole.domain.particle_count(), 4 * count);
 
     Flown resumed(spec);
-    resumed.visit(Load{saved});
+    test_support::restore_state(saved, resumed.domain, resumed.stepper);
     resumed.steps(round);
-    Saved end_of_whole, end_of_resumed;
-    whole.visit(Save{end_of_whole});
-    resumed.visit(Save{end_of_resumed});
-    expect_same(end_of_whole, end_of_resumed);
+    expect_same(whole.save(), resumed.save());
   }
 }
 
 TEST(State, FacesOfAnotherBoundaryAreRefused) {
   mpm_domain::Domain domain(box(softening_soil()));
-  EXPECT_THROW(mpm_domain::set_faces_at_rest(domain, std::vector<double>(3)), std::invalid_argument);
+  EXPECT_THROW(domain.boundary.set_rest_state(std::vector<double>(3)), std::invalid_argument);
 }
 
 } // namespace

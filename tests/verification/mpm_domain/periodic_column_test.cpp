@@ -72,12 +72,11 @@ double unevenness(Wave wave, double peak, double h, double gravity = 0.0) {
   Domain domain(spec);
   if (gravity > 0.0)
     replace_constraints(domain, relax_under_gravity(domain, {}, [](long, double) {}));
-  Stepper stepper(domain, 0.0, [&](long step, double, auto v, auto traction) {
+  Stepper stepper(domain, 0.0, [&](long step, double, auto, std::span<eq6::FreeField> field) {
     if (step > 0)
       column.step();
-    for (std::size_t f = 0; f < v.size(); ++f)
-      traction[f] = eq6::boundary_traction(
-          domain.faces[f].face, v[f], served(column, domain.faces[f], -depth), domain.static_tractions[f]);
+    for (std::size_t f = 0; f < field.size(); ++f)
+      field[f] = served(column, domain.boundary.faces()[f], -depth);
   });
   double largest = 0.0;
   double difference = 0.0;

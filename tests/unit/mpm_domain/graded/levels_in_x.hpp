@@ -39,7 +39,7 @@ inline void disturb(Domain& domain) {
     for (std::size_t k = 0; k < p.size(); ++k) {
       for (std::vector<double>* column : {&p.vx, &p.vy, &p.sxx, &p.syy, &p.szz, &p.sxy})
         (*column)[k] = any(random);
-      if (!p.bxx.empty())
+      if (p.traits.affine)
         for (std::vector<double>* column : {&p.bxx, &p.bxy, &p.byx, &p.byy})
           (*column)[k] = 0.1 * any(random);
       if (p.has_own_boxes())
@@ -62,7 +62,7 @@ inline Sums sums_of(const Domain& domain) {
       sum.px += m * p.vx[k];
       sum.py += m * p.vy[k];
       sum.spin += m * (p.x[k] * p.vy[k] - p.y[k] * p.vx[k]);
-      if (!p.bxx.empty())
+      if (p.traits.affine)
         sum.spin += m * (p.byx[k] - p.bxy[k]);
       sum.kinetic += 0.5 * m * (p.vx[k] * p.vx[k] + p.vy[k] * p.vy[k]);
     }

@@ -140,8 +140,8 @@ TEST(SplittingRule, LeavesParticlesWholeThatSomethingRidesOn) {
   disturb(other);
   shift(other, 6.1);
   split_particles(other);
-  ASSERT_FALSE(other.faces.empty());
-  for (const BoundaryFace& face : other.faces)
+  ASSERT_FALSE(other.boundary.faces().empty());
+  for (const BoundaryFace& face : other.boundary.faces())
     EXPECT_NE(other.sets[face.set].index_of[face.id], Particles::nowhere);
 }
 
@@ -155,7 +155,7 @@ TEST(SplittingOnTheWay, ABlockKeepsItsMotionThroughAllLevels) {
       v = 20.0;
     const Sums before = sums_of(domain);
     const std::size_t count = domain.particle_count();
-    Stepper stepper(domain, 0.0, test_support::no_traction());
+    Stepper stepper(domain, 0.0, test_support::no_traction(domain));
     while (stepper.time() < 0.42)
       stepper.step();
     EXPECT_EQ(domain.particle_count(), domain.sets[2].size()); // 9.4 m and more: all on the finest level
@@ -181,7 +181,7 @@ TEST(GradedGrowth, ABlockThatFliesOutOfTheGridTakesItAlong) {
       set.vy[k] = 30.0;
   const Sums before = sums_of(domain);
   const int rows = domain.grid.ny;
-  Stepper stepper(domain, 0.0, test_support::no_traction());
+  Stepper stepper(domain, 0.0, test_support::no_traction(domain));
   while (stepper.time() < 0.5)
     stepper.step();
   EXPECT_GT(domain.grid.ny, rows);

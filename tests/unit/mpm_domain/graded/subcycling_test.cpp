@@ -3,7 +3,9 @@
 #include "mpm_domain/step/clock_nodes.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/centred_residual.hpp"
 #include "tests/support/no_traction.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,19 +70,16 @@ TEST(Subcycling, OnOneClockIsTheSingleStep) {
   fine.threads = refined.threads = 1;
   test_support::PlaneWave wave = oblique_wave();
   // The exchange holds the free field over two ticks: without one both runs are the same.
-  const TractionSource none = test_support::no_traction();
   std::vector<Fields> results;
   for (Spec* spec : {&fine, &refined}) {
     Domain domain(*spec);
-    domain.faces.clear();
-    domain.static_tractions.clear();
     for (Particles& set : domain.sets)
       for (std::size_t k = 0; k < set.size(); ++k) {
         const eq6::Vector v = wave.at(set.x[k], set.y[k], 1.0).velocity;
         set.vx[k] = v.x + 0.01 * std::sin(set.x[k]);
         set.vy[k] = v.y + 0.01 * std::cos(set.x[k] + set.y[k]);
       }
-    Stepper stepper(domain, 0.0, none);
+    Stepper stepper(domain, 0.0, test_support::no_traction(domain));
     for (int step = 0; step < (spec == &fine ? 80 : 40); ++step)
       stepper.step();
     results.push_back(fields_of(domain));
@@ -107,7 +106,7 @@ double wave_error(bool subcycle, double fraction) {
   return error.relative();
 }
 
-/// 1.1 % with steps by level, 0.4 % with one step.
+/// 1.15 % with steps by level, 0.43 % with one step.
 TEST(Subcycling, IsNearTheSingleStepForAWaveThroughAllLevels) {
   const double single = wave_error(false, 0.5);
   const double levels = wave_error(true, 0.5);
@@ -125,8 +124,6 @@ TEST(Subcycling, KeepsMomentumUnderInitialStress) {
   spec.scheme.subcycle = true;
   spec.threads = 1;
   Domain domain(spec);
-  domain.faces.clear();
-  domain.static_tractions.clear();
   double scale = 0.0;
   for (Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k) {
@@ -141,7 +138,7 @@ TEST(Subcycling, KeepsMomentumUnderInitialStress) {
         sum = {sum.x + set.mass[k] * set.vx[k], sum.y + set.mass[k] * set.vy[k]};
     return sum;
   };
-  Stepper stepper(domain, 0.0, [](long, double, auto, auto) {});
+  Stepper stepper(domain, 0.0, test_support::no_traction(domain));
   for (const double fraction : {0.5, 0.3, 0.7}) {
     domain.spec.scheme.fraction = fraction;
     for (int step = 0; step < 20; ++step)
@@ -150,33 +147,48 @@ TEST(Subcycling, KeepsMomentumUnderInitialStress) {
   EXPECT_LT(std::hypot(momentum().x, momentum().y), 1e-12 * scale);
 }
 
-TEST(Subcycling, IsTheSameForAnyThreadCount) {
-  std::vector<Fields> results;
-  for (const int threads : {1, 3}) {
-    Spec spec = shaken_box(true);
-    spec.threads = threads;
-    Domain domain(spec);
-    const test_support::PlaneWave wave = oblique_wave();
-    Stepper stepper(domain, 0.9, test_support::plane_wave_source(domain, wave, true));
-    for (int step = 0; step < 30; ++step)
-      stepper.step();
-    results.push_back(fields_of(domain));
+/// What the ledger does not account for, over the largest kinetic energy.
+struct Missed {
+  double at_any_time = 0.0;
+  double at_the_end = 0.0;
+};
+
+Missed missed_energy(Domain& domain, Stepper& stepper, double end) {
+  double largest = 0.0;
+  test_support::CentredResidual residual;
+  while (stepper.time() < end) {
+    stepper.step();
+    largest = std::max(largest, domain.energy.kinetic);
+    residual.after_step(domain.energy);
   }
-  EXPECT_EQ(results[0], results[1]);
+  EXPECT_GT(largest, 0.0);
+  return {residual.largest() / largest, std::abs(domain.energy.residual()) / largest};
 }
 
-/// What is booked: the residual of the ledger is the error of the time integration.
+/// What is booked: the residual of the ledger is the error of the time integration. Measured: 0.0026 at any
+/// time, 0.0002 when the wave has passed; 0.00004 and less with one step for all.
 TEST(Subcycling, KeepsTheEnergyLedger) {
   Domain domain(shaken_box(true));
   const test_support::PlaneWave wave = oblique_wave();
   Stepper stepper(domain, 0.5, test_support::plane_wave_source(domain, wave, true));
-  double largest = 0.0;
-  while (stepper.time() < 1.7) {
-    stepper.step();
-    largest = std::max(largest, domain.energy.kinetic);
-  }
-  EXPECT_GT(largest, 0.0);
-  EXPECT_LT(std::abs(domain.energy.residual()), 0.05 * largest);
+  const Missed missed = missed_energy(domain, stepper, 1.7);
+  RecordProperty("at_any_time", std::to_string(missed.at_any_time));
+  RecordProperty("at_the_end", std::to_string(missed.at_the_end));
+  EXPECT_LT(missed.at_any_time, 0.005);
+  EXPECT_LT(missed.at_the_end, 0.005);
+}
+
+/// Static tractions act on nodes of all clocks, and do forty times the work that is kinetic energy at any
+/// time.
+TEST(Subcycling, BooksTheWorkOfStaticTractionsOnNodesOfAllClocks) {
+  Domain domain(shaken_box(true));
+  for (BoundaryFace& face : domain.boundary.faces())
+    face.held = {1e3 * face.ground.normal.x, 1e3 * face.ground.normal.y};
+  Stepper stepper(domain, 0.0, test_support::quiet_ground());
+  const Missed missed = missed_energy(domain, stepper, 1.7);
+  RecordProperty("at_the_end", std::to_string(missed.at_the_end));
+  EXPECT_LT(missed.at_the_end, 0.005);
+  EXPECT_GT(domain.energy.static_, 10.0 * domain.energy.kinetic);
 }
 
 TEST(Subcycling, MovesParticlesAsOftenAsTheirClockTicks) {
@@ -195,7 +207,7 @@ TEST(Subcycling, RefusesWhatItIsNotMadeFor) {
   for (const auto& change : std::vector<std::function<void(Spec&)>>{
            [](Spec& spec) { spec.refine.clear(); }, [](Spec& spec) { spec.scheme.transfer = Transfer::flip; },
            [](Spec& spec) { spec.scheme.order = StepOrder::usl; },
-           [](Spec& spec) { spec.matched_sides = {Side::base}; }}) {
+           [](Spec& spec) { spec.sides = Sides::periodic_springs; }}) {
     Spec spec = shaken_box(true);
     change(spec);
     EXPECT_THROW(Domain{spec}, std::invalid_argument);
@@ -203,7 +215,7 @@ TEST(Subcycling, RefusesWhatItIsNotMadeFor) {
   Spec spec = shaken_box(true);
   spec.scheme.dt = 1.0;
   Domain domain(spec);
-  EXPECT_THROW(Stepper(domain, 0.0, [](long, double, auto, auto) {}), std::invalid_argument);
+  EXPECT_THROW(Stepper(domain, 0.0, test_support::quiet_ground()), std::invalid_argument);
 }
 
 } // namespace

@@ -21,27 +21,27 @@ double critical_step(Domain& domain) {
   const std::size_t nodes = grid.size();
   for (std::size_t n = 0; n < nodes; ++n) {
     const bool full = grid.mass[n] > empty;
-    grid.vx_new[n] = full ? std::sin(12.9898 * static_cast<double>(n)) : 0.0;
-    grid.vy_new[n] = full ? std::cos(78.233 * static_cast<double>(n)) : 0.0;
+    grid.vx_after[n] = full ? std::sin(12.9898 * static_cast<double>(n)) : 0.0;
+    grid.vy_after[n] = full ? std::cos(78.233 * static_cast<double>(n)) : 0.0;
   }
   double eigenvalue = 0.0;
   for (int iteration = 0; iteration < 3000; ++iteration) {
     double before = 0.0;
     for (std::size_t n = 0; n < nodes; ++n)
-      before += grid.mass[n] * (grid.vx_new[n] * grid.vx_new[n] + grid.vy_new[n] * grid.vy_new[n]);
+      before += grid.mass[n] * (grid.vx_after[n] * grid.vx_after[n] + grid.vy_after[n] * grid.vy_after[n]);
     const double scale = 1e-6 / std::sqrt(before); // strains so small that volumes stay as they are
     for (std::size_t n = 0; n < nodes; ++n) {
-      grid.vx_new[n] *= scale;
-      grid.vy_new[n] *= scale;
+      grid.vx_after[n] *= scale;
+      grid.vy_after[n] *= scale;
     }
     test_support::elastic_forces(domain);
     double power = 0.0;
     for (std::size_t n = 0; n < nodes; ++n) {
       if (grid.mass[n] <= empty)
         continue;
-      power -= grid.force_x[n] * grid.vx_new[n] + grid.force_y[n] * grid.vy_new[n];
-      grid.vx_new[n] = -grid.force_x[n] / grid.mass[n];
-      grid.vy_new[n] = -grid.force_y[n] / grid.mass[n];
+      power -= grid.force_x[n] * grid.vx_after[n] + grid.force_y[n] * grid.vy_after[n];
+      grid.vx_after[n] = -grid.force_x[n] / grid.mass[n];
+      grid.vy_after[n] = -grid.force_y[n] / grid.mass[n];
     }
     eigenvalue = power * 1e12; // over v^T M v = 1e-12
   }

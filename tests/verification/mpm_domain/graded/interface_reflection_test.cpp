@@ -53,8 +53,8 @@ std::vector<Freedom> freedoms(const Domain& domain) {
         if (grid.mass[node] <= empty_mass(domain))
           continue;
         const double y = lattice.y0 + j * lattice.h;
-        all.push_back({node, &Grid::vx_new, &Grid::force_x, true, y});
-        all.push_back({node, &Grid::vy_new, &Grid::force_y, false, y});
+        all.push_back({node, &Grid::vx_after, &Grid::force_x, true, y});
+        all.push_back({node, &Grid::vy_after, &Grid::force_y, false, y});
       }
   }
   return all;
@@ -67,8 +67,8 @@ Eigen::MatrixXd stiffness_forces(Domain& domain, const std::vector<Freedom>& all
   const auto count = static_cast<Eigen::Index>(all.size());
   Eigen::MatrixXd forces(count, count);
   for (Eigen::Index column = 0; column < count; ++column) {
-    std::ranges::fill(grid.vx_new, 0.0);
-    std::ranges::fill(grid.vy_new, 0.0);
+    std::ranges::fill(grid.vx_after, 0.0);
+    std::ranges::fill(grid.vy_after, 0.0);
     const Freedom& moved = all[static_cast<std::size_t>(column)];
     (grid.*moved.velocity)[moved.node] = unit;
     test_support::elastic_forces(domain);
