@@ -1,11 +1,15 @@
 #include "app/command_line.hpp"
 
 #include "app/commands.hpp"
+#include "scene/text/nearest.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 namespace tremolo::app {
 
@@ -36,6 +40,16 @@ Option* Option::positive() {
 
 Option* Option::non_negative() {
   option_.check(CLI::NonNegativeNumber);
+  return this;
+}
+
+Option* Option::between(int least, int most) {
+  option_.check(CLI::Range(least, most));
+  return this;
+}
+
+Option* Option::between(double least, double most) {
+  option_.check(CLI::Range(least, most));
   return this;
 }
 
@@ -134,6 +148,24 @@ void throw_required(const std::string& names) {
   throw CLI::RequiredError(names);
 }
 
+namespace {
+
+/// Says which command was meant. @throws Exit
+void require_known(const CLI::App& app, std::string_view word) {
+  if (word.starts_with('-'))
+    return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({}))
+    names.push_back(command->get_name());
+  if (std::ranges::find(names, word) != names.end())
+    return;
+  std::fprintf(stderr, "tremolo: '%.*s' is no command, %s\n", static_cast<int>(word.size()), word.data(),
+               scene::suggestion(word, std::vector<std::string_view>(names.begin(), names.end())).c_str());
+  throw Exit{refused};
+}
+
+} // namespace
+
 int run_command_line(int argc, char** argv, const std::string& program, const std::string& description,
                      const std::string& version, const std::function<void(Command&)>& add_commands) {
   CLI::App app(description, program);
@@ -141,6 +173,8 @@ int run_command_line(int argc, char** argv, const std::string& program, const st
   app.require_subcommand(1);
   Command commands(app);
   add_commands(commands);
+  if (argc > 1)
+    require_known(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

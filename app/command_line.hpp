@@ -26,6 +26,8 @@ public:
   Option* existing_folder();
   Option* positive();
   Option* non_negative();
+  Option* between(int least, int most);
+  Option* between(double least, double most);
   /// Only together with the other one.
   Option* needs(const Option* other);
   /// Never together with the other one.

@@ -14,9 +14,8 @@ BaseComponent advanced(const BaseComponent& before, double middle, double end, d
 BaseMotion advanced(BaseKind kind, const InputVelocity& input, const BaseMotion& before, double time,
                     double step) {
   const Velocity end = input(time + step);
-  if (kind == BaseKind::compliant) {
+  if (kind == BaseKind::compliant)
     return {.x = {.velocity = end.x}, .y = {.velocity = end.y}};
-  }
   const Velocity middle = input(time + 0.5 * step);
   return {advanced(before.x, middle.x, end.x, step), advanced(before.y, middle.y, end.y, step)};
 }

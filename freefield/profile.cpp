@@ -8,7 +8,7 @@
 
 #include "freefield/profile.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -26,12 +26,13 @@ void validate_soil(const materials::Elasticity& soil, const std::string& place) 
   require(positive(soil.young), place + ": Young's modulus", soil.young, "positive, in Pa");
   require(soil.poisson > -1.0 && soil.poisson < 0.5, place + ": Poisson's ratio", soil.poisson,
           "in (-1, 0.5)");
+  require(soil.rest_coefficient() >= 0.0 && std::isfinite(soil.rest_coefficient()),
+          place + ": coefficient of earth pressure at rest", soil.rest_coefficient(), "at least 0");
 }
 
 void validate_law(const Layer& layer, const std::string& place) {
-  if (!layer.law) {
+  if (!layer.law)
     return;
-  }
   try {
     materials::validate(*layer.law);
   } catch (const std::invalid_argument& error) {
@@ -39,9 +40,8 @@ void validate_law(const Layer& layer, const std::string& place) {
   }
   const materials::Elasticity& elastic = materials::elasticity(*layer.law);
   if (elastic.density != layer.soil.density || elastic.young != layer.soil.young ||
-      elastic.poisson != layer.soil.poisson) {
+      elastic.poisson != layer.soil.poisson)
     throw std::invalid_argument(place + ": the elastic constants of the layer are not those of its law");
-  }
 }
 
 } // namespace
@@ -53,17 +53,15 @@ Layer layer_of(double thickness, const materials::Law& law, double damping_ratio
 
 double Profile::base_level() const {
   double level = surface_level;
-  for (const Layer& layer : layers) {
+  for (const Layer& layer : layers)
     level -= layer.thickness;
-  }
   return level;
 }
 
 DampingCoefficients coefficients(const Damping& damping, double ratio) {
   constexpr double two_pi = 2.0 * std::numbers::pi;
-  if (ratio == 0.0) {
+  if (ratio == 0.0)
     return {};
-  }
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) {
     const double w1 = two_pi * rayleigh->first_frequency_hz;
     const double w2 = two_pi * rayleigh->second_frequency_hz;
@@ -74,9 +72,8 @@ DampingCoefficients coefficients(const Damping& damping, double ratio) {
 
 void validate(const Profile& profile) {
   require(std::isfinite(profile.surface_level), "level of the free surface", profile.surface_level, "finite");
-  if (profile.layers.empty()) {
+  if (profile.layers.empty())
     throw std::invalid_argument("the profile has no layer, must have at least one");
-  }
   for (std::size_t i = 0; i < profile.layers.size(); ++i) {
     const Layer& layer = profile.layers[i];
     const std::string place = "layer " + std::to_string(i + 1) + " from the top";
@@ -85,10 +82,6 @@ void validate(const Profile& profile) {
             layer.damping_ratio, "in [0, 1)");
     validate_soil(layer.soil, place);
     validate_law(layer, place);
-    if (layer.rest_coefficient) {
-      require(*layer.rest_coefficient >= 0.0 && std::isfinite(*layer.rest_coefficient),
-              place + ": coefficient of earth pressure at rest", *layer.rest_coefficient, "at least 0");
-    }
   }
   require(profile.gravity >= 0.0 && std::isfinite(profile.gravity), "gravity", profile.gravity,
           "at least 0, in m/s2");

@@ -14,8 +14,7 @@ struct Layer {
   double thickness = 0.0;     ///< m
   materials::Elasticity soil; ///< at small strain
   double damping_ratio = 0.0; ///< of critical, [0, 1); what it means at which frequency is the Damping's
-  std::optional<materials::Law> law = std::nullopt;      ///< absent: linear elastic; its constants are `soil`
-  std::optional<double> rest_coefficient = std::nullopt; ///< K0, 1; absent: nu/(1-nu)
+  std::optional<materials::Law> law = std::nullopt; ///< absent: linear elastic; its constants are `soil`
 };
 
 /// A layer of soil that follows a law, whose elastic constants become the layer's.

@@ -10,6 +10,8 @@
 //        rock    /   \                      ----- w within: incident + everything that comes back down
 //               i incident                     rock
 
+#include "base/words.hpp"
+
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -23,20 +25,39 @@ namespace tremolo::motion {
 inline constexpr double standard_gravity = 9.80665;
 
 enum class Quantity { acceleration, velocity, displacement };
+constexpr auto words(Quantity) {
+  return word_table<Quantity>({{Quantity::acceleration, "acceleration"},
+                               {Quantity::velocity, "velocity"},
+                               {Quantity::displacement, "displacement"}});
+}
 
 enum class Unit { g, m_s2, cm_s2, m_s, cm_s, m, cm, mm };
+constexpr auto words(Unit) {
+  return word_table<Unit>({{Unit::g, "g"},
+                           {Unit::m_s2, "m/s2"},
+                           {Unit::cm_s2, "cm/s2"},
+                           {Unit::m_s, "m/s"},
+                           {Unit::cm_s, "cm/s"},
+                           {Unit::m, "m"},
+                           {Unit::cm, "cm"},
+                           {Unit::mm, "mm"}});
+}
 
 enum class MotionKind {
   incident, ///< of the upgoing wave alone
   outcrop,  ///< of the free surface of the bare half-space
   within,   ///< at depth, upgoing and downgoing waves together: what a downhole sensor records
 };
+constexpr auto words(MotionKind) {
+  return word_table<MotionKind>(
+      {{MotionKind::incident, "incident"}, {MotionKind::outcrop, "outcrop"}, {MotionKind::within, "within"}});
+}
 
-std::string_view name(Quantity quantity);
-std::string_view name(Unit unit); ///< "g", "m/s2", "cm/s2", ...
-std::string_view name(MotionKind kind);
+/// The word of a quantity, a unit ("m/s2") or a kind.
+using tremolo::name;
 
-/// The inverse of name(); a unit in any usual spelling ("cm/s/s", "CM/SEC**2", "gal"). Nothing if unknown.
+/// The inverse of name() in lower or upper case; a unit in any usual spelling ("cm/s/s", "CM/SEC**2", "gal").
+/// Nothing if unknown.
 std::optional<Quantity> quantity_named(std::string_view text);
 std::optional<Unit> unit_named(std::string_view text);
 std::optional<MotionKind> kind_named(std::string_view text);
@@ -55,6 +76,8 @@ struct Record {
   std::optional<MotionKind> kind; ///< nothing where nobody has said
   double dt = 0.0;                ///< s
   std::vector<double> samples;    ///< in `unit`
+  /// What the file calls the unit, where its reader was told another one.
+  std::optional<Unit> overruled_unit = std::nullopt;
 
   Quantity quantity() const { return quantity_of(unit); }
 };

@@ -5,7 +5,7 @@
 
 #include "materials/law/law.hpp"
 #include "motion/read/read.hpp"
-#include "mpm_domain/spec/numerics.hpp"
+#include "scene/choices.hpp"
 #include "scene/geometry.hpp"
 #include "scene/text/errors.hpp"
 
@@ -22,13 +22,6 @@
 
 namespace tremolo::scene {
 
-// The domain's own choices, under their own names.
-using mpm_domain::ParticleBoxes;
-using mpm_domain::Side;
-using mpm_domain::Sides;
-using mpm_domain::StepOrder;
-using mpm_domain::Transfer;
-
 /// [motion] pulse: the Ricker velocity pulse V (1 - 2a) exp(-a), a = (pi f (t - t0))^2.
 struct RickerPulse {
   double frequency = 0.0; ///< f, Hz
@@ -42,8 +35,6 @@ struct MotionFile {
   motion::ReadAs as;          ///< what the case says of it
   double scale = 1.0;
 };
-
-enum class Wave { sv, p };
 
 /// The incident plane wave. An incident motion is along the polarisation, SV (cos, -sin) and P (sin, cos) of
 /// the angle, at the reference point; scene::Motion evaluates it.
@@ -83,13 +74,9 @@ struct Region {
 struct Layer {
   double thickness = 0.0; ///< m
   materials::Elasticity elastic;
-  double damping = 0.0;                   ///< ratio, of critical
-  std::optional<double> rest_coefficient; ///< K0 of nonlinear soil before shaking; nu/(1-nu) without one
-  std::optional<std::size_t> soil;        ///< index into Case::soils; without one the layer is linear elastic
+  double damping = 0.0;            ///< ratio, of critical
+  std::optional<std::size_t> soil; ///< index into Case::soils; without one the layer is linear elastic
 };
-
-/// How the damping ratios of layers and half-space depend on frequency.
-enum class DampingModel { none, rayleigh, kelvin_voigt, hysteretic, shake, kjartansson };
 
 struct Damping {
   DampingModel model = DampingModel::none;
@@ -100,9 +87,6 @@ struct Damping {
   std::optional<double> reference_hz;
 };
 
-enum class Integrator { central_difference, newmark, hht };
-enum class NewtonTangent { consistent, initial };
-
 /// Numerics of the free-field models, one table each.
 struct FeNumerics {
   Integrator integrator = Integrator::central_difference;
@@ -112,7 +96,6 @@ struct FeNumerics {
   std::optional<double> dt;  ///< s; otherwise the column chooses its own
 };
 
-enum class OdeMethod { adams, bdf, erk, imex };
 struct OdeNumerics {
   OdeMethod method = OdeMethod::erk;
   double relative_tolerance = 0.0;
@@ -153,30 +136,6 @@ struct TimeStepping {
   Transfer transfer = Transfer::apic;
   StepOrder order = StepOrder::musl;
   bool subcycle = false; ///< each level of the mesh takes a step of its own
-};
-
-enum class SourceModel {
-  wave,      ///< plane waves in layers, frequency domain
-  fe,        ///< finite-element column
-  ode,       ///< column by the method of lines, SUNDIALS
-  oblique,   ///< column of oblique waves, time domain
-  eql,       ///< equivalent-linear layers
-  mpm,       ///< a domain of one periodic column
-  recording, ///< a free field recorded earlier
-  external   ///< a program of the user
-};
-enum class BaseForm {
-  total, ///< free-field velocity and stress of the whole (incident and reflected) field: exact at any angle
-  incident, ///< the incident wave alone: Eqs. (4) and (5) of the method, dashpots take up the reflected waves
-  /// the total fields under the surfaces of both sides, blended linearly from one side to the other; only
-  /// where these differ
-  blended
-};
-
-/// What takes up waves that leave the model.
-enum class Absorber {
-  dashpots,     ///< of Eq. (6)
-  matched_layer ///< a perfectly matched layer behind the faces
 };
 
 /// Who computes a free field.
@@ -223,8 +182,6 @@ struct ShakingStage {
   double duration = 0.0; ///< s
 };
 
-enum class ExchangeMode { window, lockstep };
-
 struct Coupling {
   ExchangeMode mode = ExchangeMode::window;
   int window_steps = 0;           ///< steps of the source in one frame
@@ -233,20 +190,10 @@ struct Coupling {
   double shutdown_deadline = 0.0; ///< s
 };
 
-/// What becomes of a run that can no longer be recorded.
-enum class OnFullDisk { stop, go_on };
-
 /// [record]
 struct Recording {
   bool exchange = false;
   OnFullDisk on_full_disk = OnFullDisk::stop;
-};
-
-/// Who starts a process on another machine.
-enum class StartBy {
-  ssh,   ///< `tremolo run`, through ssh
-  slurm, ///< `tremolo run`, as a step of its Slurm job (srun)
-  join   ///< the user, with `tremolo join`
 };
 
 /// [hosts.SIDE]: where the process that serves a side runs.
@@ -278,8 +225,6 @@ struct Monitor {
   std::string name;
   Point point;
 };
-
-enum class OutputField { displacement, velocity, acceleration, stress, state };
 
 struct Output {
   double every = 0.0;         ///< interval of particle frames, s
@@ -341,24 +286,5 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
 /// may be missing and are not looked at.
 /// @throws CaseErrors with every error of these tables
 Case load_free_field(const std::filesystem::path& file, SourceModel model);
-
-/// The name that a case file uses for a value, e.g. "kelvin_voigt".
-std::string_view name(Wave);
-std::string_view name(DampingModel);
-std::string_view name(Integrator);
-std::string_view name(NewtonTangent);
-std::string_view name(OdeMethod);
-std::string_view name(Transfer);
-std::string_view name(ParticleBoxes);
-std::string_view name(StepOrder);
-std::string_view name(Side);
-std::string_view name(SourceModel);
-std::string_view name(BaseForm);
-std::string_view name(Sides);
-std::string_view name(Absorber);
-std::string_view name(ExchangeMode);
-std::string_view name(OnFullDisk);
-std::string_view name(StartBy);
-std::string_view name(OutputField);
 
 } // namespace tremolo::scene

@@ -1,5 +1,8 @@
 #include "scene/geometry.hpp"
 
+#include "mesh/polygon.hpp"
+#include "scene/sweep.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -51,19 +54,8 @@ bool on_outline(const Polygon& polygon, Point p) {
   return false;
 }
 
-/// Even-odd rule; undecided on the edge itself.
-bool crosses_odd(const Polygon& polygon, Point p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const auto [a, b] = edge(polygon, i);
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-      inside = !inside;
-  }
-  return inside;
-}
-
 bool strictly_inside(const Polygon& polygon, Point p) {
-  return !on_outline(polygon, p) && crosses_odd(polygon, p);
+  return !on_outline(polygon, p) && mesh::inside(polygon, p.x, p.y);
 }
 
 /// Parameters in [0, 1] along s where it meets the segment other, for segments that are not parallel.
@@ -87,10 +79,17 @@ bool segments_meet(const Segment& s, const Segment& r) {
   return side(s, r.a) != side(s, r.b) && side(r, s.a) != side(r, s.b);
 }
 
+Box box_of(const Segment& s) {
+  return scene::box_of(std::vector{s.a, s.b});
+}
+
 /// Whether a piece of a's edge, cut where it meets the edges of b, runs inside b.
 bool edge_enters(const Polygon& a, const Polygon& b) {
+  const Box all = box_of(b);
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Segment s = edge(a, i);
+    if (!meet(box_of(s), all))
+      continue;
     std::vector<double> cuts = {0.0, 1.0};
     for (std::size_t j = 0; j < b.size(); ++j)
       add_crossing(s, edge(b, j), cuts);
@@ -140,27 +139,31 @@ double area(const Polygon& polygon) {
 }
 
 bool contains(const Polygon& polygon, Point p) {
-  return on_outline(polygon, p) || crosses_odd(polygon, p);
+  return on_outline(polygon, p) || mesh::inside(polygon, p.x, p.y);
 }
 
 bool intersects_itself(const Polygon& polygon) {
   const std::size_t n = polygon.size();
+  std::vector<Box> boxes;
+  boxes.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Segment s = edge(polygon, i);
     const Segment next = edge(polygon, (i + 1) % n);
     if (length(minus(s.b, s.a)) == 0.0 || on_segment(next.b, s) || on_segment(s.a, next))
       return true;
-    for (std::size_t j = i + 2; j < n && (j + 1) % n != i; ++j)
-      if (segments_meet(s, edge(polygon, j)))
-        return true;
+    boxes.push_back(box_of(s));
   }
-  return false;
+  return sweep(boxes, [&](std::size_t i, std::size_t j) {
+    const bool neighbours = j == i + 1 || (i == 0 && j == n - 1);
+    return !neighbours && segments_meet(edge(polygon, i), edge(polygon, j));
+  });
 }
 
 // If no edge of either runs inside the other, the interiors are equal or disjoint; one inner point tells
 // which.
 bool overlap(const Polygon& a, const Polygon& b) {
-  return edge_enters(a, b) || edge_enters(b, a) || strictly_inside(b, inner_point(a));
+  return meet(box_of(a), box_of(b)) &&
+         (edge_enters(a, b) || edge_enters(b, a) || strictly_inside(b, inner_point(a)));
 }
 
 } // namespace tremolo::scene

@@ -16,8 +16,6 @@
 
 namespace tremolo::scene {
 
-enum class LoadingKind { monotonic, cyclic_stress, cyclic_strain, modulus_curve, path };
-
 /// [target] of a calibration.
 struct StrengthWanted {
   double stress_ratio = 0.0;
@@ -55,11 +53,5 @@ SoilTestFile load_soil_test(const std::filesystem::path& file, SoilTestUse use);
 /// The same from text. `file` names it in messages, `directory` is where relative file names start.
 SoilTestFile parse_soil_test(std::string_view text, const std::filesystem::path& file,
                              const std::filesystem::path& directory, SoilTestUse use);
-
-/// Apparent relative density of laws that have one.
-std::optional<double> relative_density(const materials::Law& law);
-
-/// The name that a file uses, e.g. "cyclic_stress".
-std::string_view name(LoadingKind);
 
 } // namespace tremolo::scene

@@ -1,7 +1,7 @@
 #include "wavefield/incident_motion.hpp"
 
+#include "base/require.hpp"
 #include "wavefield/layers/transfer.hpp"
-#include "wavefield/require.hpp"
 #include "wavefield/signal/fourier.hpp"
 
 #include <algorithm>
@@ -33,12 +33,10 @@ constexpr double tolerance = 1e-7;
 constexpr double negligible = 1e-9;
 
 void require_finite(std::span<const double> motion) {
-  if (motion.empty()) {
+  if (motion.empty())
     throw std::invalid_argument("a motion without samples");
-  }
-  for (const double value : motion) {
+  for (const double value : motion)
     require(std::isfinite(value), "a sample of the motion", value, "finite");
-  }
 }
 
 std::string component(WaveType wave) {
@@ -71,9 +69,8 @@ Division divided(const LayeredHalfSpace& profile, WaveType wave, double angle_ra
   const auto bins = fourier.bins();
   const double length = static_cast<double>(window);
   std::vector<double> frequencies;
-  for (std::size_t k = 1; k < bins.size(); ++k) {
+  for (std::size_t k = 1; k < bins.size(); ++k)
     frequencies.push_back(static_cast<double>(k) / (length * dt));
-  }
   const auto transfers = transfer(profile, wave, angle_rad, frequencies, std::array{profile.thickness()});
   const auto of = wave == WaveType::SV ? &Amplitude::ux : &Amplitude::uy;
 
@@ -95,7 +92,8 @@ Division divided(const LayeredHalfSpace& profile, WaveType wave, double angle_ra
 }
 
 double peak(std::span<const double> motion) {
-  return std::abs(*std::ranges::max_element(motion, {}, [](double value) { return std::abs(value); }));
+  return std::abs(*std::ranges::max_element(
+      motion, {}, [](double value) { return std::abs(value); }));
 }
 
 /// Largest difference of two periodic windows, both halves of the shorter one, over the peak.
@@ -153,9 +151,8 @@ std::vector<double> incident_from_outcrop(const LayeredHalfSpace& profile, WaveT
   require_finite(motion);
   const double factor = outcrop_factor(profile, wave, angle_rad);
   std::vector<double> incident(motion.begin(), motion.end());
-  for (double& value : incident) {
+  for (double& value : incident)
     value /= factor;
-  }
   return incident;
 }
 
@@ -180,9 +177,8 @@ Deconvolution incident_from_within(const LayeredHalfSpace& profile, WaveType wav
   std::size_t window = fast_length(first_padding * within.size());
   for (Division shorter = divided_on(window); 2 * window <= largest_window; window *= 2) {
     Division longer = divided_on(2 * window);
-    if (change(shorter.incident, longer.incident) <= tolerance) {
+    if (change(shorter.incident, longer.incident) <= tolerance)
       return in_order(std::move(longer), within.size());
-    }
     shorter = std::move(longer);
   }
   throw std::runtime_error("the incident wave of a within motion of " +

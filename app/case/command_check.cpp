@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/free_field/motion_levels.hpp"
 
 #include "scene/plan/plan.hpp"
 
@@ -21,7 +22,7 @@ void add_check(Command& app) {
                plan.steps, plan.dt);
     for (const auto& source : plan.sources)
       fmt::print(", {}", source.name);
-    fmt::print("\n{}", scene::remarks_text(scene));
+    fmt::print("\n  {}{}", motion_levels_text(scene), scene::remarks_text(scene));
   });
 }
 

@@ -6,6 +6,7 @@
 #include "app/free_field/table_text.hpp"
 #include "app/python.hpp"
 #include "app/run/case_run.hpp"
+#include "app/run/local_options.hpp"
 #include "app/verify/exact_field.hpp"
 
 #include <fmt/format.h>
@@ -222,7 +223,7 @@ void add_cost(Command& app) {
           "Folder: one run a rung, cost.csv, cost.json and cost.png. Finished rungs in it are not run again")
       ->required();
   command->add_option("--threads", options->threads, "Threads of the domain")
-      ->positive()
+      ->between(1, most_threads)
       ->capture_default_str();
   command->callback([options] { study_cost(*options); });
 }

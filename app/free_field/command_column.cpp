@@ -4,6 +4,7 @@
 #include "app/free_field/column_recording.hpp"
 #include "app/free_field/column_report.hpp"
 #include "app/free_field/free_field_series.hpp"
+#include "app/output_place.hpp"
 #include "app/python.hpp"
 #include "freefield/process/column_from_case.hpp"
 #include "results/run_file.hpp"
@@ -249,6 +250,7 @@ void add_column(Command& app) {
   command->callback([options] {
     if (options->out.empty() && options->record.empty())
       throw_required("--out or --record");
+    require_writable(options->record.empty() ? options->out : options->record);
     if (options->record.empty())
       compute(*options);
     else

@@ -185,7 +185,9 @@ void add_writing(Command& command, Options& options) {
       "logarithmic axis");
   command.add_option("--fourier", options.fourier,
                      "Written: Fourier amplitudes of the acceleration (CSV, SI)");
-  command.add_option("--damping", options.damping, "Damping of the response spectrum")->capture_default_str();
+  command.add_option("--damping", options.damping, "Damping of the response spectrum, of critical")
+      ->between(0.0, 0.99)
+      ->capture_default_str();
   command.add_option("--plot", options.picture, "Picture of histories and spectra (default motion.png)")
       ->expected(0, 1)
       ->default_str("motion.png");

@@ -149,7 +149,7 @@ void add_join(Command& app) {
       ->add_option("--out", arguments->out, "Folder for what the process writes; without it nothing is kept")
       ->existing_folder();
   command->add_option("--threads", arguments->threads, "Threads to compute with")
-      ->positive()
+      ->between(1, most_threads)
       ->capture_default_str();
   command->add_option("--deadline", arguments->deadline, "How long to wait for the run, s")
       ->positive()

@@ -1,6 +1,7 @@
 // tremolo run: a case, with what the command line overrides in it.
 
 #include "app/commands.hpp"
+#include "app/free_field/motion_levels.hpp"
 #include "app/recording/recording_name.hpp"
 #include "app/run/case_run.hpp"
 #include "app/run/local_options.hpp"
@@ -101,7 +102,7 @@ void run(const RunArguments& arguments) {
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
   const auto folder = new_folder(arguments);
-  fmt::print("{}", scene::remarks_text(scene));
+  fmt::print("  {}{}", motion_levels_text(scene), scene::remarks_text(scene));
   const auto summaries =
       run_case(scene, {folder, arguments.mode, arguments.local.transport, arguments.local.threads,
                        arguments.local.keys, arguments.local.local});

@@ -18,7 +18,7 @@ void add_local_options(Command& command, LocalOptions& options) {
   command.add_flag("--local", options.local,
                    "All processes on this machine, whatever the [hosts] of the case say");
   command.add_option("--threads", options.threads, "Threads of the domain; results do not depend on it")
-      ->positive()
+      ->between(1, most_threads)
       ->capture_default_str();
 }
 

@@ -9,6 +9,9 @@
 
 namespace tremolo::app {
 
+/// Of a process; more are a slip of the finger.
+inline constexpr int most_threads = 1024;
+
 struct LocalOptions {
   std::string transport = "ipc";
   std::filesystem::path keys; ///< folder of CURVE keys; empty: none

@@ -1,18 +1,19 @@
 // tremolo calibrate: the contraction rate of PM4Sand for a wanted cyclic strength.
 
 #include "app/commands.hpp"
+#include "app/output_place.hpp"
 #include "app/soiltest/soiltest_report.hpp"
 #include "materials/soiltest/cyclic/calibrate.hpp"
 #include "scene/soil_test.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <variant>
 
 namespace tremolo::app {
 namespace {
@@ -23,11 +24,8 @@ struct Options {
 };
 
 soiltest::Calibration fit(const scene::SoilTestFile& file) {
-  const auto& sand = std::get<materials::Pm4Sand>(file.soil.law);
-  const auto law = [&sand](double contraction_rate) -> materials::Law {
-    auto changed = sand;
-    changed.h_po = contraction_rate;
-    return changed;
+  const auto law = [&file](double contraction_rate) {
+    return materials::with_contraction_rate(file.soil.law, contraction_rate);
   };
   const auto& target = *file.target;
   return soiltest::calibrate(
@@ -68,8 +66,7 @@ constexpr std::string_view counting =
 std::string out_of_reach(const scene::SoilTestFile& file, const std::string& found) {
   const auto& target = *file.target;
   const auto strength = [&](double contraction_rate) {
-    auto law = std::get<materials::Pm4Sand>(file.soil.law);
-    law.h_po = contraction_rate;
+    const auto law = materials::with_contraction_rate(file.soil.law, contraction_rate);
     auto test = file.test;
     test.loading = soiltest::StressCycles{.stress_ratio = target.stress_ratio};
     try {
@@ -115,7 +112,11 @@ std::string provenance(const scene::SoilTestFile& file, const soiltest::Calibrat
 
 void calibrate(const Options& options) {
   const auto file = scene::load_soil_test(options.test, scene::SoilTestUse::calibration);
+  if (!options.out.empty())
+    require_writable(options.out);
   fmt::print("{}", soil_text(file));
+  if (std::ranges::any_of(file.values, [](const auto& value) { return value.key.starts_with("loading."); }))
+    fmt::print("  note: [loading] is for `tremolo soiltest`; a calibration applies the cycles of [target]\n");
   soiltest::Calibration found;
   try {
     found = fit(file);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -23,6 +24,18 @@ struct Options {
   bool library = false;
 };
 
+/// A static bias that the soil cannot carry shows only when it is applied: it is told where it stands.
+SoilTestRun run_at_place(const scene::SoilTestFile& file) {
+  try {
+    return run(file);
+  } catch (const std::invalid_argument& error) {
+    const auto bias = std::ranges::find(file.values, "test.shear_bias", &scene::ValueInForce::key);
+    const bool given = bias != file.values.end() && bias->origin != "default";
+    throw std::runtime_error(
+        fmt::format("{}: [test] {}", given ? bias->origin : file.file.string() + ":1:1", error.what()));
+  }
+}
+
 void test_soil(const Options& options) {
   const auto file = scene::load_soil_test(options.test, scene::SoilTestUse::test);
   if (!options.out.empty())
@@ -30,7 +43,7 @@ void test_soil(const Options& options) {
   if (options.plot && std::filesystem::path(options.out).extension() != ".h5")
     throw std::runtime_error("--plot draws from an HDF5 file: give --out a name that ends with .h5");
   fmt::print("{}", soil_text(file));
-  const auto tests = run(file);
+  const auto tests = run_at_place(file);
   fmt::print("{}", results_text(file, tests));
   if (!options.out.empty())
     write_soiltest(options.out, file, tests);

@@ -14,9 +14,6 @@
 
 namespace tremolo::app {
 
-/// Whether the p and q of a law are those in the plane.
-bool in_plane(const materials::Law& law);
-
 /// p and q, Pa, of the rows of a history.
 struct Invariants {
   std::vector<double> p;
@@ -32,7 +29,7 @@ struct StressLine {
   std::vector<double> q;
 };
 
-/// The lines that the law has, up to a pressure; of PM4Sand at its initial density.
+/// The lines that the law has, up to a pressure.
 std::vector<StressLine> stress_lines(const materials::Law& law, double largest_p);
 
 } // namespace tremolo::app

@@ -1,5 +1,6 @@
 #include "app/soiltest/soiltest_output.hpp"
 
+#include "app/output_place.hpp"
 #include "app/soiltest/soiltest_lines.hpp"
 #include "materials/soiltest/notes.hpp"
 #include "scene/soils/soil_report.hpp"
@@ -34,7 +35,7 @@ Table about(const scene::SoilTestFile& file) {
            word("drainage", soiltest::name(file.test.drainage)), word("loading", scene::name(file.kind)),
            value("vertical_stress", "Pa", initial.vertical_stress), value("k0", "1", initial.k0),
            value("shear_bias", "1", initial.shear_bias),
-           word("stress_path", in_plane(file.soil.law) ? "in_plane" : "in_space"),
+           word("stress_path", materials::traits(file.soil.law).in_plane ? "in_plane" : "in_space"),
            word("test_file", file.text)}};
 }
 
@@ -218,7 +219,7 @@ std::vector<results::NamedTable> soiltest_tables(const scene::SoilTestFile& file
     tables.push_back({"/lines/" + line.name, {{{"p", "Pa", line.p}, {"q", "Pa", line.q}}}});
   if (file.stress_ratios.size() > 1) {
     tables.push_back({"/strength_curve", strength_curve(run)});
-    if (const auto density = scene::relative_density(file.soil.law))
+    if (const auto density = materials::relative_density(file.soil.law))
       tables.push_back({"/strength_target", strength_target(*density)});
   }
   if (!run.curve.empty())
@@ -233,6 +234,7 @@ void check_output_name(const std::filesystem::path& out, const scene::SoilTestFi
     throw std::runtime_error(
         fmt::format("--out {}: .csv takes the history of one test, but {} asks for {}; use .h5", out.string(),
                     file.file.string(), specimens(file)));
+  require_writable(out);
 }
 
 void write_soiltest(const std::filesystem::path& out, const scene::SoilTestFile& file,

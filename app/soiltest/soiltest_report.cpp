@@ -156,8 +156,10 @@ std::string soil_text(const scene::SoilTestFile& file) {
       fmt::format("{}\n\nSoil: {}{}\n", file.title, scene::model_in_force("soil", file.values),
                   file.library.empty() ? "" : ", library " + file.library);
   lines += scene::text(scene::parameters_in_force(file.soil, "soil", file.values));
-  for (const std::string& note : scene::notes(file.soil))
+  for (const std::string& note : materials::notes(file.soil.law))
     lines += fmt::format("  - {}\n", note);
+  if (const auto doubt = scene::density_doubt(materials::elasticity(file.soil.law).density))
+    lines += fmt::format("  - {}\n", *doubt);
   return lines;
 }
 

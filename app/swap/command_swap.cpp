@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/python.hpp"
+#include "app/run/local_options.hpp"
 #include "app/swap/swap.hpp"
 
 #include <fmt/format.h>
@@ -86,7 +87,7 @@ void add_swap(Command& app) {
   command->add_option("--out", options->out, "New folder: one run a model, swap.json and swap.png")
       ->required();
   command->add_option("--threads", options->threads, "Threads of the domain")
-      ->positive()
+      ->between(1, most_threads)
       ->capture_default_str();
   command->callback([options] { compare(*options); });
 }

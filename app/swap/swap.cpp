@@ -117,7 +117,8 @@ std::optional<SideFields> side_fields(const scene::Case& scene, scene::SourceMod
 
 bool is_linear(const scene::Case& scene, const std::vector<scene::Layer>& layers) {
   return std::ranges::none_of(layers, [&](const scene::Layer& layer) {
-    return layer.soil && !std::holds_alternative<materials::LinearElastic>(scene.soils[*layer.soil].law);
+    return layer.soil &&
+           materials::traits(scene.soils[*layer.soil].law).response != materials::Response::elastic;
   });
 }
 

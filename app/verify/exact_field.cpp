@@ -37,10 +37,9 @@ std::optional<std::string> layered(const scene::Case& scene) {
 
 std::optional<std::string> differs_from_half_space(const scene::Soil& soil,
                                                    const materials::Elasticity& deep) {
-  const auto* law = std::get_if<materials::LinearElastic>(&soil.law);
-  if (law == nullptr)
+  if (materials::traits(soil.law).response != materials::Response::elastic)
     return fmt::format("soil '{}' is not linear elastic but {}", soil.name, materials::name(soil.law));
-  const materials::Elasticity& e = law->elastic;
+  const materials::Elasticity& e = materials::elasticity(soil.law);
   if (same(e.density, deep.density) && same(e.shear_modulus(), deep.shear_modulus()) &&
       same(e.p_modulus(), deep.p_modulus()))
     return std::nullopt;

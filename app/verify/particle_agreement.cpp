@@ -133,11 +133,9 @@ Lags best_lags(const results::RunReader& run, const Particles& particles, const 
 }
 
 double peak_velocity(const scene::Motion& motion) {
-  const double dt = 1.0 / (samples_per_period * motion.highest_frequency());
   double peak = 0.0;
-  const auto steps = static_cast<std::size_t>((motion.end() - motion.begin()) / dt);
-  for (std::size_t i = 0; i <= steps; ++i)
-    peak = std::max(peak, std::abs(motion.velocity(motion.begin() + static_cast<double>(i) * dt)));
+  for (const double v : scene::sampled(motion).velocity)
+    peak = std::max(peak, std::abs(v));
   return peak;
 }
 

@@ -62,6 +62,7 @@ void Hub::take_from_stranger(Letter& letter) {
   require_one_part(letter.parts);
   if (!looks_like_message(letter.bytes())) {
     notes_.tell_of_stranger(
+        letter.routing_id,
         fmt::format("ignored {} bytes from a stranger that has not said HELLO", letter.raw.size()));
     return;
   }
@@ -192,7 +193,7 @@ void Hub::abort(const std::string& reason) {
 }
 
 void Hub::refuse(const std::string& routing_id, const std::string& reason) {
-  notes_.tell_of_stranger("refused: " + reason);
+  notes_.tell_of_stranger(routing_id, "refused: " + reason);
   post_.send(routing_id, {"REFUSE", {{"reason", reason}}});
 }
 

@@ -12,10 +12,12 @@ void Notes::tell(const std::string& text) {
   note_(printable(text));
 }
 
-void Notes::tell_of_stranger(const std::string& text, Clock::time_point now) {
+void Notes::tell_of_stranger(const std::string& connection, const std::string& text, Clock::time_point now) {
   const double elapsed = std::chrono::duration<double>(now - std::exchange(last_, now)).count();
   allowance_ = std::min(most_at_once, allowance_ + each_second * elapsed);
-  if (allowance_ < 1.0) {
+  in_a_row_ = connection == connection_ ? in_a_row_ + 1 : 1;
+  connection_ = connection;
+  if (allowance_ < 1.0 || in_a_row_ > most_in_a_row) {
     ++left_out_;
     return;
   }

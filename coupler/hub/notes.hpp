@@ -1,7 +1,8 @@
 #pragma once
 
-// What the user of a run is told while it goes on. Others' words are made printable, and strangers, who may
-// say anything as often as they like, are told only now and then: ten notes at once, then one a second.
+// What the user of a run is told while it goes on. Others' words are made printable. Strangers may say
+// anything as often as they like: of one connection three notes in a row are told, of all twenty at once and
+// then one a second.
 
 #include "coupler/mapping/timing.hpp"
 
@@ -21,15 +22,20 @@ public:
   void tell(const std::string& text);
 
   /// About somebody who is no participant.
-  void tell_of_stranger(const std::string& text, Clock::time_point now = Clock::now());
+  /// @param connection routing id of theirs
+  void tell_of_stranger(const std::string& connection, const std::string& text,
+                        Clock::time_point now = Clock::now());
 
 private:
-  static constexpr double most_at_once = 10.0;
+  static constexpr double most_at_once = 20.0;
+  static constexpr int most_in_a_row = 3;
   static constexpr double each_second = 1.0;
 
   std::function<void(const std::string&)> note_;
   double allowance_ = most_at_once; ///< notes that may be told now
   Clock::time_point last_;
+  std::string connection_; ///< of the last stranger
+  int in_a_row_ = 0;       ///< notes about it, told or not
   std::size_t left_out_ = 0;
 };
 

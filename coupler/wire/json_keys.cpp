@@ -24,6 +24,8 @@ json parsed_json(std::string_view text) {
     return json::parse(text);
   } catch (const json::parse_error& error) {
     throw Error(fmt::format("no JSON: it cannot be read at byte {} of {}", error.byte, text.size()));
+  } catch (const json::out_of_range&) {
+    throw Error("no JSON: it holds a number beyond the range of float64");
   }
 }
 

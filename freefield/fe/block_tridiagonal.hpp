@@ -32,13 +32,11 @@ public:
   void solve(std::vector<double>& x) const {
     const auto block = [&](std::size_t i) { return Eigen::Map<Eigen::Vector2d>(x.data() + 2 * i); };
     const std::size_t last = diagonal_.size() - 1;
-    for (std::size_t i = 0; i < last; ++i) {
+    for (std::size_t i = 0; i < last; ++i)
       block(i + 1) -= lower_[i] * block(i);
-    }
     block(last) = (diagonal_[last] * block(last)).eval();
-    for (std::size_t i = last; i-- > 0;) {
+    for (std::size_t i = last; i-- > 0;)
       block(i) = (diagonal_[i] * (block(i) - upper_[i] * block(i + 1))).eval();
-    }
   }
 
 private:

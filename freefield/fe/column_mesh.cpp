@@ -1,6 +1,6 @@
 #include "freefield/fe/column_mesh.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +41,10 @@ ColumnMesh::Centres ColumnMesh::centres(const Place& place) const {
   const auto in_layer = [&](std::size_t other) {
     return other < elements() && element_layer[other] == element_layer[e];
   };
-  if ((place.fraction < 0.5 || !in_layer(e + 1)) && in_layer(e - 1)) {
+  if ((place.fraction < 0.5 || !in_layer(e + 1)) && in_layer(e - 1))
     return {e - 1, e, place.fraction + 0.5};
-  }
-  if (in_layer(e + 1)) {
+  if (in_layer(e + 1))
     return {e, e + 1, place.fraction - 0.5};
-  }
   return {e, e, 0.0};
 }
 

@@ -1,6 +1,6 @@
 #include "freefield/fe/fe_column.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <fmt/format.h>
 
@@ -15,9 +15,8 @@ namespace {
 const Profile& checked(const Profile& profile, const Damping& damping) {
   validate(profile);
   const auto is_damped = [](const Layer& layer) { return layer.damping_ratio > 0.0; };
-  if (std::any_of(profile.layers.begin(), profile.layers.end(), is_damped)) {
+  if (std::any_of(profile.layers.begin(), profile.layers.end(), is_damped))
     validate(damping);
-  }
   return profile;
 }
 
@@ -37,9 +36,8 @@ const FeColumnSettings& checked(const FeColumnSettings& settings) {
 std::variant<LinearColumn, NonlinearColumn> march(const Profile& profile, const ColumnMesh& mesh,
                                                   const FeColumnSettings& settings) {
   const auto has_law = [](const Layer& layer) { return layer.law.has_value(); };
-  if (std::any_of(profile.layers.begin(), profile.layers.end(), has_law)) {
+  if (std::any_of(profile.layers.begin(), profile.layers.end(), has_law))
     return NonlinearColumn(profile, mesh, settings);
-  }
   return LinearColumn(profile, mesh, settings);
 }
 
@@ -54,9 +52,8 @@ FeColumn::FeColumn(const Profile& profile, const FeColumnSettings& settings, Inp
     : settings_(checked(settings)),
       mesh_(mesh_profile(checked(profile, settings.damping), settings.max_element_size)),
       input_(std::move(input)), soil_(march(profile, mesh_, settings)) {
-  if (!input_) {
+  if (!input_)
     throw std::invalid_argument("the column has no input motion");
-  }
 }
 
 double FeColumn::time() const {

@@ -22,9 +22,8 @@ FeElements::FeElements(const Profile& profile, const ColumnMesh& mesh, const Dam
     }
   }
   inverse_mass_.reserve(mass_.size());
-  for (const double mass : mass_) {
+  for (const double mass : mass_)
     inverse_mass_.push_back(1.0 / mass);
-  }
   if (base_ == BaseKind::compliant) {
     dashpots_[0] += impedance_x_;
     dashpots_[1] += impedance_y_;
@@ -41,9 +40,8 @@ void FeElements::strains(const Vector& du, Vector& deyy, Vector& dgxy) const {
 
 void FeElements::resistance(const FeSoil& soil, const SoilState& state, const Vector& stress_velocity,
                             const Vector& v, const BaseMotion& base, Vector& r) const {
-  for (std::size_t i = 0; i < r.size(); ++i) {
+  for (std::size_t i = 0; i < r.size(); ++i)
     r[i] = dashpots_[i] * v[i];
-  }
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const FeElement& element = elements_[e];
     const double scale = 1.0 / element.length;

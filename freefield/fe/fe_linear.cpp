@@ -43,9 +43,8 @@ LinearColumn::LinearColumn(const Profile& profile, const ColumnMesh& mesh, const
       dilation_(elements(profile, mesh, settings.damping, dilation),
                 scalar_settings(profile, settings, dilation)) {
   lateral_ratio_.reserve(mesh.elements());
-  for (const std::size_t layer : mesh.element_layer) {
+  for (const std::size_t layer : mesh.element_layer)
     lateral_ratio_.push_back(profile.layers[layer].soil.lame() / profile.layers[layer].soil.p_modulus());
-  }
 }
 
 void LinearColumn::step(const InputVelocity& input, double time) {

@@ -14,9 +14,8 @@ constexpr double stress_rounding = 1e-13;
 
 double largest(const std::vector<double>& values) {
   double most = 0.0;
-  for (const double value : values) {
+  for (const double value : values)
     most = std::max(most, std::abs(value));
-  }
   return most;
 }
 
@@ -27,9 +26,8 @@ Eigen::Matrix2d matrix(const Stiffness& d) {
 } // namespace
 
 void hold_base(const FeElements& elements, FeMotion& motion) {
-  if (elements.prescribed() == 0) {
+  if (elements.prescribed() == 0)
     return;
-  }
   const BaseComponent* components[] = {&motion.base.x, &motion.base.y};
   for (std::size_t i = 0; i < 2; ++i) {
     motion.u[i] = components[i]->displacement;
@@ -49,9 +47,8 @@ double FeNewton::residual(const FeElements& elements, const FeState& begin, cons
     g[i] = i < elements.prescribed()
                ? 0.0
                : elements.mass()[i] * end.a[i] + (1.0 + hht_.alpha) * end.r[i] - hht_.alpha * begin.r[i];
-    if (!(std::abs(g[i]) <= std::abs(g[worst]))) {
+    if (!(std::abs(g[i]) <= std::abs(g[worst])))
       worst = i;
-    }
   }
   worst_element_ = worst < 2 ? 0 : worst / 2 - 1;
   return std::abs(g[worst]);
@@ -99,39 +96,34 @@ bool FeNewton::step(const FeElements& elements, const FeSoil& soil, const FeStat
       end.v[i] = begin.v[i] + dt * ((1.0 - gamma) * begin.a[i] + gamma * end.a[i]);
     }
     hold_base(elements, end);
-    for (std::size_t i = 0; i < elements.prescribed(); ++i) {
+    for (std::size_t i = 0; i < elements.prescribed(); ++i)
       du[i] = end.u[i] - begin.u[i];
-    }
     elements.strains(du, deyy, dgxy);
     end.soil = begin.soil;
     soil.update(end.soil, deyy, dgxy);
     elements.resistance(soil, end.soil, end.v, end.v, end.base, end.r);
     const double error = residual(elements, begin, end, g);
-    if (!std::isfinite(error)) {
+    if (!std::isfinite(error))
       return false;
-    }
     const double scale = std::max(traction_scale, largest(end.r));
     const double rounding = stress_rounding * std::max(largest(end.soil.syy), largest(end.soil.sxy));
     if (error <= tolerance_ * scale + rounding) {
       end.stress_velocity = end.v;
       return true;
     }
-    if (iteration == most) {
+    if (iteration == most)
       return false;
-    }
     ++iterations_;
     if (tangent_ == Tangent::consistent) {
       soil.tangents(begin.soil, end.soil, deyy, dgxy, stiffness);
       jacobian(elements, dt, stiffness, soil.initial_stiffness()).solve(g);
     } else {
-      if (!initial_ || initial_->dt != dt) {
+      if (!initial_ || initial_->dt != dt)
         initial_ = Factored{dt, jacobian(elements, dt, soil.initial_stiffness(), soil.initial_stiffness())};
-      }
       initial_->matrix.solve(g);
     }
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < n; ++i)
       end.a[i] -= g[i];
-    }
   }
 }
 

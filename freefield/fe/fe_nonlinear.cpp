@@ -8,8 +8,8 @@
 
 #include "freefield/fe/fe_nonlinear.hpp"
 
+#include "base/require.hpp"
 #include "freefield/fe/fe_linear.hpp"
-#include "freefield/require.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,17 +34,15 @@ NonlinearColumn::NonlinearColumn(const Profile& profile, const ColumnMesh& mesh,
       deyy_(elements_.count()), dgxy_(elements_.count()), acceleration_(elements_.freedoms()),
       jerk_(elements_.freedoms()) {
   centre_stress_.fill(centre_stress());
-  if (settings.integrator == Integrator::central_difference) {
+  if (settings.integrator == Integrator::central_difference)
     require_stable(settings.time_step, central_difference_limit(profile, mesh, settings.damping));
-  }
 }
 
 void NonlinearColumn::step(const InputVelocity& input, double time) {
-  if (settings_.integrator == Integrator::newmark) {
+  if (settings_.integrator == Integrator::newmark)
     step_implicit(input, time, settings_.time_step, 0);
-  } else {
+  else
     step_explicit(input, time);
-  }
   const double per_step = 1.0 / settings_.time_step;
   double finite = 0.0; // a sum that is not finite if one of its terms is not
   for (std::size_t i = 0; i < acceleration_.size(); ++i) {
@@ -71,9 +69,8 @@ void NonlinearColumn::step_explicit(const InputVelocity& input, double time) {
     state_.v[i] += 0.5 * dt * before_.a[i];
   }
   hold_base(elements_, state_);
-  for (std::size_t i = 0; i < du_.size(); ++i) {
+  for (std::size_t i = 0; i < du_.size(); ++i)
     du_[i] = state_.u[i] - before_.u[i];
-  }
   elements_.strains(du_, deyy_, dgxy_);
   soil_.update(state_.soil, deyy_, dgxy_);
   elements_.resistance(soil_, state_.soil, state_.stress_velocity, state_.v, state_.base, state_.r);
@@ -123,9 +120,8 @@ void NonlinearColumn::account(const FeMotion& before, double dt) {
   }
   for (std::size_t e = 0; e < elements_.count(); ++e) {
     const FeElement& element = elements_[e];
-    if (element.alpha == 0.0 && element.damping_time == 0.0) {
+    if (element.alpha == 0.0 && element.damping_time == 0.0)
       continue;
-    }
     const double half_mass = 0.5 * element.density * element.length;
     for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
       const double below = mean_velocity(2 * e + c);
@@ -229,9 +225,8 @@ void NonlinearColumn::sample_stress(const ColumnMesh::Place& place, const Column
 
 ColumnEnergy NonlinearColumn::energy() const {
   ColumnEnergy energy{.damping = damping_, .base_work = base_work_};
-  for (std::size_t i = 0; i < elements_.freedoms(); ++i) {
+  for (std::size_t i = 0; i < elements_.freedoms(); ++i)
     energy.kinetic += 0.5 * elements_.mass()[i] * state_.v[i] * state_.v[i];
-  }
   for (std::size_t e = 0; e < elements_.count(); ++e) {
     const double length = elements_[e].length;
     const double eyy = (state_.u[2 * e + 3] - state_.u[2 * e + 1]) / length;

@@ -1,6 +1,6 @@
 #include "freefield/fe/fe_soil.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ void set_geostatic(SoilState& state, const Profile& profile, const ColumnMesh& m
   for (std::size_t e = mesh.elements(); e-- > 0;) {
     const Layer& layer = profile.layers[mesh.element_layer[e]];
     const double weight = layer.soil.density * profile.gravity * mesh.length(e);
-    const double rest = layer.rest_coefficient.value_or(layer.soil.rest_coefficient());
+    const double rest = layer.soil.rest_coefficient();
     state.syy[e] = -(overburden + 0.5 * weight);
     state.sxx[e] = state.szz[e] = rest * state.syy[e];
     overburden += weight;
@@ -32,9 +32,8 @@ void set_geostatic(SoilState& state, const Profile& profile, const ColumnMesh& m
 FeSoil::FeSoil(const Profile& profile, const ColumnMesh& mesh)
     : no_strain_(mesh.elements()), initial_stiffness_(mesh.elements()) {
   const std::size_t n = mesh.elements();
-  for (auto* stress : {&initial_.sxx, &initial_.syy, &initial_.szz, &initial_.sxy, &initial_.plastic_work}) {
+  for (auto* stress : {&initial_.sxx, &initial_.syy, &initial_.szz, &initial_.sxy, &initial_.plastic_work})
     stress->resize(n);
-  }
   for (std::size_t e = 0; e < n; ++e) {
     const Layer& layer = profile.layers[mesh.element_layer[e]];
     initial_stiffness_[e] = {layer.soil.shear_modulus(), 0.0, 0.0, layer.soil.p_modulus()};
@@ -43,9 +42,8 @@ FeSoil::FeSoil(const Profile& profile, const ColumnMesh& mesh)
           {layer.law.value_or(materials::LinearElastic{layer.soil}), e, 0, initial_.history.size()});
     }
     ++blocks_.back().count;
-    for (const materials::StateVariable& variable : materials::state_variables(blocks_.back().law)) {
+    for (const materials::StateVariable& variable : materials::state_variables(blocks_.back().law))
       initial_.history.push_back(variable.initial);
-    }
   }
   start(profile, mesh);
 }
@@ -60,11 +58,11 @@ void FeSoil::start(const Profile& profile, const ColumnMesh& mesh) {
                           std::abs(held.szz[e] - initial_.szz[e]);
     if (change > 1e-9 * std::abs(initial_.syy[e])) {
       const double depth = profile.surface_level - 0.5 * (mesh.node_y[e] + mesh.node_y[e + 1]);
-      throw std::invalid_argument("layer " + std::to_string(mesh.element_layer[e] + 1) +
-                                  " from the top: at a depth of " + shortest(depth) +
-                                  " m the geostatic stress, syy = " + shortest(initial_.syy[e]) +
-                                  " Pa and sxx = " + shortest(initial_.sxx[e]) +
-                                  " Pa, is beyond the soil's strength; choose another rest_coefficient (K0)");
+      throw std::invalid_argument(
+          "layer " + std::to_string(mesh.element_layer[e] + 1) + " from the top: at a depth of " +
+          shortest(depth) + " m the geostatic stress, syy = " + shortest(initial_.syy[e]) +
+          " Pa and sxx = " + shortest(initial_.sxx[e]) +
+          " Pa, is beyond the soil's strength; choose another K0 (rest_coefficient of the soil)");
     }
   }
 }
@@ -95,9 +93,8 @@ void FeSoil::tangents(const SoilState& begin, const SoilState& end, const std::v
     std::vector<double> ahead_eyy = deyy;
     std::vector<double> ahead_gxy = dgxy;
     std::vector<double>& ahead = shear ? ahead_gxy : ahead_eyy;
-    for (double& increment : ahead) {
+    for (double& increment : ahead)
       increment += look_ahead(increment);
-    }
     SoilState state = begin;
     update(state, ahead_eyy, ahead_gxy);
     for (std::size_t e = 0; e < n; ++e) {

@@ -20,8 +20,8 @@
 
 #include "freefield/oblique/oblique_column.hpp"
 
+#include "base/require.hpp"
 #include "freefield/ode/ode_backbone.hpp"
-#include "freefield/require.hpp"
 
 #include <Eigen/LU>
 
@@ -74,9 +74,8 @@ ObliqueColumn::ObliqueColumn(const Profile& profile, const ObliqueColumnSettings
       node_weight_(mesh_.node_y.size(), Eigen::Matrix2d::Zero()),
       a_(mesh_.node_y.size(), Eigen::Vector2d::Zero()), b_after_(mesh_.elements(), Eigen::Vector2d::Zero()),
       strain_after_(mesh_.elements()), ux_(mesh_.node_y.size()), uy_(mesh_.elements()) {
-  if (!incident_) {
+  if (!incident_)
     throw std::invalid_argument("the column has no input motion");
-  }
   require(std::isfinite(settings_.start_time), "start time of the column", settings_.start_time, "finite");
   const double limit = crossing_time(mesh_, profile, settings_.slowness_x);
   require(settings_.time_step > 0.0 && settings_.time_step < limit, "time step of the column",
@@ -111,12 +110,10 @@ void ObliqueColumn::step() {
   a_.swap(a_after_);
   b_before_ = b_after_;
   strain_before_ = strain_after_;
-  for (std::size_t e = 0; e < uy_.size(); ++e) {
+  for (std::size_t e = 0; e < uy_.size(); ++e)
     uy_[e] += dt * b_before_[e][1];
-  }
-  for (std::size_t i = 0; i < ux_.size(); ++i) {
+  for (std::size_t i = 0; i < ux_.size(); ++i)
     ux_[i] += 0.5 * dt * (a_before_[i][0] + a_[i][0]);
-  }
   advance_cells();
   advance_nodes(time() + 0.5 * dt);
   if (!a_.back().allFinite() || !a_.front().allFinite()) {
@@ -128,9 +125,8 @@ void ObliqueColumn::step() {
 void ObliqueColumn::advance_nodes(double mid_time) {
   const double dt = settings_.time_step;
   const std::size_t top = a_.size() - 1;
-  for (std::size_t i = 1; i < top; ++i) {
+  for (std::size_t i = 1; i < top; ++i)
     a_after_[i] = a_[i] + dt * (node_weight_[i].inverse() * (b_after_[i] - b_after_[i - 1]));
-  }
   a_after_[top] = {a_[top][0] - dt * b_after_[top - 1][0] / node_weight_[top](0, 0), 0.0};
 
   const Velocity v = incident_(mid_time);
@@ -166,9 +162,8 @@ void ObliqueColumn::advance_soil(std::size_t e, const Eigen::Vector2d& change) {
     const auto [value, tangent] = materials::masing_response(soil.backbone, soil.history, strain + increment);
     stress_change = value - stress;
     const double residual = increment - p * p / density * stress_change - target;
-    if (std::abs(residual) <= tolerance * (std::abs(target) + std::abs(strain))) {
+    if (std::abs(residual) <= tolerance * (std::abs(target) + std::abs(strain)))
       break;
-    }
     if (i == most_iterations) {
       throw std::runtime_error("the shear strain at y = " + shortest(mesh_.node_y[e]) +
                                " m did not converge at t = " + shortest(time()) + " s");
@@ -185,9 +180,8 @@ void ObliqueColumn::sample(std::span<const double> y, std::span<ColumnSample> sa
     throw std::invalid_argument("number of samples is " + std::to_string(samples.size()) +
                                 ", must be that of the levels, " + std::to_string(y.size()));
   }
-  for (std::size_t i = 0; i < y.size(); ++i) {
+  for (std::size_t i = 0; i < y.size(); ++i)
     samples[i] = at(y[i], from_below(y, i) ? ColumnMesh::Side::below : ColumnMesh::Side::above);
-  }
 }
 
 /// a is linear between nodes; b goes from the cell's centre to the level by A da/dt of the nearer node,

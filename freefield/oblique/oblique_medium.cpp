@@ -22,7 +22,7 @@
 
 #include "freefield/oblique/oblique_medium.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <Eigen/LU>
 

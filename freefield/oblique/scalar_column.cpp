@@ -32,7 +32,7 @@
 
 #include "freefield/oblique/scalar_column.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,9 +70,8 @@ ScalarColumn::ScalarColumn(std::vector<ScalarElement> elements, const ScalarSett
       dashpots_[node] += elements_[e].alpha * half_mass;
     }
   }
-  if (!rigid()) {
+  if (!rigid())
     dashpots_[0] += settings_.base_impedance;
-  }
   if (settings_.integrator == Integrator::newmark) {
     factor_newmark();
     return;
@@ -86,11 +85,10 @@ void ScalarColumn::step(const BaseComponent& base) {
   const Vector acceleration_before = motion_acceleration_;
   const double resistance_before = resistance_[0];
   base_ = base;
-  if (settings_.integrator == Integrator::newmark) {
+  if (settings_.integrator == Integrator::newmark)
     step_newmark();
-  } else {
+  else
     step_central_difference();
-  }
   for (std::size_t i = 0; i < u_.size(); ++i) {
     motion_acceleration_[i] = i == 0 && rigid() ? base_.acceleration : -resistance_[i] / mass_[i];
     jerk_[i] = (motion_acceleration_[i] - acceleration_before[i]) / settings_.time_step;
@@ -110,17 +108,15 @@ double ScalarColumn::element_stress(std::size_t e, const Vector& u, const Vector
 ScalarColumn::Vector ScalarColumn::resistance(const Vector& u, const Vector& v,
                                               const Vector& dashpot_velocity) const {
   Vector force(u.size());
-  for (std::size_t i = 0; i < u.size(); ++i) {
+  for (std::size_t i = 0; i < u.size(); ++i)
     force[i] = dashpots_[i] * dashpot_velocity[i];
-  }
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const double stress = element_stress(e, u, v);
     force[e] -= stress;
     force[e + 1] += stress;
   }
-  if (!rigid()) {
+  if (!rigid())
     force[0] -= 2.0 * settings_.base_impedance * base_.velocity;
-  }
   return force;
 }
 
@@ -158,9 +154,8 @@ void ScalarColumn::step_newmark() {
   }
   hold_base();
   Vector a = resistance(u_, v_, v_);
-  for (std::size_t i = 0; i < u_.size(); ++i) {
+  for (std::size_t i = 0; i < u_.size(); ++i)
     a[i] = alpha * resistance_[i] - (1.0 + alpha) * a[i];
-  }
   solve_newmark(a);
   for (std::size_t i = 0; i < u_.size(); ++i) {
     u_[i] += beta * dt * dt * a[i];
@@ -170,9 +165,8 @@ void ScalarColumn::step_newmark() {
   a_ = std::move(a);
   hold_base();
   stress_velocity_ = v_;
-  if (rigid()) {
+  if (rigid())
     resistance_[0] = dashpots_[0] * v_[0] - element_stress(0, u_, v_);
-  }
 }
 
 /// L D L^T of the tridiagonal Newmark matrix, once. The row of a prescribed base is that of the identity.
@@ -181,9 +175,8 @@ void ScalarColumn::factor_newmark() {
   const double weight = 1.0 + hht_.alpha;
   Vector off_diagonal(elements_.size());
   factor_diagonal_ = mass_;
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
+  for (std::size_t i = 0; i < mass_.size(); ++i)
     factor_diagonal_[i] += weight * hht_.gamma * dt * dashpots_[i];
-  }
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const ScalarElement& element = elements_[e];
     const double stiffness =
@@ -205,18 +198,14 @@ void ScalarColumn::factor_newmark() {
 
 /// The increment of a prescribed base is 0: its motion is in the right-hand side already.
 void ScalarColumn::solve_newmark(Vector& x) const {
-  if (rigid()) {
+  if (rigid())
     x[0] = 0.0;
-  }
-  for (std::size_t e = 0; e < elements_.size(); ++e) {
+  for (std::size_t e = 0; e < elements_.size(); ++e)
     x[e + 1] -= factor_below_[e] * x[e];
-  }
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  for (std::size_t i = 0; i < x.size(); ++i)
     x[i] /= factor_diagonal_[i];
-  }
-  for (std::size_t e = elements_.size(); e-- > 0;) {
+  for (std::size_t e = elements_.size(); e-- > 0;)
     x[e] -= factor_below_[e] * x[e + 1];
-  }
 }
 
 /// Work and dissipation of a step by the trapezoidal rule: exact for average acceleration, second order
@@ -247,9 +236,8 @@ void ScalarColumn::account(const Vector& u_before, const Vector& v_before, doubl
 
 ColumnEnergy ScalarColumn::energy() const {
   ColumnEnergy energy = spent_;
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
+  for (std::size_t i = 0; i < mass_.size(); ++i)
     energy.kinetic += 0.5 * mass_[i] * v_[i] * v_[i];
-  }
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const double difference = u_[e + 1] - u_[e];
     energy.strain += 0.5 * elements_[e].modulus / elements_[e].length * difference * difference;

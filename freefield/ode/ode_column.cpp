@@ -1,8 +1,8 @@
 #include "freefield/ode/ode_column.hpp"
 
+#include "base/require.hpp"
 #include "freefield/ode/ode_backbone.hpp"
 #include "freefield/ode/ode_polarisation.hpp"
-#include "freefield/require.hpp"
 
 #include <fmt/format.h>
 
@@ -19,9 +19,8 @@ using materials::Elasticity;
 void check(const Profile& profile, const OdeColumnSettings& settings) {
   validate(profile);
   const auto is_damped = [](const Layer& layer) { return layer.damping_ratio > 0.0; };
-  if (std::any_of(profile.layers.begin(), profile.layers.end(), is_damped)) {
+  if (std::any_of(profile.layers.begin(), profile.layers.end(), is_damped))
     validate(settings.damping);
-  }
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   require(positive(settings.time_step), "time step of the column", settings.time_step, "positive, in s");
   require(positive(settings.max_step), "longest step of the integrator", settings.max_step, "positive, in s");
@@ -48,9 +47,8 @@ std::unique_ptr<OdePolarisation> polarisation(Wave wave, const Profile& profile,
     const DampingCoefficients c = coefficients(settings.damping, layer.damping_ratio);
     cells.push_back({grid.mesh.length(e), layer.soil.density, modulus(layer.soil), c.alpha, c.beta});
     const auto backbone = shear_backbone(profile, grid.mesh.element_layer[e], "ode");
-    if (wave == Wave::shear && backbone) {
+    if (wave == Wave::shear && backbone)
       nonlinear.push_back({e, *backbone});
-    }
   }
   const double impedance = std::sqrt(profile.half_space.density * modulus(profile.half_space));
   return std::make_unique<OdePolarisation>(grid, std::move(cells),
@@ -63,14 +61,13 @@ std::unique_ptr<OdePolarisation> polarisation(Wave wave, const Profile& profile,
 OdeColumn::OdeColumn(const Profile& profile, const OdeColumnSettings& settings, InputVelocity input)
     : settings_(settings) {
   check(profile, settings);
-  if (!input) {
+  if (!input)
     throw std::invalid_argument("the column has no input motion");
-  }
-  shear_ = polarisation(Wave::shear, profile, settings, [input](double time) { return input(time).x; });
+  shear_ = polarisation(
+      Wave::shear, profile, settings, [input](double time) { return input(time).x; });
   dilation_ = polarisation(Wave::dilation, profile, settings, [input](double time) { return input(time).y; });
-  for (const Layer& layer : profile.layers) {
+  for (const Layer& layer : profile.layers)
     lateral_ratio_.push_back(layer.soil.lame() / layer.soil.p_modulus());
-  }
 }
 
 OdeColumn::~OdeColumn() = default;

@@ -3,8 +3,8 @@
 
 #include "freefield/ode/ode_integrator.hpp"
 
+#include "base/require.hpp"
 #include "freefield/ode/ode_runge_kutta.hpp"
-#include "freefield/require.hpp"
 
 #include <arkode/arkode_arkstep.h>
 #include <arkode/arkode_erkstep.h>
@@ -43,9 +43,8 @@ using NonlinearSolver = std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver
 
 Context make_context() {
   SUNContext context = nullptr;
-  if (SUNContext_Create(nullptr, &context) != 0) {
+  if (SUNContext_Create(nullptr, &context) != 0)
     throw std::runtime_error("SUNDIALS could not create its context");
-  }
   return Context(context);
 }
 
@@ -102,19 +101,16 @@ int linear_combination(int terms, realtype* c, N_Vector* x, N_Vector z) {
   const auto out = values(z);
   bool is_first = true;
   for (int k = 0; k < terms; ++k) {
-    if (c[k] == 0.0) {
+    if (c[k] == 0.0)
       continue;
-    }
     const auto in = values(x[k]);
     const double factor = c[k];
-    for (std::size_t i = 0; i < out.size(); ++i) {
+    for (std::size_t i = 0; i < out.size(); ++i)
       out[i] = is_first ? factor * in[i] : out[i] + factor * in[i];
-    }
     is_first = false;
   }
-  if (is_first) {
+  if (is_first)
     N_VConst(0.0, z);
-  }
   return 0;
 }
 
@@ -165,9 +161,8 @@ struct OdeIntegrator::Sundials {
   }
 
   void check(int flag) const {
-    if (flag < 0) {
+    if (flag < 0)
       throw std::runtime_error("SUNDIALS refused its settings: " + message);
-    }
   }
 
   void start_multistep() {
@@ -193,11 +188,10 @@ struct OdeIntegrator::Sundials {
     check(ERKStepSVtolerances(memory.get(), settings.relative_tolerance, tolerance.get()));
     check(ERKStepSetUserData(memory.get(), this));
     check(ERKStepSetMaxStep(memory.get(), settings.max_step));
-    if (is_loose()) {
+    if (is_loose())
       check(ERKStepSetTable(memory.get(), wide_runge_kutta().get()));
-    } else {
+    else
       check(ERKStepSetOrder(memory.get(), 5));
-    }
     check(ERKStepSetInterpolantDegree(memory.get(), 3));
   }
 
@@ -245,22 +239,19 @@ struct OdeIntegrator::Sundials {
     system.accept(time, values(y.get()));
     const double ahead = time + settings.max_step;
     const int flag = module.evolve(memory.get(), ahead, y.get(), &time, one_step);
-    if (flag < 0 || not_finite) {
+    if (flag < 0 || not_finite)
       give_up(flag);
-    }
   }
 
   /// Tells the integrator to give up where the equations have no finite value: no smaller step would mend an
   /// input that is not a number. Adams' functional iteration would try them nevertheless.
   int finite_or_stop(double t, N_Vector rate) {
     const auto rates = values(rate);
-    if (std::isfinite(std::accumulate(rates.begin(), rates.end(), 0.0))) {
+    if (std::isfinite(std::accumulate(rates.begin(), rates.end(), 0.0)))
       return 0;
-    }
     const auto bad = std::find_if_not(rates.begin(), rates.end(), [](double r) { return std::isfinite(r); });
-    if (!not_finite) {
+    if (!not_finite)
       not_finite = {t, static_cast<std::size_t>(std::distance(rates.begin(), bad)) % rates.size()};
-    }
     return -1;
   }
 
@@ -319,9 +310,8 @@ void OdeIntegrator::state(double time, int order, std::span<double> y) const {
   Sundials& s = *sundials_;
   const Vector out(N_VMake_Serial(static_cast<sunindextype>(y.size()), y.data(), s.context.get()));
   const int flag = s.module.state(s.memory.get(), time, order, out.get());
-  if (flag < 0) {
+  if (flag < 0)
     throw std::runtime_error("no state of the column at t = " + shortest(time) + " s: " + s.message);
-  }
 }
 
 OdeStatistics OdeIntegrator::statistics() const {
@@ -341,9 +331,8 @@ OdeStatistics OdeIntegrator::statistics() const {
   default:
     CVodeGetNumStepSolveFails(memory, &s.convergence_failures);
     CVodeGetNumRhsEvals(memory, &s.right_hand_sides);
-    if (sundials_->linear) {
+    if (sundials_->linear)
       CVodeGetNumJacEvals(memory, &s.jacobians);
-    }
   }
   return s;
 }

@@ -4,7 +4,7 @@
 
 #include "freefield/ode/ode_polarisation.hpp"
 
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +20,8 @@ constexpr int most_steps = 100'000;
 /// One a state variable: velocity (m/s), strain over the cell's wave speed, displacement over a second.
 std::vector<double> tolerances(const std::vector<OdeCell>& cells, double velocity) {
   std::vector<double> tolerance(2 * cells.size() + 1, velocity);
-  for (std::size_t e = 0; e < cells.size(); ++e) {
+  for (std::size_t e = 0; e < cells.size(); ++e)
     tolerance[OdeSystem::strain_index(e)] = velocity * std::sqrt(cells[e].density / cells[e].modulus);
-  }
   return tolerance;
 }
 
@@ -77,17 +76,15 @@ void OdePolarisation::serve(double time) {
   integrator_->state(time, 0, state_);
   integrator_->state(time, 1, rate_);
   displacement_[0] = state_[0];
-  for (std::size_t e = 0; e < cells_.size(); ++e) {
+  for (std::size_t e = 0; e < cells_.size(); ++e)
     displacement_[e + 1] = displacement_[e] + cells_[e].length * state_[OdeSystem::strain_index(e)];
-  }
 }
 
 double OdePolarisation::strain_at(const ColumnMesh::Place& place, double y) const {
   const auto [lower, upper, weight] = grid_.mesh.centres(place);
   const double below = state_[OdeSystem::strain_index(lower)];
-  if (lower == upper) {
+  if (lower == upper)
     return below;
-  }
   const double above = state_[OdeSystem::strain_index(upper)];
   return std::lerp(below, above,
                    (y - grid_.stress_y[lower]) / (grid_.stress_y[upper] - grid_.stress_y[lower]));

@@ -24,19 +24,16 @@ ButcherTable wide_runge_kutta() {
   Row b = {0.25, 0.0, 0.0, 0.0, 0.75, 0.0};
   constexpr Row difference = {1.0, 0.0, 0.0, -3.0, 3.0, -1.0};
   std::array<Row, stages> a{};
-  for (std::size_t stage = 1; stage < stages - 1; ++stage) {
+  for (std::size_t stage = 1; stage < stages - 1; ++stage)
     a[stage][stage - 1] = c[stage];
-  }
   a.back() = b;
   Row embedded = b;
-  for (std::size_t stage = 0; stage < stages; ++stage) {
+  for (std::size_t stage = 0; stage < stages; ++stage)
     embedded[stage] += scale * difference[stage];
-  }
   ButcherTable table(
       ARKodeButcherTable_Create(stages, 3, 2, c.data(), a[0].data(), b.data(), embedded.data()));
-  if (!table) {
+  if (!table)
     throw std::bad_alloc();
-  }
   return table;
 }
 

@@ -34,17 +34,15 @@ OdeSoil::History OdeSoil::turned(std::size_t i, double time, double strain, doub
 }
 
 double OdeSoil::stress(std::size_t i, double time, double strain, double strain_rate) const {
-  if (turns(i, time, strain_rate)) {
+  if (turns(i, time, strain_rate))
     return materials::masing_stress(cells_[i].backbone, turned(i, time, strain, strain_rate), strain);
-  }
   return materials::masing_stress(cells_[i].backbone, history_[i], strain);
 }
 
 materials::ShearResponse OdeSoil::response(std::size_t i, double time, double strain,
                                            double strain_rate) const {
-  if (turns(i, time, strain_rate)) {
+  if (turns(i, time, strain_rate))
     return materials::masing_response(cells_[i].backbone, turned(i, time, strain, strain_rate), strain);
-  }
   return materials::masing_response(cells_[i].backbone, history_[i], strain);
 }
 

@@ -25,9 +25,8 @@ OdeSystem::OdeSystem(std::vector<OdeCell> cells, OdeBase base, OdeSoil soil)
     : cells_(std::move(cells)), base_(std::move(base)), soil_(std::move(soil)),
       soil_index_(cells_.size(), soil_.cells().size()), mass_(cells_.size() + 1), alpha_(mass_.size()),
       strain_(soil_.cells().size()), rate_(soil_.cells().size()) {
-  for (std::size_t i = 0; i < soil_.cells().size(); ++i) {
+  for (std::size_t i = 0; i < soil_.cells().size(); ++i)
     soil_index_[soil_.cells()[i].index] = i;
-  }
   for (std::size_t e = 0; e < cells_.size(); ++e) {
     const OdeCell& cell = cells_[e];
     const double half_mass = 0.5 * cell.density * cell.length;
@@ -39,12 +38,10 @@ OdeSystem::OdeSystem(std::vector<OdeCell> cells, OdeBase base, OdeSoil soil)
     mass_[e] += half_mass;
     alpha_[e] += half_mass * cell.alpha;
   }
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
+  for (std::size_t i = 0; i < mass_.size(); ++i)
     alpha_[i] /= mass_[i];
-  }
-  if (base_.kind == BaseKind::compliant) {
+  if (base_.kind == BaseKind::compliant)
     base_ratio_ = cells_[0].modulus * cells_[0].beta / (cells_[0].length * base_.impedance);
-  }
 }
 
 double OdeSystem::viscosity(std::size_t cell) const {
@@ -139,9 +136,8 @@ void OdeSystem::jacobian(double time, State y, const Entry& entry) const {
     // tau_0 depends on the strain of its cell through the base's velocity too.
     const double stress_by_strain = e == 0 ? lowest / damped : tangent(time, y, e);
     entry(velocity_index(e + 1), strain_index(e), -stress_by_strain / mass_[e + 1]);
-    if (e > 0) {
+    if (e > 0)
       entry(velocity_index(e), strain_index(e), stress_by_strain / mass_[e]);
-    }
     entry(velocity_index(e + 1), velocity_index(e + 1), -alpha_[e + 1]);
   }
   damping_jacobian(entry);
@@ -175,9 +171,8 @@ double OdeSystem::input_acceleration(double time) const {
 }
 
 OdeSystem::Motion OdeSystem::motion(double time, State y, State y_rate, std::size_t node) const {
-  if (node > 0) {
+  if (node > 0)
     return {y[velocity_index(node)], y_rate[velocity_index(node)]};
-  }
   const double input = input_acceleration(time);
   const double soil_rate = tangent(time, y, 0) * y_rate[strain_index(0)];
   const double undamped = base_.kind == BaseKind::rigid ? input : 2.0 * input + soil_rate / base_.impedance;

@@ -28,12 +28,11 @@ std::optional<materials::Law> law_of(const scene::Case& scene, const scene::Laye
   if (!layer.soil)
     return std::nullopt;
   const scene::Soil& soil = scene.soils[*layer.soil];
-  if (std::holds_alternative<materials::LinearElastic>(soil.column_law))
+  if (materials::traits(soil.column_law).response == materials::Response::elastic)
     return std::nullopt;
-  const auto* softening = std::get_if<materials::MohrCoulomb>(&soil.column_law);
-  if (softening == nullptr || !soil.softening_size)
+  if (!soil.softening_size)
     return soil.column_law;
-  return materials::regularised(*softening, element_size, *soil.softening_size);
+  return materials::for_cell_size(soil.column_law, element_size, *soil.softening_size);
 }
 
 /// The base of the column: that of the model where it lies below the layers, unless the motion is that of the
@@ -43,7 +42,6 @@ Profile profile_from_case(const scene::Case& scene, const scene::SourceProcess& 
   profile.gravity = scene.gravity ? scene.gravity->acceleration : 0.0;
   for (const scene::Layer& layer : scene::layers(scene, source)) {
     profile.layers.push_back({layer.thickness, layer.elastic, layer.damping});
-    profile.layers.back().rest_coefficient = layer.rest_coefficient;
     profile.layers.back().law = law_of(scene, layer, element_size);
   }
   const bool has_model = scene.mesh.size > 0.0;

@@ -50,9 +50,8 @@ inline void elastic_trial(const Elasticity& elastic, const Points& points, std::
     szz[i] += pressure;
     sxy[i] = carried.xy + shear * dgxy[i];
   }
-  if (points.dezz != nullptr) {
+  if (points.dezz != nullptr)
     out_of_plane_trial(elastic, points, begin, end);
-  }
 }
 
 /// Strain increment out of plane of point i: 0 in plane strain.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 namespace tremolo::materials {
 
@@ -9,6 +10,8 @@ struct Elasticity {
   double density = 0.0; ///< kg/m3
   double young = 0.0;   ///< Pa
   double poisson = 0.0; ///< 1, in (-1, 0.5)
+  /// Horizontal over vertical stress before shaking, K0, where it is known otherwise than from elasticity.
+  std::optional<double> at_rest = std::nullopt;
 
   double shear_modulus() const { return young / (2.0 * (1.0 + poisson)); }
   double bulk_modulus() const { return young / (3.0 * (1.0 - 2.0 * poisson)); }
@@ -20,8 +23,8 @@ struct Elasticity {
   double p_wave_speed() const { return std::sqrt(p_modulus() / density); }
   /// c_s, m/s
   double s_wave_speed() const { return std::sqrt(shear_modulus() / density); }
-  /// nu/(1-nu): horizontal over vertical stress under self weight without lateral strain
-  double rest_coefficient() const { return poisson / (1.0 - poisson); }
+  /// K0: as given, or nu/(1-nu), which is that under self weight without lateral strain
+  double rest_coefficient() const { return at_rest.value_or(poisson / (1.0 - poisson)); }
 
   /// Elastic energy per unit volume at a stress (Pa, out-of-plane shear zero), J/m3
   double energy_density(double sxx, double syy, double szz, double sxy) const {
@@ -34,7 +37,7 @@ struct Elasticity {
   static Elasticity from_wave_speeds(double rho, double vs, double vp) {
     const double ratio = vs * vs / (vp * vp);
     const double nu = (0.5 - ratio) / (1.0 - ratio);
-    return {rho, 2.0 * rho * vs * vs * (1.0 + nu), nu};
+    return {.density = rho, .young = 2.0 * rho * vs * vs * (1.0 + nu), .poisson = nu};
   }
 };
 

@@ -6,6 +6,14 @@
 
 namespace tremolo::materials {
 
+Traits traits(const LinearElastic& /*law*/) {
+  return {.name = "linear_elastic"};
+}
+
+std::span<const StateVariable> state_variables(const LinearElastic& /*law*/) {
+  return {};
+}
+
 void update(const LinearElastic& law, const Points& points) {
   elastic_trial(law.elastic, points, 0, points.count);
 }

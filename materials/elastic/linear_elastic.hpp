@@ -6,7 +6,10 @@
 #include "materials/elastic/elasticity.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
+#include "materials/law/state_variable.hpp"
+#include "materials/law/traits.hpp"
 
+#include <span>
 #include <vector>
 
 namespace tremolo::materials {
@@ -15,6 +18,11 @@ namespace tremolo::materials {
 struct LinearElastic {
   Elasticity elastic;
 };
+
+Traits traits(const LinearElastic& law);
+
+/// The state block of a point.
+std::span<const StateVariable> state_variables(const LinearElastic& law);
 
 /// Advances the stresses of all points by one step.
 void update(const LinearElastic& law, const Points& points);

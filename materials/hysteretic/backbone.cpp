@@ -22,9 +22,8 @@ namespace {
 
 double hyperbolic_damping(double x) {
   constexpr double pi = std::numbers::pi;
-  if (x > 0.05) {
+  if (x > 0.05)
     return 4.0 / pi * (1.0 + 1.0 / x) * (1.0 - std::log1p(x) / x) - 2.0 / pi;
-  }
   double sum = 0.0;
   double power = x;
   for (int k = 1; k <= 12; ++k) { // 0.05^13 = 1e-17
@@ -51,9 +50,8 @@ double mkz_damping(LoopShape shape) {
   constexpr std::size_t points = 256;
   const std::unique_ptr<gsl_integration_glfixed_table, decltype(&gsl_integration_glfixed_table_free)> table(
       gsl_integration_glfixed_table_alloc(points), gsl_integration_glfixed_table_free);
-  if (!table) {
+  if (!table)
     throw std::bad_alloc();
-  }
   gsl_function integrand{loop_integrand, &shape};
   return 4.0 / std::numbers::pi * shape.reduction *
          gsl_integration_glfixed(&integrand, 0.0, 1.0, table.get());

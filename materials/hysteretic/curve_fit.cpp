@@ -38,9 +38,8 @@ struct Problem {
 int residuals(const gsl_vector* p, void* data, gsl_vector* f) {
   const Problem& problem = *static_cast<const Problem*>(data);
   const Line line = problem.line(p);
-  for (std::size_t i = 0; i < f->size; ++i) {
+  for (std::size_t i = 0; i < f->size; ++i)
     gsl_vector_set(f, i, line.model(std::log(problem.curves.strain[i])) - problem.curves.modulus_ratio[i]);
-  }
   return GSL_SUCCESS;
 }
 
@@ -52,9 +51,8 @@ int jacobian(const gsl_vector* p, void* data, gsl_matrix* j) {
     const double log_strain = std::log(problem.curves.strain[i]);
     const double m = line.model(log_strain);
     gsl_matrix_set(j, i, 0, -m * (1.0 - m));
-    if (j->size2 > 1) {
+    if (j->size2 > 1)
       gsl_matrix_set(j, i, 1, -m * (1.0 - m) * log_strain);
-    }
   }
   return GSL_SUCCESS;
 }
@@ -63,14 +61,11 @@ int jacobian(const gsl_vector* p, void* data, gsl_matrix* j) {
 Line first_guess(const Problem& problem) {
   std::size_t best = 0;
   const auto& ratio = problem.curves.modulus_ratio;
-  for (std::size_t i = 1; i < ratio.size(); ++i) {
-    if (std::abs(ratio[i] - 0.5) < std::abs(ratio[best] - 0.5)) {
+  for (std::size_t i = 1; i < ratio.size(); ++i)
+    if (std::abs(ratio[i] - 0.5) < std::abs(ratio[best] - 0.5))
       best = i;
-    }
-  }
-  if (!(ratio[best] < 1.0)) {
+  if (!(ratio[best] < 1.0))
     throw std::invalid_argument("G/Gmax of the soil curve is 1 at all strains: there is no reduction to fit");
-  }
   const double slope = problem.held_slope.value_or(0.9);
   return {std::log(1.0 / ratio[best] - 1.0) - slope * std::log(problem.curves.strain[best]), slope};
 }
@@ -85,9 +80,8 @@ Line least_squares(Problem problem) {
   const std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)> workspace(
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, rows, unknowns),
       gsl_multifit_nlinear_free);
-  if (!workspace) {
+  if (!workspace)
     throw std::bad_alloc();
-  }
   gsl_multifit_nlinear_fdf functions{};
   functions.f = residuals;
   functions.df = jacobian;
@@ -110,9 +104,8 @@ Line least_squares(Problem problem) {
 
 MkzFit fit_mkz(const SoilCurves& curves, std::optional<double> reference_strain) {
   validate(curves);
-  if (reference_strain) {
+  if (reference_strain)
     check_positive("reference_strain", *reference_strain);
-  }
   MkzFit fit;
   Line line = least_squares({curves, std::nullopt});
   if (!(line.slope >= least_exponent && line.slope <= largest_exponent)) {
@@ -139,9 +132,8 @@ MkzFit fit_mkz(const SoilCurves& curves, std::optional<double> reference_strain)
 std::vector<DampingComparison> masing_against(const SoilCurves& curves, const MkzFit& fit) {
   const Backbone backbone = {1.0, fit.reference_strain, fit.beta, fit.exponent};
   std::vector<DampingComparison> both;
-  for (std::size_t i = 0; i < curves.strain.size(); ++i) {
+  for (std::size_t i = 0; i < curves.strain.size(); ++i)
     both.push_back({curves.strain[i], curves.damping_ratio[i], masing_damping(backbone, curves.strain[i])});
-  }
   return both;
 }
 

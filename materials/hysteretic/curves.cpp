@@ -10,12 +10,10 @@ namespace tremolo::materials {
 namespace {
 
 double interpolated(const std::vector<double>& strain, const std::vector<double>& value, double amplitude) {
-  if (!(amplitude > strain.front())) {
+  if (!(amplitude > strain.front()))
     return value.front();
-  }
-  if (amplitude >= strain.back()) {
+  if (amplitude >= strain.back())
     return value.back();
-  }
   const auto next = std::upper_bound(strain.begin(), strain.end(), amplitude);
   const auto i = static_cast<std::size_t>(next - strain.begin());
   const double fraction = std::log(amplitude / strain[i - 1]) / std::log(strain[i] / strain[i - 1]);
@@ -39,9 +37,8 @@ double masing_percent(double hyperbolic_percent) {
 
 std::vector<double> ten_a_decade() {
   std::vector<double> strains;
-  for (int k = -60; k <= -10; ++k) {
+  for (int k = -60; k <= -10; ++k)
     strains.push_back(std::pow(10.0, k / 10.0));
-  }
   return strains;
 }
 

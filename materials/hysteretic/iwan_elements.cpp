@@ -14,6 +14,24 @@
 namespace tremolo::materials {
 namespace {
 
+/// Numbered names stay where they are, for the variables that view them.
+struct Table {
+  std::vector<std::string> names;
+  std::vector<StateVariable> variables;
+
+  Table() {
+    names.reserve(3 * most_iwan_elements);
+    for (std::size_t first = 1; first <= most_iwan_elements; first += iwan_group) {
+      for (const char* component : {"xx", "yy", "xy"}) {
+        for (std::size_t k = 0; k < iwan_group; ++k) {
+          names.push_back(fmt::format("element_{:02}_s{}", first + k, component));
+          variables.push_back({names.back(), "Pa", "deviatoric stress of an Iwan element", 0.0, true});
+        }
+      }
+    }
+  }
+};
+
 /// What a step asks of every element: twice the deviatoric strain, and the rotation by its double angle.
 struct Step {
   double xx;
@@ -77,9 +95,8 @@ void move_point(std::span<const IwanElement> elements, double lame, double shear
   const Step step = step_of(points, i);
   Relaxed relaxed;
   double* const state = points.state + i * 3 * elements.size();
-  for (std::size_t first = 0; first < elements.size(); first += iwan_group) {
+  for (std::size_t first = 0; first < elements.size(); first += iwan_group)
     move_group(&elements[first], step, state + 3 * first, relaxed);
-  }
   const double rxx = sum(relaxed.xx);
   const double ryy = sum(relaxed.yy);
   const double rxy = sum(relaxed.xy);
@@ -118,18 +135,21 @@ std::vector<IwanElement> parallel_elements(std::span<const CurveVertex> vertices
 
 double monotonic_stress(std::span<const IwanElement> elements, double strain) {
   double stress = 0.0;
-  for (const IwanElement& element : elements) {
+  for (const IwanElement& element : elements)
     stress += std::clamp(element.shear_modulus * strain, -element.strength, element.strength);
-  }
   return stress;
 }
 
 void update(const Elasticity& elastic, std::span<const IwanElement> elements, const Points& points) {
   const double lame = elastic.lame();
   const double shear = elastic.shear_modulus();
-  for (std::size_t i = 0; i < points.count; ++i) {
+  for (std::size_t i = 0; i < points.count; ++i)
     move_point(elements, lame, shear, points, i);
-  }
+}
+
+std::span<const StateVariable> iwan_state_variables(std::size_t elements) {
+  static const Table table;
+  return std::span<const StateVariable>(table.variables).first(3 * elements);
 }
 
 void check_element_count(std::size_t count) {

@@ -13,6 +13,7 @@
 
 #include "materials/elastic/elasticity.hpp"
 #include "materials/law/points.hpp"
+#include "materials/law/state_variable.hpp"
 
 #include <cstddef>
 #include <span>
@@ -49,6 +50,9 @@ double monotonic_stress(std::span<const IwanElement> elements, double strain);
 /// Advances stress, element stresses and plastic work of all points by one step. State of a point, Pa: group
 /// after group of elements the four s_xx, the four s_yy, the four s_xy.
 void update(const Elasticity& elastic, std::span<const IwanElement> elements, const Points& points);
+
+/// The state block of a point with this many elements.
+std::span<const StateVariable> iwan_state_variables(std::size_t elements);
 
 /// Refuses a number of elements that is no multiple of iwan_group in [iwan_group, most_iwan_elements].
 /// @throws std::invalid_argument naming the number and the allowed range

@@ -29,6 +29,18 @@ double monotonic_stress(const IwanShear& law, double strain) {
   return monotonic_stress(std::span(law.elements), strain);
 }
 
+Traits traits(const IwanShear& /*law*/) {
+  return {.name = "iwan_shear", .response = Response::hysteretic, .total_stress = true};
+}
+
+std::span<const StateVariable> state_variables(const IwanShear& law) {
+  return iwan_state_variables(law.elements.size());
+}
+
+LinearElastic without_softening(const IwanShear& law) {
+  return {law.elastic};
+}
+
 void update(const IwanShear& law, const Points& points) {
   update(law.elastic, law.elements, points);
 }

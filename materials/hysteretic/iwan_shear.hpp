@@ -13,12 +13,16 @@
 // shear has no history, and the strength bounds the dynamic part of the stress alone.
 
 #include "materials/elastic/elasticity.hpp"
+#include "materials/elastic/linear_elastic.hpp"
 #include "materials/hysteretic/backbone.hpp"
 #include "materials/hysteretic/iwan_elements.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
+#include "materials/law/state_variable.hpp"
+#include "materials/law/traits.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace tremolo::materials {
@@ -42,6 +46,14 @@ IwanShear iwan_shear(const Elasticity& elastic, double reference_strain, double 
 
 /// Shear stress under monotonic simple shear from the unloaded state, Pa.
 double monotonic_stress(const IwanShear& law, double strain);
+
+Traits traits(const IwanShear& law);
+
+/// The state block of a point.
+std::span<const StateVariable> state_variables(const IwanShear& law);
+
+/// The elastic soil to make an initial stress with: strain is measured from the initial state.
+LinearElastic without_softening(const IwanShear& law);
 
 /// Advances stress, element stresses and plastic work of all points by one step.
 void update(const IwanShear& law, const Points& points);

@@ -40,9 +40,8 @@ double stress_on(const Backbone& backbone, const Turn& origin, double strain) {
 /// The curve one is on when going on from the accepted strain.
 Curve current(MasingHistory history) {
   const std::size_t n = count(history);
-  if (n == 0) {
+  if (n == 0)
     return {};
-  }
   return {false, turn(history, n - 1), n - 1, history[masing::merged] != 0.0};
 }
 
@@ -50,9 +49,8 @@ Curve current(MasingHistory history) {
 Curve turned(MasingHistory history) {
   const std::size_t n = count(history);
   const Turn here = {history[masing::strain], history[masing::stress]};
-  if (n == masing_capacity) {
+  if (n == masing_capacity)
     return {false, here, exact_points, true};
-  }
   return {false, here, n, history[masing::merged] != 0.0};
 }
 
@@ -60,12 +58,10 @@ Curve turned(MasingHistory history) {
 bool leaves(const Backbone& backbone, MasingHistory history, const Curve& curve, double strain) {
   const double direction = strain > curve.origin.strain ? 1.0 : -1.0;
   const auto beyond = [&](double tip) { return direction * (strain - tip) > 0.0; };
-  if (curve.kept == 0) {
+  if (curve.kept == 0)
     return beyond(-curve.origin.strain);
-  }
-  if (!curve.merged || curve.kept < exact_points) {
+  if (!curve.merged || curve.kept < exact_points)
     return beyond(turn(history, curve.kept - 1).strain);
-  }
   // The curves no longer meet at a stored point. They cross, because a doubled curve from inside a loop is
   // the steeper one and reaches the loop's boundary before the loop's tip.
   const std::size_t outer = curve.kept - 2;
@@ -80,9 +76,8 @@ bool leaves(const Backbone& backbone, MasingHistory history, const Curve& curve,
 Curve find_curve(const Backbone& backbone, MasingHistory history, double strain) {
   Curve curve = masing_reverses(history, strain) ? turned(history) : current(history);
   while (!curve.virgin && leaves(backbone, history, curve, strain)) {
-    if (curve.kept < 2) {
+    if (curve.kept < 2)
       return {};
-    }
     curve.kept -= 2;
     curve.origin = turn(history, curve.kept);
   }
@@ -111,22 +106,19 @@ double masing_tangent(const Backbone& backbone, MasingHistory history, double st
 
 ShearResponse masing_response(const Backbone& backbone, MasingHistory history, double strain) {
   const Curve curve = find_curve(backbone, history, strain);
-  if (curve.virgin) {
+  if (curve.virgin)
     return backbone.response(strain);
-  }
   const ShearResponse half = backbone.response(0.5 * (strain - curve.origin.strain));
   return {curve.origin.stress + 2.0 * half.stress, half.tangent};
 }
 
 void masing_commit(const Backbone& backbone, MutableMasingHistory history, double strain) {
-  if (std::abs(strain - history[masing::strain]) < least_strain_change) {
+  if (std::abs(strain - history[masing::strain]) < least_strain_change)
     return;
-  }
   const Curve curve = find_curve(backbone, history, strain);
   if (!curve.virgin) {
-    if (masing_reverses(history, strain) && count(history) == masing_capacity) {
+    if (masing_reverses(history, strain) && count(history) == masing_capacity)
       history[masing::merges] += 1.0;
-    }
     history[first_point + 2 * curve.kept] = curve.origin.strain;
     history[first_point + 2 * curve.kept + 1] = curve.origin.stress;
   }

@@ -3,7 +3,57 @@
 #include "materials/elastic/elastic_parameters.hpp"
 #include "materials/law/parameter_check.hpp"
 
+#include <fmt/format.h>
+
+#include <string>
+
 namespace tremolo::materials {
+namespace {
+
+/// Numbered names stay where they are, for the variables that view them.
+struct Table {
+  std::vector<std::string> names;
+  std::vector<StateVariable> variables;
+
+  Table() {
+    names.reserve(masing_history_size);
+    variables = {
+        {"shear_strain", "1", "engineering shear strain since the initial state", 0.0},
+        {"dynamic_shear_stress", "Pa", "shear stress since the initial state", 0.0},
+        {"open_reversals", "1", "reversal points of loops that are still open", 0.0},
+        {"merged_innermost", "1", "1 while the innermost reversal point stands for forgotten ones", 0.0,
+         true},
+        {"merged_loops", "1", "how often the innermost loops became one because the memory was full", 0.0}};
+    for (std::size_t i = 0; i < masing_capacity; ++i) {
+      names.push_back(fmt::format("reversal_{:02}_strain", i + 1));
+      variables.push_back({names.back(), "1", "shear strain at a reversal", 0.0, true});
+      names.push_back(fmt::format("reversal_{:02}_stress", i + 1));
+      variables.push_back({names.back(), "Pa", "dynamic shear stress at a reversal", 0.0, true});
+    }
+  }
+};
+
+} // namespace
+
+Traits traits(const MasingShear& /*law*/) {
+  return {.name = "masing_shear",
+          .response = Response::hysteretic,
+          .three_dimensional = false,
+          .total_stress = true};
+}
+
+std::span<const StateVariable> state_variables(const MasingShear& /*law*/) {
+  static const Table table;
+  return table.variables;
+}
+
+LinearElastic without_softening(const MasingShear& law) {
+  return {law.elastic};
+}
+
+std::optional<Backbone> shear_backbone(const MasingShear& law) {
+  return law.backbone();
+}
 
 void update(const MasingShear& law, const Points& points) {
   const Backbone backbone = law.backbone();

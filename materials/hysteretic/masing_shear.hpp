@@ -11,11 +11,16 @@
 // alone. Strains are small: the rotation of a step is ignored. The law for large deformation is IwanShear.
 
 #include "materials/elastic/elasticity.hpp"
+#include "materials/elastic/linear_elastic.hpp"
 #include "materials/hysteretic/backbone.hpp"
 #include "materials/hysteretic/masing.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
+#include "materials/law/state_variable.hpp"
+#include "materials/law/traits.hpp"
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace tremolo::materials {
@@ -29,6 +34,16 @@ struct MasingShear {
 
   Backbone backbone() const { return {elastic.shear_modulus(), reference_strain, beta, exponent}; }
 };
+
+Traits traits(const MasingShear& law);
+
+/// The state block of a point.
+std::span<const StateVariable> state_variables(const MasingShear& law);
+
+/// The elastic soil to make an initial stress with: strain is measured from the initial state.
+LinearElastic without_softening(const MasingShear& law);
+
+std::optional<Backbone> shear_backbone(const MasingShear& law);
 
 /// Advances stress, history and plastic work of all points by one step.
 void update(const MasingShear& law, const Points& points);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <stdexcept>
 
@@ -55,13 +56,11 @@ std::vector<IwanElement> surfaces_of(const std::vector<CurveVertex>& vertices) {
 std::vector<CurveVertex> vertices_of(double shear_modulus, const SoilCurves& curves) {
   const auto& ratio = curves.modulus_ratio;
   std::size_t first_vertex = 0;
-  while (first_vertex + 1 < ratio.size() && ratio[first_vertex + 1] == 1.0) {
+  while (first_vertex + 1 < ratio.size() && ratio[first_vertex + 1] == 1.0)
     ++first_vertex;
-  }
   std::vector<CurveVertex> vertices;
-  for (std::size_t k = first_vertex; k < ratio.size(); ++k) {
+  for (std::size_t k = first_vertex; k < ratio.size(); ++k)
     vertices.push_back({curves.strain[k], shear_modulus * ratio[k] * curves.strain[k]});
-  }
   if (vertices.size() >= 2 && ratio[first_vertex] < 1.0) {
     const CurveVertex& first = vertices.front();
     const double slope = (vertices[1].stress - first.stress) / (vertices[1].strain - first.strain);
@@ -95,9 +94,8 @@ double strain_at(std::span<const IwanElement> elements, double shear_modulus, do
   double slope = shear_modulus;
   for (const IwanElement& element : elements) {
     const double yield = element.strength / element.shear_modulus;
-    if (stress + slope * (yield - strain) >= wanted) {
+    if (stress + slope * (yield - strain) >= wanted)
       return strain + (wanted - stress) / slope;
-    }
     stress += slope * (yield - strain);
     strain = yield;
     slope -= element.shear_modulus;
@@ -175,6 +173,27 @@ void initialise(const MultiYieldClay& law, const Points& points) {
   }
 }
 
+Traits traits(const MultiYieldClay& /*law*/) {
+  return {.name = "multi_yield_clay",
+          .response = Response::hysteretic,
+          .remembers_initial_stress = true,
+          .total_stress = true,
+          .unlimited_tension = true};
+}
+
+std::span<const StateVariable> state_variables(const MultiYieldClay& law) {
+  return iwan_state_variables(law.elements.size());
+}
+
+std::vector<StrengthLine> strength_lines(const MultiYieldClay& law) {
+  return {{"failure",
+           [strength = law.undrained_strength](double /*p*/) { return std::numbers::sqrt3 * strength; }}};
+}
+
+LinearElastic without_softening(const MultiYieldClay& law) {
+  return {law.elastic};
+}
+
 void update(const MultiYieldClay& law, const Points& points) {
   update(law.elastic, law.elements, points);
 }
@@ -183,9 +202,8 @@ void validate(const MultiYieldClay& law) {
   check_strength(law.elastic, law.undrained_strength, law.peak_strain);
   validate(law.elastic, law.elements);
   double strength = 0.0;
-  for (const IwanElement& element : law.elements) {
+  for (const IwanElement& element : law.elements)
     strength += element.strength;
-  }
   check_range("sum of the elements' strengths", strength, (1.0 - 1e-9) * law.undrained_strength,
               (1.0 + 1e-9) * law.undrained_strength);
 }

@@ -18,12 +18,17 @@
 // tests.
 
 #include "materials/elastic/elasticity.hpp"
+#include "materials/elastic/linear_elastic.hpp"
 #include "materials/hysteretic/curves.hpp"
 #include "materials/hysteretic/iwan_elements.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
+#include "materials/law/state_variable.hpp"
+#include "materials/law/strength_line.hpp"
+#include "materials/law/traits.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace tremolo::materials {
@@ -55,6 +60,16 @@ MultiYieldClay multi_yield_clay(const Elasticity& elastic, double undrained_stre
 
 /// Shear stress under monotonic simple shear from isotropic stress, Pa.
 double monotonic_stress(const MultiYieldClay& law, double strain);
+
+Traits traits(const MultiYieldClay& law);
+
+/// The state block of a point.
+std::span<const StateVariable> state_variables(const MultiYieldClay& law);
+
+std::vector<StrengthLine> strength_lines(const MultiYieldClay& law);
+
+/// The elastic soil to make an initial stress with: memory begins with that stress.
+LinearElastic without_softening(const MultiYieldClay& law);
 
 /// Spreads the deviatoric stress over the elements as monotonic loading does; a stress beyond the strength is
 /// scaled back to it.

@@ -40,21 +40,18 @@ MixedStep mixed(const PointStep& step) {
 
 /// The first half of a step from a given stress.
 MixedStep first_half(MixedStep step, const Components& stress) {
-  for (std::size_t i = 0; i < step.value.size(); ++i) {
+  for (std::size_t i = 0; i < step.value.size(); ++i)
     step.value[i] = 0.5 * (step.value[i] + (step.by_stress[i] ? stress[i] : 0.0));
-  }
   return step;
 }
 
 /// What is left of a step after its first half, whose water has been compressed by `volume`.
 MixedStep second_half(MixedStep step, double volume) {
-  for (std::size_t i = 0; i < step.value.size(); ++i) {
-    if (!step.by_stress[i]) {
+  for (std::size_t i = 0; i < step.value.size(); ++i)
+    if (!step.by_stress[i])
       step.value[i] *= 0.5;
-    } else if (i != 2) {
+    else if (i != 2)
       step.value[i] -= step.pore_stiffness * volume;
-    }
-  }
   return step;
 }
 
@@ -74,7 +71,7 @@ Points only_point(PointState& point) {
 } // namespace
 
 PointTest::PointTest(const Law& law, const PointStress& initial, const StressTolerance& tolerance)
-    : law_(law), tolerance_(tolerance), three_dimensional_(materials::three_dimensional(law)) {
+    : law_(law), tolerance_(tolerance), three_dimensional_(traits(law).three_dimensional) {
   validate(law_);
   now_.stress = initial;
   now_.variables.resize(state_variables(law_).size());
@@ -122,35 +119,30 @@ bool PointTest::solve(const MixedStep& step, double rotation, double tolerance) 
   const double accepted = std::max(wanted, tolerance_.accepted * level);
   const MixedControl::Found found = control_.find(step, stress_after, wanted, accepted);
   missing_ = found.missing;
-  if (!(found.missing <= std::max(wanted, tolerance * level))) {
+  if (!(found.missing <= std::max(wanted, tolerance * level)))
     return false;
-  }
   Components stress;
-  if (found.strain != last && !stress_after(found.strain, stress)) {
+  if (found.strain != last && !stress_after(found.strain, stress))
     return false;
-  }
   std::swap(now_, trial_);
   count_leap(found);
   return true;
 }
 
 void PointTest::count_leap(const MixedControl::Found& found) {
-  if (found.away) {
+  if (found.away)
     ++leaps_.steps_away;
-  }
   if (found.leap > 0.0) {
-    if (leaps_.count == 0) {
+    if (leaps_.count == 0)
       leaps_.first = now_.strain;
-    }
     ++leaps_.count;
     leaps_.largest = std::max(leaps_.largest, found.leap);
   }
 }
 
 void PointTest::solve_in_halves(const MixedStep& step, double rotation, int depth) {
-  if (solve(step, rotation, tolerance_.accepted)) {
+  if (solve(step, rotation, tolerance_.accepted))
     return;
-  }
   if (depth == deepest_cut) {
     throw std::runtime_error(fmt::format("no strain gives the prescribed stress: {:.3g} Pa is missing after "
                                          "the step was cut {} times in halves; the "
@@ -166,9 +158,8 @@ void PointTest::solve_in_halves(const MixedStep& step, double rotation, int dept
 }
 
 bool PointTest::take_nearest(const MixedStep& step, double rotation) {
-  if (!(tolerance_.nearest > 0.0) || !solve(step, rotation, tolerance_.nearest)) {
+  if (!(tolerance_.nearest > 0.0) || !solve(step, rotation, tolerance_.nearest))
     return false;
-  }
   largest_missing_ = std::max(largest_missing_, missing_);
   return true;
 }
@@ -191,9 +182,8 @@ void PointTest::apply(const PointStep& step) {
     solve_in_halves(all, step.rotation, 0);
   } catch (...) {
     now_ = start;
-    if (!take_nearest(all, step.rotation)) {
+    if (!take_nearest(all, step.rotation))
       throw;
-    }
   }
 }
 

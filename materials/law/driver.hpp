@@ -26,7 +26,7 @@ struct PointStrain {
   double xx = 0.0;
   double yy = 0.0;
   double xy = 0.0;
-  double zz = 0.0; ///< out of plane; other than zero only for laws that are three_dimensional()
+  double zz = 0.0; ///< out of plane; other than zero only for laws with the trait three_dimensional
 };
 
 /// What a step prescribes of one component: the strain increment, or the stress at the end of the step (Pa).

@@ -11,22 +11,19 @@ namespace {
 
 bool finite(const double* values, std::size_t count) {
   bool good = true;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
     good &= std::abs(values[i]) <= std::numeric_limits<double>::max();
-  }
   return good;
 }
 
 /// @param size  values of a point
 void check(std::string_view law, std::string_view what, const double* values, std::size_t count,
            std::size_t size) {
-  if (values == nullptr || finite(values, count * size)) {
+  if (values == nullptr || finite(values, count * size))
     return;
-  }
   std::size_t i = 0;
-  while (std::isfinite(values[i])) {
+  while (std::isfinite(values[i]))
     ++i;
-  }
   throw std::domain_error(
       fmt::format("{}: {} of point {} is {:g}, not a finite number", law, what, i / size, values[i]));
 }

@@ -1,104 +1,42 @@
 #include "materials/law/law.hpp"
 
+#include "materials/law/defaults.hpp"
+
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 namespace tremolo::materials {
 namespace {
 
-template <class... Functions>
-struct Overloaded : Functions... {
-  using Functions::operator()...;
-};
-template <class... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>; // clang 14 does not deduce it by itself
-
-constexpr std::array plastic_strain_state = {StateVariable{
-    "equivalent_plastic_strain", "1", "int sqrt(2/3 de:de) of the deviatoric plastic strain", 0.0}};
-
-constexpr std::size_t most_names = masing_history_size + 3 * most_iwan_elements;
-
-/// Numbered names need a place to stay.
-using Names = std::vector<std::string>;
-
-std::vector<StateVariable> masing_variables(Names& names) {
-  std::vector<StateVariable> variables = {
-      {"shear_strain", "1", "engineering shear strain since the initial state", 0.0},
-      {"dynamic_shear_stress", "Pa", "shear stress since the initial state", 0.0},
-      {"open_reversals", "1", "reversal points of loops that are still open", 0.0},
-      {"merged_innermost", "1", "1 while the innermost reversal point stands for forgotten ones", 0.0, true},
-      {"merged_loops", "1", "how often the innermost loops became one because the memory was full", 0.0}};
-  for (std::size_t i = 0; i < masing_capacity; ++i) {
-    names.push_back(fmt::format("reversal_{:02}_strain", i + 1));
-    variables.push_back({names.back(), "1", "shear strain at a reversal", 0.0, true});
-    names.push_back(fmt::format("reversal_{:02}_stress", i + 1));
-    variables.push_back({names.back(), "Pa", "dynamic shear stress at a reversal", 0.0, true});
-  }
-  return variables;
-}
-
-std::vector<StateVariable> iwan_variables(Names& names) {
-  std::vector<StateVariable> variables;
-  for (std::size_t first = 1; first <= most_iwan_elements; first += iwan_group) {
-    for (const char* component : {"xx", "yy", "xy"}) {
-      for (std::size_t k = 0; k < iwan_group; ++k) {
-        names.push_back(fmt::format("element_{:02}_s{}", first + k, component));
-        variables.push_back({names.back(), "Pa", "deviatoric stress of an Iwan element", 0.0, true});
-      }
-    }
-  }
-  return variables;
-}
-
-/// Tables made once and never changed.
-struct Tables {
-  Names names;
-  std::vector<StateVariable> masing;
-  std::vector<StateVariable> iwan;
-  Tables() {
-    names.reserve(most_names); // the views stay valid
-    masing = masing_variables(names);
-    iwan = iwan_variables(names);
-  }
+/// Whether a law has all that has no default. Without this check a function that a law lacks would be the one
+/// for any law, which calls itself.
+template <class L>
+concept Complete = requires(const L& law) {
+  static_cast<const Elasticity&>(law.elastic);
+  static_cast<Traits (*)(const L&)>(traits);
+  static_cast<std::span<const StateVariable> (*)(const L&)>(state_variables);
+  static_cast<void (*)(const L&, const Points&)>(update);
+  static_cast<void (*)(const L&)>(validate);
+  static_cast<std::vector<ParameterValue> (*)(const L&)>(parameters);
 };
 
-const Tables& tables() {
-  static const Tables made;
-  return made;
+template <class... Laws>
+constexpr bool all_complete(std::type_identity<std::variant<Laws...>> /*law*/) {
+  return (Complete<Laws> && ...);
 }
+static_assert(all_complete(std::type_identity<Law>{}),
+              "a law lacks one of the functions in law/defaults.hpp");
 
 } // namespace
 
-std::string_view name(const Law& law) {
-  using Name = std::string_view;
-  return std::visit(Overloaded{[](const LinearElastic&) { return Name("linear_elastic"); },
-                               [](const MohrCoulomb&) { return Name("mohr_coulomb"); },
-                               [](const MasingShear&) { return Name("masing_shear"); },
-                               [](const IwanShear&) { return Name("iwan_shear"); },
-                               [](const DruckerPrager&) { return Name("drucker_prager"); },
-                               [](const MultiYieldClay&) { return Name("multi_yield_clay"); },
-                               [](const Pm4Sand&) { return Name("pm4sand"); },
-                               [](const Pdmy03&) { return Name("pdmy03"); }},
-                    law);
+Traits traits(const Law& law) {
+  return std::visit([](const auto& one) { return traits(one); }, law);
 }
 
 std::span<const StateVariable> state_variables(const Law& law) {
-  using Variables = std::span<const StateVariable>;
-  return std::visit(
-      Overloaded{
-          [](const LinearElastic&) { return Variables(); },
-          [](const MohrCoulomb&) { return Variables(plastic_strain_state); },
-          [](const MasingShear&) { return Variables(tables().masing); },
-          [](const DruckerPrager&) { return Variables(plastic_strain_state); },
-          [](const IwanShear& one) { return Variables(tables().iwan).first(3 * one.elements.size()); },
-          [](const MultiYieldClay& one) { return Variables(tables().iwan).first(3 * one.elements.size()); },
-          [](const Pm4Sand& one) { return state_variables(one); },
-          [](const Pdmy03& one) { return state_variables(one); }},
-      law);
+  return std::visit([](const auto& one) { return state_variables(one); }, law);
 }
 
 void initialise(const Law& law, const Points& points) {
@@ -110,17 +48,11 @@ void initialise(const Law& law, const Points& points) {
             fmt::format("initial stress of point {}: {:g} Pa is not finite", i, stress));
       }
     }
-    for (std::size_t k = 0; k < variables.size(); ++k) {
+    for (std::size_t k = 0; k < variables.size(); ++k)
       points.state[i * variables.size() + k] = variables[k].initial;
-    }
   }
-  if (const auto* clay = std::get_if<MultiYieldClay>(&law)) {
-    initialise(*clay, points);
-  } else if (const auto* pm4 = std::get_if<Pm4Sand>(&law)) {
-    initialise(*pm4, points);
-  } else if (const auto* pdmy = std::get_if<Pdmy03>(&law)) {
-    initialise(*pdmy, points);
-  }
+  using defaults::initialise;
+  std::visit([&](const auto& one) { initialise(one, points); }, law);
 }
 
 void update(const Law& law, const Points& points) {
@@ -131,18 +63,14 @@ const Elasticity& elasticity(const Law& law) {
   return std::visit([](const auto& one) -> const Elasticity& { return one.elastic; }, law);
 }
 
-double p_wave_speed_bound(const Law& law, const Points& points) {
-  if (const auto* pm4 = std::get_if<Pm4Sand>(&law)) {
-    return p_wave_speed_bound(*pm4, points);
-  }
-  if (const auto* pdmy = std::get_if<Pdmy03>(&law)) {
-    return p_wave_speed_bound(*pdmy, points);
-  }
-  return elasticity(law).p_wave_speed();
+Law with_rest_coefficient(Law law, double coefficient) {
+  std::visit([coefficient](auto& one) { one.elastic.at_rest = coefficient; }, law);
+  return law;
 }
 
-bool three_dimensional(const Law& law) {
-  return !std::holds_alternative<MasingShear>(law) && !std::holds_alternative<Pm4Sand>(law);
+double p_wave_speed_bound(const Law& law, const Points& points) {
+  using defaults::p_wave_speed_bound;
+  return std::visit([&](const auto& one) { return p_wave_speed_bound(one, points); }, law);
 }
 
 std::vector<ParameterValue> parameters(const Law& law) {
@@ -150,22 +78,49 @@ std::vector<ParameterValue> parameters(const Law& law) {
 }
 
 Law without_softening(const Law& law) {
-  return std::visit(Overloaded{[](const LinearElastic& one) -> Law { return one; },
-                               [](const MohrCoulomb& one) -> Law { return without_softening(one); },
-                               [](const MasingShear& one) -> Law { return LinearElastic{one.elastic}; },
-                               [](const IwanShear& one) -> Law { return LinearElastic{one.elastic}; },
-                               [](const DruckerPrager& one) -> Law { return one; },
-                               [](const MultiYieldClay& one) -> Law { return LinearElastic{one.elastic}; },
-                               [](const Pm4Sand& one) -> Law { return LinearElastic{one.elastic}; },
-                               [](const Pdmy03& one) -> Law { return LinearElastic{one.elastic}; }},
-                    law);
+  using defaults::without_softening;
+  return std::visit([](const auto& one) -> Law { return without_softening(one); }, law);
 }
 
 Law after_shaking(const Law& law) {
-  if (const auto* pm4 = std::get_if<Pm4Sand>(&law)) {
-    return after_shaking(*pm4);
-  }
-  return law;
+  using defaults::after_shaking;
+  return std::visit([](const auto& one) -> Law { return after_shaking(one); }, law);
+}
+
+Law for_cell_size(const Law& law, double cell_size, double reference_size) {
+  using defaults::for_cell_size;
+  return std::visit([&](const auto& one) -> Law { return for_cell_size(one, cell_size, reference_size); },
+                    law);
+}
+
+std::optional<Backbone> shear_backbone(const Law& law) {
+  using defaults::shear_backbone;
+  return std::visit([](const auto& one) { return shear_backbone(one); }, law);
+}
+
+std::optional<double> relative_density(const Law& law) {
+  using defaults::relative_density;
+  return std::visit([](const auto& one) { return relative_density(one); }, law);
+}
+
+std::optional<double> contraction_rate(const Law& law) {
+  using defaults::contraction_rate;
+  return std::visit([](const auto& one) { return contraction_rate(one); }, law);
+}
+
+Law with_contraction_rate(const Law& law, double rate) {
+  using defaults::with_contraction_rate;
+  return std::visit([&](const auto& one) -> Law { return with_contraction_rate(one, rate); }, law);
+}
+
+std::vector<StrengthLine> strength_lines(const Law& law) {
+  using defaults::strength_lines;
+  return std::visit([](const auto& one) { return strength_lines(one); }, law);
+}
+
+std::vector<std::string> notes(const Law& law) {
+  using defaults::notes;
+  return std::visit([](const auto& one) { return notes(one); }, law);
 }
 
 void validate(const Law& law) {

@@ -2,7 +2,9 @@
 
 // The one interface of constitutive laws, used by columns and domain alike. A law is a plain struct of
 // parameters; what it does are free functions on blocks of points. Choosing the law costs one branch per
-// block, not per point.
+// block, not per point. Nobody outside this folder asks which law it is: traits() and the functions below
+// answer instead. A law is added by its own files and its name in the list Law; defaults.hpp says what it
+// must bring.
 
 #include "materials/elastic/linear_elastic.hpp"
 #include "materials/hysteretic/iwan_shear.hpp"
@@ -11,11 +13,14 @@
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
+#include "materials/law/strength_line.hpp"
+#include "materials/law/traits.hpp"
 #include "materials/plastic/drucker_prager.hpp"
 #include "materials/plastic/mohr_coulomb.hpp"
 #include "materials/sand/pdmy03/pdmy03.hpp"
 #include "materials/sand/pm4sand/pm4sand.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,8 +32,13 @@ namespace tremolo::materials {
 using Law = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay,
                          Pm4Sand, Pdmy03>;
 
-/// The name a case file uses for the law, e.g. "linear_elastic".
-std::string_view name(const Law& law);
+/// What it is like.
+Traits traits(const Law& law);
+
+/// The name of the law, e.g. "linear_elastic".
+inline std::string_view name(const Law& law) {
+  return traits(law).name;
+}
 
 /// The state variables of one point, in the order of its state block.
 std::span<const StateVariable> state_variables(const Law& law);
@@ -47,13 +57,12 @@ void update(const Law& law, const Points& points);
 /// The law's elastic constants at small strain; of a law whose stiffness depends on pressure those at its
 /// reference pressure.
 const Elasticity& elasticity(const Law& law);
+/// The same law with another stress at rest, Elasticity::at_rest.
+Law with_rest_coefficient(Law law, double coefficient);
 
 /// An upper estimate of c_p over the points in their present stress and state, m/s: the elastic one, which
 /// for flow that is not associated is the usual bound, not a proven one.
 double p_wave_speed_bound(const Law& law, const Points& points);
-
-/// Whether the law takes strain out of plane (Points::dezz).
-bool three_dimensional(const Law& law);
 
 /// Every parameter in force and where its value comes from.
 std::vector<ParameterValue> parameters(const Law& law);
@@ -66,6 +75,30 @@ Law without_softening(const Law& law);
 /// The law of the same soil once shaking is over and it reconsolidates; itself for laws that know no such
 /// condition.
 Law after_shaking(const Law& law);
+
+/// The law in cells of another size than it was calibrated with; itself if it does not soften.
+/// @param cell_size, reference_size  m
+Law for_cell_size(const Law& law, double cell_size, double reference_size);
+
+/// The curve of a law whose shear stress follows from shear strain alone, by Masing's rules; nothing for the
+/// others.
+std::optional<Backbone> shear_backbone(const Law& law);
+
+/// The relative density that a law of sand stands for, 1; nothing for the others.
+std::optional<double> relative_density(const Law& law);
+
+/// The parameter that is fitted to a cyclic strength, 1; nothing for a law without one.
+std::optional<double> contraction_rate(const Law& law);
+
+/// The law with another contraction rate.
+/// @throws std::invalid_argument for a law without one
+Law with_contraction_rate(const Law& law, double rate);
+
+/// Failure and other lines in the plane of p and q, in which trait in_plane says what p and q are.
+std::vector<StrengthLine> strength_lines(const Law& law);
+
+/// What a user of the law should know before trusting it, a sentence or two each.
+std::vector<std::string> notes(const Law& law);
 
 /// Refuses parameters outside their physical range.
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range

@@ -32,11 +32,9 @@ class Equations {
 public:
   Equations(const MixedStep& step, const StressAfter& stress_after)
       : step_(step), stress_after_(stress_after) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (step.by_stress[i]) {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (step.by_stress[i])
         free_[static_cast<std::size_t>(size_++)] = i;
-      }
-    }
   }
 
   Index size() const { return size_; }
@@ -45,21 +43,18 @@ public:
   /// The strain increment with given free components.
   Components strain(const Vector& x) const {
     Components all;
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i)
       all[i] = step_.by_stress[i] ? 0.0 : step_.value[i];
-    }
-    for (Index k = 0; k < size_; ++k) {
+    for (Index k = 0; k < size_; ++k)
       all[component(k)] = x[k];
-    }
     return all;
   }
 
   /// Largest component of that increment.
   double largest(const Vector& x) const {
     double most = 0.0;
-    for (const double component : strain(x)) {
+    for (const double component : strain(x))
       most = std::max(most, std::abs(component));
-    }
     return most;
   }
 
@@ -67,9 +62,8 @@ public:
     const Components all = strain(x);
     Components stress = {};
     Vector r = Vector::Constant(size_, refused);
-    if (!stress_after_(all, stress)) {
+    if (!stress_after_(all, stress))
       return r;
-    }
     const double water = step_.pore_stiffness * (all[0] + all[1] + all[3]);
     for (Index k = 0; k < size_; ++k) {
       const std::size_t i = component(k);
@@ -106,13 +100,11 @@ public:
   void run(const Vector& start, Matrix& tangent, bool has_tangent) {
     x_ = start;
     r_ = equations_.residual(x_);
-    if (norm(r_) <= wanted_ || !r_.allFinite()) {
+    if (norm(r_) <= wanted_ || !r_.allFinite())
       return;
-    }
     bool fresh = !has_tangent;
-    if (fresh) {
+    if (fresh)
       tangent = equations_.tangent(x_, r_);
-    }
     for (int iteration = 0; iteration < most_iterations && norm(r_) > wanted_; ++iteration) {
       const Matrix before = tangent;
       if (step(tangent, 1.0, 0.5)) {
@@ -127,14 +119,12 @@ public:
         break;
       }
     }
-    if (r_.size() != 1) {
+    if (r_.size() != 1)
       return;
-    }
-    if (norm(r_) > accepted_) {
+    if (norm(r_) > accepted_)
       bisect(largest_correction);
-    } else {
+    else
       prefer_nearer(start);
-    }
   }
 
   const Vector& x() const { return x_; }
@@ -143,23 +133,19 @@ public:
 private:
   /// A fraction of the Newton step, taken if it leaves less than `left` of the residual.
   bool step(Matrix& tangent, double fraction, double left) {
-    if (!tangent.allFinite()) {
+    if (!tangent.allFinite())
       return false;
-    }
     Vector change = -fraction * tangent.fullPivLu().solve(r_);
     const double size = norm(change);
-    if (!change.allFinite() || !(size > 0.0)) {
+    if (!change.allFinite() || !(size > 0.0))
       return false;
-    }
-    if (size > largest_correction) {
+    if (size > largest_correction)
       change *= largest_correction / size;
-    }
     const Vector x = x_ + change;
     const Vector r = equations_.residual(x);
     const bool taken = norm(r) <= left * norm(r_);
-    if (r.allFinite()) {
+    if (r.allFinite())
       tangent += (r - r_ - tangent * change) * change.transpose() / change.squaredNorm();
-    }
     if (taken) {
       x_ = x;
       r_ = r;
@@ -170,9 +156,8 @@ private:
   bool search(const Matrix& tangent) {
     for (const double fraction : {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625}) {
       Matrix corrected = tangent;
-      if (step(corrected, fraction, 1.0 - 0.1 * fraction)) {
+      if (step(corrected, fraction, 1.0 - 0.1 * fraction))
         return true;
-      }
     }
     return false;
   }
@@ -198,9 +183,8 @@ private:
   /// that does not lie at the start gives way to one in between.
   void prefer_nearer(const Vector& start) {
     const double distance = std::abs(x_[0] - start[0]);
-    if (distance <= surely_near * equations_.largest(start)) {
+    if (distance <= surely_near * equations_.largest(start))
       return;
-    }
     const Vector far_x = x_;
     const Vector far_r = r_;
     x_ = start;
@@ -226,9 +210,8 @@ private:
         const Point next = at(start.x + side * distance);
         if (std::isfinite(next.r) && (next.r > 0.0) != (last.r > 0.0)) {
           close_in(last, next);
-          if (norm(r_) <= accepted_) {
+          if (norm(r_) <= accepted_)
             return;
-          }
         }
         last = std::isfinite(next.r) ? next : last;
       }
@@ -283,9 +266,8 @@ MixedControl::Found MixedControl::find(const MixedStep& step, const StressAfter&
   const auto expected = [&](const std::optional<Increments>& before) {
     const double ratio = same && before ? before->ratio_to(step) : 0.0;
     Vector x = Vector::Zero(n);
-    for (Index k = 0; k < n && ratio > 0.0; ++k) {
+    for (Index k = 0; k < n && ratio > 0.0; ++k)
       x[k] = ratio * before->strain[equations.component(k)];
-    }
     return x;
   };
   const auto solved_from = [&](const Vector& start) {
@@ -308,11 +290,10 @@ MixedControl::Found MixedControl::find(const MixedStep& step, const StressAfter&
     steady_.reset();
   }
   Root root = solved_from(expected(away_ ? steady_ : last_));
-  if (away_ && near(root)) {
+  if (away_ && near(root))
     away_ = false;
-  } else if (away_) {
+  else if (away_)
     root = solved_from(expected(last_));
-  }
   const bool found = root.missing <= accepted;
   const bool leaps = goes_on && steady_ && found && root.distance > another_branch * root.step;
   away_ = found && (away_ || leaps);
@@ -320,13 +301,11 @@ MixedControl::Found MixedControl::find(const MixedStep& step, const StressAfter&
   by_stress_ = step.by_stress;
   const Components strain = equations.strain(root.x);
   last_ = found ? std::optional(Increments{step.value, strain}) : std::nullopt;
-  if (!away_ && (near(root) || !steady_)) {
+  if (!away_ && (near(root) || !steady_))
     steady_ = last_;
-  }
   has_tangent_ = found && tangent.allFinite();
-  for (Index k = 0; k < n * n; ++k) {
+  for (Index k = 0; k < n * n; ++k)
     tangent_[static_cast<std::size_t>(k)] = tangent(k / n, k % n);
-  }
   return {strain, root.missing, leaps ? root.distance : 0.0, away_};
 }
 

@@ -21,18 +21,16 @@ inline void check_range(std::string_view parameter, double value, double low, do
 
 /// Refuses a parameter that is not a finite positive number.
 inline void check_positive(std::string_view parameter, double value) {
-  if (!(value > 0.0 && value <= std::numeric_limits<double>::max())) {
+  if (!(value > 0.0 && value <= std::numeric_limits<double>::max()))
     throw std::invalid_argument(fmt::format("{} = {:g} must be positive and finite", parameter, value));
-  }
 }
 
 /// Refuses elastic constants without positive density and positive definite stiffness.
 inline void check(const Elasticity& elastic) {
   check_positive("density", elastic.density);
   check_positive("young", elastic.young);
-  if (!(elastic.poisson > -1.0 && elastic.poisson < 0.5)) {
+  if (!(elastic.poisson > -1.0 && elastic.poisson < 0.5))
     throw std::invalid_argument(fmt::format("poisson = {:g} is outside (-1, 0.5)", elastic.poisson));
-  }
 }
 
 } // namespace tremolo::materials

@@ -21,7 +21,7 @@ struct Points {
   const double* dgxy = nullptr; ///< engineering shear strain increment, dux/dy + duy/dx
   const double* dwxy = nullptr; ///< rotation increment (duy/dx - dux/dy)/2, rad, counter-clockwise positive
   /// Out-of-plane strain increments, for element tests with axial symmetry; null: plane strain. Only laws
-  /// that are three_dimensional() take them.
+  /// with the trait three_dimensional take them.
   const double* dezz = nullptr;
 };
 

@@ -13,21 +13,18 @@ constexpr double largest_rotation = 1.0; // rad
 /// Whether |values[i]| <= limit for all of them; a value that is not a number is outside.
 bool within(const double* values, std::size_t count, double limit) {
   bool good = true;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
     good &= std::abs(values[i]) <= limit;
-  }
   return good;
 }
 
 void check(std::string_view law, std::string_view component, const double* values, std::size_t count,
            double limit) {
-  if (values == nullptr || within(values, count, limit)) {
+  if (values == nullptr || within(values, count, limit))
     return;
-  }
   std::size_t i = 0;
-  while (std::abs(values[i]) <= limit) {
+  while (std::abs(values[i]) <= limit)
     ++i;
-  }
   throw std::domain_error(fmt::format("{}: {} = {:g} of point {} in one step is outside [{:g}, {:g}]; take "
                                       "smaller steps",
                                       law, component, values[i], i, -limit, limit));

@@ -2,6 +2,7 @@
 
 #include "materials/elastic/elastic_parameters.hpp"
 #include "materials/law/parameter_check.hpp"
+#include "materials/plastic/plastic_strain.hpp"
 #include "materials/tensor/independent_loop.hpp"
 #include "materials/tensor/objective_rate.hpp"
 
@@ -121,6 +122,20 @@ Cone cone(const DruckerPrager& law) {
   return made;
 }
 
+Traits traits(const DruckerPrager& law) {
+  return {.name = "drucker_prager", .response = Response::plastic, .unlimited_tension = law.friction == 0.0};
+}
+
+std::span<const StateVariable> state_variables(const DruckerPrager& /*law*/) {
+  return plastic_strain_state;
+}
+
+/// In space q = sqrt(3 J2), which is sqrt(3) times the q of the cone.
+std::vector<StrengthLine> strength_lines(const DruckerPrager& law) {
+  return {{"failure",
+           [made = cone(law)](double p) { return std::numbers::sqrt3 * (made.strength + made.slope * p); }}};
+}
+
 void update(const DruckerPrager& law, const Points& points) {
   points.dezz == nullptr ? move<true>(law, points) : move<false>(law, points);
 }
@@ -131,9 +146,8 @@ void validate(const DruckerPrager& law) {
   check_range("cohesion", law.cohesion, 0.0, std::numeric_limits<double>::max());
   check_range("friction", law.friction, 0.0, steepest);
   check_range("dilation", law.dilation, 0.0, law.friction);
-  if (law.cohesion == 0.0 && law.friction == 0.0) {
+  if (law.cohesion == 0.0 && law.friction == 0.0)
     throw std::invalid_argument("cohesion and friction are both 0: the soil would have no strength");
-  }
 }
 
 std::vector<ParameterValue> parameters(const DruckerPrager& law) {

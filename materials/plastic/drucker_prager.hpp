@@ -19,16 +19,26 @@
 // dilation angle psi. Away from the matched condition the cone is not Mohr-Coulomb: see the closed forms of
 // its strength in the tests.
 
+#include "base/words.hpp"
 #include "materials/elastic/elasticity.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
+#include "materials/law/state_variable.hpp"
+#include "materials/law/strength_line.hpp"
+#include "materials/law/traits.hpp"
 
+#include <span>
 #include <vector>
 
 namespace tremolo::materials {
 
 /// The condition in which the cone has the strength of Mohr-Coulomb.
 enum class ConeMatch { triaxial_compression, triaxial_extension, plane_strain };
+constexpr auto words(ConeMatch) {
+  return word_table<ConeMatch>({{ConeMatch::triaxial_compression, "triaxial_compression"},
+                                {ConeMatch::triaxial_extension, "triaxial_extension"},
+                                {ConeMatch::plane_strain, "plane_strain"}});
+}
 
 /// Parameters of the Drucker-Prager law. State of a point: { equivalent_plastic_strain }.
 struct DruckerPrager {
@@ -48,6 +58,13 @@ struct Cone {
 };
 
 Cone cone(const DruckerPrager& law);
+
+Traits traits(const DruckerPrager& law);
+
+/// The state block of a point.
+std::span<const StateVariable> state_variables(const DruckerPrager& law);
+
+std::vector<StrengthLine> strength_lines(const DruckerPrager& law);
 
 /// Advances stress, equivalent plastic strain and plastic work of all points by one step.
 void update(const DruckerPrager& law, const Points& points);

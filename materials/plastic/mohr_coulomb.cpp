@@ -6,6 +6,7 @@
 #include "materials/law/plastic_work.hpp"
 #include "materials/plastic/mohr_coulomb_main_plane.hpp"
 #include "materials/plastic/mohr_coulomb_softening.hpp"
+#include "materials/plastic/plastic_strain.hpp"
 
 #include <fmt/format.h>
 
@@ -49,9 +50,8 @@ Spectrum spectrum(double sxx, double syy, double szz, double sxy) {
 
 /// The place of s_zz among the sorted principal stresses: 0, 1 or 2.
 std::size_t place_of_szz(const Spectrum& s) {
-  if (s.out_of_plane > s.larger) {
+  if (s.out_of_plane > s.larger)
     return 0;
-  }
   return s.out_of_plane < s.smaller ? 2 : 1;
 }
 
@@ -75,9 +75,8 @@ void correct(const MohrCoulomb& law, const FadingStrength& peak, const Points& p
   const double e = points.state[i];
   const bool weakened = law.softening > 0.0 && e > 0.0;
   const FadingStrength start = weakened ? strength_at(law, e) : peak;
-  if (!outside(principal[0], principal[2], start.now)) {
+  if (!outside(principal[0], principal[2], start.now))
     return;
-  }
   const Return end = implicit_return(law, principal, e, start);
   const double larger = end.stress[place == 0 ? 1 : 0];
   const double smaller = end.stress[place == 2 ? 1 : 2];
@@ -106,21 +105,16 @@ void return_suspects(const MohrCoulomb& law, const FadingStrength& peak, const P
     place[some.count] = begin + i;
     some.count += suspect[i];
   }
-  if (some.count == 0) {
+  if (some.count == 0)
     return;
-  }
-  for (std::size_t k = 0; k < some.count; ++k) {
+  for (std::size_t k = 0; k < some.count; ++k)
     some.take(points, place[k], k);
-  }
   return_to_main_plane(law, some);
-  for (std::size_t k = 0; k < some.count; ++k) {
+  for (std::size_t k = 0; k < some.count; ++k)
     some.give(points, place[k], k);
-  }
-  for (std::size_t k = 0; k < some.count; ++k) {
-    if (some.left[k] != 0.0) {
+  for (std::size_t k = 0; k < some.count; ++k)
+    if (some.left[k] != 0.0)
       correct(law, peak, points, place[k]);
-    }
-  }
 }
 
 /// Marks the points of a block that are softened already or whose trial stress exceeds the peak strength.
@@ -153,6 +147,25 @@ void check_softening_pair(const char* quantity, double peak, double residual, do
 
 } // namespace
 
+Traits traits(const MohrCoulomb& law) {
+  return {.name = "mohr_coulomb",
+          .response = Response::plastic,
+          .softening = law.softening,
+          .unlimited_tension = law.friction_peak == 0.0 && !law.tension_cutoff,
+          .in_plane = true};
+}
+
+std::span<const StateVariable> state_variables(const MohrCoulomb& /*law*/) {
+  return plastic_strain_state;
+}
+
+/// sigma_1 - sigma_3 = 2 c cos(phi) + 2 p sin(phi), where sigma_zz lies between them.
+std::vector<StrengthLine> strength_lines(const MohrCoulomb& law) {
+  return {{"failure", [cohesion = law.cohesion_peak, friction = law.friction_peak](double p) {
+             return 2.0 * (cohesion * std::cos(friction) + p * std::sin(friction));
+           }}};
+}
+
 void update(const MohrCoulomb& law, const Points& points) {
   const FadingStrength peak = strength_at(law, 0.0);
   std::array<std::uint8_t, block_size> suspect{};
@@ -177,9 +190,8 @@ void validate(const MohrCoulomb& law) {
     throw std::invalid_argument(
         "cohesion_residual and friction_residual are both 0: the soil would have no strength");
   }
-  if (law.tension_cutoff) {
+  if (law.tension_cutoff)
     check_range("tension_cutoff", *law.tension_cutoff, 0.0, std::numeric_limits<double>::max());
-  }
 }
 
 std::vector<ParameterValue> parameters(const MohrCoulomb& law) {
@@ -204,7 +216,7 @@ MohrCoulomb without_softening(MohrCoulomb law) {
   return law;
 }
 
-MohrCoulomb regularised(MohrCoulomb law, double cell_size, double reference_size) {
+MohrCoulomb for_cell_size(MohrCoulomb law, double cell_size, double reference_size) {
   check_positive("cell size", cell_size);
   check_positive("reference size", reference_size);
   law.softening *= cell_size / reference_size;

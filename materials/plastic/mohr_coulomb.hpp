@@ -16,9 +16,13 @@
 #include "materials/elastic/elasticity.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
+#include "materials/law/state_variable.hpp"
+#include "materials/law/strength_line.hpp"
+#include "materials/law/traits.hpp"
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace tremolo::materials {
@@ -39,6 +43,13 @@ struct MohrCoulomb {
 /// The entry of a point's state block that holds the equivalent plastic deviatoric strain.
 inline constexpr std::size_t equivalent_plastic_strain = 0;
 
+Traits traits(const MohrCoulomb& law);
+
+/// The state block of a point.
+std::span<const StateVariable> state_variables(const MohrCoulomb& law);
+
+std::vector<StrengthLine> strength_lines(const MohrCoulomb& law);
+
 /// Advances stress, equivalent plastic strain and plastic work of all points by one step.
 void update(const MohrCoulomb& law, const Points& points);
 
@@ -55,6 +66,6 @@ MohrCoulomb without_softening(MohrCoulomb law);
 /// one cell wide, so eta(h) = eta h / h_ref keeps shear strength against displacement across the band, and
 /// with it the dissipated energy, independent of h.
 /// @param cell_size, reference_size  h and h_ref, m
-MohrCoulomb regularised(MohrCoulomb law, double cell_size, double reference_size);
+MohrCoulomb for_cell_size(MohrCoulomb law, double cell_size, double reference_size);
 
 } // namespace tremolo::materials

@@ -80,9 +80,8 @@ void find(const MohrCoulomb law, PlasticPoints& points, Drop& drop) { // a copy:
   const std::size_t count = points.count;
   if constexpr (softens) {
     const double all = 690.0 / law.softening; // its exponential is 1e-300
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i)
       drop.softened[i] = std::min(points.plastic_strain[i], all);
-    }
   }
   TREMOLO_INDEPENDENT_LOOP
   for (std::size_t i = 0; i < count; ++i) {
@@ -166,20 +165,17 @@ void return_to_main_plane(const MohrCoulomb& law, PlasticPoints& points) {
   // would depend on its place.
   constexpr std::size_t vector = 4;
   const std::size_t count = points.count;
-  for (; points.count % vector != 0; ++points.count) {
+  for (; points.count % vector != 0; ++points.count)
     for (Lane* lane : {&points.sxx, &points.syy, &points.szz, &points.sxy, &points.plastic_strain,
-                       &points.dexx, &points.deyy, &points.dezz, &points.dgxy}) {
+                       &points.dexx, &points.deyy, &points.dezz, &points.dgxy})
       (*lane)[points.count] = (*lane)[0];
-    }
-  }
   Drop drop;
-  if (law.softening == 0.0) {
+  if (law.softening == 0.0)
     find<false, false>(law, points, drop);
-  } else if (law.dilation_peak == law.dilation_residual) {
+  else if (law.dilation_peak == law.dilation_residual)
     find<true, false>(law, points, drop);
-  } else {
+  else
     find<true, true>(law, points, drop);
-  }
   apply(law.elastic, points, drop);
   points.count = count;
 }

@@ -64,9 +64,8 @@ Principal mohr_coulomb(const Principal& trial, const Strength& strength, const E
   const Principal s = moved(trial, main.value(trial) / main.relaxation(main), main.step());
   const bool below = s[1] < s[2]; // the middle stress has fallen below the smallest: right edge
   const bool above = s[1] > s[0];
-  if (!below && !above) {
+  if (!below && !above)
     return s;
-  }
   // Both at once only where s1 < s3, beyond the apex.
   if (below != above) {
     Principal corner = below ? edge(trial, main, Plane(0, 1, strength, elastic))
@@ -85,9 +84,8 @@ Principal rankine(Principal s, double tension, const Elasticity& elastic) {
   const double shear = elastic.shear_modulus();
   const double first = (s[0] - tension) / elastic.p_modulus();
   const Principal face = {tension, s[1] - lame * first, s[2] - lame * first};
-  if (face[1] <= tension) {
+  if (face[1] <= tension)
     return face;
-  }
   const double both = (s[0] + s[1] - 2.0 * tension) / (2.0 * (lame + shear));
   return {tension, tension, std::min(s[2] - lame * both, tension)};
 }
@@ -115,9 +113,8 @@ Principal return_to_surface(const Principal& trial, const Strength& strength, co
   Principal s = outside_planes ? mohr_coulomb(trial, strength, elastic) : trial;
   if (strength.tension < strength.apex && s[0] > strength.tension) {
     s = rankine(trial, strength.tension, elastic);
-    if (yield_function(s[0], s[2], strength) > 0.0) {
+    if (yield_function(s[0], s[2], strength) > 0.0)
       s = cutoff_line(trial, strength, elastic);
-    }
   }
   return s;
 }

@@ -38,9 +38,8 @@ Return implicit_return(const MohrCoulomb& law, const Principal& trial, double e,
   double previous = 0.0;
   double gap_previous = plastic_step(trial, result.stress, shear);
   result.plastic_strain = e + gap_previous;
-  if (law.softening == 0.0) {
+  if (law.softening == 0.0)
     return result;
-  }
   const auto gap = [&](double x) {
     result.stress = return_to_surface(trial, strength_at(law, e + x).now, law.elastic);
     const double step = plastic_step(trial, result.stress, shear);
@@ -54,20 +53,17 @@ Return implicit_return(const MohrCoulomb& law, const Principal& trial, double e,
   constexpr int most_steps = 200; // bisection alone needs about 60
   for (int step = 0; step < most_steps; ++step) {
     const double gap_x = gap(x);
-    if (std::abs(gap_x) <= std::max(negligible, 1e-12 * x)) {
+    if (std::abs(gap_x) <= std::max(negligible, 1e-12 * x))
       break;
-    }
     (gap_x > 0.0 ? low : high) = x;
     const double slope = (gap_x - gap_previous) / (x - previous);
     previous = x;
     gap_previous = gap_x;
     x -= gap_x / slope;
-    if (!(x > low && x < high)) {
+    if (!(x > low && x < high))
       x = std::isinf(high) ? 2.0 * previous : 0.5 * (low + high);
-    }
-    if (x <= low || x >= high) { // the bracket has shrunk to neighbouring numbers
+    if (x <= low || x >= high) // the bracket has shrunk to neighbouring numbers
       break;
-    }
   }
   return result;
 }

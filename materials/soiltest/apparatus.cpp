@@ -12,20 +12,20 @@ Apparatus::Apparatus(const SoilTest& test, const PointTest& start) : test_(test)
   const bool lateral =
       triaxial() || test.kind == Kind::plane_strain_compression || test.kind == Kind::plane_strain_extension;
   reference_stress_ = lateral ? -start_.xx : -start_.yy;
-  out_of_plane_ = triaxial() || (test.kind == Kind::isotropic_compression && three_dimensional(start.law()));
+  out_of_plane_ =
+      triaxial() || (test.kind == Kind::isotropic_compression && traits(start.law()).three_dimensional);
   if (const Path* path = std::get_if<Path>(&test.loading)) {
-    out_of_plane_ =
-        path->by_stress[3] || std::any_of(path->rows.begin(), path->rows.end(),
-                                          [](const PathRow& row) { return row.strain.zz != 0.0; });
+    out_of_plane_ = path->by_stress[3] || std::any_of(
+                                              path->rows.begin(), path->rows.end(),
+                                              [](const PathRow& row) { return row.strain.zz != 0.0; });
   }
 }
 
 PointStep Apparatus::shear_step(double increment, double water) const {
   PointStep step;
   step.xy = Control::strain(increment);
-  if (test_.drainage != Drainage::constant_volume) {
+  if (test_.drainage != Drainage::constant_volume)
     step.yy = Control::stress(start_.yy + water);
-  }
   return step;
 }
 
@@ -34,9 +34,8 @@ PointStep Apparatus::axial_step(double increment, double water) const {
   step.yy = Control::strain(-increment);
   if (test_.drainage != Drainage::constant_volume) {
     step.xx = Control::stress(start_.xx + water);
-    if (triaxial()) {
+    if (triaxial())
       step.zz = Control::stress(start_.zz + water);
-    }
   } else if (triaxial()) {
     step.xx = step.zz = Control::strain(0.5 * increment);
   } else {

@@ -31,15 +31,14 @@ void add_changed_stress(std::vector<std::string>& notes, double level, const mat
                                                 {"sig_xy", wanted.xy, held.xy}}};
   std::string list;
   for (const Component& one : components) {
-    const bool made = one.name == "sig_zz" && !three_dimensional(point.law());
+    const bool made = one.name == "sig_zz" && !traits(point.law()).three_dimensional;
     if (!made && std::abs(one.held - one.wanted) > rounding * level) {
       list += fmt::format("{}{} = {:.4g} Pa becomes {:.4g} Pa", list.empty() ? "" : ", ", one.name,
                           one.wanted, one.held);
     }
   }
-  if (!list.empty()) {
+  if (!list.empty())
     notes.push_back(fmt::format("the law cannot hold the initial stress: {}", list));
-  }
 }
 
 /// PM4Sand reports the stress that it was given and keeps the part that its surfaces cannot hold apart.
@@ -48,9 +47,8 @@ void add_offset(std::vector<std::string>& notes, double level, const materials::
   std::string list;
   for (std::size_t k = 0; k < variables.size(); ++k) {
     const std::string_view name = variables[k].name;
-    if (name.starts_with("offset_") && std::abs(point.state()[k]) > rounding * level) {
+    if (name.starts_with("offset_") && std::abs(point.state()[k]) > rounding * level)
       list += fmt::format("{}{} = {:.4g} Pa", list.empty() ? "" : ", ", name, point.state()[k]);
-    }
   }
   if (!list.empty()) {
     notes.push_back(fmt::format("the law cannot hold the initial stress: it keeps {} of it (compression "
@@ -61,14 +59,8 @@ void add_offset(std::vector<std::string>& notes, double level, const materials::
 
 } // namespace
 
-bool total_stress(const materials::Law& law) {
-  return std::holds_alternative<materials::MultiYieldClay>(law) ||
-         std::holds_alternative<materials::MasingShear>(law) ||
-         std::holds_alternative<materials::IwanShear>(law);
-}
-
 bool has_pore_pressure_ratio(const materials::Law& law, const SoilTest& test) {
-  return test.drainage == Drainage::drained || !total_stress(law);
+  return test.drainage == Drainage::drained || !materials::traits(law).total_stress;
 }
 
 std::vector<std::string> notes(const materials::Law& law, const SoilTest& test) {
@@ -79,7 +71,8 @@ std::vector<std::string> notes(const materials::Law& law, const SoilTest& test) 
                                 vertical));
   }
   const materials::PointStress wanted = stress_at_start(test);
-  const materials::PointTest point(law, wanted);
+  materials::PointTest point(law, wanted);
+  point.apply({}); // a step of no strain, in which a law returns to its strength
   const double level = std::max({std::abs(wanted.xx), std::abs(wanted.yy), std::abs(wanted.xy)});
   add_changed_stress(notes, level, wanted, point);
   add_offset(notes, level, point);

@@ -7,9 +7,6 @@
 
 namespace tremolo::soiltest {
 
-/// Whether the strength of the law follows no effective stress, so that pore pressure does not act on it.
-bool total_stress(const materials::Law& law);
-
 /// Whether r_u of a test means something: not that of a total-stress law whose pore water is held back.
 bool has_pore_pressure_ratio(const materials::Law& law, const SoilTest& test);
 

@@ -119,9 +119,8 @@ private:
 
   /// Notes the cycle, interpolated within the increment, at which a value passes a limit.
   void reach(double& cycles, double limit, double before, double now, double cycle) const {
-    if (before < limit && now >= limit) {
+    if (before < limit && now >= limit)
       cycles = result_.cycles + (cycle - result_.cycles) * (limit - before) / (now - before);
-    }
   }
 
   void advance(double increment) {
@@ -172,9 +171,8 @@ private:
       for (int reversal = 0; reversal <= 2 * loading.cycles; ++reversal, sign = -sign) {
         go(sign * amplitude, reversal == 0 ? 0.25 : 0.5);
         if (reversal % 2 == 0) {
-          if (reversal > 0) {
+          if (reversal > 0)
             close_loop(amplitude, reversal / 2);
-          }
           const double tau = apparatus_.shear_stress(point_);
           const double gamma = apparatus_.shear_strain(point_);
           loop_ = {0.0, tau, tau, gamma, gamma};
@@ -202,9 +200,8 @@ private:
     half.from = middle;
     while (true) {
       half.to = middle + sign * loading.stress_ratio * level;
-      if (!stress_to(loading, half, sign)) {
+      if (!stress_to(loading, half, sign))
         return;
-      }
       half.begin += half.share;
       half.share = 0.5;
       half.from = half.to;
@@ -226,24 +223,22 @@ private:
       note(reversal ? half.begin + half.share
                     : std::max(result_.cycles, half.cycle(apparatus_.shear_stress(point_))),
            reversal);
-      if (over(loading)) {
+      if (over(loading))
         return false;
-      }
     }
     return true;
   }
 
   bool over(const StressCycles& loading) {
-    if (std::abs(apparatus_.strain(point_)) >= loading.largest_strain) {
+    if (std::abs(apparatus_.strain(point_)) >= loading.largest_strain)
       end(End::largest_strain, fmt::format("the strain reached {:g}", loading.largest_strain));
-    } else if (result_.cycles >= loading.most_cycles) {
+    else if (result_.cycles >= loading.most_cycles)
       end(End::most_cycles, fmt::format("{:g} cycles were applied", loading.most_cycles));
-    } else if (loading.pore_pressure_ratio &&
-               apparatus_.pore_pressure_ratio(point_) >= *loading.pore_pressure_ratio) {
+    else if (loading.pore_pressure_ratio &&
+             apparatus_.pore_pressure_ratio(point_) >= *loading.pore_pressure_ratio)
       end(End::pore_pressure_ratio, fmt::format("r_u reached {:g}", *loading.pore_pressure_ratio));
-    } else {
+    else
       return false;
-    }
     return true;
   }
 

@@ -29,9 +29,8 @@ double count(const Path& path, double /*increment*/) {
 }
 
 std::string_view remedy(const Loading& loading) {
-  if (std::holds_alternative<StressCycles>(loading)) {
+  if (std::holds_alternative<StressCycles>(loading))
     return "a larger strain_increment, fewer most_cycles or a smaller largest_strain";
-  }
   return std::holds_alternative<StrainCycles>(loading) ? "a larger strain_increment or fewer cycles"
          : std::holds_alternative<Path>(loading)       ? "fewer increments in the column step"
                                                        : "a larger strain_increment or a smaller strain";

@@ -1,25 +1,21 @@
 #include "materials/soiltest/soil_test.hpp"
 
 #include "materials/law/parameter_check.hpp"
-#include "materials/soiltest/names.hpp"
 #include "materials/soiltest/path/path_start.hpp"
 #include "materials/soiltest/path/path_table.hpp"
 #include "materials/soiltest/size.hpp"
 #include "materials/soiltest/specimen.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <stdexcept>
 
 namespace tremolo::soiltest {
 namespace {
 
 using materials::check_positive;
 using materials::check_range;
-
-constexpr std::array<std::string_view, 8> kinds = {"direct_simple_shear",    "triaxial_compression",
-                                                   "triaxial_extension",     "plane_strain_compression",
-                                                   "plane_strain_extension", "oedometer",
-                                                   "isotropic_compression",  "path"};
-constexpr std::array<std::string_view, 3> drainages = {"drained", "undrained", "constant_volume"};
 
 bool has_shear(Kind kind) {
   return kind != Kind::oedometer && kind != Kind::isotropic_compression && kind != Kind::path;
@@ -34,46 +30,37 @@ void check_loading(Kind /*kind*/, const Monotonic& loading) {
 }
 
 void check_loading(Kind kind, const StressCycles& loading) {
-  if (!has_shear(kind)) {
+  if (!has_shear(kind))
     refuse(fmt::format("{} has no cycles by stress ratio: it does not shear", name(kind)));
-  }
   check_range("stress_ratio", loading.stress_ratio, 1e-6, 100.0);
   check_range("largest_strain", loading.largest_strain, 1e-9, 10.0);
   check_range("most_cycles", loading.most_cycles, 0.0, 1e6);
-  if (loading.pore_pressure_ratio) {
+  if (loading.pore_pressure_ratio)
     check_range("pore_pressure_ratio", *loading.pore_pressure_ratio, 1e-3, 2.0);
-  }
 }
 
 void check_loading(Kind kind, const StrainCycles& loading) {
-  if (!has_shear(kind)) {
+  if (!has_shear(kind))
     refuse(fmt::format("{} has no strain cycles: it does not shear", name(kind)));
-  }
-  if (loading.amplitudes.empty()) {
+  if (loading.amplitudes.empty())
     refuse("strain cycles need at least one amplitude");
-  }
-  for (const double amplitude : loading.amplitudes) {
+  for (const double amplitude : loading.amplitudes)
     check_range("amplitude", amplitude, 1e-9, 10.0);
-  }
   check_range("cycles", loading.cycles, 1, 1e6);
 }
 
 void check_row(const PathRow& row, std::size_t index) {
   for (const double value : {row.strain.xx, row.strain.yy, row.strain.xy, row.strain.zz, row.stress.xx,
-                             row.stress.yy, row.stress.xy, row.stress.zz}) {
-    if (!std::isfinite(value)) {
+                             row.stress.yy, row.stress.xy, row.stress.zz})
+    if (!std::isfinite(value))
       refuse(fmt::format("{} holds {:g}", place(row, index), value));
-    }
-  }
 }
 
 void check_loading(Kind kind, const Path& loading) {
-  if (kind != Kind::path) {
+  if (kind != Kind::path)
     refuse(fmt::format("{} takes no prescribed path; that is the kind \"path\"", name(kind)));
-  }
-  if (loading.rows.size() < 2) {
+  if (loading.rows.size() < 2)
     refuse(fmt::format("a path needs at least 2 rows, not {}", loading.rows.size()));
-  }
   for (std::size_t i = 0; i < loading.rows.size(); ++i) {
     check_row(loading.rows[i], i);
     const double steps = i == 0 ? 1.0 : loading.rows[i].step - loading.rows[i - 1].step;
@@ -110,45 +97,26 @@ void check_drainage(const SoilTest& test) {
 
 } // namespace
 
-std::string_view name(Kind kind) {
-  return kinds[static_cast<std::size_t>(kind)];
-}
-
-std::string_view name(Drainage drainage) {
-  return drainages[static_cast<std::size_t>(drainage)];
-}
-
-Kind kind_named(std::string_view text) {
-  return static_cast<Kind>(index_of(kinds, text, "kind of soil test"));
-}
-
-Drainage drainage_named(std::string_view text) {
-  return static_cast<Drainage>(index_of(drainages, text, "drainage"));
-}
-
 void validate(const materials::Law& law, const SoilTest& test) {
   materials::validate(law);
   if ((test.kind == Kind::triaxial_compression || test.kind == Kind::triaxial_extension) &&
-      !three_dimensional(law)) {
+      !traits(law).three_dimensional) {
     refuse(fmt::format(
         "{} needs a law that takes out-of-plane strain; {} is one of plane strain: use plane_strain_"
         "compression or _extension",
         name(test.kind), materials::name(law)));
   }
-  if (test.kind == Kind::path && !std::holds_alternative<Path>(test.loading)) {
+  if (test.kind == Kind::path && !std::holds_alternative<Path>(test.loading))
     refuse("a test of the kind \"path\" needs a path as its loading");
-  }
   check_initial(test.kind, test.initial);
   check_drainage(test);
   std::visit([&](const auto& loading) { check_loading(test.kind, loading); }, test.loading);
   check_range("strain_increment", test.strain_increment, 1e-9, 0.05);
-  if (test.every == 0) {
+  if (test.every == 0)
     refuse("every = 0 must be at least 1");
-  }
   check_size(test);
-  if (const auto* path = std::get_if<Path>(&test.loading)) {
+  if (const auto* path = std::get_if<Path>(&test.loading))
     check_start(*path, test.initial, specimen(law, test).stress());
-  }
 }
 
 } // namespace tremolo::soiltest

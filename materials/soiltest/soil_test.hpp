@@ -26,6 +26,7 @@
 // Stresses are tension positive, u is compression positive and r_u = u over the initial effective stress that
 // the apparatus holds constant (vertical in an oedometer and isotropic compression).
 
+#include "base/words.hpp"
 #include "materials/law/driver.hpp"
 #include "materials/soiltest/path/history.hpp"
 
@@ -42,7 +43,7 @@ namespace tremolo::soiltest {
 
 enum class Kind {
   direct_simple_shear,
-  triaxial_compression, ///< axisymmetric; only laws that are three_dimensional()
+  triaxial_compression, ///< axisymmetric; only laws with the trait three_dimensional
   triaxial_extension,
   plane_strain_compression,
   plane_strain_extension,
@@ -50,8 +51,23 @@ enum class Kind {
   isotropic_compression,
   path ///< prescribed strains and stresses; loading is a Path
 };
+constexpr auto words(Kind) {
+  return word_table<Kind>({{Kind::direct_simple_shear, "direct_simple_shear"},
+                           {Kind::triaxial_compression, "triaxial_compression"},
+                           {Kind::triaxial_extension, "triaxial_extension"},
+                           {Kind::plane_strain_compression, "plane_strain_compression"},
+                           {Kind::plane_strain_extension, "plane_strain_extension"},
+                           {Kind::oedometer, "oedometer"},
+                           {Kind::isotropic_compression, "isotropic_compression"},
+                           {Kind::path, "path"}});
+}
 
 enum class Drainage { drained, undrained, constant_volume };
+constexpr auto words(Drainage) {
+  return word_table<Drainage>({{Drainage::drained, "drained"},
+                               {Drainage::undrained, "undrained"},
+                               {Drainage::constant_volume, "constant_volume"}});
+}
 
 /// State before loading; strains are counted from here.
 struct InitialState {
@@ -171,12 +187,7 @@ Result run(const materials::Law& law, const SoilTest& test);
 /// @throws std::invalid_argument naming what and why
 void validate(const materials::Law& law, const SoilTest& test);
 
-/// The name a test file uses, e.g. "direct_simple_shear", "constant_volume".
-std::string_view name(Kind kind);
-std::string_view name(Drainage drainage);
-/// And back.
-/// @throws std::invalid_argument naming the known ones
-Kind kind_named(std::string_view text);
-Drainage drainage_named(std::string_view text);
+/// The word a test file uses, e.g. "direct_simple_shear", "constant_volume".
+using tremolo::name;
 
 } // namespace tremolo::soiltest

@@ -16,9 +16,8 @@ void stop_at_stress(PointTest& point, const Apparatus& apparatus, const PointSta
                     double target, double tolerance) {
   const auto excess = [&](double part) {
     point.set(before);
-    if (part > 0.0) {
+    if (part > 0.0)
       point.apply(apparatus.step(part * increment, point));
-    }
     return apparatus.shear_stress(point) - target;
   };
   double a = 0.0;
@@ -44,9 +43,8 @@ void stop_at_stress(PointTest& point, const Apparatus& apparatus, const PointSta
       kept = -1;
     }
   }
-  if (!met) {
+  if (!met)
     excess(b);
-  }
 }
 
 namespace {
@@ -57,9 +55,8 @@ void shear_to(PointTest& point, const SoilTest& drained, double tau) {
   const double increment = std::copysign(drained.strain_increment, tau);
   PointState before = point.now();
   while (std::abs(point.stress().xy) < std::abs(tau)) {
-    if (std::abs(point.strain().xy) > 1.0) {
+    if (std::abs(point.strain().xy) > 1.0)
       throw std::runtime_error("100 % shear strain does not reach it");
-    }
     before = point.now();
     point.apply(apparatus.step(increment, point));
   }
@@ -81,9 +78,8 @@ PointTest specimen(const Law& law, const SoilTest& test) {
   materials::StressTolerance tolerance;
   tolerance.nearest = test.kind == Kind::path ? 0.0 : largest_missing_fraction;
   PointTest point(law, stress_at_start(test), tolerance);
-  if (initial.bias_in_initial_stress || tau == 0.0) {
+  if (initial.bias_in_initial_stress || tau == 0.0)
     return point;
-  }
   SoilTest drained = test;
   drained.kind = Kind::direct_simple_shear;
   drained.drainage = Drainage::drained;

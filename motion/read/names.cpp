@@ -11,28 +11,24 @@ namespace {
 
 struct UnitEntry {
   Unit unit;
-  std::string_view name;
   Quantity quantity;
   double si;
 };
 
 constexpr std::array units = {
-    UnitEntry{Unit::g, "g", Quantity::acceleration, standard_gravity},
-    UnitEntry{Unit::m_s2, "m/s2", Quantity::acceleration, 1.0},
-    UnitEntry{Unit::cm_s2, "cm/s2", Quantity::acceleration, 0.01},
-    UnitEntry{Unit::m_s, "m/s", Quantity::velocity, 1.0},
-    UnitEntry{Unit::cm_s, "cm/s", Quantity::velocity, 0.01},
-    UnitEntry{Unit::m, "m", Quantity::displacement, 1.0},
-    UnitEntry{Unit::cm, "cm", Quantity::displacement, 0.01},
-    UnitEntry{Unit::mm, "mm", Quantity::displacement, 0.001},
+    UnitEntry{Unit::g, Quantity::acceleration, standard_gravity},
+    UnitEntry{Unit::m_s2, Quantity::acceleration, 1.0},
+    UnitEntry{Unit::cm_s2, Quantity::acceleration, 0.01},
+    UnitEntry{Unit::m_s, Quantity::velocity, 1.0},
+    UnitEntry{Unit::cm_s, Quantity::velocity, 0.01},
+    UnitEntry{Unit::m, Quantity::displacement, 1.0},
+    UnitEntry{Unit::cm, Quantity::displacement, 0.01},
+    UnitEntry{Unit::mm, Quantity::displacement, 0.001},
 };
 
 const UnitEntry& entry(Unit unit) {
   return *std::ranges::find(units, unit, &UnitEntry::unit);
 }
-
-constexpr std::array<std::string_view, 3> quantities = {"acceleration", "velocity", "displacement"};
-constexpr std::array<std::string_view, 3> kinds = {"incident", "outcrop", "within"};
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -46,34 +42,14 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     text.replace(at, from.size(), to);
 }
 
-template <class Enum>
-std::optional<Enum> named(std::string_view text, const std::array<std::string_view, 3>& names) {
-  const auto found = std::ranges::find(names, lower(text));
-  if (found == names.end())
-    return std::nullopt;
-  return static_cast<Enum>(found - names.begin());
-}
-
 } // namespace
 
-std::string_view name(Quantity quantity) {
-  return quantities[static_cast<std::size_t>(quantity)];
-}
-
-std::string_view name(Unit unit) {
-  return entry(unit).name;
-}
-
-std::string_view name(MotionKind kind) {
-  return kinds[static_cast<std::size_t>(kind)];
-}
-
 std::optional<Quantity> quantity_named(std::string_view text) {
-  return named<Quantity>(text, quantities);
+  return value_named<Quantity>(lower(text));
 }
 
 std::optional<MotionKind> kind_named(std::string_view text) {
-  return named<MotionKind>(text, kinds);
+  return value_named<MotionKind>(lower(text));
 }
 
 std::optional<Unit> unit_named(std::string_view text) {
@@ -82,10 +58,7 @@ std::optional<Unit> unit_named(std::string_view text) {
   std::string plain = lower(text);
   for (const auto& [from, to] : spellings)
     replace_all(plain, from, to);
-  const auto found = std::ranges::find(units, plain, &UnitEntry::name);
-  if (found == units.end())
-    return std::nullopt;
-  return found->unit;
+  return value_named<Unit>(plain);
 }
 
 Quantity quantity_of(Unit unit) {

@@ -28,8 +28,26 @@ void add(Stated& known, const Stated& more) {
     known.strange_unit = more.strange_unit;
 }
 
+/// Whether digits stand on both sides of each comma, and no number has a point: "0,123 -0,045".
+bool has_decimal_commas(std::string_view line) {
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  bool found = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '.')
+      return false;
+    if (line[i] != ',')
+      continue;
+    if (i == 0 || i + 1 == line.size() || !digit(line[i - 1]) || !digit(line[i + 1]))
+      return false;
+    found = true;
+  }
+  return found;
+}
+
 void read_samples(Lines& lines, std::size_t count, std::vector<double>& samples) {
-  while (lines.next())
+  while (lines.next()) {
+    if (has_decimal_commas(lines.text()))
+      lines.refuse("decimal commas: numbers are written with a point, 0.123 instead of 0,123");
     for (const auto word : words(lines.text())) {
       const auto value = number(word);
       if (!value)
@@ -38,6 +56,7 @@ void read_samples(Lines& lines, std::size_t count, std::vector<double>& samples)
         lines.refuse(fmt::format("the header says NPTS = {} but there are more samples", count));
       samples.push_back(*value);
     }
+  }
   if (samples.size() != count)
     lines.refuse(fmt::format("the header says NPTS = {} but there are {} samples", count, samples.size()));
 }

@@ -135,10 +135,14 @@ Unit peer_unit(Quantity quantity) {
 
 void settle(Record& record, const Stated& by_name, const Stated& by_header, const ReadAs& as,
             bool fallback_to_peer, const std::string& place) {
+  if (!(record.dt >= finest_step && record.dt <= coarsest_step))
+    ask(place, fmt::format("a step of {} s, must be from {} to {} s", record.dt, finest_step, coarsest_step));
   const Quantity quantity = settled_quantity(by_name, by_header, as, place);
   record.kind = as.kind ? as.kind : by_header.kind;
   if (as.unit) {
     record.unit = *as.unit;
+    if (by_header.unit && *by_header.unit != *as.unit)
+      record.overruled_unit = by_header.unit;
   } else if (by_header.unit && quantity_of(*by_header.unit) == quantity) {
     record.unit = *by_header.unit;
   } else if (!by_header.strange_unit.empty()) {

@@ -11,6 +11,10 @@
 
 namespace tremolo::motion {
 
+/// Steps of strong motions, s; a finer or coarser one is a mistake, and would ask for memory without end.
+inline constexpr double finest_step = 1e-5;
+inline constexpr double coarsest_step = 10.0;
+
 struct Stated {
   std::optional<Quantity> quantity;
   std::optional<Unit> unit;

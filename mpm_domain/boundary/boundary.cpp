@@ -57,6 +57,7 @@ void Boundary::match(std::vector<Particles>& sets, const Spec& spec) {
 void Boundary::remove_faces() {
   faces_.clear();
   layers_.clear();
+  corners_.clear();
   springs_.reset();
   resize();
 }
@@ -111,8 +112,10 @@ void Boundary::build_supports(const Domain& domain) {
   if (supported_)
     return;
   supported_ = true;
-  for (const Side side : domain.spec.matched_sides) {
-    const MatchedLayer& layer = layers_.emplace_back(domain, side);
+  for (const Side side : domain.spec.matched_sides)
+    layers_.emplace_back(domain, side);
+  corners_ = join(layers_);
+  for (const MatchedLayer& layer : layers_) {
     for (std::size_t f = 0; f < layer.face_count(); ++f) {
       BoundaryFace& face = faces_[layer.first_face() + f];
       face.support = Support::matched_layer;
@@ -189,8 +192,7 @@ void Boundary::react(const Domain& domain, double time) {
     reaction_[f] = {};
   }
   std::ranges::fill(layer_sums_, 0.0);
-  for (MatchedLayer& layer : layers_)
-    layer.react(time, mean, free_field_, reaction_);
+  mpm_domain::react(layers_, corners_, time, mean, free_field_, reaction_);
 }
 
 void Boundary::evaluate(std::size_t f) {

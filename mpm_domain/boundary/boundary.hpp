@@ -85,6 +85,8 @@ public:
     to.write("faces.layer_sums", layer_sums_);
     for (std::size_t l = 0; l < layers_.size(); ++l)
       to.write("layer" + std::to_string(l), layers_[l].state());
+    for (std::size_t c = 0; c < corners_.size(); ++c)
+      to.write("corner" + std::to_string(c), corners_[c].joint.state());
   }
   /// Goes on from there.
   /// @throws std::invalid_argument for the state of another boundary
@@ -94,6 +96,8 @@ public:
     set_layer_sums(from.numbers("faces.layer_sums"));
     for (std::size_t l = 0; l < layers_.size(); ++l)
       layers_[l].restore(from.numbers("layer" + std::to_string(l)));
+    for (std::size_t c = 0; c < corners_.size(); ++c)
+      corners_[c].joint.restore(from.numbers("corner" + std::to_string(c)));
   }
 
 private:
@@ -110,6 +114,7 @@ private:
 
   std::vector<BoundaryFace> faces_;
   std::vector<MatchedLayer> layers_;
+  std::vector<JoinedLayers> corners_; ///< between them
   std::optional<PeriodicSprings> springs_;
   bool supported_ = false;
 

@@ -23,18 +23,27 @@ Linear linear_weights(double x, double origin, double h) {
   return {static_cast<int>(cell), {1.0 - xi, xi}};
 }
 
-BoundaryFace make_face(Side side, Vector normal, Particles& set, std::size_t set_index, std::size_t k,
-                       double size) {
+/// What lies behind a face: the ground below the base, or else the particle's own soil in its stress.
+eq6::Face ground_of(Side side, Vector normal, const Spec& spec, Particles& set, std::size_t k) {
+  if (side == Side::base && spec.below_base) {
+    const materials::Elasticity& ground = *spec.below_base;
+    return {normal, ground.density * ground.p_wave_speed(), ground.density * ground.s_wave_speed()};
+  }
   const materials::Elasticity& soil = materials::elasticity(set.law);
   const double c_p = materials::p_wave_speed_bound(set.law, set.points(k, 1));
   const double c_s = c_p * soil.s_wave_speed() / soil.p_wave_speed(); // Poisson's ratio stays the same
+  return {normal, soil.density * c_p, soil.density * c_s};
+}
+
+BoundaryFace make_face(Side side, Vector normal, const Spec& spec, Particles& set, std::size_t set_index,
+                       std::size_t k, double size) {
   BoundaryFace face;
   face.side = side;
   face.set = set_index;
   face.id = set.id[k];
   face.position = {set.x[k] + 0.5 * size * normal.x, set.y[k] + 0.5 * size * normal.y};
   face.length = size;
-  face.ground = {normal, soil.density * c_p, soil.density * c_s};
+  face.ground = ground_of(side, normal, spec, set, k);
   return face;
 }
 
@@ -90,11 +99,11 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
     const double near = 0.75 * size; // between the first particle at size/2 and the second at 3/2 size
     for (std::size_t k = 0; k < sets[s].size(); ++k) {
       if (!spec.periodic() && sets[s].x[k] - spec.box.x_min < near)
-        faces.push_back(make_face(Side::left, {-1.0, 0.0}, sets[s], s, k, size));
+        faces.push_back(make_face(Side::left, {-1.0, 0.0}, spec, sets[s], s, k, size));
       if (!spec.periodic() && spec.box.x_max - sets[s].x[k] < near)
-        faces.push_back(make_face(Side::right, {1.0, 0.0}, sets[s], s, k, size));
+        faces.push_back(make_face(Side::right, {1.0, 0.0}, spec, sets[s], s, k, size));
       if (sets[s].y[k] - spec.box.y_min < near)
-        faces.push_back(make_face(Side::base, {0.0, -1.0}, sets[s], s, k, size));
+        faces.push_back(make_face(Side::base, {0.0, -1.0}, spec, sets[s], s, k, size));
     }
   }
   std::sort(faces.begin(), faces.end(), [](const BoundaryFace& a, const BoundaryFace& b) {

@@ -32,8 +32,9 @@ struct BoundaryFace {
   std::uint32_t id = 0; ///< the particle
   Vector position;      ///< where it lay at the start: the material point its free field is taken from, m
   double length = 0.0;  ///< m
-  eq6::Face ground;     ///< normal, and the impedances of the soil in its stress at rest
-  Vector held;          ///< f^st of Eq. (6), what held the model at rest, Pa
+  eq6::Face ground; ///< normal, and the impedances of the soil in its stress at rest, or of the ground below
+                    ///< the base
+  Vector held;      ///< f^st of Eq. (6), what held the model at rest, Pa
   Support support = Support::dashpots;
   double layer_mass = 0.0; ///< of a matched layer's nodes that move with the face, kg/m2
   int level = unknown;     ///< of the one lattice of a graded mesh that it can touch until the next sort
@@ -61,7 +62,8 @@ inline Vector dashpot_diagonal(const BoundaryFace& face) {
 }
 
 /// The faces of the model's left, right and lower edge, in this order, each from low to high coordinate.
-/// Their impedances are those of the soil in its present stress.
+/// Their impedances are those of the soil in its present stress, at the base those of the ground below, where
+/// the spec gives it.
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);
 
 /// The level of a face whose way until the next sort keeps it on one lattice; otherwise unknown.

@@ -4,8 +4,9 @@
 // elements whose depth coordinate z is stretched (Berenger 1994; unsplit and shifted in frequency as by Basu
 // and Chopra 2004, Kuzuoglu and Mittra 1996),
 //
-//     d/dz -> (1/g) d/dz,        g(z, omega) = 1 + b(z)/(a + i omega),        b = b_max (z/d)^2.
+//     d/dz -> (1/g) d/dz,        g(z, omega) = 1 + b(z)/(a + i omega),        b = b_max (z/d)^2
 //
+// (layer_stretch.hpp).
 // A wave that enters is not reflected, whatever its angle, but dies away, and comes back from the fixed end
 // at depth d as exp(-2 cos(theta)/c int b dz) of itself. With w the velocity, e the displacement gradient and
 // x along the boundary, the stretched equations of motion times g are
@@ -18,9 +19,12 @@
 // is put on it.
 
 #include "coupler/eq6/boundary_traction.hpp"
+#include "mpm_domain/boundary/bilinear_element.hpp"
+#include "mpm_domain/boundary/layer_stretch.hpp"
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,13 +43,23 @@ enum class LayerEnd {
   dashpots, ///< more of the same layer, by dashpots stretched like it
   free,     ///< nothing
   repeated, ///< the other end; of both
+  corner,   ///< a block stretched in both directions, which leads the nodes of this end (layer_corner.hpp)
 };
 
 struct LayerShape {
   std::vector<LayerColumn> columns;
   double depth = 0.0; ///< d, m
   int cells = 0;      ///< elements over the depth
+  /// P wave that the stretch is made for, m/s: the fastest of all layers that meet at corners. Without it,
+  /// the fastest of the columns.
+  std::optional<double> fastest = std::nullopt;
   std::array<LayerEnd, 2> ends{LayerEnd::dashpots, LayerEnd::dashpots};
+};
+
+/// The nodes of one end, from the one on the boundary to the fixed one.
+struct LayerEndNodes {
+  std::vector<double> mass;       ///< kg/m
+  std::vector<eq6::Vector> force; ///< what the layer exerts on them, N/m
 };
 
 /// Motion in the layer's own directions: x along the boundary, y its outward normal.
@@ -67,6 +81,19 @@ public:
   /// Mass of the layer at its nodes on the boundary, kg/m.
   [[nodiscard]] std::span<const double> boundary_mass() const { return std::span(mass_).first(across_); }
 
+  [[nodiscard]] const LayerShape& shape() const { return shape_; }
+  [[nodiscard]] const LayerStretch& stretch() const { return stretch_; }
+
+  /// Of an end, 0 or 1.
+  [[nodiscard]] LayerEndNodes end_nodes(std::size_t end) const;
+  /// How the node j elements behind the boundary moves in the next step, m/s: an end at a corner is led by
+  /// it.
+  void lead(std::size_t end, std::size_t j, eq6::Vector velocity) { v_[end_node(end, j)] = velocity; }
+  /// Adds mass (kg/m) of a corner to the node on the boundary, once and for all.
+  void add_corner_mass(std::size_t end, double mass) { mass_[end_node(end, 0)] += mass; }
+  /// Adds the force (N/m) of a corner to the node on the boundary, after every step.
+  void add_corner_force(std::size_t end, eq6::Vector force);
+
   /// All that changes with time, for a checkpoint.
   [[nodiscard]] std::vector<double> state() const;
   /// @throws std::invalid_argument for a state of another shape
@@ -78,19 +105,23 @@ private:
     eq6::Vector q; ///< Q
     eq6::Vector s; ///< S: of s_xx and s_xz
   };
-  static constexpr std::size_t points = 4; ///< of an element, two by two
-
   void lump();
   void move(double dt, std::span<const eq6::Vector> boundary_velocity);
   void sum_forces(double dt);
   void strain_element(std::size_t column, std::size_t row, double dt);
-  [[nodiscard]] double stretch(double z) const; ///< b, 1/s
+  [[nodiscard]] std::size_t end_node(std::size_t end, std::size_t j) const {
+    return node(end == 0 ? 0 : across_ - 1, j);
+  }
+  [[nodiscard]] bool is_led(std::size_t node) const {
+    const std::size_t i = node % across_;
+    return (i == 0 && shape_.ends[0] == LayerEnd::corner) ||
+           (i == across_ - 1 && shape_.ends[1] == LayerEnd::corner);
+  }
   [[nodiscard]] std::size_t node(std::size_t i, std::size_t j) const { return j * across_ + i % across_; }
 
   LayerShape shape_;
-  std::size_t across_ = 0;       ///< nodes along the boundary
-  double largest_stretch_ = 0.0; ///< b_max, 1/s
-  double shift_ = 0.0;           ///< a, 1/s
+  LayerStretch stretch_;
+  std::size_t across_ = 0; ///< nodes along the boundary
 
   std::vector<double> mass_;
   std::vector<double> damping_;          ///< b of each node, 1/s

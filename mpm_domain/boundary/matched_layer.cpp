@@ -27,6 +27,10 @@ Reach reach(const BoundaryFace& face) {
   return {middle - 0.5 * face.length, middle + 0.5 * face.length};
 }
 
+bool is_matched(const Domain& domain, Side side) {
+  return std::ranges::find(domain.spec.matched_sides, side) != domain.spec.matched_sides.end();
+}
+
 std::string_view name(Side side) {
   return side == Side::left ? "left side" : side == Side::right ? "right side" : "base";
 }
@@ -44,6 +48,13 @@ std::span<const BoundaryFace> faces_of(const Domain& domain, Side side) {
   return {first, last};
 }
 
+/// Of what the face's impedances belong to, kg/m3.
+double ground_density(const Domain& domain, const BoundaryFace& face) {
+  if (face.side == Side::base && domain.spec.below_base)
+    return domain.spec.below_base->density;
+  return materials::elasticity(domain.sets[face.set].law).density;
+}
+
 /// Elastic constants per area of the boundary between two places, in the soil's present stress.
 LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Reach span) {
   LayerColumn column{.width = span.to - span.from};
@@ -52,12 +63,21 @@ LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Re
         (std::min(span.to, reach(face).to) - std::max(span.from, reach(face).from)) / column.width;
     if (!(share > 1e-9))
       continue;
-    const double density = materials::elasticity(domain.sets[face.set].law).density;
+    const double density = ground_density(domain, face);
     column.density += share * density;
     column.p_modulus += share * face.ground.impedance_p * face.ground.impedance_p / density;
     column.shear_modulus += share * face.ground.impedance_s * face.ground.impedance_s / density;
   }
   return column;
+}
+
+/// The fastest P wave of the ground behind any layer, m/s: they all stretch alike.
+double fastest(const Domain& domain) {
+  double speed = 0.0;
+  for (const BoundaryFace& face : domain.boundary.faces())
+    if (is_matched(domain, face.side))
+      speed = std::max(speed, face.ground.impedance_p / ground_density(domain, face));
+  return speed;
 }
 
 LayerShape shape(const Domain& domain, Side side) {
@@ -72,10 +92,16 @@ LayerShape shape(const Domain& domain, Side side) {
         ground(domain, faces, {whole.from + length * i / count, whole.from + length * (i + 1) / count}));
   result.cells = spec.layer_cells;
   result.depth = spec.layer_cells * spec.cell_size;
+  result.fastest = fastest(domain);
+  const auto towards = [&](Side other) {
+    return is_matched(domain, other) ? LayerEnd::corner : LayerEnd::dashpots;
+  };
   if (spec.periodic())
     result.ends = {LayerEnd::repeated, LayerEnd::repeated};
-  else if (side != Side::base)
-    result.ends = {LayerEnd::dashpots, LayerEnd::free}; // below, and at the ground's surface
+  else if (side == Side::base)
+    result.ends = {towards(Side::left), towards(Side::right)};
+  else
+    result.ends = {towards(Side::base), LayerEnd::free}; // at the ground's surface
   return result;
 }
 
@@ -87,7 +113,7 @@ double hat_integral(double x) {
 
 } // namespace
 
-MatchedLayer::MatchedLayer(const Domain& domain, Side side) : lattice_(shape(domain, side)) {
+MatchedLayer::MatchedLayer(const Domain& domain, Side side) : side_(side), lattice_(shape(domain, side)) {
   const std::span<const BoundaryFace> faces = faces_of(domain, side);
   first_ = static_cast<std::size_t>(&faces.front() - domain.boundary.faces().data());
   normal_ = faces.front().ground.normal;
@@ -114,10 +140,8 @@ MatchedLayer::MatchedLayer(const Domain& domain, Side side) : lattice_(shape(dom
     }
   }
   for (Tie& tie : ties_)
-    for (auto& [j, weight] : tie.weights) {
+    for (auto& [j, weight] : tie.weights)
       weight /= covered[j];
-      tie.mass += weight * lattice_.boundary_mass()[j] / tie.length;
-    }
   v_free_.resize(faces.size());
   a_free_.resize(faces.size());
   velocity_.resize(nodes);
@@ -127,9 +151,15 @@ Vector MatchedLayer::local(Vector v) const {
   return {dot(v, along_), dot(v, normal_)};
 }
 
-void MatchedLayer::react(double time, std::span<const Vector> v_domain,
-                         std::span<const eq6::FreeField> free_field, std::span<Vector> tractions) {
-  const double dt = time - time_;
+void MatchedLayer::lump() {
+  for (Tie& tie : ties_) {
+    tie.mass = 0.0;
+    for (const auto& [j, weight] : tie.weights)
+      tie.mass += weight * lattice_.boundary_mass()[j] / tie.length;
+  }
+}
+
+void MatchedLayer::follow(std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field) {
   std::ranges::fill(velocity_, Vector{});
   for (std::size_t f = 0; started_ && f < ties_.size(); ++f) {
     const Vector now = free_field[first_ + f].velocity;
@@ -140,8 +170,16 @@ void MatchedLayer::react(double time, std::span<const Vector> v_domain,
       velocity_[j].y += weight * w.y;
     }
   }
+}
+
+void MatchedLayer::advance(double time) {
   if (started_)
-    lattice_.advance(dt, velocity_);
+    lattice_.advance(time - time_, velocity_);
+}
+
+void MatchedLayer::react(double time, std::span<const eq6::FreeField> free_field,
+                         std::span<Vector> tractions) {
+  const double dt = time - time_;
   for (std::size_t f = 0; f < ties_.size(); ++f) {
     const Vector now = free_field[first_ + f].velocity;
     Vector force;
@@ -184,6 +222,34 @@ void MatchedLayer::restore(std::span<const double> state) {
   for (std::vector<Vector>* field : {&v_free_, &a_free_})
     for (Vector& value : *field)
       value = {*next++, *next++};
+}
+
+std::vector<JoinedLayers> join(std::span<MatchedLayer> layers) {
+  std::vector<JoinedLayers> joined;
+  for (std::size_t s = 0; s < layers.size(); ++s)
+    for (std::size_t b = 0; b < layers.size(); ++b)
+      if (layers[s].side() != Side::base && layers[b].side() == Side::base)
+        joined.push_back({s, b, LayerJoint(layers[s].side(), layers[s].lattice(), layers[b].lattice())});
+  for (MatchedLayer& layer : layers)
+    layer.lump();
+  return joined;
+}
+
+void react(std::span<MatchedLayer> layers, std::span<JoinedLayers> joined, double time,
+           std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field,
+           std::span<Vector> tractions) {
+  for (MatchedLayer& layer : layers)
+    layer.follow(v_domain, free_field);
+  for (auto& [s, b, joint] : joined)
+    if (const std::optional<double> dt = layers[b].step_to(time))
+      joint.advance(*dt, layers[s].end_velocity(0), layers[b].end_velocity(joint.base_end()),
+                    layers[s].lattice(), layers[b].lattice());
+  for (MatchedLayer& layer : layers)
+    layer.advance(time);
+  for (auto& [s, b, joint] : joined)
+    joint.pull(layers[s].lattice(), layers[b].lattice());
+  for (MatchedLayer& layer : layers)
+    layer.react(time, free_field, tractions);
 }
 
 } // namespace tremolo::mpm_domain

@@ -1,5 +1,7 @@
 #include "mpm_domain/process/spec_from_case.hpp"
 
+#include "scene/plan/layers.hpp"
+
 #include <algorithm>
 
 namespace tremolo::mpm_domain {
@@ -8,13 +10,12 @@ namespace {
 
 /// Softening goes with the size of the cells that it happens in.
 std::vector<materials::Law> finer_laws(const scene::Soil& soil, const scene::Mesh& mesh) {
-  const auto* softening = std::get_if<materials::MohrCoulomb>(&soil.law);
-  if (softening == nullptr || !soil.softening_size || mesh.refine.empty())
+  if (!soil.softening_size || mesh.refine.empty())
     return {};
   const int finest = std::ranges::max(mesh.refine, {}, &scene::Refinement::level).level;
   std::vector<materials::Law> laws;
   for (int level = 1; level <= finest; ++level)
-    laws.push_back(materials::regularised(*softening, mesh.size / (1 << level), *soil.softening_size));
+    laws.push_back(materials::for_cell_size(soil.law, mesh.size / (1 << level), *soil.softening_size));
   return laws;
 }
 
@@ -52,6 +53,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   if (base.absorber == scene::Absorber::matched_layer)
     spec.matched_sides.push_back(Side::base);
   spec.layer_cells = scene.mesh.layer_cells;
+  spec.below_base = scene::ground_below_base(scene);
   spec.threads = threads;
   return spec;
 }

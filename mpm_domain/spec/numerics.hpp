@@ -2,6 +2,8 @@
 
 // The choices of the domain's numerical scheme, under the names that a case file gives them.
 
+#include "base/words.hpp"
+
 #include <optional>
 
 namespace tremolo::mpm_domain {
@@ -11,17 +13,30 @@ enum class Transfer {
   apic, ///< affine particle-in-cell (Jiang et al. 2015): angular momentum kept, noise filtered
   flip, ///< particles take the grid's acceleration; no dissipation, no filter
 };
+constexpr auto words(Transfer) {
+  return word_table<Transfer>({{Transfer::apic, "apic"}, {Transfer::flip, "flip"}});
+}
 
 /// When stress is updated in a step: last, or last with remapped velocity.
 enum class StepOrder { usl, musl };
+constexpr auto words(StepOrder) {
+  return word_table<StepOrder>({{StepOrder::usl, "usl"}, {StepOrder::musl, "musl"}});
+}
 
 /// What becomes of the particles' boxes where soil is strained.
 enum class ParticleBoxes {
   fixed,     ///< they keep their size: uGIMP
   deforming, ///< they follow it (particle_boxes.hpp)
 };
+constexpr auto words(ParticleBoxes) {
+  return word_table<ParticleBoxes>(
+      {{ParticleBoxes::fixed, "fixed"}, {ParticleBoxes::deforming, "deforming"}});
+}
 
 enum class Side { left, right, base };
+constexpr auto words(Side) {
+  return word_table<Side>({{Side::left, "left"}, {Side::right, "right"}, {Side::base, "base"}});
+}
 
 /// What the two sides of the model are.
 enum class Sides {
@@ -29,6 +44,11 @@ enum class Sides {
   periodic,         ///< the domain repeats itself beyond them; it is a whole number of cells wide
   periodic_springs, ///< their faces are tied to each other (periodic_springs.hpp)
 };
+constexpr auto words(Sides) {
+  return word_table<Sides>({{Sides::free_field, "free_field"},
+                            {Sides::periodic, "periodic"},
+                            {Sides::periodic_springs, "periodic_springs"}});
+}
 
 /// The numerical scheme of the domain.
 struct Scheme {

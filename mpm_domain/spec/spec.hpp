@@ -45,6 +45,9 @@ struct Spec {
   /// Sides whose scattered waves a matched layer takes up instead of dashpots, and its depth in cells.
   std::vector<Side> matched_sides;
   int layer_cells = 10;
+  /// Ground below the base, where it is not the soil that the model ends with: what the base's dashpots or
+  /// matched layer stand for.
+  std::optional<materials::Elasticity> below_base;
   /// Fields of one's own that particles carry besides those of the table.
   std::vector<ParticleFieldDescription> more_fields = {};
   int threads = 1;

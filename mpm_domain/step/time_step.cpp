@@ -53,6 +53,14 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
   return critical;
 }
 
+/// 0.65 h/c_p of a matched layer at the base that is made of other ground than the soil.
+double layer_step(const Spec& spec) {
+  const bool has_layer = std::ranges::find(spec.matched_sides, Side::base) != spec.matched_sides.end();
+  if (!spec.below_base || !has_layer)
+    return std::numeric_limits<double>::infinity();
+  return largest_courant_number * spec.cell_size / spec.below_base->p_wave_speed();
+}
+
 [[noreturn]] void refuse(Domain& domain, double dt, double critical, double max_speed) {
   if (domain.clocks.count() > 1)
     throw std::invalid_argument(fmt::format(
@@ -68,12 +76,15 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
 } // namespace
 
 double critical_time_step(Domain& domain, double max_speed) {
-  return least_step(domain, max_speed, [](int) { return 1.0; });
+  return std::min(least_step(
+                      domain, max_speed, [](int) { return 1.0; }),
+                  layer_step(domain.spec));
 }
 
 double critical_subcycled_step(Domain& domain, double max_speed) {
   const double stable =
-      least_step(domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); });
+      std::min(least_step(domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); }),
+               layer_step(domain.spec));
   return max_speed > 0.0 ? std::min(stable, 0.5 * domain.sort_distance() / max_speed) : stable;
 }
 

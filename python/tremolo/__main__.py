@@ -5,7 +5,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from tremolo import column, cost, failure, fronts, histories, maps, motion, preview, soil_record, soiltest, swap, timeline, verification
+from tremolo import column, comparison, cost, failure, fronts, histories, maps, motion, preview, soil_record, soiltest, swap, timeline, verification
 from tremolo.run import Run
 
 
@@ -60,6 +60,7 @@ def compare(arguments):
         _require_frames(run)
     folder = _folder(arguments.out, runs[0])
     times = _times(arguments, runs[0])
+    yield from comparison.lines(*runs)
     yield maps.acceleration(runs, times, folder, "compare_acceleration.png")
     if all(run.has_field("equivalent_plastic_strain") for run in runs):
         yield maps.shear_bands(runs, times, folder, "compare_shear_bands.png")

@@ -1,60 +1,63 @@
 #include "scene/keys/keys_field.hpp"
 
+#include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 
 namespace tremolo::scene {
 
 namespace {
 
-constexpr std::string_view models = "Who computes the free field. `wave`: plane waves in layers, exact, any "
-                                    "angle. `fe`: finite-element column. `ode`: "
-                                    "column by the method of lines with error control. `oblique`: column of "
-                                    "oblique waves in the time domain. `eql`: "
-                                    "equivalent-linear layers. `recording`: served again from a `file`. "
-                                    "`external`: a program of your own. `mpm`: a "
-                                    "periodic column of the domain's own cells.";
+constexpr std::string_view models_meaning =
+    "Who computes the free field. `wave`: plane waves in layers, exact, any "
+    "angle. `fe`: finite-element column. `ode`: "
+    "column by the method of lines with error control. `oblique`: column of "
+    "oblique waves in the time domain. `eql`: "
+    "equivalent-linear layers. `recording`: served again from a `file`. "
+    "`external`: a program of your own. `mpm`: a "
+    "periodic column of the domain's own cells.";
 
 std::vector<Key> field_model() {
   return {
-      choice("model", {"wave", "fe", "ode", "oblique", "eql", "mpm", "recording", "external"}, models),
+      choice<SourceModel>("model", models_meaning),
       {.name = "file",
        .type = Type::text,
        .meaning = "The recorded free field, relative to the case file.",
        .required = true,
-       .when = {"model", {"recording"}}},
+       .when = {"model", {name(SourceModel::recording)}}},
       {.name = "side",
        .type = Type::choice,
        .meaning =
            "Of the recorded exchange of a run (`exchange.h5`): the side whose free field is served again.",
        .otherwise = "`file` is the recording of a free field alone",
-       .choices = {"left", "right", "base"},
-       .when = {"model", {"recording"}}},
+       .choices = all_words<Side>(),
+       .when = {"model", {name(SourceModel::recording)}}},
       {.name = "program",
        .type = Type::text,
        .meaning = "The program that serves the free field, relative to the case file.",
        .required = true,
-       .when = {"model", {"external"}}}};
+       .when = {"model", {name(SourceModel::external)}}}};
 }
 
 Key absorber() {
-  return choice(
-      "absorber", {"dashpots", "matched_layer"},
+  return choice<Absorber>(
+      "absorber",
       "What takes up waves that leave the model here, that is, what differs from the free field. "
       "`dashpots`: those of Eq. (6), good near the normal; 11 % of the energy of SV waves come back at 60 "
       "degrees. `matched_layer`: a perfectly matched layer of `[mesh] layer_cells` behind the boundary, less "
-      "than 1 % up to 60 degrees; beside `form = \"total\"`, since waves of the free field itself that come "
-      "down are not what it can take up.",
-      "dashpots");
+      "than 1 % up to 60 degrees; at a base whose `form` is \"total\" or \"blended\", since under "
+      "\"incident\" the free field's own waves come down into it, which it does not know.",
+      Absorber::dashpots);
 }
 
 Key sides() {
-  return choice("sides", {"free_field", "periodic", "periodic_springs"},
-                "What the sides are. `free_field`: each is driven by its free field. `periodic`: they are "
-                "one, and the model "
-                "repeats itself beyond them; for vertical incidence, exact. `periodic_springs`: the same by "
-                "stiff springs "
-                "between the particles of both sides, an error of first order in the cell size.",
-                "free_field");
+  return choice<Sides>(
+      "sides",
+      "What the sides are. `free_field`: each is driven by its free field. `periodic`: they are "
+      "one, and the model "
+      "repeats itself beyond them; for vertical incidence, exact. `periodic_springs`: the same by "
+      "stiff springs "
+      "between the particles of both sides, an error of first order in the cell size.",
+      Sides::free_field);
 }
 
 Table lateral(std::string_view name, std::string_view meaning) {
@@ -77,16 +80,15 @@ Table own_profile(std::string_view name) {
 
 Table base() {
   auto keys = field_model();
-  keys.push_back(choice(
-      "form", {"total", "incident", "blended"},
+  keys.push_back(choice<BaseForm>(
+      "form",
       "`total`: velocity and stress of the whole free field, exact at any angle; needs the same "
       "surface level and layers on both sides. `blended`: the total fields of both sides, each under its own "
       "surface and layers, blended linearly from the left side to the right one; the same as `total` where "
       "they are equal, best where they differ, with matched layers on all sides and room. `incident`: the "
-      "incident wave alone, dashpots take up what comes down again; exact at vertical incidence, 3 % off at "
-      "15 "
-      "degrees and 16 % at 30 degrees.",
-      "blended"));
+      "incident wave alone, dashpots take up what comes down again; needs a base in the half-space or at its "
+      "top; exact at vertical incidence, in uniform ground 3 % off at 15 degrees and 16 % at 30 degrees.",
+      BaseForm::blended));
   keys.push_back(absorber());
   return {.name = "boundary.base",
           .required = true,

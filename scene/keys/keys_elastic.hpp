@@ -1,6 +1,9 @@
 #pragma once
 
+#include "base/words.hpp"
 #include "scene/keys/keys.hpp"
+
+#include <optional>
 
 namespace tremolo::scene {
 
@@ -13,6 +16,12 @@ std::vector<Key> with_elastic_keys(std::vector<Key> keys);
 /// The key of a choice.
 Key choice(std::string_view name, std::vector<std::string_view> choices, std::string_view meaning,
            std::string_view fallback = {});
+
+/// The key of a choice between the words of an enumeration; required without a fallback.
+template <Worded Enum>
+Key choice(std::string_view key, std::string_view meaning, std::optional<Enum> fallback = std::nullopt) {
+  return choice(key, all_words<Enum>(), meaning, fallback ? name(*fallback) : std::string_view());
+}
 
 inline constexpr Range positive = {.low = 0.0, .low_open = true};
 inline constexpr Range not_negative = {.low = 0.0};

@@ -1,5 +1,7 @@
 #include "scene/keys/keys_field.hpp"
 
+#include "motion/record.hpp"
+#include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 
 namespace tremolo::scene {
@@ -25,25 +27,26 @@ Table motion() {
            .type = Type::choice,
            .meaning = "What the file holds; only with `file`.",
            .otherwise = "as the file says",
-           .choices = {"acceleration", "velocity", "displacement"}},
+           .choices = all_words<motion::Quantity>()},
           {.name = "unit",
            .type = Type::choice,
            .meaning = "Unit of the file's samples; only with `file`.",
            .otherwise = "as the file says",
-           .choices = {"g", "m/s2", "cm/s2", "m/s", "cm/s", "m", "cm", "mm"}},
+           .choices = all_words<motion::Unit>()},
           {.name = "scale",
            .unit = "1",
            .meaning = "Factor on the record; only with `file`.",
            .fallback = "1"},
-          choice("kind", {"incident", "outcrop", "within"},
-                 "Whose motion it is. `incident`: of the upgoing wave alone, along its polarisation. "
-                 "`outcrop`: of the "
-                 "surface of the bare half-space, horizontal for SV and vertical for P; vertically twice the "
-                 "incident "
-                 "wave. `within`: of the top of the half-space under the `[[profile]]`, as a downhole sensor "
-                 "records it.",
-                 "incident"),
-          choice("wave", {"SV", "P"}, "Type of the incident wave."),
+          {.name = "kind",
+           .type = Type::choice,
+           .meaning =
+               "Whose motion it is; a `file` needs it. `incident`: of the upgoing wave alone, along its "
+               "polarisation. `outcrop`: of the surface of the bare half-space, horizontal for SV and "
+               "vertical for P; vertically twice the incident wave. `within`: of the top of the half-space "
+               "under the `[[profile]]`, as a downhole sensor records it.",
+           .otherwise = "`incident` of a `pulse`",
+           .choices = all_words<motion::MotionKind>()},
+          choice<Wave>("wave", "Type of the incident wave."),
           {.name = "angle_deg",
            .unit = "degrees",
            .meaning = "Angle of incidence from the vertical, travelling to +x, +y.",
@@ -70,8 +73,12 @@ Table pulse() {
                .unit = "Hz",
                .meaning = "Central frequency f.",
                .required = true,
-               .range = positive},
-              {.name = "time", .unit = "s", .meaning = "Time t0 of the peak.", .required = true},
+               .range = {.low = 1e-3, .high = 1e3}},
+              {.name = "time",
+               .unit = "s",
+               .meaning = "Time t0 of the peak.",
+               .required = true,
+               .range = {.low = -1e4, .high = 1e4}},
               {.name = "velocity", .unit = "m/s", .meaning = "Peak velocity V.", .required = true},
           }};
 }
@@ -98,17 +105,18 @@ Table damping() {
       .name = "damping",
       .meaning = "Material damping of the free field.",
       .keys = {
-          choice("model", {"none", "rayleigh", "kelvin_voigt", "hysteretic", "shake", "kjartansson"},
-                 "How damping depends on frequency. `kelvin_voigt`: proportional to it, all models but "
-                 "`oblique`. "
-                 "`rayleigh`: the "
-                 "ratio at two frequencies, columns only. `hysteretic` G (1 + 2 i xi), `shake` G (1 - 2 xi^2 "
-                 "+ 2 i xi "
-                 "sqrt(1 - xi^2)) and `kjartansson`: the same or nearly so at all frequencies, `wave` and "
-                 "`eql`; "
-                 "columns then take Kelvin-Voigt damping with the ratio at `reference_hz`. Under `none` the "
-                 "curves of `eql` damp as `hysteretic`.",
-                 "none"),
+          choice<DampingModel>(
+              "model",
+              "How damping depends on frequency. `kelvin_voigt`: proportional to it, all models but "
+              "`oblique`. "
+              "`rayleigh`: the "
+              "ratio at two frequencies, columns only. `hysteretic` G (1 + 2 i xi), `shake` G (1 - 2 xi^2 "
+              "+ 2 i xi "
+              "sqrt(1 - xi^2)) and `kjartansson`: the same or nearly so at all frequencies, `wave` and "
+              "`eql`; "
+              "columns then take Kelvin-Voigt damping with the ratio at `reference_hz`. Under `none` the "
+              "curves of `eql` damp as `hysteretic`.",
+              DampingModel::none),
           {.name = "ratio",
            .unit = "1",
            .meaning = "Fraction of critical damping of layers that have none of their own.",
@@ -154,12 +162,6 @@ std::vector<Key> layer_keys() {
        .meaning = "Name of a `[soil]`: the layer has its elastic constants and, in columns, its law.",
        .otherwise = "linear elastic, with constants of its own"});
   keys.push_back(damping_ratio());
-  keys.push_back(
-      {.name = "rest_coefficient",
-       .unit = "1",
-       .meaning = "Horizontal over vertical stress before shaking, K0, of nonlinear soil in the column `fe`.",
-       .otherwise = "poisson/(1 - poisson)",
-       .range = positive});
   return keys;
 }
 

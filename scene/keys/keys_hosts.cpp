@@ -1,5 +1,6 @@
 #include "scene/keys/keys_hosts.hpp"
 
+#include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 
 namespace tremolo::scene {
@@ -7,8 +8,8 @@ namespace tremolo::scene {
 namespace {
 
 Table host(std::string_view name, std::string_view meaning) {
-  Key start = choice(
-      "start", {"ssh", "slurm", "join"},
+  Key start = choice<StartBy>(
+      "start",
       "Who starts it. `ssh`: `tremolo run`, through ssh to `host`. `slurm`: `tremolo run`, with `srun` "
       "in the job that it runs in. `join`: you, on its machine, with the `tremolo join` that `tremolo "
       "run` prints.");
@@ -21,23 +22,23 @@ Table host(std::string_view name, std::string_view meaning) {
                 .type = Type::text,
                 .meaning = "Where ssh goes: `node2`, `user@node2`, or a name of `~/.ssh/config`.",
                 .required = true,
-                .when = {"start", {"ssh"}}},
+                .when = {"start", {scene::name(StartBy::ssh)}}},
                {.name = "options",
                 .type = Type::text,
                 .meaning = "Options of `ssh` or `srun`, separated by blanks.",
                 .otherwise = "none",
-                .when = {"start", {"ssh", "slurm"}}},
+                .when = {"start", {scene::name(StartBy::ssh), scene::name(StartBy::slurm)}}},
                {.name = "command",
                 .type = Type::text,
                 .meaning = "The `tremolo` there, as a shell there reads it: a name, a path, or more, such "
                            "as `module load tremolo; tremolo`.",
                 .fallback = "tremolo",
-                .when = {"start", {"ssh", "slurm"}}},
+                .when = {"start", {scene::name(StartBy::ssh), scene::name(StartBy::slurm)}}},
                {.name = "keys",
                 .type = Type::text,
                 .meaning = "Folder of its CURVE keys there; relative to where ssh or srun begins.",
                 .otherwise = "the folder that `tremolo run --keys` names here",
-                .when = {"start", {"ssh", "slurm"}}}}};
+                .when = {"start", {scene::name(StartBy::ssh), scene::name(StartBy::slurm)}}}}};
 }
 
 } // namespace

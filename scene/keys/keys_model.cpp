@@ -1,6 +1,7 @@
 #include "scene/keys/keys_model.hpp"
 
 #include "mesh/quadtree.hpp"
+#include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 #include "scene/keys/keys_soil.hpp"
 
@@ -24,12 +25,14 @@ Table time() {
            .meaning = "A fixed time step instead of `fraction`, with the same limits.",
            .otherwise = "from `fraction`",
            .range = positive},
-          choice("transfer", {"apic", "flip"},
-                 "How velocity travels between particles and grid: affine particle-in-cell or FLIP.", "apic"),
-          choice("order", {"usl", "musl"},
-                 "The velocity that strains the soil: `usl` takes the one that the step gives the nodes, "
-                 "`musl` maps the particles' new velocity to the nodes once more.",
-                 "musl"),
+          choice<Transfer>(
+              "transfer", "How velocity travels between particles and grid: affine particle-in-cell or FLIP.",
+              Transfer::apic),
+          choice<StepOrder>(
+              "order",
+              "The velocity that strains the soil: `usl` takes the one that the step gives the nodes, "
+              "`musl` maps the particles' new velocity to the nodes once more.",
+              StepOrder::musl),
           {.name = "subcycle",
            .type = Type::boolean,
            .meaning = "Each level of a refined mesh takes a step of its own, half of the next coarser one's; "
@@ -100,11 +103,28 @@ Table stage() {
            .when = {"kind", {"shaking"}}}}};
 }
 
+/// Of soils in the ground; a soil test says with which stresses it begins.
+std::vector<Key> soil_keys_of_a_case() {
+  auto keys = soil_keys();
+  keys.push_back({.name = "rest_coefficient",
+                  .unit = "1",
+                  .meaning =
+                      "Horizontal over vertical stress before shaking, K0, in the domain and in columns. "
+                      "The gravity stage begins with it.",
+                  .otherwise = "poisson/(1 - poisson)",
+                  .range = {.low = 0.0, .high = 10.0, .low_open = true}});
+  return keys;
+}
+
 } // namespace
 
 std::vector<Table> model_keys() {
   return {
-      {.name = "soil", .kind = Kind::named, .required = true, .meaning = soil_meaning, .keys = soil_keys()},
+      {.name = "soil",
+       .kind = Kind::named,
+       .required = true,
+       .meaning = soil_meaning,
+       .keys = soil_keys_of_a_case()},
       {.name = "region",
        .kind = Kind::array,
        .required = true,
@@ -135,13 +155,13 @@ std::vector<Table> model_keys() {
              .meaning = "Particles per cell in each direction.",
              .fallback = "2",
              .range = {.low = 1.0, .high = 4.0}},
-            choice(
-                "particle_boxes", {"fixed", "deforming"},
+            choice<ParticleBoxes>(
+                "particle_boxes",
                 "Boxes over which particles see the grid. `fixed`: they keep their size, which is exact "
                 "while strains are small; soil stretched by tens of per cent is no longer tiled by them and "
                 "breaks into pieces in the end. `deforming`: they follow the soil, up to two cells "
                 "wide. See docs/mesh.md.",
-                "fixed"),
+                ParticleBoxes::fixed),
             {.name = "layer_cells",
              .type = Type::integer,
              .unit = "cells",

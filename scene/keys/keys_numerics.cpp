@@ -1,5 +1,6 @@
 #include "scene/keys/keys_field.hpp"
 
+#include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 
 namespace tremolo::scene {
@@ -11,23 +12,23 @@ Table fe() {
       .name = "fe",
       .meaning = "Numerics of the finite-element column (`model = \"fe\"`).",
       .keys = {
-          choice("integrator", {"central_difference", "newmark", "hht"},
-                 "Explicit central differences, implicit Newmark (1/4, 1/2), or HHT-alpha.",
-                 "central_difference"),
+          choice<Integrator>("integrator",
+                             "Explicit central differences, implicit Newmark (1/4, 1/2), or HHT-alpha.",
+                             Integrator::central_difference),
           {.name = "alpha",
            .unit = "1",
            .meaning = "Of `hht`: the more negative, the more numerical damping of the highest frequencies.",
            .fallback = "-0.05",
            .range = {.low = -1.0 / 3.0, .high = 0.0},
-           .when = {"integrator", {"hht"}}},
+           .when = {"integrator", {name(Integrator::hht)}}},
           {.name = "tangent",
            .type = Type::choice,
            .meaning =
                "Of implicit steps in nonlinear soil: Newton with the `consistent` tangent, or modified "
                "Newton with the `initial` one.",
            .fallback = "consistent",
-           .choices = {"consistent", "initial"},
-           .when = {"integrator", {"newmark", "hht"}}},
+           .choices = all_words<NewtonTangent>(),
+           .when = {"integrator", {name(Integrator::newmark), name(Integrator::hht)}}},
           {.name = "element_size",
            .unit = "m",
            .meaning = "Largest finite element.",
@@ -45,11 +46,11 @@ Table ode() {
       .name = "ode",
       .meaning = "Numerics of the column by the method of lines (`model = \"ode\"`, SUNDIALS).",
       .keys = {
-          choice(
-              "method", {"adams", "bdf", "erk", "imex"},
+          choice<OdeMethod>(
+              "method",
               "CVODE Adams or BDF; ARKODE explicit Runge-Kutta, or implicit in the damping and explicit in "
               "the rest.",
-              "erk"),
+              OdeMethod::erk),
           {.name = "relative_tolerance",
            .unit = "1",
            .meaning = "Of the local error.",

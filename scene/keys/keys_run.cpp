@@ -1,5 +1,6 @@
 #include "scene/keys/keys_run.hpp"
 
+#include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 
 namespace tremolo::scene {
@@ -28,11 +29,12 @@ std::vector<Table> run_keys() {
   return {
       {.name = "coupling",
        .meaning = "The exchange between the processes.",
-       .keys = {choice("mode", {"window", "lockstep"},
-                       "`window`: a free field runs ahead and sends many steps in a frame; `lockstep`: one "
-                       "exchange a "
-                       "step. The results are the same bits.",
-                       "window"),
+       .keys = {choice<ExchangeMode>(
+                    "mode",
+                    "`window`: a free field runs ahead and sends many steps in a frame; `lockstep`: one "
+                    "exchange a "
+                    "step. The results are the same bits.",
+                    ExchangeMode::window),
                 {.name = "window_steps",
                  .type = Type::integer,
                  .unit = "1",
@@ -53,11 +55,11 @@ std::vector<Table> run_keys() {
                      "Whether everything that the processes exchange is written to `exchange.h5`, from which "
                      "a free field can be served again.",
                  .fallback = "false"},
-                choice(
-                    "on_full_disk", {"stop", "go_on"},
+                choice<OnFullDisk>(
+                    "on_full_disk",
                     "What the run does when the recording can no longer be written: `stop` ends it; `go_on` "
                     "ends the recording, which is then marked as incomplete.",
-                    "stop")}},
+                    OnFullDisk::stop)}},
       {.name = "checkpoint",
        .meaning = "Sets of files from which `tremolo resume` goes on, see docs/checkpoints.md.",
        .keys = {{.name = "every_steps",
@@ -100,7 +102,7 @@ std::vector<Table> run_keys() {
                  "Particle fields of a frame. `state`: the state variables of the soil's law, such as the "
                  "equivalent plastic strain.",
              .fallback = "displacement, velocity, acceleration, stress, state",
-             .choices = {"displacement", "velocity", "acceleration", "stress", "state"}}}},
+             .choices = all_words<OutputField>()}}},
       {.name = "verify",
        .meaning = "Acceptance of `tremolo verify`.",
        .keys = {{.name = "tolerance",

@@ -1,6 +1,7 @@
 // Keys of the laws for sand that liquefies. What a user always has to think of has a name in words; the
 // others have the symbols of their reports, by which everyone knows them.
 
+#include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 #include "scene/keys/keys_soil.hpp"
 
@@ -24,7 +25,8 @@ constexpr Range density_range = {.low = 0.05, .high = 1.2};
 constexpr Range coefficient = {.low = 0.0, .high = 10.0};
 
 std::vector<Key> common_keys() {
-  const std::vector<std::string_view> both = {"pm4sand", "pdmy03"};
+  const std::vector<std::string_view> both = {scene::name(SoilModel::pm4sand),
+                                              scene::name(SoilModel::pdmy03)};
   return {
       optional(both, "relative_density", "1",
                "Relative density D_R, a fraction. `pm4sand` needs it: apparent. Of `pdmy03` it names a "
@@ -43,11 +45,12 @@ std::vector<Key> pm4sand_keys() {
                .meaning = meaning,
                .required = true,
                .range = range,
-               .when = {"model", {"pm4sand"}}};
+               .when = {"model", {scene::name(SoilModel::pm4sand)}}};
   };
   const auto may = [](std::string_view name, std::string_view unit, std::string_view meaning,
-                      std::string_view otherwise,
-                      Range range) { return optional({"pm4sand"}, name, unit, meaning, otherwise, range); };
+                      std::string_view otherwise, Range range) {
+    return optional({scene::name(SoilModel::pm4sand)}, name, unit, meaning, otherwise, range);
+  };
   return {
       need("shear_modulus_coefficient",
            "G_o of G = G_o p_A sqrt(p/p_A); 167 sqrt(46 D_R^2 + 2.5) where nothing is measured.", positive),
@@ -81,14 +84,14 @@ std::vector<Key> pm4sand_keys() {
        .type = Type::boolean,
        .meaning = "The sand has been shaken and reconsolidates: elastic stiffness reduced by F_sed.",
        .fallback = "false",
-       .when = {"model", {"pm4sand"}}},
+       .when = {"model", {scene::name(SoilModel::pm4sand)}}},
   };
 }
 
 std::vector<Key> pdmy03_keys() {
   const auto may = [](std::string_view name, std::string_view unit, std::string_view meaning,
                       std::string_view otherwise, Range range = {}) {
-    return optional({"pdmy03"}, name, unit, meaning, otherwise, range);
+    return optional({scene::name(SoilModel::pdmy03)}, name, unit, meaning, otherwise, range);
   };
   constexpr std::string_view set = "of the recommended set of `relative_density`";
   return {

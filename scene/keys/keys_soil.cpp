@@ -1,5 +1,7 @@
 #include "scene/keys/keys_soil.hpp"
 
+#include "materials/plastic/drucker_prager.hpp"
+#include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 #include "scene/soils/soil_library.hpp"
 
@@ -33,7 +35,7 @@ Key darendeli(std::string_view name, std::string_view unit, std::string_view mea
 }
 
 Condition mohr_coulomb() {
-  return {"model", {"mohr_coulomb"}};
+  return {"model", {name(SoilModel::mohr_coulomb)}};
 }
 
 Key strength(std::string_view name, std::string_view unit, std::string_view meaning, Range range,
@@ -49,8 +51,9 @@ Key strength(std::string_view name, std::string_view unit, std::string_view mean
 
 /// The elastic constants, of the models that are given them.
 std::vector<Key> soil_elastic_keys() {
-  const std::vector<std::string_view> elastic = {"linear_elastic",   "mohr_coulomb", "drucker_prager",
-                                                 "multi_yield_clay", "hyperbolic",   "mkz"};
+  const std::vector<std::string_view> elastic = {
+      name(SoilModel::linear_elastic),   name(SoilModel::mohr_coulomb), name(SoilModel::drucker_prager),
+      name(SoilModel::multi_yield_clay), name(SoilModel::hyperbolic),   name(SoilModel::mkz)};
   auto keys = elastic_keys();
   for (Key& key : keys) {
     if (key.name == "density") {
@@ -60,7 +63,7 @@ std::vector<Key> soil_elastic_keys() {
     }
     key.when = {"model", elastic};
     if (key.name == "poisson") {
-      key.when.values.emplace_back("pm4sand");
+      key.when.values.emplace_back(name(SoilModel::pm4sand));
       key.otherwise = "`vs` and `vp`; 0.3 of `pm4sand`";
       key.meaning = "Poisson's ratio; together with `young`, of `pm4sand` alone.";
     }
@@ -94,7 +97,7 @@ std::vector<Key> mohr_coulomb_keys() {
        .meaning = "Cell size h_ref for which `softening` holds: eta is scaled by h/h_ref, so that the work "
                   "of a shear band "
                   "does not depend on the mesh.",
-       .otherwise = "no scaling",
+       .otherwise = "needed where `softening` > 0",
        .range = positive,
        .when = mohr_coulomb()},
   };
@@ -102,14 +105,14 @@ std::vector<Key> mohr_coulomb_keys() {
 
 /// Of the cones and surfaces of more than one model.
 std::vector<Key> surface_keys() {
-  const std::vector<std::string_view> cones = {"drucker_prager", "pdmy03"};
+  const std::vector<std::string_view> cones = {name(SoilModel::drucker_prager), name(SoilModel::pdmy03)};
   return {
       {.name = "cohesion",
        .unit = "Pa",
        .meaning = "Cohesion.",
        .required = true,
        .range = not_negative,
-       .when = {"model", {"drucker_prager"}}},
+       .when = {"model", {name(SoilModel::drucker_prager)}}},
       {.name = "friction_deg",
        .unit = "degrees",
        .meaning =
@@ -122,7 +125,7 @@ std::vector<Key> surface_keys() {
        .meaning = "Dilation angle, at most the friction angle.",
        .fallback = "0",
        .range = angle,
-       .when = {"model", {"drucker_prager"}}},
+       .when = {"model", {name(SoilModel::drucker_prager)}}},
       {.name = "cone",
        .type = Type::choice,
        .meaning = "In which test the circular cone has the angles: `triaxial_compression`, for which the "
@@ -130,20 +133,20 @@ std::vector<Key> surface_keys() {
                   "sets of `pdmy03` are made, far stronger in plane strain than the angle; "
                   "`triaxial_extension`; `plane_strain`.",
        .otherwise = "`plane_strain` of `drucker_prager`, `triaxial_compression` of `pdmy03`",
-       .choices = {"triaxial_compression", "triaxial_extension", "plane_strain"},
+       .choices = all_words<materials::ConeMatch>(),
        .when = {"model", cones}},
       {.name = "undrained_strength",
        .unit = "Pa",
        .meaning = "Undrained shear strength s_u.",
        .required = true,
        .range = positive,
-       .when = {"model", {"multi_yield_clay"}}},
+       .when = {"model", {name(SoilModel::multi_yield_clay)}}},
       {.name = "peak_strain",
        .unit = "1",
        .meaning = "Engineering shear strain at which s_u is reached.",
        .fallback = "0.1",
        .range = {.low = 0.0, .high = 1.0, .low_open = true},
-       .when = {"model", {"multi_yield_clay"}}},
+       .when = {"model", {name(SoilModel::multi_yield_clay)}}},
       {.name = "surfaces",
        .type = Type::integer,
        .unit = "1",
@@ -151,12 +154,12 @@ std::vector<Key> surface_keys() {
                   "`pdmy03` 3 to 40.",
        .otherwise = "20",
        .range = {.low = 3.0, .high = 60.0},
-       .when = {"model", {"multi_yield_clay", "pdmy03"}}},
+       .when = {"model", {name(SoilModel::multi_yield_clay), name(SoilModel::pdmy03)}}},
   };
 }
 
 std::vector<Key> hysteretic_keys() {
-  const std::vector<std::string_view> both = {"hyperbolic", "mkz"};
+  const std::vector<std::string_view> both = {name(SoilModel::hyperbolic), name(SoilModel::mkz)};
   return {
       {.name = "curve",
        .type = Type::text,
@@ -167,10 +170,10 @@ std::vector<Key> hysteretic_keys() {
            "it and `eql` takes it as it is; of `pdmy03` G/G0 replaces the hyperbola that the surfaces share, "
            "and strength follows from it; of `multi_yield_clay` up to s_u.",
        .otherwise = "the backbone given, a hyperbola of `pdmy03` and `multi_yield_clay`",
-       .when = {"model", {"mkz", "multi_yield_clay", "pdmy03"}}},
+       .when = {"model", {name(SoilModel::mkz), name(SoilModel::multi_yield_clay), name(SoilModel::pdmy03)}}},
       backbone("reference_strain", both, "Shear strain of the backbone, engineering.", positive),
-      backbone("beta", {"mkz"}, "Factor of the backbone.", positive),
-      backbone("exponent", {"mkz"}, "Exponent of the backbone.", {.low = 0.1, .high = 1.0}),
+      backbone("beta", {name(SoilModel::mkz)}, "Factor of the backbone.", positive),
+      backbone("exponent", {name(SoilModel::mkz)}, "Exponent of the backbone.", {.low = 0.1, .high = 1.0}),
       darendeli("plasticity_index", "%", "Plasticity index.", "", not_negative),
       darendeli("overconsolidation_ratio", "1", "Overconsolidation ratio.", "1", {.low = 1.0}),
       darendeli("mean_stress", "Pa", "Mean effective confining stress.", "", {.low = 100.0, .high = 1e8}),
@@ -189,14 +192,13 @@ std::vector<Key> soil_keys() {
                   "given here is "
                   "as there.",
        .otherwise = "all is given here"},
-      choice("model",
-             {"linear_elastic", "mohr_coulomb", "drucker_prager", "multi_yield_clay", "hyperbolic", "mkz",
-              "pm4sand", "pdmy03"},
-             "Constitutive law. `mohr_coulomb` softens with strain; `drucker_prager`: a circular cone; "
-             "`multi_yield_clay`: undrained clay in total stress, nested von Mises surfaces. `hyperbolic` "
-             "and `mkz`: hysteretic soil by the extended Masing "
-             "rules, G/G0 = 1/(1 + beta (gamma/reference_strain)^exponent). `pm4sand`: sand that liquefies, "
-             "PM4Sand 3.1. `pdmy03`: sand with cyclic mobility, pressure-dependent multi-yield, set 03.")};
+      choice<SoilModel>(
+          "model",
+          "Constitutive law. `mohr_coulomb` softens with strain; `drucker_prager`: a circular cone; "
+          "`multi_yield_clay`: undrained clay in total stress, nested von Mises surfaces. `hyperbolic` "
+          "and `mkz`: hysteretic soil by the extended Masing "
+          "rules, G/G0 = 1/(1 + beta (gamma/reference_strain)^exponent). `pm4sand`: sand that liquefies, "
+          "PM4Sand 3.1. `pdmy03`: sand with cyclic mobility, pressure-dependent multi-yield, set 03.")};
   for (const auto& group :
        {soil_elastic_keys(), mohr_coulomb_keys(), surface_keys(), hysteretic_keys(), sand_keys()})
     keys.insert(keys.end(), group.begin(), group.end());

@@ -1,6 +1,7 @@
 // Keys of soil tests and calibrations, and of the soils in the library.
 
 #include "materials/soiltest/cyclic/cyclic_strength.hpp"
+#include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 #include "scene/keys/keys_soil.hpp"
 
@@ -30,19 +31,18 @@ Table test() {
                  "Simple shear and oedometer have eps_xx = 0, triaxial tests sigma_zz = sigma_xx, all others "
                  "eps_zz = 0.",
       .keys = {
-          choice("kind",
-                 {"direct_simple_shear", "triaxial_compression", "triaxial_extension",
-                  "plane_strain_compression", "plane_strain_extension", "oedometer", "isotropic_compression",
-                  "path"},
-                 "Which test. Triaxial: of laws in three dimensions. `path`: strains or stresses prescribed "
-                 "by the "
-                 "`file` of the loading."),
-          choice("drainage", {"drained", "undrained", "constant_volume"},
-                 "`drained`: the stress that the apparatus holds (vertical in simple shear, lateral in "
-                 "compression) is "
-                 "effective. `undrained`: it is total, the pores hold water. `constant_volume`: no "
-                 "volumetric strain, "
-                 "as simple shear is done in the laboratory."),
+          choice<soiltest::Kind>(
+              "kind",
+              "Which test. Triaxial: of laws in three dimensions. `path`: strains or stresses prescribed "
+              "by the "
+              "`file` of the loading."),
+          choice<soiltest::Drainage>(
+              "drainage",
+              "`drained`: the stress that the apparatus holds (vertical in simple shear, lateral in "
+              "compression) is "
+              "effective. `undrained`: it is total, the pores hold water. `constant_volume`: no "
+              "volumetric strain, "
+              "as simple shear is done in the laboratory."),
           {.name = "pore_stiffness",
            .unit = "Pa",
            .meaning = "K_w/n, bulk modulus of water over porosity.",
@@ -86,26 +86,27 @@ Table test() {
 }
 
 Table loading() {
-  const Condition cycles = {"kind", {"cyclic_stress"}};
+  const Condition cycles = {"kind", {name(LoadingKind::cyclic_stress)}};
   return {
       .name = "loading",
       .meaning = "What is done to the soil. Strain is gamma_xy in simple shear, otherwise the axial strain. "
                  "Required by "
                  "`tremolo soiltest`.",
       .keys = {
-          choice("kind", {"monotonic", "cyclic_stress", "cyclic_strain", "modulus_curve", "path"},
-                 "`monotonic`: to a strain. `cyclic_stress`: between tau_0 +- stress_ratio times the "
-                 "vertical stress. "
-                 "`cyclic_strain`: between +- amplitude, one amplitude after the other. `modulus_curve`: the "
-                 "same, each "
-                 "amplitude on a fresh specimen; G/Gmax and damping of its last cycle. `path`: as a table "
-                 "says."),
+          choice<LoadingKind>(
+              "kind",
+              "`monotonic`: to a strain. `cyclic_stress`: between tau_0 +- stress_ratio times the "
+              "vertical stress. "
+              "`cyclic_strain`: between +- amplitude, one amplitude after the other. `modulus_curve`: the "
+              "same, each "
+              "amplitude on a fresh specimen; G/Gmax and damping of its last cycle. `path`: as a table "
+              "says."),
           {.name = "strain",
            .unit = "1",
            .meaning = "Where monotonic loading ends.",
            .fallback = "0.1",
            .range = {.low = 0.0, .high = 1.0, .low_open = true},
-           .when = {"kind", {"monotonic"}}},
+           .when = {"kind", {name(LoadingKind::monotonic)}}},
           {.name = "stress_ratio",
            .type = Type::series,
            .unit = "1",
@@ -138,33 +139,33 @@ Table loading() {
            .meaning = "Amplitudes of strain.",
            .required = true,
            .range = {.low = 0.0, .high = 0.2, .low_open = true},
-           .when = {"kind", {"cyclic_strain", "modulus_curve"}}},
+           .when = {"kind", {name(LoadingKind::cyclic_strain), name(LoadingKind::modulus_curve)}}},
           {.name = "cycles",
            .type = Type::integer,
            .unit = "1",
            .meaning = "Cycles of each amplitude.",
            .fallback = "3",
            .range = {.low = 1.0, .high = 1000.0},
-           .when = {"kind", {"cyclic_strain", "modulus_curve"}}},
+           .when = {"kind", {name(LoadingKind::cyclic_strain), name(LoadingKind::modulus_curve)}}},
           {.name = "file",
            .type = Type::text,
            .meaning =
                "Table of the path, relative to the test file: columns `step,eps_xx,eps_yy,gamma_xy`, of what "
                "is prescribed by stress `sig_xx`, `sig_yy`, `sig_xy`. A written history can be replayed.",
            .required = true,
-           .when = {"kind", {"path"}}},
+           .when = {"kind", {name(LoadingKind::path)}}},
           {.name = "by_stress",
            .type = Type::choices,
            .meaning = "Components that are prescribed by stress instead of strain.",
            .otherwise = "none",
            .choices = {"sig_xx", "sig_yy", "sig_xy", "sig_zz"},
-           .when = {"kind", {"path"}}},
+           .when = {"kind", {name(LoadingKind::path)}}},
           {.name = "stress_unit",
            .type = Type::choice,
            .meaning = "Unit of the stresses in the `file`, positive in tension.",
            .fallback = "Pa",
            .choices = {"Pa", "kPa"},
-           .when = {"kind", {"path"}}},
+           .when = {"kind", {name(LoadingKind::path)}}},
       }};
 }
 
@@ -193,10 +194,11 @@ Table target() {
            .meaning = "Wanted number of cycles.",
            .fallback = "15",
            .range = {.low = 0.5, .high = 1000.0}},
-          choice("criterion", {"strain_1pc", "strain_3pc", "strain_5pc", "double_amplitude_5pc", "ru_98"},
-                 "What counts as failure: 1, 3 or 5 % strain, 5 % from the smallest to the largest, or r_u = "
-                 "0.98.",
-                 "strain_3pc"),
+          choice<soiltest::Criterion>(
+              "criterion",
+              "What counts as failure: 1, 3 or 5 % strain, 5 % from the smallest to the largest, or r_u = "
+              "0.98.",
+              soiltest::Criterion::strain_3pc),
           choice("parameter", {"contraction_rate"},
                  "The parameter that is fitted: `contraction_rate` of `pm4sand`; its value in [soil] is the "
                  "first guess.",

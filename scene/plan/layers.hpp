@@ -2,6 +2,7 @@
 
 #include "scene/plan/plan.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace tremolo::scene {
@@ -14,6 +15,12 @@ const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source)
 
 /// y of the top of the half-space, m.
 double base_level(double surface, const std::vector<Layer>& layers);
+
+/// What lies below the base of the model where that is not the soil it ends with: the half-space under a base
+/// at or below its top, the next layer under a base at an interface. Empty for a base within a layer, whose
+/// own soil goes on below; where the layer below is a nonlinear soil, whose stiffness depends on its stress;
+/// and where the profiles of both sides do not agree.
+std::optional<materials::Elasticity> ground_below_base(const Case& scene);
 
 /// Ascending levels (m), with each interface of the layers above the lowest of them twice: stress and strain
 /// jump there, and a source that is asked twice answers from below and from above. Levels as near to an

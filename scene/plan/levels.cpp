@@ -2,7 +2,7 @@
 
 #include "mpm_domain/spec/grid_shape.hpp"
 #include "mpm_domain/spec/limits.hpp"
-#include "scene/plan/plan.hpp"
+#include "scene/plan/layers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,7 +28,7 @@ double p_wave_speed(const Case& scene, const materials::Law& law) {
   const auto& elastic = materials::elasticity(law);
   if (!(elastic.density > 0.0) || !(elastic.young > 0.0))
     return 0.0;
-  if (!follows_pressure(law) || !scene.gravity)
+  if (!materials::traits(law).follows_pressure || !scene.gravity)
     return elastic.p_wave_speed();
   double syy = -elastic.density * scene.gravity->acceleration * scene.mesh.box.height();
   double sxx = elastic.rest_coefficient() * syy;
@@ -138,6 +138,10 @@ double critical_time_step(const Case& scene, std::span<const Level> levels) {
     if (scene.time.subcycle)
       steps *= 2.0;
   }
+  const auto below = ground_below_base(scene);
+  if (below && scene.boundary.base.absorber == Absorber::matched_layer)
+    critical =
+        std::min(critical, mpm_domain::largest_courant_number * scene.mesh.size / below->p_wave_speed());
   return critical;
 }
 

@@ -134,6 +134,16 @@ Motion Motion::of_acceleration(std::span<const double> acceleration, double dt) 
   return through(-static_cast<double>(lead) * dt, velocity, dt);
 }
 
+SampledMotion sampled(const Motion& motion) {
+  constexpr double samples_per_period = 8.0;
+  SampledMotion samples{motion.begin(), 1.0 / (samples_per_period * motion.highest_frequency()), {}};
+  const auto count = static_cast<std::size_t>(std::ceil((motion.end() - motion.begin()) / samples.dt)) + 1;
+  samples.velocity.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+    samples.velocity.push_back(motion.velocity(samples.time(i)));
+  return samples;
+}
+
 Motion motion(const MotionInput& input) {
   if (const auto* pulse = std::get_if<RickerPulse>(&input.source))
     return Motion::ricker(*pulse);

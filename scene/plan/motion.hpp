@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace tremolo::scene {
 
@@ -53,6 +54,17 @@ private:
   double end_ = 0.0;
   double highest_frequency_ = 0.0;
 };
+
+/// A motion at equal times that hold all its frequencies, with a margin for its peaks.
+struct SampledMotion {
+  double begin = 0.0;           ///< s
+  double dt = 0.0;              ///< s
+  std::vector<double> velocity; ///< m/s
+
+  double time(std::size_t i) const { return begin + static_cast<double>(i) * dt; }
+};
+
+SampledMotion sampled(const Motion& motion);
 
 /// The motion of a case; reads the record if there is one.
 /// @throws motion::RecordError (motion/record.hpp) for a record that cannot be read

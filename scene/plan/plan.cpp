@@ -14,8 +14,6 @@ namespace tremolo::scene {
 
 namespace {
 
-using materials::MohrCoulomb;
-
 // CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
 // plasticity where the soil yields.
 constexpr double base_cost_ns = 200.0;
@@ -24,23 +22,18 @@ constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double mobility_cost_ns = 400.0;   // PM4Sand or PDMY03 at small strain increments
 
-template <class Predicate>
-bool any_soil(const Case& scene, Predicate predicate) {
-  return std::ranges::any_of(domain_soils(scene), [&](const Soil& soil) { return predicate(soil.law); });
+/// The soils of the domain that answer in one way: "soil 'sand', soil 'clay'"; empty where there are none.
+std::string soils_that_are(const Case& scene, materials::Response response) {
+  std::string text;
+  for (const Soil& soil : domain_soils(scene))
+    if (materials::traits(soil.law).response == response)
+      text += fmt::format("{}soil '{}'", text.empty() ? "" : ", ", soil.name);
+  return text;
 }
 
-bool is_plastic(const materials::Law& law) {
-  return std::holds_alternative<MohrCoulomb>(law) || std::holds_alternative<materials::DruckerPrager>(law);
-}
-
-bool is_hysteretic(const materials::Law& law) {
-  return std::holds_alternative<materials::IwanShear>(law) ||
-         std::holds_alternative<materials::MultiYieldClay>(law);
-}
-
-bool softens(const materials::Law& law) {
-  const auto* plastic = std::get_if<MohrCoulomb>(&law);
-  return plastic != nullptr && plastic->softening > 0.0;
+bool any_softens(const Case& scene) {
+  return std::ranges::any_of(
+      domain_soils(scene), [](const Soil& soil) { return materials::traits(soil.law).softening > 0.0; });
 }
 
 /// Largest number of state variables of a soil, all or those that are written.
@@ -90,10 +83,13 @@ std::string periodic_text(Sides sides) {
 std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources) {
   const bool apic = scene.time.transfer == Transfer::apic;
   const bool deforming = scene.mesh.particle_boxes == ParticleBoxes::deforming;
-  const bool plastic = any_soil(scene, is_plastic);
-  const bool softening = any_soil(scene, softens);
-  const bool hysteretic = any_soil(scene, is_hysteretic);
-  const bool liquefies = any_soil(scene, follows_pressure);
+  const std::string plastic_soils = soils_that_are(scene, materials::Response::plastic);
+  const std::string hysteretic_soils = soils_that_are(scene, materials::Response::hysteretic);
+  const std::string liquefying_soils = soils_that_are(scene, materials::Response::cyclic_mobility);
+  const bool plastic = !plastic_soils.empty();
+  const bool hysteretic = !hysteretic_soils.empty();
+  const bool liquefies = !liquefying_soils.empty();
+  const bool softening = any_softens(scene);
   const auto& [sides, left, right, base] = scene.boundary;
   const bool layered = left.absorber == Absorber::matched_layer ||
                        right.absorber == Absorber::matched_layer || base.absorber == Absorber::matched_layer;
@@ -112,18 +108,14 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        scene.gravity ? fmt::format("[[stage]] gravity, {} m/s2, then static tractions on the boundary faces",
                                    scene.gravity->acceleration)
                      : "no [[stage]] of kind gravity"},
-      {"plasticity", plastic,
-       plastic ? "a [soil] with model = \"mohr_coulomb\" or \"drucker_prager\""
-               : "no soil is mohr_coulomb or drucker_prager",
+      {"plasticity", plastic, plastic ? plastic_soils : "no soil has a yield surface",
        plastic && !hysteretic && !liquefies ? 8.0 * state_size(scene, false) : 0.0,
        plastic ? plasticity_cost_ns : 0.0},
       {"hysteresis", hysteretic,
-       hysteretic ? "a [soil] with model = \"hyperbolic\", \"mkz\" or \"multi_yield_clay\""
-                  : "no soil is hyperbolic, mkz or multi_yield_clay",
+       hysteretic ? hysteretic_soils : "no soil has loops from the smallest strain on",
        hysteretic && !liquefies ? 8.0 * state_size(scene, false) : 0.0,
        hysteretic ? hysteresis_cost_ns : 0.0},
-      {"cyclic mobility", liquefies,
-       liquefies ? "a [soil] with model = \"pm4sand\" or \"pdmy03\"" : "no soil is pm4sand or pdmy03",
+      {"cyclic mobility", liquefies, liquefies ? liquefying_soils : "no soil is sand that liquefies",
        liquefies ? 8.0 * state_size(scene, false) : 0.0, liquefies ? mobility_cost_ns : 0.0},
       {"strain softening", softening,
        softening ? "a [soil] with softening > 0" : "no soil has softening > 0"},
@@ -150,10 +142,6 @@ double output_doubles_per_particle(const Case& scene) {
 
 } // namespace
 
-bool follows_pressure(const materials::Law& law) {
-  return std::holds_alternative<materials::Pm4Sand>(law) || std::holds_alternative<materials::Pdmy03>(law);
-}
-
 std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess& source) {
   using enum SourceModel;
   if (source.field.model != wave && source.field.model != eql)
@@ -162,7 +150,7 @@ std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < scene.soils.size(); ++i) {
     const Soil& soil = scene.soils[i];
-    const bool known = std::holds_alternative<materials::LinearElastic>(soil.law) ||
+    const bool known = materials::traits(soil.law).response == materials::Response::elastic ||
                        (source.field.model == eql && soil.curves);
     if (!known && std::ranges::find(ground, std::optional(i), &Layer::soil) != ground.end())
       notes.push_back(fmt::format("'{}': model \"{}\" takes layers of soil '{}' as linear elastic",

@@ -57,9 +57,6 @@ struct Plan {
 
 Plan plan(const Case& scene);
 
-/// Whether the law's stiffness and memory begin with the effective stress that gravity makes.
-bool follows_pressure(const materials::Law& law);
-
 /// Layers of nonlinear soil that the model of a source takes as linear elastic, a sentence for each soil.
 std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess& source);
 

@@ -1,4 +1,3 @@
-#include "scene/keys/names.hpp"
 #include "scene/read/read.hpp"
 
 #include <fmt/format.h>
@@ -10,19 +9,18 @@ namespace {
 FreeFieldModel read_model(const TableReader& table, const Case& scene) {
   using enum SourceModel;
   FreeFieldModel field;
-  field.model =
-      from_name(table.text("model"), std::array{wave, fe, ode, oblique, eql, mpm, recording, external});
+  field.model = table.choice<SourceModel>("model");
   if (field.model == recording)
     field.file = scene.directory / table.text("file");
   if (table.given("side"))
-    field.side = from_name(table.text("side"), std::array{Side::left, Side::right, Side::base});
+    field.side = table.choice<Side>("side");
   if (field.model == external)
     field.file = scene.directory / table.text("program");
   return field;
 }
 
 Absorber read_absorber(const TableReader& table) {
-  return from_name(table.text("absorber"), std::array{Absorber::dashpots, Absorber::matched_layer});
+  return table.choice<Absorber>("absorber");
 }
 
 LateralBoundary read_side(Document& document, const char* name, Findings& findings, const Case& scene) {
@@ -54,8 +52,7 @@ LateralBoundary read_periodic_side(Document& document, const char* name, Finding
 
 /// Between equal grounds a blend of both total fields is the one total field.
 BaseForm read_form(const TableReader& table, const LateralBoundary& left, const LateralBoundary& right) {
-  const auto form =
-      from_name(table.text("form"), std::array{BaseForm::total, BaseForm::incident, BaseForm::blended});
+  const auto form = table.choice<BaseForm>("form");
   const bool equal = left.surface == right.surface && left.own_profile.empty() && right.own_profile.empty();
   return form == BaseForm::blended && equal ? BaseForm::total : form;
 }
@@ -63,8 +60,7 @@ BaseForm read_form(const TableReader& table, const LateralBoundary& left, const 
 } // namespace
 
 void read_boundary(Document& document, Findings& findings, Case& scene) {
-  scene.boundary.sides = from_name(document.table("boundary").text("sides"),
-                                   std::array{Sides::free_field, Sides::periodic, Sides::periodic_springs});
+  scene.boundary.sides = document.table("boundary").choice<Sides>("sides");
   const auto read = scene.boundary.periodic() ? read_periodic_side : read_side;
   scene.boundary.left = read(document, "boundary.left", findings, scene);
   scene.boundary.right = read(document, "boundary.right", findings, scene);

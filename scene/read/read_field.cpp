@@ -1,4 +1,3 @@
-#include "scene/keys/names.hpp"
 #include "scene/read/read.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +14,9 @@ RickerPulse read_pulse(Document& document) {
 void read_motion(Document& document, Findings& findings, Case& scene) {
   const auto table = document.table("motion");
   using enum motion::MotionKind;
-  scene.motion.kind = from_name(table.text("kind"), std::array{incident, outcrop, within});
-  scene.motion.wave = from_name(table.text("wave"), std::array{Wave::sv, Wave::p});
+  if (table.given("kind"))
+    scene.motion.kind = table.choice<motion::MotionKind>("kind");
+  scene.motion.wave = table.choice<Wave>("wave");
   scene.motion.angle_deg = table.number("angle_deg");
   scene.motion.reference = table.point("reference");
 
@@ -35,18 +35,23 @@ void read_motion(Document& document, Findings& findings, Case& scene) {
         findings.add(table.path(key), fmt::format("'{}' does not apply to 'pulse', only to 'file'", key));
     return;
   }
+  if (!table.given("kind") && findings.sound(table.path()))
+    findings.add(
+        table.path("kind"),
+        "missing 'kind', which a 'file' needs: whose motion the record is, \"outcrop\" of a station on "
+        "rock (twice the incident wave), \"within\" of a sensor at depth, \"incident\" of the upgoing "
+        "wave alone");
   scene.motion.source = MotionFile{scene.directory / table.text("file"),
                                    {.quantity = motion::quantity_named(table.text("quantity")),
                                     .unit = motion::unit_named(table.text("unit")),
-                                    .kind = std::nullopt},
+                                    .kind = scene.motion.kind},
                                    table.number("scale")};
 }
 
 void read_damping(Document& document, Case& scene) {
   const auto table = document.table("damping");
   using enum DampingModel;
-  scene.damping.model = from_name(table.text("model"),
-                                  std::array{none, rayleigh, kelvin_voigt, hysteretic, shake, kjartansson});
+  scene.damping.model = table.choice<DampingModel>("model");
   scene.damping.ratio = table.number("ratio");
   if (const auto f = table.numbers("frequencies"); f.size() == 2)
     scene.damping.frequencies = {f[0], f[1]};
@@ -79,7 +84,6 @@ std::vector<Layer> read_layers(Document& document, const char* name, Findings& f
     Layer layer;
     layer.thickness = table.number("thickness");
     layer.damping = table.optional_number("damping").value_or(scene.damping.ratio);
-    layer.rest_coefficient = table.optional_number("rest_coefficient");
     read_layer_soil(table, findings, scene, layer);
     layers.push_back(layer);
   }

@@ -1,4 +1,3 @@
-#include "scene/keys/names.hpp"
 #include "scene/read/read.hpp"
 
 #include <fmt/format.h>
@@ -14,9 +13,8 @@ void read_hosts(Document& document, Case& scene) {
     if (!document.has(path))
       continue;
     const auto table = document.table(path);
-    scene.hosts.sides[side] = {
-        from_name(table.text("start"), std::array{StartBy::ssh, StartBy::slurm, StartBy::join}),
-        table.text("host"), table.text("options"), table.text("command"), table.text("keys")};
+    scene.hosts.sides[side] = {table.choice<StartBy>("start"), table.text("host"), table.text("options"),
+                               table.text("command"), table.text("keys")};
   }
 }
 

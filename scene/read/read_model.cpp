@@ -1,4 +1,3 @@
-#include "scene/keys/names.hpp"
 #include "scene/read/read.hpp"
 
 namespace tremolo::scene {
@@ -18,10 +17,8 @@ TimeStepping read_time(Document& document, Findings& findings) {
   const auto table = document.table("time");
   if (table.given("dt") && table.given("fraction"))
     findings.add(table.path("dt"), "'dt' and 'fraction' exclude each other: remove one");
-  return {table.number("fraction"), table.optional_number("dt"),
-          from_name(table.text("transfer"), std::array{Transfer::apic, Transfer::flip}),
-          from_name(table.text("order"), std::array{StepOrder::usl, StepOrder::musl}),
-          table.boolean("subcycle")};
+  return {table.number("fraction"), table.optional_number("dt"), table.choice<Transfer>("transfer"),
+          table.choice<StepOrder>("order"), table.boolean("subcycle")};
 }
 
 } // namespace
@@ -53,13 +50,12 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
 
 void read_mesh(Document& document, Case& scene) {
   const auto table = document.table("mesh");
-  scene.mesh = {
-      table.number("size"),
-      read_box(table),
-      table.integer("particles_per_cell"),
-      table.integer("layer_cells"),
-      {},
-      from_name(table.text("particle_boxes"), std::array{ParticleBoxes::fixed, ParticleBoxes::deforming})};
+  scene.mesh = {table.number("size"),
+                read_box(table),
+                table.integer("particles_per_cell"),
+                table.integer("layer_cells"),
+                {},
+                table.choice<ParticleBoxes>("particle_boxes")};
   for (const auto& refine : document.array("refine"))
     scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});
 }

@@ -1,22 +1,19 @@
-#include "scene/keys/names.hpp"
 #include "scene/read/read.hpp"
 
 namespace tremolo::scene {
 
 void read_numerics(Document& document, Case& scene) {
   const auto fe = document.table("fe");
-  scene.fe.integrator = from_name(fe.text("integrator"), std::array{Integrator::central_difference,
-                                                                    Integrator::newmark, Integrator::hht});
+  scene.fe.integrator = fe.choice<Integrator>("integrator");
   scene.fe.alpha = fe.number("alpha");
-  scene.fe.tangent =
-      from_name(fe.text("tangent"), std::array{NewtonTangent::consistent, NewtonTangent::initial});
+  scene.fe.tangent = fe.choice<NewtonTangent>("tangent");
   scene.fe.element_size = fe.optional_number("element_size").value_or(0.5 * scene.mesh.size);
   scene.fe.dt = fe.optional_number("dt");
 
   const auto ode = document.table("ode");
   using enum OdeMethod;
-  scene.ode = {from_name(ode.text("method"), std::array{adams, bdf, erk, imex}),
-               ode.number("relative_tolerance"), ode.number("absolute_tolerance"),
+  scene.ode = {ode.choice<OdeMethod>("method"), ode.number("relative_tolerance"),
+               ode.number("absolute_tolerance"),
                ode.optional_number("cell_size").value_or(0.5 * scene.mesh.size)};
 
   scene.oblique.cell_size =

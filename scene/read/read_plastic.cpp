@@ -3,21 +3,10 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <numbers>
 
 namespace tremolo::scene {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
-
-materials::ConeMatch cone(const TableReader& table) {
-  using enum materials::ConeMatch;
-  const auto name = table.text("cone");
-  if (name == "triaxial_compression")
-    return triaxial_compression;
-  return name == "triaxial_extension" ? triaxial_extension : plane_strain;
-}
 
 materials::Law clay(const TableReader& table, const materials::Elasticity& elastic,
                     const std::filesystem::path& directory) {
@@ -50,7 +39,7 @@ bool sound_count(const TableReader& table, Findings& findings) {
 Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings) {
   const auto& table = soil.reader;
   need(table, "density", findings);
-  if (table.text("model") == "drucker_prager")
+  if (table.choice<SoilModel>("model") == SoilModel::drucker_prager)
     need(table, "friction_deg", findings);
   const auto elastic = read_elasticity(table, findings);
   for (const char* key : {"density", "young", "poisson", "vs", "vp", "cohesion", "friction_deg",
@@ -62,14 +51,15 @@ Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory
   if (!sound_count(table, findings))
     return placeholder(soil.name);
   try {
-    const materials::Law law =
-        table.text("model") == "drucker_prager"
-            ? materials::Law(materials::DruckerPrager{.elastic = elastic,
-                                                      .cohesion = table.number("cohesion"),
-                                                      .friction = table.number("friction_deg") * degree,
-                                                      .dilation = table.number("dilation_deg") * degree,
-                                                      .match = cone(table)})
-            : clay(table, elastic, directory);
+    const materials::Law law = table.choice<SoilModel>("model") == SoilModel::drucker_prager
+                                   ? materials::Law(materials::DruckerPrager{
+                                         .elastic = elastic,
+                                         .cohesion = table.number("cohesion"),
+                                         .friction = table.number("friction_deg") * degree,
+                                         .dilation = table.number("dilation_deg") * degree,
+                                         .match = value_named<materials::ConeMatch>(table.text("cone"))
+                                                      .value_or(materials::ConeMatch::plane_strain)})
+                                   : clay(table, elastic, directory);
     materials::validate(law);
     return {soil.name, law, law, {}, {}};
   } catch (const std::exception& error) {

@@ -1,4 +1,3 @@
-#include "scene/keys/names.hpp"
 #include "scene/read/read.hpp"
 
 namespace tremolo::scene {
@@ -7,15 +6,14 @@ namespace {
 
 Coupling read_coupling(Document& document) {
   const auto table = document.table("coupling");
-  return {from_name(table.text("mode"), std::array{ExchangeMode::window, ExchangeMode::lockstep}),
-          table.integer("window_steps"), table.number("connect_deadline_s"), table.number("step_deadline_s"),
+  return {table.choice<ExchangeMode>("mode"), table.integer("window_steps"),
+          table.number("connect_deadline_s"), table.number("step_deadline_s"),
           table.number("shutdown_deadline_s")};
 }
 
 Recording read_recording(Document& document) {
   const auto table = document.table("record");
-  return {table.boolean("exchange"),
-          from_name(table.text("on_full_disk"), std::array{OnFullDisk::stop, OnFullDisk::go_on})};
+  return {table.boolean("exchange"), table.choice<OnFullDisk>("on_full_disk")};
 }
 
 Checkpoints read_checkpoints(Document& document, Findings& findings) {
@@ -33,9 +31,7 @@ Output read_output(Document& document) {
   const auto table = document.table("output");
   Output output{table.number("every_s"), table.number("history_every_s"), {}};
   for (const auto& field : table.choices("fields"))
-    output.fields.push_back(
-        from_name(field, std::array{OutputField::displacement, OutputField::velocity,
-                                    OutputField::acceleration, OutputField::stress, OutputField::state}));
+    output.fields.push_back(value_named<OutputField>(field).value());
   return output;
 }
 

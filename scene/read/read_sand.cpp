@@ -7,14 +7,11 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <numbers>
 #include <stdexcept>
 
 namespace tremolo::scene {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// Hands out the optional numbers of a table.
 class Numbers {
@@ -79,16 +76,6 @@ std::vector<materials::ModulusReduction> modulus_reduction(const TableReader& ta
   return points;
 }
 
-std::optional<materials::Pdmy03Cone> cone(const TableReader& table) {
-  using enum materials::Pdmy03Cone;
-  if (!table.given("cone"))
-    return std::nullopt;
-  const auto name = table.text("cone");
-  if (name == "triaxial_extension")
-    return triaxial_extension;
-  return name == "plane_strain" ? plane_strain : triaxial_compression;
-}
-
 materials::Law pdmy03(const TableReader& table, const std::filesystem::path& directory) {
   const Numbers number(table);
   return materials::pdmy03(
@@ -109,7 +96,7 @@ materials::Law pdmy03(const TableReader& table, const std::filesystem::path& dir
        .liquefaction_2 = number("liquefaction_2"),
        .atmospheric_pressure = number("atmospheric_pressure"),
        .zero_pressure_strength = number("zero_pressure_strength"),
-       .cone = cone(table),
+       .cone = value_named<materials::Pdmy03Cone>(table.text("cone")),
        .modulus_reduction = modulus_reduction(table, directory)});
 }
 
@@ -148,7 +135,7 @@ bool suits_pdmy03(const TableReader& table, Findings& findings) {
 
 Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings) {
   const auto& table = soil.reader;
-  const bool pm4 = table.text("model") == "pm4sand";
+  const bool pm4 = table.choice<SoilModel>("model") == SoilModel::pm4sand;
   if (pm4) {
     need(table, "density", findings);
     need(table, "relative_density", findings);

@@ -8,33 +8,10 @@
 
 #include <algorithm>
 #include <exception>
-#include <numbers>
 
 namespace tremolo::scene {
 
 namespace {
-
-materials::MohrCoulomb read_mohr_coulomb(const TableReader& table, const materials::Elasticity& elastic) {
-  constexpr double degree = std::numbers::pi / 180.0;
-  return {.elastic = elastic,
-          .cohesion_peak = table.number("cohesion_peak"),
-          .cohesion_residual = table.number("cohesion_residual"),
-          .friction_peak = table.number("friction_peak_deg") * degree,
-          .friction_residual = table.number("friction_residual_deg") * degree,
-          .dilation_peak = table.number("dilation_peak_deg") * degree,
-          .dilation_residual = table.number("dilation_residual_deg") * degree,
-          .softening = table.number("softening"),
-          .tension_cutoff = table.optional_number("tension_cutoff")};
-}
-
-Soil read_softening(const NamedTable& soil, const materials::Elasticity& elastic, double mesh_size) {
-  auto law = read_mohr_coulomb(soil.reader, elastic);
-  const auto reference = soil.reader.optional_number("reference_size");
-  if (!reference || !(mesh_size > 0.0))
-    return {soil.name, law, law, reference, std::nullopt};
-  law = materials::regularised(law, mesh_size, *reference);
-  return {soil.name, law, law, mesh_size, std::nullopt};
-}
 
 StrainCurves curves_of(const materials::Backbone& backbone) {
   return {[backbone](double strain) { return backbone.secant(strain) / backbone.shear_modulus; },
@@ -86,14 +63,22 @@ std::optional<Hysteresis> given(const TableReader& table, bool mkz, Findings& fi
                     mkz ? table.number("exponent") : 1.0, std::nullopt};
 }
 
-Soil read_hysteretic(const NamedTable& soil, const materials::Elasticity& elastic,
-                     const std::filesystem::path& directory, Findings& findings) {
+Soil read_linear(const NamedTable& soil, Findings& findings) {
+  need(soil.reader, "density", findings);
+  const materials::LinearElastic law{read_elasticity(soil.reader, findings)};
+  return {soil.name, law, law, {}, {}};
+}
+
+Soil read_hysteretic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings) {
   const auto& table = soil.reader;
-  Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
+  need(table, "density", findings);
+  const auto elastic = read_elasticity(table, findings);
+  const Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
   if (!findings.sound(table.path()) || !(elastic.density > 0.0))
     return linear;
-  const auto hysteresis = table.given("curve") ? fitted(table, directory, findings)
-                                               : given(table, table.text("model") == "mkz", findings);
+  const auto hysteresis = table.given("curve")
+                              ? fitted(table, directory, findings)
+                              : given(table, table.choice<SoilModel>("model") == SoilModel::mkz, findings);
   if (!hysteresis)
     return linear;
   const auto& [reference_strain, beta, exponent, curves] = *hysteresis;
@@ -141,27 +126,35 @@ Soil placeholder(const std::string& name) {
 
 Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, double mesh_size,
                Findings& findings) {
-  const auto model = soil.reader.text("model");
-  if (!keeps_model(soil.reader, findings))
+  const auto model = value_named<SoilModel>(soil.reader.text("model"));
+  if (!keeps_model(soil.reader, findings) || !model)
     return placeholder(soil.name);
-  if (model == "pm4sand" || model == "pdmy03")
-    return read_sand(soil, directory, findings);
-  if (model.empty())
-    return placeholder(soil.name);
-  if (model == "drucker_prager" || model == "multi_yield_clay")
+  using enum SoilModel;
+  switch (*model) {
+  case linear_elastic:
+    return read_linear(soil, findings);
+  case mohr_coulomb:
+    return read_mohr_coulomb(soil, mesh_size, findings);
+  case drucker_prager:
+  case multi_yield_clay:
     return read_plastic(soil, directory, findings);
-  need(soil.reader, "density", findings);
-  const auto elastic = read_elasticity(soil.reader, findings);
-  if (model == "mohr_coulomb")
-    return read_softening(soil, elastic, mesh_size);
-  if (model == "hyperbolic" || model == "mkz")
-    return read_hysteretic(soil, elastic, directory, findings);
-  return {soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
+  case hyperbolic:
+  case mkz:
+    return read_hysteretic(soil, directory, findings);
+  case pm4sand:
+  case pdmy03:
+    return read_sand(soil, directory, findings);
+  }
+  return placeholder(soil.name);
 }
 
 void read_soils(Document& document, Findings& findings, Case& scene) {
-  for (const auto& soil : document.named("soil"))
+  for (const auto& soil : document.named("soil")) {
     scene.soils.push_back(read_soil(soil, scene.directory, scene.mesh.size, findings));
+    if (const auto at_rest = soil.reader.optional_number("rest_coefficient"))
+      for (materials::Law* law : {&scene.soils.back().law, &scene.soils.back().column_law})
+        *law = materials::with_rest_coefficient(std::move(*law), *at_rest);
+  }
 }
 
 std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,

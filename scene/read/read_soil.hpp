@@ -6,13 +6,20 @@
 #include "scene/read/read.hpp"
 
 #include <filesystem>
+#include <numbers>
 
 namespace tremolo::scene {
+
+/// One degree in rad: a case file gives angles in degrees.
+inline constexpr double degree = std::numbers::pi / 180.0;
 
 /// @param directory  that the name of a curve starts from
 /// @param mesh_size  cell size for which softening shall hold, m; 0 leaves it as it is given
 Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, double mesh_size,
                Findings& findings);
+
+/// Reads soil of the Mohr-Coulomb law, with its softening for cells of `mesh_size`.
+Soil read_mohr_coulomb(const NamedTable& soil, double mesh_size, Findings& findings);
 
 /// Of PM4Sand and PDMY03.
 Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);

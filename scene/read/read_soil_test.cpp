@@ -1,5 +1,4 @@
 #include "materials/soiltest/path/path_table.hpp"
-#include "scene/keys/names.hpp"
 #include "scene/read/read_soil.hpp"
 #include "scene/soil_test.hpp"
 #include "scene/soils/soil_library.hpp"
@@ -27,8 +26,8 @@ void read_test(Document& document, SoilTestFile& file) {
   auto& test = file.test;
   if (table.text("kind").empty() || table.text("drainage").empty())
     return;
-  test.kind = soiltest::kind_named(table.text("kind"));
-  test.drainage = soiltest::drainage_named(table.text("drainage"));
+  test.kind = table.choice<soiltest::Kind>("kind");
+  test.drainage = table.choice<soiltest::Drainage>("drainage");
   test.pore_stiffness = table.number("pore_stiffness");
   test.initial = {.vertical_stress = table.number("vertical_stress"),
                   .k0 = table.optional_number("k0").value_or(usual_k0(test.kind)),
@@ -59,8 +58,7 @@ soiltest::Path read_path(const TableReader& table, const std::filesystem::path& 
 void read_loading(const TableReader& table, const std::filesystem::path& directory, Findings& findings,
                   SoilTestFile& file) {
   using enum LoadingKind;
-  file.kind =
-      from_name(table.text("kind"), std::array{monotonic, cyclic_stress, cyclic_strain, modulus_curve, path});
+  file.kind = table.choice<LoadingKind>("kind");
   file.cycles = table.integer("cycles");
   switch (file.kind) {
   case monotonic:
@@ -109,7 +107,7 @@ void check_curve(const TableReader& table, Findings& findings, double density, c
 std::optional<CurveStrength> read_curve_strength(const TableReader& table, Findings& findings,
                                                  const SoilTestFile& file, double cycles) {
   const auto& initial = file.test.initial;
-  const auto density = relative_density(file.soil.law);
+  const auto density = materials::relative_density(file.soil.law);
   if (!density || !(initial.vertical_stress > 0.0) || !findings.sound(table.path("cycles")))
     return std::nullopt;
   if (initial.shear_bias != 0.0) {
@@ -154,19 +152,18 @@ void read_target(const TableReader& table, Findings& findings, SoilTestFile& fil
                         .least = table.number("least"),
                         .most = table.number("most"),
                         .place = fmt::format("{}:{}:{}", findings.file(), place.line, place.column)};
-  if (!table.text("criterion").empty())
-    wanted.criterion = soiltest::criterion_named(table.text("criterion"));
+  wanted.criterion = table.choice<soiltest::Criterion>("criterion");
   read_wanted(table, findings, file, wanted);
   if (!findings.sound("soil") || !findings.sound("soil.model"))
     return;
-  const auto* law = std::get_if<materials::Pm4Sand>(&file.soil.law);
-  if (law == nullptr) {
+  const auto rate = materials::contraction_rate(file.soil.law);
+  if (!rate) {
     findings.add("soil.model",
                  fmt::format("'contraction_rate' is a parameter of \"pm4sand\"; \"{}\" has none to fit",
                              materials::name(file.soil.law)));
     return;
   }
-  wanted.guess = law->h_po;
+  wanted.guess = *rate;
   if (!(wanted.least < wanted.most))
     findings.add(table.path("least"),
                  fmt::format("'least' = {} must be below 'most' = {}", wanted.least, wanted.most));
@@ -248,31 +245,6 @@ SoilTestFile parse_soil_test(std::string_view text, const std::filesystem::path&
 
 SoilTestFile load_soil_test(const std::filesystem::path& file, SoilTestUse use) {
   return parse_soil_test(read_text(file), file, file.parent_path(), use);
-}
-
-std::optional<double> relative_density(const materials::Law& law) {
-  if (const auto* sand = std::get_if<materials::Pm4Sand>(&law))
-    return sand->relative_density;
-  if (const auto* sand = std::get_if<materials::Pdmy03>(&law);
-      sand != nullptr && sand->relative_density > 0.0)
-    return sand->relative_density;
-  return std::nullopt;
-}
-
-std::string_view name(LoadingKind kind) {
-  switch (kind) {
-  case LoadingKind::monotonic:
-    return "monotonic";
-  case LoadingKind::cyclic_stress:
-    return "cyclic_stress";
-  case LoadingKind::cyclic_strain:
-    return "cyclic_strain";
-  case LoadingKind::modulus_curve:
-    return "modulus_curve";
-  case LoadingKind::path:
-    return "path";
-  }
-  return {};
 }
 
 } // namespace tremolo::scene

@@ -56,6 +56,11 @@ public:
   /// A text or a choice.
   std::string text(std::string_view key) const;
   bool boolean(std::string_view key) const { return text(key) == "true"; }
+  /// The value of a choice by its word; the first one where it is missing.
+  template <Worded Enum>
+  Enum choice(std::string_view key) const {
+    return value_named<Enum>(text(key)).value_or(words(Enum{}).front().value);
+  }
   /// Of Type::numbers or Type::series.
   std::vector<double> numbers(std::string_view key) const;
   Point point(std::string_view key) const;

@@ -16,7 +16,6 @@ struct Rule {
 /// Errors, then warnings, then notes: the order in which they are found and told.
 constexpr std::array rules = {
     Rule{Severity::error, record_is_readable},
-    Rule{Severity::error, strength_is_ordered},
     Rule{Severity::error, box_fits_lattice},
     Rule{Severity::error, refinements_suit_mesh},
     Rule{Severity::error, regions_are_simple},
@@ -34,22 +33,32 @@ constexpr std::array rules = {
     Rule{Severity::error, reference_lies_in_halfspace},
     Rule{Severity::error, incident_base_lies_in_halfspace},
     Rule{Severity::error, time_step_is_stable},
+    Rule{Severity::error, flip_has_surface_along_grid},
     Rule{Severity::error, subcycling_suits_case},
     Rule{Severity::error, monitors_lie_in_soil},
     Rule{Severity::error, hosts_can_meet},
 
     Rule{Severity::warning, mesh_resolves_pulse},
     Rule{Severity::warning, wave_arrives_after_start},
+    Rule{Severity::warning, motion_ends_before_run},
+    Rule{Severity::warning, unit_is_that_of_header},
     Rule{Severity::warning, record_ends_at_rest},
     Rule{Severity::warning, incident_base_has_dashpots},
     Rule{Severity::warning, models_know_nonlinear_soil},
     Rule{Severity::warning, soil_is_that_of_halfspace},
+    Rule{Severity::warning, free_field_yields_like_soil},
+    Rule{Severity::warning, domain_is_damped_like_free_field},
+    Rule{Severity::warning, yielding_soil_does_not_lock},
+    Rule{Severity::warning, saturated_soil_has_water},
+    Rule{Severity::warning, densities_are_in_kilograms},
 
     Rule{Severity::note, mesh_resolves_frequencies},
     Rule{Severity::note, softening_goes_with_cells},
     Rule{Severity::note, backbone_is_fitted},
     Rule{Severity::note, stiffness_follows_pressure},
     Rule{Severity::note, laws_have_limits},
+    Rule{Severity::note, tension_has_a_limit},
+    Rule{Severity::note, monitors_lie_on_particles},
 };
 
 } // namespace

@@ -20,8 +20,6 @@ bool mesh_is_sound(const Case& scene, const Findings& findings);
 
 /// The motion's record can be read.
 void record_is_readable(const Case& scene, Findings& findings);
-/// Residual strength does not exceed peak strength, dilation does not exceed friction.
-void strength_is_ordered(const Case& scene, Findings& findings);
 /// The box has a width and a height that the particle lattice divides, and not too many particles.
 void box_fits_lattice(const Case& scene, Findings& findings);
 /// Boxes to refine reach into the model, and the cells are not too many.
@@ -56,6 +54,8 @@ void reference_lies_in_halfspace(const Case& scene, Findings& findings);
 void incident_base_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A fixed time step does not exceed the critical one.
 void time_step_is_stable(const Case& scene, Findings& findings);
+/// Where particles take the transfer FLIP, free surfaces lie on lines between cells.
+void flip_has_surface_along_grid(const Case& scene, Findings& findings);
 /// Levels with steps of their own need levels, and what sub-cycling is made for.
 void subcycling_suits_case(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.
@@ -67,6 +67,10 @@ void hosts_can_meet(const Case& scene, Findings& findings);
 void mesh_resolves_pulse(const Case& scene, Findings& findings);
 /// The incident wave finds the model after the shaking starts.
 void wave_arrives_after_start(const Case& scene, Findings& findings);
+/// The run lasts until the incident wave has passed.
+void motion_ends_before_run(const Case& scene, Findings& findings);
+/// The case and the record's header give the same unit.
+void unit_is_that_of_header(const Case& scene, Findings& findings);
 /// The motion's record ends without a velocity.
 void record_ends_at_rest(const Case& scene, Findings& findings);
 /// A base that takes the incident wave alone has no matched layer.
@@ -75,6 +79,17 @@ void incident_base_has_dashpots(const Case& scene, Findings& findings);
 void models_know_nonlinear_soil(const Case& scene, Findings& findings);
 /// Without layers, the soils of the domain have the half-space's elasticity.
 void soil_is_that_of_halfspace(const Case& scene, Findings& findings);
+
+/// No soil that can yield lies beside an elastic free field.
+void free_field_yields_like_soil(const Case& scene, Findings& findings);
+/// The free field is not damped where the domain is not.
+void domain_is_damped_like_free_field(const Case& scene, Findings& findings);
+/// Soil that can yield is not nearly incompressible.
+void yielding_soil_does_not_lock(const Case& scene, Findings& findings);
+/// Soil that weighs what saturated soil does has water.
+void saturated_soil_has_water(const Case& scene, Findings& findings);
+/// Densities are those of soil or rock in kg/m3.
+void densities_are_in_kilograms(const Case& scene, Findings& findings);
 
 /// Up to which frequency the cells resolve shear waves.
 void mesh_resolves_frequencies(const Case& scene, Findings& findings);
@@ -86,5 +101,9 @@ void backbone_is_fitted(const Case& scene, Findings& findings);
 void stiffness_follows_pressure(const Case& scene, Findings& findings);
 /// What a soil's law is known not to do.
 void laws_have_limits(const Case& scene, Findings& findings);
+/// Which soils carry any tension.
+void tension_has_a_limit(const Case& scene, Findings& findings);
+/// Which particles the monitors follow.
+void monitors_lie_on_particles(const Case& scene, Findings& findings);
 
 } // namespace tremolo::scene

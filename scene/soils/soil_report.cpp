@@ -53,9 +53,13 @@ std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::s
   return parameters;
 }
 
-std::vector<std::string> notes(const Soil& soil) {
-  const auto* sand = std::get_if<materials::Pdmy03>(&soil.law);
-  return sand != nullptr ? materials::notes(*sand) : std::vector<std::string>{};
+std::optional<std::string> density_doubt(double density) {
+  constexpr double lightest = 500.0; // kg/m3; peat floats, but is not what a wave is sent through
+  constexpr double heaviest = 8000.0;
+  if (density >= lightest && density <= heaviest)
+    return std::nullopt;
+  return fmt::format("density = {:g} kg/m3 is that of no soil or rock: kg/m3 are meant, 1700 for a dry sand",
+                     density);
 }
 
 std::string text(const std::vector<ParameterInForce>& parameters) {

@@ -4,6 +4,7 @@
 
 #include "scene/case.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,8 @@ std::string model_in_force(const std::string& table, const std::vector<ValueInFo
 std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::string& table,
                                                   const std::vector<ValueInForce>& values);
 
-/// What a user of the soil should know before trusting it.
-std::vector<std::string> notes(const Soil& soil);
+/// Why a density (kg/m3) is likely to be in another unit, nothing where it may be that of soil or rock.
+std::optional<std::string> density_doubt(double density);
 
 /// The parameters as lines of text.
 std::string text(const std::vector<ParameterInForce>& parameters);

@@ -28,11 +28,11 @@ void Findings::add(const std::string& path, std::string text) {
 
 void Findings::add(const std::string& path, const Place& place, std::string text) {
   const bool is_error = severity_ == Severity::error;
-  if (is_error)
-    unsound_.insert(path);
+  const bool first_there = is_error && unsound_.insert(path).second;
   auto& found = is_error ? errors_ : remarks_;
   Finding finding{file_, place.line, place.column, place.table, std::move(text), severity_};
-  if (std::ranges::find(found, finding) == found.end())
+  // Only what a path has been told before is searched for: there may be 200,000 findings.
+  if (first_there || std::ranges::find(found, finding) == found.end())
     found.push_back(std::move(finding));
 }
 

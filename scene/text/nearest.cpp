@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 #include <vector>
 
 namespace tremolo::scene {
@@ -28,11 +30,24 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d.back();
 }
 
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+} // namespace
+
 std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
   if (known.empty())
     return "none is known here";
   constexpr std::size_t longest_sensible_word = 64;
-  const auto distance = [&](std::string_view other) { return edit_distance(word, other); };
+  // "sv" for "SV" is no other word, but a slip all the same.
+  const std::string small = lower(word);
+  const auto distance = [&](std::string_view other) { return edit_distance(small, lower(other)); };
   if (word.size() <= longest_sensible_word) {
     const auto nearest = std::ranges::min_element(known, {}, distance);
     if (distance(*nearest) <= std::max<std::size_t>(1, std::max(word.size(), nearest->size()) / 3))

@@ -15,12 +15,13 @@
 
 namespace tremolo::test_support {
 
-/// Ground that has been struck in its middle, 8 m below the surface, at t = 0.
+/// Ground that has been struck at t = 0.
 struct StruckGround {
-  explicit StruckGround(const mpm_domain::Spec& spec)
-      : domain(spec), stepper(struck(domain), 0.0, quiet_ground()), watched_(particles_around(domain)) {}
+  /// @param place from the middle of the surface, m
+  explicit StruckGround(const mpm_domain::Spec& spec, eq6::Vector place = {0.0, -8.0})
+      : domain(spec), stepper(struck(domain, place), 0.0, quiet_ground()), watched_(watched(domain)) {}
 
-  /// Velocities of the particles around the blow at a time, in the order of their first places.
+  /// Velocities of the particles in the middle of the ground at a time, in the order of their first places.
   void see() {
     for (const Particle& particle : watched_) {
       const mpm_domain::Particles& set = domain.sets[particle.set];
@@ -45,16 +46,16 @@ private:
 
   static double middle(const mpm_domain::Spec& spec) { return 0.5 * (spec.box.x_min + spec.box.x_max); }
 
-  static mpm_domain::Domain& struck(mpm_domain::Domain& domain) {
+  static mpm_domain::Domain& struck(mpm_domain::Domain& domain, eq6::Vector place) {
     for (mpm_domain::Particles& set : domain.sets)
       for (std::size_t k = 0; k < set.size(); ++k) {
-        const double dx = set.x[k] - middle(domain.spec), dy = set.y[k] + 8.0;
+        const double dx = set.x[k] - middle(domain.spec) - place.x, dy = set.y[k] - place.y;
         set.vx[k] = 0.1 * std::exp(-(dx * dx + dy * dy) / 9.0);
       }
     return domain;
   }
 
-  static std::vector<Particle> particles_around(const mpm_domain::Domain& domain) {
+  static std::vector<Particle> watched(const mpm_domain::Domain& domain) {
     std::vector<Particle> found;
     for (std::size_t s = 0; s < domain.sets.size(); ++s) {
       const mpm_domain::Particles& set = domain.sets[s];

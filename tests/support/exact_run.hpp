@@ -4,6 +4,7 @@
 
 #include "results/run_file.hpp"
 #include "scene/case.hpp"
+#include "tests/support/flat_case.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
 #include <array>
@@ -16,57 +17,22 @@
 
 namespace tremolo::testing {
 
-/// Level, uniform, elastic ground, 20 m x 10 m, h = 1 m; SV at 15 degrees.
-inline const std::string exact_case = R"(title = "exact"
-[motion]
-pulse = { shape = "ricker", frequency = 3.0, time = 0.6, velocity = 0.1 }
-wave = "SV"
-angle_deg = 15.0
-reference = [0.0, -10.0]
-[surface]
-level = 0.0
-[halfspace]
-density = 1700.0
-young = 40e6
-poisson = 0.28
-[soil.sand]
-model = "linear_elastic"
-density = 1700.0
-young = 40e6
-poisson = 0.28
-[[region]]
-soil = "sand"
-polygon = [[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]
-[mesh]
-size = 1.0
-box = [0.0, -10.0, 20.0, 0.0]
-[boundary]
-left = { model = "wave" }
-right = { model = "wave" }
-base = { model = "wave", form = "total" }
-[[stage]]
-kind = "shaking"
-duration_s = 1.4
-[verify]
-tolerance = 0.025
-)";
+/// The flat case under SV at 15 degrees.
+inline const std::string exact_case =
+    with("angle_deg = 0.0", "angle_deg = 15.0",
+         with("time = 1.0", "time = 0.6",
+              with("duration_s = 2.0", "duration_s = 1.4", plus("[verify]\ntolerance = 0.025\n"))));
 
 /// exact_case with the first occurrence of `old` replaced.
 inline std::string exact_case_with(const std::string& old, const std::string& replacement) {
-  std::string text = exact_case;
-  return text.replace(text.find(old), old.size(), replacement);
+  return with(old, replacement, exact_case);
 }
 
 /// The same with ground that falls towards a lower free field on the left.
 inline std::string unequal_surfaces_case() {
-  std::string text =
-      exact_case_with("left = { model = \"wave\" }", "left = { model = \"wave\", surface = -2.0 }");
-  const auto replace = [&text](const std::string& old, const std::string& replacement) {
-    text.replace(text.find(old), old.size(), replacement);
-  };
-  replace("form = \"total\"", "form = \"incident\"");
-  replace("[20.0, 0.0], [0.0, 0.0]]", "[20.0, 0.0], [4.0, 0.0], [0.0, -2.0]]");
-  return text;
+  return with("left = { model = \"wave\" }", "left = { model = \"wave\", surface = -2.0 }",
+              with("form = \"total\"", "form = \"incident\"",
+                   exact_case_with("[20.0, 0.0], [0.0, 0.0]]", "[20.0, 0.0], [4.0, 0.0], [0.0, -2.0]]")));
 }
 
 /// What a synthetic run differs from the exact field by.

@@ -7,8 +7,8 @@
 
 #include "wavefield/layers/equivalent_linear.hpp"
 
+#include "base/require.hpp"
 #include "wavefield/layers/reflectivity.hpp"
-#include "wavefield/require.hpp"
 #include "wavefield/signal/fourier.hpp"
 
 #include <algorithm>
@@ -42,9 +42,8 @@ IncidentVelocity incident_velocity(const IncidentAcceleration& motion) {
   fourier.forward();
   velocity.bins.assign(fourier.bins().begin(), fourier.bins().end());
   velocity.bins[0] = 0.0; // a mean velocity strains nothing
-  for (std::size_t k = 1; k < velocity.bins.size(); ++k) {
+  for (std::size_t k = 1; k < velocity.bins.size(); ++k)
     velocity.bins[k] /= velocity.s(k) * static_cast<double>(velocity.length);
-  }
   return velocity;
 }
 
@@ -72,9 +71,8 @@ std::vector<double> largest_strains(const LayeredHalfSpace& profile, WaveType wa
   for (std::size_t j = 0; j < layers; ++j) {
     std::copy(strain[j].begin(), strain[j].end(), fourier.bins().begin());
     fourier.inverse();
-    for (const double value : fourier.samples()) {
+    for (const double value : fourier.samples())
       largest[j] = std::max(largest[j], std::abs(value));
-    }
   }
   return largest;
 }
@@ -104,33 +102,34 @@ Softening soften(Layer& layer, const Layer& at_small_strain, const StrainCurves&
   const Softening softening{.modulus_change = relative_change(before, reduction),
                             .damping_change = relative_change(layer.damping, damping),
                             .held_damping = damping < wanted};
+  // The curves are of the shear modulus; the bulk modulus K stays, with its damping at small strain. The
+  // moduli below are over the density: rho c_p^2 = K + 4/3 G.
+  const double shear = 4.0 / 3.0 * at_small_strain.vs * at_small_strain.vs * reduction;
+  const double bulk = at_small_strain.vp * at_small_strain.vp - shear / reduction;
   layer.vs = at_small_strain.vs * std::sqrt(reduction);
-  layer.vp = at_small_strain.vp * std::sqrt(reduction);
+  layer.vp = std::sqrt(bulk + shear);
   layer.damping = damping;
-  layer.damping_p.reset();
+  layer.damping_p = (bulk * at_small_strain.damping + shear * damping) / (bulk + shear);
   return softening;
 }
 
 void validate(const LayeredHalfSpace& profile, std::span<const StrainCurves> curves,
               const IncidentAcceleration& motion, const EquivalentLinearOptions& options) {
   validate(profile);
-  if (profile.layers.empty()) {
+  if (profile.layers.empty())
     throw std::invalid_argument("an equivalent linear analysis needs at least one layer");
-  }
   if (curves.size() != profile.layers.size()) {
     throw std::invalid_argument("curves of " + std::to_string(curves.size()) + " layers, must be " +
                                 std::to_string(profile.layers.size()) + ", one a layer");
   }
-  if (profile.damping.model == DampingModel::none) {
+  if (profile.damping.model == DampingModel::none)
     throw std::invalid_argument("an equivalent linear analysis needs a damping model, not `none`");
-  }
   if (motion.samples.size() < 2) {
     throw std::invalid_argument("an incident motion of " + std::to_string(motion.samples.size()) +
                                 " samples, must be at least 2");
   }
-  for (const double value : motion.samples) {
+  for (const double value : motion.samples)
     require(std::isfinite(value), "a sample of the incident acceleration", value, "finite");
-  }
   require_positive("time step of the incident acceleration", motion.dt, "s");
   require(options.strain_ratio > 0.0 && options.strain_ratio <= 1.0, "ratio of effective to largest strain",
           options.strain_ratio, "in (0, 1]");
@@ -142,9 +141,8 @@ void validate(const LayeredHalfSpace& profile, std::span<const StrainCurves> cur
 
 std::string depth_range(const LayeredHalfSpace& profile, std::size_t layer) {
   double top = 0.0;
-  for (std::size_t j = 0; j < layer; ++j) {
+  for (std::size_t j = 0; j < layer; ++j)
     top += profile.layers[j].thickness;
-  }
   const auto rounded = [](double depth) { return shortest(std::round(1e3 * depth) / 1e3); };
   return "the soil from " + rounded(top) + " m to " + rounded(top + profile.layers[layer].thickness) +
          " m below the surface";
@@ -169,9 +167,8 @@ EquivalentLinearResult equivalent_linear(const LayeredHalfSpace& profile,
                  options.strain_ratio * iteration.largest_strain[j], depth_range(profile, j));
       iteration.modulus_change = std::max(iteration.modulus_change, softening.modulus_change);
       iteration.damping_change = std::max(iteration.damping_change, softening.damping_change);
-      if (softening.held_damping) {
+      if (softening.held_damping)
         result.held_damping.push_back(j);
-      }
       const double change = std::max(softening.modulus_change, softening.damping_change);
       if (change > largest_change) {
         largest_change = change;

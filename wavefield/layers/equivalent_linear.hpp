@@ -54,8 +54,8 @@ struct NotConverged : std::runtime_error {
 };
 
 /// Equivalent linear analysis as SHAKE does it (Schnabel, Lysmer and Seed 1972), at any angle of incidence:
-/// the strain of a layer is that of gamma_xy at its mid-depth. Poisson's ratio of a layer stays; its damping
-/// ratio holds for shear and P-wave modulus alike. The half-space stays linear.
+/// the strain of a layer is that of gamma_xy at its mid-depth. The curves hold for the shear modulus; the
+/// bulk modulus of a layer and its damping ratio, the first guess, stay. The half-space stays linear.
 /// @param profile  Gmax as density vs^2; the layers' damping ratios are the first guess; any damping model
 /// but
 ///                 `none`

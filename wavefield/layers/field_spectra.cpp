@@ -11,7 +11,7 @@
 
 #include "wavefield/layers/field_spectra.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 #include "wavefield/signal/phase_train.hpp"
 
 #include <algorithm>
@@ -53,9 +53,8 @@ Propagation propagation(Complex s, const WaveBasis& basis, double up, double dow
 
 double FieldSetup::top_of(std::size_t medium) const {
   double y = surface_level;
-  for (std::size_t j = 0; j < medium; ++j) {
+  for (std::size_t j = 0; j < medium; ++j)
     y -= profile.layers[j].thickness;
-  }
   return y;
 }
 
@@ -66,18 +65,16 @@ std::size_t FieldSetup::medium_at(const Point& point) const {
     const double bottom = top_of(j + 1);
     // Levels are sums of thicknesses: an interface is met up to rounding.
     const bool on_it = std::abs(point.y - bottom) <= 1e-9 * profile.layers[j].thickness;
-    if (on_it ? side == Side::above : point.y > bottom) {
+    if (on_it ? side == Side::above : point.y > bottom)
       return j;
-    }
   }
   return profile.layers.size();
 }
 
 bool FieldSetup::has_kink() const {
   const bool constant_damping = is_constant_damping(profile.damping.model);
-  if (part == Part::incident) {
+  if (part == Part::incident)
     return constant_damping && profile.half_space_damping > 0.0;
-  }
   return (constant_damping && is_damped(profile)) || is_post_critical(profile.half_space, incidence);
 }
 
@@ -96,18 +93,15 @@ SignalSpectrum signal_spectrum(const Signal& signal, const Window& window, RealF
   fourier.forward();
   const auto bins = fourier.bins();
   double largest = 0.0;
-  for (const Complex& bin : bins) {
+  for (const Complex& bin : bins)
     largest = std::max(largest, std::abs(bin));
-  }
   // Bins below rounding are not worth a phase at every depth.
   std::size_t band = bins.size();
-  while (band > 1 && std::abs(bins[band - 1]) <= 1e-15 * largest) {
+  while (band > 1 && std::abs(bins[band - 1]) <= 1e-15 * largest)
     --band;
-  }
   spectrum.velocity.resize(band);
-  for (std::size_t k = 0; k < band; ++k) {
+  for (std::size_t k = 0; k < band; ++k)
     spectrum.velocity[k] = bins[k] / static_cast<double>(window.length);
-  }
   return spectrum;
 }
 
@@ -137,17 +131,15 @@ FieldSpectra::FieldSpectra(const FieldSetup& setup, const SignalSpectrum& signal
     const Complex delay =
         reflectivity_.incident_slowness() * (setup.incidence.y_reference - top_of_half_space);
     const Complex incident = signal.velocity[k] * std::exp(s * delay);
-    for (auto& [medium, waves] : media_) {
+    for (auto& [medium, waves] : media_)
       fill(waves, medium, amplitudes[medium], incident, k);
-    }
   }
 
   const LayerAmplitudes deep = reflectivity_.solve(0.0).back();
   const WaveBasis& basis = reflectivity_.basis(reflectivity_.half_space());
   Eigen::Vector4cd state = basis.up * deep.up;
-  if (part_ == Part::total) {
+  if (part_ == Part::total)
     state += basis.down * deep.down;
-  }
   static_ = {state[0], state[1]};
 }
 
@@ -173,15 +165,12 @@ void FieldSpectra::at(double y, std::size_t medium, const Quantities& quantities
   const double from_top = waves.top - y;
   const double z = reflectivity_.impedance();
   const double p = slowness_x();
-  for (Spectrum* velocity : {&spectra.vx, &spectra.vy}) {
+  for (Spectrum* velocity : {&spectra.vx, &spectra.vy})
     velocity->resize(bins);
-  }
-  for (Spectrum* stress : {&spectra.sxx, &spectra.syy, &spectra.sxy}) {
+  for (Spectrum* stress : {&spectra.sxx, &spectra.syy, &spectra.sxy})
     stress->resize(quantities.stress ? bins : 0);
-  }
-  for (Spectrum* strain : {&spectra.eyy, &spectra.gxy}) {
+  for (Spectrum* strain : {&spectra.eyy, &spectra.gxy})
     strain->resize(quantities.strain ? bins : 0);
-  }
   PropagationTrain train(window_, waves.bases.front(), from_bottom, from_top);
   WaveBasis::Columns m;
   Complex per_g, per_m, lambda, modulus;
@@ -203,9 +192,8 @@ void FieldSpectra::at(double y, std::size_t medium, const Quantities& quantities
     const Complex vx = times(m(0, 0), p_up + p_down) + times(m(0, 1), s_up + s_down);
     spectra.vx[k] = vx;
     spectra.vy[k] = times(m(1, 0), p_up - p_down) + times(m(1, 1), s_up - s_down);
-    if (!quantities.stress && !quantities.strain) {
+    if (!quantities.stress && !quantities.strain)
       continue;
-    }
     const Complex sxy = -z * (times(m(2, 0), p_up - p_down) + times(m(2, 1), s_up - s_down));
     const Complex syy = -z * (times(m(3, 0), p_up + p_down) + times(m(3, 1), s_up + s_down));
     const Complex exx = -p * vx;

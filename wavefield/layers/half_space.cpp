@@ -1,6 +1,6 @@
 #include "wavefield/layers/half_space.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 
 #include <cmath>
 #include <numbers>

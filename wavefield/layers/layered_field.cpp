@@ -1,6 +1,6 @@
 #include "wavefield/layers/layered_field.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 #include "wavefield/signal/synthesis.hpp"
 #include "wavefield/signal/window_choice.hpp"
 
@@ -51,9 +51,8 @@ LayeredField::LayeredField(LayeredHalfSpace profile, const Incidence& incidence,
   }
   if (options.exponential_window) {
     const std::string reason = why_no_exponential_window(setup(Part::total));
-    if (!reason.empty()) {
+    if (!reason.empty())
       throw std::invalid_argument("no exponential window: " + reason);
-    }
   }
 }
 
@@ -66,9 +65,8 @@ std::vector<History> LayeredField::sample(std::span<const Point> points, const T
   const FieldSetup field = setup(part);
   require_times(grid);
   require_places(points, field);
-  if (points.empty()) {
+  if (points.empty())
     return {};
-  }
   const Window window = choose_window(field, points, grid, options_);
   return Synthesis(field, window).sample(points, grid.count, quantities);
 }
@@ -77,9 +75,8 @@ WrapAroundError LayeredField::wrap_around_error(std::span<const Point> points, c
   const FieldSetup field = setup(Part::total);
   require_times(grid);
   require_places(points, field);
-  if (points.empty()) {
+  if (points.empty())
     throw std::invalid_argument("the error of the window needs at least one point");
-  }
   const Window chosen = choose_window(field, points, grid, options_);
   const Interval interval = interval_of(field, points, grid);
   SynthesisOptions twice = options_;

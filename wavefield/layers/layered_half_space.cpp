@@ -1,6 +1,6 @@
 #include "wavefield/layers/layered_half_space.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -51,9 +51,8 @@ void validate(const Layer& layer, const std::string& which, DampingModel model) 
 
 double LayeredHalfSpace::thickness() const {
   double sum = 0.0;
-  for (const Layer& layer : layers) {
+  for (const Layer& layer : layers)
     sum += layer.thickness;
-  }
   return sum;
 }
 
@@ -78,14 +77,11 @@ bool is_constant_damping(DampingModel model) {
 }
 
 bool is_damped(const LayeredHalfSpace& profile) {
-  if (profile.half_space_damping > 0.0) {
+  if (profile.half_space_damping > 0.0)
     return true;
-  }
-  for (const Layer& layer : profile.layers) {
-    if (layer.damping > 0.0 || layer.damping_p.value_or(0.0) > 0.0) {
+  for (const Layer& layer : profile.layers)
+    if (layer.damping > 0.0 || layer.damping_p.value_or(0.0) > 0.0)
       return true;
-    }
-  }
   return false;
 }
 
@@ -108,9 +104,8 @@ std::string_view name(DampingModel model) {
 void validate(const LayeredHalfSpace& profile) {
   validate(profile.half_space);
   validate_ratio("half-space damping ratio", profile.half_space_damping, profile.damping.model);
-  for (std::size_t i = 0; i < profile.layers.size(); ++i) {
+  for (std::size_t i = 0; i < profile.layers.size(); ++i)
     validate(profile.layers[i], "layer " + std::to_string(i + 1) + " from the top: ", profile.damping.model);
-  }
   if (!is_frequency_independent(profile.damping.model)) {
     require_positive("reference frequency of " + std::string(name(profile.damping.model)) + " damping",
                      profile.damping.reference_hz, "Hz");

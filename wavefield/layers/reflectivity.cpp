@@ -89,9 +89,8 @@ Reflectivity::Reflectivity(const LayeredHalfSpace& profile, WaveType wave, doubl
   transmitted_.resize(layers);
   phase_.resize(layers);
   amplitudes_.resize(layers + 1);
-  if (factorised_once_) {
+  if (factorised_once_)
     factorise(0.0);
-  }
 }
 
 void Reflectivity::factorise(Complex s) {
@@ -125,9 +124,8 @@ void Reflectivity::factorise(Complex s) {
 }
 
 const std::vector<LayerAmplitudes>& Reflectivity::solve(Complex s) {
-  if (!factorised_once_) {
+  if (!factorised_once_)
     factorise(s);
-  }
   reflected_.front() = surface_;
   for (std::size_t j = 0; j < interfaces_.size(); ++j) {
     const double h = profile_.layers[j].thickness;

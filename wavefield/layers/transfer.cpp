@@ -1,8 +1,8 @@
 #include "wavefield/layers/transfer.hpp"
 
+#include "base/require.hpp"
 #include "wavefield/layers/field_spectra.hpp"
 #include "wavefield/layers/reflectivity.hpp"
-#include "wavefield/require.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -28,9 +28,8 @@ Amplitude at_level(const Reflectivity& reflectivity, std::size_t medium, const L
 }
 
 void require_frequencies(std::span<const double> frequencies_hz) {
-  for (const double frequency : frequencies_hz) {
+  for (const double frequency : frequencies_hz)
     require_positive("frequency of a transfer function", frequency, "Hz");
-  }
 }
 
 } // namespace

@@ -33,21 +33,6 @@ Signal signal_of(const scene::Motion& motion) {
           motion.highest_frequency()};
 }
 
-/// Samples of a velocity that hold all its frequencies.
-struct Sampled {
-  std::vector<double> velocity;
-  double dt = 0.0;
-};
-
-Sampled sampled(const scene::Motion& motion) {
-  constexpr double samples_per_period = 2.0;
-  Sampled samples{{}, 1.0 / (samples_per_period * motion.highest_frequency())};
-  const auto count = static_cast<std::size_t>(std::ceil((motion.end() - motion.begin()) / samples.dt)) + 1;
-  for (std::size_t i = 0; i < count; ++i)
-    samples.velocity.push_back(motion.velocity(motion.begin() + static_cast<double>(i) * samples.dt));
-  return samples;
-}
-
 /// The incident motion of a record that begins like `within`. A record of velocities rises in its first 0.1
 /// s, so it is given zeros there.
 Signal smooth(const Deconvolution& deconvolution, double dt, const scene::Motion& within) {
@@ -96,7 +81,7 @@ Signal incident_signal(const scene::Case& scene, const LayeredHalfSpace& ground)
     return signal;
   }
   case motion::MotionKind::within: {
-    const Sampled samples = sampled(motion);
+    const scene::SampledMotion samples = scene::sampled(motion);
     return smooth(
         incident_from_within(ground, incidence.wave, incidence.angle_rad, samples.velocity, samples.dt),
         samples.dt, motion);

@@ -10,9 +10,8 @@ namespace {
 template <class T>
 struct FftwArray {
   explicit FftwArray(std::size_t count) : data(static_cast<T*>(fftw_malloc(count * sizeof(T)))) {
-    if (!data) {
+    if (!data)
       throw std::bad_alloc();
-    }
   }
   struct Free {
     void operator()(T* pointer) const { fftw_free(pointer); }
@@ -61,14 +60,11 @@ void RealFourier::inverse() {
 std::size_t fast_length(std::size_t length) {
   for (std::size_t candidate = length + length % 2;; candidate += 2) {
     std::size_t rest = candidate;
-    for (std::size_t prime : {2U, 3U, 5U}) {
-      while (rest % prime == 0) {
+    for (std::size_t prime : {2U, 3U, 5U})
+      while (rest % prime == 0)
         rest /= prime;
-      }
-    }
-    if (rest == 1) {
+    if (rest == 1)
       return candidate;
-    }
   }
 }
 

@@ -1,6 +1,6 @@
 #include "wavefield/signal/signal.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -22,9 +22,8 @@ Signal ricker(double frequency_hz, double time_s, double peak_velocity) {
 }
 
 void validate(const Signal& signal) {
-  if (!signal.velocity) {
+  if (!signal.velocity)
     throw std::invalid_argument("the signal has no velocity function");
-  }
   require(std::isfinite(signal.begin), "begin of the signal", signal.begin, "finite");
   require(signal.end > signal.begin && std::isfinite(signal.end), "end of the signal", signal.end,
           "finite and after its begin, " + shortest(signal.begin) + " s");

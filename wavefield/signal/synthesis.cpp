@@ -23,7 +23,7 @@
 
 #include "wavefield/signal/synthesis.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 #include "wavefield/signal/phase_train.hpp"
 
 #include <algorithm>
@@ -58,9 +58,8 @@ template <class Function>
 Complex extrapolate_to_zero(Function f) {
   constexpr std::array<double, 6> weights = {6.0, -15.0, 20.0, -15.0, 6.0, -1.0};
   Complex sum = 0.0;
-  for (std::size_t k = 0; k < weights.size(); ++k) {
+  for (std::size_t k = 0; k < weights.size(); ++k)
     sum += weights[k] * f(k + 1);
-  }
   return sum;
 }
 
@@ -91,9 +90,8 @@ std::vector<History> Synthesis::sample(std::span<const Point> points, std::size_
     media.insert(medium);
   }
   const FieldSpectra field(setup_, signal_, std::vector<std::size_t>(media.begin(), media.end()));
-  if (quantities.displacement) {
+  if (quantities.displacement)
     require_finite_displacement(field);
-  }
   std::vector<History> histories(points.size());
   DepthSpectra spectra;
   for (const auto& [place, at_place] : points_at) {
@@ -110,9 +108,8 @@ std::vector<double> Synthesis::on_grid(std::size_t count) {
   fourier_.inverse();
   const auto samples = fourier_.samples();
   std::vector<double> values(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
     values[i] = samples[window_.offset + i * window_.stride];
-  }
   if (window_.epsilon > 0.0) {
     for (std::size_t i = 0; i < count; ++i) {
       const double since_start = static_cast<double>(window_.offset + i * window_.stride) * window_.dt;
@@ -124,16 +121,14 @@ std::vector<double> Synthesis::on_grid(std::size_t count) {
 
 std::vector<double> Synthesis::series(const Spectrum& spectrum, const Spectrum& factors, std::size_t count) {
   const auto bins = fourier_.bins();
-  for (std::size_t k = 0; k < spectrum.size(); ++k) {
+  for (std::size_t k = 0; k < spectrum.size(); ++k)
     bins[k] = times(factors[k], spectrum[k]);
-  }
   std::fill(bins.begin() + static_cast<std::ptrdiff_t>(spectrum.size()), bins.end(), Complex());
   if (has_kink_) {
     const auto weights = gregory_weights();
     bins[0] *= 2.0 * weights[0]; // the inverse transform counts bin 0 once, all others with their conjugates
-    for (std::size_t k = 1; k < std::min(weights.size(), bins.size()); ++k) {
+    for (std::size_t k = 1; k < std::min(weights.size(), bins.size()); ++k)
       bins[k] *= weights[k];
-    }
   }
   return on_grid(count);
 }
@@ -143,9 +138,8 @@ std::vector<double> Synthesis::displacement(const Spectrum& velocity, const Spec
   const auto bins = fourier_.bins();
   std::fill(bins.begin(), bins.end(), Complex());
   if (window_.epsilon > 0.0) {
-    for (std::size_t k = 0; k < velocity.size(); ++k) {
+    for (std::size_t k = 0; k < velocity.size(); ++k)
       bins[k] = shift[k] * velocity[k] / window_.s(k);
-    }
     return on_grid(count);
   }
 
@@ -188,42 +182,36 @@ History Synthesis::history(const FieldSpectra& field, const DepthSpectra& spectr
   Spectrum& shift = shift_;
   shift.resize(bins);
   PhaseTrain train(-window_.s(0) * delay, (window_.s(0) - window_.s(1)) * delay);
-  for (Complex& factor : shift) {
+  for (Complex& factor : shift)
     factor = train.next();
-  }
   History history;
   if (quantities.displacement) {
     const auto response = field.static_response();
     history.ux = displacement(spectra.vx, shift, delay, response[0].real(), count);
     history.uy = displacement(spectra.vy, shift, delay, response[1].real(), count);
   }
-  if (quantities.velocity || quantities.strain) {
+  if (quantities.velocity || quantities.strain)
     history.vx = series(spectra.vx, shift, count);
-  }
   if (quantities.strain) {
     history.exx = history.vx;
-    for (double& strain : history.exx) {
+    for (double& strain : history.exx)
       strain *= -field.slowness_x();
-    }
     history.eyy = series(spectra.eyy, shift, count);
     history.gxy = series(spectra.gxy, shift, count);
   }
-  if (quantities.velocity) {
+  if (quantities.velocity)
     history.vy = series(spectra.vy, shift, count);
-  } else {
+  else
     history.vx.clear();
-  }
   if (quantities.stress) {
     history.sxx = series(spectra.sxx, shift, count);
     history.syy = series(spectra.syy, shift, count);
     history.sxy = series(spectra.sxy, shift, count);
   }
-  if (!quantities.rates) {
+  if (!quantities.rates)
     return history;
-  }
-  for (std::size_t k = 0; k < bins; ++k) {
+  for (std::size_t k = 0; k < bins; ++k)
     shift[k] = times(shift[k], window_.s(k));
-  }
   if (quantities.velocity) {
     history.vx_rate = series(spectra.vx, shift, count);
     history.vy_rate = series(spectra.vy, shift, count);

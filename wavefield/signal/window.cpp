@@ -1,6 +1,6 @@
 #include "wavefield/signal/window.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 #include "wavefield/signal/fourier.hpp"
 
 #include <algorithm>

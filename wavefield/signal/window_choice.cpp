@@ -1,6 +1,6 @@
 #include "wavefield/signal/window_choice.hpp"
 
-#include "wavefield/require.hpp"
+#include "base/require.hpp"
 #include "wavefield/signal/synthesis.hpp"
 
 #include <algorithm>
@@ -39,12 +39,10 @@ bool is_sum_of_pulses(const FieldSetup& setup) {
 
 /// Change of the surface velocity by doubling, relative to its peak, that ends it.
 double tolerance_of(const FieldSetup& setup, const SynthesisOptions& options) {
-  if (options.exponential_window) {
+  if (options.exponential_window)
     return 1e-8;
-  }
-  if (has_branch_point(setup)) {
+  if (has_branch_point(setup))
     return 1e-7;
-  }
   return setup.has_kink() ? 1e-9 : 1e-10;
 }
 
@@ -63,9 +61,8 @@ Interval interval_of(const FieldSetup& setup, std::span<const Point> points, con
   const double q_incident = vertical_slowness(setup.incidence.wave == WaveType::SV ? deep.vs : deep.vp, p);
   const double top_of_half_space = setup.top_of(setup.profile.layers.size());
   double through_layers = 0.0;
-  for (const Layer& layer : setup.profile.layers) {
+  for (const Layer& layer : setup.profile.layers)
     through_layers += 2.0 * layer.thickness * vertical_slowness(layer.vs, p);
-  }
   double earliest = 0.0; // the signal itself, undelayed, is sampled in the same window
   double latest = 0.0;
   for (const Point& point : points) {
@@ -103,12 +100,10 @@ Window choose_window(const FieldSetup& setup, std::span<const Point> points, con
   const auto window = [&](double padding) {
     return window_with(setup, grid, interval, padding, options.exponential_window);
   };
-  if (options.padding) {
+  if (options.padding)
     return window(*options.padding);
-  }
-  if (is_sum_of_pulses(setup)) {
+  if (is_sum_of_pulses(setup))
     return window(first_padding);
-  }
   const auto [first, last] = std::ranges::minmax(points, {}, &Point::x);
   const double level =
       setup.part == Part::total ? setup.surface_level : std::ranges::max(points, {}, &Point::y).y;
@@ -127,9 +122,8 @@ Window choose_window(const FieldSetup& setup, std::span<const Point> points, con
     const Window doubled = window(padding);
     std::vector<History> with_doubled = motion(doubled);
     const double still = relative_change(with_chosen, with_doubled, std::array{&History::vx, &History::vy});
-    if (still <= tolerance) {
+    if (still <= tolerance)
       return chosen;
-    }
     if (doubled.length > largest_chosen_window) {
       throw std::runtime_error("the field does not fit into a window of " + shortest(doubled.duration()) +
                                " s: its surface velocity changes by " + shortest(still) +

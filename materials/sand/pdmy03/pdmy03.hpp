@@ -14,10 +14,14 @@
 //
 // Tension positive, strains as fractions. "Octahedral" shear strain is (2/sqrt 3)|e|, stress |s|/sqrt 3.
 
+#include "base/words.hpp"
 #include "materials/elastic/elasticity.hpp"
+#include "materials/elastic/linear_elastic.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
+#include "materials/law/strength_line.hpp"
+#include "materials/law/traits.hpp"
 
 #include <array>
 #include <cstddef>
@@ -34,6 +38,11 @@ enum class Pdmy03Cone {
   triaxial_extension,   ///< M = 6 sin(phi)/(3 + sin(phi))
   plane_strain          ///< M = sqrt(3) sin(phi): phi is then the angle mobilised in the plane
 };
+constexpr auto words(Pdmy03Cone) {
+  return word_table<Pdmy03Cone>({{Pdmy03Cone::triaxial_compression, "triaxial_compression"},
+                                 {Pdmy03Cone::triaxial_extension, "triaxial_extension"},
+                                 {Pdmy03Cone::plane_strain, "plane_strain"}});
+}
 
 /// One point of a modulus reduction curve as measured in simple shear.
 struct ModulusReduction {
@@ -111,6 +120,16 @@ Pdmy03 pdmy03(const Pdmy03Input& input);
 /// The recommended set of one density, as input to change or complete.
 /// @throws std::invalid_argument for a density other than 0.33, 0.57, 0.74, 0.87: sets are not interpolated
 Pdmy03Input pdmy03_recommended(double relative_density);
+
+Traits traits(const Pdmy03& law);
+
+std::vector<StrengthLine> strength_lines(const Pdmy03& law);
+
+/// The elastic soil to make an initial stress with: stiffness and memory begin with that stress.
+LinearElastic without_softening(const Pdmy03& law);
+
+/// Of the recommended set; nothing where none was asked for.
+std::optional<double> relative_density(const Pdmy03& law);
 
 /// Advances stress, state and plastic work of all points by one step, in sub-increments of 1e-5 strain.
 /// @throws std::domain_error for an increment above pdmy03_largest_increment, and for stress or state that is

@@ -58,9 +58,8 @@ inline Deviator3 translated_centre(const YieldCone& inner, const YieldCone& oute
   const double radius = inner.radius(height);
   const double distance = norm(t);
   const double excess = distance * distance - radius * radius;
-  if (!(excess > 0.0)) {
+  if (!(excess > 0.0))
     return inner.centre;
-  }
   const Deviator3 between = height * (outer.centre - inner.centre); // h (c - c')
   const double outer_radius = outer.radius(height);
   const double tt = distance * distance;
@@ -75,9 +74,8 @@ inline Deviator3 translated_centre(const YieldCone& inner, const YieldCone& oute
     const double tm = height * dot(t, mu);
     const double mm = height * height * dot(mu, mu);
     const double discriminant = tm * tm - mm * excess;
-    if (tm > 0.0 && discriminant >= 0.0) {
+    if (tm > 0.0 && discriminant >= 0.0)
       return inner.centre - (excess / (tm + std::sqrt(discriminant))) * mu;
-    }
   }
   // degenerate: follow the stress itself
   return inner.centre - ((1.0 - radius / distance) / height) * t;

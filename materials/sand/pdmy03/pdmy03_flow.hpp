@@ -82,11 +82,10 @@ inline void dilate(const Pdmy03& law, const Pdmy03Memory& memory, const Incremen
   const bool already = zone == pdmy03_zone::dilating;
   if (law.liquefaction_1 == 0.0) {
     zone = pdmy03_zone::dilating;
-    if (already) {
+    if (already)
       memory[Place::dilation] += strain.length;
-    } else if (start.turned) {
+    else if (start.turned)
       memory[Place::dilation] = 0.0;
-    }
     return;
   }
   if (already) {
@@ -128,9 +127,8 @@ inline bool crosses_critical_state(const Pdmy03& law, const FlowStress& stress) 
   const double x0 = (stress.start_height - law.residual_pressure) / law.atmospheric_pressure;
   const double x1 = (stress.height - law.residual_pressure) / law.atmospheric_pressure;
   // x^0.7 <= max(1, x): well below the line without a power
-  if (std::max(e0, e1) < critical::intercept - critical::slope * std::max({1.0, x0, x1})) {
+  if (std::max(e0, e1) < critical::intercept - critical::slope * std::max({1.0, x0, x1}))
     return false;
-  }
   const auto line = [](double x) {
     return critical::intercept - critical::slope * std::pow(std::max(x, 0.0), critical::exponent);
   };
@@ -169,17 +167,15 @@ inline double volumetric_flow(const Pdmy03& law, const Pdmy03Memory& memory, con
   if (relative >= 1.0 && norm(stress.trial) * to_ratio >= start_ratio &&
       dot(stress.start, stress.trial) >= 0.0) {
     dilate(law, memory, start, strain);
-    if (memory[Place::zone] == pdmy03_zone::dilating) {
+    if (memory[Place::zone] == pdmy03_zone::dilating)
       flow = dilation_flow(law, relative - 1.0, memory[Place::dilation], stress.height);
-    }
   } else {
     flow = contraction_flow(law, relative * loading_cosine(stress), memory[Place::dilation_total],
                             stress.height, start.cyclic_factor);
     double& zone = memory[Place::zone];
     zone = std::min(zone, pdmy03_zone::left_dilation);
-    if (zone != pdmy03_zone::never_reached) {
+    if (zone != pdmy03_zone::never_reached)
       translate_zone(law, memory, start, strain.end);
-    }
   }
   return crosses_critical_state(law, stress) ? 0.0 : flow;
 }

@@ -19,21 +19,23 @@ void touch_surfaces(const Pdmy03& law, const Pdmy03Memory& memory, const Deviato
                     bool on_failure) {
   const double ratio = std::sqrt(1.5) * norm(s) / height;
   std::size_t active = on_failure ? law.surfaces : 0;
-  while (active < law.surfaces && ratio > law.ratio[active + 1]) {
+  while (active < law.surfaces && ratio > law.ratio[active + 1])
     ++active;
-  }
   memory[Place::active_surface] = static_cast<double>(active);
   for (std::size_t i = 1; i <= active; ++i) {
     const Deviator3 centre = (-(1.0 - law.ratio[i] / ratio) / height) * s;
-    if (i == active) {
+    if (i == active)
       memory.set(Place::active_centre, i == law.surfaces ? Deviator3{} : centre);
-    } else {
+    else
       memory.rest_centre(i, centre);
-    }
   }
 }
 
 } // namespace
+
+LinearElastic without_softening(const Pdmy03& law) {
+  return {law.elastic};
+}
 
 void initialise(const Pdmy03& law, const Points& points) {
   const std::size_t size = pdmy03_state_size(law.surfaces);
@@ -68,9 +70,8 @@ void initialise(const Pdmy03& law, const Points& points) {
 
 double p_wave_speed_bound(const Pdmy03& law, const Points& points) {
   double least = 0.0; // trace of the stress, Pa
-  for (std::size_t i = 0; i < points.count; ++i) {
+  for (std::size_t i = 0; i < points.count; ++i)
     least = std::min(least, points.sxx[i] + points.syy[i] + points.szz[i]);
-  }
   return law.elastic.p_wave_speed() *
          std::sqrt(pdmy03_modulus_factor(law, law.residual_pressure - least / 3.0));
 }

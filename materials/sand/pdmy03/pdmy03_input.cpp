@@ -64,11 +64,9 @@ constexpr std::array recommended = {RecommendedSet{0.33,
                                                    {0.6, 3.0, -0.5}}};
 
 const RecommendedSet& recommended_set(double relative_density) {
-  for (const RecommendedSet& set : recommended) {
-    if (std::abs(set.relative_density - relative_density) < 1e-9) {
+  for (const RecommendedSet& set : recommended)
+    if (std::abs(set.relative_density - relative_density) < 1e-9)
       return set;
-    }
-  }
   throw std::invalid_argument(fmt::format(
       "relative_density = {:g}: PDMY03 has recommended sets for 0.33, 0.57, 0.74 and 0.87 only, and "
       "they are not interpolated; take one of these, or give every parameter",
@@ -82,12 +80,10 @@ public:
 
   /// A value that is given, or stands in the recommended set.
   double pick(P parameter, const std::optional<double>& given, const std::optional<double>& table) {
-    if (given) {
+    if (given)
       return from(parameter, *given, Pdmy03Origin::given);
-    }
-    if (table) {
+    if (table)
       return from(parameter, *table, Pdmy03Origin::table);
-    }
     throw std::invalid_argument(fmt::format(
         "{} is missing: give it, or a relative_density of 0.33, 0.57, 0.74 or 0.87", pdmy03_name(parameter)));
   }
@@ -158,9 +154,8 @@ void check_values(const Pdmy03& law) {
 
 std::size_t surface_count(double given) {
   check_range("surfaces", given, 3.0, static_cast<double>(most_pdmy03_surfaces));
-  if (given != std::floor(given)) {
+  if (given != std::floor(given))
     throw std::invalid_argument(fmt::format("surfaces = {:g} must be a whole number", given));
-  }
   return static_cast<std::size_t>(given);
 }
 
@@ -176,9 +171,8 @@ void resolve_soil(Resolver& resolver, const Pdmy03Input& input, const Pdmy03Inpu
     law.contraction[k] =
         resolver.pick(following(P::contraction_a, k), input.contraction[k], table.contraction[k]);
   }
-  for (std::size_t k = 0; k < law.dilation.size(); ++k) {
+  for (std::size_t k = 0; k < law.dilation.size(); ++k)
     law.dilation[k] = resolver.pick(following(P::dilation_a, k), input.dilation[k], table.dilation[k]);
-  }
 }
 
 void resolve_defaults(Resolver& resolver, const Pdmy03Input& input, Pdmy03& law) {
@@ -201,9 +195,8 @@ void resolve_curve(Resolver& resolver, const Pdmy03Input& input, Pdmy03& law) {
   law.friction = law.phase_transformation; // until the curve has told
   check_values(law);
   build_surfaces(law, input.modulus_reduction);
-  for (const P parameter : {P::friction, P::surfaces, P::peak_shear_strain}) {
+  for (const P parameter : {P::friction, P::surfaces, P::peak_shear_strain})
     resolver.from(parameter, 0.0, Pdmy03Origin::curve);
-  }
   law.peak_shear_strain = std::sqrt(2.0 / 3.0) * input.modulus_reduction.back().shear_strain;
 }
 
@@ -224,12 +217,10 @@ Pdmy03Input pdmy03_recommended(double relative_density) {
   input.bulk_modulus = set.bulk_modulus;
   input.friction = set.friction;
   input.phase_transformation = set.phase_transformation;
-  for (std::size_t k = 0; k < set.contraction.size(); ++k) {
+  for (std::size_t k = 0; k < set.contraction.size(); ++k)
     input.contraction[k] = set.contraction[k];
-  }
-  for (std::size_t k = 0; k < set.dilation.size(); ++k) {
+  for (std::size_t k = 0; k < set.dilation.size(); ++k)
     input.dilation[k] = set.dilation[k];
-  }
   return input;
 }
 
@@ -245,20 +236,18 @@ Pdmy03 pdmy03(const Pdmy03Input& input) {
   Resolver resolver(law);
   resolve_soil(resolver, input, table, law);
   resolve_defaults(resolver, input, law);
-  if (input.modulus_reduction.empty()) {
+  if (input.modulus_reduction.empty())
     resolve_hyperbola(resolver, input, table, law);
-  } else {
+  else
     resolve_curve(resolver, input, law);
-  }
   validate(law);
   return law;
 }
 
 void validate(const Pdmy03& law) {
   check_values(law);
-  if (law.surfaces < 3 || law.surfaces > most_pdmy03_surfaces) {
+  if (law.surfaces < 3 || law.surfaces > most_pdmy03_surfaces)
     throw std::invalid_argument("a Pdmy03 is made by pdmy03(), which builds its surfaces");
-  }
 }
 
 } // namespace tremolo::materials

@@ -107,11 +107,8 @@ std::string origin(const Pdmy03& law, std::size_t k) {
 /// What follows from the parameters, and what the law fixes.
 void append_derived(const Pdmy03& law, std::vector<ParameterValue>& list) {
   namespace critical = pdmy03_critical;
-  constexpr std::array<std::string_view, 3> cones = {"triaxial_compression", "triaxial_extension",
-                                                     "plane_strain"};
-  const auto cone = static_cast<std::size_t>(law.cone);
-  list.push_back({"cone", static_cast<double>(cone), "1", "test in which the cone has the friction angle",
-                  law.cone_given ? "given" : "default", cones[cone]});
+  list.push_back({"cone", static_cast<double>(law.cone), "1", "test in which the cone has the friction angle",
+                  law.cone_given ? "given" : "default", tremolo::name(law.cone)});
   list.push_back({"failure_ratio", law.ratio[law.surfaces], "1", "M_f, slope of the failure cone in q-p'",
                   "computed from friction and cone"});
   list.push_back({"residual_pressure", law.residual_pressure, "Pa", "p_res, the apex lies at p' = -p_res",
@@ -138,6 +135,18 @@ std::vector<ParameterValue> parameters(const Pdmy03& law) {
   }
   append_derived(law, list);
   return list;
+}
+
+std::optional<double> relative_density(const Pdmy03& law) {
+  return law.relative_density > 0.0 ? std::optional(law.relative_density) : std::nullopt;
+}
+
+std::vector<StrengthLine> strength_lines(const Pdmy03& law) {
+  const auto cone = [apex = law.residual_pressure](double slope) {
+    return [slope, apex](double p) { return slope * (p + apex); };
+  };
+  return {{"phase_transformation", cone(law.transformation_ratio)},
+          {"failure", cone(law.ratio.at(law.surfaces))}};
 }
 
 std::vector<std::string> notes(const Pdmy03& law) {

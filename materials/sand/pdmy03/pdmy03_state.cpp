@@ -52,6 +52,13 @@ struct Table {
 
 } // namespace
 
+Traits traits(const Pdmy03& /*law*/) {
+  return {.name = "pdmy03",
+          .response = Response::cyclic_mobility,
+          .follows_pressure = true,
+          .remembers_initial_stress = true};
+}
+
 std::span<const StateVariable> state_variables(const Pdmy03& law) {
   static const Table table;
   return std::span<const StateVariable>(table.variables).first(pdmy03_state_size(law.surfaces));

@@ -77,9 +77,8 @@ public:
 
   /// Centre of surface i of n as it was left when the surface was last touched; zero for the failure surface.
   Deviator3 resting_centre(std::size_t i, std::size_t n) const {
-    if (i >= n) {
+    if (i >= n)
       return {};
-    }
     std::array<float, 3> packed{};
     std::memcpy(packed.data(), floats(i), sizeof packed);
     return {packed[0], packed[1], packed[2]};

@@ -73,11 +73,10 @@ double cone_ratio(Pdmy03Cone cone, double friction) {
 
 double cone_friction(Pdmy03Cone cone, double ratio) {
   double sine = 3.0 * ratio / (6.0 + ratio);
-  if (cone == Pdmy03Cone::triaxial_extension) {
+  if (cone == Pdmy03Cone::triaxial_extension)
     sine = 3.0 * ratio / (6.0 - ratio);
-  } else if (cone == Pdmy03Cone::plane_strain) {
+  else if (cone == Pdmy03Cone::plane_strain)
     sine = ratio / std::sqrt(3.0);
-  }
   if (!(sine > 0.0 && sine < 1.0)) {
     throw std::invalid_argument(fmt::format(
         "modulus_reduction ends at a strength of q/p' = {:g}, which no friction angle has", ratio));

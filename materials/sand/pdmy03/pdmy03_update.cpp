@@ -113,23 +113,19 @@ IncrementStart Step::begin(const Deviator3& increment) const {
 
 /// Unloading from the active surface: all smaller ones come to touch it where the stress of the last step is.
 void Step::reverse_if_unloading(const MeanStress& trial, const Deviator3& trial_deviator) {
-  if (active_ == 0) {
+  if (active_ == 0)
     return;
-  }
   const MeanAndDeviator normal = cone_.normal(s_, height(mean_.stress));
   const double mean_change = height(trial.stress) - committed_height_; // of p'
   const Deviator3 change = trial_deviator - committed_deviator_;
   const double outward = dot(normal.deviator, change) - 3.0 * normal.mean * mean_change;
   const double rounding = 1e-12 * (norm(change) + std::abs(mean_change));
-  if (outward >= -rounding) { // along the surface is not unloading
+  if (outward >= -rounding) // along the surface is not unloading
     return;
-  }
-  for (std::size_t j = 1; j < active_; ++j) {
+  for (std::size_t j = 1; j < active_; ++j)
     memory_.rest_centre(j, cone_.centre_inside(committed_deviator_, committed_height_, law_.ratio[j]));
-  }
-  if (active_ < law_.surfaces) {
+  if (active_ < law_.surfaces)
     memory_.rest_centre(active_, cone_.centre);
-  }
   active_ = 0;
 }
 
@@ -146,9 +142,8 @@ int Step::parts(double factor, double volume, const Deviator3& increment) const 
 }
 
 double Step::take(double volume, const Deviator3& increment) {
-  if (active_ > 0) {
+  if (active_ > 0)
     cone_ = {law_.ratio[active_], memory_.deviator(Place::active_centre)};
-  }
   const Stiffness moduli = stiffness(committed_height_);
   const MeanStress trial = strained(mean_, moduli.bulk, volume);
   const Deviator3 trial_deviator = s_ + 2.0 * moduli.shear * increment;
@@ -163,14 +158,12 @@ double Step::take(double volume, const Deviator3& increment) {
     const IncrementStart start = begin(increment);
     const int count = parts(moduli.factor, volume, increment);
     const double share = 1.0 / count;
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < count; ++k)
       work += part(start, share * volume, share * increment);
-    }
   }
   memory_[Place::active_surface] = static_cast<double>(active_);
-  if (active_ > 0) {
+  if (active_ > 0)
     memory_.set(Place::active_centre, cone_.centre);
-  }
   memory_[Place::gap] = mean_.gap;
   memory_[Place::largest_pressure] = std::max(memory_[Place::largest_pressure], -mean_.stress);
   return work;
@@ -212,9 +205,8 @@ double Step::consistency(double& flow, const Stiffness& moduli, const MeanAndDev
   const double shear = 2.0 * moduli.shear * dot(normal.deviator, normal.deviator);
   const double volumetric = 9.0 * moduli.bulk * normal.mean;
   const double a = shear + volumetric * flow + plastic;
-  if (a >= least) {
+  if (a >= least)
     return a;
-  }
   flow = (least - shear - plastic) / volumetric; // not 0: a is below shear + plastic
   return least;
 }
@@ -242,12 +234,10 @@ void Step::correct(const IncrementStart& start, const Stiffness& moduli, FlowStr
     }
     s_ = flow.trial - (2.0 * moduli.shear * multiplier * deviatoric) * normal.deviator;
     const double now = height(mean_.stress);
-    if (active_ == law_.surfaces || cone_.yield_function(s_, now) < 0.0) {
+    if (active_ == law_.surfaces || cone_.yield_function(s_, now) < 0.0)
       s_ = cone_.projected(s_, now);
-    }
-    if (active_ == law_.surfaces) {
+    if (active_ == law_.surfaces)
       return;
-    }
     const YieldCone next = surface(active_ + 1);
     if (next.yield_function(s_, now) <= 0.0) {
       cone_.centre = translated_centre(cone_, next, s_, now);

@@ -78,9 +78,8 @@ void initialise(const Pm4Sand& law, const Points& points) {
 void update(const Pm4Sand& law, const Points& points) {
   check_increments("pm4sand", points, largest_increment);
   check_finite("pm4sand", points, pm4::state_size);
-  for (std::size_t i = 0; i < points.count; ++i) {
+  for (std::size_t i = 0; i < points.count; ++i)
     advance(law, points, i);
-  }
 }
 
 double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {
@@ -91,6 +90,26 @@ double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {
   }
   const double G = law.G_o * std::sqrt(law.p_A * p);
   return std::sqrt((law.bulk_ratio + 4.0 / 3.0) * G / law.elastic.density);
+}
+
+Traits traits(const Pm4Sand& /*law*/) {
+  return {.name = "pm4sand",
+          .response = Response::cyclic_mobility,
+          .three_dimensional = false,
+          .follows_pressure = true,
+          .remembers_initial_stress = true,
+          .in_plane = true};
+}
+
+std::vector<StrengthLine> strength_lines(const Pm4Sand& law) {
+  const auto at = [law](double p) { return pm4::surfaces(law, std::max(p, law.p_A / 200.0), 0.0); };
+  return {{"critical_state", [M = law.M](double p) { return M * p; }},
+          {"bounding", [at](double p) { return p * at(p).M_b; }},
+          {"dilation", [at](double p) { return p * at(p).M_d; }}};
+}
+
+LinearElastic without_softening(const Pm4Sand& law) {
+  return {law.elastic};
 }
 
 std::span<const StateVariable> state_variables(const Pm4Sand& /*law*/) {

@@ -19,9 +19,12 @@
 // recompression begins when it has closed.
 
 #include "materials/elastic/elasticity.hpp"
+#include "materials/elastic/linear_elastic.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
+#include "materials/law/strength_line.hpp"
+#include "materials/law/traits.hpp"
 
 #include <bitset>
 #include <cstddef>
@@ -118,6 +121,20 @@ std::span<const StateVariable> state_variables(const Pm4Sand& law);
 /// shear. A stress outside the bounding surface, or with p < p_min, is held by an offset that the law adds
 /// back to what it reports for ever. Writes sigma_zz = nu (sxx + syy).
 void initialise(const Pm4Sand& law, const Points& points);
+
+Traits traits(const Pm4Sand& law);
+
+/// At the initial density.
+std::vector<StrengthLine> strength_lines(const Pm4Sand& law);
+
+/// The elastic soil to make an initial stress with: stiffness and memory begin with that stress.
+LinearElastic without_softening(const Pm4Sand& law);
+
+std::optional<double> relative_density(const Pm4Sand& law);
+
+/// h_po
+std::optional<double> contraction_rate(const Pm4Sand& law);
+Pm4Sand with_contraction_rate(Pm4Sand law, double rate);
 
 /// Advances stress, state and plastic work of all points by one step.
 /// @throws std::domain_error for strain increments above 0.02, and for stress or state that is not finite:

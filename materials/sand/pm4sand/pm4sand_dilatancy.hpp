@@ -91,9 +91,8 @@ inline double fading(double p, double p_min) {
 
 inline double contraction(const Site& at, const Direction& to) {
   const double C_pmin2 = fading(at.p, at.start.p_min);
-  if (C_pmin2 == 0.0) {
+  if (C_pmin2 == 0.0)
     return 0.0;
-  }
   const double dense = std::max(0.5 - at.surface.xi_R, 0.0);
   const double h_p = at.law.h_po * elementary::exp(-0.7 + 7.0 * dense * dense);
   const double C_rot2 = 1.0 - to.C_zpk2;
@@ -118,12 +117,10 @@ inline Dilatancy dilatancy(const Site& at, const Direction& to) {
     M_dR /= 1.0 + 2.0 * rotated.a_z * (1.0 - rotated.C_zin1);
   }
   rotated.alpha_n = (M_dR - at.law.m) / sqrt2;
-  if (rotated.alpha_n > to.alpha_n) {
+  if (rotated.alpha_n > to.alpha_n)
     return {contraction(at, to), true};
-  }
-  if (to.z_n >= 0.0) {
+  if (to.z_n >= 0.0)
     rotated.C_zin1 = fabric_since_reversal(at, to);
-  }
   return {dilation(at, to, rotated), false};
 }
 

@@ -11,12 +11,10 @@ namespace {
 double default_A_do(const Pm4Sand& law, const Surfaces& surface) {
   constexpr double loose = 1.24;
   constexpr double steep = 1.5; // where M_b has no angle
-  if (surface.xi_R > 0.0 || surface.M_b - surface.M_d < 1e-9) {
+  if (surface.xi_R > 0.0 || surface.M_b - surface.M_d < 1e-9)
     return loose;
-  }
-  if (surface.M_b > 2.0) {
+  if (surface.M_b > 2.0)
     return steep;
-  }
   return 2.5 * (std::asin(0.5 * surface.M_b) - std::asin(0.5 * law.M)) / (surface.M_b - surface.M_d);
 }
 

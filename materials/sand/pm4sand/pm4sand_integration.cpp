@@ -27,19 +27,16 @@ double elastic_part(const Site& at, Deviator x, const Stress& elastic) {
   const double b = contract(x, dx) - m2 * p * elastic.p;
   const double radius2 = m2 * p * p;
   const double x2 = contract(x, x);
-  if (x2 >= reached * reached * radius2 && b >= 0.0) {
+  if (x2 >= reached * reached * radius2 && b >= 0.0)
     return 0.0;
-  }
   const double a = contract(dx, dx) - m2 * elastic.p * elastic.p;
   const double c = std::min(x2 - radius2, 0.0);
   const double discriminant = b * b - a * c;
-  if (discriminant < 0.0) {
+  if (discriminant < 0.0)
     return never;
-  }
   const double root = std::sqrt(discriminant);
-  if (b > 0.0) {
+  if (b > 0.0)
     return -c / (b + root);
-  }
   return a > 0.0 ? (root - b) / a : never;
 }
 
@@ -90,9 +87,8 @@ void correct_drift(const Pm4Sand& law, Motion& now, const Stress& stress) {
   const Deviator x = stress.s - stress.p * now.alpha;
   const double radius = law.m * stress.p / sqrt2;
   const double x2 = contract(x, x);
-  if (x2 > radius * radius) {
+  if (x2 > radius * radius)
     now.alpha = (1.0 / stress.p) * (stress.s - (radius / std::sqrt(x2)) * x);
-  }
 }
 
 /// M_b of the present pressure and density.
@@ -213,18 +209,15 @@ double integrate(const Pm4Sand& law, State& state, Stress& stress, const Strain&
       rejected = true;
       continue;
     }
-    if (!finite) {
+    if (!finite)
       return std::numeric_limits<double>::quiet_NaN();
-    }
     state.now = next.now;
-    if (next.reverses) {
+    if (next.reverses)
       state.memory = next.memory;
-    }
     stress = next.stress;
     work += next.plastic_work;
-    if (next.part == 1.0 && last) {
+    if (next.part == 1.0 && last)
       break;
-    }
     done += next.part * taken;
     if (next.part == 1.0) {
       const double wanted = safety * std::sqrt(std::sqrt(tolerance2 / std::max(next.error2, 1e-300)));

@@ -25,9 +25,8 @@ inline Strain skeleton_strain(const Initial& start, const Stress& stress, Strain
 /// @param stiffness  K + G/3, Pa: turns pressure into the volumetric strain it stands for
 inline void hold_floor(const Initial& start, Stress& stress, double& gap, double stiffness) {
   const double floor = floor_pressure(start);
-  if (stress.p >= floor && gap == 0.0) {
+  if (stress.p >= floor && gap == 0.0)
     return;
-  }
   const double opening = gap + (floor - stress.p) / stiffness;
   gap = std::max(opening, 0.0);
   stress.p = opening >= 0.0 ? floor : floor - opening * stiffness;

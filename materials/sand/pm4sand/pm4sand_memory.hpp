@@ -13,11 +13,10 @@ namespace tremolo::materials::pm4 {
 
 /// One component of the running extremes of alpha at reversals.
 inline void extend(double alpha_in, double alpha, double& smallest, double& largest) {
-  if (alpha_in > 0.0) {
+  if (alpha_in > 0.0)
     smallest = std::min(smallest, alpha);
-  } else {
+  else
     largest = std::max(largest, alpha);
-  }
 }
 
 /// The apparent initial component after a small reversal.

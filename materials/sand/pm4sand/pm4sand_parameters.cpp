@@ -142,6 +142,19 @@ Pm4Sand after_shaking(Pm4Sand law) {
   return law;
 }
 
+std::optional<double> relative_density(const Pm4Sand& law) {
+  return law.relative_density;
+}
+
+std::optional<double> contraction_rate(const Pm4Sand& law) {
+  return law.h_po;
+}
+
+Pm4Sand with_contraction_rate(Pm4Sand law, double rate) {
+  law.h_po = rate;
+  return law;
+}
+
 std::vector<ParameterValue> parameters(const Pm4Sand& law) {
   std::vector<ParameterValue> list = {
       {"density", law.elastic.density, "kg/m3", "mass density", "given"},
@@ -168,18 +181,14 @@ void validate(const Pm4Sand& law) {
   check_range("relative_density", law.relative_density, 0.05, 1.2);
   check_positive("G_o", law.G_o);
   check_range("h_po", law.h_po, 1e-6, 1e6);
-  for (const Optional& parameter : optional_parameters) {
+  for (const Optional& parameter : optional_parameters)
     check_range(parameter.name, value_of(parameter, law), parameter.low, parameter.high);
-  }
-  if (!(law.e_min < law.e_max)) {
+  if (!(law.e_min < law.e_max))
     throw std::invalid_argument(fmt::format("e_min = {:g} must be below e_max = {:g}", law.e_min, law.e_max));
-  }
-  if (law.A_do) {
+  if (law.A_do)
     check_range("A_do", *law.A_do, 0.0, 100.0);
-  }
-  if (law.z_max) {
+  if (law.z_max)
     check_range("z_max", *law.z_max, 1e-3, 1e3);
-  }
   check_range("integration.largest_strain", law.integration.largest_strain, 1e-8, 0.01);
   check_range("integration.tolerance", law.integration.tolerance, 1e-12, 1.0);
 }

@@ -24,9 +24,8 @@ struct PlasticModulus {
 /// C_ka, the stiffening by fabric under static shear stress
 inline double static_shear_factor(const Site& at, double A_true) {
   const double below = at.memory->p_zp - at.p;
-  if (below <= 0.0) {
+  if (below <= 0.0)
     return 1.0;
-  }
   const double C_pzp2 = below / (below + at.start.p_min);
   const double C_zpk1 = at.now.z_peak / (at.now.z_cum + 0.2 * at.start.z_max);
   return 1.0 + at.law.C_kaf * C_pzp2 * C_zpk1 / (1.0 + 6.25 * A_true * A_true);
@@ -44,9 +43,8 @@ inline PlasticModulus plastic_modulus(const Site& at, const Direction& to) {
       1.0 + 2.0 * (at.now.z_peak / at.start.z_max) * std::max(A_b, 0.0) * std::sqrt(1.0 - to.C_zpk2);
   double h = 1.5 * at.G * at.law.h_o * static_shear_factor(at, A_true) /
              (at.p * (elementary::exp(A_app) - 1.0 + C_g1) * root * fabric);
-  if (to.alpha_n <= contract(at.memory->alpha_in_p, to.n)) {
+  if (to.alpha_n <= contract(at.memory->alpha_in_p, to.n))
     h *= (A_app + C_g1) / (A_true + C_g1);
-  }
   return {h, 2.0 / 3.0 * h * at.p * A_b};
 }
 

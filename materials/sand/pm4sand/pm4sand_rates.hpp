@@ -49,9 +49,8 @@ inline Change change(const Site& here, Deviator n, const Strain& strain) {
   Change step = elastic_change(here, strain);
   const double n_r = contract(n, here.stress.s) / here.stress.p;
   const double driving = 2.0 * here.G * contract(n, strain.e) - n_r * here.K * strain.volumetric;
-  if (driving <= 0.0) {
+  if (driving <= 0.0)
     return step;
-  }
   const Motion& now = here.now;
   const double z_max = here.start.z_max;
   const Direction to = direction(here, n);

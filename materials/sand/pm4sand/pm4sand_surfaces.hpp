@@ -51,9 +51,8 @@ inline double stress_ratio2(const Stress& stress) {
 inline double sedimentation(const Pm4Sand& law, double z_cum, double z_max, double p, double M_cur,
                             double M_d) {
   const double below = 1.0 - M_cur / M_d;
-  if (below <= 0.0 || z_cum == 0.0) {
+  if (below <= 0.0 || z_cum == 0.0)
     return 1.0;
-  }
   const double p_sed = law.p_sedo * z_cum / (z_cum + z_max) * std::sqrt(std::sqrt(below));
   return std::min(1.0, law.F_sed_min + (1.0 - law.F_sed_min) * p / (20.0 * p_sed));
 }

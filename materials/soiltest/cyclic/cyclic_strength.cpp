@@ -1,22 +1,20 @@
 #include "materials/soiltest/cyclic/cyclic_strength.hpp"
 
 #include "materials/law/parameter_check.hpp"
-#include "materials/soiltest/names.hpp"
 #include "materials/soiltest/path/root.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <stdexcept>
 
 namespace tremolo::soiltest {
 namespace {
 
-constexpr std::array<std::string_view, 5> criteria = {"strain_1pc", "strain_3pc", "strain_5pc",
-                                                      "double_amplitude_5pc", "ru_98"};
-
 const StressCycles& stress_cycles(const SoilTest& test) {
   const auto* loading = std::get_if<StressCycles>(&test.loading);
-  if (loading == nullptr) {
+  if (loading == nullptr)
     throw std::invalid_argument("cyclic strength needs a test with cycles by stress ratio");
-  }
   return *loading;
 }
 
@@ -46,14 +44,6 @@ StressCycles until(Criterion criterion, double stress_ratio, double most_cycles)
 }
 
 } // namespace
-
-std::string_view name(Criterion criterion) {
-  return criteria[static_cast<std::size_t>(criterion)];
-}
-
-Criterion criterion_named(std::string_view text) {
-  return static_cast<Criterion>(index_of(criteria, text, "criterion of cyclic strength"));
-}
 
 double cycles(const CyclesTo& reached, Criterion criterion) {
   switch (criterion) {

@@ -13,7 +13,6 @@
 #include "materials/soiltest/soil_test.hpp"
 
 #include <cstddef>
-#include <string_view>
 
 namespace tremolo::soiltest {
 
@@ -26,11 +25,13 @@ inline constexpr double largest_stress_ratio = 3.0;
 
 /// What counts as failure in a cyclic test.
 enum class Criterion { strain_1pc, strain_3pc, strain_5pc, double_amplitude_5pc, ru_98 };
-
-/// The name a test file uses, e.g. "strain_3pc".
-std::string_view name(Criterion criterion);
-/// @throws std::invalid_argument naming the known ones
-Criterion criterion_named(std::string_view text);
+constexpr auto words(Criterion) {
+  return word_table<Criterion>({{Criterion::strain_1pc, "strain_1pc"},
+                                {Criterion::strain_3pc, "strain_3pc"},
+                                {Criterion::strain_5pc, "strain_5pc"},
+                                {Criterion::double_amplitude_5pc, "double_amplitude_5pc"},
+                                {Criterion::ru_98, "ru_98"}});
+}
 
 /// Cycles to the criterion; NaN if it was not reached.
 double cycles(const CyclesTo& reached, Criterion criterion);

@@ -12,9 +12,8 @@ namespace {
 
 Result run_to_end(const materials::Law& law, const SoilTest& test) {
   Result result = run(law, test);
-  if (result.end == End::refused) {
+  if (result.end == End::refused)
     throw std::runtime_error(fmt::format("modulus curve: {}", result.end_reason));
-  }
   return result;
 }
 
@@ -28,9 +27,8 @@ double smallest_strain_modulus(const materials::Law& law, SoilTest test) {
     const std::vector<double>& values = result.history.column(name);
     return values.back() - values.front();
   };
-  if (test.kind == Kind::direct_simple_shear) {
+  if (test.kind == Kind::direct_simple_shear)
     return change("sig_xy") / change("gamma_xy");
-  }
   return 0.5 * (change("sig_xx") - change("sig_yy")) / (change("eps_xx") - change("eps_yy"));
 }
 

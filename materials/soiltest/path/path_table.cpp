@@ -1,7 +1,5 @@
 #include "materials/soiltest/path/path_table.hpp"
 
-#include "materials/soiltest/names.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,9 +29,8 @@ double number(std::string_view cell, int line) {
   double value = 0.0;
   const char* begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
   const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size()) {
+  if (error != std::errc() || end != cell.data() + cell.size())
     throw std::invalid_argument(fmt::format("line {} of the path: \"{}\" is not a number", line, cell));
-  }
   return value;
 }
 
@@ -70,9 +67,8 @@ public:
         const double value = number(row_cells[*places_[i]], line);
         (path.by_stress[i] ? *stresses[i] : *strains[i]) = path.by_stress[i] ? stress_unit * value : value;
       }
-      if (const auto stress = at(stress_names[i]); stress && index == 0) {
+      if (const auto stress = at(stress_names[i]); stress && index == 0)
         *stresses[i] = stress_unit * number(row_cells[*stress], line);
-      }
     }
     return row;
   }
@@ -108,19 +104,22 @@ std::string place(const PathRow& row, std::size_t index) {
 Path read_path(std::istream& table, const std::vector<std::string>& by_stress, double stress_unit) {
   Path path;
   for (const std::string& name : by_stress) {
-    path.by_stress[index_of(stress_names, name, "stress that can be prescribed")] = true;
+    const auto* found = std::find(stress_names.begin(), stress_names.end(), name);
+    if (found == stress_names.end()) {
+      throw std::invalid_argument(fmt::format("\"{}\" is no stress that can be prescribed; known: {}", name,
+                                              fmt::join(stress_names, ", ")));
+    }
+    path.by_stress[static_cast<std::size_t>(found - stress_names.begin())] = true;
   }
   std::string header;
-  if (!std::getline(table, header)) {
+  if (!std::getline(table, header))
     throw std::invalid_argument("the path is empty");
-  }
   const Columns columns(header, path);
   int line = 1;
   for (std::string text; std::getline(table, text);) {
     ++line;
-    if (text.find_first_not_of(" \t\r") != std::string::npos) {
+    if (text.find_first_not_of(" \t\r") != std::string::npos)
       path.rows.push_back(columns.row(text, line, path.rows.size(), path, stress_unit));
-    }
   }
   return path;
 }

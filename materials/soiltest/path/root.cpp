@@ -21,18 +21,15 @@ public:
   explicit Remembered(const std::function<double(double)>& function) : function_(function) {}
 
   double operator()(double x) {
-    if (failure_) {
+    if (failure_)
       return 0.0;
-    }
     const auto known = std::find_if(points_.begin(), points_.end(), [&](const Point& p) { return p.x == x; });
-    if (known != points_.end()) {
+    if (known != points_.end())
       return known->value;
-    }
     try {
       const double value = function_(x);
-      if (!std::isfinite(value)) {
+      if (!std::isfinite(value))
         throw std::runtime_error(fmt::format("the function is {:g} at {:g}", value, x));
-      }
       points_.push_back({x, value});
       return value;
     } catch (...) {
@@ -42,9 +39,8 @@ public:
   }
 
   void rethrow() const {
-    if (failure_) {
+    if (failure_)
       std::rethrow_exception(failure_);
-    }
   }
 
   /// The end of a bracket with the smaller value.
@@ -80,9 +76,8 @@ double call(double x, void* data) {
 Root brent(Remembered& function, double low, double high, double tolerance) {
   const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
-  if (!solver) {
+  if (!solver)
     throw std::bad_alloc();
-  }
   gsl_function wrapped = {call, &function};
   gsl_root_fsolver_set(solver.get(), &wrapped, low, high);
   constexpr int most_iterations = 60;

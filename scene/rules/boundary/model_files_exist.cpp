@@ -3,9 +3,24 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
+#include <fstream>
 #include <string>
+#include <string_view>
 
 namespace tremolo::scene {
+
+namespace {
+
+/// Every such file begins with these eight bytes.
+bool is_hdf5(const std::filesystem::path& file) {
+  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+  std::array<char, signature.size()> begin{};
+  std::ifstream stream(file, std::ios::binary);
+  return stream.read(begin.data(), begin.size()) && std::string_view(begin.data(), begin.size()) == signature;
+}
+
+} // namespace
 
 void model_files_exist(const Case& scene, Findings& findings) {
   const auto check = [&](const FreeFieldModel& field, const std::string& side) {
@@ -18,6 +33,8 @@ void model_files_exist(const Case& scene, Findings& findings) {
     std::error_code trouble;
     if (!std::filesystem::is_regular_file(field.file, trouble))
       findings.add(path, fmt::format("'{}': there is no such file", field.file.string()));
+    else if (!program && !is_hdf5(field.file))
+      findings.add(path, fmt::format("'{}' is no recording: not a file of HDF5", field.file.string()));
     else if (program && access(field.file.c_str(), X_OK) != 0)
       findings.add(path, fmt::format("'{}' is not a program that may be run", field.file.string()));
   };

@@ -43,6 +43,20 @@ std::string refused_angle(const Case& scene, SourceModel model, const std::vecto
       std::asin(incident / speed) / degree, angle);
 }
 
+/// Beyond the critical angle of the half-space the reflected P wave is evanescent, and an outcrop's motion is
+/// no multiple of the incident one.
+void outcrop_has_a_factor(const Case& scene, Findings& findings) {
+  if (scene.motion.kind != motion::MotionKind::outcrop || scene.motion.wave != Wave::sv)
+    return;
+  const double critical = std::asin(scene.halfspace.s_wave_speed() / scene.halfspace.p_wave_speed()) / degree;
+  if (scene.motion.angle_deg >= critical)
+    findings.add(
+        "motion.kind",
+        fmt::format("kind = \"outcrop\" at {} degrees, beyond the critical angle of {:.2f} degrees: no "
+                    "incident wave follows from the outcrop's motion there; give an incident motion",
+                    scene.motion.angle_deg, critical));
+}
+
 std::string refused_kind(const Case& scene, SourceModel model) {
   if (scene.motion.kind != motion::MotionKind::within)
     return {};
@@ -81,6 +95,8 @@ bool ends_above_the_base(const Case& scene, SourceModel model, double surface,
 void models_take_the_wave(const Case& scene, Findings& findings) {
   if (!findings.sound("motion.angle_deg") || !findings.sound("halfspace"))
     return;
+  if (findings.sound("motion.kind"))
+    outcrop_has_a_factor(scene, findings);
   const auto check = [&](SourceModel model, double surface, const std::vector<Layer>& layers,
                          const std::string& path) {
     if (!findings.sound(path))

@@ -28,7 +28,7 @@ void box_fits_lattice(const Case& scene, Findings& findings) {
   }
   const auto check_multiple = [&](const char* what, double length, const char* of, double size) {
     const double count = length / size;
-    if (std::abs(count - std::round(count)) > 1e-6)
+    if (std::round(count) < 1.0 || std::abs(count - std::round(count)) > 1e-6)
       findings.add("mesh.box", fmt::format("the {} of 'box', {} m, must be a multiple of the {}, {} m", what,
                                            length, of, size));
   };

@@ -1,6 +1,9 @@
 #include "scene/rules/rules.hpp"
+#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
+
+#include <vector>
 
 namespace tremolo::scene {
 
@@ -13,16 +16,18 @@ std::string path(std::size_t region) {
 } // namespace
 
 void regions_are_apart(const Case& scene, Findings& findings) {
-  const auto usable = [&](std::size_t i) {
-    const Polygon& polygon = scene.regions[i].polygon;
-    return !polygon.empty() && !intersects_itself(polygon) && area(polygon) > 0.0;
-  };
+  // A polygon that crosses itself, or has no area, has been reported.
+  std::vector<std::size_t> usable;
   for (std::size_t i = 0; i < scene.regions.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (usable(i) && usable(j) && overlap(scene.regions[i].polygon, scene.regions[j].polygon))
-        findings.add(path(i),
-                     fmt::format("'polygon' overlaps the one in line {}: regions may touch but not overlap",
-                                 findings.place(path(j)).line));
+    if (!scene.regions[i].polygon.empty() && findings.sound(path(i)))
+      usable.push_back(i);
+  std::vector<Polygon> polygons;
+  for (const std::size_t i : usable)
+    polygons.push_back(scene.regions[i].polygon);
+  for (const auto& [first, second] : overlaps(polygons))
+    findings.add(path(usable[second]),
+                 fmt::format("'polygon' overlaps the one in line {}: regions may touch but not overlap",
+                             findings.place(path(usable[first])).line));
 }
 
 } // namespace tremolo::scene

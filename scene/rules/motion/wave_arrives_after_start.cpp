@@ -1,35 +1,47 @@
+#include "scene/plan/arrival.hpp"
 #include "scene/plan/motion.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tremolo::scene {
 
 namespace {
 
-/// When the incident wave first reaches the model: at its lower left corner, s.
-double first_arrival(const Case& scene) {
-  const double speed =
-      scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
-  const double angle = scene.motion.angle_deg * std::numbers::pi / 180.0;
-  const double dx = scene.mesh.box.x_min - scene.motion.reference.x;
-  const double dy = scene.mesh.box.y_min - scene.motion.reference.y;
-  return motion(scene.motion).begin() + (dx * std::sin(angle) + dy * std::cos(angle)) / speed;
-}
+/// Of the peak: what is missing below it changes no result.
+constexpr double negligible = 1e-3;
 
 } // namespace
 
 void wave_arrives_after_start(const Case& scene, Findings& findings) {
-  if (const double arrival = first_arrival(scene); arrival < 0.0)
-    findings.add(
-        "motion",
-        fmt::format("the wave reaches the model {:.3g} s before the shaking starts and finds it at "
-                    "rest: what came earlier is missing; a later pulse or a deeper [motion] reference "
-                    "avoids it",
-                    -arrival));
+  const Motion wave = motion(scene.motion);
+  const double delay = delay_to_model(scene);
+  if (!(wave.begin() + delay < 0.0))
+    return;
+  const SampledMotion samples = sampled(wave);
+  double peak = 0.0;
+  double missing = 0.0;
+  double first = 0.0; // when more than a negligible part arrives
+  for (const double v : samples.velocity)
+    peak = std::max(peak, std::abs(v));
+  for (std::size_t i = 0; i < samples.velocity.size(); ++i) {
+    const double time = samples.time(i) + delay;
+    if (time >= 0.0)
+      break;
+    const double v = std::abs(samples.velocity[i]);
+    missing = std::max(missing, v);
+    if (first == 0.0 && v > negligible * peak)
+      first = time;
+  }
+  if (missing > negligible * peak)
+    findings.add("motion",
+                 fmt::format("the wave reaches the model {:.3g} s before the shaking starts and finds it "
+                             "at rest: what came earlier, up to {:.2g} % of the peak velocity, is "
+                             "missing; a later pulse or a deeper [motion] reference avoids it",
+                             -first, 100.0 * missing / peak));
 }
 
 } // namespace tremolo::scene

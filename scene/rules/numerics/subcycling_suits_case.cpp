@@ -1,4 +1,3 @@
-#include "scene/keys/names.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

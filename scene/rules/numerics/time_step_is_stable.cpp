@@ -8,7 +8,28 @@ namespace tremolo::scene {
 
 using mpm_domain::usl_share;
 
+namespace {
+
+/// Nobody waits for more.
+constexpr double most_steps = 1e9;
+
+void steps_can_be_counted(const Case& scene, Findings& findings) {
+  if (!findings.sound("time") || !findings.sound("stage") || !findings.sound("soil") || scene.soils.empty() ||
+      !mesh_is_sound(scene, findings) || !findings.sound("time.dt") || !findings.sound("time.fraction"))
+    return;
+  const double dt =
+      scene.time.dt ? *scene.time.dt : scene.time.fraction * critical_time_step(scene, levels(scene));
+  const double steps = scene.shaking.duration / dt;
+  if (steps > most_steps)
+    findings.add(scene.time.dt ? "time.dt" : "time.fraction",
+                 fmt::format("steps of {:.3g} s make {:.3g} for {} s of shaking, must be at most {:g}", dt,
+                             steps, scene.shaking.duration, most_steps));
+}
+
+} // namespace
+
 void time_step_is_stable(const Case& scene, Findings& findings) {
+  steps_can_be_counted(scene, findings);
   const bool usl = scene.time.order == StepOrder::usl && findings.sound("time.order");
   if (!scene.time.dt) {
     if (usl && scene.time.fraction > usl_share && findings.sound("time.fraction"))

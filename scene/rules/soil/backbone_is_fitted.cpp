@@ -8,8 +8,8 @@ namespace tremolo::scene {
 void backbone_is_fitted(const Case& scene, Findings& findings) {
   constexpr double strain = 1e-3;
   for (const Soil& soil : scene.soils) {
-    const auto* law = std::get_if<materials::MasingShear>(&soil.column_law);
-    if (law == nullptr || !soil.curves || !soil.curves->whole)
+    const auto backbone = materials::shear_backbone(soil.column_law);
+    if (!backbone || !soil.curves || !soil.curves->whole)
       continue;
     findings.add(
         "soil." + soil.name + ".curve",
@@ -18,11 +18,9 @@ void backbone_is_fitted(const Case& scene, Findings& findings) {
             "{:.4g}; at {} % strain G/G0 is {:.3f} (curve {:.3f}) and the damping of the Masing rules {:.1f} "
             "% "
             "(curve {:.1f} %)",
-            soil.name, law->reference_strain, law->beta, law->exponent, 100.0 * strain,
-            law->backbone().secant(strain) / law->elastic.shear_modulus(),
-            soil.curves->modulus_reduction(strain),
-            100.0 * materials::masing_damping(law->backbone(), strain),
-            100.0 * soil.curves->damping(strain)));
+            soil.name, backbone->reference_strain, backbone->beta, backbone->exponent, 100.0 * strain,
+            backbone->secant(strain) / backbone->shear_modulus, soil.curves->modulus_reduction(strain),
+            100.0 * materials::masing_damping(*backbone, strain), 100.0 * soil.curves->damping(strain)));
   }
 }
 

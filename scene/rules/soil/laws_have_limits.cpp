@@ -1,5 +1,4 @@
 #include "scene/rules/rules.hpp"
-#include "scene/soils/soil_report.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +6,7 @@ namespace tremolo::scene {
 
 void laws_have_limits(const Case& scene, Findings& findings) {
   for (const Soil& soil : scene.soils)
-    for (const std::string& limit : notes(soil))
+    for (const std::string& limit : materials::notes(soil.law))
       findings.add("soil." + soil.name, fmt::format("soil '{}': {}", soil.name, limit));
 }
 

@@ -1,4 +1,3 @@
-#include "scene/plan/plan.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@ void sand_has_weight(const Case& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.soils.size(); ++i) {
     const Soil& soil = scene.soils[i];
     const auto path = fmt::format("soil.{}.model", soil.name);
-    if (follows_pressure(soil.law) &&
+    if (materials::traits(soil.law).follows_pressure &&
         std::ranges::find(scene.regions, i, &Region::soil) != scene.regions.end() && findings.sound(path))
       findings.add(
           path,

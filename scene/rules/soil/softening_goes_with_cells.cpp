@@ -11,13 +11,14 @@ void softening_goes_with_cells(const Case& scene, Findings& findings) {
     return;
   const auto all = levels(scene);
   for (const Soil& soil : domain_soils(scene)) {
-    const auto* law = std::get_if<materials::MohrCoulomb>(&soil.law);
-    if (law == nullptr || !soil.softening_size || !(law->softening > 0.0) || all.size() == 1)
+    if (!soil.softening_size || !(materials::traits(soil.law).softening > 0.0) || all.size() == 1)
       continue;
-    findings.add("soil." + soil.name + ".softening",
-                 fmt::format("soil '{}': softening eta = {}", soil.name, by_level(all, [&](double h) {
-                               return materials::regularised(*law, h, *soil.softening_size).softening;
-                             })));
+    findings.add(
+        "soil." + soil.name + ".softening",
+        fmt::format(
+            "soil '{}': softening eta = {}", soil.name, by_level(all, [&](double h) {
+              return materials::traits(materials::for_cell_size(soil.law, h, *soil.softening_size)).softening;
+            })));
   }
 }
 

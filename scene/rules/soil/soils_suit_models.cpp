@@ -13,13 +13,7 @@ namespace {
 
 /// Whether shear stress follows from shear strain alone.
 bool in_one_shear(const materials::Law& law) {
-  return std::holds_alternative<materials::LinearElastic>(law) ||
-         std::holds_alternative<materials::MasingShear>(law);
-}
-
-/// Whether the law's memory begins with the stress that it finds.
-bool begins_with_stress(const materials::Law& law) {
-  return follows_pressure(law) || std::holds_alternative<materials::MultiYieldClay>(law);
+  return materials::traits(law).response == materials::Response::elastic || materials::shear_backbone(law);
 }
 
 /// Why a model cannot compute with these layers; empty if it can.
@@ -38,7 +32,7 @@ std::string refused(const Case& scene, SourceModel model, const std::vector<Laye
     const Soil& soil = scene.soils[*layer.soil];
     const bool column =
         model == SourceModel::fe || model == SourceModel::ode || model == SourceModel::oblique;
-    if (column && begins_with_stress(soil.law))
+    if (column && materials::traits(soil.law).remembers_initial_stress)
       return fmt::format("model = \"{}\" gives its soil no memory of the geostatic stress, with which {} "
                          "(soil '{}') begins; use "
                          "model = \"mpm\", or \"wave\", which takes its layers as linear elastic",

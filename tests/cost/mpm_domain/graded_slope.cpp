@@ -18,12 +18,12 @@ using mpm_domain::Particles;
 
 materials::MohrCoulomb slope_soil(double cell_size) {
   constexpr double degree = std::numbers::pi / 180.0;
-  return materials::regularised({.elastic = {1700.0, 40e6, 0.28},
-                                 .cohesion_peak = 4e3,
-                                 .friction_peak = 45.0 * degree,
-                                 .friction_residual = 28.0 * degree,
-                                 .softening = 15.0},
-                                cell_size, 0.25);
+  return materials::for_cell_size({.elastic = {1700.0, 40e6, 0.28},
+                                   .cohesion_peak = 4e3,
+                                   .friction_peak = 45.0 * degree,
+                                   .friction_residual = 28.0 * degree,
+                                   .softening = 15.0},
+                                  cell_size, 0.25);
 }
 
 mpm_domain::Spec slope(bool is_graded) {

@@ -23,11 +23,39 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::array tokens = {
-    "nan"sv,   "-inf"sv, "1e308"sv, "-1"sv,       "0"sv,         "1e-300"sv,  "99999999999999999999"sv,
-    "NPTS="sv, "DT="sv,  "UNITS"sv, "CM/S/S"sv,   "VELOCITY"sv,  "within"sv,  "1.0D+5"sv,
-    ","sv,     ";"sv,    "\n"sv,    "\r\r\n"sv,   "#"sv,         "\xff"sv,    "\0"sv,
-    "\t"sv,    "t,a"sv,  "0.02"sv,  "20000000"sv, "[pulse]\n"sv, "= [1, 2"sv, "\""sv};
+constexpr std::array tokens = {"nan"sv,
+                               "-inf"sv,
+                               "1e308"sv,
+                               "-1"sv,
+                               "0"sv,
+                               "1e-300"sv,
+                               "99999999999999999999"sv,
+                               "1e-12"sv,
+                               "1E-8"sv,
+                               "1e9"sv,
+                               "0,5 1,5"sv,
+                               "9007199254740993"sv,
+                               "NPTS="sv,
+                               "DT="sv,
+                               "UNITS"sv,
+                               "CM/S/S"sv,
+                               "VELOCITY"sv,
+                               "within"sv,
+                               "1.0D+5"sv,
+                               ","sv,
+                               ";"sv,
+                               "\n"sv,
+                               "\r\r\n"sv,
+                               "#"sv,
+                               "\xff"sv,
+                               "\0"sv,
+                               "\t"sv,
+                               "t,a"sv,
+                               "0.02"sv,
+                               "20000000"sv,
+                               "[pulse]\n"sv,
+                               "= [1, 2"sv,
+                               "\""sv};
 
 /// A motion in HDF5 of which anything may be missing, of another size or out of range.
 testing::Hdf5Motion hdf5(tremolo::testing::Draw& draw) {

@@ -17,6 +17,12 @@ namespace tremolo::scene::testing {
 
 using namespace std::string_view_literals;
 
+/// More parts than a key may have.
+inline constexpr std::string_view deep_key =
+    "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a."
+    "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a."
+    "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = 1\n";
+
 inline constexpr std::array tokens = {"nan"sv,
                                       "-inf"sv,
                                       "1e308"sv,
@@ -24,6 +30,11 @@ inline constexpr std::array tokens = {"nan"sv,
                                       "0"sv,
                                       "1e-300"sv,
                                       "99999999999999999999"sv,
+                                      "9007199254740993"sv,
+                                      "-9223372036854775808"sv,
+                                      "1e-12"sv,
+                                      "1e9"sv,
+                                      deep_key,
                                       "\"\""sv,
                                       "\"x\""sv,
                                       "[]"sv,

@@ -45,7 +45,7 @@ Scene failing(Spec spec, int threads, const materials::MohrCoulomb& law,
   auto domain = std::make_unique<Domain>(spec);
   replace_constraints(*domain, relax_under_gravity(*domain, {}, [](long, double) {}));
   for (Particles& p : domain->sets)
-    p.law = materials::regularised(law, spec.cell_size / (1 << p.level), 0.5);
+    p.law = materials::for_cell_size(law, spec.cell_size / (1 << p.level), 0.5);
   if (add)
     add(*domain);
   return {std::move(domain), quiet_ground()};

@@ -4,6 +4,7 @@
 #include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/particle_energy.hpp"
 #include "tests/support/quiet_ground.hpp"
 
 #include <gtest/gtest.h>
@@ -36,6 +37,8 @@ double largest_displacement(const mpm_domain::Domain& domain) {
   return largest;
 }
 
+/// The energy is that of the particles: the kinetic energy of the grid also has what stresses in the null
+/// space, which never reach a particle's velocity, do to the nodes in every step anew.
 TEST(MatchedLayers, AreQuietAfterAHundredThousandSteps) {
   mpm_domain::Spec spec = test_support::elastic_box(12.0, 8.0, 1.0);
   spec.threads = 1;
@@ -45,15 +48,16 @@ TEST(MatchedLayers, AreQuietAfterAHundredThousandSteps) {
   strike(domain);
   mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground());
   stepper.step();
-  const double before = domain.energy.kinetic;
+  const double before = test_support::kinetic_energy(domain);
   double after_a_tenth = 0.0;
   for (long step = 1; step < 100000; ++step) {
     stepper.step();
     if (step == 10000)
-      after_a_tenth = domain.energy.kinetic;
+      after_a_tenth = test_support::kinetic_energy(domain);
   }
   EXPECT_LT(after_a_tenth, 1e-6 * before);
-  EXPECT_LT(domain.energy.kinetic, std::max(after_a_tenth, 1e-20 * before)); // no slow growth either
+  EXPECT_LT(test_support::kinetic_energy(domain),
+            std::max(after_a_tenth, 1e-20 * before)); // no slow growth either
 }
 
 TEST(MatchedLayers, HoldTheGroundUnderItsWeightForSixtySeconds) {

@@ -4,6 +4,7 @@
 #include "coupler/wire/frame.hpp"
 #include "results/free_field_recording.hpp"
 #include "scene/plan/service.hpp"
+#include "tests/support/flat_case.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -21,44 +22,16 @@ namespace tremolo {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
-constexpr const char* case_text = R"(
-title = "layers"
-[motion]
-pulse = { shape = "ricker", frequency = 3.0, time = 0.7, velocity = 0.1 }
-wave = "SV"
-angle_deg = 0.0
-reference = [0.0, -10.0]
-[surface]
-level = 0.0
-[halfspace]
-density = 1700.0
-young = 40e6
-poisson = 0.28
-[soil.box]
-model = "linear_elastic"
-density = 1700.0
-young = 40e6
-poisson = 0.28
-[[region]]
-soil = "box"
-polygon = [[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]
-[mesh]
-size = 1.0
-box = [0.0, -10.0, 20.0, 0.0]
-[boundary]
-left = { model = "wave" }
-right = { model = "wave" }
-base = { model = "wave", form = "incident" }
-[[stage]]
-kind = "shaking"
-duration_s = 0.5
-[output]
-every_s = 0.1
-history_every_s = 0.01
-)";
+std::string short_case() {
+  using tremolo::testing::plus;
+  using tremolo::testing::with;
+  const auto text =
+      with("time = 1.0", "time = 0.7", plus("[output]\nevery_s = 0.1\nhistory_every_s = 0.01\n"));
+  return with("form = \"total\"", "form = \"incident\"", with("duration_s = 2.0", "duration_s = 0.5", text));
+}
 
 /// Numbers without any pattern, so that none can stand in the place of another.
 std::vector<double> noise(std::size_t count, std::size_t seed) {
@@ -69,14 +42,14 @@ std::vector<double> noise(std::size_t count, std::size_t seed) {
   return values;
 }
 
-class Recording : public testing::Test {
+class Recording : public ::testing::Test {
 protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              fmt::format("tremolo_{}_{}", testing::UnitTest::GetInstance()->current_test_info()->name(),
+    folder_ = fs::path(::testing::TempDir()) /
+              fmt::format("tremolo_{}_{}", ::testing::UnitTest::GetInstance()->current_test_info()->name(),
                           ::getpid());
     fs::create_directories(folder_);
-    std::ofstream(folder_ / "case.toml") << case_text;
+    std::ofstream(folder_ / "case.toml") << short_case();
   }
   void TearDown() override { fs::remove_all(folder_); }
 

@@ -260,7 +260,7 @@ class OverTwoMachines(HostsTest):
             data.mkdir()
             (data / "motion.AT2").write_text("a record\nACCELERATION IN UNITS OF G\nNPTS= 200, DT= .01 SEC\n" + "0.0 0.01 -0.01 0.0\n" * 50)
             pulse = re.compile(r"pulse = .*\n")
-            work.case.write_text(pulse.sub('file = "data/motion.AT2"\n', work.case.read_text()))
+            work.case.write_text(pulse.sub('file = "data/motion.AT2"\nkind = "incident"\n', work.case.read_text()))
             run = work.run()
             words = run.find(r"tremolo (join .*)\n").group(1)
             hidden = work.start(["unshare", "--mount", "sh", "-c", f"mount -t tmpfs none {data} && exec {TREMOLO} {words}"], there=True)

@@ -137,6 +137,7 @@ cohesion_residual = 0.0
 friction_peak_deg = 45.0
 friction_residual_deg = 28.0
 softening = 15.0
+reference_size = 1.0
 
 [[region]]
 soil = "slope"

@@ -96,7 +96,7 @@ class Slope(unittest.TestCase):
             write_record(work.path / "other.AT2", 0.1)
             text = work.case.read_text()
             pulse = next(line for line in text.splitlines() if line.startswith("pulse"))
-            work.case.write_text(text.replace(pulse, 'file = "own.AT2"\nquantity = "acceleration"'))
+            work.case.write_text(text.replace(pulse, 'file = "own.AT2"\nkind = "incident"\nquantity = "acceleration"'))
             folder = work.run("run", "--motion", work.path / "other.AT2", "--angle", "0")
             self.assertIn("other.AT2", (folder / "case.toml").read_text())
             run = Run(folder)

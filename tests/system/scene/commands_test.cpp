@@ -43,7 +43,11 @@ TEST(Commands, MissingFileEndsWithTwo) {
 }
 
 TEST(Commands, WrongCommandLineEndsWithTwo) {
-  EXPECT_EQ(run_tremolo("chek").status, 2);
+  const auto [status, output] = run_tremolo("chek");
+  EXPECT_EQ(status, 2);
+  EXPECT_THAT(output, HasSubstr("'chek' is no command, did you mean 'check'?"));
+  EXPECT_THAT(run_tremolo("run " + box + " --out /tmp/never --threads 0").output, HasSubstr("1 - 1024"));
+  EXPECT_EQ(run_tremolo("motion " + box + " --damping -1").status, 2);
   EXPECT_EQ(run_tremolo("check").status, 2);
   EXPECT_EQ(run_tremolo("").status, 2);
 }
@@ -51,6 +55,18 @@ TEST(Commands, WrongCommandLineEndsWithTwo) {
 TEST(Commands, VersionAndHelpEndWithZero) {
   EXPECT_EQ(run_tremolo("--version").status, 0);
   EXPECT_THAT(run_tremolo("--help").output, HasSubstr("explain"));
+}
+
+TEST(Commands, CheckAndExplainPrintHowStrongTheMotionIs) {
+  for (const char* command : {"check ", "explain "})
+    EXPECT_THAT(run_tremolo(command + box).output, HasSubstr("motion: peak acceleration ")) << command;
+}
+
+TEST(Commands, ExplainHandsOutTheResolvedCaseAsJson) {
+  const auto [status, output] = run_tremolo("explain --json " + box);
+  EXPECT_EQ(status, 0);
+  for (const char* part : {"\"values\"", "\"served\"", "\"levels_m\"", "\"from_s\"", "\"dt_s\""})
+    EXPECT_THAT(output, HasSubstr(part));
 }
 
 TEST(Commands, ExplainNamesProcessesAndOffersValues) {

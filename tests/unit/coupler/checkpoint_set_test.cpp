@@ -6,17 +6,18 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <string>
 
 namespace tremolo::coupler {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
-class Sets : public testing::Test {
+class Sets : public ::testing::Test {
 protected:
   void publish_set(std::uint64_t step, std::size_t keep = 10) {
     const auto draft = draft_folder(checkpoints_, step);
@@ -73,11 +74,11 @@ TEST_F(Sets, AnotherVersionIsNoDamage) {
   publish_set(40);
   const auto manifest = folder(40) / "manifest.json";
   std::ifstream in(manifest);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::string build = "\"build\": \"";
-  text.insert(text.find(build) + build.size(), "9");
-  std::ofstream(manifest) << text;
-  EXPECT_THAT([&] { find_sets(checkpoints_); }, testing::ThrowsMessage<Error>(HasSubstr("build is 9")));
+  const auto at = text.find(build) + build.size();
+  std::ofstream(manifest) << text.substr(0, at) << '9' << text.substr(at);
+  EXPECT_THAT([&] { find_sets(checkpoints_); }, ::testing::ThrowsMessage<Error>(HasSubstr("build is 9")));
 }
 
 TEST_F(Sets, FoldersThatAreNotNamedByAStepAreNoSets) {

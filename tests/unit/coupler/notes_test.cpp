@@ -20,16 +20,26 @@ TEST_F(NotesTold, WordsOfOthersAreMadePrintable) {
   EXPECT_EQ(told_.back(), "'left' says \\x1b[2J");
 }
 
-TEST_F(NotesTold, AFloodOfStrangersIsTenNotesAndThenOneASecond) {
+TEST_F(NotesTold, OneConnectionIsToldOfThreeTimesInARow) {
   for (int i = 0; i < 10'000; ++i)
-    notes_.tell_of_stranger("refused", start_);
-  EXPECT_EQ(told_.size(), 10U);
-  notes_.tell_of_stranger("again", start_ + std::chrono::milliseconds(1100));
-  EXPECT_EQ(told_.size(), 12U);
-  EXPECT_EQ(told_[10], "9990 notes about strangers were left out");
-  EXPECT_EQ(told_[11], "again");
-  notes_.tell_of_stranger("once more", start_ + std::chrono::milliseconds(1200));
-  EXPECT_EQ(told_.size(), 12U);
+    notes_.tell_of_stranger("one", "refused", start_);
+  EXPECT_EQ(told_.size(), 3U);
+  notes_.tell_of_stranger("two", "somebody else", start_);
+  ASSERT_EQ(told_.size(), 5U);
+  EXPECT_EQ(told_[3], "9997 notes about strangers were left out");
+  EXPECT_EQ(told_[4], "somebody else");
+}
+
+TEST_F(NotesTold, AFloodOfConnectionsIsTwentyNotesAndThenOneASecond) {
+  for (int i = 0; i < 10'000; ++i)
+    notes_.tell_of_stranger(std::to_string(i), "refused", start_);
+  EXPECT_EQ(told_.size(), 20U);
+  notes_.tell_of_stranger("x", "again", start_ + std::chrono::milliseconds(1100));
+  EXPECT_EQ(told_.size(), 22U);
+  EXPECT_EQ(told_[20], "9980 notes about strangers were left out");
+  EXPECT_EQ(told_[21], "again");
+  notes_.tell_of_stranger("y", "once more", start_ + std::chrono::milliseconds(1200));
+  EXPECT_EQ(told_.size(), 22U);
 }
 
 TEST_F(NotesTold, TheRunItselfIsAlwaysHeard) {

@@ -215,7 +215,7 @@ MohrCoulomb sand(double friction_deg) {
 
 Profile sand_profile(double friction_deg, double rest_coefficient) {
   Layer layer = layer_of(10.0, sand(friction_deg));
-  layer.rest_coefficient = rest_coefficient;
+  layer.soil.at_rest = rest_coefficient;
   return {0.0, {layer}, rock, 9.81};
 }
 

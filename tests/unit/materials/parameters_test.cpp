@@ -75,7 +75,7 @@ TEST(Law, DescribesItself) {
   EXPECT_EQ(name(clay), "multi_yield_clay");
   EXPECT_EQ(state_variables(clay).size(), 60U);
   EXPECT_EQ(name(without_softening(clay)), "linear_elastic");
-  EXPECT_TRUE(three_dimensional(clay));
+  EXPECT_TRUE(traits(clay).three_dimensional);
 }
 
 double listed(const Law& law, std::string_view wanted) {

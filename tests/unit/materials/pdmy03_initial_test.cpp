@@ -174,7 +174,7 @@ TEST(Pdmy03Initial, OutOfPlaneStrainIsTaken) {
   update(law, points);
   EXPECT_LT(point.szz, point.sxx);
   EXPECT_NEAR(point.sxx, point.syy, 1e-9);
-  EXPECT_TRUE(three_dimensional(Law(law)));
+  EXPECT_TRUE(traits(law).three_dimensional);
 }
 
 } // namespace

@@ -124,7 +124,7 @@ TEST(Pm4Parameters, OutsideTheirRangeAreRefused) {
 TEST(Pm4Parameters, ReachTheLawsInterface) {
   const Law law = report_sand(55);
   EXPECT_EQ(name(law), "pm4sand");
-  EXPECT_FALSE(three_dimensional(law));
+  EXPECT_FALSE(traits(law).three_dimensional);
   EXPECT_NEAR(elasticity(law).shear_modulus(), 677.0 * 101.3e3, 1.0);
   EXPECT_TRUE(std::holds_alternative<LinearElastic>(without_softening(law)));
   EXPECT_TRUE(std::get<Pm4Sand>(after_shaking(law)).post_shake);

@@ -57,14 +57,6 @@ TEST(SoilTestInput, RefusesWhatMakesNoSense) {
   expect_refused(simple_shear(Path{}), "path");
 }
 
-TEST(SoilTestInput, NamesAreReadAsTheyAreWritten) {
-  EXPECT_EQ(kind_named(name(Kind::plane_strain_extension)), Kind::plane_strain_extension);
-  EXPECT_EQ(drainage_named("constant_volume"), Drainage::constant_volume);
-  EXPECT_EQ(criterion_named("ru_98"), Criterion::ru_98);
-  EXPECT_THAT([] { kind_named("triaxal"); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("triaxial_compression")));
-}
-
 TEST(SoilTestInput, PathsAreReadByTheNamesOfTheirColumns) {
   std::istringstream table(
       "step, sig_yy,eps_yy,eps_xx,note,gamma_xy\r\n0,-100,0,0,7,0\n10,-90,0,1e-4,7,-2e-3\n\n");

@@ -156,6 +156,31 @@ TEST(Table, SaysWhatIsWrongAndWhere) {
             "x.csv:1: the header does not name the unit of the velocity: say which (--unit)");
 }
 
+std::string refusal_of(const std::string& text, const char* name) {
+  std::istringstream stream(text);
+  try {
+    parse_record(stream, name);
+  } catch (const RecordError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Peer, StepsThatNoMotionHasAreRefused) {
+  for (const char* dt : {"1e-12", "1e-8", "100"})
+    EXPECT_NE(refusal_of(std::string("NPTS= 3, DT= ") + dt + " SEC\n0.0 0.1 0.0\n", "x.AT2")
+                  .find("must be from 1e-05 to 10 s"),
+              std::string::npos)
+        << dt;
+  EXPECT_EQ(refusal_of("NPTS= 3, DT= 1e-4 SEC\n0.0 0.1 0.0\n", "x.AT2"), "");
+}
+
+TEST(Peer, DecimalCommasAreNamed) {
+  EXPECT_EQ(refusal_of("NPTS= 3, DT= .01 SEC\n0,001 -0,102 1,5E-2\n", "x.AT2"),
+            "x.AT2:2: decimal commas: numbers are written with a point, 0.123 instead of 0,123");
+  EXPECT_EQ(refusal_of("NPTS= 3, DT= .01 SEC\n0.001,-0.102,1.5E-2\n", "x.AT2"), "");
+}
+
 TEST(Files, AreRefusedInOneLine) {
   const testing::TemporaryFolder folder;
   const auto error_of_file = [](const std::filesystem::path& file) {

@@ -107,6 +107,14 @@ TEST(State, OfEveryTransferGoesOnWithTheSameBits) {
     }
 }
 
+TEST(State, OfMatchedLayersAndTheirCornersGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(softening_soil());
+  spec.layer_cells = 3;
+  using enum mpm_domain::Side;
+  spec.matched_sides = {left, right, base};
+  expect_exact_resumption(spec);
+}
+
 TEST(State, OnAGradedMeshGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = box(softening_soil());
   spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}};

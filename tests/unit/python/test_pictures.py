@@ -12,7 +12,7 @@ import matplotlib.image
 import numpy as np
 
 import synthetic_run
-from tremolo import Run, fronts, histories
+from tremolo import Run, comparison, fronts, histories
 from tremolo.__main__ import main
 
 
@@ -21,7 +21,7 @@ def run_command(*arguments):
     out, error = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(error):
         status = main([str(a) for a in arguments])
-    return status, out.getvalue().split(), error.getvalue()
+    return status, out.getvalue().splitlines(), error.getvalue()
 
 
 class Pictures(unittest.TestCase):
@@ -52,9 +52,21 @@ class Pictures(unittest.TestCase):
 
     def test_compare(self):
         runs = self.folder / "0", self.folder / "15"
-        status, paths, error = run_command("compare", *runs, "--out", self.folder / "c", "--time", 0.8)
+        status, lines, error = run_command("compare", *runs, "--out", self.folder / "c", "--time", 0.8)
         self.assertEqual((status, error), (0, ""))
+        paths = [line for line in lines if line.endswith(".png")]
         self.expect_pictures(paths, ["compare_acceleration.png", "compare_shear_bands.png"])
+        with Run(runs[0]) as first, Run(runs[1]) as second:
+            peaks = [np.max(np.hypot(series["vx"], series["vy"])) for series in (run.monitor("crest") for run in (first, second))]
+            velocity = next(line for line in lines if line.startswith("crest") and "v, m/s" in line).split()
+            np.testing.assert_allclose([float(number) for number in velocity[3:5]], peaks, rtol=1e-3)
+            self.assertAlmostEqual(float(velocity[5]), peaks[1] / peaks[0], delta=1e-3)
+
+    def test_a_run_compared_with_itself_does_not_differ(self):
+        with Run(self.folder / "15") as run:
+            rows = [line.split() for line in comparison.lines(run, run)][1:]
+        self.assertEqual({row[-2] for row in rows}, {"0.00"})
+        self.assertEqual({row[-3] for row in rows} - {"-"}, {"1.000"})
 
     def test_time_outside_the_run_is_refused(self):
         status, _, error = run_command("plot", self.folder / "15", "--time", 99)

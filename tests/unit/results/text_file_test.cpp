@@ -11,8 +11,8 @@
 namespace tremolo::results {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 std::string refusal(const std::filesystem::path& file) {
   try {

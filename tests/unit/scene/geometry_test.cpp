@@ -1,8 +1,12 @@
 #include "scene/geometry.hpp"
+#include "scene/sweep.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace tremolo::scene {
 namespace {
@@ -66,6 +70,40 @@ TEST(Geometry, Overlap) {
   EXPECT_TRUE(overlap({{-1, 0.5}, {3, 0.5}, {3, 1}, {-1, 1}},
                       square));                           // a cross: no corner of either inside the other
   EXPECT_TRUE(overlap(square, {{0, 0}, {2, 0}, {2, 2}})); // half of it, edges shared
+}
+
+/// Corners of a star around (x, y) that does not cross itself, listed around it.
+Polygon star(std::size_t corners, double x, double y) {
+  Polygon polygon;
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
+    const double radius = i % 2 == 0 ? 1.0 : 0.5;
+    polygon.push_back({x + radius * std::cos(angle), y + radius * std::sin(angle)});
+  }
+  return polygon;
+}
+
+TEST(Geometry, ManyCornersAreSimpleOrNot) {
+  Polygon polygon = star(20001, 0.0, 0.0); // an odd number: two neighbours are outer corners
+  EXPECT_FALSE(intersects_itself(polygon));
+  std::swap(polygon[5000], polygon[5100]);
+  EXPECT_TRUE(intersects_itself(polygon));
+}
+
+TEST(Geometry, OverlapsAmongManyPolygons) {
+  // 40 x 40 stars side by side, touching at most; then one more upon the one in the middle.
+  std::vector<Polygon> polygons;
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 40; ++j)
+      polygons.push_back(star(8, 2.0 * i, 2.0 * j));
+  EXPECT_TRUE(overlaps(polygons).empty());
+  polygons.push_back(star(8, 40.1, 40.0));
+  EXPECT_EQ(overlaps(polygons), (std::vector<std::pair<std::size_t, std::size_t>>{{20 * 40 + 20, 1600}}));
+  const std::vector<Polygon> stack(1000, star(8, 0.0, 0.0));
+  const auto pairs = overlaps(stack);
+  ASSERT_EQ(pairs.size(), 999U);
+  for (const auto& [first, second] : pairs)
+    EXPECT_EQ(first, 0U) << second;
 }
 
 } // namespace

@@ -89,7 +89,7 @@ TEST(Hosts, DataFilesAreThoseThatTheCaseNames) {
   std::ofstream(file) << "NPTS= 3, DT= .01 SEC\n0.0 0.1 0.0\n";
   const auto scene =
       parsed(with("pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }",
-                  "file = \"" + file.string() + "\""));
+                  "file = \"" + file.string() + "\"\nkind = \"outcrop\""));
   EXPECT_THAT(data_files(scene), ElementsAre(std::filesystem::absolute(file).lexically_normal()));
   std::filesystem::remove(file);
 }

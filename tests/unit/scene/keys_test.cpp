@@ -5,8 +5,12 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 namespace tremolo::scene::testing {
@@ -61,10 +65,12 @@ TEST(Keys, TrueOrFalse) {
 }
 
 TEST(Keys, TheSideOfARecordingBelongsToRecordings) {
-  const auto text =
-      with("left = { model = \"wave\" }",
-           "left = { model = \"recording\", file = \"" TREMOLO_SOURCE_DIR "/README.md\", side = \"right\" }");
+  const auto file = std::filesystem::path(::testing::TempDir()) / "keys_recording.h5";
+  std::ofstream(file, std::ios::binary) << "\x89HDF\r\n\x1a\n";
+  const auto text = with("left = { model = \"wave\" }", "left = { model = \"recording\", file = \"" +
+                                                            file.string() + "\", side = \"right\" }");
   EXPECT_EQ(parse_case(text).boundary.left.field.side, Side::right);
+  std::filesystem::remove(file);
   EXPECT_THAT(errors_of(with("left = { model = \"wave\" }", "left = { model = \"wave\", side = \"left\" }")),
               Contains(HasSubstr("'side' does not apply to model = \"wave\", only to recording")));
 }
@@ -264,6 +270,37 @@ TEST(SoilTable, SofteningIsScaledToTheMesh) {
   EXPECT_DOUBLE_EQ(soil.softening, 30.0); // h = 1 m: eta h/h_ref
   EXPECT_DOUBLE_EQ(soil.friction_peak, std::acos(-1.0) / 4.0);
   EXPECT_FALSE(soil.tension_cutoff.has_value());
+}
+
+TEST(Text, KeysOfTooManyPartsAreRefused) {
+  std::string deep = "a";
+  for (int i = 0; i < 50000; ++i)
+    deep += ".a";
+  EXPECT_THAT(errors_of(deep + " = 1\n"), ElementsAre("case.toml:1:1: a key of more than 100 parts"));
+  EXPECT_THAT(errors_of("title = \"" + deep + "\"\n" + with("title = \"flat\"\n", "")), IsEmpty());
+}
+
+TEST(Text, ManyUnknownTablesAreTold) {
+  std::string text(flat_case);
+  for (int i = 0; i < 20000; ++i)
+    text += "[x" + std::to_string(i) + "]\n";
+  EXPECT_EQ(errors_of(text).size(), 20000U);
+}
+
+TEST(Load, FoldersAndPipesAreNoCases) {
+  const auto refusal = [](const std::filesystem::path& file) {
+    try {
+      load(file);
+    } catch (const CaseErrors& errors) {
+      return std::string(errors.what()).substr(file.string().size());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(::testing::TempDir()), ":1:1: cannot be read: this is a folder; give the file in it");
+  const auto pipe = std::filesystem::path(::testing::TempDir()) / "case_pipe.toml";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(refusal(pipe), ":1:1: cannot be read: not a regular file");
+  std::filesystem::remove(pipe);
 }
 
 TEST(Load, MissingFileIsOneClearError) {

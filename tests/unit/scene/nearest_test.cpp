@@ -21,6 +21,8 @@ TEST(Nearest, SuggestsOnlyWhatIsNear) {
   constexpr std::array<std::string_view, 3> known = {"size", "box", "particles_per_cell"};
   EXPECT_EQ(suggestion("siz", known), "did you mean 'size'?");
   EXPECT_EQ(suggestion("particle_per_cells", known), "did you mean 'particles_per_cell'?");
+  constexpr std::array<std::string_view, 2> waves = {"SV", "P"};
+  EXPECT_EQ(suggestion("sv", waves), "did you mean 'SV'?");
   EXPECT_EQ(suggestion("q", known), "known: size, box, particles_per_cell");
 }
 

@@ -141,8 +141,11 @@ TEST(SoilTestFile, ErrorsHaveTheirPlaceAndTheNearestKey) {
                   "test.toml:3:11: [soil] 'pm4sand_dr56' is not in the library of soils, did you mean")));
 }
 
-TEST(SoilTestFile, ASoilThatCannotBeIsRefusedAtItsTable) {
-  EXPECT_THAT(errors_of(with("\"pm4sand_dr55\"", "\"slope_softening\"\ndilation_peak_deg = 50.0")),
+TEST(SoilTestFile, ASoilThatCannotBeIsRefusedAtItsKeyOrItsTable) {
+  EXPECT_THAT(
+      errors_of(with("\"pm4sand_dr55\"", "\"slope_softening\"\ndilation_peak_deg = 50.0")),
+      ElementsAre("test.toml:4:21: [soil] 'dilation_peak_deg' = 50 is above 'friction_peak_deg' = 45"));
+  EXPECT_THAT(errors_of(with("\"pm4sand_dr55\"", "\"pm4sand_dr55\"\ne_max = 0.4")),
               ElementsAre(HasSubstr("test.toml:2:1: [soil] ")));
 }
 

@@ -153,8 +153,15 @@ TEST(EquivalentLinear, EndsWhereStrainAndPropertiesBelongTogether) {
     for (std::size_t j = 0; j < strains.size(); ++j) {
       const double reduction = std::pow(result.profile.layers[j].vs / soft_ground().layers[j].vs, 2);
       EXPECT_NEAR(curves()[j].modulus_reduction(0.65 * strains[j]) / reduction, 1.0, 2e-3) << degrees;
-      EXPECT_NEAR(result.profile.layers[j].vp / result.profile.layers[j].vs,
-                  soft_ground().layers[j].vp / soft_ground().layers[j].vs, 1e-12);
+      // The bulk modulus stays, and its damping: rho c_p^2 = K + 4/3 G.
+      const auto bulk = [](const Layer& layer) {
+        return layer.vp * layer.vp - 4.0 / 3.0 * layer.vs * layer.vs;
+      };
+      const Layer before = soft_ground().layers[j];
+      const Layer& after = result.profile.layers[j];
+      EXPECT_NEAR(bulk(after) / bulk(before), 1.0, 1e-12);
+      const double share = bulk(after) / (after.vp * after.vp);
+      EXPECT_NEAR(*after.damping_p, share * before.damping + (1.0 - share) * after.damping, 1e-12);
     }
   }
 }

@@ -114,7 +114,7 @@ TEST(SofteningCurve, RegularisationKeepsStrengthAgainstSlip) {
   const double slip = 0.02;
   const double expected = exact(slope_soil(), 50.0 * kPa, slip / (2.0 * reference)).stress;
   for (const double h : {0.125, 0.25, 1.0}) {
-    const MohrCoulomb soil = regularised(slope_soil(), h, reference);
+    const MohrCoulomb soil = for_cell_size(slope_soil(), h, reference);
     EXPECT_NEAR(exact(soil, 50.0 * kPa, slip / (2.0 * h)).stress, expected, 1e-9 * expected);
     EXPECT_DOUBLE_EQ(soil.softening, 15.0 * h / reference);
   }

@@ -5,6 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace tremolo::scene::testing {
 namespace {
 
@@ -154,6 +157,28 @@ TEST(Rules, AnIncidentBaseHasDashpots) {
                                                       "wave alone")));
   EXPECT_THAT(remarks_of(with("\"incident\"", "\"blended\"", layered)),
               Not(Contains(HasSubstr("takes the incident wave alone"))));
+}
+
+TEST(Rules, RecordingsAreFilesOfHdf5) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "junk.h5";
+  std::ofstream(file) << "this is no recording";
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }",
+                             "left = { model = \"recording\", file = \"" + file.string() + "\" }")),
+              ElementsAre(HasSubstr("is no recording: not a file of HDF5")));
+  std::filesystem::remove(file);
+}
+
+TEST(Rules, AnOutcropBeyondTheCriticalAngleHasNoFactor) {
+  // nu = 0.28: sin(angle) = c_s/c_p at 33.57 degrees.
+  const auto at = [](const char* angle, const char* kind) {
+    return errors_of(
+        with("angle_deg = 0.0", std::string("angle_deg = ") + angle + "\nkind = \"" + kind + "\""));
+  };
+  EXPECT_THAT(at("33.0", "outcrop"), IsEmpty());
+  EXPECT_THAT(at("45.0", "incident"), IsEmpty());
+  EXPECT_THAT(
+      at("45.0", "outcrop"),
+      ElementsAre(HasSubstr("[motion] kind = \"outcrop\" at 45 degrees, beyond the critical angle of 33.")));
 }
 
 } // namespace

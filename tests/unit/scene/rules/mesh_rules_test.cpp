@@ -30,6 +30,9 @@ TEST(Rules, BoxFitsLattice) {
       errors_of(with("size = 1.0", "size = 1e-5")),
       ElementsAre(
           "case.toml:22:8: [mesh] 'size' = 1e-05 gives 8e+12 particles in the box, must be at most 1e+09"));
+  // Cells far larger than the box: no particle at all.
+  EXPECT_THAT(errors_of(with("size = 1.0", "size = 1e8")),
+              Contains(HasSubstr("must be a multiple of the cell size")));
   EXPECT_THAT(errors_of(with("box = [0.0, -10.0, 20.0, 0.0]", "box = [0.0, 0.0, 20.0, -10.0]")),
               ::testing::Contains(
                   "case.toml:23:7: [mesh] 'box' is 20 m wide and -10 m high, must be [x_min, y_min, x_max, "

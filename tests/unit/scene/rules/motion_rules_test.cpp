@@ -11,6 +11,7 @@ namespace tremolo::scene::testing {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -18,14 +19,14 @@ using ::testing::Not;
 
 TEST(Rules, RecordIsReadable) {
   const auto pulse = "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }";
-  EXPECT_THAT(errors_of(with(pulse, "file = \"absent.AT2\"")),
+  EXPECT_THAT(errors_of(with(pulse, "file = \"absent.AT2\"\nkind = \"outcrop\"")),
               ElementsAre("case.toml:3:8: [motion] ./absent.AT2: there is no such file"));
 
   const auto file = std::filesystem::path(::testing::TempDir()) / "rules_record.AT2";
   std::ofstream(file) << "NPTS= 3, DT= .01 SEC\n0.0 0.1 0.0\n";
-  EXPECT_THAT(errors_of(with(pulse, "file = \"" + file.string() + "\"")), IsEmpty());
+  EXPECT_THAT(errors_of(with(pulse, "file = \"" + file.string() + "\"\nkind = \"outcrop\"")), IsEmpty());
   std::ofstream(file) << "NPTS= 4, DT= .01 SEC\n0.0 0.1 0.0\n";
-  EXPECT_THAT(errors_of(with(pulse, "file = \"" + file.string() + "\"")),
+  EXPECT_THAT(errors_of(with(pulse, "file = \"" + file.string() + "\"\nkind = \"outcrop\"")),
               ElementsAre("case.toml:3:8: [motion] " + file.string() +
                           ":2: the header says NPTS = 4 but there are 3 samples"));
   std::filesystem::remove(file);
@@ -59,10 +60,53 @@ TEST(Rules, WaveArrivesAfterTheStart) {
               Contains(HasSubstr("case.toml:2:1: warning: [motion] the wave reaches the model ")));
 }
 
+TEST(Rules, WhatArrivesBeforeTheStartIsToldWithItsMagnitude) {
+  // The Ricker pulse of 3 Hz reaches the model when it is given: at its peak, or 1e-12 of it before.
+  EXPECT_THAT(remarks_of(with("time = 1.0", "time = 0.0")), Contains(HasSubstr("up to 1e+02 % of the peak")));
+  EXPECT_THAT(remarks_of(with("time = 1.0", "time = 0.6")), Not(Contains(HasSubstr("finds it at rest"))));
+}
+
+TEST(Rules, MotionEndsBeforeTheRun) {
+  EXPECT_THAT(remarks_of(std::string(flat_case)), Not(Contains(HasSubstr("after the run's end"))));
+  EXPECT_THAT(
+      remarks_of(with("time = 1.0", "time = 5.0")),
+      Contains(HasSubstr("case.toml:2:1: warning: [motion] 100 % of the incident wave's energy reaches the "
+                         "model after the run's end at 2 s; the wave ends at 5.7")));
+  // A symmetric pulse whose middle arrives at the end.
+  EXPECT_THAT(remarks_of(with("time = 1.0", "time = 2.0")),
+              Contains(ContainsRegex("motion. (4[5-9]|5[0-5])")));
+}
+
+TEST(Rules, UnitIsThatOfTheHeader) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "rules_unit.AT2";
+  std::ofstream(file) << "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 7, DT= .01 SEC\n"
+                         "0.0 0.1 0.0 -0.2 0.0 0.1 0.0\n";
+  const auto pulse = "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }";
+  const auto text = with(pulse, "file = \"" + file.string() + "\"\nkind = \"outcrop\"");
+  EXPECT_THAT(remarks_of(text), Not(Contains(HasSubstr("'unit'"))));
+  EXPECT_THAT(remarks_of(with("[motion]\n", "[motion]\nunit = \"g\"\n", text)),
+              Not(Contains(HasSubstr("'unit'"))));
+  EXPECT_THAT(
+      remarks_of(with("[motion]\n", "[motion]\nunit = \"cm/s2\"\n", text)),
+      Contains("case.toml:3:8: warning: [motion] 'unit' = \"cm/s2\", but rules_unit.AT2 says \"g\": the "
+               "motion is taken 0.00102 times as strong as its file says"));
+  std::filesystem::remove(file);
+}
+
+TEST(Rules, AFileNeedsAWordForItsMotion) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "rules_kind.AT2";
+  std::ofstream(file) << "NPTS= 7, DT= .01 SEC\n0.0 0.1 0.0 -0.2 0.0 0.1 0.0\n";
+  const auto pulse = "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }";
+  EXPECT_THAT(errors_of(with(pulse, "file = \"" + file.string() + "\"")),
+              ElementsAre(HasSubstr("case.toml:2:1: [motion] missing 'kind', which a 'file' needs")));
+  EXPECT_THAT(errors_of(with(pulse, "file = \"" + file.string() + "\"\nkind = \"outcrop\"")), IsEmpty());
+  std::filesystem::remove(file);
+}
+
 TEST(Rules, RecordEndsAtRest) {
   const auto pulse = "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }";
   const auto file = std::filesystem::path(::testing::TempDir()) / "rules_residual.AT2";
-  const auto text = with(pulse, "file = \"" + file.string() + "\"");
+  const auto text = with(pulse, "file = \"" + file.string() + "\"\nkind = \"outcrop\"");
   std::ofstream(file) << "NPTS= 4, DT= .01 SEC\n0.0 0.1 0.1 0.0\n";
   EXPECT_THAT(remarks_of(text),
               Contains(HasSubstr("warning: [motion] rules_residual.AT2: residual velocity ")));

@@ -8,6 +8,7 @@ namespace tremolo::scene::testing {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 TEST(Rules, TimeStepIsStableWithUsl) {
@@ -26,6 +27,14 @@ TEST(Rules, TimeStepIsStableWithUsl) {
                   "most 0.85 of the critical step, 0.0031856 s"));
 }
 
+TEST(Rules, StepsCanBeCounted) {
+  EXPECT_THAT(
+      errors_of(plus("[time]\nfraction = 1e-300\n")),
+      ElementsAre(HasSubstr("case.toml:32:12: [time] steps of 3.75e-303 s make 5.34e+302 for 2 s of shaking, "
+                            "must be at most 1e+09")));
+  EXPECT_THAT(errors_of(plus("[time]\ndt = 1e-12\n")), ElementsAre(HasSubstr("must be at most 1e+09")));
+}
+
 TEST(Rules, TimeStepIsStable) {
   // c_p = sqrt(E (1-nu)/((1+nu)(1-2nu) rho)) = 173.44 m/s, h = 1 m: 0.65 h/c_p = 3.74777e-3 s.
   EXPECT_THAT(errors_of(plus("[time]\ndt = 3.74e-3\n")), IsEmpty());
@@ -33,6 +42,22 @@ TEST(Rules, TimeStepIsStable) {
               ElementsAre("case.toml:32:6: [time] 'dt' = 0.00375 exceeds the critical step 0.65 h/c_p = "
                           "0.00374777 s of this mesh "
                           "and its fastest soil"));
+}
+
+TEST(Rules, FlipHasSurfaceAlongGrid) {
+  const std::string flip = "[time]\ntransfer = \"flip\"\n";
+  const std::string whole = "[20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]";
+  const auto cut = [](const std::string& corners) {
+    return "[20.0, -10.0], [20.0, 0.0], [12.0, 0.0], " + corners + ", [8.0, 0.0], [0.0, 0.0]]";
+  };
+  EXPECT_THAT(errors_of(plus(flip)), IsEmpty());
+  EXPECT_THAT(errors_of(with(whole, cut("[12.0, -2.0], [8.0, -2.0]"), plus(flip))), IsEmpty());
+  for (const std::string corners : {"[10.0, -3.0]", "[12.0, -2.5], [8.0, -2.5]"}) {
+    EXPECT_THAT(
+        errors_of(with(whole, cut(corners), plus(flip))),
+        ElementsAre(::testing::HasSubstr("[time] 'transfer' = \"flip\" with a free surface off the lines")));
+    EXPECT_THAT(errors_of(with(whole, cut(corners))), IsEmpty());
+  }
 }
 
 } // namespace

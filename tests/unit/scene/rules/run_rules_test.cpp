@@ -7,8 +7,11 @@
 namespace tremolo::scene::testing {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 TEST(Rules, MonitorsLieInSoil) {
   const std::string monitor = "[[monitor]]\nname = \"top\"\npoint = [10.0, 0.0]\n";
@@ -17,6 +20,28 @@ TEST(Rules, MonitorsLieInSoil) {
               ElementsAre("case.toml:33:9: [[monitor]] 'point' [10, 0.1] lies in no region"));
   EXPECT_THAT(errors_of(plus(monitor + monitor)),
               ElementsAre("case.toml:35:8: [[monitor]] 'name' = \"top\" is taken by the monitor in line 32"));
+}
+
+TEST(Rules, MonitorsHavePlainNames) {
+  const auto named = [](const char* name) {
+    return errors_of(plus(std::string("[[monitor]]\nname = \"") + name + "\"\npoint = [10.0, 0.0]\n"));
+  };
+  for (const char* good : {"crest", "P 1.5", "böschung_2", "a-b+c"})
+    EXPECT_THAT(named(good), IsEmpty()) << good;
+  for (const char* bad : {"../../x/y", ".", "a/b", "-o", "a\\nb", "$HOME"})
+    EXPECT_THAT(named(bad), ElementsAre(HasSubstr("letters, digits, blanks and _ - + . are allowed"))) << bad;
+}
+
+TEST(Rules, MonitorsTellTheParticleThatTheyFollow) {
+  // Two particles a cell and direction: 0.25 m and 0.75 m from the edges of cells of 1 m.
+  const auto monitor = [](const char* point) {
+    return remarks_of(plus(std::string("[[monitor]]\nname = \"m\"\npoint = ") + point + "\n"));
+  };
+  EXPECT_THAT(
+      monitor("[10.0, 0.0]"),
+      Contains(HasSubstr("note: [[monitor]] monitor \"m\" follows the particle that starts at [9.75, -0.25], "
+                         "0.354 m from its point")));
+  EXPECT_THAT(monitor("[10.25, -0.25]"), Not(Contains(HasSubstr("follows the particle"))));
 }
 
 } // namespace

@@ -13,26 +13,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-TEST(Rules, StrengthIsOrdered) {
-  const auto soil = [](const char* residual_friction, const char* dilation) {
-    return with("model = \"linear_elastic\"",
-                std::string("model = \"mohr_coulomb\"\ncohesion_peak = 4e3\n"
-                            "cohesion_residual = 0.0\nfriction_peak_deg = 30.0\n"
-                            "softening = 15.0\nfriction_residual_deg = ") +
-                    residual_friction + "\ndilation_peak_deg = " + dilation);
-  };
-  EXPECT_THAT(errors_of(soil("28.0", "5.0")), IsEmpty());
-  EXPECT_THAT(errors_of(soil("35.0", "5.0")),
-              ElementsAre("case.toml:19:25: [soil.sand] 'friction_residual_deg' = 35 is above "
-                          "'friction_peak_deg' = 30"));
-  EXPECT_THAT(
-      errors_of(soil("28.0", "40.0")),
-      ElementsAre("case.toml:20:21: [soil.sand] 'dilation_peak_deg' = 40 is above 'friction_peak_deg' = 30"));
-  EXPECT_THAT(errors_of(soil("0.0", "0.0")),
-              ElementsAre("case.toml:19:25: [soil.sand] 'friction_residual_deg' and "
-                          "'cohesion_residual' are both 0: the soil would have no strength"));
-}
-
 TEST(Rules, DampingSuitsModels) {
   const auto damped = with_columns() + std::string(layer) + "damping = 0.02\n";
   EXPECT_THAT(
@@ -86,6 +66,97 @@ TEST(Rules, SofteningGoesWithTheCells) {
       Contains("case.toml:19:13: note: [soil.sand] soil 'sand': softening eta = 60, 30, 15 on cells of "
                "1, 0.5, 0.25 m"));
   EXPECT_THAT(remarks_of(soil), Not(Contains(HasSubstr("softening eta"))));
+}
+
+/// The flat case with sand that yields.
+std::string with_strength(const char* more, const char* poisson = "0.28") {
+  return with("model = \"linear_elastic\"\ndensity = 1700.0\nyoung = 40e6\npoisson = 0.28\n",
+              std::string("model = \"mohr_coulomb\"\ndensity = 1700.0\nyoung = 40e6\npoisson = ") + poisson +
+                  "\ncohesion_peak = 4e3\ncohesion_residual = 4e3\nsoftening = 0.0\n" + more);
+}
+constexpr const char* friction = "friction_peak_deg = 30.0\nfriction_residual_deg = 30.0\n";
+constexpr const char* no_friction = "friction_peak_deg = 0.0\nfriction_residual_deg = 0.0\n";
+
+TEST(Rules, SofteningNeedsTheSizeThatItHoldsFor) {
+  const auto softening = [](const char* more) {
+    return with("softening = 0.0\n", std::string("softening = 15.0\n") + more, with_strength(friction));
+  };
+  EXPECT_THAT(
+      errors_of(softening("")),
+      ElementsAre(HasSubstr("[soil.sand] missing 'reference_size', m: the cell size for which 'softening' = "
+                            "15 holds")));
+  EXPECT_THAT(errors_of(softening("reference_size = 1.0\n")), IsEmpty());
+  EXPECT_THAT(errors_of(with_strength(friction)), IsEmpty());
+}
+
+TEST(Rules, FreeFieldYieldsLikeTheSoil) {
+  const auto elastic = HasSubstr("the free field is elastic, the soil 'sand' beside it is not");
+  EXPECT_THAT(remarks_of(std::string(flat_case)), Not(Contains(elastic)));
+  // 2 rho c_s v = 2 * 1700 kg/m3 * 95.87 m/s * 0.1 m/s
+  EXPECT_THAT(remarks_of(with_strength(friction)),
+              Contains(HasSubstr(
+                  "case.toml:30:18: warning: [boundary.left] the free field is elastic, the soil 'sand' "
+                  "beside it is not: the side shakes it with shear stresses of the order of 32.6 kPa")));
+  const auto columns =
+      with_columns(with_strength(friction)) + "[[profile]]\nthickness = 10.0\nsoil = \"sand\"\n";
+  EXPECT_THAT(remarks_of(columns), Not(Contains(elastic)));
+}
+
+TEST(Rules, DomainIsDampedLikeTheFreeField) {
+  const auto damped = std::string(flat_case) + std::string(layer) + "damping = 0.05\n";
+  // 1 - exp(-2 pi 3 Hz 0.05 4 m / 80 m/s)
+  EXPECT_THAT(remarks_of(damped + "[damping]\nmodel = \"hysteretic\"\n"),
+              Contains(HasSubstr(
+                  "warning: [damping] the layers of the free field are damped, the domain is not: a shear "
+                  "wave of 3 Hz loses 4.6 % of its amplitude")));
+  EXPECT_THAT(remarks_of(std::string(flat_case) + std::string(layer)),
+              Not(Contains(HasSubstr("the domain is not"))));
+}
+
+TEST(Rules, YieldingSoilDoesNotLock) {
+  EXPECT_THAT(remarks_of(with_strength(friction)), Not(Contains(HasSubstr("lock"))));
+  EXPECT_THAT(remarks_of(with_strength(friction, "0.495")),
+              Contains(HasSubstr("warning: [soil.sand] soil 'sand': Poisson's ratio 0.495 is above 0.45")));
+  EXPECT_THAT(remarks_of(with("poisson = 0.28\n[[region]]", "poisson = 0.495\n[[region]]")),
+              Not(Contains(HasSubstr("lock"))));
+}
+
+TEST(Rules, TensionHasALimit) {
+  EXPECT_THAT(remarks_of(with_strength(friction)), Not(Contains(HasSubstr("limit of tension"))));
+  EXPECT_THAT(remarks_of(with_strength(no_friction)),
+              Contains(HasSubstr("note: [soil.sand] soil 'sand' has no limit of tension")));
+  EXPECT_THAT(remarks_of(with_strength((std::string(no_friction) + "tension_cutoff = 0.0\n").c_str())),
+              Not(Contains(HasSubstr("limit of tension"))));
+}
+
+TEST(Rules, SaturatedSoilHasWater) {
+  const auto heavy = with("density = 1700.0\nyoung = 40e6\npoisson = 0.28\n[[region]]",
+                          "density = 2000.0\nyoung = 40e6\npoisson = 0.28\n[[region]]");
+  EXPECT_THAT(remarks_of(heavy), Not(Contains(HasSubstr("no water"))));
+  EXPECT_THAT(
+      remarks_of(with("[[stage]]\n", "[[stage]]\nkind = \"gravity\"\n[[stage]]\n", heavy)),
+      Contains(HasSubstr("warning: [soil.sand] soil 'sand': 2000 kg/m3 is the density of saturated soil, but "
+                         "the domain has no water: all of the weight is effective stress, 2 times that")));
+}
+
+TEST(Rules, DensitiesAreInKilograms) {
+  EXPECT_THAT(
+      remarks_of(with("density = 1700.0", "density = 1.7")),
+      Contains(
+          "case.toml:10:11: warning: [halfspace] density = 1.7 kg/m3 is that of no soil or rock: kg/m3 are "
+          "meant, 1700 for a dry sand"));
+}
+
+TEST(Rules, OneStressAtRestForDomainAndColumns) {
+  const auto text =
+      with("model = \"linear_elastic\"\n", "model = \"linear_elastic\"\nrest_coefficient = 0.7\n",
+           plus("[[profile]]\nthickness = 10.0\nsoil = \"sand\"\n"));
+  const Case scene = parse_case(text);
+  EXPECT_EQ(materials::elasticity(scene.soils[0].law).rest_coefficient(), 0.7);
+  EXPECT_EQ(materials::elasticity(scene.soils[0].column_law).rest_coefficient(), 0.7);
+  EXPECT_EQ(scene.profile[0].elastic.rest_coefficient(), 0.7);
+  const Case plain = parse_case(std::string(flat_case));
+  EXPECT_NEAR(materials::elasticity(plain.soils[0].law).rest_coefficient(), 0.28 / 0.72, 1e-15);
 }
 
 } // namespace

@@ -1,9 +1,10 @@
-#include "freefield/require.hpp"
+#include "base/require.hpp"
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
-namespace tremolo::freefield {
+namespace tremolo {
 
 std::string shortest(double value) {
   std::ostringstream text;
@@ -12,10 +13,13 @@ std::string shortest(double value) {
 }
 
 void require(bool condition, std::string_view what, double value, std::string_view allowed) {
-  if (!condition) {
+  if (!condition)
     throw std::invalid_argument(std::string(what) + " is " + shortest(value) + ", must be " +
                                 std::string(allowed));
-  }
 }
 
-} // namespace tremolo::freefield
+void require_positive(std::string_view what, double value, std::string_view unit) {
+  require(value > 0.0 && std::isfinite(value), what, value, "positive and finite, in " + std::string(unit));
+}
+
+} // namespace tremolo

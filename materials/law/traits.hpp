@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string_view>
+
+namespace tremolo::materials {
+
+/// How a law answers to loading. What a point remembers and what its step costs go with it.
+enum class Response {
+  elastic,        ///< linear, no memory
+  plastic,        ///< elastic inside a yield surface
+  hysteretic,     ///< loops from the smallest strain on
+  cyclic_mobility ///< loops that build up pore pressure
+};
+
+/// What the rest of the program asks of a law without knowing which one it is.
+struct Traits {
+  std::string_view name; ///< in messages, e.g. "linear_elastic"
+  Response response = Response::elastic;
+  bool three_dimensional = true; ///< takes strain out of plane (Points::dezz)
+  /// Rate at which strength falls with plastic strain, 1; 0: it does not. It goes with the cell size.
+  double softening = 0.0;
+  bool follows_pressure = false;         ///< stiffness goes with effective stress and is nothing without it
+  bool remembers_initial_stress = false; ///< memory begins with the stress that initialise() finds
+  bool total_stress = false;             ///< strength follows no effective stress; pore pressure has no say
+  bool unlimited_tension = false;        ///< carries any tension
+  bool in_plane = false;                 ///< its p and q are those of the plane, not of the three axes
+};
+
+} // namespace tremolo::materials

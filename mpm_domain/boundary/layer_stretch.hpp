@@ -1,0 +1,58 @@
+#pragma once
+
+// How a matched layer stretches its depth z (layer_lattice.hpp):
+//
+//     g(z, omega) = 1 + b(z)/(a + i omega),        b = b_max (z/d)^2,
+//
+// and how what it remembers decays: dM/dt = s - r M, in steps of dt, centred,
+//
+//     M+ = (1 - r dt/2)/(1 + r dt/2) M- + dt/(1 + r dt/2) s.
+
+#include "coupler/eq6/boundary_traction.hpp"
+
+#include <cmath>
+
+namespace tremolo::mpm_domain {
+
+/// The stretch of a layer of a depth (m), for waves of up to a speed (m/s). Layers that meet at a corner
+/// share both.
+class LayerStretch {
+public:
+  LayerStretch() = default;
+  LayerStretch(double depth, double fastest)
+      : depth_(depth), largest_(-1.5 * fastest * std::log(returned) / depth),
+        shift_(shift_of_depth * fastest / depth) {}
+
+  [[nodiscard]] double rate(double z) const { return largest_ * (z / depth_) * (z / depth_); } ///< b, 1/s
+  [[nodiscard]] double shift() const { return shift_; }                                        ///< a, 1/s
+
+private:
+  /// What is left of the amplitude of a P wave that goes to the fixed end and back along the normal. Less
+  /// would ask for a steeper stretch, which elements reflect (docs/boundaries.md).
+  static constexpr double returned = 1e-3;
+  /// a d/c_p: waves far slower than 1/a are let through to the fixed end, which then is 70 d away.
+  static constexpr double shift_of_depth = 0.05;
+
+  double depth_ = 1.0;
+  double largest_ = 0.0; ///< b_max, 1/s
+  double shift_ = 0.0;   ///< a, 1/s
+};
+
+/// Of a memory with rate r (1/s) in a step of dt (s).
+struct Decay {
+  double keep;
+  double gain;
+
+  Decay(double rate, double dt)
+      : keep((1.0 - 0.5 * rate * dt) / (1.0 + 0.5 * rate * dt)), gain(dt / (1.0 + 0.5 * rate * dt)) {}
+};
+
+/// Takes a memory of half a step before the present to half a step behind it.
+/// @returns their mean, which is what it is at present
+inline eq6::Vector remember(eq6::Vector& memory, const Decay& decay, const eq6::Vector& now) {
+  const eq6::Vector before = memory;
+  memory = {decay.keep * before.x + decay.gain * now.x, decay.keep * before.y + decay.gain * now.y};
+  return {0.5 * (before.x + memory.x), 0.5 * (before.y + memory.y)};
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,162 @@
+#pragma once
+
+// What a case chooses by a word. Each enumeration has its words beside it; the key tables, the readers,
+// messages and reports take them from there.
+
+#include "base/words.hpp"
+#include "mpm_domain/spec/numerics.hpp"
+
+namespace tremolo::scene {
+
+// The domain's own choices, under their own names.
+using mpm_domain::ParticleBoxes;
+using mpm_domain::Side;
+using mpm_domain::Sides;
+using mpm_domain::StepOrder;
+using mpm_domain::Transfer;
+
+enum class Wave { sv, p };
+constexpr auto words(Wave) {
+  return word_table<Wave>({{Wave::sv, "SV"}, {Wave::p, "P"}});
+}
+
+/// How the damping ratios of layers and half-space depend on frequency.
+enum class DampingModel { none, rayleigh, kelvin_voigt, hysteretic, shake, kjartansson };
+constexpr auto words(DampingModel) {
+  return word_table<DampingModel>({{DampingModel::none, "none"},
+                                   {DampingModel::rayleigh, "rayleigh"},
+                                   {DampingModel::kelvin_voigt, "kelvin_voigt"},
+                                   {DampingModel::hysteretic, "hysteretic"},
+                                   {DampingModel::shake, "shake"},
+                                   {DampingModel::kjartansson, "kjartansson"}});
+}
+
+enum class Integrator { central_difference, newmark, hht };
+constexpr auto words(Integrator) {
+  return word_table<Integrator>({{Integrator::central_difference, "central_difference"},
+                                 {Integrator::newmark, "newmark"},
+                                 {Integrator::hht, "hht"}});
+}
+
+enum class NewtonTangent { consistent, initial };
+constexpr auto words(NewtonTangent) {
+  return word_table<NewtonTangent>(
+      {{NewtonTangent::consistent, "consistent"}, {NewtonTangent::initial, "initial"}});
+}
+
+enum class OdeMethod { adams, bdf, erk, imex };
+constexpr auto words(OdeMethod) {
+  return word_table<OdeMethod>({{OdeMethod::adams, "adams"},
+                                {OdeMethod::bdf, "bdf"},
+                                {OdeMethod::erk, "erk"},
+                                {OdeMethod::imex, "imex"}});
+}
+
+enum class SourceModel {
+  wave,      ///< plane waves in layers, frequency domain
+  fe,        ///< finite-element column
+  ode,       ///< column by the method of lines, SUNDIALS
+  oblique,   ///< column of oblique waves, time domain
+  eql,       ///< equivalent-linear layers
+  mpm,       ///< a domain of one periodic column
+  recording, ///< a free field recorded earlier
+  external   ///< a program of the user
+};
+constexpr auto words(SourceModel) {
+  return word_table<SourceModel>({{SourceModel::wave, "wave"},
+                                  {SourceModel::fe, "fe"},
+                                  {SourceModel::ode, "ode"},
+                                  {SourceModel::oblique, "oblique"},
+                                  {SourceModel::eql, "eql"},
+                                  {SourceModel::mpm, "mpm"},
+                                  {SourceModel::recording, "recording"},
+                                  {SourceModel::external, "external"}});
+}
+
+enum class BaseForm {
+  total, ///< free-field velocity and stress of the whole (incident and reflected) field: exact at any angle
+  incident, ///< the incident wave alone: Eqs. (4) and (5) of the method, dashpots take up the reflected waves
+  /// the total fields under the surfaces of both sides, blended linearly from one side to the other; only
+  /// where these differ
+  blended
+};
+constexpr auto words(BaseForm) {
+  return word_table<BaseForm>(
+      {{BaseForm::total, "total"}, {BaseForm::incident, "incident"}, {BaseForm::blended, "blended"}});
+}
+
+/// What takes up waves that leave the model.
+enum class Absorber {
+  dashpots,     ///< of Eq. (6)
+  matched_layer ///< a perfectly matched layer behind the faces
+};
+constexpr auto words(Absorber) {
+  return word_table<Absorber>({{Absorber::dashpots, "dashpots"}, {Absorber::matched_layer, "matched_layer"}});
+}
+
+enum class ExchangeMode { window, lockstep };
+constexpr auto words(ExchangeMode) {
+  return word_table<ExchangeMode>({{ExchangeMode::window, "window"}, {ExchangeMode::lockstep, "lockstep"}});
+}
+
+/// What becomes of a run that can no longer be recorded.
+enum class OnFullDisk { stop, go_on };
+constexpr auto words(OnFullDisk) {
+  return word_table<OnFullDisk>({{OnFullDisk::stop, "stop"}, {OnFullDisk::go_on, "go_on"}});
+}
+
+/// Who starts a process on another machine.
+enum class StartBy {
+  ssh,   ///< `tremolo run`, through ssh
+  slurm, ///< `tremolo run`, as a step of its Slurm job (srun)
+  join   ///< the user, with `tremolo join`
+};
+constexpr auto words(StartBy) {
+  return word_table<StartBy>({{StartBy::ssh, "ssh"}, {StartBy::slurm, "slurm"}, {StartBy::join, "join"}});
+}
+
+enum class OutputField { displacement, velocity, acceleration, stress, state };
+constexpr auto words(OutputField) {
+  return word_table<OutputField>({{OutputField::displacement, "displacement"},
+                                  {OutputField::velocity, "velocity"},
+                                  {OutputField::acceleration, "acceleration"},
+                                  {OutputField::stress, "stress"},
+                                  {OutputField::state, "state"}});
+}
+
+/// Of `model` in a soil's table; `hyperbolic` and `mkz` are two ways to give one law.
+enum class SoilModel {
+  linear_elastic,
+  mohr_coulomb,
+  drucker_prager,
+  multi_yield_clay,
+  hyperbolic,
+  mkz,
+  pm4sand,
+  pdmy03
+};
+constexpr auto words(SoilModel) {
+  return word_table<SoilModel>({{SoilModel::linear_elastic, "linear_elastic"},
+                                {SoilModel::mohr_coulomb, "mohr_coulomb"},
+                                {SoilModel::drucker_prager, "drucker_prager"},
+                                {SoilModel::multi_yield_clay, "multi_yield_clay"},
+                                {SoilModel::hyperbolic, "hyperbolic"},
+                                {SoilModel::mkz, "mkz"},
+                                {SoilModel::pm4sand, "pm4sand"},
+                                {SoilModel::pdmy03, "pdmy03"}});
+}
+
+/// How soil is loaded in a soil test.
+enum class LoadingKind { monotonic, cyclic_stress, cyclic_strain, modulus_curve, path };
+constexpr auto words(LoadingKind) {
+  return word_table<LoadingKind>({{LoadingKind::monotonic, "monotonic"},
+                                  {LoadingKind::cyclic_stress, "cyclic_stress"},
+                                  {LoadingKind::cyclic_strain, "cyclic_strain"},
+                                  {LoadingKind::modulus_curve, "modulus_curve"},
+                                  {LoadingKind::path, "path"}});
+}
+
+/// The word of a choice, e.g. "kelvin_voigt".
+using tremolo::name;
+
+} // namespace tremolo::scene

@@ -1,0 +1,28 @@
+#include "scene/plan/arrival.hpp"
+
+#include "scene/plan/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tremolo::scene {
+
+double delay_to_model(const Case& scene) {
+  const double speed =
+      scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
+  const double angle = scene.motion.angle_deg * std::numbers::pi / 180.0;
+  const double dx = scene.mesh.box.x_min - scene.motion.reference.x;
+  const double dy = scene.mesh.box.y_min - scene.motion.reference.y;
+  return (dx * std::sin(angle) + dy * std::cos(angle)) / speed;
+}
+
+double incident_peak_velocity(const Case& scene) {
+  const double factor = scene.motion.kind == motion::MotionKind::incident ? 1.0 : 0.5;
+  double peak = 0.0;
+  for (const double v : sampled(motion(scene.motion)).velocity)
+    peak = std::max(peak, std::abs(v));
+  return factor * peak;
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "scene/case.hpp"
+
+namespace tremolo::scene {
+
+/// How long after the reference point the incident wave reaches the model, at its lower left corner, s.
+double delay_to_model(const Case& scene);
+
+/// Largest velocity of the incident wave, m/s; of a motion within the ground, which is not known without the
+/// layers, that of an outcrop of the same motion.
+double incident_peak_velocity(const Case& scene);
+
+} // namespace tremolo::scene

@@ -1,0 +1,37 @@
+#include "scene/plan/arrival.hpp"
+#include "scene/plan/motion.hpp"
+#include "scene/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+namespace tremolo::scene {
+
+namespace {
+
+/// Of the motion's energy: the end of a record that is worth no word.
+constexpr double negligible = 0.01;
+
+} // namespace
+
+void motion_ends_before_run(const Case& scene, Findings& findings) {
+  const Motion wave = motion(scene.motion);
+  const double delay = delay_to_model(scene);
+  if (!(wave.end() + delay > scene.shaking.duration))
+    return;
+  const SampledMotion samples = sampled(wave);
+  double all = 0.0;
+  double late = 0.0;
+  for (std::size_t i = 0; i < samples.velocity.size(); ++i) {
+    const double energy = samples.velocity[i] * samples.velocity[i];
+    all += energy;
+    if (samples.time(i) + delay > scene.shaking.duration)
+      late += energy;
+  }
+  if (late > negligible * all)
+    findings.add("motion",
+                 fmt::format("{:.3g} % of the incident wave's energy reaches the model after the run's "
+                             "end at {} s; the wave ends at {:.4g} s",
+                             100.0 * late / all, scene.shaking.duration, wave.end() + delay));
+}
+
+} // namespace tremolo::scene
