@@ -25,8 +25,8 @@ using Ties = std::map<std::pair<double, double>, double>;
 TEST(GradedMesh, TiesAreMeansOfEdgesAndOfTheAxisWithHangingNodes) {
   const std::vector<mesh::Refinement> boxes{{{0.0, 0.0, 1.0, 4.0}, 1}};
   const GradedMesh mesh({.h = 1.0, .nx = 4, .ny = 4}, boxes);
-  EXPECT_TRUE(mesh.is_split({0, 1, 1}));
-  EXPECT_FALSE(mesh.is_split({0, 2, 1}));
+  EXPECT_TRUE(is_split(mesh.tree(), {0, 1, 1}));
+  EXPECT_FALSE(is_split(mesh.tree(), {0, 2, 1}));
   EXPECT_EQ(tie_of(mesh, 1, 2, 3), Ties{}); // hanging: real
   EXPECT_EQ(tie_of(mesh, 1, 4, 3), (Ties{{{2.0, 1.0}, 0.5}, {{2.0, 2.0}, 0.5}}));
   EXPECT_EQ(tie_of(mesh, 1, 3, 2), (Ties{{{1.0, 1.0}, 0.5}, {{2.0, 1.0}, 0.5}}));

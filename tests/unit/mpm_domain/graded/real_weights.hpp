@@ -59,7 +59,7 @@ inline std::vector<BoxWeight> naive_average(const GradedMesh& mesh, const mesh::
     const double h = mesh.tree().size(leaf.level);
     const double xi = (0.5 * (part.x_min + part.x_max) - all.x_min) / h;
     const double eta = (0.5 * (part.y_min + part.y_max) - all.y_min) / h;
-    const int finer = mesh.is_split(leaf) ? 1 : 0; // the lattice that holds its corners
+    const int finer = is_split(mesh.tree(), leaf) ? 1 : 0; // the lattice that holds its corners
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) {
         const double nx = a ? xi : 1.0 - xi;
