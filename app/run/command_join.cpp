@@ -1,6 +1,7 @@
 // tremolo join: takes the place of one process in a run on another machine.
 
 #include "app/commands.hpp"
+#include "app/run/local_options.hpp"
 #include "app/run/participant_program.hpp"
 #include "app/temporary_folder.hpp"
 #include "coupler/launch/child_process.hpp"
