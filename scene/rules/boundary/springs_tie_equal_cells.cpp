@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace tremolo::scene {
@@ -17,12 +18,14 @@ struct SideCell {
 };
 
 /// Those along the left edge of the model, or the right one, that hold soil, upwards.
-std::vector<SideCell> cells_along(const mesh::Quadtree& tree, bool right, double surface) {
+std::vector<SideCell> cells_along(const mesh::Quadtree& tree, const Box& model, bool right, double surface) {
+  const double tolerance = 1e-6 * tree.size(0);
+  const double edge = right ? model.x_max : model.x_min;
   std::vector<SideCell> cells;
   for (const mesh::Cell& leaf : tree.leaves()) {
     const mesh::Rectangle box = tree.rectangle(leaf);
-    const int edge = right ? (tree.roots().nx << leaf.level) - 1 : 0;
-    if (leaf.i == edge && box.y_min < surface)
+    const double side = right ? box.x_max : box.x_min;
+    if (std::abs(side - edge) < tolerance && box.y_min > model.y_min - tolerance && box.y_min < surface)
       cells.push_back({box.y_min, tree.size(leaf.level)});
   }
   std::ranges::sort(cells, {}, &SideCell::y_min);
@@ -37,8 +40,8 @@ void springs_tie_equal_cells(const Case& scene, Findings& findings) {
     return;
   const mesh::Quadtree tree = quadtree(scene);
   const double surface = scene.boundary.left.surface - 1e-6 * scene.mesh.size;
-  const std::vector<SideCell> left = cells_along(tree, false, surface);
-  const std::vector<SideCell> right = cells_along(tree, true, surface);
+  const std::vector<SideCell> left = cells_along(tree, scene.mesh.box, false, surface);
+  const std::vector<SideCell> right = cells_along(tree, scene.mesh.box, true, surface);
   const auto [one, other] = std::ranges::mismatch(left, right);
   if (one != left.end() && other != right.end())
     findings.add("boundary.sides",

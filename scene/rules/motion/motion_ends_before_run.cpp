@@ -9,7 +9,7 @@ namespace tremolo::scene {
 namespace {
 
 /// Of the motion's energy: the end of a record that is worth no word.
-constexpr double negligible = 0.01;
+constexpr double negligible_energy = 0.01;
 
 } // namespace
 
@@ -27,7 +27,7 @@ void motion_ends_before_run(const Case& scene, Findings& findings) {
     if (samples.time(i) + delay > scene.shaking.duration)
       late += energy;
   }
-  if (late > negligible * all)
+  if (late > negligible_energy * all)
     findings.add("motion",
                  fmt::format("{:.3g} % of the incident wave's energy reaches the model after the run's "
                              "end at {} s; the wave ends at {:.4g} s",

@@ -12,7 +12,7 @@ namespace tremolo::scene {
 namespace {
 
 /// Of the peak: what is missing below it changes no result.
-constexpr double negligible_arrival = 1e-3;
+constexpr double negligible_velocity = 1e-3;
 
 } // namespace
 
@@ -33,10 +33,10 @@ void wave_arrives_after_start(const Case& scene, Findings& findings) {
       break;
     const double v = std::abs(samples.velocity[i]);
     missing = std::max(missing, v);
-    if (first == 0.0 && v > negligible_arrival * peak)
+    if (first == 0.0 && v > negligible_velocity * peak)
       first = time;
   }
-  if (missing > negligible_arrival * peak)
+  if (missing > negligible_velocity * peak)
     findings.add("motion",
                  fmt::format("the wave reaches the model {:.3g} s before the shaking starts and finds it "
                              "at rest: what came earlier, up to {:.2g} % of the peak velocity, is "
