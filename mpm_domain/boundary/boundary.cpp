@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -14,6 +15,9 @@ namespace tremolo::mpm_domain {
 namespace {
 
 constexpr std::size_t numbers_per_face = 4; // of the rest state
+
+/// A clock for each level of cells.
+constexpr std::size_t most_clocks = mesh::finest_level_allowed + 1;
 
 /// A node with less of a face is not touched by it: rounding of weights.
 constexpr double negligible = 1e-12;
@@ -224,38 +228,42 @@ void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& node
   nodes_.add(weights_);
   domain.workers.run(2, [&](std::size_t component) {
     const bool is_x = component == 0;
-    const auto part = [is_x](const Vector& v) { return is_x ? v.x : v.y; };
     NodeField& boundary = is_x ? on_nodes_x_ : on_nodes_y_;
     NodeField& force = is_x ? grid.force_x : grid.force_y;
     NodeField& dashpot = is_x ? grid.dashpot_x : grid.dashpot_y;
     for (const std::size_t n : nodes_.all())
       if (nodes.clock_of(n) >= ticks.first_due())
         boundary[n] = 0.0;
+    std::array<Load, most_clocks> by_clock;
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const BoundaryFace& face = faces_[f];
-      const double held = ticks.steady_share(clock_[f]) * part(face.held);
-      const bool due = is_due(ticks, f);
-      const double moving = part(traction_[f].viscous) + part(traction_[f].dynamic);
-      const double z = part(dashpot_diagonal(face));
-      const double reaction = ticks.is_first() ? part(reaction_[f]) : 0.0;
+      for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock)
+        by_clock[static_cast<std::size_t>(clock)] = load_on(f, clock, ticks, is_x);
       for (const auto& [node, w] : weights_[f]) {
-        const int clock = nodes.clock_of(node);
-        if (clock < ticks.first_due())
-          continue;
-        const double share = w * face.length;
-        // A node of a slower clock that the face has come to touch since the first tick waits for the next
-        // one.
-        const double factor = due && clock >= clock_[f] ? impulse_factor(clock, clock_[f]) : 0.0;
-        boundary[node] += share * (factor * moving + impulse_factor(clock, 0) * reaction + held);
-        // A mass m_L that moves with the node adds m_L to m in (m + dt C/2) (v+ - v-) = dt f: it is a dashpot
-        // C = 2 m_L/dt that is not in f.
-        dashpot[node] += share * (factor * z + 2.0 / ticks.kick_of(clock) * face.layer_mass);
+        const auto clock = static_cast<std::size_t>(nodes.clock_of(node));
+        boundary[node] += w * by_clock[clock].force;
+        dashpot[node] += w * by_clock[clock].dashpot;
       }
     }
     for (const std::size_t n : nodes_.all())
       if (nodes.clock_of(n) >= ticks.first_due())
         force[n] += boundary[n];
   });
+}
+
+/// What a face gives at this tick, in one direction, to its nodes of a clock that is due, N/m and Pa s.
+Boundary::Load Boundary::load_on(std::size_t f, int clock, const Ticks& ticks, bool is_x) const {
+  const BoundaryFace& face = faces_[f];
+  const auto part = [is_x](const Vector& v) { return is_x ? v.x : v.y; };
+  // A node of a slower clock that the face has come to touch since the first tick waits for the next one.
+  const double factor = is_due(ticks, f) && clock >= clock_[f] ? impulse_factor(clock, clock_[f]) : 0.0;
+  const double moving = part(traction_[f].viscous) + part(traction_[f].dynamic);
+  const double reaction = ticks.is_first() ? impulse_factor(clock, 0) * part(reaction_[f]) : 0.0;
+  const double held = ticks.steady_share(clock_[f]) * part(face.held);
+  // A mass m_L that moves with the node adds m_L to m in (m + dt C/2) (v+ - v-) = dt f: it is a dashpot C = 2
+  // m_L/dt that is not in f.
+  return {face.length * (factor * moving + reaction + held),
+          face.length *
+              (factor * part(dashpot_diagonal(face)) + 2.0 / ticks.kick_of(clock) * face.layer_mass)};
 }
 
 /// Faces whose nodes are all of one clock have consistent dashpots; the few others stay lumped.
@@ -278,21 +286,24 @@ void Boundary::correct_dashpots(Domain& domain, const Ticks& ticks, const ClockN
 void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
   const Grid& grid = domain.grid;
   EnergyLedger& energy = domain.energy;
+  std::array<Vector, most_clocks> v_of; // of the face's nodes by clock, mean over the update, m/s
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const BoundaryFace& face = faces_[f];
-    const double share = ticks.steady_share(clock_[f]) * face.length;
-    Vector v_all;    // mean over the update of all nodes that are due
-    Vector v_moving; // of those that the moving part acts on
+    v_of.fill({});
     for (const auto& [node, w] : weights_[f]) {
-      const int clock = nodes.clock_of(node);
-      if (clock < ticks.first_due())
-        continue;
-      const Vector mid = {0.5 * w * (grid.vx_before[node] + grid.vx_after[node]),
-                          0.5 * w * (grid.vy_before[node] + grid.vy_after[node])};
-      v_all = {v_all.x + mid.x, v_all.y + mid.y};
+      Vector& v = v_of[static_cast<std::size_t>(nodes.clock_of(node))];
+      v.x += 0.5 * w * (grid.vx_before[node] + grid.vx_after[node]);
+      v.y += 0.5 * w * (grid.vy_before[node] + grid.vy_after[node]);
+    }
+    const double steady = ticks.steady_share(clock_[f]) * face.length;
+    Vector v_all;    // of all nodes that are due
+    Vector v_moving; // of those that the moving part acts on
+    for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
+      const Vector& v = v_of[static_cast<std::size_t>(clock)];
+      v_all = {v_all.x + v.x, v_all.y + v.y};
       if (clock >= clock_[f])
-        v_moving = {v_moving.x + mid.x, v_moving.y + mid.y};
-      energy.static_ += ticks.kick_of(clock) * share * dot(face.held, mid);
+        v_moving = {v_moving.x + v.x, v_moving.y + v.y};
+      energy.static_ += ticks.kick_of(clock) * steady * dot(face.held, v);
     }
     if (is_due(ticks, f)) {
       const double impulse = ticks.kick_of(clock_[f]) * face.length;

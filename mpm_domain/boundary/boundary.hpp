@@ -110,6 +110,11 @@ private:
   void react(const Domain& domain, double time);
   void evaluate(std::size_t face);
   void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+  struct Load {
+    double force = 0.0;
+    double dashpot = 0.0;
+  };
+  Load load_on(std::size_t face, int clock, const Ticks& ticks, bool is_x) const;
   void correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
 
   std::vector<BoundaryFace> faces_;

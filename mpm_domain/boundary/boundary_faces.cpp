@@ -124,8 +124,9 @@ int level_of(const Domain& domain, const BoundaryFace& face) {
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights) {
   const Particles& set = domain.sets[face.set];
   weights.clear();
+  const bool tied = !domain.ties().empty();
   const auto add = [&](std::size_t node, double w) {
-    const std::span<const Share> shares = domain.ties().shares_of(node);
+    const std::span<const Share> shares = tied ? domain.ties().shares_of(node) : std::span<const Share>();
     if (shares.empty())
       weights.push_back({node, w});
     for (const Share& share : shares)
