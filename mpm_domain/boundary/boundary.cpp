@@ -226,49 +226,60 @@ void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& node
     for (NodeField* field : {&on_nodes_x_, &on_nodes_y_})
       field->assign(grid.size(), 0.0);
   nodes_.add(weights_);
+  const auto clocks = static_cast<std::size_t>(ticks.clocks());
+  loads_.resize(faces_.size() * clocks);
+  for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
+    for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock)
+      loads_[f * clocks + static_cast<std::size_t>(clock)] = load_on(f, clock, ticks);
+  });
   domain.workers.run(2, [&](std::size_t component) {
-    const bool is_x = component == 0;
-    NodeField& boundary = is_x ? on_nodes_x_ : on_nodes_y_;
-    NodeField& force = is_x ? grid.force_x : grid.force_y;
-    NodeField& dashpot = is_x ? grid.dashpot_x : grid.dashpot_y;
-    for (const std::size_t n : nodes_.all())
-      if (nodes.clock_of(n) >= ticks.first_due())
-        boundary[n] = 0.0;
-    std::array<Load, most_clocks> by_clock;
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock)
-        by_clock[static_cast<std::size_t>(clock)] = load_on(f, clock, ticks, is_x);
-      for (const auto& [node, w] : weights_[f]) {
-        const auto clock = static_cast<std::size_t>(nodes.clock_of(node));
-        boundary[node] += w * by_clock[clock].force;
-        dashpot[node] += w * by_clock[clock].dashpot;
-      }
-    }
-    for (const std::size_t n : nodes_.all())
-      if (nodes.clock_of(n) >= ticks.first_due())
-        force[n] += boundary[n];
+    const auto spread_along = [&](double Vector::*axis, NodeField& boundary, NodeField& force,
+                                  NodeField& dashpot) {
+      for (const std::size_t n : nodes_.all())
+        if (nodes.clock_of(n) >= ticks.first_due())
+          boundary[n] = 0.0;
+      for (std::size_t f = 0; f < faces_.size(); ++f)
+        for (const auto& [node, w] : weights_[f]) {
+          const int clock = nodes.clock_of(node);
+          if (clock < ticks.first_due())
+            continue;
+          const Load& load = loads_[f * clocks + static_cast<std::size_t>(clock)];
+          boundary[node] += w * load.force.*axis;
+          dashpot[node] += w * load.dashpot.*axis;
+        }
+      for (const std::size_t n : nodes_.all())
+        if (nodes.clock_of(n) >= ticks.first_due())
+          force[n] += boundary[n];
+    };
+    if (component == 0)
+      spread_along(&Vector::x, on_nodes_x_, grid.force_x, grid.dashpot_x);
+    else
+      spread_along(&Vector::y, on_nodes_y_, grid.force_y, grid.dashpot_y);
   });
 }
 
-/// What a face gives at this tick, in one direction, to its nodes of a clock that is due, N/m and Pa s.
-Boundary::Load Boundary::load_on(std::size_t f, int clock, const Ticks& ticks, bool is_x) const {
+/// What a face gives at this tick to its nodes of a clock that is due.
+Boundary::Load Boundary::load_on(std::size_t f, int clock, const Ticks& ticks) const {
   const BoundaryFace& face = faces_[f];
-  const auto part = [is_x](const Vector& v) { return is_x ? v.x : v.y; };
+  const auto& [viscous, dynamic, held] = traction_[f];
   // A node of a slower clock that the face has come to touch since the first tick waits for the next one.
-  const double factor = is_due(ticks, f) && clock >= clock_[f] ? impulse_factor(clock, clock_[f]) : 0.0;
-  const double moving = part(traction_[f].viscous) + part(traction_[f].dynamic);
-  const double reaction = ticks.is_first() ? impulse_factor(clock, 0) * part(reaction_[f]) : 0.0;
-  const double held = ticks.steady_share(clock_[f]) * part(face.held);
+  const double moves =
+      is_due(ticks, f) && clock >= clock_[f] ? face.length * impulse_factor(clock, clock_[f]) : 0.0;
+  const double reacts = ticks.is_first() ? face.length * impulse_factor(clock, 0) : 0.0;
+  const double holds = face.length * ticks.steady_share(clock_[f]);
   // A mass m_L that moves with the node adds m_L to m in (m + dt C/2) (v+ - v-) = dt f: it is a dashpot C = 2
   // m_L/dt that is not in f.
-  return {face.length * (factor * moving + reaction + held),
-          face.length *
-              (factor * part(dashpot_diagonal(face)) + 2.0 / ticks.kick_of(clock) * face.layer_mass)};
+  const double inertia = face.length * 2.0 / ticks.kick_of(clock) * face.layer_mass;
+  const Vector z = dashpot_diagonal(face);
+  return {.force = {moves * (viscous.x + dynamic.x) + reacts * reaction_[f].x + holds * held.x,
+                    moves * (viscous.y + dynamic.y) + reacts * reaction_[f].y + holds * held.y},
+          .dashpot = {moves * z.x + inertia, moves * z.y + inertia}};
 }
 
 /// Faces whose nodes are all of one clock have consistent dashpots; the few others stay lumped.
 void Boundary::correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
-  dashpots_.resize(static_cast<std::size_t>(ticks.clocks()));
+  while (dashpots_.size() < static_cast<std::size_t>(ticks.clocks()))
+    dashpots_.emplace_back(nodes_);
   if (ticks.clocks() == 1)
     return dashpots_.front().correct(domain, weights_, ticks.kick_of(0));
   consistent_.resize(dashpots_.size());

@@ -101,6 +101,12 @@ public:
   }
 
 private:
+  /// What a face gives to its nodes, before it is shared out by their weights.
+  struct Load {
+    Vector force;   ///< N/m
+    Vector dashpot; ///< Pa s
+  };
+
   void set_levels(const std::vector<double>& levels);
   void set_layer_sums(const std::vector<double>& sums);
   void resize();
@@ -110,11 +116,7 @@ private:
   void react(const Domain& domain, double time);
   void evaluate(std::size_t face);
   void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
-  struct Load {
-    double force = 0.0;
-    double dashpot = 0.0;
-  };
-  Load load_on(std::size_t face, int clock, const Ticks& ticks, bool is_x) const;
+  Load load_on(std::size_t face, int clock, const Ticks& ticks) const;
   void correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
 
   std::vector<BoundaryFace> faces_;
@@ -133,6 +135,7 @@ private:
   std::vector<Vector> exchanged_;       ///< all of it at the exchange, Pa
   std::vector<double> layer_sums_; ///< per face over the ticks of a step: sum of w v_x, w v_y (m/s) and of w
   FaceNodes nodes_;
+  std::vector<Load> loads_;                          ///< by face and clock
   NodeField on_nodes_x_, on_nodes_y_;                ///< forces of the boundary on the nodes, N/m
   std::vector<ConsistentDashpots> dashpots_;         ///< one a clock
   std::vector<std::vector<FaceWeights>> consistent_; ///< by clock: of the faces with nodes of it alone

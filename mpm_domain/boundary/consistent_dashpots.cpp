@@ -4,25 +4,17 @@
 
 namespace tremolo::mpm_domain {
 
-void ConsistentDashpots::find_nodes(std::size_t grid_size, std::span<const FaceWeights> weights) {
-  if (nodes_.restart(grid_size))
-    for (Component* c : {&x_, &y_})
-      for (NodeField* field : {&c->a, &c->g})
-        field->assign(grid_size, 0.0);
-  nodes_.add(weights);
-}
-
 void ConsistentDashpots::find_accelerations(const NodeField& mass, const NodeField& force,
                                             const NodeField& dashpot, double empty, double dt,
                                             Component& c) const {
-  for (const std::size_t n : nodes_.all())
+  for (const std::size_t n : nodes_->all())
     c.a[n] = mass[n] > empty ? (force[n] + c.g[n]) / (mass[n] + 0.5 * dt * dashpot[n]) : 0.0;
 }
 
 /// @param dashpots  L Z dt/2 of each face
 void ConsistentDashpots::find_forces(std::span<const FaceWeights> weights, std::span<const double> dashpots,
                                      Component& c) const {
-  for (const std::size_t n : nodes_.all())
+  for (const std::size_t n : nodes_->all())
     c.g[n] = 0.0;
   for (std::size_t f = 0; f < weights.size(); ++f) {
     double mean = 0.0;
@@ -36,7 +28,10 @@ void ConsistentDashpots::find_forces(std::span<const FaceWeights> weights, std::
 void ConsistentDashpots::correct(Domain& domain, std::span<const FaceWeights> weights, double dt) {
   constexpr int steps = 3;
   Grid& grid = domain.grid;
-  find_nodes(grid.size(), weights);
+  if (x_.g.size() != grid.size())
+    for (Component* c : {&x_, &y_})
+      for (NodeField* field : {&c->a, &c->g})
+        field->assign(grid.size(), 0.0);
   const double empty = empty_mass(domain);
   domain.workers.run(2, [&](std::size_t component) {
     const bool is_x = component == 0;
@@ -47,20 +42,20 @@ void ConsistentDashpots::correct(Domain& domain, std::span<const FaceWeights> we
     for (const BoundaryFace& face : domain.boundary.faces())
       of_faces.push_back(0.5 * dt * face.length *
                          (is_x ? dashpot_diagonal(face).x : dashpot_diagonal(face).y));
-    for (const std::size_t n : nodes_.all())
+    for (const std::size_t n : nodes_->all())
       c.g[n] = 0.0;
     for (int k = 0; k < steps; ++k) {
       find_accelerations(grid.mass, force, dashpot, empty, dt, c);
       find_forces(weights, of_faces, c);
     }
-    for (const std::size_t n : nodes_.all())
+    for (const std::size_t n : nodes_->all())
       force[n] += c.g[n];
   });
 }
 
 double ConsistentDashpots::power(const NodeField& vx, const NodeField& vy) const {
   double sum = 0.0;
-  for (const std::size_t n : nodes_.all())
+  for (const std::size_t n : nodes_->all())
     sum += x_.g[n] * vx[n] + y_.g[n] * vy[n];
   return sum;
 }

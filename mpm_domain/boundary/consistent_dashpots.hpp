@@ -25,6 +25,9 @@ namespace tremolo::mpm_domain {
 /// Of all faces, or of those that take a step of the same length.
 class ConsistentDashpots {
 public:
+  /// @param nodes that the faces touch; outlives this
+  explicit ConsistentDashpots(const FaceNodes& nodes) : nodes_(&nodes) {}
+
   /// Adds g to the nodal forces; the faces' tractions and lumped dashpots are there already.
   /// @param weights one a face of the domain; a face without any is left out
   /// @param dt time that the forces act for, s
@@ -39,13 +42,12 @@ private:
     NodeField a, g;
   };
 
-  void find_nodes(std::size_t grid_size, std::span<const FaceWeights> weights);
   void find_accelerations(const NodeField& mass, const NodeField& force, const NodeField& dashpot,
                           double empty, double dt, Component& c) const;
   void find_forces(std::span<const FaceWeights> weights, std::span<const double> dashpots,
                    Component& c) const;
 
-  FaceNodes nodes_;
+  const FaceNodes* nodes_;
   Component x_, y_;
 };
 

@@ -30,12 +30,15 @@ struct Box {
   Box() : domain(test_support::elastic_box(6.0, 4.0, 1.0)), weights(domain.boundary.faces().size()) {
     for (std::size_t f = 0; f < weights.size(); ++f)
       face_weights(domain, domain.boundary.faces()[f], weights[f]);
+    nodes.restart(domain.grid.size());
+    nodes.add(weights);
     scatter(domain, ScatterPart::both);
     grid_velocities(domain, domain.soil_rows);
   }
 
   Domain domain;
   std::vector<FaceWeights> weights;
+  FaceNodes nodes;
 };
 
 /// Its nodes carry the tractions of the faces, and their dashpots lumped.
@@ -78,7 +81,7 @@ TEST(ConsistentDashpots, SolveWithTheFacesOwnWeights) {
   const double dt = 0.5 * critical_time_step(box.domain, 0.0);
   const Eigen::VectorXd exact = exact_accelerations(box, dt);
   const double lumped = error(box, exact, dt);
-  ConsistentDashpots dashpots;
+  ConsistentDashpots dashpots(box.nodes);
   dashpots.correct(box.domain, box.weights, dt);
   EXPECT_GT(lumped, 0.01);
   EXPECT_LT(error(box, exact, dt), 0.02 * lumped);
@@ -90,7 +93,7 @@ TEST(ConsistentDashpots, AreThoseOfTheBoundary) {
   Box box;
   Domain& domain = box.domain;
   const double dt = 0.5 * critical_time_step(domain, 0.0);
-  ConsistentDashpots dashpots;
+  ConsistentDashpots dashpots(loaded.nodes);
   dashpots.correct(loaded.domain, loaded.weights, dt);
   Ticks ticks(1);
   ticks.set_step(dt, dt);
@@ -115,7 +118,7 @@ TEST(ConsistentDashpots, AreThoseOfTheBoundary) {
 
 TEST(ConsistentDashpots, AddNoMomentum) {
   LoadedBox box;
-  ConsistentDashpots dashpots;
+  ConsistentDashpots dashpots(box.nodes);
   dashpots.correct(box.domain, box.weights, 1e-3);
   const NodeField uniform(box.domain.grid.size(), 1.0);
   const NodeField none(box.domain.grid.size(), 0.0);
