@@ -228,10 +228,11 @@ void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& node
   nodes_.add(weights_);
   const auto clocks = static_cast<std::size_t>(ticks.clocks());
   loads_.resize(faces_.size() * clocks);
-  for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
-    for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock)
-      loads_[f * clocks + static_cast<std::size_t>(clock)] = load_on(f, clock, ticks);
-  });
+  for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
+    const double per_kick = 1.0 / ticks.kick_of(clock);
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      loads_[f * clocks + static_cast<std::size_t>(clock)] = load_on(f, clock, ticks, per_kick);
+  }
   domain.workers.run(2, [&](std::size_t component) {
     const auto spread_along = [&](double Vector::*axis, NodeField& boundary, NodeField& force,
                                   NodeField& dashpot) {
@@ -259,7 +260,8 @@ void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& node
 }
 
 /// What a face gives at this tick to its nodes of a clock that is due.
-Boundary::Load Boundary::load_on(std::size_t f, int clock, const Ticks& ticks) const {
+/// @param per_kick  of the clock, 1/s
+Boundary::Load Boundary::load_on(std::size_t f, int clock, const Ticks& ticks, double per_kick) const {
   const BoundaryFace& face = faces_[f];
   const auto& [viscous, dynamic, held] = traction_[f];
   // A node of a slower clock that the face has come to touch since the first tick waits for the next one.
@@ -269,7 +271,7 @@ Boundary::Load Boundary::load_on(std::size_t f, int clock, const Ticks& ticks) c
   const double holds = face.length * ticks.steady_share(clock_[f]);
   // A mass m_L that moves with the node adds m_L to m in (m + dt C/2) (v+ - v-) = dt f: it is a dashpot C = 2
   // m_L/dt that is not in f.
-  const double inertia = face.length * 2.0 / ticks.kick_of(clock) * face.layer_mass;
+  const double inertia = face.length * 2.0 * per_kick * face.layer_mass;
   const Vector z = dashpot_diagonal(face);
   return {.force = {moves * (viscous.x + dynamic.x) + reacts * reaction_[f].x + holds * held.x,
                     moves * (viscous.y + dynamic.y) + reacts * reaction_[f].y + holds * held.y},
@@ -300,7 +302,7 @@ void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes)
   std::array<Vector, most_clocks> v_of; // of the face's nodes by clock, mean over the update, m/s
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const BoundaryFace& face = faces_[f];
-    v_of.fill({});
+    std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
     for (const auto& [node, w] : weights_[f]) {
       Vector& v = v_of[static_cast<std::size_t>(nodes.clock_of(node))];
       v.x += 0.5 * w * (grid.vx_before[node] + grid.vx_after[node]);

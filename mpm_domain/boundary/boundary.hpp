@@ -116,7 +116,7 @@ private:
   void react(const Domain& domain, double time);
   void evaluate(std::size_t face);
   void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
-  Load load_on(std::size_t face, int clock, const Ticks& ticks) const;
+  Load load_on(std::size_t face, int clock, const Ticks& ticks, double per_kick) const;
   void correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
 
   std::vector<BoundaryFace> faces_;

@@ -126,7 +126,11 @@ void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& w
   weights.clear();
   const bool tied = !domain.ties().empty();
   const auto add = [&](std::size_t node, double w) {
-    const std::span<const Share> shares = tied ? domain.ties().shares_of(node) : std::span<const Share>();
+    if (!tied) {
+      weights.push_back({node, w});
+      return;
+    }
+    const std::span<const Share> shares = domain.ties().shares_of(node);
     if (shares.empty())
       weights.push_back({node, w});
     for (const Share& share : shares)

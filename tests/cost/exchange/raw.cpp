@@ -2,6 +2,7 @@
 // the same credit, and nothing else: no header that anybody reads beyond what steers the loop, no checksum,
 // no deadline.
 
+#include "coupler/mapping/face_exchange.hpp"
 #include "coupler/wire/frame.hpp"
 #include "coupler/wire/layout.hpp"
 #include "setup.hpp"

@@ -44,7 +44,8 @@ TEST_F(CoupledRun, BothModesAndBothTransportsGiveTheSameBitsAndTheRightTractions
       const double delay = field.slowness_x * (face.position.x - field.x_reference);
       const auto exact =
           eq6::boundary_traction(face.dashpot, toy::domain_velocity(i, step),
-                                 toy::motion(face.position.y, toy::time(step) - delay), face.static_traction);
+                                 toy::motion(face.position.y, toy::time(step) - delay), face.static_traction)
+              .total();
       const auto found = window[static_cast<std::size_t>(step) * faces.size() + i];
       ASSERT_NEAR(found.x, exact.x, tolerance) << "step " << step << " face " << i;
       ASSERT_NEAR(found.y, exact.y, tolerance) << "step " << step << " face " << i;
