@@ -3,8 +3,8 @@
 
 #include "app/commands.hpp"
 #include "app/temporary_folder.hpp"
+#include "base/printable.hpp"
 #include "coupler/conformance/conformance.hpp"
-#include "coupler/wire/printable.hpp"
 #include "results/text_file.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/layers.hpp"
@@ -150,8 +150,7 @@ void conform(const Arguments& arguments) {
              built_in ? "the built-in case" : case_file.string());
   const auto checks = coupler::conform(options, demand(scene, source));
   for (const coupler::Check& check : checks)
-    fmt::print("  {:<4}  {:<22}  {}\n", coupler::name(check.verdict), check.name,
-               coupler::printable(check.finding));
+    fmt::print("  {:<4}  {:<22}  {}\n", coupler::name(check.verdict), check.name, printable(check.finding));
   const auto count = [&](coupler::Verdict verdict) {
     return std::ranges::count(checks, verdict, &coupler::Check::verdict);
   };

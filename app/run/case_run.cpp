@@ -5,10 +5,10 @@
 #include "app/run/participant_program.hpp"
 #include "app/run/run_display.hpp"
 #include "app/run/run_lock.hpp"
+#include "base/printable.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "coupler/recording/exchange_recorder.hpp"
 #include "coupler/wire/messages.hpp"
-#include "coupler/wire/printable.hpp"
 #include "results/run_file.hpp"
 #include "results/text_file.hpp"
 #include "scene/plan/hosts.hpp"
@@ -177,7 +177,7 @@ std::vector<std::string> warnings_of(const std::string& process, const fs::path&
   std::ifstream log(folder / "log" / (process + ".log"));
   for (std::string text; std::getline(log, text);)
     if (text.starts_with(mark))
-      warnings.push_back(fmt::format("{}: {}", process, coupler::printable(text)));
+      warnings.push_back(fmt::format("{}: {}", process, printable(text)));
   return warnings;
 }
 

@@ -4,11 +4,11 @@
 #include "app/run/local_options.hpp"
 #include "app/run/participant_program.hpp"
 #include "app/temporary_folder.hpp"
+#include "base/printable.hpp"
 #include "coupler/launch/child_process.hpp"
 #include "coupler/launch/joining.hpp"
 #include "coupler/launch/termination.hpp"
 #include "coupler/wire/messages.hpp"
-#include "coupler/wire/printable.hpp"
 #include "scene/plan/service.hpp"
 #include "scene/read/override.hpp"
 
@@ -114,7 +114,7 @@ void join(const JoinArguments& arguments) {
   participant.kill();
   if (!trouble && !participant.succeeded())
     trouble = participant.ending();
-  fmt::print("{}", coupler::printable(coupler::file_text(log), most_log_bytes));
+  fmt::print("{}", printable(coupler::file_text(log), most_log_bytes));
   std::fflush(stdout);
   if (!trouble)
     return;

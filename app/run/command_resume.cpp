@@ -4,7 +4,7 @@
 #include "app/run/case_run.hpp"
 #include "app/run/local_options.hpp"
 #include "app/run/run_display.hpp"
-#include "coupler/wire/printable.hpp"
+#include "base/printable.hpp"
 #include "scene/case.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ void resume(const ResumeArguments& arguments) {
         fmt::format("the run in {} is complete: there is nothing to go on with", folder.string()));
   const auto [set, damaged] = coupler::find_sets(folder / "checkpoints");
   for (const auto& what : damaged)
-    fmt::print(stderr, "tremolo: warning: {}\n", coupler::printable(what));
+    fmt::print(stderr, "tremolo: warning: {}\n", printable(what));
   if (!set)
     throw std::runtime_error(fmt::format(
         "the run in {} has no complete checkpoint; they are made as [checkpoint] of the case says. "

@@ -1,8 +1,8 @@
 #include "coupler/hub/hub.hpp"
 
+#include "base/printable.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/json_keys.hpp"
-#include "coupler/wire/printable.hpp"
 #include "coupler/wire/sockets.hpp"
 
 #include <algorithm>

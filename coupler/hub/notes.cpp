@@ -1,6 +1,6 @@
 #include "coupler/hub/notes.hpp"
 
-#include "coupler/wire/printable.hpp"
+#include "base/printable.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 #pragma once
 
 // What the user of a run is told while it goes on. Others' words are made printable. Strangers may say
-// anything as often as they like: of one connection three notes in a row are told, of all twenty at once and
+// anything as often as they like: of one connection five notes in a row are told, of all twenty at once and
 // then one a second.
 
 #include "coupler/mapping/timing.hpp"
@@ -28,7 +28,7 @@ public:
 
 private:
   static constexpr double most_at_once = 20.0;
-  static constexpr int most_in_a_row = 3;
+  static constexpr int most_in_a_row = 5;
   static constexpr double each_second = 1.0;
 
   std::function<void(const std::string&)> note_;

@@ -1,7 +1,7 @@
 #include "coupler/launch/child_process.hpp"
 
+#include "base/printable.hpp"
 #include "coupler/wire/error.hpp"
-#include "coupler/wire/printable.hpp"
 
 #include <algorithm>
 #include <array>

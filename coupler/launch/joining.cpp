@@ -1,10 +1,10 @@
 #include "coupler/launch/joining.hpp"
 
+#include "base/printable.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/frame.hpp"
 #include "coupler/wire/json_keys.hpp"
 #include "coupler/wire/messages.hpp"
-#include "coupler/wire/printable.hpp"
 #include "coupler/wire/sockets.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "coupler/wire/connection.hpp"
 
+#include "base/printable.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/incoming.hpp"
 #include "coupler/wire/json_keys.hpp"
-#include "coupler/wire/printable.hpp"
 #include "coupler/wire/sockets.hpp"
 
 #include <fmt/format.h>

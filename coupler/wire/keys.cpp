@@ -1,7 +1,7 @@
 #include "coupler/wire/keys.hpp"
 
+#include "base/printable.hpp"
 #include "coupler/wire/error.hpp"
-#include "coupler/wire/printable.hpp"
 
 #include <array>
 #include <cerrno>

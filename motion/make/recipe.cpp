@@ -1,5 +1,7 @@
 #include "motion/make/recipe.hpp"
 
+#include "base/printable.hpp"
+
 #include "motion/read/read.hpp"
 #include "motion/read/text.hpp"
 
@@ -232,7 +234,7 @@ Recipe parse_recipe(std::istream& stream, const std::filesystem::path& file) {
     const toml::table table = toml::parse(stream, file.string());
     return recipe({table, "the file", file});
   } catch (const toml::parse_error& error) {
-    refuse(file, error.source().begin.line, std::string(error.description()));
+    refuse(file, error.source().begin.line, printable_line(error.description()));
   }
 }
 

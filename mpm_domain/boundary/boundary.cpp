@@ -71,7 +71,7 @@ void Boundary::resize() {
   weights_.assign(count, {});
   clock_.assign(count, 0);
   free_field_.assign(count, {});
-  for (std::vector<Vector>* field : {&v_exchange_, &v_, &reaction_, &exchanged_})
+  for (std::vector<Vector>* field : {&v_exchange_, &v_, &reaction_})
     field->assign(count, {});
   traction_.assign(count, {});
   layer_sums_.assign(3 * count, 0.0);
@@ -139,8 +139,8 @@ void Boundary::find_levels(const Domain& domain) {
       face.level = level_of(domain, face);
 }
 
-bool Boundary::is_due(const Ticks& ticks, std::size_t f) const {
-  return clock_[f] >= ticks.first_due();
+bool Boundary::is_due(int first_due, std::size_t f) const {
+  return clock_[f] >= first_due;
 }
 
 /// The face's weights at its present place, and at the first tick its clock.
@@ -165,12 +165,10 @@ void Boundary::exchange(Domain& domain, const ClockNodes& nodes, const FreeField
   });
   v_ = v_exchange_;
   source(step, time, v_exchange_, free_field_);
-  react(domain, time);
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
+  if (springs_)
+    springs_->pull(domain, v_exchange_, reaction_, free_field_);
+  for (std::size_t f = 0; f < faces_.size(); ++f)
     evaluate(f);
-    const Vector eq6 = traction_[f].total();
-    exchanged_[f] = {eq6.x + reaction_[f].x, eq6.y + reaction_[f].y};
-  }
 }
 
 /// Adds the velocity that the face has read last to the mean over a step of clock 0.
@@ -181,12 +179,7 @@ void Boundary::add_to_layer_mean(std::size_t f) {
   layer_sums_[3 * f + 2] += weight;
 }
 
-/// What layers and springs exert until the next exchange.
-void Boundary::react(const Domain& domain, double time) {
-  if (springs_)
-    springs_->pull(domain, v_exchange_, reaction_, free_field_);
-  if (layers_.empty())
-    return;
+void Boundary::react(double time) {
   std::vector<Vector> mean(faces_.size());
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if (faces_[f].support != Support::matched_layer)
@@ -204,11 +197,12 @@ void Boundary::evaluate(std::size_t f) {
 }
 
 void Boundary::apply(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
+  const int first_due = ticks.first_due();
   if (faces_.empty())
     return;
   if (!ticks.is_first())
     for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
-      if (!is_due(ticks, f))
+      if (!is_due(first_due, f))
         return;
       weigh(domain, nodes, f, false);
       v_[f] = velocity_at(domain.grid, weights_[f]);
@@ -227,12 +221,11 @@ void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& node
       field->assign(grid.size(), 0.0);
   nodes_.add(weights_);
   const auto clocks = static_cast<std::size_t>(ticks.clocks());
+  if (ticks.first_due() > 0)
+    std::ranges::fill(loads_, Load{}); // for clocks that are not due
   loads_.resize(faces_.size() * clocks);
-  for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
-    const double per_kick = 1.0 / ticks.kick_of(clock);
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-      loads_[f * clocks + static_cast<std::size_t>(clock)] = load_on(f, clock, ticks, per_kick);
-  }
+  for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock)
+    find_loads(clock, ticks);
   domain.workers.run(2, [&](std::size_t component) {
     const auto spread_along = [&](double Vector::*axis, NodeField& boundary, NodeField& force,
                                   NodeField& dashpot) {
@@ -241,10 +234,7 @@ void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& node
           boundary[n] = 0.0;
       for (std::size_t f = 0; f < faces_.size(); ++f)
         for (const auto& [node, w] : weights_[f]) {
-          const int clock = nodes.clock_of(node);
-          if (clock < ticks.first_due())
-            continue;
-          const Load& load = loads_[f * clocks + static_cast<std::size_t>(clock)];
+          const Load& load = loads_[f * clocks + static_cast<std::size_t>(nodes.clock_of(node))];
           boundary[node] += w * load.force.*axis;
           dashpot[node] += w * load.dashpot.*axis;
         }
@@ -259,23 +249,31 @@ void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& node
   });
 }
 
-/// What a face gives at this tick to its nodes of a clock that is due.
-/// @param per_kick  of the clock, 1/s
-Boundary::Load Boundary::load_on(std::size_t f, int clock, const Ticks& ticks, double per_kick) const {
-  const BoundaryFace& face = faces_[f];
-  const auto& [viscous, dynamic, held] = traction_[f];
-  // A node of a slower clock that the face has come to touch since the first tick waits for the next one.
-  const double moves =
-      is_due(ticks, f) && clock >= clock_[f] ? face.length * impulse_factor(clock, clock_[f]) : 0.0;
-  const double reacts = ticks.is_first() ? face.length * impulse_factor(clock, 0) : 0.0;
-  const double holds = face.length * ticks.steady_share(clock_[f]);
+/// What faces give at this tick to their nodes of a clock that is due.
+void Boundary::find_loads(int clock, const Ticks& ticks) {
+  const int first_due = ticks.first_due();
+  const auto clocks = static_cast<std::size_t>(ticks.clocks());
+  const double reacts = ticks.is_first() ? impulse_factor(clock, 0) : 0.0;
   // A mass m_L that moves with the node adds m_L to m in (m + dt C/2) (v+ - v-) = dt f: it is a dashpot C = 2
   // m_L/dt that is not in f.
-  const double inertia = face.length * 2.0 * per_kick * face.layer_mass;
-  const Vector z = dashpot_diagonal(face);
-  return {.force = {moves * (viscous.x + dynamic.x) + reacts * reaction_[f].x + holds * held.x,
-                    moves * (viscous.y + dynamic.y) + reacts * reaction_[f].y + holds * held.y},
-          .dashpot = {moves * z.x + inertia, moves * z.y + inertia}};
+  const double per_kick = 2.0 / ticks.kick_of(clock);
+  std::array<double, most_clocks> steady{};
+  for (int of_face = 0; of_face < ticks.clocks(); ++of_face)
+    steady[static_cast<std::size_t>(of_face)] = ticks.steady_share(of_face);
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const BoundaryFace& face = faces_[f];
+    const auto& [viscous, dynamic, held] = traction_[f];
+    // A node of a slower clock that the face has come to touch since the first tick waits for the next one.
+    const double moves = is_due(first_due, f) && clock >= clock_[f] ? impulse_factor(clock, clock_[f]) : 0.0;
+    const double holds = steady[static_cast<std::size_t>(clock_[f])];
+    const Vector z = dashpot_diagonal(face);
+    const double inertia = per_kick * face.layer_mass;
+    const double l = face.length;
+    Load& load = loads_[f * clocks + static_cast<std::size_t>(clock)];
+    load.force = {l * (moves * (viscous.x + dynamic.x) + reacts * reaction_[f].x + holds * held.x),
+                  l * (moves * (viscous.y + dynamic.y) + reacts * reaction_[f].y + holds * held.y)};
+    load.dashpot = {l * (moves * z.x + inertia), l * (moves * z.y + inertia)};
+  }
 }
 
 /// Faces whose nodes are all of one clock have consistent dashpots; the few others stay lumped.
@@ -297,39 +295,44 @@ void Boundary::correct_dashpots(Domain& domain, const Ticks& ticks, const ClockN
 }
 
 void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
+  const int first_due = ticks.first_due();
   const Grid& grid = domain.grid;
   EnergyLedger& energy = domain.energy;
   std::array<Vector, most_clocks> v_of; // of the face's nodes by clock, mean over the update, m/s
+  std::array<double, most_clocks> kick{};
+  for (int clock = 0; clock < ticks.clocks(); ++clock)
+    kick[static_cast<std::size_t>(clock)] = ticks.kick_of(clock);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const BoundaryFace& face = faces_[f];
     std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
     for (const auto& [node, w] : weights_[f]) {
       Vector& v = v_of[static_cast<std::size_t>(nodes.clock_of(node))];
-      v.x += 0.5 * w * (grid.vx_before[node] + grid.vx_after[node]);
-      v.y += 0.5 * w * (grid.vy_before[node] + grid.vy_after[node]);
+      const double half = 0.5 * w;
+      v.x += half * (grid.vx_before[node] + grid.vx_after[node]);
+      v.y += half * (grid.vy_before[node] + grid.vy_after[node]);
     }
     const double steady = ticks.steady_share(clock_[f]) * face.length;
     Vector v_all;    // of all nodes that are due
     Vector v_moving; // of those that the moving part acts on
-    for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
+    for (int clock = first_due; clock < ticks.clocks(); ++clock) {
       const Vector& v = v_of[static_cast<std::size_t>(clock)];
       v_all = {v_all.x + v.x, v_all.y + v.y};
       if (clock >= clock_[f])
         v_moving = {v_moving.x + v.x, v_moving.y + v.y};
-      energy.static_ += ticks.kick_of(clock) * steady * dot(face.held, v);
+      energy.static_ += kick[static_cast<std::size_t>(clock)] * steady * dot(face.held, v);
     }
-    if (is_due(ticks, f)) {
-      const double impulse = ticks.kick_of(clock_[f]) * face.length;
+    if (is_due(first_due, f)) {
+      const double impulse = kick[static_cast<std::size_t>(clock_[f])] * face.length;
       const double own = dot(eq6::viscous_traction(face.dashpots(), v_[f]), v_moving);
       energy.dashpots += impulse * own;
-      energy.input +=
-          impulse * (dot(traction_[f].viscous, v_moving) + dot(traction_[f].dynamic, v_moving) - own);
+      const auto& [viscous, dynamic, held] = traction_[f];
+      energy.input += impulse * (dot({viscous.x + dynamic.x, viscous.y + dynamic.y}, v_moving) - own);
     }
     if (ticks.is_first() && face.support != Support::dashpots)
       (face.support == Support::matched_layer ? energy.dashpots : energy.input) +=
           ticks.kick_of(0) * face.length * dot(reaction_[f], v_all);
   }
-  for (int clock = ticks.first_due(); clock < static_cast<int>(dashpots_.size()); ++clock) {
+  for (int clock = first_due; clock < static_cast<int>(dashpots_.size()); ++clock) {
     const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
     energy.dashpots +=
         0.5 * ticks.kick_of(clock) *

@@ -58,10 +58,11 @@ public:
   /// After a sort.
   void find_levels(const Domain& domain);
 
-  /// The passes of a step. At its first tick: velocities of the faces, free field, and what layers and
-  /// springs make of it.
+  /// The passes of a step. At its first tick: velocities of the faces and free field, then what matched
+  /// layers make of it.
   void exchange(Domain& domain, const ClockNodes& nodes, const FreeFieldSource& source, long step,
                 double time);
+  void react(double time);
   /// At every tick: Eq. (6) of the faces that are due, on the nodes' forces and dashpots.
   void apply(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
   /// After the update: the work of the boundary, by its parts.
@@ -70,10 +71,14 @@ public:
   /// remapped velocity by, over the time of that step: its power, W/m.
   double remap_power(const Grid& grid, const ClockNodes& nodes, int clock) const;
 
-  /// Of the last exchange, per face: v^m (m/s), the traction of Eq. (6) (Pa) and the free field.
+  /// Of the last exchange, per face: v^m (m/s) and the free field.
   std::span<const Vector> velocities() const { return v_exchange_; }
-  std::span<const Vector> tractions() const { return exchanged_; }
   std::span<const eq6::FreeField> free_field() const { return free_field_; }
+  /// What the boundary exerts at a face as of the start of its last step, Pa.
+  Vector traction(std::size_t face) const {
+    const Vector eq6 = traction_[face].total();
+    return {eq6.x + reaction_[face].x, eq6.y + reaction_[face].y};
+  }
 
   /// What a checkpoint keeps between steps (state.hpp).
   template <class Writer>
@@ -110,13 +115,12 @@ private:
   void set_levels(const std::vector<double>& levels);
   void set_layer_sums(const std::vector<double>& sums);
   void resize();
-  bool is_due(const Ticks& ticks, std::size_t face) const;
+  bool is_due(int first_due, std::size_t face) const;
   void weigh(const Domain& domain, const ClockNodes& nodes, std::size_t face, bool first_tick);
   void add_to_layer_mean(std::size_t face);
-  void react(const Domain& domain, double time);
   void evaluate(std::size_t face);
   void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
-  Load load_on(std::size_t face, int clock, const Ticks& ticks, double per_kick) const;
+  void find_loads(int clock, const Ticks& ticks);
   void correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
 
   std::vector<BoundaryFace> faces_;
@@ -132,7 +136,6 @@ private:
   std::vector<Vector> v_;               ///< at the start of each face's present step, m/s
   std::vector<eq6::Traction> traction_; ///< Eq. (6) with it, Pa
   std::vector<Vector> reaction_;        ///< of layers and springs, Pa
-  std::vector<Vector> exchanged_;       ///< all of it at the exchange, Pa
   std::vector<double> layer_sums_; ///< per face over the ticks of a step: sum of w v_x, w v_y (m/s) and of w
   FaceNodes nodes_;
   std::vector<Load> loads_;                          ///< by face and clock

@@ -121,29 +121,39 @@ int level_of(const Domain& domain, const BoundaryFace& face) {
   return on_one ? touched.finest : BoundaryFace::unknown;
 }
 
+namespace {
+
+/// The nodes that tied ones follow take their place.
+void follow_ties(const Prolongation& ties, FaceWeights& weights) {
+  FaceWeights real;
+  for (const auto& [node, w] : weights) {
+    const std::span<const Share> shares = ties.shares_of(node);
+    if (shares.empty())
+      real.push_back({node, w});
+    for (const Share& share : shares)
+      real.push_back({share.node, share.weight * w});
+  }
+  weights.swap(real);
+}
+
+} // namespace
+
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights) {
   const Particles& set = domain.sets[face.set];
   weights.clear();
-  const bool tied = !domain.ties().empty();
-  const auto add = [&](std::size_t node, double w) {
-    if (!tied) {
-      weights.push_back({node, w});
-      return;
-    }
-    const std::span<const Share> shares = domain.ties().shares_of(node);
-    if (shares.empty())
-      weights.push_back({node, w});
-    for (const Share& share : shares)
-      weights.push_back({share.node, share.weight * w});
-  };
   if (!domain.mesh || face.level != BoundaryFace::unknown) {
     const Lattice& lattice = domain.lattice(domain.mesh ? face.level : 0);
-    return lattice_weights(face, set, lattice, [&](int i, int j, double w) { add(lattice.index(i, j), w); });
+    lattice_weights(face, set, lattice, [&](int i, int j, double w) {
+      weights.push_back({lattice.index(i, j), w});
+    });
+  } else {
+    std::vector<BoxWeight> parts;
+    box_average(*domain.mesh, line_of(face, set), parts);
+    for (const BoxWeight& part : parts)
+      weights.push_back({part.node, part.s});
   }
-  std::vector<BoxWeight> parts;
-  box_average(*domain.mesh, line_of(face, set), parts);
-  for (const BoxWeight& part : parts)
-    add(part.node, part.s);
+  if (!domain.ties().empty())
+    follow_ties(domain.ties(), weights);
 }
 
 } // namespace tremolo::mpm_domain

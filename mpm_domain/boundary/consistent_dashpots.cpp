@@ -2,26 +2,32 @@
 
 #include "mpm_domain/domain.hpp"
 
+#include <utility>
+
 namespace tremolo::mpm_domain {
 
-void ConsistentDashpots::find_accelerations(const NodeField& mass, const NodeField& force,
-                                            const NodeField& dashpot, double empty, double dt,
-                                            Component& c) const {
+/// 1/(m + dt/2 C_L) of the nodes that faces touch; zero where they are empty.
+void ConsistentDashpots::find_inertia(const NodeField& mass, const NodeField& dashpot, double empty,
+                                      double dt, Component& c) const {
   for (const std::size_t n : nodes_->all())
-    c.a[n] = mass[n] > empty ? (force[n] + c.g[n]) / (mass[n] + 0.5 * dt * dashpot[n]) : 0.0;
+    c.per_inertia[n] = mass[n] > empty ? 1.0 / (mass[n] + 0.5 * dt * dashpot[n]) : 0.0;
 }
 
+/// One fixed-point step: a from g, then g from a.
 /// @param dashpots  L Z dt/2 of each face
-void ConsistentDashpots::find_forces(std::span<const FaceWeights> weights, std::span<const double> dashpots,
-                                     Component& c) const {
-  for (const std::size_t n : nodes_->all())
+void ConsistentDashpots::iterate(const NodeField& force, std::span<const FaceWeights> weights,
+                                 std::span<const double> dashpots, Component& c) const {
+  for (const std::size_t n : nodes_->all()) {
+    c.a[n] = (force[n] + c.g[n]) * c.per_inertia[n];
     c.g[n] = 0.0;
+  }
   for (std::size_t f = 0; f < weights.size(); ++f) {
+    const double z = dashpots[f];
     double mean = 0.0;
     for (const auto& [n, w] : weights[f])
       mean += w * c.a[n];
     for (const auto& [n, w] : weights[f])
-      c.g[n] += w * dashpots[f] * (c.a[n] - mean);
+      c.g[n] += w * z * (c.a[n] - mean);
   }
 }
 
@@ -30,24 +36,27 @@ void ConsistentDashpots::correct(Domain& domain, std::span<const FaceWeights> we
   Grid& grid = domain.grid;
   if (x_.g.size() != grid.size())
     for (Component* c : {&x_, &y_})
-      for (NodeField* field : {&c->a, &c->g})
+      for (NodeField* field : {&c->a, &c->g, &c->per_inertia})
         field->assign(grid.size(), 0.0);
+  const std::span<const BoundaryFace> faces = std::as_const(domain.boundary).faces();
+  for (Component* c : {&x_, &y_})
+    c->of_faces.resize(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Vector z = dashpot_diagonal(faces[f]);
+    const double share = 0.5 * dt * faces[f].length;
+    x_.of_faces[f] = share * z.x;
+    y_.of_faces[f] = share * z.y;
+  }
   const double empty = empty_mass(domain);
   domain.workers.run(2, [&](std::size_t component) {
     const bool is_x = component == 0;
     Component& c = is_x ? x_ : y_;
     NodeField& force = is_x ? grid.force_x : grid.force_y;
-    const NodeField& dashpot = is_x ? grid.dashpot_x : grid.dashpot_y;
-    std::vector<double> of_faces;
-    for (const BoundaryFace& face : domain.boundary.faces())
-      of_faces.push_back(0.5 * dt * face.length *
-                         (is_x ? dashpot_diagonal(face).x : dashpot_diagonal(face).y));
+    find_inertia(grid.mass, is_x ? grid.dashpot_x : grid.dashpot_y, empty, dt, c);
     for (const std::size_t n : nodes_->all())
       c.g[n] = 0.0;
-    for (int k = 0; k < steps; ++k) {
-      find_accelerations(grid.mass, force, dashpot, empty, dt, c);
-      find_forces(weights, of_faces, c);
-    }
+    for (int k = 0; k < steps; ++k)
+      iterate(force, weights, c.of_faces, c);
     for (const std::size_t n : nodes_->all())
       force[n] += c.g[n];
   });

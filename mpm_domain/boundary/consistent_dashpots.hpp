@@ -39,13 +39,14 @@ public:
 private:
   /// A component: nothing couples one with the other.
   struct Component {
-    NodeField a, g;
+    NodeField a, g, per_inertia;
+    std::vector<double> of_faces;
   };
 
-  void find_accelerations(const NodeField& mass, const NodeField& force, const NodeField& dashpot,
-                          double empty, double dt, Component& c) const;
-  void find_forces(std::span<const FaceWeights> weights, std::span<const double> dashpots,
-                   Component& c) const;
+  void find_inertia(const NodeField& mass, const NodeField& dashpot, double empty, double dt,
+                    Component& c) const;
+  void iterate(const NodeField& force, std::span<const FaceWeights> weights, std::span<const double> dashpots,
+               Component& c) const;
 
   const FaceNodes* nodes_;
   Component x_, y_;

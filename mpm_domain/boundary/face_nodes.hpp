@@ -24,10 +24,11 @@ public:
 
   void add(std::span<const FaceWeights> weights) {
     const std::size_t before = nodes_.size();
+    std::uint8_t* const known = known_.data();
     for (const FaceWeights& face : weights)
       for (const auto& [node, w] : face)
-        if (known_[node] == 0) {
-          known_[node] = 1;
+        if (known[node] == 0) [[unlikely]] {
+          known[node] = 1;
           nodes_.push_back(node);
         }
     if (nodes_.size() > before)

@@ -248,7 +248,8 @@ void RunOutput::write_boundary(const Stepper& stepper) {
     const Boundary& boundary = domain_.boundary;
     v_free.insert(v_free.end(), {boundary.free_field()[f].velocity.x, boundary.free_field()[f].velocity.y});
     v_domain.insert(v_domain.end(), {boundary.velocities()[f].x, boundary.velocities()[f].y});
-    traction.insert(traction.end(), {boundary.tractions()[f].x, boundary.tractions()[f].y});
+    const Vector t = boundary.traction(f);
+    traction.insert(traction.end(), {t.x, t.y});
   }
   writer_.append_boundary(stepper.time() - stepper.dt(), {v_free, v_domain, traction});
 }

@@ -34,10 +34,11 @@ Stepper::Stepper(Domain& domain, double start_time, FreeFieldSource free_field)
     : domain_(domain), free_field_(std::move(free_field)), time_(start_time),
       max_speed_(fastest_particle(domain)), ticks_(domain.clocks.count()), nodes_(domain),
       shared_(domain, ticks_, nodes_), kinetic_(static_cast<std::size_t>(ticks_.clocks())),
-      kicks_(kinetic_.size()), passes_(recipe()) {
+      kicks_(kinetic_.size()) {
   if (!free_field_ && !domain.boundary.faces().empty())
     throw std::invalid_argument("a domain with boundary faces needs to be told their free field");
   domain.boundary.build_supports(domain);
+  passes_ = recipe();
   dt_ = next_time_step(domain_, max_speed_, 0.0);
 }
 
@@ -51,6 +52,8 @@ std::vector<Pass> Stepper::recipe() {
   add("particles to grid", &Stepper::scatter_particles);
   add("grid velocities", &Stepper::find_velocities);
   add("boundary exchange", &Stepper::exchange);
+  if (domain_.boundary.has_layers())
+    add("matched layers", &Stepper::react);
   passes.push_back({"boundary tractions", [this] { domain_.boundary.apply(domain_, ticks_, nodes_); }});
   add("grid update", &Stepper::update);
   if (domain_.spec.scheme.order == StepOrder::usl) {
@@ -146,6 +149,11 @@ void Stepper::book_transfer(double kinetic_gain) {
 void Stepper::exchange() {
   if (ticks_.is_first() && !domain_.boundary.faces().empty())
     domain_.boundary.exchange(domain_, nodes_, free_field_, steps_, time_);
+}
+
+void Stepper::react() {
+  if (ticks_.is_first())
+    domain_.boundary.react(time_);
 }
 
 void Stepper::update() {

@@ -90,6 +90,7 @@ private:
   void scatter_particles();
   void find_velocities();
   void exchange();
+  void react();
   void update();
   void gather_all();
   void gather_velocities();

@@ -1,6 +1,7 @@
 #include "scene/text/findings.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <tuple>
 
 namespace tremolo::scene {
@@ -28,12 +29,12 @@ void Findings::add(const std::string& path, std::string text) {
 
 void Findings::add(const std::string& path, const Place& place, std::string text) {
   const bool is_error = severity_ == Severity::error;
-  const bool first_there = is_error && unsound_.insert(path).second;
-  auto& found = is_error ? errors_ : remarks_;
-  Finding finding{file_, place.line, place.column, place.table, std::move(text), severity_};
-  // Only what a path has been told before is searched for: there may be 200,000 findings.
-  if (first_there || std::ranges::find(found, finding) == found.end())
-    found.push_back(std::move(finding));
+  if (is_error)
+    unsound_.insert(path);
+  if (!told_.insert(fmt::format("{}:{}:{}", place.line, place.column, text)).second)
+    return;
+  (is_error ? errors_ : remarks_)
+      .push_back({file_, place.line, place.column, place.table, std::move(text), severity_});
 }
 
 bool Findings::sound(std::string path) const {

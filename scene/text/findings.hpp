@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace tremolo::scene {
@@ -54,6 +55,7 @@ private:
   std::string file_;
   std::map<std::string, Place, std::less<>> places_;
   std::set<std::string, std::less<>> unsound_;
+  std::unordered_set<std::string> told_; ///< findings, by place and text
   Severity severity_ = Severity::error;
   std::vector<Finding> errors_;
   std::vector<Finding> remarks_;

@@ -1,5 +1,7 @@
 #include "scene/text/text.hpp"
 
+#include "base/printable.hpp"
+
 #include <fmt/format.h>
 
 #include <fstream>
@@ -51,7 +53,7 @@ toml::table parse_toml(std::string_view text, Findings& findings) {
   } catch (const toml::parse_error& error) {
     const auto begin = error.source().begin;
     findings.add("", Place{begin.line, begin.column, ""},
-                 fmt::format("not valid TOML: {}", error.description()));
+                 fmt::format("not valid TOML: {}", printable_line(error.description())));
     findings.throw_if_any();
     throw;
   }

@@ -53,7 +53,7 @@ public:
     add_impulse({0.0, -domain_.spec.gravity * start_.mass}, dt);
     const mpm_domain::Boundary& boundary = domain_.boundary;
     for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
-      const mpm_domain::Vector t = boundary.tractions()[f];
+      const mpm_domain::Vector t = boundary.traction(f);
       const double length = boundary.faces()[f].length;
       add_impulse({length * t.x, length * t.y}, dt);
     }

@@ -52,7 +52,7 @@ TEST_F(HardCase14, DashpotBaseUnderSelfWeight) {
                                     reaction = 0.0;
                                     const Boundary& boundary = d.boundary;
                                     for (std::size_t f = 0; f < boundary.faces().size(); ++f)
-                                      reaction += boundary.faces()[f].length * boundary.tractions()[f].y;
+                                      reaction += boundary.faces()[f].length * boundary.traction(f).y;
                                   });
   bounded("drift in 60 s", largest_displacement(*end.domain), 1e-4, "m");
   bounded("reaction over weight, less 1", std::abs(reaction / (1700.0 * 8.0 * 4.0 * 9.81) - 1.0), 1e-3);

@@ -149,7 +149,7 @@ TEST(SoilTestCommand, RefusesWithPlaceAndReason) {
   EXPECT_THAT(run_tremolo("soiltest " + test.string() + " --out x.txt").output,
               HasSubstr("must end with .h5 or .csv"));
   EXPECT_THAT(run_tremolo("soiltest " + test.string() + " --out /nowhere/x.csv").output,
-              HasSubstr("/nowhere/x.csv: cannot be written"));
+              HasSubstr("/nowhere/x.csv: there is no folder /nowhere"));
 }
 
 TEST(SoilTestCommand, ALoadThatTheSoilCannotCarryEndsTheTestAndSaysSo) {

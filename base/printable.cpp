@@ -1,8 +1,8 @@
-#include "coupler/wire/printable.hpp"
+#include "base/printable.hpp"
 
 #include <fmt/format.h>
 
-namespace tremolo::coupler {
+namespace tremolo {
 
 namespace {
 
@@ -56,4 +56,14 @@ std::string printable(std::string_view text, std::size_t most) {
   return shown;
 }
 
-} // namespace tremolo::coupler
+std::string printable_line(std::string_view text) {
+  std::string line;
+  for (const char c : printable(text))
+    if (c == '\n')
+      line += "\\n";
+    else
+      line += c;
+  return line;
+}
+
+} // namespace tremolo

@@ -1,8 +1,8 @@
-#include "coupler/wire/printable.hpp"
+#include "base/printable.hpp"
 
 #include <gtest/gtest.h>
 
-namespace tremolo::coupler {
+namespace tremolo {
 namespace {
 
 TEST(Printable, OrdinaryTextStaysAsItIs) {
@@ -31,5 +31,9 @@ TEST(Printable, LongTextIsCutAndSaysSo) {
   EXPECT_EQ(printable("abcdefg", 4), "abcd ... (3 bytes more)");
 }
 
+TEST(Printable, ALineStaysOne) {
+  EXPECT_EQ(printable_line("expected 'inf', saw 'i\n'"), "expected 'inf', saw 'i\\n'");
+}
+
 } // namespace
-} // namespace tremolo::coupler
+} // namespace tremolo

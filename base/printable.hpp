@@ -4,11 +4,14 @@
 #include <string>
 #include <string_view>
 
-namespace tremolo::coupler {
+namespace tremolo {
 
 /// What another process says, as it may be shown on a terminal: control characters but for the end of a line
 /// and the tabulator, and bytes that are no UTF-8, become \xNN; what is longer than most bytes is cut, and
 /// says so.
 std::string printable(std::string_view text, std::size_t most = 4096);
 
-} // namespace tremolo::coupler
+/// The same in one line: its ends become \n.
+std::string printable_line(std::string_view text);
+
+} // namespace tremolo
