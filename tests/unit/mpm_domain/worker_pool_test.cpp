@@ -24,6 +24,9 @@ TEST(WorkerPool, RunsEveryTaskOnce) {
 /// Stacks of 8 MiB each do not fit into an address space of a few: in a process of its own, which keeps the
 /// limit.
 TEST(WorkerPoolDeathTest, MoreThreadsThanTheSystemAllowsAreRefusedInWords) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer needs an address space of its own";
+#endif
   const auto refused = [] {
     const rlimit little{std::uint64_t{256} << 20, std::uint64_t{256} << 20};
     ::setrlimit(RLIMIT_AS, &little);
