@@ -11,7 +11,7 @@ namespace tremolo {
 /// says so.
 std::string printable(std::string_view text, std::size_t most = 4096);
 
-/// The same in one line: its ends become \n.
+/// printable() in one line: the ends of lines become \n.
 std::string printable_line(std::string_view text);
 
 } // namespace tremolo

@@ -92,8 +92,7 @@ Division divided(const LayeredHalfSpace& profile, WaveType wave, double angle_ra
 }
 
 double peak(std::span<const double> motion) {
-  return std::abs(*std::ranges::max_element(
-      motion, {}, [](double value) { return std::abs(value); }));
+  return std::abs(*std::ranges::max_element(motion, {}, [](double value) { return std::abs(value); }));
 }
 
 /// Largest difference of two periodic windows, both halves of the shorter one, over the peak.

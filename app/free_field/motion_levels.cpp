@@ -17,7 +17,7 @@ namespace tremolo::app {
 
 namespace {
 
-/// Of the highest frequency of a motion, which is twice that of its samples.
+/// Samples per period of the highest frequency of a motion: two are those of its Nyquist frequency.
 constexpr double samples_per_period = 2.0;
 
 std::string level_text(double acceleration) {
@@ -36,7 +36,7 @@ double incident_level(const wavefield::Signal& signal) {
   return motion::peak(motion::band_limited_slope(velocity, dt));
 }
 
-/// Of the component that the wave moves at vertical incidence.
+/// Takes the component that the wave moves at vertical incidence.
 double surface_level(const scene::Case& scene, const wavefield::LayeredHalfSpace& ground,
                      const wavefield::Signal& signal) {
   const auto& side = scene.boundary.left;

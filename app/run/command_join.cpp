@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a participant's log that are shown.
+/// How many bytes of a participant's log are shown.
 constexpr std::size_t most_log_bytes = 65536;
 
 struct JoinArguments {

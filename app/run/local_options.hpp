@@ -9,7 +9,7 @@
 
 namespace tremolo::app {
 
-/// Of a process; more are a slip of the finger.
+/// Threads that a process may have; more are a slip of the finger.
 inline constexpr int most_threads = 1024;
 
 struct LocalOptions {

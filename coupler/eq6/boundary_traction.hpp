@@ -66,9 +66,7 @@ struct Traction {
   Vector dynamic;
   Vector held; ///< static
 
-  Vector total() const {
-    return {viscous.x + (dynamic.x + held.x), viscous.y + (dynamic.y + held.y)};
-  }
+  Vector total() const { return {viscous.x + (dynamic.x + held.x), viscous.y + (dynamic.y + held.y)}; }
 };
 
 /// Eq. (6): traction on a face from the domain's velocity there (m/s), the free field, and the static part

@@ -45,7 +45,7 @@ public:
   /// The address to give to participants: with the port that was found.
   [[nodiscard]] const std::string& endpoint() const { return post_.endpoint(); }
 
-  /// The same for participants from elsewhere.
+  /// Address at which participants on other machines reach the hub.
   [[nodiscard]] const std::string& outer_endpoint() const { return post_.outer_endpoint(); }
 
   /// To poll on.

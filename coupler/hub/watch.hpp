@@ -54,7 +54,7 @@ public:
   [[nodiscard]] std::optional<Failure> lost(const Participant& participant, bool connected);
 
 private:
-  /// What is known of a participant.
+  /// State of a participant as the watch knows it.
   struct Signs {
     Clock::time_point last_heard = Clock::now();
     Pace pace{};

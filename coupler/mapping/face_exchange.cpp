@@ -140,7 +140,8 @@ void FaceExchange::evaluate(double time, std::span<const eq6::Vector> v_domain,
     const auto& [station, first, map] = readers_[i];
     free_field[i] = in_depth(map, stations_[station].points.data() + components * first);
     tractions[i] =
-        eq6::boundary_traction(faces_[i].dashpot, v_domain[i], free_field[i], faces_[i].static_traction).total();
+        eq6::boundary_traction(faces_[i].dashpot, v_domain[i], free_field[i], faces_[i].static_traction)
+            .total();
   }
 }
 

@@ -63,8 +63,7 @@ OdeColumn::OdeColumn(const Profile& profile, const OdeColumnSettings& settings, 
   check(profile, settings);
   if (!input)
     throw std::invalid_argument("the column has no input motion");
-  shear_ = polarisation(
-      Wave::shear, profile, settings, [input](double time) { return input(time).x; });
+  shear_ = polarisation(Wave::shear, profile, settings, [input](double time) { return input(time).x; });
   dilation_ = polarisation(Wave::dilation, profile, settings, [input](double time) { return input(time).y; });
   for (const Layer& layer : profile.layers)
     lateral_ratio_.push_back(layer.soil.lame() / layer.soil.p_modulus());

@@ -32,7 +32,7 @@ namespace tremolo::materials {
 using Law = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay,
                          Pm4Sand, Pdmy03>;
 
-/// What it is like.
+/// Tells what a law is like.
 Traits traits(const Law& law);
 
 /// The name of the law, e.g. "linear_elastic".
@@ -57,7 +57,7 @@ void update(const Law& law, const Points& points);
 /// The law's elastic constants at small strain; of a law whose stiffness depends on pressure those at its
 /// reference pressure.
 const Elasticity& elasticity(const Law& law);
-/// The same law with another stress at rest, Elasticity::at_rest.
+/// Makes the law with another stress at rest, Elasticity::at_rest.
 Law with_rest_coefficient(Law law, double coefficient);
 
 /// An upper estimate of c_p over the points in their present stress and state, m/s: the elastic one, which

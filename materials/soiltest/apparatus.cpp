@@ -15,9 +15,9 @@ Apparatus::Apparatus(const SoilTest& test, const PointTest& start) : test_(test)
   out_of_plane_ =
       triaxial() || (test.kind == Kind::isotropic_compression && traits(start.law()).three_dimensional);
   if (const Path* path = std::get_if<Path>(&test.loading)) {
-    out_of_plane_ = path->by_stress[3] || std::any_of(
-                                              path->rows.begin(), path->rows.end(),
-                                              [](const PathRow& row) { return row.strain.zz != 0.0; });
+    out_of_plane_ =
+        path->by_stress[3] || std::any_of(path->rows.begin(), path->rows.end(),
+                                          [](const PathRow& row) { return row.strain.zz != 0.0; });
   }
 }
 

@@ -76,9 +76,7 @@ double layer_step(const Spec& spec) {
 } // namespace
 
 double critical_time_step(Domain& domain, double max_speed) {
-  return std::min(least_step(
-                      domain, max_speed, [](int) { return 1.0; }),
-                  layer_step(domain.spec));
+  return std::min(least_step(domain, max_speed, [](int) { return 1.0; }), layer_step(domain.spec));
 }
 
 double critical_subcycled_step(Domain& domain, double max_speed) {

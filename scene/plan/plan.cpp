@@ -32,8 +32,8 @@ std::string soils_that_are(const Case& scene, materials::Response response) {
 }
 
 bool any_softens(const Case& scene) {
-  return std::ranges::any_of(
-      domain_soils(scene), [](const Soil& soil) { return materials::traits(soil.law).softening > 0.0; });
+  return std::ranges::any_of(domain_soils(scene),
+                             [](const Soil& soil) { return materials::traits(soil.law).softening > 0.0; });
 }
 
 /// Largest number of state variables of a soil, all or those that are written.

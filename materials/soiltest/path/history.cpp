@@ -8,8 +8,7 @@
 namespace tremolo::soiltest {
 
 bool History::has(std::string_view name) const {
-  return std::any_of(
-      columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
+  return std::any_of(columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
 }
 
 const std::vector<double>& History::column(std::string_view name) const {

@@ -11,8 +11,8 @@ namespace tremolo::scene {
 namespace {
 
 bool in_soil(const Case& scene, Point p) {
-  return std::ranges::any_of(
-      scene.regions, [p](const Region& region) { return contains(region.polygon, p); });
+  return std::ranges::any_of(scene.regions,
+                             [p](const Region& region) { return contains(region.polygon, p); });
 }
 
 /// Whether a name can be that of a file and of a group in HDF5. Bytes beyond ASCII are letters of UTF-8.

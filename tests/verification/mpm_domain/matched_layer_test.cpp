@@ -145,7 +145,8 @@ TEST(MatchedLayers, TakeUpABlowInTheGround) {
 TEST(MatchedLayers, TakeUpABlowNearACorner) {
   const eq6::Vector place{-12.0, -12.0}; // 8 m from the side and from the base
   const std::vector<double> wide = after_a_blow({.width = 140.0, .depth = 70.0, .place = place});
-  const double layers = test_support::relative_difference(after_a_blow({.layers = true, .place = place}), wide);
+  const double layers =
+      test_support::relative_difference(after_a_blow({.layers = true, .place = place}), wide);
   RecordProperty("layers", std::to_string(layers));
   EXPECT_LT(layers, 0.03);
 }
