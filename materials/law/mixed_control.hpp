@@ -54,7 +54,7 @@ public:
   Found find(const MixedStep& step, const StressAfter& stress_after, double wanted, double accepted);
 
 private:
-  /// Of a step that was found.
+  /// Increments of a step that was found.
   struct Increments {
     Components prescribed = {};
     Components strain = {};

@@ -71,7 +71,7 @@ public:
   /// remapped velocity by, over the time of that step: its power, W/m.
   double remap_power(const Grid& grid, const ClockNodes& nodes, int clock) const;
 
-  /// Of the last exchange, per face: v^m (m/s) and the free field.
+  /// What the last exchange found per face: v^m (m/s) and the free field.
   std::span<const Vector> velocities() const { return v_exchange_; }
   std::span<const eq6::FreeField> free_field() const { return free_field_; }
   /// What the boundary exerts at a face as of the start of its last step, Pa.

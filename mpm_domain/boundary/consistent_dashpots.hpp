@@ -22,7 +22,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Of all faces, or of those that take a step of the same length.
+/// The consistent dashpots of all faces, or of those that take a step of the same length.
 class ConsistentDashpots {
 public:
   /// @param nodes that the faces touch; outlives this

@@ -53,7 +53,7 @@ public:
 
   /// Velocity (m/s) of the node that is j elements away from the domain's corner behind the side, at z = 0.
   [[nodiscard]] eq6::Vector side_velocity(std::size_t j) const { return v_[node(j, 0)]; }
-  /// The same behind the base, at x = 0.
+  /// Velocity (m/s) of the node that is j elements away from it behind the base, at x = 0.
   [[nodiscard]] eq6::Vector base_velocity(std::size_t j) const { return v_[node(0, j)]; }
 
   /// What the block exerts on the domain's corner besides its inertia, N/m.

@@ -36,7 +36,7 @@ public:
   /// @throws std::invalid_argument for the state of another corner
   void restore(std::span<const double> state) { corner_.restore(state); }
 
-  /// Of the base's layer: 0 at its left end, 1 at its right one.
+  /// The end of the base's layer that meets the corner: 0 is its left one, 1 its right one.
   [[nodiscard]] std::size_t base_end() const { return outwards_ < 0.0 ? 0 : 1; }
 
 private:

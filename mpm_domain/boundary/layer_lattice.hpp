@@ -84,7 +84,7 @@ public:
   [[nodiscard]] const LayerShape& shape() const { return shape_; }
   [[nodiscard]] const LayerStretch& stretch() const { return stretch_; }
 
-  /// Of an end, 0 or 1.
+  /// The nodes of an end, 0 or 1.
   [[nodiscard]] LayerEndNodes end_nodes(std::size_t end) const;
   /// How the node j elements behind the boundary moves in the next step, m/s: an end at a corner is led by
   /// it.

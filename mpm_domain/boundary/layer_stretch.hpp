@@ -38,7 +38,7 @@ private:
   double shift_ = 0.0;   ///< a, 1/s
 };
 
-/// Of a memory with rate r (1/s) in a step of dt (s).
+/// How a memory with rate r (1/s) decays in a step of dt (s).
 struct Decay {
   double keep;
   double gain;

@@ -48,7 +48,7 @@ std::span<const BoundaryFace> faces_of(const Domain& domain, Side side) {
   return {first, last};
 }
 
-/// Of what the face's impedances belong to, kg/m3.
+/// Density of the ground that the face's impedances belong to, kg/m3.
 double ground_density(const Domain& domain, const BoundaryFace& face) {
   if (face.side == Side::base && domain.spec.below_base)
     return domain.spec.below_base->density;

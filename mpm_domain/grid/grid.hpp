@@ -21,7 +21,6 @@ struct Grid : GridShape, NodeFields {
   std::size_t size() const { return mass.size(); }
   eq6::Vector velocity_before(std::size_t n) const { return {vx_before[n], vy_before[n]}; }
   eq6::Vector velocity_after(std::size_t n) const { return {vx_after[n], vy_after[n]}; }
-  eq6::Vector velocity_strain(std::size_t n) const { return {vx_strain[n], vy_strain[n]}; }
   eq6::Vector acceleration(std::size_t n) const { return {ax[n], ay[n]}; }
 };
 

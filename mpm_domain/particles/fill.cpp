@@ -1,5 +1,7 @@
 #include "mpm_domain/particles/fill.hpp"
 
+#include "mesh/polygon.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,18 +11,6 @@
 namespace tremolo::mpm_domain {
 
 namespace {
-
-/// Even-odd rule.
-bool contains(const std::vector<Vector>& polygon, double x, double y) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vector& a = polygon[i];
-    const Vector& b = polygon[j];
-    if ((a.y > y) != (b.y > y) && x < (b.x - a.x) * (y - a.y) / (b.y - a.y) + a.x)
-      inside = !inside;
-  }
-  return inside;
-}
 
 int count_along(double length, double size) {
   const double n = length / size;
@@ -88,7 +78,7 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
   std::vector<Particles> sets = empty_sets(spec, tree ? tree->finest() : 0);
   const auto add = [&](int level, double x, double y) {
     const auto region = std::find_if(spec.regions.rbegin(), spec.regions.rend(),
-                                     [&](const Region& r) { return contains(r.polygon, x, y); });
+                                     [&](const Region& r) { return mesh::inside(r.polygon, x, y); });
     if (region == spec.regions.rend())
       return;
     Particles& set = sets[static_cast<std::size_t>(level) * spec.soils.size() + region->soil];

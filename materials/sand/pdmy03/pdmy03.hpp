@@ -128,7 +128,7 @@ std::vector<StrengthLine> strength_lines(const Pdmy03& law);
 /// The elastic soil to make an initial stress with: stiffness and memory begin with that stress.
 LinearElastic without_softening(const Pdmy03& law);
 
-/// Of the recommended set; nothing where none was asked for.
+/// Relative density of the recommended set, 1; nothing where no set was asked for.
 std::optional<double> relative_density(const Pdmy03& law);
 
 /// Advances stress, state and plastic work of all points by one step, in sub-increments of 1e-5 strain.
