@@ -178,6 +178,8 @@ TEST(Peer, StepsThatNoMotionHasAreRefused) {
 TEST(Peer, DecimalCommasAreNamed) {
   EXPECT_EQ(refusal_of("NPTS= 3, DT= .01 SEC\n0,001 -0,102 1,5E-2\n", "x.AT2"),
             "x.AT2:2: decimal commas: numbers are written with a point, 0.123 instead of 0,123");
+  EXPECT_EQ(refusal_of("NPTS= 3, DT= 1,02 SEC\n0.001 -0.102 1.5E-2\n", "x.AT2"),
+            "x.AT2:1: decimal commas: numbers are written with a point, 0.123 instead of 0,123");
   EXPECT_EQ(refusal_of("NPTS= 3, DT= .01 SEC\n0.001,-0.102,1.5E-2\n", "x.AT2"), "");
 }
 
