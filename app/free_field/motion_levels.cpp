@@ -73,7 +73,8 @@ std::string motion_levels_text(const scene::Case& scene) {
                               level_text(surface_level(scene, ground, signal)));
   } catch (const std::exception& reason) {
     const bool first = text.ends_with(' ');
-    return text + fmt::format("{}not known{}: {}\n", first ? "" : ", ", first ? "" : " at the surface", reason.what());
+    return text + fmt::format("{}not known{}: {}\n", first ? "" : ", ", first ? "" : " at the surface",
+                              reason.what());
   }
 }
 

@@ -82,7 +82,8 @@ std::vector<NamedTable> Document::named(std::string_view name) {
     const std::string path = fmt::format("{}.{}", name, key.str());
     reading_.findings.locate(path, place_of(element, path));
     if (!is_printable_line(key.str()))
-      reading_.findings.add(path, "the name holds a control character or the end of a line, must be plain text");
+      reading_.findings.add(path,
+                            "the name holds a control character or the end of a line, must be plain text");
     if (!element.is_table()) {
       reading_.findings.add(path, fmt::format("'{}' must be a table, found {}: write [{}]", key.str(),
                                               type_name(element), path));

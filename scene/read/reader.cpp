@@ -252,9 +252,10 @@ std::optional<std::string> TableReader::convert_text(const Key& key, const toml:
   if (value.empty())
     return refuse(key, node, fmt::format("'{}' is empty", key.name));
   if (!is_printable_line(value))
-    return refuse(key, node,
-                  fmt::format("'{}' = \"{}\" holds a control character or the end of a line, must be plain text",
-                              key.name, value));
+    return refuse(
+        key, node,
+        fmt::format("'{}' = \"{}\" holds a control character or the end of a line, must be plain text",
+                    key.name, value));
   if (key.type == Type::choice && std::ranges::find(key.choices, value) == key.choices.end())
     return refuse(
         key, node,

@@ -4,6 +4,8 @@ where the run's monitors are.
     usage: test_told_alike.py TREMOLO PYTHON_PACKAGE_DIR
 """
 
+import json
+import math
 import re
 import sys
 import unittest
@@ -67,6 +69,28 @@ class ToldAlike(unittest.TestCase):
             self.assertAlmostEqual(x, history["x"][0] - history["ux"][0], 9)
             self.assertAlmostEqual(y, history["y"][0] - history["uy"][0], 9)
             self.assertAlmostEqual(distance, ((x - 10.0) ** 2 + y**2) ** 0.5, 3)
+
+    def test_explain_prints_the_levels_and_times_that_the_page_gives_as_formulas(self):
+        """docs/own-free-field.md: N = ceil((y_s - y0) n / h); from -p (x1 - x0) to T."""
+        with Workspace(TREMOLO, size=4.0, base="incident", duration=0.7) as work:
+            work.case.write_text(work.case.read_text().replace("size = 4.0", "size = 4.0\nparticles_per_cell = 3").replace(
+                "box = [0.0, -10.0, 20.0, 0.0]", "box = [0.0, -12.0, 20.0, 0.0]").replace("-10.0", "-12.0"))
+            result = work.command("explain", "--json", work.case)
+            self.assertEqual(0, result.returncode, result.stderr)
+            served = json.loads(result.stdout)["served"]
+            slowness = math.sin(math.radians(15.0)) / math.sqrt(40e6 / (2.0 * 1.28 * 1700.0))
+            levels = {"total": [-12.0 + 12.0 * j / 9 for j in range(10)], "incident": [-12.0]}
+            found = {}
+            for source in served:
+                self.assertAlmostEqual(slowness, source["slowness_x_s_per_m"], 12)
+                self.assertAlmostEqual(-20.0 * slowness, source["from_s"], 9)
+                self.assertEqual(0.7, source["to_s"])
+                found |= {field["field"]: field["levels_m"] for field in source["fields"]}
+            self.assertEqual(set(levels), set(found))
+            for field, wanted in levels.items():
+                self.assertEqual(len(wanted), len(found[field]), found)
+                for one, other in zip(wanted, found[field]):
+                    self.assertAlmostEqual(one, other, 9)
 
 
 if __name__ == "__main__":
