@@ -72,6 +72,19 @@ class Places(unittest.TestCase):
                 with self.subTest(template, place=place):
                     self.assertIn(place.split("/")[0], self.refused(template, place))
 
+    def test_folders_and_pipes_are_no_files(self):
+        (self.work.path / "folder").mkdir()
+        os.mkfifo(self.work.path / "pipe")  # nobody ever writes to it
+        imported = " --out out.h5 --velocity-unit m/s --stress-unit Pa --stress-sign tension --depth-positive down --vertical-positive up"
+        readers = [template for template in READERS if not template.startswith("import")]
+        for template in (*readers, "motion --synthesise {place}", "run {case} --replay {place}:left",
+                         "import {place}" + imported, "import {record} {record} --opensees {place}" + imported):
+            for place in ("folder", "pipe"):
+                if template.startswith("resume") and place == "folder":
+                    continue  # a run's folder, in which nothing is
+                with self.subTest(template, place=place):
+                    self.assertIn(place, self.refused(template, place))
+
     def test_a_folder_for_temporary_files_that_is_none_is_named(self):
         for template in ("run {case} --out {place}", "conform {place}"):
             with self.subTest(template):

@@ -194,7 +194,7 @@ TEST(Files, AreRefusedInOneLine) {
     return std::string();
   };
   EXPECT_EQ(error_of_file(folder / "absent.AT2"), ": there is no such file");
-  EXPECT_EQ(error_of_file(folder / "."), ": cannot be read: not a regular file, or no permission");
+  EXPECT_EQ(error_of_file(folder / "."), ": cannot be read: this is a folder; give the file in it");
   EXPECT_EQ(error_of_file(folder.write("e.AT2", "")), ":1: no header line with NPTS and DT");
   EXPECT_EQ(error_of_file(folder.write("e.csv", "")), ":1: 0 samples, at least 2 are needed");
   EXPECT_EQ(error_of_file(folder.write("j.h5", "\x89HDF\r\n\x1a\njunk")),
