@@ -1,5 +1,6 @@
 #include "scene/read/reader.hpp"
 
+#include "base/printable.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/text/nearest.hpp"
 
@@ -250,6 +251,11 @@ std::optional<std::string> TableReader::convert_text(const Key& key, const toml:
   const std::string value = *node.value<std::string>();
   if (value.empty())
     return refuse(key, node, fmt::format("'{}' is empty", key.name));
+  if (!is_printable_line(value))
+    return refuse(
+        key, node,
+        fmt::format("'{}' = \"{}\" holds a control character or the end of a line, must be plain text",
+                    key.name, value));
   if (key.type == Type::choice && std::ranges::find(key.choices, value) == key.choices.end())
     return refuse(
         key, node,

@@ -21,6 +21,7 @@ constexpr std::array rules = {
     Rule{Severity::error, regions_are_simple},
     Rule{Severity::error, regions_lie_in_mesh},
     Rule{Severity::error, regions_are_apart},
+    Rule{Severity::error, regions_hold_particles},
     Rule{Severity::error, soil_reaches_boundaries},
     Rule{Severity::error, sides_can_be_periodic},
     Rule{Severity::error, springs_tie_equal_cells},

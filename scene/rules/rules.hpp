@@ -30,6 +30,8 @@ void regions_are_simple(const Case& scene, Findings& findings);
 void regions_lie_in_mesh(const Case& scene, Findings& findings);
 /// Polygons do not overlap.
 void regions_are_apart(const Case& scene, Findings& findings);
+/// No region is so small or thin that all particles' places pass it by.
+void regions_hold_particles(const Case& scene, Findings& findings);
 /// Soil reaches along both sides up to the free field's surface, and along the whole base.
 void soil_reaches_boundaries(const Case& scene, Findings& findings);
 /// Periodic sides go with waves that are the same all along the base, and with what can be tied or wrapped.
