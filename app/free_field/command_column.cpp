@@ -184,6 +184,7 @@ void compute(const Options& options) {
   const Ground ground = ground_of(options);
   const auto& [scene, source, x] = ground;
   const auto depths = depths_of(scene, source, options);
+  fmt::print("{}", scene::remarks_text(scene));
   print_linearised(scene, source);
   const auto series =
       free_field_series(scene, source, all_levels(scene, source, depths), times_of(ground, options), x);

@@ -22,6 +22,12 @@ namespace {
 /// Share of central differences' stability limit that a column takes if the case names no step.
 constexpr double fraction_of_limit = 0.8;
 
+/// The law with the constants of grains and water together, below the water table.
+materials::Law in_total_stress(materials::Law law, const materials::Elasticity& elastic) {
+  std::visit([&](auto& known) { known.elastic = elastic; }, law);
+  return law;
+}
+
 /// The law of a layer in elements of a size; nothing for a linear elastic one.
 std::optional<materials::Law> law_of(const scene::Case& scene, const scene::Layer& layer,
                                      double element_size) {
@@ -30,9 +36,10 @@ std::optional<materials::Law> law_of(const scene::Case& scene, const scene::Laye
   const scene::Soil& soil = scene.soils[*layer.soil];
   if (materials::traits(soil.column_law).response == materials::Response::elastic)
     return std::nullopt;
-  if (!soil.softening_size)
-    return soil.column_law;
-  return materials::for_cell_size(soil.column_law, element_size, *soil.softening_size);
+  materials::Law law = soil.column_law;
+  if (soil.softening_size)
+    law = materials::for_cell_size(law, element_size, *soil.softening_size);
+  return scene.water ? in_total_stress(std::move(law), layer.elastic) : law;
 }
 
 /// The base of the column: that of the model where it lies below the layers, unless the motion is that of the
@@ -94,6 +101,8 @@ double default_step(const scene::Case& scene, const Profile& profile, const FeCo
 
 std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profile, const ColumnInput& input,
                                   double start) {
+  if (scene.water)
+    throw std::invalid_argument("model = \"fe\" has no pore water yet");
   FeColumnSettings settings;
   settings.max_element_size = scene.fe.element_size;
   settings.damping = damping_from_case(scene);
