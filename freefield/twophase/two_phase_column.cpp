@@ -208,7 +208,8 @@ void TwoPhaseColumn::remember(const std::vector<std::array<Phases, 2>>& before) 
                              shortest(input.x) + ", " + shortest(input.y) + " m/s");
   }
   for (std::size_t e = 0; e < excess_.size(); ++e) {
-    now.sxx[e] = soil_.lateral(state_, e);
+    now.sxx[e] = soil_.lateral(state_, e) +
+                 grid_.elements[e].lateral_ratio * (vertical_[e] - soil_.vertical(state_, e));
     now.syy[e] = vertical_[e];
     now.sxy[e] = shear_[e];
     now.pressure[e] = pressure_[e];

@@ -18,8 +18,10 @@ WetElement element_of(const Profile& profile, const Layer& layer, double length,
   const materials::PoreFluid& fluid = profile.water->fluid;
   element.stiffness = materials::pore_stiffness(*layer.pores, fluid);
   element.lowest_excess = fluid.cavitation_pressure - profile.hydrostatic_pressure(centre);
-  if (layer.pores->drainage == materials::Drainage::undrained)
+  if (layer.pores->drainage == materials::Drainage::undrained) {
+    element.undrained_share = element.stiffness / (element.stiffness + layer.soil.p_modulus());
     return element;
+  }
   element.fluid_density = fluid.density;
   element.fluid_share = layer.pores->porosity * fluid.density;
   element.solid_share = materials::dry_density(*layer.pores);

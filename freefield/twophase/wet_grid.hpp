@@ -19,18 +19,19 @@ namespace tremolo::freefield {
 
 /// Constants of one element.
 struct WetElement {
-  double length = 0.0;        ///< m
-  double stiffness = 0.0;     ///< Q = K_f/n, Pa; 0 where no excess pore pressure arises
-  double fluid_density = 0.0; ///< rho_f of water that flows, kg/m3; else 0
-  double fluid_share = 0.0;   ///< n rho_f of water that flows, kg/m3; else 0
-  double solid_share = 0.0;   ///< what moves with the grains, kg/m3
-  double resistance = 0.0;    ///< rho_f g/k of water that flows, Pa s/m2; else 0
-  double lowest_excess = 0.0; ///< cavitation pressure less hydrostatic pressure, Pa
-  double alpha = 0.0;         ///< mass-proportional damping, 1/s
-  double beta = 0.0;          ///< stiffness-proportional damping, s
-  double shear_ratio = 0.0;   ///< G/M
-  double lateral_ratio = 0.0; ///< lambda/M
-  double density = 0.0;       ///< rho, kg/m3
+  double length = 0.0;          ///< m
+  double stiffness = 0.0;       ///< Q = K_f/n, Pa; 0 where no excess pore pressure arises
+  double undrained_share = 0.0; ///< Q/(M + Q) where there is pore water that does not flow; else 0
+  double fluid_density = 0.0;   ///< rho_f of water that flows, kg/m3; else 0
+  double fluid_share = 0.0;     ///< n rho_f of water that flows, kg/m3; else 0
+  double solid_share = 0.0;     ///< what moves with the grains, kg/m3
+  double resistance = 0.0;      ///< rho_f g/k of water that flows, Pa s/m2; else 0
+  double lowest_excess = 0.0;   ///< cavitation pressure less hydrostatic pressure, Pa
+  double alpha = 0.0;           ///< mass-proportional damping, 1/s
+  double beta = 0.0;            ///< stiffness-proportional damping, s
+  double shear_ratio = 0.0;     ///< G/M
+  double lateral_ratio = 0.0;   ///< lambda/M
+  double density = 0.0;         ///< rho, kg/m3
 
   bool flows() const { return fluid_density > 0.0; }
 };

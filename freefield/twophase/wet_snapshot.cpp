@@ -1,9 +1,9 @@
 // In the half of element e at node I, with y_c its centre,
 //
-//     p = p_e - (y - y_c) (rho_f a_f + (rho_f g/k) n_I w_I),    where water is sealed off (y - y_c) rho_f
-//     a_s, sxy, syy (total) = those of the centre + (y - y_c) [(1-n) rho_s a_s + n rho_f a_f + alpha rho
-//     v_s], sxx = lambda/M of the effective syy, and what yield adds to it at the centres, interpolated, less
-//     p.
+//     p = p_e - (y - y_c) (rho_f a_f + (rho_f g/k) n_I w_I)    where water flows; a_f = a_s at a sealed node
+//     p = p_e - Q/(M + Q) (syy - syy_e), total stress,         where it does not
+//     sxy, syy (total) = those of the centre + (y - y_c) [(1-n) rho_s a_s + n rho_f a_f + alpha rho v_s]
+//     sxx = lambda/M of the effective syy, and what yield adds to it at the centres, interpolated, less p
 
 #include "freefield/twophase/wet_snapshot.hpp"
 
@@ -37,6 +37,7 @@ WetStress stress_at(const WetSnapshot& snapshot, const ColumnMesh& mesh, const W
       snapshot.sxy[e] + from_centre * inertia(snapshot.a[i].x, snapshot.a_fluid[i].x, snapshot.v[i].x);
   stress.syy = snapshot.syy[e] - snapshot.pressure[e] +
                from_centre * inertia(snapshot.a[i].y, snapshot.a_fluid[i].y, snapshot.v[i].y);
+  stress.pressure -= element.undrained_share * (stress.syy - (snapshot.syy[e] - snapshot.pressure[e]));
   const ColumnMesh::Centres centres = mesh.centres(place);
   const double yielded =
       at_centres(centres, snapshot.sxx) - element.lateral_ratio * at_centres(centres, snapshot.syy);

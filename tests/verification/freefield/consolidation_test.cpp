@@ -1,7 +1,7 @@
 // Slow flow of water in the two-phase column: consolidation under a load (Terzaghi), in two layers of
 // different permeability, flow under a constant head, and rest.
 
-#include "saturated_ground.hpp"
+#include "tests/support/saturated_ground.hpp"
 
 #include <gtest/gtest.h>
 

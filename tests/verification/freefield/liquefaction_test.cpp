@@ -2,7 +2,7 @@
 // of each number is what the reference's own runs (other steps, meshes, integrators, round-off) let it say:
 // BANDS.txt.
 
-#include "liquefying_column.hpp"
+#include "tests/support/liquefying_column.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Fast motion of the two-phase column: arrival of waves, share of the water in a load, and the harmonic
 // column, against closed forms of the two-velocity equations.
 
-#include "saturated_ground.hpp"
+#include "tests/support/saturated_ground.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

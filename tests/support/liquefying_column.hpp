@@ -133,8 +133,8 @@ private:
   }
 };
 
-/// Our column, elements of 0.5 m as the reference's.
-inline LiquefactionHistory computed(const LiquefyingSand& sand, double element_size = 0.5, double dt = 2e-4) {
+/// 10 m of a saturated sand, 0.5 % of damping at 5 Hz.
+inline Profile liquefying_profile(const LiquefyingSand& sand) {
   const materials::PoreSpace pores{.porosity = materials::porosity_of(sand.void_ratio),
                                    .grain_density = 2650.0,
                                    .permeability = sand.permeability};
@@ -145,16 +145,25 @@ inline LiquefactionHistory computed(const LiquefyingSand& sand, double element_s
   Profile profile{0.0, {layer}, materials::Elasticity::from_wave_speeds(2200.0, 760.0, 1900.0)};
   profile.gravity = 9.81;
   profile.water = WaterTable{0.0, {}};
-  const TwoPhaseSettings settings{.max_element_size = element_size,
-                                  .time_step = dt,
-                                  .damping = KelvinVoigtDamping{5.0}, // 0.5 % at 5 Hz
-                                  .base = BaseKind::rigid};
-  TwoPhaseColumn column(profile, settings, BaseShaking(0.981));
+  return profile;
+}
+
+inline TwoPhaseSettings liquefying_settings(double element_size, double dt) {
+  return {.max_element_size = element_size,
+          .time_step = dt,
+          .damping = KelvinVoigtDamping{5.0},
+          .base = BaseKind::rigid};
+}
+
+/// Our column, elements of 0.5 m as the reference's.
+inline LiquefactionHistory computed(const LiquefyingSand& sand, double element_size = 0.5, double dt = 2e-4) {
+  const Profile profile = liquefying_profile(sand);
+  TwoPhaseColumn column(profile, liquefying_settings(element_size, dt), BaseShaking(0.981));
   std::vector<double> levels = {0.0};
   for (const double depth : depths)
     levels.push_back(-depth);
   std::vector<ColumnSample> samples(levels.size());
-  const double weight = materials::buoyant_density(pores, {}) * 9.81;
+  const double weight = materials::buoyant_density(*profile.layers[0].pores, {}) * 9.81;
   LiquefactionHistory history;
   long row = 0;
   const auto next = [&] {
