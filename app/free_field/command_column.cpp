@@ -253,7 +253,10 @@ void add_column(Command& app) {
       ->add_option("--every", options->every,
                    "Time step of the histories, s (default: a quarter of the shortest period, at most 5 ms)")
       ->excludes(recording);
-  command->add_flag("--plot", options->plot, "Draw OUT.png beside the file")->excludes(recording);
+  command
+      ->add_flag("--plot", options->plot,
+                 "Draw OUT.png beside the file, and OUT_water.png of ground with pore pressure")
+      ->excludes(recording);
   command->callback([options] {
     if (options->out.empty() && options->record.empty())
       throw_required("--out or --record");

@@ -86,7 +86,10 @@ std::vector<std::reference_wrapper<const Soil>> soils_below_table(const Case& sc
 }
 
 std::string water_text(const Case& scene) {
-  std::string text = fmt::format("water table at y = {} m; soil below it:\n", scene.water->level);
+  std::string text =
+      fmt::format("water table at y = {} m; models other than \"fe\" take the ground below it as "
+                  "undrained; soil there:\n",
+                  scene.water->level);
   for (const Soil& soil : soils_below_table(scene))
     text += soil_text(soil, scene.water->fluid, scene.gravity->acceleration);
   return text;
