@@ -41,8 +41,8 @@ public:
   void tangents(const SoilState& begin, const SoilState& end, const std::vector<double>& deyy,
                 const std::vector<double>& dgxy, std::vector<Stiffness>& stiffness) const;
 
-  /// M of each element at its present stress, elastic, Pa; of laws whose stiffness falls with strain or fabric
-  /// that without it.
+  /// M of each element at its present stress, elastic, Pa; of laws whose stiffness falls with strain or
+  /// fabric that without it.
   void p_moduli(SoilState& state, std::vector<double>& moduli) const;
 
   /// Elastic energy of an element's stress over that of the geostatic one, J/m3; the work of the geostatic

@@ -201,8 +201,9 @@ std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::
   };
   switch (source.field.model) {
   case scene::SourceModel::fe:
-    return scene.water ? made(scene.fe.element_size, "[fe] element_size", two_phase_column, Water::two_phases)
-                       : made(scene.fe.element_size, "[fe] element_size", fe_column);
+    if (scene.water)
+      return made(scene.fe.element_size, "[fe] element_size", two_phase_column, Water::two_phases);
+    return made(scene.fe.element_size, "[fe] element_size", fe_column);
   case scene::SourceModel::ode:
     return made(scene.ode.cell_size, "[ode] cell_size", ode_column);
   case scene::SourceModel::oblique:

@@ -47,6 +47,15 @@ inline TwoPhaseSettings wet_settings(const Profile& profile, double element_size
           .base = BaseKind::rigid};
 }
 
+/// first, first + step, ... up to `last`.
+inline std::vector<double> evenly(double first, double last, double step) {
+  std::vector<double> values;
+  const auto count = static_cast<std::size_t>((last - first) / step + 1e-9) + 1;
+  for (std::size_t i = 0; i < count; ++i)
+    values.push_back(first + static_cast<double>(i) * step);
+  return values;
+}
+
 inline void march(TwoPhaseColumn& column, double until) {
   while (column.time() < until - 0.5 * column.time_step())
     column.step();

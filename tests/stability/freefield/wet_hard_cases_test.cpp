@@ -27,7 +27,7 @@ TEST(WetHardCases, PermeabilitiesOverEightOrdersKeepTheStepAndThePressure) {
   while (column.time() < 20.0) {
     for (int i = 0; i < 100; ++i)
       column.step();
-    for (double y = -9.875; y < 0.0; y += 0.25) {
+    for (const double y : evenly(-9.875, -0.125, 0.25)) {
       const double p = sample_at(column, y).pore_pressure / load;
       ASSERT_GE(p, -0.01) << y << " m, " << column.time() << " s";
       ASSERT_LE(p, 1.01) << y << " m, " << column.time() << " s";
@@ -52,7 +52,7 @@ TEST(WetHardCases, AMinuteOfLiquefactionStaysBounded) {
     while (column.time() < 60.0) {
       for (int i = 0; i < 50; ++i)
         column.step();
-      for (double y = -9.75; y <= 0.0; y += 0.5) {
+      for (const double y : evenly(-9.75, -0.25, 0.5)) {
         const auto sample = sample_at(column, y);
         fastest = std::max({fastest, std::abs(sample.vx), std::abs(sample.vy)});
       }

@@ -3,8 +3,7 @@
 
 #include "freefield/fe/fe_column.hpp"
 #include "freefield/twophase/step_limit.hpp"
-#include "materials/hysteretic/masing_shear.hpp"
-#include "materials/sand/pm4sand/pm4sand.hpp"
+#include "materials/law/law.hpp"
 #include "tests/support/saturated_ground.hpp"
 
 #include <gmock/gmock.h>
@@ -13,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <variant>
+#include <vector>
 
 namespace tremolo::freefield::testing {
 namespace {
@@ -161,8 +162,8 @@ TEST(TwoPhaseColumn, PressureStaysAboveCavitation) {
     ASSERT_GE(total, water.cavitation_pressure * (1.0 + 1e-12));
   }
   EXPECT_NEAR(lowest, water.cavitation_pressure, 1.0);
-  // The cavity has closed: pressure rings about zero. Pressure that were cut as a state would stay high by what
-  // was cut, some 200 kPa.
+  // The cavity has closed: pressure rings about zero. Pressure that were cut as a state would stay high by
+  // what was cut, some 200 kPa.
   double sum = 0.0;
   int count = 0;
   for (; column.time() < 4.6; ++count) {
@@ -170,6 +171,48 @@ TEST(TwoPhaseColumn, PressureStaysAboveCavitation) {
     sum += sample_at(column, -1.125).pore_pressure;
   }
   EXPECT_NEAR(sum / count, 0.0, 0.05 * pull);
+}
+
+/// Whatever the law: shaken over yield, it stays bounded, and water leaves after.
+TEST(TwoPhaseColumn, TakesEveryLaw) {
+  const auto pores = *wet_layer(1.0, 1e8, 1e-3).pores;
+  const materials::Elasticity elastic{materials::saturated_density(pores, water), 80e6, 0.3, 0.5};
+  const std::vector<materials::Law> laws = {
+      materials::LinearElastic{elastic},
+      materials::MohrCoulomb{.elastic = elastic,
+                             .cohesion_peak = 2e3,
+                             .cohesion_residual = 2e3,
+                             .friction_peak = 0.6,
+                             .friction_residual = 0.6},
+      materials::DruckerPrager{.elastic = elastic, .cohesion = 2e3, .friction = 0.6},
+      materials::MasingShear{elastic, 5e-4, 1.0, 0.9},
+      materials::iwan_shear(elastic, 5e-4, 1.0, 0.9),
+      materials::multi_yield_clay(elastic, 40e3),
+      materials::pm4sand({.density = elastic.density, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.4}),
+      materials::pdmy03({.relative_density = 0.57, .density = elastic.density})};
+  ASSERT_EQ(laws.size(), std::variant_size_v<materials::Law>);
+  for (const materials::Law& law : laws) {
+    SCOPED_TRACE(materials::name(law));
+    Layer layer = layer_of(10.0, law, 0.005);
+    layer.pores = pores;
+    const Profile profile = wet_profile({layer});
+    const Damping damping = KelvinVoigtDamping{5.0};
+    const TwoPhaseSettings settings{.max_element_size = 0.5,
+                                    .time_step = 0.8 * two_phase_step_limit(profile, 0.5, damping, 2.0),
+                                    .damping = damping};
+    TwoPhaseColumn column(profile, settings, [](double t) { return Velocity{2.0 * pulse(t).x, 0.0}; });
+    double fastest = 0.0;
+    while (column.time() < 3.0) {
+      column.step();
+      fastest = std::max(fastest, std::abs(sample_at(column, 0.0).vx));
+    }
+    EXPECT_GT(fastest, 0.15);
+    EXPECT_LT(fastest, 2.0);
+    const double pressure = sample_at(column, -5.0).pore_pressure;
+    march(column, 10.0);
+    EXPECT_LE(std::abs(sample_at(column, -5.0).pore_pressure), std::abs(pressure) + 100.0);
+    EXPECT_LT(std::abs(sample_at(column, 0.0).vx), 0.02);
+  }
 }
 
 TEST(TwoPhaseColumn, WaterDoesNotPassIntoTightSoil) {
@@ -182,7 +225,7 @@ TEST(TwoPhaseColumn, WaterDoesNotPassIntoTightSoil) {
   march(column, 5.0);
   EXPECT_EQ(column.flux()[4], 0.0);
   double mean = 0.0;
-  for (double y = -3.75; y < -2.0; y += 0.5)
+  for (const double y : evenly(-3.75, -2.25, 0.5))
     mean += 0.25 * sample_at(column, y).pore_pressure;
   EXPECT_NEAR(mean, 1e4 * 5.5e9 / (5.5e9 + 1e8), 300.0); // nothing drains below
 }

@@ -20,7 +20,6 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 
 constexpr std::string_view elastic = "model = \"linear_elastic\"\nyoung = 40e6\npoisson = 0.28\n";
 constexpr std::string_view pores = "porosity = 0.4\npermeability = 1e-4\n";

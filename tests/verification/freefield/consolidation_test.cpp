@@ -56,7 +56,8 @@ TEST_P(Terzaghi, PorePressureAndSettlementFollowTheSeries) {
     march(column, factor / c_v);
     double squares = 0.0;
     int count = 0;
-    for (double z = 0.025; z < 1.0; z += 0.05, ++count) {
+    for (const double z : evenly(0.025, 0.975, 0.05)) {
+      ++count;
       const double error = sample_at(column, z - 1.0).pore_pressure / load - taken * ramped(z, factor, ramp);
       squares += error * error;
     }
@@ -151,7 +152,8 @@ TEST(TwoPhaseColumnVerification, TwoLayersConsolidateLikeTheirEigenfunctions) {
     march(column, time);
     double squares = 0.0;
     int count = 0;
-    for (double d = 0.05; d < 3.0; d += 0.1, ++count) {
+    for (const double d : evenly(0.05, 2.95, 0.1)) {
+      ++count;
       const double error = sample_at(column, -d).pore_pressure / load - exact.pressure(d, time - 0.5 * ramp);
       squares += error * error;
     }
@@ -192,7 +194,8 @@ INSTANTIATE_TEST_SUITE_P(TwoPhase, ConstantHead, ::testing::Values(1e-3, 1e-1, 1
 /// kicks and then damps by exp(-lambda dt) leaves nothing of the flux.
 TEST(TwoPhaseColumnVerification, FluxOfANodeIsDarcysAtAnyDrag) {
   constexpr double porosity = 0.4, dt = 2e-4, gradient = 1e3; // Pa/m
-  for (double drag_times_step = 1e-3; drag_times_step < 2e6; drag_times_step *= 10.0) {
+  for (const double decade : evenly(-3.0, 6.0, 1.0)) {
+    const double drag_times_step = std::pow(10.0, decade);
     WetNode node{.solid = 795.0, .fluid = 200.0, .full = 500.0};
     node.drag = drag_times_step / dt * node.full / (1.0 + node.fluid / node.solid);
     Phases v;
@@ -219,7 +222,7 @@ TEST(TwoPhaseColumnVerification, ComesToRestOverJumpsOfPorosityAndPermeability) 
   march(column, 60.0);
   for (const double flux : column.flux())
     EXPECT_NEAR(flux, 0.0, 1e-12);
-  for (double y = -3.0; y < 0.0; y += 0.5) {
+  for (const double y : evenly(-3.0, -0.5, 0.5)) {
     EXPECT_NEAR(sample_at(column, y).pore_pressure, 0.0, 1e-6 * load) << y;
     EXPECT_NEAR(sample_at(column, y).syy, -load, 1e-6 * load) << y;
     EXPECT_NEAR(sample_at(column, y).uy, -load / 1e8 * (y + 3.0), 1e-6 * load / 1e8) << y;
