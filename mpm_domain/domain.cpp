@@ -55,20 +55,17 @@ const Spec& checked(const Spec& spec) {
 
 } // namespace
 
-std::size_t blocks_of(const Lattice& lattice) {
-  return static_cast<std::size_t>((lattice.ny + rows_per_block - 1) / rows_per_block);
-}
-
 void rebuild_mesh(Domain& domain) {
   const Spec& spec = domain.spec;
   if (spec.refine.empty()) {
     domain.images = images_of(domain.grid);
+    domain.tiles = TileMap({domain.grid});
     return;
   }
   domain.mesh.emplace(roots_of(domain.grid),
                       refinements_of(spec.refine, spec.box, spec.cell_size, spec.sides));
+  domain.tiles = TileMap({domain.mesh->lattices().begin(), domain.mesh->lattices().end()});
   domain.basis_cells = {};
-  domain.across.clear();
   if (spec.scheme.subcycle)
     domain.clocks = ClockMap(domain.mesh->tree(), buffer_layers);
   resize_fields(domain.grid, domain.mesh->node_count());
@@ -84,49 +81,68 @@ void keep_whole(Domain& domain, std::size_t set, std::uint32_t id) {
 void sort_particles(Domain& domain) {
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     if (domain.mesh)
-      sort_by_lattice(domain.sets[s], *domain.mesh, domain.clocks, domain.sort_distance());
+      sort_by_lattice(domain.sets[s], *domain.mesh, domain.tiles, domain.clocks, domain.sort_distance());
     else
-      sort_by_cell(domain.sets[s], domain.grid);
+      sort_by_cell(domain.sets[s], domain.grid, domain.tiles);
   resize_fields(domain.grid, domain.grid.size());
-  domain.boundary.find_levels(domain);
+  domain.boundary.follow_sort(domain);
   find_reach(domain);
 }
 
 namespace {
 
-void find_across(Domain& domain, const GradedMesh& mesh) {
-  const std::size_t sets = domain.sets.size();
-  const std::size_t levels = mesh.lattices().size();
-  domain.across.resize(sets * static_cast<std::size_t>(domain.clocks.count()));
-  for (std::size_t n = 0; n < domain.across.size(); ++n) {
-    const Particles& set = domain.sets[n % sets];
-    const std::size_t block = domain.block_count() + n / sets * levels;
-    domain.across[n].restart(set.block_start[block]);
-    for (std::size_t k = set.block_start[block]; k < set.block_start[block + levels]; ++k)
-      domain.across[n].expect(mesh, domain.basis_cells, reach_of(set, k, domain.sort_distance()));
-  }
+/// The tiles with particles of a clock on one lattice.
+std::vector<std::size_t> filled_tiles(const Domain& domain, int clock) {
+  std::vector<std::size_t> filled;
+  for (std::size_t tile = 0; tile < domain.tiles.count(); ++tile)
+    if (std::ranges::any_of(domain.sets, [&](const Particles& set) {
+          const auto [begin, end] = set.in_block(domain.block(clock, tile));
+          return begin < end;
+        }))
+      filled.push_back(tile);
+  return filled;
+}
+
+std::vector<AcrossTile> find_across(Domain& domain, int clock) {
+  std::vector<AcrossTile> across;
+  for (std::size_t s = 0; s < domain.sets.size(); ++s)
+    for (std::size_t tile = 0; tile < domain.tiles.count(); ++tile) {
+      const Particles& set = domain.sets[s];
+      const auto [begin, end] = set.in_block(domain.across_block(clock, tile));
+      if (begin == end)
+        continue;
+      AcrossTile& found = across.emplace_back(AcrossTile{s, {}, {}});
+      found.weights.restart(begin);
+      for (std::size_t k = begin; k < end; ++k)
+        found.weights.expect(*domain.mesh, domain.basis_cells, reach_of(set, k, domain.sort_distance()));
+      found.weights.settle(domain.basis_cells);
+      found.sums.resize(particle_sums.size() * found.weights.fours().size() * 4);
+    }
+  return across;
 }
 
 } // namespace
 
 void find_reach(Domain& domain) {
-  if (domain.mesh)
-    find_across(domain, *domain.mesh);
+  domain.windows.reserve(2 * domain.tiles.most_columns()); // those of two rows of tiles are in use at a time
+  domain.clock_tiles.clear();
+  for (int clock = 0; clock < domain.clocks.count(); ++clock)
+    domain.clock_tiles.push_back({TileSums(domain.tiles, filled_tiles(domain, clock)),
+                                  domain.mesh ? find_across(domain, clock) : std::vector<AcrossTile>{}});
   domain.soil_rows = find_soil_rows(domain);
   weigh_across(domain);
 }
 
 void weigh_across(Domain& domain, int slowest_clock) {
-  const std::size_t sets = domain.sets.size();
-  const std::size_t skipped = sets * static_cast<std::size_t>(slowest_clock);
-  if (domain.across.size() <= skipped)
-    return;
-  domain.workers.run(domain.across.size() - skipped, [&](std::size_t task) {
-    const std::size_t n = skipped + task;
-    AcrossWeights& weights = domain.across[n];
+  std::vector<AcrossTile*> due;
+  for (auto clock = static_cast<std::size_t>(slowest_clock); clock < domain.clock_tiles.size(); ++clock)
+    for (AcrossTile& tile : domain.clock_tiles[clock].across)
+      due.push_back(&tile);
+  domain.workers.run(due.size(), [&](std::size_t task) {
+    AcrossWeights& weights = due[task]->weights;
     weights.clear();
     for (std::size_t k = weights.first(); k < weights.end(); ++k)
-      weights.add(domain.basis_cells, box_of(domain.sets[n % sets], k));
+      weights.add(domain.basis_cells, box_of(domain.sets[due[task]->set], k));
   });
 }
 
@@ -142,27 +158,6 @@ Domain::Domain(const Spec& specification)
 
 double Domain::half_size(int level) const {
   return 0.5 * particle_size(spec, level);
-}
-
-std::size_t Domain::blocks_per_clock() const {
-  std::size_t count = 0;
-  for (int level = 0; level < lattice_count(); ++level)
-    count += blocks_of(lattice(level));
-  return count;
-}
-
-int Domain::clock_of_block(std::size_t block) const {
-  const std::size_t blocks = block_count();
-  return static_cast<int>(block < blocks ? block / blocks_per_clock()
-                                         : (block - blocks) / static_cast<std::size_t>(lattice_count()));
-}
-
-int Domain::lattice_of_block(std::size_t block) const {
-  block %= blocks_per_clock();
-  int level = 0;
-  while (block >= blocks_of(lattice(level)))
-    block -= blocks_of(lattice(level++));
-  return level;
 }
 
 std::size_t Domain::row_count() const {

@@ -8,12 +8,27 @@
 #include "mpm_domain/particles/particles.hpp"
 #include "mpm_domain/spec/spec.hpp"
 #include "mpm_domain/step/energy_ledger.hpp"
+#include "mpm_domain/tiles/tile_map.hpp"
+#include "mpm_domain/tiles/tile_sums.hpp"
 #include "mpm_domain/tiles/worker_pool.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace tremolo::mpm_domain {
+
+/// The particles of a set in one block that touch several lattices.
+struct AcrossTile {
+  std::size_t set;
+  AcrossWeights weights;
+  std::vector<double> sums; ///< what they bring to nodes: [field of particle_sums][place of a four][lane]
+};
+
+/// What tiles need to know of the particles on one clock, as of the last sort.
+struct ClockTiles {
+  TileSums sums;                  ///< of particles on one lattice
+  std::vector<AcrossTile> across; ///< by set and tile
+};
 
 /// The state of the two-dimensional plane-strain domain: particles, grid and boundary. What happens to it in
 /// a step stands in the passes (scatter, grid_update, gather, ...), which the Stepper strings together.
@@ -31,10 +46,11 @@ struct Domain {
   Boundary boundary;
   EnergyLedger energy;
   BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them
-  /// Of the particles that touch several lattices; clock by clock and in it set by set.
-  std::vector<AcrossWeights> across;
-  std::vector<NodeRange> soil_rows; ///< see find_soil_rows
+  TileMap tiles;
+  std::vector<ClockTiles> clock_tiles; ///< by clock
+  std::vector<NodeRange> soil_rows;    ///< see find_soil_rows
   WorkerPool workers;
+  WindowPool windows;
 
   int lattice_count() const { return mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
   const Lattice& lattice(int level) const {
@@ -46,17 +62,18 @@ struct Domain {
   Axis x_axis(int level = 0) const { return {lattice(level).x0, lattice(level).h}; }
   Axis y_axis(int level = 0) const { return {lattice(level).y0, lattice(level).h}; }
   std::size_t particle_count() const;
-  /// Blocks of rows: clock after clock, lattice after lattice. Behind them, clock after clock and one for
-  /// each level, stand the blocks of particles that touch several lattices, the finest of them this one.
-  std::size_t block_count() const { return static_cast<std::size_t>(clocks.count()) * blocks_per_clock(); }
-  std::size_t blocks_per_clock() const;
-  std::size_t across_block_count() const {
-    return mesh ? static_cast<std::size_t>(clocks.count()) * mesh->lattices().size() : 0;
+  /// A block holds the particles of a tile on a clock, clock after clock. Behind these blocks stand as many
+  /// of particles that touch several lattices, in the tiles of the finest of them.
+  std::size_t block(int clock, std::size_t tile) const {
+    return static_cast<std::size_t>(clock) * tiles.count() + tile;
   }
-  int lattice_of_block(std::size_t block) const;
-  int clock_of_block(std::size_t block) const;
-  const AcrossWeights& across_of(std::size_t set, int clock) const {
-    return across[static_cast<std::size_t>(clock) * sets.size() + set];
+  std::size_t across_block(int clock, std::size_t tile) const { return block_count() + block(clock, tile); }
+  std::size_t block_count() const { return static_cast<std::size_t>(clocks.count()) * tiles.count(); }
+  std::size_t across_block_count() const { return mesh ? block_count() : 0; }
+  /// Of a block of particles on one lattice.
+  int level_of_block(std::size_t block) const { return tiles.level_of(block % tiles.count()); }
+  int clock_of_block(std::size_t block) const {
+    return static_cast<int>(block % block_count() / tiles.count());
   }
   /// Rows of nodes of all lattices.
   std::size_t row_count() const;
@@ -69,9 +86,6 @@ struct Domain {
   double fastest_wave(); ///< largest c_p of the particles in their present stress, m/s
 };
 
-/// Blocks of rows of a lattice.
-std::size_t blocks_of(const Lattice& lattice);
-
 /// Builds the ties on the present extent of the grid, and the graded mesh if the spec refines; then all
 /// fields become zero.
 void rebuild_mesh(Domain& domain);
@@ -79,7 +93,7 @@ void rebuild_mesh(Domain& domain);
 /// Names a particle that something rides on, which is then never cut (splitting.hpp).
 void keep_whole(Domain& domain, std::size_t set, std::uint32_t id);
 
-/// Orders all particles by lattice and cell and finds what they may touch; the grid's fields become zero.
+/// Orders all particles by tile and cell and finds what they may touch; the grid's fields become zero.
 /// @throws std::runtime_error if a particle has left the grid, naming its place
 void sort_particles(Domain& domain);
 

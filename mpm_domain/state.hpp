@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -50,7 +51,7 @@ void save(const Particles& set, const std::string& name, Writer& to) {
     to.write(name + "." + line.name, values);
   });
   to.write(name + ".state", set.state);
-  write_integers(to, name + ".block_start", set.block_start);
+  write_integers(to, name + ".tile_start", set.block_start);
   write_integers(to, name + ".index_of", set.index_of);
 }
 
@@ -66,8 +67,18 @@ void restore(Particles& set, const std::string& name, bool cut, const Reader& fr
     values = numbers_of_size(from, name + "." + line.name, set.id.size());
   });
   set.state = numbers_of_size(from, name + ".state", set.id.size() * set.state_size);
-  read_integers(from, name + ".block_start", set.block_start);
+  read_integers(from, name + ".tile_start", set.block_start);
   read_integers(from, name + ".index_of", set.index_of);
+}
+
+/// @throws std::runtime_error for the blocks of particles of another grid
+inline void require_blocks(const Domain& domain, const Particles& set, const std::string& name) {
+  const std::size_t blocks = domain.block_count() + domain.across_block_count();
+  const std::vector<std::size_t>& start = set.block_start;
+  if (start.size() != blocks + 1 || !std::ranges::is_sorted(start) || start.back() != set.size())
+    throw std::runtime_error(fmt::format(
+        "the checkpoint orders {} particles of {} in {} blocks, the domain has {} particles in {} blocks",
+        start.empty() ? 0 : start.back(), name, start.size() - (start.empty() ? 0 : 1), set.size(), blocks));
 }
 
 template <class Writer>
@@ -88,8 +99,11 @@ void restore(Domain& domain, const Reader& from) {
   domain.grid.y0 = grid[1];
   resize(domain.grid, static_cast<int>(grid[2]), static_cast<int>(grid[3]));
   rebuild_mesh(domain);
-  for (std::size_t s = 0; s < domain.sets.size(); ++s)
-    restore(domain.sets[s], "soil" + std::to_string(s), domain.mesh.has_value(), from);
+  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+    const std::string name = "soil" + std::to_string(s);
+    restore(domain.sets[s], name, domain.mesh.has_value(), from);
+    require_blocks(domain, domain.sets[s], name);
+  }
   domain.boundary.restore(from);
   find_reach(domain);
   domain.energy.set_state(numbers_of_size(from, "energy", domain.energy.state().size()));

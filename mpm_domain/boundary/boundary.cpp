@@ -133,7 +133,14 @@ void Boundary::build_supports(const Domain& domain) {
   }
 }
 
-void Boundary::find_levels(const Domain& domain) {
+void Boundary::follow_sort(const Domain& domain) {
+  const std::size_t nodes = domain.grid.size();
+  if (nodes_.restart(nodes))
+    for (NodeField* field : {&on_nodes_x_, &on_nodes_y_})
+      field->assign(nodes, 0.0);
+  dashpots_.resize(static_cast<std::size_t>(domain.clocks.count()), ConsistentDashpots(nodes_));
+  for (ConsistentDashpots& dashpots : dashpots_)
+    dashpots.fit(nodes);
   if (domain.mesh)
     for (BoundaryFace& face : faces_)
       face.level = level_of(domain, face);
@@ -179,7 +186,7 @@ void Boundary::add_to_layer_mean(std::size_t f) {
   layer_sums_[3 * f + 2] += weight;
 }
 
-void Boundary::react(double time) {
+void Boundary::react(double time, WorkerPool& workers) {
   std::vector<Vector> mean(faces_.size());
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if (faces_[f].support != Support::matched_layer)
@@ -189,7 +196,7 @@ void Boundary::react(double time) {
     reaction_[f] = {};
   }
   std::ranges::fill(layer_sums_, 0.0);
-  mpm_domain::react(layers_, corners_, time, mean, free_field_, reaction_);
+  mpm_domain::react(layers_, corners_, time, mean, free_field_, reaction_, workers);
 }
 
 void Boundary::evaluate(std::size_t f) {
@@ -216,9 +223,6 @@ void Boundary::apply(Domain& domain, const Ticks& ticks, const ClockNodes& nodes
 
 void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
   Grid& grid = domain.grid;
-  if (nodes_.restart(grid.size()))
-    for (NodeField* field : {&on_nodes_x_, &on_nodes_y_})
-      field->assign(grid.size(), 0.0);
   nodes_.add(weights_);
   const auto clocks = static_cast<std::size_t>(ticks.clocks());
   if (ticks.first_due() > 0)
@@ -226,20 +230,24 @@ void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& node
   loads_.resize(faces_.size() * clocks);
   for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock)
     find_loads(clock, ticks);
+  const bool one_clock = nodes.one_clock();
+  const auto is_due = [&](std::size_t n) { return one_clock || nodes.clock_of(n) >= ticks.first_due(); };
   domain.workers.run(2, [&](std::size_t component) {
     const auto spread_along = [&](double Vector::*axis, NodeField& boundary, NodeField& force,
                                   NodeField& dashpot) {
       for (const std::size_t n : nodes_.all())
-        if (nodes.clock_of(n) >= ticks.first_due())
+        if (is_due(n))
           boundary[n] = 0.0;
-      for (std::size_t f = 0; f < faces_.size(); ++f)
+      for (std::size_t f = 0; f < faces_.size(); ++f) {
+        const Load* const loads = &loads_[f * clocks];
         for (const auto& [node, w] : weights_[f]) {
-          const Load& load = loads_[f * clocks + static_cast<std::size_t>(nodes.clock_of(node))];
+          const Load& load = loads[one_clock ? 0 : nodes.clock_of(node)];
           boundary[node] += w * load.force.*axis;
           dashpot[node] += w * load.dashpot.*axis;
         }
+      }
       for (const std::size_t n : nodes_.all())
-        if (nodes.clock_of(n) >= ticks.first_due())
+        if (is_due(n))
           force[n] += boundary[n];
     };
     if (component == 0)
@@ -278,8 +286,6 @@ void Boundary::find_loads(int clock, const Ticks& ticks) {
 
 /// Faces whose nodes are all of one clock have consistent dashpots; the few others stay lumped.
 void Boundary::correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
-  while (dashpots_.size() < static_cast<std::size_t>(ticks.clocks()))
-    dashpots_.emplace_back(nodes_);
   if (ticks.clocks() == 1)
     return dashpots_.front().correct(domain, weights_, ticks.kick_of(0));
   consistent_.resize(dashpots_.size());
@@ -298,6 +304,7 @@ void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes)
   const int first_due = ticks.first_due();
   const Grid& grid = domain.grid;
   EnergyLedger& energy = domain.energy;
+  const bool one_clock = nodes.one_clock();
   std::array<Vector, most_clocks> v_of; // of the face's nodes by clock, mean over the update, m/s
   std::array<double, most_clocks> kick{};
   for (int clock = 0; clock < ticks.clocks(); ++clock)
@@ -306,7 +313,7 @@ void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes)
     const BoundaryFace& face = faces_[f];
     std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
     for (const auto& [node, w] : weights_[f]) {
-      Vector& v = v_of[static_cast<std::size_t>(nodes.clock_of(node))];
+      Vector& v = v_of[one_clock ? 0 : static_cast<std::size_t>(nodes.clock_of(node))];
       const double half = 0.5 * w;
       v.x += half * (grid.vx_before[node] + grid.vx_after[node]);
       v.y += half * (grid.vy_before[node] + grid.vy_after[node]);

@@ -55,14 +55,14 @@ public:
   void build_supports(const Domain& domain);
   bool has_layers() const { return !layers_.empty(); }
 
-  /// After a sort.
-  void find_levels(const Domain& domain);
+  /// After a sort: the grid may have grown, and particles of faces may have come to other cells.
+  void follow_sort(const Domain& domain);
 
   /// The passes of a step. At its first tick: velocities of the faces and free field, then what matched
   /// layers make of it.
   void exchange(Domain& domain, const ClockNodes& nodes, const FreeFieldSource& source, long step,
                 double time);
-  void react(double time);
+  void react(double time, WorkerPool& workers);
   /// At every tick: Eq. (6) of the faces that are due, on the nodes' forces and dashpots.
   void apply(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
   /// After the update: the work of the boundary, by its parts.

@@ -79,14 +79,16 @@ void lattice_weights(const BoundaryFace& face, const Particles& set, const Latti
     const Linear across = linear_weights(line.x_min, lattice.x0, lattice.h);
     const Weights along = cell_weights(set.y[k], {lattice.y0, lattice.h}, half.y);
     for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < 2; ++b)
-        add_touched(across.base + b, along.base + a, along.s[a] * across.w[b]);
+      if (along.s[a] != 0.0)
+        for (int b = 0; b < 2; ++b)
+          add_touched(across.base + b, along.base + a, along.s[a] * across.w[b]);
   } else {
     const Linear across = linear_weights(line.y_min, lattice.y0, lattice.h);
     const Weights along = cell_weights(set.x[k], {lattice.x0, lattice.h}, half.x);
     for (int b = 0; b < 2; ++b)
-      for (int a = 0; a < 4; ++a)
-        add_touched(along.base + a, across.base + b, along.s[a] * across.w[b]);
+      if (across.w[b] != 0.0)
+        for (int a = 0; a < 4; ++a)
+          add_touched(along.base + a, across.base + b, along.s[a] * across.w[b]);
   }
 }
 

@@ -31,13 +31,17 @@ void ConsistentDashpots::iterate(const NodeField& force, std::span<const FaceWei
   }
 }
 
+void ConsistentDashpots::fit(std::size_t grid_size) {
+  if (x_.g.size() == grid_size)
+    return;
+  for (Component* c : {&x_, &y_})
+    for (NodeField* field : {&c->a, &c->g, &c->per_inertia})
+      field->assign(grid_size, 0.0);
+}
+
 void ConsistentDashpots::correct(Domain& domain, std::span<const FaceWeights> weights, double dt) {
   constexpr int steps = 3;
   Grid& grid = domain.grid;
-  if (x_.g.size() != grid.size())
-    for (Component* c : {&x_, &y_})
-      for (NodeField* field : {&c->a, &c->g, &c->per_inertia})
-        field->assign(grid.size(), 0.0);
   const std::span<const BoundaryFace> faces = std::as_const(domain.boundary).faces();
   for (Component* c : {&x_, &y_})
     c->of_faces.resize(faces.size());

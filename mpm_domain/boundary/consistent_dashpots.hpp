@@ -28,6 +28,9 @@ public:
   /// @param nodes that the faces touch; outlives this
   explicit ConsistentDashpots(const FaceNodes& nodes) : nodes_(&nodes) {}
 
+  /// Makes room for a grid of so many nodes.
+  void fit(std::size_t grid_size);
+
   /// Adds g to the nodal forces; the faces' tractions and lumped dashpots are there already.
   /// @param weights one a face of the domain; a face without any is left out
   /// @param dt time that the forces act for, s

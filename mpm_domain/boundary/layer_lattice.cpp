@@ -67,18 +67,17 @@ void LayerLattice::lump() {
   }
 }
 
-void LayerLattice::advance(double dt, std::span<const Vector> boundary_velocity) {
-  move(dt, boundary_velocity);
-  sum_forces(dt);
+void LayerLattice::advance(double dt, std::span<const Vector> boundary_velocity, WorkerPool& workers) {
+  move(dt, boundary_velocity, workers);
+  sum_forces(dt, workers);
 }
 
 // Leapfrog, damping centred: (m/dt + c/2) w+ = (m/dt - c/2) w- + f + k Z, where c = m b + C and k = m b a - b
 // C with C the dashpots of an end, which the stretch turns into C (w + b Z).
-void LayerLattice::move(double dt, std::span<const Vector> boundary_velocity) {
+void LayerLattice::move(double dt, std::span<const Vector> boundary_velocity, WorkerPool& workers) {
   const double a = stretch_.shift();
   const Decay decay(a, dt);
-  const std::size_t moving = across_ * static_cast<std::size_t>(shape_.cells); // all but the fixed end
-  for (std::size_t n = 0; n < moving; ++n) {
+  const auto move_node = [&](std::size_t n) {
     const double rate = mass_[n] / dt;
     const double b = damping_[n];
     const auto kicked = [&](double v, double f, double z, double dashpot) {
@@ -92,17 +91,42 @@ void LayerLattice::move(double dt, std::span<const Vector> boundary_velocity) {
                kicked(v_[n].y, force_[n].y, z_[n].y, end_dashpot_[n].y)};
     u_[n] = {u_[n].x + dt * v_[n].x, u_[n].y + dt * v_[n].y};
     z_[n] = {decay.keep * z_[n].x + decay.gain * v_[n].x, decay.keep * z_[n].y + decay.gain * v_[n].y};
+  };
+  workers.run(static_cast<std::size_t>(shape_.cells), [&](std::size_t row) { // all but the fixed end
+    for (std::size_t n = row * across_; n < (row + 1) * across_; ++n)
+      move_node(n);
+  });
+}
+
+void LayerLattice::sum_forces(double dt, WorkerPool& workers) {
+  constexpr std::size_t columns_per_block = 16;
+  const auto rows = static_cast<std::size_t>(shape_.cells);
+  const std::size_t columns = shape_.columns.size();
+  const double height = shape_.depth / shape_.cells;
+  const double shift = stretch_.shift();
+  const Decay stress_decay(shift, dt);
+  std::vector<StrainDecays> strain_decays;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto decay_at = [&](double zeta) {
+      return Decay(shift + stretch_.rate((static_cast<double>(row) + zeta) * height), dt);
+    };
+    strain_decays.push_back({decay_at(BilinearElement::gauss[0]), decay_at(BilinearElement::gauss[1])});
   }
-}
-
-void LayerLattice::sum_forces(double dt) {
   std::ranges::fill(force_, Vector{});
-  for (std::size_t row = 0; row < static_cast<std::size_t>(shape_.cells); ++row)
-    for (std::size_t column = 0; column < shape_.columns.size(); ++column)
-      strain_element(column, row, dt);
+  std::size_t blocks = std::max<std::size_t>(1, columns / columns_per_block);
+  if (shape_.ends[0] == LayerEnd::repeated && blocks % 2 == 1 && blocks > 1)
+    --blocks; // the last one shares nodes with the first
+  for (std::size_t colour = 0; colour < 2; ++colour)
+    workers.run((blocks + 1 - colour) / 2, [&](std::size_t task) {
+      const std::size_t block = 2 * task + colour;
+      for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = columns * block / blocks; column < columns * (block + 1) / blocks; ++column)
+          strain_element(column, row, stress_decay, strain_decays[row]);
+    });
 }
 
-void LayerLattice::strain_element(std::size_t column, std::size_t row, double dt) {
+void LayerLattice::strain_element(std::size_t column, std::size_t row, const Decay& stress_decay,
+                                  const StrainDecays& strain_decays) {
   const auto& [width, density, p_modulus, shear] = shape_.columns[column];
   const double lame = p_modulus - 2.0 * shear;
   const double height = shape_.depth / shape_.cells;
@@ -111,15 +135,14 @@ void LayerLattice::strain_element(std::size_t column, std::size_t row, double dt
   const BilinearElement element{width, height};
   const BilinearElement::Vectors u{u_[nodes[0]], u_[nodes[1]], u_[nodes[2]], u_[nodes[3]]};
   BilinearElement::Vectors force{};
-  const Decay stress_decay(stretch_.shift(), dt);
   Memory* memory = &memory_[BilinearElement::points * (row * shape_.columns.size() + column)];
-  for (const double zeta : BilinearElement::gauss) {
+  for (std::size_t g = 0; g < BilinearElement::gauss.size(); ++g) {
+    const double zeta = BilinearElement::gauss[g];
     const double b = stretch_.rate((static_cast<double>(row) + zeta) * height);
-    const Decay strain_decay(stretch_.shift() + b, dt);
     const Vector ux = element.along(u, zeta);
     for (const double xi : BilinearElement::gauss) {
       const Vector uz = element.down(u, xi);
-      const Vector q = remember(memory->q, strain_decay, uz);
+      const Vector q = remember(memory->q, strain_decays[g], uz);
       const Vector e = {uz.x - b * q.x, uz.y - b * q.y};
       const double sxz = shear * (e.x + ux.y);
       const Vector on_x = {p_modulus * ux.x + lame * e.y, sxz};

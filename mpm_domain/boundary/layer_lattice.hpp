@@ -21,6 +21,7 @@
 #include "coupler/eq6/boundary_traction.hpp"
 #include "mpm_domain/boundary/bilinear_element.hpp"
 #include "mpm_domain/boundary/layer_stretch.hpp"
+#include "mpm_domain/tiles/worker_pool.hpp"
 
 #include <array>
 #include <cstddef>
@@ -69,8 +70,8 @@ public:
   explicit LayerLattice(LayerShape shape);
 
   /// From one time to the next, dt later (s), while the nodes on the boundary move at the given velocities
-  /// (m/s).
-  void advance(double dt, std::span<const eq6::Vector> boundary_velocity);
+  /// (m/s). Blocks of columns are worked on in two colours, so no two threads write one node.
+  void advance(double dt, std::span<const eq6::Vector> boundary_velocity, WorkerPool& workers);
 
   /// Nodes on the boundary.
   [[nodiscard]] std::size_t width() const { return across_; }
@@ -105,10 +106,14 @@ private:
     eq6::Vector q; ///< Q
     eq6::Vector s; ///< S: of s_xx and s_xz
   };
+  /// Of the strain at the two depths of a row of elements where its integration points lie.
+  using StrainDecays = std::array<Decay, 2>;
+
   void lump();
-  void move(double dt, std::span<const eq6::Vector> boundary_velocity);
-  void sum_forces(double dt);
-  void strain_element(std::size_t column, std::size_t row, double dt);
+  void move(double dt, std::span<const eq6::Vector> boundary_velocity, WorkerPool& workers);
+  void sum_forces(double dt, WorkerPool& workers);
+  void strain_element(std::size_t column, std::size_t row, const Decay& stress_decay,
+                      const StrainDecays& strain_decays);
   [[nodiscard]] std::size_t end_node(std::size_t end, std::size_t j) const {
     return node(end == 0 ? 0 : across_ - 1, j);
   }

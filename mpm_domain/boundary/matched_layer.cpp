@@ -172,9 +172,9 @@ void MatchedLayer::follow(std::span<const Vector> v_domain, std::span<const eq6:
   }
 }
 
-void MatchedLayer::advance(double time) {
+void MatchedLayer::advance(double time, WorkerPool& workers) {
   if (started_)
-    lattice_.advance(time - time_, velocity_);
+    lattice_.advance(time - time_, velocity_, workers);
 }
 
 void MatchedLayer::react(double time, std::span<const eq6::FreeField> free_field,
@@ -237,15 +237,17 @@ std::vector<JoinedLayers> join(std::span<MatchedLayer> layers) {
 
 void react(std::span<MatchedLayer> layers, std::span<JoinedLayers> joined, double time,
            std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field,
-           std::span<Vector> tractions) {
+           std::span<Vector> tractions, WorkerPool& workers) {
   for (MatchedLayer& layer : layers)
     layer.follow(v_domain, free_field);
-  for (auto& [s, b, joint] : joined)
+  workers.run(joined.size(), [&](std::size_t corner) { // each leads an end of its own of the base's layer
+    auto& [s, b, joint] = joined[corner];
     if (const std::optional<double> dt = layers[b].step_to(time))
       joint.advance(*dt, layers[s].end_velocity(0), layers[b].end_velocity(joint.base_end()),
                     layers[s].lattice(), layers[b].lattice());
+  });
   for (MatchedLayer& layer : layers)
-    layer.advance(time);
+    layer.advance(time, workers);
   for (auto& [s, b, joint] : joined)
     joint.pull(layers[s].lattice(), layers[b].lattice());
   for (MatchedLayer& layer : layers)

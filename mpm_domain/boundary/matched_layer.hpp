@@ -44,7 +44,7 @@ public:
   /// both of all faces of the domain
   void follow(std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field);
   /// Moves the layer to this time (s), its boundary as it follows.
-  void advance(double time);
+  void advance(double time, WorkerPool& workers);
   /// Adds the layer's traction (Pa) to those of its faces, up to the inertia that the faces carry.
   void react(double time, std::span<const eq6::FreeField> free_field, std::span<Vector> tractions);
 
@@ -106,6 +106,6 @@ std::vector<JoinedLayers> join(std::span<MatchedLayer> layers);
 /// @param v_domain, free_field, tractions of all faces of the domain
 void react(std::span<MatchedLayer> layers, std::span<JoinedLayers> joined, double time,
            std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field,
-           std::span<Vector> tractions);
+           std::span<Vector> tractions, WorkerPool& workers);
 
 } // namespace tremolo::mpm_domain

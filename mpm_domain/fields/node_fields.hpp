@@ -61,6 +61,11 @@ inline constexpr std::array node_field_table{
     NodeFieldDescription{"ay", "m/s2", NodeGroup::acceleration, &NodeFields::ay},
 };
 
+/// The fields that particles add up to, in the order in which tiles keep their sums.
+enum class Sum : std::size_t { mass, momentum_x, momentum_y, force_x, force_y };
+inline constexpr std::array particle_sums{&NodeFields::mass, &NodeFields::momentum_x, &NodeFields::momentum_y,
+                                          &NodeFields::force_x, &NodeFields::force_y};
+
 /// act(field) for every field of a group.
 template <typename Act>
 constexpr void for_group(NodeFields& fields, NodeGroup group, const Act& act) {

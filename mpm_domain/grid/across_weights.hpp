@@ -12,7 +12,8 @@ namespace tremolo::mpm_domain {
 /// Weights of four real nodes in the part of a particle's box that lies in one cell.
 struct FourWeights {
   std::array<std::uint32_t, 4> node;
-  std::uint32_t four; ///< of the table of cells, which knows where the nodes lie
+  std::uint32_t four;  ///< of the table of cells, which knows where the nodes lie
+  std::uint32_t place; ///< of that four among those that the particles touch: AcrossWeights::fours()
   Lanes s;
   Lanes gx, gy; ///< 1/m
 };
@@ -36,6 +37,8 @@ public:
   /// The next particle: the cells that its box may touch from now on.
   /// @param reach  m
   void expect(const GradedMesh& mesh, BasisCells& cells, const mesh::Rectangle& reach);
+  /// After the last particle: gives the fours of all cells their places.
+  void settle(const BasisCells& cells);
 
   /// Forgets the weights, not the cells.
   void clear();
@@ -46,8 +49,9 @@ public:
   std::size_t first() const { return first_; }
   std::size_t end() const { return first_ + cells_start_.size() - 1; }
 
-  /// All cells that the particles may touch; numbers in the table, which may stand several times.
-  std::span<const std::uint32_t> cells() const { return cells_; }
+  /// Fours of the table that the particles may touch, each once, in an order that is theirs however cells
+  /// have been found.
+  std::span<const std::uint32_t> fours() const { return fours_; }
 
   std::span<const FourWeights> of(std::size_t particle) const {
     const std::size_t n = particle - first_;
@@ -56,9 +60,16 @@ public:
   const InverseMoments& per_moments(std::size_t particle) const { return per_moments_[particle - first_]; }
 
 private:
+  /// A cell of the table; the places of its fours follow each other.
+  struct TouchedCell {
+    std::uint32_t number;
+    std::uint32_t first_place;
+  };
+
   std::size_t first_ = 0;
   std::vector<std::size_t> cells_start_{0};
-  std::vector<std::uint32_t> cells_;
+  std::vector<TouchedCell> cells_;
+  std::vector<std::uint32_t> fours_;
   std::vector<std::size_t> start_{0};
   std::vector<FourWeights> weights_;
   std::vector<InverseMoments> per_moments_;

@@ -45,7 +45,7 @@ std::uint32_t BasisCells::number_of(const GradedMesh& mesh, const mesh::Cell& ce
   if (is_new) {
     const auto first = static_cast<std::uint32_t>(fours_.size());
     add_nodes(mesh, cell);
-    cells_.push_back({mesh.tree().rectangle(cell), 1.0 / mesh.tree().size(cell.level), first,
+    cells_.push_back({key_of(cell), mesh.tree().rectangle(cell), 1.0 / mesh.tree().size(cell.level), first,
                       static_cast<std::uint32_t>(fours_.size())});
   }
   return at->second;

@@ -12,9 +12,10 @@
 #include "mpm_domain/grid/graded_mesh.hpp"
 #include "mpm_domain/transfer/lanes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct FourNodes {
 
 /// A cell and its nodes, fours [first, end) of the table's.
 struct BasisCell {
+  std::uint64_t key; ///< orders cells the same way whenever they were asked for
   mesh::Rectangle all;
   double per_h = 0.0; ///< 1/m
   std::uint32_t first = 0;
@@ -60,20 +62,16 @@ private:
   std::vector<FourNodes> fours_;
 };
 
-/// Calls act(cell, part) for those of some cells of a table that a box with width and height overlaps.
-template <typename Act>
-[[gnu::always_inline]] inline void for_parts(const BasisCells& table, std::span<const std::uint32_t> cells,
-                                             const mesh::Rectangle& box, const Act& act) {
-  const double per_area = 1.0 / box.area();
-  for (const std::uint32_t number : cells) {
-    const BasisCell& cell = table[number];
-    const mesh::Rectangle& all = cell.all;
-    const mesh::Rectangle part{std::max(all.x_min, box.x_min), std::max(all.y_min, box.y_min),
-                               std::min(all.x_max, box.x_max), std::min(all.y_max, box.y_max)};
-    if (part.x_min < part.x_max && part.y_min < part.y_max)
-      act(cell, BoxPart{part.area() * per_area, (0.5 * (part.x_min + part.x_max) - all.x_min) * cell.per_h,
-                        (0.5 * (part.y_min + part.y_max) - all.y_min) * cell.per_h});
-  }
+/// The part of a box with width and height in a cell, if they overlap.
+/// @param per_area  of the box, 1/m2
+inline std::optional<BoxPart> part_in(const BasisCell& cell, const mesh::Rectangle& box, double per_area) {
+  const mesh::Rectangle& all = cell.all;
+  const mesh::Rectangle part{std::max(all.x_min, box.x_min), std::max(all.y_min, box.y_min),
+                             std::min(all.x_max, box.x_max), std::min(all.y_max, box.y_max)};
+  if (!(part.x_min < part.x_max && part.y_min < part.y_max))
+    return std::nullopt;
+  return BoxPart{part.area() * per_area, (0.5 * (part.x_min + part.x_max) - all.x_min) * cell.per_h,
+                 (0.5 * (part.y_min + part.y_max) - all.y_min) * cell.per_h};
 }
 
 } // namespace tremolo::mpm_domain

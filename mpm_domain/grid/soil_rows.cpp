@@ -94,13 +94,13 @@ std::vector<NodeRange> find_soil_rows(const Domain& domain) {
   Rows rows(domain);
   for (const Particles& set : domain.sets)
     for (std::size_t block = 0; block < domain.block_count(); ++block) {
-      const int level = domain.lattice_of_block(block);
+      const int level = domain.level_of_block(block);
       for (std::size_t k = set.block_start[block]; k < set.block_start[block + 1]; ++k)
         rows.touch(level, reach_of(set, k, domain.sort_distance()));
     }
-  for (const AcrossWeights& particles : domain.across)
-    for (const std::uint32_t cell : particles.cells())
-      for (std::uint32_t four = domain.basis_cells[cell].first; four < domain.basis_cells[cell].end; ++four)
+  for (const ClockTiles& clock : domain.clock_tiles)
+    for (const AcrossTile& tile : clock.across)
+      for (const std::uint32_t four : tile.weights.fours())
         for (const std::uint32_t node : domain.basis_cells.four(four).node)
           rows.touch(node);
   if (domain.mesh) {

@@ -31,20 +31,24 @@ namespace {
                                        allowed.y_min, allowed.y_max));
 }
 
-/// The first node of a particle's stencil.
-std::size_t first_node(const Particles& p, std::size_t k, const Lattice& lattice) {
+/// By block, and in it by the first node of the particle's stencil.
+/// @param first_block  that of the first tile
+std::size_t key_of(const Particles& p, std::size_t k, const TileMap& tiles, int level,
+                   std::size_t first_block) {
+  const Lattice& lattice = tiles.lattice(level);
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const int column = cell_weights(p.x[k], x_axis, p.half_size).base;
   const int row = p.has_own_boxes() ? cell_weights(p.y[k], y_axis, p.half_size).base
                                     : gimp_weights(p.y[k], y_axis, p.half_size).base;
-  return lattice.index(column, row);
+  const int cell = std::max(row, 0) % tile_rows * tile_columns + std::max(column, 0) % tile_columns;
+  return (first_block + tiles.tile_of(level, column, row)) * cells_per_tile + static_cast<std::size_t>(cell);
 }
 
-/// Puts the particles in the order of their keys, keeping that of equal ones.
-/// @returns the first place of every key, and the end
-std::vector<std::size_t> order_by(Particles& particles, std::span<const std::size_t> key, std::size_t keys) {
+/// Puts the particles in the order of their keys, keeping that of equal ones, and finds their blocks.
+void order_by(Particles& particles, std::span<const std::size_t> key, std::size_t blocks) {
   const std::size_t n = particles.size();
+  const std::size_t keys = blocks * cells_per_tile;
   std::vector<std::size_t> start(keys + 1, 0);
   for (std::size_t k = 0; k < n; ++k)
     ++start[key[k] + 1];
@@ -71,43 +75,35 @@ std::vector<std::size_t> order_by(Particles& particles, std::span<const std::siz
     particles.id[k] = old_id[from[k]];
     particles.index_of[particles.id[k]] = static_cast<std::uint32_t>(k);
   }
-  return start;
-}
-
-/// Adds the first particle of every block of a lattice, whose node (0, 0) has a key.
-void add_block_starts(const Lattice& lattice, std::size_t key, std::span<const std::size_t> start,
-                      std::vector<std::size_t>& block_start) {
-  for (int row = 0; row < lattice.ny; row += rows_per_block)
-    block_start.push_back(start[key + static_cast<std::size_t>(row) * static_cast<std::size_t>(lattice.nx)]);
+  particles.block_start.clear();
+  for (std::size_t block = 0; block <= blocks; ++block)
+    particles.block_start.push_back(start[block * cells_per_tile]);
 }
 
 } // namespace
 
-void sort_by_cell(Particles& particles, const Grid& grid) {
+void sort_by_cell(Particles& particles, const Grid& grid, const TileMap& tiles) {
   // A particle may move by one cell before the next sort, hence the margin; NaN fails every comparison.
   const mesh::Rectangle allowed{grid.x0 + 2 * grid.h, grid.y0 + 2 * grid.h, grid.x0 + (grid.nx - 3) * grid.h,
                                 grid.y0 + (grid.ny - 3) * grid.h};
-  std::vector<std::size_t> cell(particles.size());
-  for (std::size_t k = 0; k < cell.size(); ++k) {
+  std::vector<std::size_t> key(particles.size());
+  for (std::size_t k = 0; k < key.size(); ++k) {
     const double x = particles.x[k];
     const double y = particles.y[k];
     if (!(x >= allowed.x_min && x < allowed.x_max && y >= allowed.y_min && y < allowed.y_max))
       refuse_outside(particles, k, allowed);
-    cell[k] = first_node(particles, k, grid);
+    key[k] = key_of(particles, k, tiles, 0, 0);
   }
-  const std::vector<std::size_t> start = order_by(particles, cell, grid.size());
-  particles.block_start.clear();
-  add_block_starts(grid, 0, start, particles.block_start);
-  particles.block_start.push_back(particles.size());
+  order_by(particles, key, tiles.count());
 }
 
-void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMap& clocks, double margin) {
+void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const TileMap& tiles,
+                     const ClockMap& clocks, double margin) {
   const mesh::Roots& roots = mesh.tree().roots();
   const double reach = (particles.has_own_boxes() ? particles.cell_size : particles.half_size) + 2.0 * margin;
   const mesh::Rectangle allowed{roots.x0 + reach, roots.y0 + reach, roots.x0 + roots.nx * roots.h - reach,
                                 roots.y0 + roots.ny * roots.h - reach};
-  const std::size_t levels = mesh.lattices().size();
-  const std::size_t across = static_cast<std::size_t>(clocks.count()) * mesh.node_count();
+  const std::size_t blocks = static_cast<std::size_t>(clocks.count()) * tiles.count();
   std::vector<std::size_t> key(particles.size());
   for (std::size_t k = 0; k < key.size(); ++k) {
     const double x = particles.x[k];
@@ -121,17 +117,9 @@ void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMa
     const double most = particles.has_own_boxes() ? lattice.h : 0.5001 * lattice.h;
     const bool on_one = touches.one_lattice() && half.x <= most && half.y <= most;
     const auto clock = static_cast<std::size_t>(clocks.at(x, y));
-    key[k] = on_one ? clock * mesh.node_count() + first_node(particles, k, lattice)
-                    : across + clock * levels + static_cast<std::size_t>(touches.finest);
+    key[k] = key_of(particles, k, tiles, touches.finest, (on_one ? 0 : blocks) + clock * tiles.count());
   }
-  const std::size_t across_blocks = static_cast<std::size_t>(clocks.count()) * levels;
-  const std::vector<std::size_t> start = order_by(particles, key, across + across_blocks);
-  particles.block_start.clear();
-  for (std::size_t first = 0; first < across; first += mesh.node_count())
-    for (const Lattice& lattice : mesh.lattices())
-      add_block_starts(lattice, first + lattice.first, start, particles.block_start);
-  for (std::size_t block = 0; block <= across_blocks; ++block)
-    particles.block_start.push_back(start[across + block]);
+  order_by(particles, key, 2 * blocks);
 }
 
 } // namespace tremolo::mpm_domain

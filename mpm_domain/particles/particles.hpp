@@ -5,6 +5,7 @@
 #include "mpm_domain/grid/grid.hpp"
 #include "mpm_domain/spec/spec.hpp"
 #include "mpm_domain/step/clock_map.hpp"
+#include "mpm_domain/tiles/tile_map.hpp"
 #include "mpm_domain/transfer/kernel.hpp"
 #include "mpm_domain/transfer/particle_boxes.hpp"
 
@@ -15,14 +16,13 @@
 
 namespace tremolo::mpm_domain {
 
-/// Rows of cells that one task of a particle loop owns.
-///
-/// Every second block is scattered at once. Boxes that follow the soil reach farthest: of n rows of cells
-/// [0, n), or one more on either side since particles may have moved by up to a cell since the last sort,
-/// they touch the nodes -2 to n + 2, and those of the block after the next one 2n - 2 and more. So n > 4.
-inline constexpr int rows_per_block = 5;
+/// Particles [begin, end) of a set.
+struct ParticleRange {
+  std::size_t begin;
+  std::size_t end;
+};
 
-/// All particles of one soil and of one size, one array a quantity, ordered by grid cell.
+/// All particles of one soil and of one size, one array a quantity, ordered by tile and cell.
 struct Particles : ParticleFields {
   std::string soil;
   std::size_t soil_index = 0; ///< into Spec::soils
@@ -46,6 +46,7 @@ struct Particles : ParticleFields {
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
   std::size_t size() const { return x.size(); }
+  ParticleRange in_block(std::size_t block) const { return {block_start[block], block_start[block + 1]}; }
   /// Stress and state of particles [first, first + count), as laws see them; who steps adds the increments.
   materials::Points points(std::size_t first, std::size_t count);
 
@@ -74,9 +75,9 @@ private:
   }
 };
 
-/// Orders the particles by cell, rows first, keeping the order of those that share a cell.
+/// Orders the particles by tile and in it by cell, rows first, keeping the order of those that share a cell.
 /// @throws std::runtime_error if a particle has left the grid, naming its place
-void sort_by_cell(Particles& particles, const Grid& grid);
+void sort_by_cell(Particles& particles, const Grid& grid, const TileMap& tiles);
 
 /// Half sides of a particle's box, m.
 inline Vector half_sides(const Particles& p, std::size_t k) {
@@ -100,12 +101,13 @@ inline mesh::Rectangle reach_of(const Particles& p, std::size_t k, double distan
   return {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
 }
 
-/// The same on a graded mesh: by clock, then by lattice, then by cell. Behind them stand, clock by clock and
-/// level by level of the finest cells that they touch, the particles whose box touches cells of several
-/// lattices or of a virtually split leaf, or might before the next sort, and those too large for the
+/// The same on a graded mesh: by clock, then by tile of their lattice, then by cell. Behind them stand, again
+/// by clock and tile, here of the finest lattice that they touch, the particles whose box touches cells of
+/// several lattices or of a virtually split leaf, or might before the next sort, and those too large for the
 /// lattice's kernel: half a cell, or a cell where boxes follow the soil.
 /// @param margin  how far particles may move until the next sort, m
 /// @throws std::runtime_error if a particle has left the mesh, naming its place
-void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const ClockMap& clocks, double margin);
+void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const TileMap& tiles,
+                     const ClockMap& clocks, double margin);
 
 } // namespace tremolo::mpm_domain

@@ -34,7 +34,7 @@ public:
 
   /// Particles of a block on one lattice.
   void touch_block(const Particles& set, std::size_t block) {
-    const Lattice& lattice = domain_.lattice(domain_.lattice_of_block(block));
+    const Lattice& lattice = domain_.lattice(domain_.level_of_block(block));
     const int clock = domain_.clock_of_block(block);
     std::optional<Reach> last_x, last_y;
     for (std::size_t k = set.block_start[block]; k < set.block_start[block + 1]; ++k) {

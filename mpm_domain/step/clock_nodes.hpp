@@ -28,7 +28,8 @@ public:
   /// Rows of the prolongation whose tied nodes the particles of a clock touch.
   std::span<const std::size_t> ties_of(int clock) const { return ties_[static_cast<std::size_t>(clock)]; }
   /// Of a real node; -1 if there are several clocks and no particle touches it.
-  int clock_of(std::size_t node) const { return clock_.empty() ? 0 : static_cast<int>(clock_[node]) - 1; }
+  int clock_of(std::size_t node) const { return one_clock() ? 0 : static_cast<int>(clock_[node]) - 1; }
+  bool one_clock() const { return clock_.empty(); }
 
   /// What a checkpoint keeps (state.hpp).
   template <class Writer>

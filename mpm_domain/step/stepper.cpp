@@ -153,7 +153,7 @@ void Stepper::exchange() {
 
 void Stepper::react() {
   if (ticks_.is_first())
-    domain_.boundary.react(time_);
+    domain_.boundary.react(time_, domain_.workers);
 }
 
 void Stepper::update() {
@@ -240,16 +240,14 @@ void Stepper::book(const GatherSums& sums) {
 
 double Stepper::updates_per_step() const {
   double updates = 0.0;
-  const std::size_t blocks = domain_.blocks_per_clock();
-  const auto levels = static_cast<std::size_t>(domain_.lattice_count());
+  const std::size_t tiles = domain_.tiles.count();
   for (const Particles& set : domain_.sets)
     for (int clock = 0; clock < ticks_.clocks(); ++clock) {
-      const auto c = static_cast<std::size_t>(clock);
-      const auto count = [&](std::size_t first, std::size_t n) {
-        return static_cast<double>(set.block_start[first + n] - set.block_start[first]);
+      const auto count = [&](std::size_t first_block) {
+        return static_cast<double>(set.block_start[first_block + tiles] - set.block_start[first_block]);
       };
-      const double across = domain_.mesh ? count(domain_.block_count() + c * levels, levels) : 0.0;
-      updates += (count(c * blocks, blocks) + across) * static_cast<double>(1 << clock);
+      const double across = domain_.mesh ? count(domain_.across_block(clock, 0)) : 0.0;
+      updates += (count(domain_.block(clock, 0)) + across) * static_cast<double>(1 << clock);
     }
   return updates;
 }

@@ -13,44 +13,28 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Particles [begin, end).
-struct ParticleRange {
-  std::size_t begin;
-  std::size_t end;
-};
-
-/// The particles of a set on a clock whose finest cells are of a level: those of its lattice, and those that
-/// touch others too. Without particles, a range is left out.
-std::vector<ParticleRange> ranges_of(const Domain& domain, const Particles& set, int level, int clock) {
-  std::vector<ParticleRange> ranges;
-  const auto add = [&](std::size_t first_block, std::size_t blocks) {
-    const std::size_t begin = set.block_start[first_block];
-    const std::size_t end = set.block_start[first_block + blocks];
-    if (begin < end)
-      ranges.push_back({begin, end});
-  };
-  std::size_t first = static_cast<std::size_t>(clock) * domain.blocks_per_clock();
-  for (int coarser = 0; coarser < level; ++coarser)
-    first += blocks_of(domain.lattice(coarser));
-  add(first, blocks_of(domain.lattice(level)));
-  if (domain.mesh)
-    add(domain.block_count() + static_cast<std::size_t>(clock * domain.lattice_count() + level), 1);
-  return ranges;
-}
-
-/// The least over all particles of steps_of(clock) 0.65 h/(c_p + |v|).
+/// The least over all particles of steps_of(clock) 0.65 h/(c_p + |v|), h being the finest of the cells that a
+/// particle touches.
 template <typename StepsOf>
 double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
-  double critical = std::numeric_limits<double>::infinity();
-  for (Particles& set : domain.sets)
-    for (int clock = 0; clock < domain.clocks.count(); ++clock)
-      for (int level = 0; level < domain.lattice_count(); ++level)
-        for (const auto& [begin, end] : ranges_of(domain, set, level, clock)) {
-          const double c = materials::p_wave_speed_bound(set.law, set.points(begin, end - begin));
-          critical = std::min(critical, steps_of(clock) * largest_courant_number * domain.lattice(level).h /
-                                            (c + max_speed));
-        }
-  return critical;
+  std::vector<double> least(domain.block_count(), std::numeric_limits<double>::infinity());
+  domain.workers.run(least.size(), [&](std::size_t block) {
+    const double h = domain.lattice(domain.level_of_block(block)).h;
+    const double way = steps_of(domain.clock_of_block(block)) * largest_courant_number * h;
+    const auto see = [&](Particles& set, const ParticleRange& range) {
+      if (range.begin == range.end)
+        return;
+      const double c =
+          materials::p_wave_speed_bound(set.law, set.points(range.begin, range.end - range.begin));
+      least[block] = std::min(least[block], way / (c + max_speed));
+    };
+    for (Particles& set : domain.sets) {
+      see(set, set.in_block(block));
+      if (domain.mesh)
+        see(set, set.in_block(domain.block_count() + block));
+    }
+  });
+  return *std::ranges::min_element(least);
 }
 
 /// 0.65 h/c_p of a matched layer at the base that is made of other ground than the soil.

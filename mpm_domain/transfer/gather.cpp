@@ -23,23 +23,6 @@ struct Increments {
   ChunkField plastic; ///< plastic work per volume
 };
 
-/// Consecutive blocks.
-struct BlockRange {
-  std::size_t first;
-  std::size_t count;
-};
-
-/// Which particles: those on one lattice, those across several.
-struct Blocks {
-  BlockRange lattice;
-  BlockRange across;
-};
-
-struct Settings {
-  Blocks blocks;
-  double dt;
-};
-
 template <typename Group>
 [[gnu::always_inline]] inline void take_affine(Particles& p, std::size_t k, Group group, const Samples& q) {
   group.store(&p.vx[k], q.v_after.x);
@@ -135,12 +118,11 @@ constexpr Wanted wanted_by{.v_before = parts.velocity && !affine,
 
 /// @param sample_at  (k, group, x, y) -> what a group of particles from k on, at x and y, reads off the grid
 template <GatherParts parts, bool affine, bool boxes_follow, typename SampleAt>
-GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const Settings& set,
-                        const SampleAt& sample_at) {
+GatherSums gather_range(Particles& p, const ParticleRange& range, double dt, const SampleAt& sample_at) {
   LaneSums sums;
   Increments inc;
-  for (std::size_t first = begin; first < end; first += chunk) {
-    const std::size_t count = std::min(chunk, end - first);
+  for (std::size_t first = range.begin; first < range.end; first += chunk) {
+    const std::size_t count = std::min(chunk, range.end - first);
     by_fours(0, count, [&](std::size_t c, auto group) {
       const std::size_t k = first + c;
       const Lanes x = group.load(&p.x[k]);
@@ -153,16 +135,15 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
           take_change(p, k, group, q);
       }
       if constexpr (parts.strain) {
-        const DisplacementGradient<Lanes> a{set.dt * q.vx_x, set.dt * q.vx_y, set.dt * q.vy_x,
-                                            set.dt * q.vy_y};
+        const DisplacementGradient<Lanes> a{dt * q.vx_x, dt * q.vx_y, dt * q.vy_x, dt * q.vy_y};
         take_strain(p, k, group, a, c, inc, sums);
         if constexpr (boxes_follow)
           deform_boxes(p, k, group, a);
       }
       if constexpr (parts.position || parts.drift) {
         const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_after;
-        group.store(&p.x[k], x + set.dt * v.x);
-        group.store(&p.y[k], y + set.dt * v.y);
+        group.store(&p.x[k], x + dt * v.x);
+        group.store(&p.y[k], y + dt * v.y);
         sums.max_speed2 = larger(v.x * v.x + v.y * v.y, sums.max_speed2);
       }
     });
@@ -172,57 +153,63 @@ GatherSums gather_range(Particles& p, std::size_t begin, std::size_t end, const 
   return sums.collected();
 }
 
-/// The particles of a soil in a block on one lattice.
+/// The particles of a soil in a tile.
 template <GatherParts parts, bool affine, typename Boxes>
-GatherSums gather_lattice(Domain& domain, Particles& p, std::size_t block, const Settings& settings) {
+GatherSums gather_tile(Domain& domain, Particles& p, int clock, std::size_t tile, double dt) {
   constexpr Wanted wanted = wanted_by<parts, affine>;
   const Grid& grid = domain.grid;
-  const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
+  const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const Boxes boxes(p, lattice, x_axis);
   return gather_range<parts, affine, Boxes::follow>(
-      p, p.block_start[block], p.block_start[block + 1], settings,
-      [&](std::size_t k, auto group, const Lanes& x, const Lanes& y) __attribute__((always_inline)) {
+      p, p.in_block(domain.block(clock, tile)),
+      dt, [&](std::size_t k, auto group, const Lanes& x, const Lanes& y) __attribute__((always_inline)) {
         return sample<wanted, Boxes::rows>(grid, lattice, x, y, group.count, x_axis, y_axis,
                                            boxes.of(k, group));
       });
 }
 
-/// In a block across several lattices.
+/// In a tile across several lattices.
 template <GatherParts parts, bool affine, bool boxes_follow>
-GatherSums gather_across(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
+GatherSums gather_across(Domain& domain, const AcrossTile& tile, double dt) {
   constexpr Wanted wanted = wanted_by<parts, affine>;
-  Particles& p = domain.sets[s];
+  Particles& p = domain.sets[tile.set];
   const Grid& grid = domain.grid;
-  const AcrossWeights& weights = domain.across_of(s, domain.clock_of_block(block));
   return gather_range<parts, affine, boxes_follow>(
-      p, p.block_start[block], p.block_start[block + 1], settings,
+      p, {tile.weights.first(), tile.weights.end()}, dt,
       [&](std::size_t k, auto group, const Lanes&, const Lanes&) {
-        return sample_across<wanted>(grid, weights, domain.basis_cells, p, k, group.count);
+        return sample_across<wanted>(grid, tile.weights, domain.basis_cells, p, k, group.count);
       });
 }
 
 template <GatherParts parts, bool affine>
-GatherSums gather_block(Domain& domain, std::size_t s, std::size_t block, const Settings& settings) {
-  Particles& p = domain.sets[s];
-  if (block >= domain.block_count())
-    return p.has_own_boxes() ? gather_across<parts, affine, true>(domain, s, block, settings)
-                             : gather_across<parts, affine, false>(domain, s, block, settings);
-  return p.has_own_boxes() ? gather_lattice<parts, affine, OwnRectangles>(domain, p, block, settings)
-                           : gather_lattice<parts, affine, OneSquare>(domain, p, block, settings);
+GatherSums gather_set(Domain& domain, Particles& p, int clock, std::size_t tile, double dt) {
+  return p.has_own_boxes() ? gather_tile<parts, affine, OwnRectangles>(domain, p, clock, tile, dt)
+                           : gather_tile<parts, affine, OneSquare>(domain, p, clock, tile, dt);
+}
+
+template <GatherParts parts, bool affine>
+GatherSums gather_set(Domain& domain, const AcrossTile& tile, double dt) {
+  return domain.sets[tile.set].has_own_boxes() ? gather_across<parts, affine, true>(domain, tile, dt)
+                                               : gather_across<parts, affine, false>(domain, tile, dt);
 }
 
 template <GatherParts parts>
-GatherSums gather_blocks(Domain& domain, const Settings& settings) {
-  const std::size_t lattice_blocks = settings.blocks.lattice.count;
-  std::vector<GatherSums> sums(lattice_blocks + settings.blocks.across.count);
+GatherSums gather_tiles(Domain& domain, double dt, int clock) {
+  const ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
+  const std::span<const std::size_t> filled = tiles.sums.filled();
+  std::vector<GatherSums> sums(filled.size() + tiles.across.size());
   domain.workers.run(sums.size(), [&](std::size_t task) {
-    const std::size_t block = task < lattice_blocks ? settings.blocks.lattice.first + task
-                                                    : settings.blocks.across.first + task - lattice_blocks;
-    for (std::size_t s = 0; s < domain.sets.size(); ++s)
-      sums[task] += domain.sets[s].traits.affine ? gather_block<parts, true>(domain, s, block, settings)
-                                                 : gather_block<parts, false>(domain, s, block, settings);
+    if (task < filled.size())
+      for (Particles& p : domain.sets)
+        sums[task] += p.traits.affine ? gather_set<parts, true>(domain, p, clock, filled[task], dt)
+                                      : gather_set<parts, false>(domain, p, clock, filled[task], dt);
+    else {
+      const AcrossTile& tile = tiles.across[task - filled.size()];
+      sums[task] = domain.sets[tile.set].traits.affine ? gather_set<parts, true>(domain, tile, dt)
+                                                       : gather_set<parts, false>(domain, tile, dt);
+    }
   });
   GatherSums total;
   for (const GatherSums& sum : sums)
@@ -239,20 +226,16 @@ constexpr GatherParts strain_part{.strain = true};
 } // namespace
 
 GatherSums gather(Domain& domain, double dt, GatherParts parts, int clock) {
-  const auto c = static_cast<std::size_t>(clock);
-  const std::size_t blocks = domain.blocks_per_clock();
-  const std::size_t levels = domain.mesh ? domain.mesh->lattices().size() : 0;
-  const Settings settings{{{c * blocks, blocks}, {domain.block_count() + c * levels, levels}}, dt};
   if (parts == all_parts)
-    return gather_blocks<all_parts>(domain, settings);
+    return gather_tiles<all_parts>(domain, dt, clock);
   if (parts == velocity_part)
-    return gather_blocks<velocity_part>(domain, settings);
+    return gather_tiles<velocity_part>(domain, dt, clock);
   if (parts == rest_parts)
-    return gather_blocks<rest_parts>(domain, settings);
+    return gather_tiles<rest_parts>(domain, dt, clock);
   if (parts == drift_parts)
-    return gather_blocks<drift_parts>(domain, settings);
+    return gather_tiles<drift_parts>(domain, dt, clock);
   if (parts == strain_part)
-    return gather_blocks<strain_part>(domain, settings);
+    return gather_tiles<strain_part>(domain, dt, clock);
   throw std::logic_error("gather: no step asks for this combination of parts");
 }
 

@@ -64,6 +64,10 @@ inline Lanes larger(const Lanes& a, const Lanes& b) {
   return _mm256_max_pd(a, b);
 }
 
+inline Lanes smaller(const Lanes& a, const Lanes& b) {
+  return _mm256_min_pd(a, b);
+}
+
 /// Row k of the result holds lane k of each of the four.
 inline std::array<Lanes, 4> transposed(const std::array<Lanes, 4>& rows) {
   const Lanes a = _mm256_permute2f128_pd(rows[0], rows[2], 0x20);
@@ -83,6 +87,8 @@ struct Four {
   static constexpr std::size_t count = 4;
   Lanes load(const double* first) const { return mpm_domain::load(first); }
   void store(double* first, const Lanes& values) const { mpm_domain::store(first, values); }
+  /// a in the lanes that are there, b in the others.
+  Lanes present(const Lanes& a, const Lanes&) const { return a; }
 };
 
 /// The one to three numbers that are left at its end: absent lanes load zero and are not stored.
@@ -98,6 +104,7 @@ struct FewerThanFour {
   void store(double* first, const Lanes& values) const {
     _mm256_maskstore_pd(first, reinterpret_cast<const __m256i&>(mask), values);
   }
+  Lanes present(const Lanes& a, const Lanes& b) const { return choose(mask, a, b); }
 };
 
 /// act(k, group) for the numbers [begin, end), four at a time.

@@ -24,6 +24,11 @@ struct Component {
   Lanes moment_x{}, moment_y{}; ///< sum S v (x_i - x), m2/s
 };
 
+/// Four columns of nodes as four particles see them: [column][particle] of both components.
+struct Columns {
+  std::array<Lanes, 4> x{}, y{};
+};
+
 /// The stencils of four particles, ready to read with: along x a factor per node, along y one per row, which
 /// is taken from memory into all lanes.
 template <std::size_t rows>
@@ -40,7 +45,8 @@ struct Reader {
   template <typename Boxes>
   Reader(const Stencils& at, std::size_t particles, const Lattice& lattice, const Axis& x_axis,
          const Axis& y_axis, const Boxes& boxes)
-      : count(particles), first(at.first_nodes(lattice)), row(lattice.nx), x(boxes.along_x(at.xi, x_axis)) {
+      : count(particles), first(at.first_nodes(NodeArray(lattice))), row(lattice.nx),
+        x(boxes.along_x(at.xi, x_axis)) {
     for (std::size_t i = 0; i < 4; ++i)
       x_moment[i] = x.s[i] * (x_axis.h * (static_cast<double>(i) - 1.0 - at.xi));
     const auto y = boxes.along_y(at.eta, y_axis);
@@ -52,32 +58,49 @@ struct Reader {
   }
 
   /// For each particle the sum over the rows of the four columns; then the particles side by side per column.
-  [[gnu::always_inline]] std::array<Lanes, 4> columns(const NodeField& field, const Factors& factors) const {
-    std::array<Lanes, 4> sums{};
+  /// Both components at once: they have their factors in common.
+  [[gnu::always_inline]] Columns columns(const NodeField& field_x, const NodeField& field_y,
+                                         const Factors& factors) const {
+    const double* const nodes_x = field_x.data();
+    const double* const nodes_y = field_y.data();
+    Columns sums;
     for (std::size_t k = 0; k < count; ++k) {
-      const double* nodes = field.data() + first[k];
-      sums[k] = factors[0][k] * load(nodes);
-      for (std::size_t j = 1; j < rows; ++j)
-        sums[k] += factors[j][k] * load(nodes += row);
+      std::ptrdiff_t n = first[k];
+      Lanes factor = all(factors[0][k]);
+      sums.x[k] = factor * load(nodes_x + n);
+      sums.y[k] = factor * load(nodes_y + n);
+      for (std::size_t j = 1; j < rows; ++j) {
+        n += row;
+        factor = all(factors[j][k]);
+        sums.x[k] += factor * load(nodes_x + n);
+        sums.y[k] += factor * load(nodes_y + n);
+      }
     }
-    return transposed(sums);
+    return {transposed(sums.x), transposed(sums.y)};
   }
 
   template <Reading reading>
-  [[gnu::always_inline]] Component read(const NodeField& field) const {
-    Component v;
-    const std::array<Lanes, 4> s = columns(field, y_s);
-    if constexpr (reading.value)
-      v.value = dot(x.s, s);
+  [[gnu::always_inline]] void read(const NodeField& field_x, const NodeField& field_y, Component& vx,
+                                   Component& vy) const {
+    const Columns s = columns(field_x, field_y, y_s);
+    if constexpr (reading.value) {
+      vx.value = dot(x.s, s.x);
+      vy.value = dot(x.s, s.y);
+    }
     if constexpr (reading.gradient) {
-      v.d_dx = dot(x.g, s);
-      v.d_dy = dot(x.s, columns(field, y_g));
+      const Columns g = columns(field_x, field_y, y_g);
+      vx.d_dx = dot(x.g, s.x);
+      vy.d_dx = dot(x.g, s.y);
+      vx.d_dy = dot(x.s, g.x);
+      vy.d_dy = dot(x.s, g.y);
     }
     if constexpr (reading.moments) {
-      v.moment_x = dot(x_moment, s);
-      v.moment_y = dot(x.s, columns(field, y_moment));
+      const Columns m = columns(field_x, field_y, y_moment);
+      vx.moment_x = dot(x_moment, s.x);
+      vy.moment_x = dot(x_moment, s.y);
+      vx.moment_y = dot(x.s, m.x);
+      vy.moment_y = dot(x.s, m.y);
     }
-    return v;
   }
 
   /// sum over the four nodes of a row
@@ -149,18 +172,12 @@ template <Wanted wanted, std::size_t rows, typename Boxes>
                                              const Axis& y_axis, const Boxes& boxes) {
   const Reader<rows> at(Stencils(x, y, x_axis, y_axis, boxes), count, lattice, x_axis, y_axis, boxes);
   Velocities read;
-  if constexpr (reads(of_before<wanted>)) {
-    read.x_before = at.template read<of_before<wanted>>(grid.vx_before);
-    read.y_before = at.template read<of_before<wanted>>(grid.vy_before);
-  }
-  if constexpr (reads(of_after<wanted>)) {
-    read.x_after = at.template read<of_after<wanted>>(grid.vx_after);
-    read.y_after = at.template read<of_after<wanted>>(grid.vy_after);
-  }
-  if constexpr (reads(of_strain<wanted>)) {
-    read.x_strain = at.template read<of_strain<wanted>>(grid.vx_strain);
-    read.y_strain = at.template read<of_strain<wanted>>(grid.vy_strain);
-  }
+  if constexpr (reads(of_before<wanted>))
+    at.template read<of_before<wanted>>(grid.vx_before, grid.vy_before, read.x_before, read.y_before);
+  if constexpr (reads(of_after<wanted>))
+    at.template read<of_after<wanted>>(grid.vx_after, grid.vy_after, read.x_after, read.y_after);
+  if constexpr (reads(of_strain<wanted>))
+    at.template read<of_strain<wanted>>(grid.vx_strain, grid.vy_strain, read.x_strain, read.y_strain);
   return samples_of<wanted>(read);
 }
 

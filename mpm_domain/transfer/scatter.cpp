@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -27,13 +29,35 @@ struct ChunkWeights {
   std::array<double, chunk> per_x, per_y; ///< of D^-1, 1/m2
 };
 
+/// The first rows of the particles that have been seen: of four lanes the least and the largest each.
+struct FirstRows {
+  static constexpr double far = std::numeric_limits<double>::infinity();
+  Lanes least = all(far);
+  Lanes last = all(-far);
+
+  template <typename Group>
+  [[gnu::always_inline]] void see(const Lanes& rows, Group group) {
+    least = group.present(smaller(rows, least), least);
+    last = group.present(larger(rows, last), last);
+  }
+
+  /// The rows of their stencils, so many each.
+  RowRange stencils(std::size_t rows) const {
+    return {static_cast<int>(std::min(std::min(least[0], least[1]), std::min(least[2], least[3]))),
+            static_cast<int>(std::max(std::max(last[0], last[1]), std::max(last[2], last[3]))) +
+                static_cast<int>(rows)};
+  }
+};
+
 template <bool force, bool affine, typename Boxes, typename Group>
-[[gnu::always_inline]] inline void
-take_weights(const Particles& p, std::size_t k, std::size_t c, Group group, const Lattice& lattice,
-             const Axis& x_axis, const Axis& y_axis, const Boxes& boxes, ChunkWeights<Boxes::rows>& w) {
+[[gnu::always_inline]] inline void take_weights(const Particles& p, std::size_t k, std::size_t c, Group group,
+                                                const NodeArray& nodes, const Axis& x_axis,
+                                                const Axis& y_axis, const Boxes& boxes,
+                                                ChunkWeights<Boxes::rows>& w, FirstRows& seen) {
   const auto& own = boxes.of(k, group);
   const Stencils at(group.load(&p.x[k]), group.load(&p.y[k]), x_axis, y_axis, own);
-  const std::array<std::int32_t, 4> first = at.first_nodes(lattice);
+  seen.see(at.y0, group);
+  const std::array<std::int32_t, 4> first = at.first_nodes(nodes);
   std::copy(first.begin(), first.end(), &w.first[c]);
   const auto wx = own.along_x(at.xi, x_axis);
   const auto wy = own.along_y(at.eta, y_axis);
@@ -58,20 +82,19 @@ take_weights(const Particles& p, std::size_t k, std::size_t c, Group group, cons
   }
 }
 
-/// Arrays of particles and nodes by their first element: a pointer in a vector would be read anew after every
-/// store.
+/// Arrays of particles and of a window's sums by their first element: a pointer in a vector would be read
+/// anew after every store.
 struct Arrays {
   const double *mass, *volume, *vx, *vy, *bxx, *bxy, *byx, *byy, *sxx, *syy, *sxy;
-  double *node_mass, *momentum_x, *momentum_y, *force_x, *force_y;
-  std::ptrdiff_t row; ///< nodes
+  double* sums; ///< [field of particle_sums][row][column]
 
   /// From particle `first` on.
-  Arrays(const Particles& p, std::size_t first, const Lattice& lattice, Grid& grid)
+  Arrays(const Particles& p, std::size_t first, double* window)
       : mass(&p.mass[first]), volume(&p.volume[first]), vx(&p.vx[first]), vy(&p.vy[first]),
         bxx(at(p.bxx, first)), bxy(at(p.bxy, first)), byx(at(p.byx, first)), byy(at(p.byy, first)),
-        sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]), node_mass(grid.mass.data()),
-        momentum_x(grid.momentum_x.data()), momentum_y(grid.momentum_y.data()), force_x(grid.force_x.data()),
-        force_y(grid.force_y.data()), row(lattice.nx) {}
+        sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]), sums(window) {}
+
+  double* of(Sum field) const { return sums + static_cast<std::size_t>(field) * window_nodes; }
 
 private:
   /// Affine velocities need not be there.
@@ -84,20 +107,29 @@ template <std::size_t rows>
 using Rows = std::array<Lanes, rows>;
 
 template <std::size_t rows>
-[[gnu::always_inline]] inline void add_rows(double* nodes, std::ptrdiff_t row, const Rows<rows>& sums) {
-  for (std::size_t j = 0; j < rows; ++j, nodes += row)
+[[gnu::always_inline]] inline void add_rows(double* nodes, const Rows<rows>& sums) {
+  for (std::size_t j = 0; j < rows; ++j, nodes += window_columns)
     store(nodes, load(nodes) + sums[j]);
 }
 
+/// The first particle of a cell begins the sums.
+template <bool first>
+[[gnu::always_inline]] inline void add_to_row(Lanes& sum, const Lanes& value) {
+  if constexpr (first)
+    sum = value;
+  else
+    sum += value;
+}
+
 /// What the particles of one cell add to the nodes that they share, rows of four: held in registers while
-/// they stream through, written to the grid once. Motion and force go one after the other: together they are
-/// more than the registers hold.
+/// they stream through, written to the tile's window once. Motion and force go one after the other: together
+/// they are more than the registers hold.
 template <Motion motion, std::size_t rows>
 struct MotionSums {
-  Rows<rows> mass{}, momentum_x{}, momentum_y{};
+  Rows<rows> mass, momentum_x, momentum_y; ///< of no particle before the first
 
   /// S m and S m (v + C (x_i - x)), C = B D^-1. Lanes run along x: for each row only the factor of y remains.
-  template <bool affine>
+  template <bool affine, bool first>
   [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights<rows>& w, std::size_t c, double h) {
     const Lanes m = a.mass[c] * w.xs[c];
     Lanes vx = all(a.vx[c]);
@@ -120,9 +152,9 @@ struct MotionSums {
     for (std::size_t j = 0; j < rows; ++j) {
       const double s = w.ys[j][c];
       if constexpr (motion == Motion::mass_and_momentum)
-        mass[j] += s * m;
-      momentum_x[j] += s * px;
-      momentum_y[j] += s * py;
+        add_to_row<first>(mass[j], s * m);
+      add_to_row<first>(momentum_x[j], s * px);
+      add_to_row<first>(momentum_y[j], s * py);
       if constexpr (affine) {
         px += row_x;
         py += row_y;
@@ -132,17 +164,18 @@ struct MotionSums {
 
   [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
     if constexpr (motion == Motion::mass_and_momentum)
-      add_rows(a.node_mass + first, a.row, mass);
-    add_rows(a.momentum_x + first, a.row, momentum_x);
-    add_rows(a.momentum_y + first, a.row, momentum_y);
+      add_rows(a.of(Sum::mass) + first, mass);
+    add_rows(a.of(Sum::momentum_x) + first, momentum_x);
+    add_rows(a.of(Sum::momentum_y) + first, momentum_y);
   }
 };
 
 template <std::size_t rows>
 struct ForceSums {
-  Rows<rows> force_x{}, force_y{};
+  Rows<rows> force_x, force_y;
 
   /// S m g - V sigma grad S
+  template <bool first>
   [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights<rows>& w, std::size_t c,
                                   const Lanes& gravity) {
     const Lanes vs = a.volume[c] * w.xs[c];
@@ -154,37 +187,39 @@ struct ForceSums {
     for (std::size_t j = 0; j < rows; ++j) {
       const double s = w.ys[j][c];
       const double g = w.yg[j][c];
-      force_x[j] -= s * fx_s;
-      force_y[j] -= s * fy_s;
+      add_to_row<first>(force_x[j], -(s * fx_s));
+      add_to_row<first>(force_y[j], -(s * fy_s));
       force_x[j] -= g * fx_g;
       force_y[j] -= g * fy_g;
     }
   }
 
   [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
-    add_rows(a.force_x + first, a.row, force_x);
-    add_rows(a.force_y + first, a.row, force_y);
+    add_rows(a.of(Sum::force_x) + first, force_x);
+    add_rows(a.of(Sum::force_y) + first, force_y);
   }
 };
 
-/// Sums of a chunk, cell by cell; add(sums, c) adds particle c of it.
+/// Sums of a chunk, cell by cell; add(sums, c, is_first) adds particle c of it.
 template <typename Sums, std::size_t rows, typename Add>
 [[gnu::always_inline]] inline void stream(const ChunkWeights<rows>& w, std::size_t count,
                                           const Arrays& arrays, const Add& add) {
   for (std::size_t c = 0; c < count;) {
     const std::int32_t shared = w.first[c];
     Sums sums;
-    do
-      add(sums, c++);
-    while (c < count && w.first[c] == shared);
+    add(sums, c++, std::true_type{});
+    while (c < count && w.first[c] == shared)
+      add(sums, c++, std::false_type{});
     sums.add_to(arrays, shared);
   }
 }
 
 /// Flattened: the sums leave the registers if anything that touches them is a call.
+/// @returns the rows of the lattice that the particles touch
 template <Motion motion, bool force, bool affine, typename Boxes>
-[[gnu::flatten]] void scatter_range(const Particles& p, std::size_t begin, std::size_t end,
-                                    const Lattice& lattice, Grid& grid, double gravity) {
+[[gnu::flatten]] RowRange scatter_range(const Particles& p, const ParticleRange& range,
+                                        const Lattice& lattice, const NodeArray& nodes, double* window,
+                                        double gravity) {
   using Moving = MotionSums<motion, Boxes::rows>;
   using Pulling = ForceSums<Boxes::rows>;
   const Axis x_axis(lattice.x0, lattice.h);
@@ -192,61 +227,72 @@ template <Motion motion, bool force, bool affine, typename Boxes>
   const Boxes boxes(p, lattice, x_axis);
   const Lanes g = all(gravity);
   ChunkWeights<Boxes::rows> w;
-  for (std::size_t k = begin; k < end; k += chunk) {
-    const std::size_t count = std::min(chunk, end - k);
+  FirstRows seen;
+  for (std::size_t k = range.begin; k < range.end; k += chunk) {
+    const std::size_t count = std::min(chunk, range.end - k);
     by_fours(0, count, [&](std::size_t c, auto group) {
-      take_weights<force, motion != Motion::none && affine>(p, k + c, c, group, lattice, x_axis, y_axis,
-                                                            boxes, w);
+      take_weights<force, motion != Motion::none && affine>(p, k + c, c, group, nodes, x_axis, y_axis, boxes,
+                                                            w, seen);
     });
-    const Arrays arrays(p, k, lattice, grid);
+    const Arrays arrays(p, k, window);
     if constexpr (motion != Motion::none)
-      stream<Moving>(w, count, arrays, [&](Moving& sums, std::size_t c) {
-        sums.template add<affine>(arrays, w, c, lattice.h);
+      stream<Moving>(w, count, arrays, [&](Moving& sums, std::size_t c, auto is_first) {
+        sums.template add<affine, is_first>(arrays, w, c, lattice.h);
       });
     if constexpr (force)
-      stream<Pulling>(w, count, arrays, [&](Pulling& sums, std::size_t c) { sums.add(arrays, w, c, g); });
+      stream<Pulling>(w, count, arrays, [&](Pulling& sums, std::size_t c, auto is_first) {
+        sums.template add<is_first>(arrays, w, c, g);
+      });
   }
+  return seen.stencils(Boxes::rows);
 }
 
-/// The boxes and affine velocities that a set has.
+/// The particles of a set in a tile, with the boxes and affine velocities that it has.
 template <Motion motion, bool force>
-void scatter_set(const Particles& p, std::size_t block, const Lattice& lattice, Domain& domain) {
+RowRange scatter_set(const Domain& domain, const Particles& p, int clock, std::size_t tile, double* window) {
+  const ParticleRange range = p.in_block(domain.block(clock, tile));
+  const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
+  const NodeArray nodes(domain.tiles.window(tile));
   const auto scatter_as = [&]<bool affine, typename Boxes>() {
-    scatter_range<motion, force, affine, Boxes>(p, p.block_start[block], p.block_start[block + 1], lattice,
-                                                domain.grid, domain.spec.gravity);
+    return scatter_range<motion, force, affine, Boxes>(p, range, lattice, nodes, window, domain.spec.gravity);
   };
+  if (range.begin == range.end)
+    return {};
   if (p.has_own_boxes())
-    p.traits.affine ? scatter_as.template operator()<true, OwnRectangles>()
-                    : scatter_as.template operator()<false, OwnRectangles>();
-  else if (p.traits.affine)
-    scatter_as.template operator()<true, OneSquare>();
-  else
-    scatter_as.template operator()<false, OneSquare>();
+    return p.traits.affine ? scatter_as.template operator()<true, OwnRectangles>()
+                           : scatter_as.template operator()<false, OwnRectangles>();
+  return p.traits.affine ? scatter_as.template operator()<true, OneSquare>()
+                         : scatter_as.template operator()<false, OneSquare>();
 }
 
-[[gnu::always_inline]] inline void add_at(NodeField& field, const std::array<std::uint32_t, 4>& nodes,
-                                          const Lanes& values) {
-  for (std::size_t lane = 0; lane < 4; ++lane)
-    field[nodes[lane]] += values[lane];
+/// The fields that a pass sums up.
+constexpr SumRange fields_of(Motion motion, bool force) {
+  return {motion == Motion::mass_and_momentum ? 0U : motion == Motion::momentum ? 1U : 3U, force ? 5U : 3U};
 }
 
-/// The same for particles that touch several lattices, four nodes at a time.
+/// What a tile of particles that touch several lattices brings to the nodes, four of them at a time.
 template <Motion motion, bool force, bool affine>
-void scatter_across(const Particles& p, const AcrossWeights& weights, const BasisCells& cells, Grid& grid,
-                    double gravity) {
-  for (std::size_t k = weights.first(); k < weights.end(); ++k) {
+void scatter_across(const Particles& p, AcrossTile& tile, const BasisCells& cells, double gravity) {
+  const std::size_t field = 4 * tile.weights.fours().size(); // numbers of each
+  constexpr SumRange fields = fields_of(motion, force);
+  std::fill(tile.sums.data() + fields.first * field, tile.sums.data() + fields.end * field, 0.0);
+  for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k) {
     const double m = p.mass[k];
     const double v = p.volume[k];
     double cxx = 0.0, cxy = 0.0, cyx = 0.0, cyy = 0.0; // C = B D^-1
     if constexpr (motion != Motion::none && affine) {
-      const InverseMoments& per = weights.per_moments(k);
+      const InverseMoments& per = tile.weights.per_moments(k);
       cxx = p.bxx[k] * per.x;
       cxy = p.bxy[k] * per.y;
       cyx = p.byx[k] * per.x;
       cyy = p.byy[k] * per.y;
     }
-    for (const FourWeights& w : weights.of(k)) {
+    for (const FourWeights& w : tile.weights.of(k)) {
       const Lanes mass = m * w.s;
+      const auto add = [&](Sum sum, const Lanes& values) {
+        double* to = &tile.sums[static_cast<std::size_t>(sum) * field + 4 * w.place];
+        store(to, load(to) + values);
+      };
       if constexpr (motion != Motion::none) {
         Lanes vx = all(p.vx[k]);
         Lanes vy = all(p.vy[k]);
@@ -258,36 +304,54 @@ void scatter_across(const Particles& p, const AcrossWeights& weights, const Basi
           vy += cyx * dx + cyy * dy;
         }
         if constexpr (motion == Motion::mass_and_momentum)
-          add_at(grid.mass, w.node, mass);
-        add_at(grid.momentum_x, w.node, mass * vx);
-        add_at(grid.momentum_y, w.node, mass * vy);
+          add(Sum::mass, mass);
+        add(Sum::momentum_x, mass * vx);
+        add(Sum::momentum_y, mass * vy);
       }
       if constexpr (force) {
-        add_at(grid.force_x, w.node, -v * (p.sxx[k] * w.gx + p.sxy[k] * w.gy));
-        add_at(grid.force_y, w.node, -v * (p.sxy[k] * w.gx + p.syy[k] * w.gy) - gravity * mass);
+        add(Sum::force_x, -v * (p.sxx[k] * w.gx + p.sxy[k] * w.gy));
+        add(Sum::force_y, -v * (p.sxy[k] * w.gx + p.syy[k] * w.gy) - gravity * mass);
       }
     }
   }
 }
 
+/// Adds the sums of particles across lattices to the nodes, tile by tile.
+void add_across(Domain& domain, std::span<const AcrossTile> tiles, SumRange fields) {
+  domain.workers.run(fields.end - fields.first, [&](std::size_t task) {
+    const std::size_t f = fields.first + task;
+    NodeField& field = domain.grid.*particle_sums[f];
+    for (const AcrossTile& tile : tiles) {
+      const std::span<const std::uint32_t> fours = tile.weights.fours();
+      const double* sums = &tile.sums[f * 4 * fours.size()];
+      for (const std::uint32_t four : fours)
+        for (const std::uint32_t node : domain.basis_cells.four(four).node)
+          field[node] += *sums++;
+    }
+  });
+}
+
 template <Motion motion, bool force>
 void add_clock(Domain& domain, int clock) {
-  const std::size_t blocks = domain.blocks_per_clock();
-  const std::size_t first = static_cast<std::size_t>(clock) * blocks;
-  for (std::size_t colour = 0; colour < 2; ++colour)
-    domain.workers.run((blocks + 1 - colour) / 2, [&](std::size_t task) {
-      const std::size_t block = first + 2 * task + colour;
-      const Lattice& lattice = domain.lattice(domain.lattice_of_block(block));
-      for (const Particles& p : domain.sets)
-        scatter_set<motion, force>(p, block, lattice, domain);
-    });
-  if (domain.mesh)
-    for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-      const Particles& p = domain.sets[s];
-      const auto scatter_as =
-          p.traits.affine ? scatter_across<motion, force, true> : scatter_across<motion, force, false>;
-      scatter_as(p, domain.across_of(s, clock), domain.basis_cells, domain.grid, domain.spec.gravity);
-    }
+  constexpr SumRange fields = fields_of(motion, force);
+  ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
+  tiles.sums.add_to(domain.grid, fields, domain.tiles, domain.workers, domain.windows,
+                    [&](std::size_t tile, double* window) {
+                      RowRange touched;
+                      for (const Particles& p : domain.sets)
+                        touched.add(scatter_set<motion, force>(domain, p, clock, tile, window));
+                      return touched;
+                    });
+  if (tiles.across.empty())
+    return;
+  domain.workers.run(tiles.across.size(), [&](std::size_t task) {
+    AcrossTile& tile = tiles.across[task];
+    const Particles& p = domain.sets[tile.set];
+    const auto scatter_as =
+        p.traits.affine ? scatter_across<motion, force, true> : scatter_across<motion, force, false>;
+    scatter_as(p, tile, domain.basis_cells, domain.spec.gravity);
+  });
+  add_across(domain, tiles.across, fields);
 }
 
 /// act(group) for the groups of node fields that a part sums up.

@@ -19,8 +19,8 @@ enum class ScatterPart {
 ///   motion:  m_i = sum_p S_ip m_p,    p_i = sum_p S_ip m_p (v_p + C_p (x_i - x_p))    (C only with APIC)
 ///   force:   f_i = sum_p (S_ip m_p g - V_p sigma_p grad S_ip)
 ///
-/// Blocks of rows are scattered in two colours, so no two threads write one node and every node receives its
-/// contributions in the same order for any thread count.
+/// Every tile of particles adds up sums of its own, which the nodes then add up in the order of tiles
+/// (tile_sums.hpp): every node receives its contributions in one order for any number of threads.
 
 /// Makes the sums of a part zero.
 void clear(Domain& domain, ScatterPart part, std::span<const NodeRange> nodes);

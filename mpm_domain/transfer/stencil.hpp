@@ -65,6 +65,18 @@ private:
   BoxLimits limits_;
 };
 
+/// Where a lattice's nodes stand in an array: node (i, j) at first + j row + i.
+struct NodeArray {
+  double row;
+  double first;
+
+  /// In the arrays of all nodes.
+  explicit NodeArray(const Lattice& lattice) : row(lattice.nx), first(static_cast<double>(lattice.first)) {}
+  /// In a window of the lattice.
+  explicit NodeArray(const NodeBlock& window)
+      : row(window.columns), first(-static_cast<double>(window.row * window.columns + window.column)) {}
+};
+
 /// The nodes of four particles, a lane each: along x the four nodes around the particle's cell, which all
 /// particles of the cell share; along y the rows that its box touches. Lanes that are zero stand for no
 /// particle.
@@ -83,10 +95,9 @@ struct Stencils {
     eta = row - y0;
   }
 
-  /// Lattice::index of the first node of each particle.
-  std::array<std::int32_t, 4> first_nodes(const Lattice& lattice) const {
-    const __m128i index =
-        _mm256_cvttpd_epi32(y0 * static_cast<double>(lattice.nx) + x0 + static_cast<double>(lattice.first));
+  /// The first node of each particle in an array of nodes.
+  std::array<std::int32_t, 4> first_nodes(const NodeArray& nodes) const {
+    const __m128i index = _mm256_cvttpd_epi32(y0 * nodes.row + x0 + nodes.first);
     std::array<std::int32_t, 4> first;
     _mm_storeu_si128(reinterpret_cast<__m128i*>(first.data()), index);
     return first;

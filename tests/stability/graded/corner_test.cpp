@@ -40,14 +40,13 @@ TEST(HardCase12, ThreeLevelsWithReentrantCornersRestUnderGravity) {
     if (stepper.steps() % 64 != 0)
       continue;
     smallest_mass = std::min(smallest_mass, *std::ranges::min_element(domain.grid.mass));
-    for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-      const Particles& p = domain.sets[s];
+    for (const Particles& p : domain.sets)
       for (std::size_t k = 0; k < p.size(); ++k)
         fastest = std::max(fastest, std::hypot(p.vx[k], p.vy[k]));
-      for (std::size_t k = p.block_start[domain.block_count()]; k < p.size(); ++k)
-        for (const FourWeights& w : domain.across[s].of(k))
+    for (const auto& [set, weights, sums] : domain.clock_tiles.front().across)
+      for (std::size_t k = weights.first(); k < weights.end(); ++k)
+        for (const FourWeights& w : weights.of(k))
           smallest_weight = std::min({smallest_weight, w.s[0], w.s[1], w.s[2], w.s[3]});
-    }
   }
   bounded("mass below zero of any node", -smallest_mass, 1e-12, "kg/m");
   bounded("weight below zero", -smallest_weight, 1e-14);

@@ -32,6 +32,7 @@ struct Moved {
       boxes.push_back({box.x_min + way(random), box.y_min + way(random), box.x_max + way(random),
                        box.y_max + way(random)});
     }
+    weights.settle(cells);
     for (const mesh::Rectangle& box : boxes)
       weights.add(cells, box);
   }
@@ -80,6 +81,7 @@ TEST(AcrossWeights, DoNotDependOnWhereTheirCellsWereFound) {
   moved.weights.restart(0);
   for (const mesh::Rectangle& box : moved.boxes)
     moved.weights.expect(moved.mesh, moved.cells, widened(box, margin));
+  moved.weights.settle(moved.cells);
   for (const mesh::Rectangle& box : moved.boxes)
     moved.weights.add(moved.cells, box);
   for (std::size_t k = 0; k < moved.boxes.size(); ++k) {

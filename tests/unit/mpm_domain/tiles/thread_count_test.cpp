@@ -13,7 +13,7 @@ namespace {
 using mpm_domain::Spec;
 using test_support::SavedState;
 
-/// A box of 20 m by 40 m of 1 m cells, changed into one of the models.
+/// A box of 44 m by 40 m of 1 m cells, tiles beside and above each other, changed into one of the models.
 struct Model {
   const char* name;
   std::function<void(Spec&)> change;
@@ -21,7 +21,7 @@ struct Model {
 };
 
 void refine(Spec& spec) {
-  spec.refine = {{{4.0, -20.0, 16.0, 0.0}, 1}, {{7.0, -10.0, 13.0, 0.0}, 2}};
+  spec.refine = {{{4.0, -20.0, 36.0, 0.0}, 1}, {{8.0, -10.0, 28.0, 0.0}, 2}};
 }
 
 void follow_soil(Spec& spec) {
@@ -56,7 +56,7 @@ const Model models[] = {
 };
 
 SavedState state_after_steps(const Model& model, int threads) {
-  Spec spec = test_support::elastic_box(20.0, 40.0, 1.0);
+  Spec spec = test_support::elastic_box(44.0, 40.0, 1.0);
   model.change(spec);
   spec.threads = threads;
   mpm_domain::Domain domain(spec);
