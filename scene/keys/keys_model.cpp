@@ -4,6 +4,7 @@
 #include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 #include "scene/keys/keys_soil.hpp"
+#include "scene/keys/keys_water.hpp"
 
 namespace tremolo::scene {
 
@@ -113,6 +114,8 @@ std::vector<Key> soil_keys_of_a_case() {
                       "The gravity stage begins with it.",
                   .otherwise = "poisson/(1 - poisson)",
                   .range = {.low = 0.0, .high = 10.0, .low_open = true}});
+  for (Key& key : pore_keys())
+    keys.push_back(std::move(key));
   return keys;
 }
 
@@ -125,6 +128,7 @@ std::vector<Table> model_keys() {
        .required = true,
        .meaning = soil_meaning,
        .keys = soil_keys_of_a_case()},
+      water_table(),
       {.name = "region",
        .kind = Kind::array,
        .required = true,

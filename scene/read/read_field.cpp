@@ -1,4 +1,5 @@
 #include "scene/read/read.hpp"
+#include "scene/read/read_water.hpp"
 
 #include <fmt/format.h>
 
@@ -97,10 +98,12 @@ void read_free_field(Document& document, Findings& findings, Case& scene) {
   scene.halfspace = read_elasticity(half_space, findings);
   scene.halfspace_damping = half_space.number("damping");
 
+  read_water(document, scene);
   if (document.has("soil"))
     read_soils(document, findings, scene);
   read_damping(document, scene);
   scene.profile = read_layers(document, "profile", findings, scene);
+  scene.profile = watered(scene.profile, scene.surface_level, scene);
   read_numerics(document, scene);
 }
 
