@@ -57,6 +57,7 @@ const std::vector<ParticleFieldDescription>& particle_field_table();
 struct ParticleTraits {
   bool affine = false;
   bool own_boxes = false;
+  bool cell_dilatation = false; ///< their law sees the mean dilatation of their cell; no field goes with it
 
   bool have(FieldTrait trait) const {
     return trait == FieldTrait::always || (trait == FieldTrait::affine ? affine : own_boxes);
