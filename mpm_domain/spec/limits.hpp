@@ -2,6 +2,8 @@
 
 // Limits of the step and measures of the grid that the domain and whoever plans one must agree on.
 
+#include <cmath>
+
 namespace tremolo::mpm_domain {
 
 /// The critical time step times c_p/h.
@@ -9,6 +11,23 @@ namespace tremolo::mpm_domain {
 /// 0.746 h/c_p is what two-dimensional uGIMP with two particles a cell and direction allows inside; dashpots
 /// at a corner, taken centred with lumped damping, allow 0.65 (measured; tests/stability/mpm_domain).
 inline constexpr double largest_courant_number = 0.65;
+
+/// The critical step of soil with viscous damping, s. The viscous stress takes the strain rate of half a step
+/// before: of a mode of frequency w,
+///
+///     v+ = v- - dt (w^2 u + beta w^2 v-),   u+ = u + dt v+,
+///
+/// whose roots stay in the unit circle (Jury) if w^2 dt (dt + 2 beta) < 4. With xi = beta w/2 that is the limit
+/// dt < 2/w (sqrt(1 + xi^2) - xi) of central differences with damping in proportion to stiffness (Belytschko,
+/// Liu and Moran 2000, Nonlinear Finite Elements for Continua and Structures, sec. 6.2), here with
+/// 2/w = `undamped`.
+/// @param undamped      critical step without damping, s
+/// @param damping_time  beta, s
+inline double damped_step(double undamped, double damping_time) {
+  return damping_time == 0.0
+             ? undamped
+             : undamped * (undamped / (std::hypot(undamped, damping_time) + damping_time));
+}
 
 /// The share of the critical step that the order usl bears: in a free body with noise it grows above
 /// (measured; tests/stability/mpm_domain).

@@ -3,6 +3,7 @@
 #include "materials/law/law.hpp"
 #include "mpm_domain/grid/box_average.hpp"
 #include "mpm_domain/transfer/samples.hpp"
+#include "mpm_domain/transfer/viscous_stress.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,10 +53,11 @@ struct LaneSums {
   Lanes total{};   ///< work of the stresses, J/m
   Lanes plastic{}; ///< of it on plastic strain
   Lanes max_speed2{};
+  double viscous = 0.0; ///< work of the viscous stresses, J/m
 
   GatherSums collected() const {
     const Lanes& m = max_speed2;
-    return {sum(total) - sum(plastic), sum(plastic),
+    return {sum(total) - sum(plastic), sum(plastic), viscous,
             std::sqrt(std::max(std::max(m[0], m[1]), std::max(m[2], m[3])))};
   }
 };
@@ -102,7 +104,7 @@ void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments
     const std::size_t k = begin + c;
     const Lanes before = group.load(&p.volume[k]);
     const Lanes dilation = load(&inc.exx[c]) + load(&inc.eyy[c]);
-    const Lanes volume = before * (1.0 + dilation * (1.0 + 0.5 * dilation));
+    const Lanes volume = before * growth(dilation);
     sums.total += 0.5 * volume * work_density(p, k, inc, c, group);
     sums.plastic += 0.5 * (before + volume) * load(&inc.plastic[c]);
     group.store(&p.volume[k], volume);
@@ -147,8 +149,11 @@ GatherSums gather_range(Particles& p, const ParticleRange& range, double dt, con
         sums.max_speed2 = larger(v.x * v.x + v.y * v.y, sums.max_speed2);
       }
     });
-    if constexpr (parts.strain)
+    if constexpr (parts.strain) {
+      if (p.traits.damped)
+        sums.viscous += damp(p, {first, first + count}, {inc.exx.data(), inc.eyy.data(), inc.gxy.data()}, dt);
       strain_chunk(p, first, count, inc, sums);
+    }
   }
   return sums.collected();
 }
