@@ -17,6 +17,7 @@ namespace {
 /// that a particle touches.
 template <typename StepsOf>
 double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
+  const double share = share_of(domain.spec.scheme.order);
   std::vector<double> least(domain.block_count(), std::numeric_limits<double>::infinity());
   domain.workers.run(least.size(), [&](std::size_t block) {
     const double h = domain.lattice(domain.level_of_block(block)).h;
@@ -27,7 +28,7 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
       const double c =
           materials::p_wave_speed_bound(set.law, set.points(range.begin, range.end - range.begin));
       const double undamped = largest_courant_number * h / (c + max_speed);
-      least[block] = std::min(least[block], steps * damped_step(undamped, set.damping_time));
+      least[block] = std::min(least[block], steps * damped_step(undamped, set.damping_time, share));
     };
     for (Particles& set : domain.sets) {
       see(set, set.in_block(block));

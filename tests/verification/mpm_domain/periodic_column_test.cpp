@@ -71,7 +71,7 @@ double unevenness(Wave wave, double peak, double h, double gravity = 0.0, double
   Spec spec = box(h, gravity);
   if (damping_time > 0.0) {
     spec.soils.front().damping_time = damping_time;
-    spec.scheme.dt = 0.5 * damped_step(0.65 * h / soil.p_wave_speed(), damping_time);
+    spec.scheme.dt = 0.5 * damped_step(0.65 * h / soil.p_wave_speed(), damping_time, 1.0);
   }
   PeriodicColumn column(column_of(spec, wave, peak));
   Domain domain(spec);
