@@ -81,40 +81,30 @@ TEST(HardCase39, RandomVelocitiesBetweenDashpotsAtTheLimitOfADampedStep) {
   }
 }
 
-/// At three times the limit the block flies apart (at twice, musl still holds it); with the order usl already where its share is taken of the damped
-/// step instead of the undamped one.
-TEST(HardCase39, AStepBeyondTheLimitGrows) {
-  for (const double damping_time : {1.0, 10.0})
-    for (const StepOrder order : {StepOrder::musl, StepOrder::usl}) {
-      const Scene scene = free_scene(damped_block(damping_time, Transfer::flip, order), 1, [](Domain& domain) {
-        for (double& x : domain.sets.front().x)
-          x += shift;
-        set_random(domain);
-      });
-      Domain& domain = *scene.domain;
-      const double undamped = 0.65 * cell / soil.p_wave_speed();
-      const double limit = damped_step(undamped, domain.sets.front().damping_time, 1.0);
-      const double dt = order == StepOrder::usl ? usl_share * limit : 3.0 * limit;
-      const double start = particle_energy(domain);
-      double largest = 0.0;
-      for (int step = 0; step < 5000 && largest < 1e6; ++step) {
-        scatter(domain, ScatterPart::both);
-        grid_velocities(domain, domain.soil_rows);
-        update_grid(domain, dt, domain.soil_rows);
-        if (order == StepOrder::usl) {
-          gather(domain, dt, {.velocity = true, .position = true, .strain = true});
-        } else {
-          gather(domain, dt, {.velocity = true});
-          scatter(domain, ScatterPart::momentum);
-          remap_velocities(domain, domain.soil_rows);
-          gather(domain, dt, {.position = true, .strain = true, .remapped = true});
-        }
-        largest = std::max(largest, particle_energy(domain) / start);
-      }
-      breaks(order == StepOrder::usl ? "usl, its share of the damped limit: largest energy over that at the start"
-                                     : "three times the limit: largest energy over that at the start",
-             largest, 1.0);
+/// The order usl flies apart where its share is taken of the damped step instead of the undamped one; musl holds
+/// steps of three times the limit together.
+TEST(HardCase39, TheShareOfADampedStepIsTooLarge) {
+  for (const double damping_time : {1.0, 10.0}) {
+    const Scene scene =
+        free_scene(damped_block(damping_time, Transfer::flip, StepOrder::usl), 1, [](Domain& domain) {
+          for (double& x : domain.sets.front().x)
+            x += shift;
+          set_random(domain);
+        });
+    Domain& domain = *scene.domain;
+    const double undamped = 0.65 * cell / soil.p_wave_speed();
+    const double dt = usl_share * damped_step(undamped, domain.sets.front().damping_time, 1.0);
+    const double start = particle_energy(domain);
+    double largest = 0.0;
+    for (int step = 0; step < 5000 && largest < 1e6; ++step) {
+      scatter(domain, ScatterPart::both);
+      grid_velocities(domain, domain.soil_rows);
+      update_grid(domain, dt, domain.soil_rows);
+      gather(domain, dt, {.velocity = true, .position = true, .strain = true});
+      largest = std::max(largest, particle_energy(domain) / start);
     }
+    breaks("usl at its share of the damped limit: largest energy over that at the start", largest, 1.0);
+  }
 }
 
 /// Without the share of the damping the step is refused.
