@@ -114,8 +114,9 @@ TEST_P(ViscousDamping, HasItsRatioAtTheFrequencyAndInProportionAtOthers) {
     for (std::size_t n = 0; n < history.time.size(); ++n)
       error = std::max(error, std::abs(history.velocity[n] -
                                        closed_form(wave(half_waves), half_waves * ratio, history.time[n])));
-    if (transfer() == Transfer::apic)
+    if (transfer() == Transfer::apic) {
       EXPECT_LT(error, 0.01) << half_waves;
+    }
     RecordProperty("ratio_" + std::to_string(half_waves), std::to_string(damping_ratio(history)));
     RecordProperty("error_" + std::to_string(half_waves), std::to_string(error));
   }
@@ -137,6 +138,28 @@ TEST_P(ViscousDamping, IsBookedInTheLedger) {
   EXPECT_NEAR(with.energy.viscous / with.energy.kinetic_start, lost, 0.02);
   RecordProperty("residual_damped", std::to_string(with.residual));
   RecordProperty("residual_undamped", std::to_string(without.residual));
+}
+
+/// The upper half on cells of half the size, with steps of their own.
+TEST(ViscousDampingOnLevels, HasItsRatioAndIsBooked) {
+  constexpr double ratio = 0.05;
+  for (const bool shear : {true, false}) {
+    const StandingWave wave{shear, 1};
+    Spec spec = strip(2.0 * ratio / wave.frequency(), Transfer::apic);
+    spec.refine = {{{0.0, -0.5 * depth, 2.0, 0.0}, 1}};
+    for (const bool subcycle : {false, true}) {
+      spec.scheme.subcycle = subcycle;
+      Domain domain(spec);
+      const History history = run(domain, wave, 3.0);
+      EXPECT_NEAR(damping_ratio(history) / ratio, 1.0, 0.01);
+      EXPECT_LT(history.residual, 0.01);
+      const double lost =
+          1.0 - (history.energy.kinetic + history.energy.elastic) / history.energy.kinetic_start;
+      EXPECT_NEAR(history.energy.viscous / history.energy.kinetic_start, lost, 0.02);
+      RecordProperty(shear ? "S" : "P", std::to_string(damping_ratio(history)));
+      RecordProperty(shear ? "S_residual" : "P_residual", std::to_string(history.residual));
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Waves, ViscousDamping,
