@@ -32,7 +32,7 @@ struct ParticleFields {
   /// the particle and D, the second moment of its weights, does not: so angular momentum stays (Jiang,
   /// Schroeder and Teran 2017).
   std::vector<double> bxx, bxy, byx, byy;
-  std::vector<double> sxx, syy, szz, sxy;     ///< Cauchy stress, tension positive
+  std::vector<double> sxx, syy, szz, sxy;                 ///< Cauchy stress, tension positive
   std::vector<double> viscous_xx, viscous_yy, viscous_xy; ///< stress of viscous damping (viscous_stress.hpp)
   std::vector<double> mass, volume;                       ///< per metre out of plane
   std::vector<double> box_xx, box_xy, box_yy; ///< M of boxes that follow the soil (particle_boxes.hpp)

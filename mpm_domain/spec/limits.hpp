@@ -23,12 +23,11 @@ inline constexpr double usl_share = 0.85;
 ///
 ///     v+ = v- - dt (w^2 u + beta w^2 v-),   u+ = u + dt v+,
 ///
-/// whose roots stay in the unit circle (Jury) if w^2 dt (dt + 2 beta) < 4. With xi = beta w/2 that is the limit
-/// dt < 2/w (sqrt(1 + xi^2) - xi) of central differences with damping in proportion to stiffness (Belytschko,
-/// Liu and Moran 2000, Nonlinear Finite Elements for Continua and Structures, sec. 6.2), here with
-/// 2/w = `undamped`.
-/// The order usl bears a share of 2/w, whatever the damping; so that the same share of the result is what it bears,
-/// the result is the limit for share 2/w over the share.
+/// whose roots stay in the unit circle (Jury) if w^2 dt (dt + 2 beta) < 4. With xi = beta w/2 that is the
+/// limit dt < 2/w (sqrt(1 + xi^2) - xi) of central differences with damping in proportion to stiffness
+/// (Belytschko, Liu and Moran 2000, Nonlinear Finite Elements for Continua and Structures, sec. 6.2), here
+/// with 2/w = `undamped`. The order usl bears a share of 2/w, whatever the damping; so that the same share of
+/// the result is what it bears, the result is the limit for share 2/w over the share.
 /// @param undamped      critical step without damping, s
 /// @param damping_time  beta, s
 /// @param share         of the critical step that the order bears, usl_share or 1

@@ -12,8 +12,8 @@ std::vector<double> EnergyLedger::state() const {
 
 void EnergyLedger::set_state(const std::vector<double>& state) {
   auto next = state.begin();
-  for (double* entry :
-       {&kinetic_start, &kinetic, &elastic, &plastic, &viscous, &gravity, &input, &static_, &dashpots, &transfer})
+  for (double* entry : {&kinetic_start, &kinetic, &elastic, &plastic, &viscous, &gravity, &input, &static_,
+                        &dashpots, &transfer})
     *entry = *next++;
 }
 

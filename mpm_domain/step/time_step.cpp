@@ -49,10 +49,10 @@ double layer_step(const Spec& spec) {
 
 [[noreturn]] void refuse(Domain& domain, double dt, double critical, double max_speed) {
   if (std::ranges::any_of(domain.sets, [](const Particles& set) { return set.damping_time > 0.0; }))
-    throw std::invalid_argument(
-        fmt::format("the time step {:.6g} s is over the limit {:.6g} s: the least of sqrt(t^2 + beta^2) - beta, t "
-                    "= 0.65 h/(c_p + |v|) and beta the damping time of the soil",
-                    dt, critical));
+    throw std::invalid_argument(fmt::format(
+        "the time step {:.6g} s is over the limit {:.6g} s: the least of sqrt(t^2 + beta^2) - beta, t "
+        "= 0.65 h/(c_p + |v|) and beta the damping time of the soil",
+        dt, critical));
   if (domain.clocks.count() > 1)
     throw std::invalid_argument(fmt::format(
         "the time step {:.6g} s of the coarsest level is over the limit {:.6g} s: the least of 2^k 0.65 "

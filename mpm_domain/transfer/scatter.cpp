@@ -104,8 +104,8 @@ struct Arrays {
   /// Lets forces see the stress of the law and that of viscous damping.
   void add_viscous(const Particles& p, std::size_t first, std::size_t count, ChunkStress& sum) {
     by_fours(0, count, [&](std::size_t c, auto group) {
-      const auto add = [&](std::vector<double> ParticleFields::* stress,
-                           std::vector<double> ParticleFields::* viscous, std::array<double, chunk>& to) {
+      const auto add = [&](std::vector<double> ParticleFields::*stress,
+                           std::vector<double> ParticleFields::*viscous, std::array<double, chunk>& to) {
         group.store(&to[c], group.load(&(p.*stress)[first + c]) + group.load(&(p.*viscous)[first + c]));
       };
       add(&ParticleFields::sxx, &ParticleFields::viscous_xx, sum.xx);

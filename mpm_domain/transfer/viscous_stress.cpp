@@ -37,8 +37,7 @@ double damp(Particles& p, const ParticleRange& range, const StrainIncrements& in
     };
     const Lanes volume = group.load(&p.volume[k]);
     work += 0.5 * volume * power();
-    const Lanes factor =
-        follows_pressure ? tangent_factor(p, k, group, elastic.p_wave_speed()) : all(1.0);
+    const Lanes factor = follows_pressure ? tangent_factor(p, k, group, elastic.p_wave_speed()) : all(1.0);
     group.store(&p.viscous_xx[k], factor * (along * exx + across * eyy));
     group.store(&p.viscous_yy[k], factor * (across * exx + along * eyy));
     group.store(&p.viscous_xy[k], factor * (shear * gxy));

@@ -86,8 +86,9 @@ Table pulse() {
 Key damping_ratio() {
   return {.name = "damping",
           .unit = "1",
-          .meaning = "Fraction of critical damping of a layer without `soil`; [damping] says what it is at which "
-                     "frequency.",
+          .meaning =
+              "Fraction of critical damping of a layer without `soil`; [damping] says what it is at which "
+              "frequency.",
           .otherwise = "that of the `soil`, or `[damping] ratio`",
           .range = {.low = 0.0, .high = 1.0, .high_open = true}};
 }
@@ -104,13 +105,16 @@ Key half_space_damping() {
 Table damping() {
   return {
       .name = "damping",
-      .meaning = "Material damping at small strain, of the free field and of the domain. Domain and columns march in "
-                 "time: their damping is proportional to stiffness, sigma = D_e (eps + beta d eps/dt), and shortens "
-                 "an explicit step from t to sqrt(t^2 + beta^2) - beta.",
+      .meaning =
+          "Material damping at small strain, of the free field and of the domain. Domain and columns march "
+          "in "
+          "time: their damping is proportional to stiffness, sigma = D_e (eps + beta d eps/dt), and shortens "
+          "an explicit step from t to sqrt(t^2 + beta^2) - beta.",
       .keys = {
           choice<DampingModel>(
               "model",
-              "How damping depends on frequency. `kelvin_voigt`: proportional to it, domain and all models but "
+              "How damping depends on frequency. `kelvin_voigt`: proportional to it, domain and all models "
+              "but "
               "`oblique`. "
               "`rayleigh`: the "
               "ratio at two frequencies, columns `fe` and `ode` only; the domain and `mpm` have its part "
@@ -118,7 +122,8 @@ Table damping() {
               "+ 2 i xi "
               "sqrt(1 - xi^2)) and `kjartansson`: the same or nearly so at all frequencies, `wave` and "
               "`eql`; "
-              "domain and columns then take Kelvin-Voigt damping with the ratio at `reference_hz`. Under `none` the "
+              "domain and columns then take Kelvin-Voigt damping with the ratio at `reference_hz`. Under "
+              "`none` the "
               "curves of `eql` damp as `hysteretic`.",
               DampingModel::none),
           {.name = "ratio",
@@ -138,9 +143,9 @@ Table damping() {
            .when = {"model", {"rayleigh"}}},
           {.name = "reference_hz",
            .unit = "Hz",
-           .meaning =
-               "The frequency at which the damping of `kelvin_voigt`, `kjartansson`, of domain and columns has "
-               "the ratio.",
+           .meaning = "The frequency at which the damping of `kelvin_voigt`, `kjartansson`, of domain and "
+                      "columns has "
+                      "the ratio.",
            .otherwise = "none; needed by `kelvin_voigt`, `kjartansson`, a damped domain and damped columns",
            .range = positive,
            .when = {"model", {"kelvin_voigt", "hysteretic", "shake", "kjartansson"}}}}};

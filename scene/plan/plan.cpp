@@ -23,7 +23,7 @@ constexpr double box_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double damping_cost_ns = 10.0;
-constexpr double mobility_cost_ns = 400.0;   // PM4Sand or PDMY03 at small strain increments
+constexpr double mobility_cost_ns = 400.0; // PM4Sand or PDMY03 at small strain increments
 
 /// The soils of the domain that answer in one way: "soil 'sand', soil 'clay'"; empty where there are none.
 std::string soils_that_are(const Case& scene, materials::Response response) {

@@ -46,9 +46,8 @@ void time_step_is_stable(const Case& scene, Findings& findings) {
   if (!findings.sound("time.dt") || !mesh_is_sound(scene, findings))
     return;
   const double critical = critical_time_step(scene, levels(scene));
-  const bool damped = std::ranges::any_of(domain_soils(scene), [&](const Soil& soil) {
-    return damping_time(scene.damping, soil.damping) > 0.0;
-  });
+  const bool damped = std::ranges::any_of(
+      domain_soils(scene), [&](const Soil& soil) { return damping_time(scene.damping, soil.damping) > 0.0; });
   if (*scene.time.dt > critical)
     findings.add("time.dt",
                  fmt::format("'dt' = {} exceeds the critical step {} = {:.6g} s of this mesh and its {}",

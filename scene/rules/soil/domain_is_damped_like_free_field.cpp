@@ -45,8 +45,9 @@ DampedTimes damped_times(const Case& scene, const LateralBoundary& side, double 
   const Mesh& mesh = scene.mesh;
   DampedTimes times;
   for (double y = mesh.box.y_min + 0.5 * mesh.size; y < side.surface; y += mesh.size) {
-    const auto region = std::ranges::find_if(
-        scene.regions, [&](const Region& one) { return contains(one.polygon, {x, y}); });
+    const auto region = std::ranges::find_if(scene.regions, [&](const Region& one) {
+      return contains(one.polygon, {x, y});
+    });
     if (region == scene.regions.end())
       continue;
     const Soil& soil = scene.soils[region->soil];
@@ -64,9 +65,10 @@ DampedTimes damped_times(const Case& scene, const LateralBoundary& side, double 
 void ratios_agree(const Case& scene, Findings& findings) {
   const auto& [sides, left, right, base] = scene.boundary;
   const Mesh& mesh = scene.mesh;
-  const DampedTimes times = std::max(damped_times(scene, left, mesh.box.x_min + 0.5 * mesh.size),
-                                     damped_times(scene, right, mesh.box.x_max - 0.5 * mesh.size),
-                                     [](const auto& a, const auto& b) { return a.difference < b.difference; });
+  const DampedTimes times =
+      std::max(damped_times(scene, left, mesh.box.x_min + 0.5 * mesh.size),
+               damped_times(scene, right, mesh.box.x_max - 0.5 * mesh.size),
+               [](const auto& a, const auto& b) { return a.difference < b.difference; });
   constexpr double negligible = 1e-3;
   const double frequency = typical_frequency(scene);
   const auto loss = [frequency](double time) {
@@ -76,11 +78,12 @@ void ratios_agree(const Case& scene, Findings& findings) {
     return;
   findings.add(
       "damping.model",
-      fmt::format("the free field is not damped like the domain beside it: a shear wave of {:.3g} Hz loses "
-                  "{:.2g} % of its amplitude on its way up through the free field, and {:.2g} % on its way up "
-                  "through the domain; [soil.NAME] damping is that of the domain and of layers that name the "
-                  "soil",
-                  frequency, 100.0 * loss(times.field), 100.0 * loss(times.domain)));
+      fmt::format(
+          "the free field is not damped like the domain beside it: a shear wave of {:.3g} Hz loses "
+          "{:.2g} % of its amplitude on its way up through the free field, and {:.2g} % on its way up "
+          "through the domain; [soil.NAME] damping is that of the domain and of layers that name the "
+          "soil",
+          frequency, 100.0 * loss(times.field), 100.0 * loss(times.domain)));
 }
 
 /// So is the way in which it depends on frequency.
@@ -94,11 +97,12 @@ void frequencies_agree(const Case& scene, Findings& findings) {
   };
   if (damping.model == rayleigh && any(SourceModel::fe, SourceModel::ode)) {
     const auto [f1, f2] = damping.frequencies;
-    findings.add("damping.model",
-                 fmt::format("the domain has the part of Rayleigh's damping that is proportional to stiffness "
-                             "alone: {:.3g} of its ratio at {} Hz and {:.3g} at {} Hz; model = "
-                             "\"kelvin_voigt\" is the same in domain and columns",
-                             f1 / (f1 + f2), f1, f2 / (f1 + f2), f2));
+    findings.add(
+        "damping.model",
+        fmt::format("the domain has the part of Rayleigh's damping that is proportional to stiffness "
+                    "alone: {:.3g} of its ratio at {} Hz and {:.3g} at {} Hz; model = "
+                    "\"kelvin_voigt\" is the same in domain and columns",
+                    f1 / (f1 + f2), f1, f2 / (f1 + f2), f2));
   }
   if (damping.model != rayleigh && damping.model != kelvin_voigt && damping.reference_hz &&
       any(SourceModel::wave, SourceModel::eql))

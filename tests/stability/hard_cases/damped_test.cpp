@@ -1,5 +1,5 @@
-// Viscous damping at the limit of its step, sqrt(t^2 + beta^2) - beta with t = 0.65 h/c_p, which for much damping
-// is a small part of t: whatever moves at random must come to rest.
+// Viscous damping at the limit of its step, sqrt(t^2 + beta^2) - beta with t = 0.65 h/c_p, which for much
+// damping is a small part of t: whatever moves at random must come to rest.
 
 #include "free_block.hpp"
 #include "mpm_domain/spec/limits.hpp"
@@ -17,7 +17,7 @@ using namespace test_support;
 using namespace mpm_domain;
 
 const materials::Elasticity soil{1700.0, 40e6, 0.28};
-constexpr double cell = 0.5; // m
+constexpr double cell = 0.5;   // m
 constexpr double shift = 0.06; // m: off the nodes, so that some at the corners have next to no mass
 
 /// @param damping_time in units of h/c_p
@@ -35,9 +35,9 @@ void set_random(Domain& domain) {
   set_velocity(domain, [&](double, double) { return Vector{speed(random), speed(random)}; });
 }
 
-/// The largest energy of the particles over that at the start, of a scene that is left to itself. At the limit of
-/// the step the ledger of undamped noise misses 0.2 of its energy, with FLIP and usl 1.2; that of damped noise misses
-/// less.
+/// The largest energy of the particles over that at the start, of a scene that is left to itself. At the
+/// limit of the step the ledger of undamped noise misses 0.2 of its energy, with FLIP and usl 1.2; that of
+/// damped noise misses less.
 double growth(const MakeScene& make) {
   double start = 0.0;
   double largest = 0.0;
@@ -46,10 +46,11 @@ double growth(const MakeScene& make) {
     start = particle_energy(*scene.domain);
     return scene;
   };
-  run_monitored(set_up, {.speed = 1.0, .energy = 1.3}, after_steps(5000), [&](Domain& domain, const Stepper& stepper) {
-    if (stepper.steps() % 16 == 0)
-      largest = std::max(largest, particle_energy(domain));
-  });
+  run_monitored(set_up, {.speed = 1.0, .energy = 1.3}, after_steps(5000),
+                [&](Domain& domain, const Stepper& stepper) {
+                  if (stepper.steps() % 16 == 0)
+                    largest = std::max(largest, particle_energy(domain));
+                });
   return largest / start;
 }
 
@@ -81,8 +82,8 @@ TEST(HardCase39, RandomVelocitiesBetweenDashpotsAtTheLimitOfADampedStep) {
   }
 }
 
-/// The order usl flies apart where its share is taken of the damped step instead of the undamped one; musl holds
-/// steps of three times the limit together.
+/// The order usl flies apart where its share is taken of the damped step instead of the undamped one; musl
+/// holds steps of three times the limit together.
 TEST(HardCase39, TheShareOfADampedStepIsTooLarge) {
   for (const double damping_time : {1.0, 10.0}) {
     const Scene scene =

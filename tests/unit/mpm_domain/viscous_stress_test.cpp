@@ -49,8 +49,8 @@ TEST(ViscousStress, IsTheElasticOneOfTheStrainRate) {
 
 /// G = G_o p_A sqrt(p/p_A) of each particle.
 TEST(ViscousStress, FollowsTheStiffnessOfSand) {
-  Domain domain(
-      damped_box(materials::pm4sand({.density = 1700.0, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.4})));
+  Domain domain(damped_box(
+      materials::pm4sand({.density = 1700.0, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.4})));
   relax_under_gravity(domain, {}, [](long, double) {});
   Particles& set = domain.sets.front();
   damp_all(set);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -115,10 +116,12 @@ TEST_P(OwnFreeField, IsWhatAFlatDomainDoesEverywhere) {
   EXPECT_LT(unevenness(GetParam(), weak, 0.5), 1e-6);
 }
 
-/// 5 % at 3 Hz. Measured: @SV@ (SV), @P@ (P).
+/// 5 % at 3 Hz. Measured: 4.1e-7 (SV), 1.7e-7 (P).
 TEST_P(OwnFreeField, IsWhatADampedFlatDomainDoesEverywhere) {
   const double damping_time = 2.0 * 0.05 / (2.0 * std::numbers::pi * 3.0);
-  EXPECT_LT(unevenness(GetParam(), weak, 1.0, 0.0, damping_time), 1e-6);
+  const double measured = unevenness(GetParam(), weak, 1.0, 0.0, damping_time);
+  EXPECT_LT(measured, 1e-6);
+  RecordProperty("unevenness", std::to_string(1e6 * measured) + "e-6");
 }
 
 /// At large strain the side of the domain tilts with the soil, by 1e-3 rad here, and Eq. (6) keeps the normal

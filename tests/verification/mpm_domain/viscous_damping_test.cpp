@@ -1,5 +1,5 @@
-// Viscous damping: standing waves between two free faces, cos(k y) with k = n pi/H, lose the fraction xi = beta
-// w/2 of critical damping,
+// Viscous damping: standing waves between two free faces, cos(k y) with k = n pi/H, lose the fraction xi =
+// beta w/2 of critical damping,
 //
 //     v(t) = V exp(-xi w t) (cos w_d t - xi/sqrt(1 - xi^2) sin w_d t),   w = k c,  w_d = w sqrt(1 - xi^2),
 //
@@ -101,8 +101,8 @@ protected:
   Transfer transfer() const { return std::get<1>(GetParam()); }
 };
 
-/// Measured: 0.1 % of the ratio with APIC, 0.5 % with FLIP. The history is compared with APIC alone, 0.7 % at most:
-/// with FLIP particles keep for good what the grid does not see of their first velocities.
+/// Measured: 0.1 % of the ratio with APIC, 0.5 % with FLIP. The history is compared with APIC alone, 0.7 % at
+/// most: with FLIP particles keep for good what the grid does not see of their first velocities.
 TEST_P(ViscousDamping, HasItsRatioAtTheFrequencyAndInProportionAtOthers) {
   constexpr double ratio = 0.05;
   const double beta = 2.0 * ratio / wave(1).frequency();
@@ -122,8 +122,9 @@ TEST_P(ViscousDamping, HasItsRatioAtTheFrequencyAndInProportionAtOthers) {
   }
 }
 
-/// What the motion loses is what the ledger books, and the ledger closes as without damping. Measured: residuals of
-/// 1.5e-3 (S) and 4.6e-3 (P) of the energy with damping, 4.4e-3 and 8.0e-3 without it at half the step.
+/// What the motion loses is what the ledger books, and the ledger closes as without damping. Measured:
+/// residuals of 1.5e-3 (S) and 4.6e-3 (P) of the energy with damping, 4.4e-3 and 8.0e-3 without it at half
+/// the step.
 TEST_P(ViscousDamping, IsBookedInTheLedger) {
   const double beta = 2.0 * 0.05 / wave(1).frequency();
   Domain undamped(strip(0.0, transfer()));

@@ -112,11 +112,12 @@ TEST(Rules, DomainIsDampedLikeTheFreeField) {
   const auto damped = std::string(flat_case) + std::string(layer) + "damping = 0.05\n";
   // 1 - exp(-2 pi 3 Hz 0.05 4 m / 80 m/s)
   const auto differs = HasSubstr("the free field is not damped like the domain beside it");
-  EXPECT_THAT(remarks_of(damped + "[damping]\nmodel = \"hysteretic\"\n"),
-              Contains(HasSubstr(
-                  "warning: [damping] the free field is not damped like the domain beside it: a shear wave of 3 Hz "
-                  "loses 4.6 % of its amplitude on its way up through the free field, and 0 % on its way up through "
-                  "the domain")));
+  EXPECT_THAT(
+      remarks_of(damped + "[damping]\nmodel = \"hysteretic\"\n"),
+      Contains(HasSubstr(
+          "warning: [damping] the free field is not damped like the domain beside it: a shear wave of 3 Hz "
+          "loses 4.6 % of its amplitude on its way up through the free field, and 0 % on its way up through "
+          "the domain")));
   EXPECT_THAT(remarks_of(std::string(flat_case) + std::string(layer)), Not(Contains(differs)));
 
   // One soil, one damping; the half-space below has none.
@@ -133,9 +134,10 @@ TEST(Rules, DampingOfTheDomainHasTheFrequenciesOfTheFreeField) {
   const std::string named = "[[profile]]\nthickness = 10.0\nsoil = \"sand\"\n[damping]\nratio = 0.05\n";
   const auto alone = HasSubstr("they agree at 3 Hz alone");
   const std::string hysteretic = named + "model = \"hysteretic\"\n";
-  EXPECT_THAT(errors_of(std::string(flat_case) + hysteretic),
-              ElementsAre(HasSubstr("missing 'reference_hz': at which frequency the Kelvin-Voigt damping of the "
-                                    "domain")));
+  EXPECT_THAT(
+      errors_of(std::string(flat_case) + hysteretic),
+      ElementsAre(HasSubstr("missing 'reference_hz': at which frequency the Kelvin-Voigt damping of the "
+                            "domain")));
   EXPECT_THAT(remarks_of(std::string(flat_case) + hysteretic + "reference_hz = 3.0\n"), Contains(alone));
   EXPECT_THAT(remarks_of(with_columns() + hysteretic + "reference_hz = 3.0\n"), Not(Contains(alone)));
   EXPECT_THAT(remarks_of(std::string(flat_case) + named + "model = \"kelvin_voigt\"\nreference_hz = 3.0\n"),
@@ -161,8 +163,8 @@ TEST(Rules, OneSoilHasOneDamping) {
 
 /// t = 0.65 h/c_p becomes sqrt(t^2 + beta^2) - beta, beta = xi/(pi f).
 TEST(Rules, DampingShortensTheStep) {
-  const std::string damped = std::string(flat_case) + "[damping]\nmodel = \"kelvin_voigt\"\nratio = 0.05\n" +
-                             "reference_hz = 3.0\n";
+  const std::string damped =
+      std::string(flat_case) + "[damping]\nmodel = \"kelvin_voigt\"\nratio = 0.05\n" + "reference_hz = 3.0\n";
   const double undamped = plan(parse_case(std::string(flat_case))).critical_dt;
   const double beta = 0.05 / (std::numbers::pi * 3.0);
   const Plan plan_of_damped = plan(parse_case(damped));
