@@ -1,5 +1,7 @@
 #include "app/temporary_folder.hpp"
 
+#include "base/temporary_parent.hpp"
+
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -12,7 +14,7 @@
 namespace tremolo::app {
 
 TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "tremolo-XXXXXX").string();
+  std::string pattern = (temporary_parent() / "tremolo-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr)
     throw std::runtime_error(fmt::format("cannot make a folder like {}: {}", pattern, std::strerror(errno)));
   path_ = pattern;

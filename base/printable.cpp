@@ -66,4 +66,8 @@ std::string printable_line(std::string_view text) {
   return line;
 }
 
+bool is_printable_line(std::string_view text) {
+  return text.find('\n') == std::string_view::npos && printable(text, std::string_view::npos) == text;
+}
+
 } // namespace tremolo

@@ -23,7 +23,8 @@ struct Velocity {
 /// base, that of the base itself if rigid. Zero before the column's start.
 using InputVelocity = std::function<Velocity(double time)>;
 
-/// The column at one depth and the present time. Stresses are the dynamic part, tension positive.
+/// The column at one depth and the present time. Stresses are the dynamic part, tension positive, total where
+/// there is pore water.
 struct ColumnSample {
   double vx = 0.0, vy = 0.0;                             ///< particle velocity, m/s
   double sxx = 0.0, syy = 0.0, sxy = 0.0;                ///< stress, Pa
@@ -31,6 +32,7 @@ struct ColumnSample {
   double sxx_rate = 0.0, syy_rate = 0.0, sxy_rate = 0.0; ///< and of stress, Pa/s
   double ux = 0.0, uy = 0.0;                             ///< displacement since the start, m
   double eyy = 0.0, gxy = 0.0;                           ///< strain: duy/dy, dux/dy (engineering)
+  double pore_pressure = 0.0;                            ///< excess over the hydrostatic one, Pa
 };
 
 /// Of the levels y of a request to sample, whether entry i asks for the limit from below. sxx and the strains

@@ -10,6 +10,7 @@
 
 #include "base/require.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -44,6 +45,26 @@ void validate_law(const Layer& layer, const std::string& place) {
     throw std::invalid_argument(place + ": the elastic constants of the layer are not those of its law");
 }
 
+void validate_pores(const Layer& layer, const std::optional<WaterTable>& water, double top,
+                    const std::string& place) {
+  if (!layer.pores)
+    return;
+  if (!water)
+    throw std::invalid_argument(place + ": the layer has pore water, but the profile has no water table");
+  materials::validate(water->fluid);
+  try {
+    materials::validate(*layer.pores);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(place + ": " + error.what());
+  }
+  const double saturated = materials::saturated_density(*layer.pores, water->fluid);
+  require(std::abs(layer.soil.density - saturated) <= 1e-9 * saturated, place + ": density",
+          layer.soil.density, "that of its grains and water, " + shortest(saturated) + " kg/m3");
+  const double rounding = 1e-9 * (1.0 + std::abs(water->level));
+  require(top <= water->level + rounding, place + ": y of its top", top,
+          "at or below the water table, " + shortest(water->level) + " m");
+}
+
 } // namespace
 
 Layer layer_of(double thickness, const materials::Law& law, double damping_ratio) {
@@ -56,6 +77,10 @@ double Profile::base_level() const {
   for (const Layer& layer : layers)
     level -= layer.thickness;
   return level;
+}
+
+double Profile::hydrostatic_pressure(double y) const {
+  return water ? water->fluid.density * gravity * std::max(water->level - y, 0.0) : 0.0;
 }
 
 DampingCoefficients coefficients(const Damping& damping, double ratio) {
@@ -74,6 +99,7 @@ void validate(const Profile& profile) {
   require(std::isfinite(profile.surface_level), "level of the free surface", profile.surface_level, "finite");
   if (profile.layers.empty())
     throw std::invalid_argument("the profile has no layer, must have at least one");
+  double top = profile.surface_level;
   for (std::size_t i = 0; i < profile.layers.size(); ++i) {
     const Layer& layer = profile.layers[i];
     const std::string place = "layer " + std::to_string(i + 1) + " from the top";
@@ -82,6 +108,8 @@ void validate(const Profile& profile) {
             layer.damping_ratio, "in [0, 1)");
     validate_soil(layer.soil, place);
     validate_law(layer, place);
+    validate_pores(layer, profile.water, top, place);
+    top -= layer.thickness;
   }
   require(profile.gravity >= 0.0 && std::isfinite(profile.gravity), "gravity", profile.gravity,
           "at least 0, in m/s2");

@@ -2,6 +2,7 @@
 
 #include "materials/elastic/elasticity.hpp"
 #include "materials/law/law.hpp"
+#include "materials/water/pore_water.hpp"
 
 #include <optional>
 #include <string>
@@ -15,6 +16,14 @@ struct Layer {
   materials::Elasticity soil; ///< at small strain
   double damping_ratio = 0.0; ///< of critical, [0, 1); what it means at which frequency is the Damping's
   std::optional<materials::Law> law = std::nullopt; ///< absent: linear elastic; its constants are `soil`
+  /// Of a layer below the water table: `soil` is then the skeleton, with the density of grains and water.
+  std::optional<materials::PoreSpace> pores = std::nullopt;
+};
+
+/// The water table of a profile, at an interface of its layers, at the surface or above it.
+struct WaterTable {
+  double level = 0.0; ///< y, m
+  materials::PoreFluid fluid;
 };
 
 /// A layer of soil that follows a law, whose elastic constants become the layer's.
@@ -25,10 +34,15 @@ struct Profile {
   double surface_level = 0.0; ///< y of the free surface, m
   std::vector<Layer> layers;
   materials::Elasticity half_space;
-  double gravity = 0.0; ///< m/s2, downwards: laws start from syy = -rho g depth, sxx = szz = K0 syy
+  /// m/s2, downwards: laws start from the effective stress syy = -rho g depth + pore pressure, sxx = szz =
+  /// K0 syy
+  double gravity = 0.0;
+  std::optional<WaterTable> water = std::nullopt;
 
   /// y of the base, m: where the layers end and the half-space begins.
   double base_level() const;
+  /// Hydrostatic pore pressure at y where soil is wet, Pa; 0 above the table, and without one.
+  double hydrostatic_pressure(double y) const;
 };
 
 /// c = alpha rho + beta E per layer, which gives the layer's damping ratio at both frequencies.

@@ -27,8 +27,8 @@ std::vector<Response> response_spectrum(std::span<const double> acceleration, do
 /// `count` periods from `first` to `last` s, evenly spaced on a logarithmic axis.
 std::vector<double> spaced_periods(double first, double last, std::size_t count);
 
-/// The 105 periods from 0.01 to 10 s at which PEER tabulates response spectra (Ancheta et al. 2013, PEER
-/// NGA-West2 Database, PEER 2013/03), s.
+/// The 105 periods from 0.01 to 10 s at which PEER tabulates response spectra, s: the columns T0.010S to
+/// T10.000S of the NGA-West2 flatfile (Ancheta et al. 2013, PEER NGA-West2 Database, PEER 2013/03).
 std::span<const double> customary_periods();
 
 /// The customary periods from `first` to `last` s together with `count` that are evenly spaced on a

@@ -8,6 +8,7 @@
 #include "scene/choices.hpp"
 #include "scene/geometry.hpp"
 #include "scene/text/errors.hpp"
+#include "scene/water.hpp"
 
 #include <array>
 #include <cstddef>
@@ -64,6 +65,10 @@ struct Soil {
   std::optional<double> softening_size;
   std::optional<StrainCurves> curves; ///< of hysteretic soils
   double damping = 0.0;               ///< ratio, of critical, at small strain, in the domain and in layers
+  /// Of a case with water: the law's density is then that of the saturated soil.
+  std::optional<materials::PoreSpace> pores = std::nullopt;
+  /// Void ratio that the law has by its own parameters, where it has one.
+  std::optional<double> law_void_ratio = std::nullopt;
 };
 
 struct Region {
@@ -73,10 +78,11 @@ struct Region {
 
 /// A layer of a free-field profile.
 struct Layer {
-  double thickness = 0.0; ///< m
-  materials::Elasticity elastic;
+  double thickness = 0.0;          ///< m
+  materials::Elasticity elastic;   ///< as waves meet it: below the water table of grains and water together
   double damping = 0.0;            ///< ratio, of critical
   std::optional<std::size_t> soil; ///< index into Case::soils; without one the layer is linear elastic
+  bool wet = false;                ///< soil with pores below the water table, at which layers are cut
 };
 
 struct Damping {
@@ -249,6 +255,7 @@ struct Case {
   MotionInput motion;
   double surface_level = 0.0; ///< y of the free field's surface, m
   materials::Elasticity halfspace;
+  std::optional<GroundWater> water;
   std::vector<Soil> soils;
   std::vector<Region> regions;
   double halfspace_damping = 0.0; ///< ratio, of critical
@@ -282,9 +289,9 @@ Case load(const std::filesystem::path& file);
 /// The same from text. `file` names it in messages, `directory` is where relative file names start.
 Case parse(std::string_view text, const std::filesystem::path& file, const std::filesystem::path& directory);
 
-/// The free field alone, by a model: a case of which only motion, surface level, half-space, profile and
-/// damping are filled. Their tables are read and checked as by load(), with this model on both sides; others
-/// may be missing and are not looked at.
+/// The free field alone, by a model: a case of which only motion, surface level, half-space, water, soils,
+/// profile, damping and gravity are filled. Their tables are read and checked as by load(), with this model
+/// on both sides; others may be missing and are not looked at.
 /// @throws CaseErrors with every error of these tables
 Case load_free_field(const std::filesystem::path& file, SourceModel model);
 

@@ -4,6 +4,7 @@
 #include "app/cost/cost_error.hpp"
 #include "app/cost/cost_report.hpp"
 #include "app/free_field/table_text.hpp"
+#include "app/output_place.hpp"
 #include "app/python.hpp"
 #include "app/run/case_run.hpp"
 #include "app/run/local_options.hpp"
@@ -68,8 +69,14 @@ std::optional<Cost> finished(const fs::path& folder, const std::string& text) {
     throw std::runtime_error(
         fmt::format("{} holds a run of another text of the case; choose another --out, or remove the folder",
                     folder.string()));
-  const auto json = nlohmann::json::parse(file_text(cost_file(folder)));
-  return Cost{json.at("cpu_s").get<double>(), json.at("updates").get<double>()};
+  const auto json = nlohmann::json::parse(file_text(cost_file(folder)), nullptr, false);
+  const auto number = [&](const char* key) {
+    if (!json.is_object() || !json.contains(key) || !json[key].is_number() || json[key].get<double>() < 0.0)
+      throw std::runtime_error(fmt::format("{} is damaged; remove its folder, and the run is made again",
+                                           cost_file(folder).string()));
+    return json[key].get<double>();
+  };
+  return Cost{number("cpu_s"), number("updates")};
 }
 
 Cost run_rung(const Rung& rung, const fs::path& folder, int threads) {
@@ -178,6 +185,7 @@ void study_cost(const Options& options) {
     knobs = default_knobs(given);
   const auto cases = ladder(given, knobs);
   require_rungs(cases, knobs);
+  make_folder(options.out);
 
   CostStudy study{.title = given.title,
                   .error_of = {},

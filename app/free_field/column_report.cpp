@@ -1,5 +1,6 @@
 #include "app/free_field/column_report.hpp"
 
+#include "app/free_field/water_tables.hpp"
 #include "motion/record.hpp"
 #include "motion/spectra.hpp"
 #include "scene/plan/layers.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace tremolo::app {
 
@@ -185,11 +187,15 @@ std::vector<results::NamedTable> column_tables(const scene::Case& scene, const s
     names.push_back(fmt::format("{:03}", names.size()));
     levels.push_back(series.levels[level]);
     tables.push_back({"/histories/" + names.back(), history(series, level)});
+    if (has_pore_pressure(scene, source))
+      add_water(scene, source, series, level, tables.back().table);
   }
   tables.push_back({"/levels", {{{"name", "1", names}, {"y", "m", levels}}}});
   tables.push_back({"/profile", profile(scene, source, series)});
   tables.push_back({"/spectra", spectra(surface, outcrop, dt)});
   tables.push_back({"/transfer", transfer(surface, base, outcrop, dt)});
+  if (has_pore_pressure(scene, source))
+    std::ranges::move(water_tables(scene, source, series), std::back_inserter(tables));
   return tables;
 }
 

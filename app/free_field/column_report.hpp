@@ -19,6 +19,7 @@ std::vector<double> outcrop_acceleration(const scene::Case& scene, const scene::
 ///   /profile          peak values over depth
 ///   /spectra          response spectra at 5 % of critical damping, surface and outcrop
 ///   /transfer         Fourier amplitudes of the surface over those of outcrop and base
+/// and those of water_tables() where the ground has pore pressure
 /// @param shown  levels of the histories, as indices into series.levels
 std::vector<results::NamedTable> column_tables(const scene::Case& scene, const scene::SourceProcess& source,
                                                const FreeFieldSeries& series,

@@ -4,12 +4,14 @@
 #include "app/free_field/column_recording.hpp"
 #include "app/free_field/column_report.hpp"
 #include "app/free_field/free_field_series.hpp"
+#include "app/free_field/water_tables.hpp"
 #include "app/output_place.hpp"
 #include "app/python.hpp"
 #include "freefield/process/column_from_case.hpp"
 #include "results/run_file.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/motion.hpp"
+#include "scene/plan/wet_soils.hpp"
 #include "scene/read/override.hpp"
 
 #include <fmt/format.h>
@@ -184,6 +186,9 @@ void compute(const Options& options) {
   const Ground ground = ground_of(options);
   const auto& [scene, source, x] = ground;
   const auto depths = depths_of(scene, source, options);
+  fmt::print("{}", scene::remarks_text(scene));
+  if (scene.water)
+    fmt::print("{}", scene::water_text(scene));
   print_linearised(scene, source);
   const auto series =
       free_field_series(scene, source, all_levels(scene, source, depths), times_of(ground, options), x);
@@ -196,6 +201,8 @@ void compute(const Options& options) {
   const auto tables = column_tables(scene, source, series, shown);
   results::write_tables(options.out, tables);
   print_summary(series, scene, options);
+  if (has_pore_pressure(scene, source))
+    fmt::print("{}", water_summary(scene, source, series));
   if (!series.report.empty())
     fmt::print("  {:<18} {}\n", options.model, series.report);
   if (options.plot && run_python("column", {options.out}) != 0)
@@ -246,7 +253,10 @@ void add_column(Command& app) {
       ->add_option("--every", options->every,
                    "Time step of the histories, s (default: a quarter of the shortest period, at most 5 ms)")
       ->excludes(recording);
-  command->add_flag("--plot", options->plot, "Draw OUT.png beside the file")->excludes(recording);
+  command
+      ->add_flag("--plot", options->plot,
+                 "Draw OUT.png beside the file, and OUT_water.png of ground with pore pressure")
+      ->excludes(recording);
   command->callback([options] {
     if (options->out.empty() && options->record.empty())
       throw_required("--out or --record");

@@ -40,6 +40,7 @@ ColumnSample between(const ColumnSample& a, const ColumnSample& b, double dt, do
   c.uy = hermite({a.uy, a.vy}, {b.uy, b.vy}, dt, s).value;
   c.eyy = a.eyy + s * (b.eyy - a.eyy);
   c.gxy = a.gxy + s * (b.gxy - a.gxy);
+  c.pore_pressure = a.pore_pressure + s * (b.pore_pressure - a.pore_pressure);
   return c;
 }
 

@@ -72,7 +72,9 @@ std::string motion_levels_text(const scene::Case& scene) {
     return text + fmt::format(", {} at the surface of the elastic free field\n",
                               level_text(surface_level(scene, ground, signal)));
   } catch (const std::exception& reason) {
-    return text + fmt::format("not known at the surface: {}\n", reason.what());
+    const bool first = text.ends_with(' ');
+    return text + fmt::format("{}not known{}: {}\n", first ? "" : ", ", first ? "" : " at the surface",
+                              reason.what());
   }
 }
 

@@ -1,6 +1,7 @@
 #include "app/free_field/points_file.hpp"
 
 #include "app/free_field/table_text.hpp"
+#include "base/unreadable.hpp"
 
 #include <fmt/format.h>
 
@@ -85,9 +86,9 @@ Range parse_range(std::string_view text, const RangeWords& words) {
 } // namespace
 
 std::vector<wavefield::Point> read_points(const std::filesystem::path& file, double surface_level) {
+  if (const auto why = why_unreadable(file); !why.empty())
+    throw std::runtime_error(fmt::format("{}: {}", file.string(), why));
   std::ifstream stream(file);
-  if (!stream || !std::filesystem::is_regular_file(file))
-    throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
   std::vector<wavefield::Point> points;
   std::string line;
   std::size_t number = 0;

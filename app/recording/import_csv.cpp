@@ -1,5 +1,6 @@
 #include "app/free_field/table_text.hpp"
 #include "app/recording/import_motion.hpp"
+#include "base/unreadable.hpp"
 
 #include <fmt/format.h>
 
@@ -63,9 +64,9 @@ Columns columns_from(std::string_view header) {
 class Rows {
 public:
   void read(const fs::path& file) {
+    if (const auto why = why_unreadable(file); !why.empty())
+      throw std::runtime_error(fmt::format("{}: {}", file.string(), why));
     std::ifstream stream(file);
-    if (!stream || !fs::is_regular_file(file))
-      throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
     std::optional<Columns> columns;
     std::string line;
     for (std::size_t number = 1; std::getline(stream, line); ++number) {

@@ -1,5 +1,6 @@
 #include "app/free_field/table_text.hpp"
 #include "app/recording/import_motion.hpp"
+#include "base/unreadable.hpp"
 
 #include <fmt/format.h>
 
@@ -17,10 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::ifstream opened(const fs::path& file) {
-  std::ifstream stream(file);
-  if (!stream || !fs::is_regular_file(file))
-    throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
-  return stream;
+  if (const auto why = why_unreadable(file); !why.empty())
+    throw std::runtime_error(fmt::format("{}: {}", file.string(), why));
+  return std::ifstream(file);
 }
 
 /// A recorder's file: rows of the time and one number a column.

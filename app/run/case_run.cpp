@@ -1,6 +1,7 @@
 #include "app/run/case_run.hpp"
 
 #include "app/commands.hpp"
+#include "app/output_place.hpp"
 #include "app/run/hosts.hpp"
 #include "app/run/participant_program.hpp"
 #include "app/run/run_display.hpp"
@@ -220,7 +221,7 @@ coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<s
 }
 
 std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& run) {
-  fs::create_directories(run.folder);
+  make_folder(run.folder);
   const RunLock lock(run.folder);
   scene.file = run.folder / "case.toml";
   if (!run.resume)

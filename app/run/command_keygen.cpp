@@ -1,6 +1,7 @@
 // tremolo keygen: CURVE keys for runs over more than one machine.
 
 #include "app/commands.hpp"
+#include "app/output_place.hpp"
 #include "coupler/wire/keys.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +26,7 @@ void keygen(const KeygenArguments& arguments) {
   std::vector<std::string> names = arguments.names;
   for (const std::string& name : names)
     coupler::require_key_name(name);
-  if (fs::create_directories(arguments.folder))
+  if (make_folder(arguments.folder))
     fs::permissions(arguments.folder, fs::perms::owner_all);
   // Names are added to a folder that has the hub's pair already.
   if (const std::string hub(coupler::hub_key); !fs::exists(arguments.folder / (hub + ".secret")))

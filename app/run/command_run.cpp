@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/free_field/motion_levels.hpp"
+#include "app/output_place.hpp"
 #include "app/recording/recording_name.hpp"
 #include "app/run/case_run.hpp"
 #include "app/run/local_options.hpp"
@@ -20,6 +21,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace tremolo::app {
@@ -41,7 +43,8 @@ struct RunArguments {
 constexpr std::array all_sides{scene::Side::left, scene::Side::right, scene::Side::base};
 
 bool in_use(const fs::path& folder) {
-  return fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
+  std::error_code not_reached; // by a path that leads nowhere, which make_folder() tells
+  return fs::exists(folder, not_reached) && !(fs::is_directory(folder) && fs::is_empty(folder));
 }
 
 /// "slope_oblique" for slope_oblique/case.toml, "box" for box.toml.
@@ -65,7 +68,7 @@ fs::path new_folder(const RunArguments& arguments) {
                     "another --out, or leave it out",
                     folder.string()));
   }
-  fs::create_directories(folder);
+  make_folder(folder);
   return folder;
 }
 

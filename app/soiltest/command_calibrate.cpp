@@ -114,7 +114,7 @@ void calibrate(const Options& options) {
   const auto file = scene::load_soil_test(options.test, scene::SoilTestUse::calibration);
   if (!options.out.empty())
     require_writable(options.out);
-  fmt::print("{}", soil_text(file));
+  fmt::print("{}{}", soil_text(file), notes_text(file));
   if (std::ranges::any_of(file.values, [](const auto& value) { return value.key.starts_with("loading."); }))
     fmt::print("  note: [loading] is for `tremolo soiltest`; a calibration applies the cycles of [target]\n");
   soiltest::Calibration found;

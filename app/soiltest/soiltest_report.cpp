@@ -163,14 +163,20 @@ std::string soil_text(const scene::SoilTestFile& file) {
   return lines;
 }
 
+std::string notes_text(const scene::SoilTestFile& file) {
+  std::string lines;
+  for (const std::string& note : soiltest::notes(file.soil.law, file.test))
+    lines += fmt::format("  note: {}\n", note);
+  return lines;
+}
+
 std::string results_text(const scene::SoilTestFile& file, const SoilTestRun& run) {
   const auto& initial = file.test.initial;
   std::string lines =
       fmt::format("\nTest: {}, {}, {}; vertical stress {:.4g} Pa, K0 {:.3g}, shear bias {:.3g}\n",
                   soiltest::name(file.test.kind), soiltest::name(file.test.drainage), scene::name(file.kind),
                   initial.vertical_stress, initial.k0, initial.shear_bias);
-  for (const std::string& note : soiltest::notes(file.soil.law, file.test))
-    lines += fmt::format("  note: {}\n", note);
+  lines += notes_text(file);
   switch (file.kind) {
   case scene::LoadingKind::cyclic_stress:
     lines += cycles_text(file, run);

@@ -9,6 +9,9 @@ namespace tremolo::app {
 /// The soil of a test and every parameter in force.
 std::string soil_text(const scene::SoilTestFile& file);
 
+/// What should be known of a test before its results are believed, a line each.
+std::string notes_text(const scene::SoilTestFile& file);
+
 /// What the tests gave: cycles, pore pressure, strength, why they ended and what they cost.
 std::string results_text(const scene::SoilTestFile& file, const SoilTestRun& run);
 

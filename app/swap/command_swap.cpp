@@ -1,6 +1,7 @@
 // tremolo swap: one case, several free-field models, and what the choice changes.
 
 #include "app/commands.hpp"
+#include "app/output_place.hpp"
 #include "app/python.hpp"
 #include "app/run/local_options.hpp"
 #include "app/swap/swap.hpp"
@@ -45,9 +46,6 @@ void compare(const Options& options) {
   if (scene.monitors.empty())
     throw std::runtime_error(
         fmt::format("{}: without a [[monitor]] there is no response to compare", options.case_file));
-  if (fs::exists(options.out) && !fs::is_empty(options.out))
-    throw std::runtime_error(
-        fmt::format("{} is not an empty folder; choose another --out", options.out.string()));
   std::vector<scene::SourceModel> models;
   models.reserve(options.models.size());
   for (const std::string& model : options.models) {
@@ -56,9 +54,12 @@ void compare(const Options& options) {
     models.push_back(*std::ranges::find(known, model, [](scene::SourceModel m) { return scene::name(m); }));
   }
 
+  make_folder(options.out);
+  if (!fs::is_empty(options.out))
+    throw std::runtime_error(
+        fmt::format("{} is not an empty folder; choose another --out", options.out.string()));
   const auto runs =
       swap_models(scene, models, {.folder = options.out, .mode = {}, .threads = options.threads});
-  fs::create_directories(options.out);
   std::ofstream file(options.out / "swap.json");
   file << swap_json(runs) << '\n';
   file.close();

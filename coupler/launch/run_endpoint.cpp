@@ -1,5 +1,6 @@
 #include "coupler/launch/run_endpoint.hpp"
 
+#include "base/temporary_parent.hpp"
 #include "coupler/wire/error.hpp"
 
 #include <cerrno>
@@ -26,7 +27,7 @@ fs::path parent_folder() {
   const char* runtime = std::getenv("XDG_RUNTIME_DIR");
   if (runtime != nullptr && ::access(runtime, W_OK) == 0)
     return runtime;
-  return fs::temp_directory_path();
+  return temporary_parent();
 }
 
 /// @returns the descriptor that holds the lock as long as it is open, -1 if another run holds it

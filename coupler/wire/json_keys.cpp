@@ -17,11 +17,20 @@ namespace {
   throw Error(fmt::format("'{}' is {}, expected {}", key, shown(value), expected));
 }
 
+/// Far more than any message has. What copies or prints a value walks into it call by call: a stack holds no
+/// half a million brackets.
+constexpr int deepest = 32;
+
 } // namespace
 
 json parsed_json(std::string_view text) {
+  const auto limited = [](int depth, json::parse_event_t /*event*/, const json& /*parsed*/) {
+    if (depth > deepest)
+      throw Error(fmt::format("no JSON of ours: it is nested more than {} deep", deepest));
+    return true;
+  };
   try {
-    return json::parse(text);
+    return json::parse(text, limited);
   } catch (const json::parse_error& error) {
     throw Error(fmt::format("no JSON: it cannot be read at byte {} of {}", error.byte, text.size()));
   } catch (const json::out_of_range&) {

@@ -11,7 +11,7 @@
 
 namespace tremolo::coupler {
 
-/// @throws Error for text that is no JSON
+/// @throws Error for text that is no JSON, or is nested deeper than any message
 nlohmann::json parsed_json(std::string_view text);
 
 /// A value as it stands in a message, cut where it is long.

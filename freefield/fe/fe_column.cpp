@@ -14,6 +14,8 @@ namespace {
 /// Checks what the mesh and the column are about to be built from.
 const Profile& checked(const Profile& profile, const Damping& damping) {
   validate(profile);
+  if (std::ranges::any_of(profile.layers, [](const Layer& layer) { return layer.pores.has_value(); }))
+    throw std::invalid_argument("a column of one phase takes no layers with pore water");
   const auto is_damped = [](const Layer& layer) { return layer.damping_ratio > 0.0; };
   if (std::any_of(profile.layers.begin(), profile.layers.end(), is_damped))
     validate(damping);

@@ -14,14 +14,16 @@ double look_ahead(double increment) {
   return std::copysign(1e-5 * std::abs(increment) + 1e-10, increment);
 }
 
-/// Fills syy = -rho g depth at the element centres, and K0 of it sideways.
+/// Fills the effective syy = -rho g depth + pore pressure at the element centres, and K0 of it sideways.
 void set_geostatic(SoilState& state, const Profile& profile, const ColumnMesh& mesh) {
-  double overburden = 0.0; // Pa, from the surface down
+  double overburden = profile.hydrostatic_pressure(profile.surface_level); // Pa, from the surface down
   for (std::size_t e = mesh.elements(); e-- > 0;) {
     const Layer& layer = profile.layers[mesh.element_layer[e]];
     const double weight = layer.soil.density * profile.gravity * mesh.length(e);
     const double rest = layer.soil.rest_coefficient();
     state.syy[e] = -(overburden + 0.5 * weight);
+    if (layer.pores)
+      state.syy[e] += profile.hydrostatic_pressure(0.5 * (mesh.node_y[e] + mesh.node_y[e + 1]));
     state.sxx[e] = state.szz[e] = rest * state.syy[e];
     overburden += weight;
   }
@@ -51,10 +53,13 @@ FeSoil::FeSoil(const Profile& profile, const ColumnMesh& mesh)
 /// The geostatic state, refused where it is beyond the soil's strength: no strain must leave it as it is.
 void FeSoil::start(const Profile& profile, const ColumnMesh& mesh) {
   set_geostatic(initial_, profile, mesh);
+  const SoilState wanted = initial_;
+  for (const Block& block : blocks_)
+    materials::initialise(block.law, points(initial_, block));
   SoilState held = initial_;
   update(held, no_strain_, no_strain_);
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
-    const double change = std::abs(held.syy[e] - initial_.syy[e]) + std::abs(held.sxx[e] - initial_.sxx[e]) +
+    const double change = std::abs(held.syy[e] - wanted.syy[e]) + std::abs(held.sxx[e] - wanted.sxx[e]) +
                           std::abs(held.szz[e] - initial_.szz[e]);
     if (change > 1e-9 * std::abs(initial_.syy[e])) {
       const double depth = profile.surface_level - 0.5 * (mesh.node_y[e] + mesh.node_y[e + 1]);
@@ -67,21 +72,28 @@ void FeSoil::start(const Profile& profile, const ColumnMesh& mesh) {
   }
 }
 
+materials::Points FeSoil::points(SoilState& state, const Block& block) const {
+  const std::size_t first = block.first;
+  return {.count = block.count,
+          .sxx = state.sxx.data() + first,
+          .syy = state.syy.data() + first,
+          .szz = state.szz.data() + first,
+          .sxy = state.sxy.data() + first,
+          .state = state.history.data() + block.history,
+          .plastic_work = state.plastic_work.data() + first,
+          .dexx = no_strain_.data() + first,
+          .deyy = no_strain_.data() + first,
+          .dgxy = no_strain_.data() + first,
+          .dwxy = no_strain_.data() + first};
+}
+
 void FeSoil::update(SoilState& state, const std::vector<double>& deyy,
                     const std::vector<double>& dgxy) const {
   for (const Block& block : blocks_) {
-    const std::size_t first = block.first;
-    materials::update(block.law, {.count = block.count,
-                                  .sxx = state.sxx.data() + first,
-                                  .syy = state.syy.data() + first,
-                                  .szz = state.szz.data() + first,
-                                  .sxy = state.sxy.data() + first,
-                                  .state = state.history.data() + block.history,
-                                  .plastic_work = state.plastic_work.data() + first,
-                                  .dexx = no_strain_.data() + first,
-                                  .deyy = deyy.data() + first,
-                                  .dgxy = dgxy.data() + first,
-                                  .dwxy = no_strain_.data() + first});
+    materials::Points moved = points(state, block);
+    moved.deyy = deyy.data() + block.first;
+    moved.dgxy = dgxy.data() + block.first;
+    materials::update(block.law, moved);
   }
 }
 
@@ -101,6 +113,19 @@ void FeSoil::tangents(const SoilState& begin, const SoilState& end, const std::v
       const double step = shear ? ahead[e] - dgxy[e] : ahead[e] - deyy[e];
       stiffness[e][shear ? 0 : 1] = (state.sxy[e] - end.sxy[e]) / step;
       stiffness[e][shear ? 2 : 3] = (state.syy[e] - end.syy[e]) / step;
+    }
+  }
+}
+
+void FeSoil::p_moduli(SoilState& state, std::vector<double>& moduli) const {
+  moduli.resize(no_strain_.size());
+  for (const Block& block : blocks_) {
+    const std::size_t variables = materials::state_variables(block.law).size();
+    const double density = materials::elasticity(block.law).density;
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const double speed = materials::p_wave_speed_bound(
+          block.law, points(state, {{}, block.first + i, 1, block.history + i * variables}));
+      moduli[block.first + i] = density * speed * speed;
     }
   }
 }

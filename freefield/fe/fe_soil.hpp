@@ -41,6 +41,10 @@ public:
   void tangents(const SoilState& begin, const SoilState& end, const std::vector<double>& deyy,
                 const std::vector<double>& dgxy, std::vector<Stiffness>& stiffness) const;
 
+  /// M of each element at its present stress, elastic, Pa; of laws whose stiffness falls with strain or
+  /// fabric that without it.
+  void p_moduli(SoilState& state, std::vector<double>& moduli) const;
+
   /// Elastic energy of an element's stress over that of the geostatic one, J/m3; the work of the geostatic
   /// stress itself, which gravity balances, is left out.
   double elastic_energy(const SoilState& state, std::size_t element, double eyy) const;
@@ -59,6 +63,8 @@ private:
   };
 
   void start(const Profile& profile, const ColumnMesh& mesh);
+  /// The points of a block, without strain.
+  materials::Points points(SoilState& state, const Block& block) const;
 
   std::vector<Block> blocks_; ///< from the base up
   std::vector<double> no_strain_;

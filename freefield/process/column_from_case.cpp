@@ -4,6 +4,7 @@
 #include "freefield/oblique/oblique_column.hpp"
 #include "freefield/ode/ode_column.hpp"
 #include "freefield/process/incident_input.hpp"
+#include "freefield/twophase/two_phase_column.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
@@ -22,28 +23,45 @@ namespace {
 /// Share of central differences' stability limit that a column takes if the case names no step.
 constexpr double fraction_of_limit = 0.8;
 
-/// The law of a layer in elements of a size; nothing for a linear elastic one.
-std::optional<materials::Law> law_of(const scene::Case& scene, const scene::Layer& layer,
-                                     double element_size) {
+materials::Law with_constants(materials::Law law, const materials::Elasticity& elastic) {
+  std::visit([&](auto& known) { known.elastic = elastic; }, law);
+  return law;
+}
+
+/// How a column takes soil below the water table.
+enum class Water { in_total_stress, two_phases };
+
+/// A layer as a column takes it: in two phases the skeleton and its pores, otherwise grains and water
+/// together.
+Layer layer_from_case(const scene::Case& scene, const scene::Layer& layer, double element_size, Water water) {
+  Layer made{layer.thickness, layer.elastic, layer.damping};
   if (!layer.soil)
-    return std::nullopt;
+    return made;
   const scene::Soil& soil = scene.soils[*layer.soil];
+  if (water == Water::two_phases && layer.wet) {
+    made.soil = materials::elasticity(soil.column_law); // with the saturated density
+    made.pores = soil.pores;
+  }
   if (materials::traits(soil.column_law).response == materials::Response::elastic)
-    return std::nullopt;
-  if (!soil.softening_size)
-    return soil.column_law;
-  return materials::for_cell_size(soil.column_law, element_size, *soil.softening_size);
+    return made;
+  made.law = soil.softening_size
+                 ? materials::for_cell_size(soil.column_law, element_size, *soil.softening_size)
+                 : soil.column_law;
+  if (scene.water)
+    made.law = with_constants(std::move(*made.law), made.soil);
+  return made;
 }
 
 /// The base of the column: that of the model where it lies below the layers, unless the motion is that of the
 /// top of the half-space.
-Profile profile_from_case(const scene::Case& scene, const scene::SourceProcess& source, double element_size) {
+Profile profile_from_case(const scene::Case& scene, const scene::SourceProcess& source, double element_size,
+                          Water water) {
   Profile profile{source.surface, {}, scene.halfspace};
+  if (scene.water)
+    profile.water = WaterTable{scene.water->level, scene.water->fluid};
   profile.gravity = scene.gravity ? scene.gravity->acceleration : 0.0;
-  for (const scene::Layer& layer : scene::layers(scene, source)) {
-    profile.layers.push_back({layer.thickness, layer.elastic, layer.damping});
-    profile.layers.back().law = law_of(scene, layer, element_size);
-  }
+  for (const scene::Layer& layer : scene::layers(scene, source))
+    profile.layers.push_back(layer_from_case(scene, layer, element_size, water));
   const bool has_model = scene.mesh.size > 0.0;
   const double missing = has_model ? profile.base_level() - scene.mesh.box.y_min : 0.0;
   if (missing > 0.0 && scene.motion.kind != motion::MotionKind::within)
@@ -108,6 +126,20 @@ std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profi
   return std::make_unique<FeColumn>(profile, settings, input.velocity);
 }
 
+/// Soil and water with velocities of their own. Stiffness that goes with pressure may double in dilation.
+std::unique_ptr<Column> two_phase_column(const scene::Case& scene, const Profile& profile,
+                                         const ColumnInput& input, double start) {
+  constexpr double growth = 2.0;
+  TwoPhaseSettings settings;
+  settings.max_element_size = scene.fe.element_size;
+  settings.damping = damping_from_case(scene);
+  settings.base = input.base;
+  settings.time_step = scene.fe.dt.value_or(
+      fraction_of_limit * two_phase_step_limit(profile, settings.max_element_size, settings.damping, growth));
+  settings.start_time = start - 2.0 * settings.time_step;
+  return std::make_unique<TwoPhaseColumn>(profile, settings, input.velocity);
+}
+
 OdeMethod method_of(scene::OdeMethod method) {
   switch (method) {
   case scene::OdeMethod::adams:
@@ -161,14 +193,16 @@ void require_size(const scene::Case& scene, double size, const char* key) {
 
 std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::SourceProcess& source,
                                          double x_line, double needed_from) {
-  const auto made = [&](double size, const char* key, auto make) {
+  const auto made = [&](double size, const char* key, auto make, Water water = Water::in_total_stress) {
     require_size(scene, size, key);
-    const Profile profile = profile_from_case(scene, source, size);
+    const Profile profile = profile_from_case(scene, source, size, water);
     const ColumnInput input = input_from_case(scene, source, x_line, profile.base_level());
     return make(scene, profile, input, std::min(needed_from, input.begin));
   };
   switch (source.field.model) {
   case scene::SourceModel::fe:
+    if (scene.water)
+      return made(scene.fe.element_size, "[fe] element_size", two_phase_column, Water::two_phases);
     return made(scene.fe.element_size, "[fe] element_size", fe_column);
   case scene::SourceModel::ode:
     return made(scene.ode.cell_size, "[ode] cell_size", ode_column);

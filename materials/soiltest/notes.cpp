@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 namespace tremolo::soiltest {
 namespace {
 
-constexpr double rounding = 1e-6; // of the largest initial stress
+constexpr double rounding = 1e-6;       // of the largest initial stress
+constexpr double strongest_sand = 40.0; // degrees of friction that sand can mobilise at rest
 
 struct Component {
   std::string_view name;
@@ -57,6 +59,21 @@ void add_offset(std::vector<std::string>& notes, double level, const materials::
   }
 }
 
+/// The cone of a sand may hold in space what no sand holds in the plane: sin phi = (s1 - s3)/(s1 + s3).
+void add_mobilised_friction(std::vector<std::string>& notes, const materials::Law& law,
+                            const materials::PointStress& wanted) {
+  if (!materials::traits(law).follows_pressure)
+    return;
+  const double radius = std::hypot(0.5 * (wanted.xx - wanted.yy), wanted.xy);
+  const double centre = -0.5 * (wanted.xx + wanted.yy);
+  const double degrees = std::asin(std::min(radius / centre, 1.0)) * 180.0 / std::numbers::pi;
+  if (degrees > strongest_sand)
+    notes.push_back(fmt::format("the initial stress mobilises {:.3g} degrees of friction before the test "
+                                "begins, where sand at rest has {:g} at most: what follows means little; "
+                                "change k0 or shear_bias",
+                                degrees, strongest_sand));
+}
+
 } // namespace
 
 bool has_pore_pressure_ratio(const materials::Law& law, const SoilTest& test) {
@@ -74,6 +91,7 @@ std::vector<std::string> notes(const materials::Law& law, const SoilTest& test) 
   materials::PointTest point(law, wanted);
   point.apply({}); // a step of no strain, in which a law returns to its strength
   const double level = std::max({std::abs(wanted.xx), std::abs(wanted.yy), std::abs(wanted.xy)});
+  add_mobilised_friction(notes, law, wanted);
   add_changed_stress(notes, level, wanted, point);
   add_offset(notes, level, point);
   if (!has_pore_pressure_ratio(law, test)) {

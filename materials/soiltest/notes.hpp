@@ -11,7 +11,7 @@ namespace tremolo::soiltest {
 bool has_pore_pressure_ratio(const materials::Law& law, const SoilTest& test);
 
 /// What a user should know of a test that can be run, a sentence each: units that look wrong, an initial
-/// stress that the law cannot hold, results without a meaning.
+/// stress that the law, or any sand, cannot hold, results without a meaning.
 std::vector<std::string> notes(const materials::Law& law, const SoilTest& test);
 
 } // namespace tremolo::soiltest

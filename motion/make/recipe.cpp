@@ -1,6 +1,7 @@
 #include "motion/make/recipe.hpp"
 
 #include "base/printable.hpp"
+#include "base/unreadable.hpp"
 
 #include "motion/read/read.hpp"
 #include "motion/read/text.hpp"
@@ -217,12 +218,9 @@ Recipe recipe(Keys keys) {
 
 Recipe read_recipe(const std::filesystem::path& file) {
   constexpr std::uintmax_t longest_recipe = 1U << 20U; // bytes
-  std::error_code trouble;
-  std::ifstream stream;
-  if (std::filesystem::is_regular_file(file, trouble))
-    stream.open(file, std::ios::binary);
-  if (!stream.is_open())
-    throw RecordError(fmt::format("{}: cannot be read: no such file, or no permission", file.string()));
+  if (const auto why = why_unreadable(file); !why.empty())
+    throw RecordError(fmt::format("{}: {}", file.string(), why));
+  std::ifstream stream(file, std::ios::binary);
   if (std::filesystem::file_size(file) > longest_recipe)
     throw RecordError(
         fmt::format("{}: more than {} bytes, no recipe of a motion", file.string(), longest_recipe));

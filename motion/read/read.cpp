@@ -1,5 +1,6 @@
 #include "motion/read/read.hpp"
 
+#include "base/unreadable.hpp"
 #include "motion/read/read_formats.hpp"
 
 #include <fmt/format.h>
@@ -54,14 +55,9 @@ Record parse_record(std::istream& stream, const std::filesystem::path& file, con
 }
 
 Record read_record(const std::filesystem::path& file, const ReadAs& as) {
-  std::error_code trouble;
-  if (!std::filesystem::exists(file, trouble))
-    throw RecordError(fmt::format("{}: there is no such file", file.string()));
-  std::ifstream stream;
-  if (std::filesystem::is_regular_file(file, trouble))
-    stream.open(file, std::ios::binary);
-  if (!stream.is_open())
-    throw RecordError(fmt::format("{}: cannot be read: not a regular file, or no permission", file.string()));
+  if (const auto why = why_unreadable(file); !why.empty())
+    throw RecordError(fmt::format("{}: {}", file.string(), why));
+  std::ifstream stream(file, std::ios::binary);
   if (is_hdf5(stream))
     return read_hdf5(file, as);
   return parse_record(stream, file, as);

@@ -9,7 +9,24 @@ namespace tremolo::motion {
 
 namespace {
 
+constexpr const char* decimal_commas =
+    "decimal commas: numbers are written with a point, 0.123 instead of 0,123";
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// Whether a comma stands between digits, and no number of the line has a point: "DT= 0,02".
+bool splits_a_number(std::string_view header) {
+  bool found = false;
+  for (std::size_t i = 1; i + 1 < header.size(); ++i)
+    found = found || (header[i] == ',' && is_digit(header[i - 1]) && is_digit(header[i + 1]));
+  return found && header.find('.') == std::string_view::npos;
+}
+
 void check(const PeerHeader& header, const Lines& lines) {
+  if (splits_a_number(lines.text()))
+    lines.refuse(decimal_commas);
   if (!(header.count >= 2.0 && header.count <= most_samples) || header.count != std::floor(header.count))
     lines.refuse(fmt::format("NPTS = {}, must be a whole number from 2 to {:g}", header.count, most_samples));
   if (!(header.dt > 0.0))
@@ -30,14 +47,13 @@ void add(Stated& known, const Stated& more) {
 
 /// Whether digits stand on both sides of each comma, and no number has a point: "0,123 -0,045".
 bool has_decimal_commas(std::string_view line) {
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   bool found = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '.')
       return false;
     if (line[i] != ',')
       continue;
-    if (i == 0 || i + 1 == line.size() || !digit(line[i - 1]) || !digit(line[i + 1]))
+    if (i == 0 || i + 1 == line.size() || !is_digit(line[i - 1]) || !is_digit(line[i + 1]))
       return false;
     found = true;
   }
@@ -47,7 +63,7 @@ bool has_decimal_commas(std::string_view line) {
 void read_samples(Lines& lines, std::size_t count, std::vector<double>& samples) {
   while (lines.next()) {
     if (has_decimal_commas(lines.text()))
-      lines.refuse("decimal commas: numbers are written with a point, 0.123 instead of 0,123");
+      lines.refuse(decimal_commas);
     for (const auto word : words(lines.text())) {
       const auto value = number(word);
       if (!value)

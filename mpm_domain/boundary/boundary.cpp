@@ -26,12 +26,13 @@ double dot(const Vector& a, const Vector& b) {
   return a.x * b.x + a.y * b.y;
 }
 
+constexpr std::size_t faces_per_task = 64;
+
 /// act(f) for all faces, portions of them side by side.
 template <typename Act>
 void for_faces(WorkerPool& workers, std::size_t count, const Act& act) {
-  constexpr std::size_t portion = 64;
-  workers.run((count + portion - 1) / portion, [&](std::size_t task) {
-    for (std::size_t f = task * portion; f < std::min((task + 1) * portion, count); ++f)
+  workers.run((count + faces_per_task - 1) / faces_per_task, [&](std::size_t task) {
+    for (std::size_t f = task * faces_per_task; f < std::min((task + 1) * faces_per_task, count); ++f)
       act(f);
   });
 }
@@ -304,12 +305,34 @@ void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes)
   const int first_due = ticks.first_due();
   const Grid& grid = domain.grid;
   EnergyLedger& energy = domain.energy;
+  std::vector<FaceWork> works((faces_.size() + faces_per_task - 1) / faces_per_task);
+  domain.workers.run(works.size(), [&](std::size_t task) {
+    const std::size_t first = task * faces_per_task;
+    works[task] = work_of(first, std::min(first + faces_per_task, faces_.size()), grid, ticks, nodes);
+  });
+  for (const FaceWork& work : works) {
+    energy.static_ += work.held;
+    energy.dashpots += work.dashpots;
+    energy.input += work.input;
+  }
+  for (int clock = first_due; clock < static_cast<int>(dashpots_.size()); ++clock) {
+    const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
+    energy.dashpots +=
+        0.5 * ticks.kick_of(clock) *
+        (dashpots.power(grid.vx_before, grid.vy_before) + dashpots.power(grid.vx_after, grid.vy_after));
+  }
+}
+
+Boundary::FaceWork Boundary::work_of(std::size_t begin, std::size_t end, const Grid& grid, const Ticks& ticks,
+                                     const ClockNodes& nodes) const {
+  const int first_due = ticks.first_due();
   const bool one_clock = nodes.one_clock();
   std::array<Vector, most_clocks> v_of; // of the face's nodes by clock, mean over the update, m/s
   std::array<double, most_clocks> kick{};
   for (int clock = 0; clock < ticks.clocks(); ++clock)
     kick[static_cast<std::size_t>(clock)] = ticks.kick_of(clock);
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
+  FaceWork work;
+  for (std::size_t f = begin; f < end; ++f) {
     const BoundaryFace& face = faces_[f];
     std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
     for (const auto& [node, w] : weights_[f]) {
@@ -326,25 +349,20 @@ void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes)
       v_all = {v_all.x + v.x, v_all.y + v.y};
       if (clock >= clock_[f])
         v_moving = {v_moving.x + v.x, v_moving.y + v.y};
-      energy.static_ += kick[static_cast<std::size_t>(clock)] * steady * dot(face.held, v);
+      work.held += kick[static_cast<std::size_t>(clock)] * steady * dot(face.held, v);
     }
     if (is_due(first_due, f)) {
       const double impulse = kick[static_cast<std::size_t>(clock_[f])] * face.length;
       const double own = dot(eq6::viscous_traction(face.dashpots(), v_[f]), v_moving);
-      energy.dashpots += impulse * own;
+      work.dashpots += impulse * own;
       const auto& [viscous, dynamic, held] = traction_[f];
-      energy.input += impulse * (dot({viscous.x + dynamic.x, viscous.y + dynamic.y}, v_moving) - own);
+      work.input += impulse * (dot({viscous.x + dynamic.x, viscous.y + dynamic.y}, v_moving) - own);
     }
     if (ticks.is_first() && face.support != Support::dashpots)
-      (face.support == Support::matched_layer ? energy.dashpots : energy.input) +=
-          ticks.kick_of(0) * face.length * dot(reaction_[f], v_all);
+      (face.support == Support::matched_layer ? work.dashpots : work.input) +=
+          kick[0] * face.length * dot(reaction_[f], v_all);
   }
-  for (int clock = first_due; clock < static_cast<int>(dashpots_.size()); ++clock) {
-    const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
-    energy.dashpots +=
-        0.5 * ticks.kick_of(clock) *
-        (dashpots.power(grid.vx_before, grid.vy_before) + dashpots.power(grid.vx_after, grid.vy_after));
-  }
+  return work;
 }
 
 double Boundary::remap_power(const Grid& grid, const ClockNodes& nodes, int clock) const {

@@ -112,6 +112,13 @@ private:
     Vector dashpot; ///< Pa s
   };
 
+  /// Work of faces in an update, J/m.
+  struct FaceWork {
+    double held = 0.0; ///< of the static part
+    double dashpots = 0.0;
+    double input = 0.0;
+  };
+
   void set_levels(const std::vector<double>& levels);
   void set_layer_sums(const std::vector<double>& sums);
   void resize();
@@ -121,6 +128,9 @@ private:
   void evaluate(std::size_t face);
   void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
   void find_loads(int clock, const Ticks& ticks);
+  /// Of faces [begin, end).
+  FaceWork work_of(std::size_t begin, std::size_t end, const Grid& grid, const Ticks& ticks,
+                   const ClockNodes& nodes) const;
   void correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
 
   std::vector<BoundaryFace> faces_;

@@ -5,7 +5,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from tremolo import column, comparison, cost, failure, fronts, histories, maps, motion, preview, soil_record, soiltest, swap, timeline, verification
+from tremolo import column, comparison, cost, failure, fronts, histories, maps, motion, pore_pressure, preview, soil_record, soiltest, swap, timeline, verification
 from tremolo.run import Run
 
 
@@ -81,6 +81,8 @@ def verify_picture(arguments):
 
 def column_picture(arguments):
     yield column.picture(arguments.path)
+    if wet := pore_pressure.picture(arguments.path):
+        yield wet
 
 
 def soiltest_picture(arguments):

@@ -58,6 +58,8 @@ class Run:
         self.path = path / "run.h5" if path.is_dir() else path
         if not self.path.exists():
             raise FileNotFoundError(f"{self.path}: no such run")
+        if not self.path.is_file():  # opening a pipe would wait for its other end
+            raise OSError(f"{self.path}: not a regular file")
         try:
             self._file = h5py.File(self.path, "r")
         except OSError as error:

@@ -64,6 +64,8 @@ def read(path):
     path = Path(path)
     if not path.exists():
         raise FileNotFoundError(f"{path}: no such soil test")
+    if not path.is_file():  # opening a pipe would wait for its other end
+        raise OSError(f"{path}: not a regular file")
     try:
         file = h5py.File(path, "r")
     except OSError as error:

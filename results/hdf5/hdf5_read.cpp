@@ -1,6 +1,8 @@
 #include "results/hdf5/hdf5_read.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace tremolo::results {
@@ -26,6 +28,10 @@ std::string_view major(std::string_view version) {
 } // namespace
 
 FileReader::FileReader(std::filesystem::path path, std::string_view what) : path_(std::move(path)) {
+  std::error_code trouble;
+  if (std::filesystem::exists(path_, trouble) && !std::filesystem::is_regular_file(path_, trouble))
+    throw std::runtime_error( // opening a pipe would wait for its other end
+        fmt::format("{}: cannot open the {}: not a regular file", path_.string(), what));
   prepare_hdf5();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(access.get(), false, true);

@@ -1,5 +1,7 @@
 #include "scene/read/reader.hpp"
 
+#include "base/printable.hpp"
+
 #include <fmt/format.h>
 
 namespace tremolo::scene {
@@ -79,6 +81,9 @@ std::vector<NamedTable> Document::named(std::string_view name) {
   for (const auto& [key, element] : *table) {
     const std::string path = fmt::format("{}.{}", name, key.str());
     reading_.findings.locate(path, place_of(element, path));
+    if (!is_printable_line(key.str()))
+      reading_.findings.add(path,
+                            "the name holds a control character or the end of a line, must be plain text");
     if (!element.is_table()) {
       reading_.findings.add(path, fmt::format("'{}' must be a table, found {}: write [{}]", key.str(),
                                               type_name(element), path));

@@ -4,6 +4,7 @@
 #include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 #include "scene/keys/keys_soil.hpp"
+#include "scene/keys/keys_water.hpp"
 
 namespace tremolo::scene {
 
@@ -121,6 +122,8 @@ std::vector<Key> soil_keys_of_a_case() {
                       "frequency.",
                   .otherwise = "`[damping] ratio`",
                   .range = {.low = 0.0, .high = 1.0, .high_open = true}});
+  for (Key& key : pore_keys())
+    keys.push_back(std::move(key));
   return keys;
 }
 
@@ -133,6 +136,7 @@ std::vector<Table> model_keys() {
        .required = true,
        .meaning = soil_meaning,
        .keys = soil_keys_of_a_case()},
+      water_table(),
       {.name = "region",
        .kind = Kind::array,
        .required = true,

@@ -1,5 +1,6 @@
 #include "scene/plan/layers.hpp"
 #include "scene/plan/plan.hpp"
+#include "scene/plan/wet_soils.hpp"
 #include "scene/soils/soil_report.hpp"
 
 #include <fmt/format.h>
@@ -119,6 +120,8 @@ std::string explain(const Case& scene, const Plan& plan) {
                   size_text(plan.memory_bytes), size_text(plan.output_bytes), plan.frames,
                   duration_text(plan.estimated_time));
   text += soils_text(scene);
+  if (scene.water)
+    text += "\nWater\n  " + water_text(scene);
   text += "\nRemarks\n";
   return text + remarks_text(scene);
 }

@@ -1,5 +1,7 @@
 #include "scene/read/curve_table.hpp"
 
+#include "base/unreadable.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -43,9 +45,9 @@ std::array<double, 3> row(std::string_view text, const std::filesystem::path& fi
 } // namespace
 
 materials::SoilCurves read_curve_table(const std::filesystem::path& file) {
+  if (const auto why = why_unreadable(file); !why.empty())
+    throw std::invalid_argument(fmt::format("{}: {}", file.string(), why));
   std::ifstream stream(file);
-  if (!stream || !std::filesystem::is_regular_file(file))
-    throw std::invalid_argument(fmt::format("{}: cannot be read", file.string()));
   materials::SoilCurves curves;
   bool begun = false;
   std::size_t number = 0;

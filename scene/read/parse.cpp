@@ -50,11 +50,16 @@ Case load_free_field(const std::filesystem::path& file, SourceModel model) {
   auto& [sides, left, right, base] = scene.boundary;
   left.field.model = right.field.model = base.field.model = model;
   left.surface = right.surface = scene.surface_level;
-  for (const auto rule : {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models,
-                          reference_lies_in_halfspace})
+  for (const auto rule :
+       {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models,
+        reference_lies_in_halfspace, wet_soil_has_pores, water_has_weight, water_is_marched_explicitly})
     rule(scene, findings);
 
   findings.throw_if_any();
+  findings.grade(Severity::warning);
+  for (const auto rule : {table_lies_in_ground, permeability_is_that_of_soil, sand_has_one_void_ratio})
+    rule(scene, findings);
+  scene.remarks = findings.remarks();
   return scene;
 }
 

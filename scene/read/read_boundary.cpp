@@ -1,4 +1,5 @@
 #include "scene/read/read.hpp"
+#include "scene/read/read_water.hpp"
 
 #include <fmt/format.h>
 
@@ -30,9 +31,12 @@ LateralBoundary read_side(Document& document, const char* name, Findings& findin
                              "\"periodic\"",
                              name));
   const auto table = document.table(name);
-  return {read_model(table, scene), table.optional_number("surface").value_or(scene.surface_level),
-          read_layers(document, fmt::format("{}.profile", name).c_str(), findings, scene),
-          read_absorber(table)};
+  const double surface = table.optional_number("surface").value_or(scene.surface_level);
+  auto own = read_layers(document, fmt::format("{}.profile", name).c_str(), findings, scene);
+  // The water table cuts the layers of [[profile]] elsewhere under another surface.
+  if (scene.water && own.empty() && surface != scene.surface_level)
+    own = scene.profile;
+  return {read_model(table, scene), surface, watered(own, surface, scene), read_absorber(table)};
 }
 
 /// Where the model repeats itself there is no free field, only the level of its surface.

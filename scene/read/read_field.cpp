@@ -1,4 +1,5 @@
 #include "scene/read/read.hpp"
+#include "scene/read/read_water.hpp"
 
 #include <fmt/format.h>
 
@@ -99,9 +100,11 @@ void read_free_field(Document& document, Findings& findings, Case& scene) {
   scene.halfspace_damping = half_space.number("damping");
 
   read_damping(document, scene);
+  read_water(document, scene);
   if (document.has("soil"))
     read_soils(document, findings, scene);
   scene.profile = read_layers(document, "profile", findings, scene);
+  scene.profile = watered(scene.profile, scene.surface_level, scene);
   read_numerics(document, scene);
 }
 

@@ -1,4 +1,5 @@
 #include "scene/read/read_soil.hpp"
+#include "scene/read/read_water.hpp"
 #include "scene/soils/soil_library.hpp"
 
 #include <fmt/format.h>
@@ -27,33 +28,33 @@ private:
   const TableReader& table_;
 };
 
-materials::Law pm4sand(const TableReader& table) {
+materials::Pm4SandInput pm4sand_input(const TableReader& table) {
   const Numbers number(table);
-  return materials::pm4sand({.density = table.number("density"),
-                             .relative_density = table.number("relative_density"),
-                             .G_o = table.number("shear_modulus_coefficient"),
-                             .h_po = table.number("contraction_rate"),
-                             .p_A = number("atmospheric_pressure"),
-                             .e_max = number("e_max"),
-                             .e_min = number("e_min"),
-                             .n_b = number("n_b"),
-                             .n_d = number("n_d"),
-                             .phi_cv = number.angle("phi_cv_deg"),
-                             .poisson = number("poisson"),
-                             .Q = number("Q"),
-                             .R = number("R"),
-                             .m = number("m"),
-                             .h_o = number("h_o"),
-                             .A_do = number("A_do"),
-                             .z_max = number("z_max"),
-                             .c_z = number("c_z"),
-                             .c_eps = number("c_eps"),
-                             .C_GD = number("C_GD"),
-                             .C_DR = number("C_DR"),
-                             .C_kaf = number("C_kaf"),
-                             .F_sed_min = number("F_sed_min"),
-                             .p_sedo = number("p_sedo"),
-                             .post_shake = table.boolean("post_shake")});
+  return {.density = table.number("density"),
+          .relative_density = table.number("relative_density"),
+          .G_o = table.number("shear_modulus_coefficient"),
+          .h_po = table.number("contraction_rate"),
+          .p_A = number("atmospheric_pressure"),
+          .e_max = number("e_max"),
+          .e_min = number("e_min"),
+          .n_b = number("n_b"),
+          .n_d = number("n_d"),
+          .phi_cv = number.angle("phi_cv_deg"),
+          .poisson = number("poisson"),
+          .Q = number("Q"),
+          .R = number("R"),
+          .m = number("m"),
+          .h_o = number("h_o"),
+          .A_do = number("A_do"),
+          .z_max = number("z_max"),
+          .c_z = number("c_z"),
+          .c_eps = number("c_eps"),
+          .C_GD = number("C_GD"),
+          .C_DR = number("C_DR"),
+          .C_kaf = number("C_kaf"),
+          .F_sed_min = number("F_sed_min"),
+          .p_sedo = number("p_sedo"),
+          .post_shake = table.boolean("post_shake")};
 }
 
 /// G/Gmax that the surfaces share. The built-in curve at as many strains as there are surfaces by default.
@@ -133,6 +134,32 @@ bool suits_pdmy03(const TableReader& table, Findings& findings) {
 
 } // namespace
 
+std::optional<double> void_ratio_of_law(const TableReader& table) {
+  if (table.text("model") != name(SoilModel::pm4sand))
+    return std::nullopt;
+  auto input = pm4sand_input(table);
+  input.density = 1.0; // the void ratio does not go with it, and it may have to follow from the void ratio
+  try {
+    const auto law = materials::pm4sand(input);
+    return law.e_max - law.relative_density * (law.e_max - law.e_min);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt; // told when the soil is read
+  }
+}
+
+std::optional<double> saturated_density_of_law(const TableReader& table) {
+  if (table.text("model") != name(SoilModel::pdmy03))
+    return std::nullopt;
+  if (const auto density = table.optional_number("density"))
+    return density;
+  try {
+    const auto set = table.optional_number("relative_density");
+    return set ? materials::pdmy03_recommended(*set).density : std::nullopt;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt; // told when the soil is read
+  }
+}
+
 Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings) {
   const auto& table = soil.reader;
   const bool pm4 = table.choice<SoilModel>("model") == SoilModel::pm4sand;
@@ -147,7 +174,7 @@ Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, F
   if (!pm4 && (!recommended(table, findings) || !suits_pdmy03(table, findings)))
     return placeholder(soil.name);
   try {
-    const auto law = pm4 ? pm4sand(table) : pdmy03(table, directory);
+    const auto law = pm4 ? materials::pm4sand(pm4sand_input(table)) : pdmy03(table, directory);
     return {soil.name, law, law, {}, {}};
   } catch (const std::exception& error) {
     findings.add(table.path(), error.what());

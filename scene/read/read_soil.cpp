@@ -1,6 +1,7 @@
 #include "scene/read/read_soil.hpp"
 #include "materials/hysteretic/curve_fit.hpp"
 #include "scene/read/read.hpp"
+#include "scene/read/read_water.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/text/nearest.hpp"
 
@@ -149,8 +150,11 @@ Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, d
 }
 
 void read_soils(Document& document, Findings& findings, Case& scene) {
-  for (const auto& soil : document.named("soil")) {
+  for (auto& soil : document.named("soil")) {
+    const auto pores = read_pores(soil.reader, scene.water, findings);
     scene.soils.push_back(read_soil(soil, scene.directory, scene.mesh.size, findings));
+    scene.soils.back().pores = pores;
+    scene.soils.back().law_void_ratio = void_ratio_of_law(soil.reader);
     if (const auto at_rest = soil.reader.optional_number("rest_coefficient"))
       for (materials::Law* law : {&scene.soils.back().law, &scene.soils.back().column_law})
         *law = materials::with_rest_coefficient(std::move(*law), *at_rest);

@@ -1,3 +1,4 @@
+#include "base/unreadable.hpp"
 #include "materials/soiltest/path/path_table.hpp"
 #include "scene/read/read_soil.hpp"
 #include "scene/soil_test.hpp"
@@ -40,11 +41,11 @@ void read_test(Document& document, SoilTestFile& file) {
 soiltest::Path read_path(const TableReader& table, const std::filesystem::path& name, Findings& findings) {
   if (!findings.sound(table.path("file")) || table.text("file").empty())
     return {};
-  std::ifstream stream(name);
-  if (!stream || !std::filesystem::is_regular_file(name)) {
-    findings.add(table.path("file"), fmt::format("{}: cannot be read", name.string()));
+  if (const auto why = why_unreadable(name); !why.empty()) {
+    findings.add(table.path("file"), fmt::format("{}: {}", name.string(), why));
     return {};
   }
+  std::ifstream stream(name);
   try {
     constexpr double kilopascal = 1e3;
     return soiltest::read_path(stream, table.choices("by_stress"),

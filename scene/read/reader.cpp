@@ -1,5 +1,6 @@
 #include "scene/read/reader.hpp"
 
+#include "base/printable.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/text/nearest.hpp"
 
@@ -95,7 +96,7 @@ const toml::node* TableReader::node_of(std::string_view key) const {
 }
 
 bool TableReader::given(std::string_view key) const {
-  return node_of(key) != nullptr;
+  return node_of(key) != nullptr || settled_.contains(key);
 }
 
 bool TableReader::from_library(std::string_view key) const {
@@ -250,6 +251,11 @@ std::optional<std::string> TableReader::convert_text(const Key& key, const toml:
   const std::string value = *node.value<std::string>();
   if (value.empty())
     return refuse(key, node, fmt::format("'{}' is empty", key.name));
+  if (!is_printable_line(value))
+    return refuse(
+        key, node,
+        fmt::format("'{}' = \"{}\" holds a control character or the end of a line, must be plain text",
+                    key.name, value));
   if (key.type == Type::choice && std::ranges::find(key.choices, value) == key.choices.end())
     return refuse(
         key, node,
@@ -342,6 +348,14 @@ template <class T>
 T TableReader::get(std::string_view key) const {
   const auto found = values_.find(key);
   return found == values_.end() ? T{} : std::get<T>(found->second);
+}
+
+void TableReader::settle(std::string_view key, double value, std::string_view origin) {
+  const Key* known = spec_.find(key);
+  values_.insert_or_assign(known->name, value);
+  settled_.insert(known->name);
+  std::erase_if(reading_.values, [&](const ValueInForce& one) { return one.key == path(key); });
+  reading_.values.push_back({path(key), fmt::format("{}", value), std::string(origin)});
 }
 
 std::optional<double> TableReader::optional_number(std::string_view key) const {

@@ -11,6 +11,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -47,8 +48,12 @@ public:
   const std::string& path() const { return path_; }
   std::string path(std::string_view key) const;
 
-  /// Whether the key stands in the file (right or wrong), or in the library's soil that it names.
+  /// Whether the key stands in the file (right or wrong), or in the library's soil that it names, or was
+  /// settled.
   bool given(std::string_view key) const;
+
+  /// Puts a number that follows from others in place of one that is not in the file, or of one that means it.
+  void settle(std::string_view key, double value, std::string_view origin);
 
   std::optional<double> optional_number(std::string_view key) const;
   double number(std::string_view key) const { return optional_number(key).value_or(0.0); }
@@ -99,6 +104,7 @@ private:
   Reading reading_;
   LibraryKeys library_;
   std::map<std::string_view, Value> values_;
+  std::set<std::string_view> settled_;
 };
 
 /// A named table, [soil.NAME].

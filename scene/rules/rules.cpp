@@ -21,6 +21,7 @@ constexpr std::array rules = {
     Rule{Severity::error, regions_are_simple},
     Rule{Severity::error, regions_lie_in_mesh},
     Rule{Severity::error, regions_are_apart},
+    Rule{Severity::error, regions_hold_particles},
     Rule{Severity::error, soil_reaches_boundaries},
     Rule{Severity::error, sides_can_be_periodic},
     Rule{Severity::error, springs_tie_equal_cells},
@@ -35,6 +36,10 @@ constexpr std::array rules = {
     Rule{Severity::error, time_step_is_stable},
     Rule{Severity::error, flip_has_surface_along_grid},
     Rule{Severity::error, subcycling_suits_case},
+    Rule{Severity::error, wet_soil_has_pores},
+    Rule{Severity::error, water_has_weight},
+    Rule{Severity::error, water_is_marched_explicitly},
+    Rule{Severity::error, domain_serves_no_water},
     Rule{Severity::error, monitors_lie_in_soil},
     Rule{Severity::error, hosts_can_meet},
 
@@ -50,6 +55,9 @@ constexpr std::array rules = {
     Rule{Severity::warning, domain_is_damped_like_free_field},
     Rule{Severity::warning, yielding_soil_does_not_lock},
     Rule{Severity::warning, saturated_soil_has_water},
+    Rule{Severity::warning, table_lies_in_ground},
+    Rule{Severity::warning, permeability_is_that_of_soil},
+    Rule{Severity::warning, sand_has_one_void_ratio},
     Rule{Severity::warning, densities_are_in_kilograms},
 
     Rule{Severity::note, mesh_resolves_frequencies},

@@ -30,6 +30,8 @@ void regions_are_simple(const Case& scene, Findings& findings);
 void regions_lie_in_mesh(const Case& scene, Findings& findings);
 /// Polygons do not overlap.
 void regions_are_apart(const Case& scene, Findings& findings);
+/// No region is so small or thin that all particles' places pass it by.
+void regions_hold_particles(const Case& scene, Findings& findings);
 /// Soil reaches along both sides up to the free field's surface, and along the whole base.
 void soil_reaches_boundaries(const Case& scene, Findings& findings);
 /// Periodic sides go with waves that are the same all along the base, and with what can be tied or wrapped.
@@ -58,6 +60,14 @@ void time_step_is_stable(const Case& scene, Findings& findings);
 void flip_has_surface_along_grid(const Case& scene, Findings& findings);
 /// Levels with steps of their own need levels, and what sub-cycling is made for.
 void subcycling_suits_case(const Case& scene, Findings& findings);
+/// Soil below the water table has pores, and a permeability where water flows in it.
+void wet_soil_has_pores(const Case& scene, Findings& findings);
+/// Pore pressure begins with the hydrostatic one: a gravity stage.
+void water_has_weight(const Case& scene, Findings& findings);
+/// Finite-element columns with pore water are marched by central differences.
+void water_is_marched_explicitly(const Case& scene, Findings& findings);
+/// The domain has no pore water.
+void domain_serves_no_water(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.
 void monitors_lie_in_soil(const Case& scene, Findings& findings);
 /// [hosts] places sides, one host for a process, at an endpoint that other machines can be told.
@@ -88,6 +98,12 @@ void domain_is_damped_like_free_field(const Case& scene, Findings& findings);
 void yielding_soil_does_not_lock(const Case& scene, Findings& findings);
 /// Soil that weighs what saturated soil does has water.
 void saturated_soil_has_water(const Case& scene, Findings& findings);
+/// The water table lies in the ground.
+void table_lies_in_ground(const Case& scene, Findings& findings);
+/// Hydraulic conductivities are those of soil, in m/s.
+void permeability_is_that_of_soil(const Case& scene, Findings& findings);
+/// The pores that are given are those that the law of sand has.
+void sand_has_one_void_ratio(const Case& scene, Findings& findings);
 /// Densities are those of soil or rock in kg/m3.
 void densities_are_in_kilograms(const Case& scene, Findings& findings);
 

@@ -1,5 +1,7 @@
 #include "scene/text/errors.hpp"
 
+#include "base/printable.hpp"
+
 #include <fmt/format.h>
 
 #include <string_view>
@@ -31,7 +33,7 @@ std::string_view prefix(Severity severity) {
 
 std::string Finding::message() const {
   const std::string where = table.empty() ? "" : fmt::format("[{}] ", table);
-  return fmt::format("{}:{}:{}: {}{}{}", file, line, column, prefix(severity), where, text);
+  return printable_line(fmt::format("{}:{}:{}: {}{}{}", file, line, column, prefix(severity), where, text));
 }
 
 CaseErrors::CaseErrors(std::vector<Finding> errors)

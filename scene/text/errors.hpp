@@ -20,7 +20,8 @@ struct Finding {
   std::string text; ///< what, why, and what would be right
   Severity severity = Severity::error;
 
-  /// "file:line:column: [table] text"; "warning: " or "note: " stands before the table.
+  /// "file:line:column: [table] text"; "warning: " or "note: " stands before the table. One line; what a
+  /// terminal would obey, from the file's keys and strings, is shown as bytes.
   std::string message() const;
 
   bool operator==(const Finding&) const = default;

@@ -1,6 +1,7 @@
 #include "scene/text/text.hpp"
 
 #include "base/printable.hpp"
+#include "base/unreadable.hpp"
 
 #include <fmt/format.h>
 
@@ -60,17 +61,9 @@ toml::table parse_toml(std::string_view text, Findings& findings) {
 }
 
 std::string read_text(const std::filesystem::path& file) {
-  std::error_code trouble;
-  const auto refuse = [&file](const char* why) { throw CaseErrors({{file.string(), 1, 1, "", why}}); };
-  if (!std::filesystem::exists(file, trouble))
-    refuse("there is no such file");
-  if (std::filesystem::is_directory(file, trouble))
-    refuse("cannot be read: this is a folder; give the file in it");
-  if (!std::filesystem::is_regular_file(file, trouble)) // opening a pipe would wait for its other end
-    refuse("cannot be read: not a regular file");
+  if (const auto why = why_unreadable(file); !why.empty())
+    throw CaseErrors({{file.string(), 1, 1, "", why}});
   std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    refuse("cannot be read: no permission");
   std::ostringstream text;
   text << stream.rdbuf();
   return std::move(text).str();

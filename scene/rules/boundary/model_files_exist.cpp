@@ -1,5 +1,7 @@
 #include "scene/rules/rules.hpp"
 
+#include "base/unreadable.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -31,8 +33,9 @@ void model_files_exist(const Case& scene, Findings& findings) {
     if (!findings.sound(path))
       return;
     std::error_code trouble;
-    if (!std::filesystem::is_regular_file(field.file, trouble))
-      findings.add(path, fmt::format("'{}': there is no such file", field.file.string()));
+    const bool file = std::filesystem::is_regular_file(field.file, trouble);
+    if (const auto why = why_unreadable(field.file); !why.empty() && !(program && file))
+      findings.add(path, fmt::format("'{}': {}", field.file.string(), why));
     else if (!program && !is_hdf5(field.file))
       findings.add(path, fmt::format("'{}' is no recording: not a file of HDF5", field.file.string()));
     else if (program && access(field.file.c_str(), X_OK) != 0)

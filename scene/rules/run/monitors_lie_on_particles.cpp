@@ -1,4 +1,5 @@
 #include "scene/plan/levels.hpp"
+#include "scene/rules/particle_places.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -16,24 +17,21 @@ struct Nearest {
   double distance = std::numeric_limits<double>::infinity(); ///< m
 };
 
-/// The particle that starts nearest to a point, of those that fill the leaf, as the domain puts them there.
-void look_in(const Case& scene, const mesh::Quadtree& tree, const mesh::Cell& leaf, Point point,
-             Nearest& best) {
-  const auto& cell = tree.rectangle(leaf);
-  const double dx = std::max({cell.x_min - point.x, 0.0, point.x - cell.x_max});
-  const double dy = std::max({cell.y_min - point.y, 0.0, point.y - cell.y_max});
-  if (std::hypot(dx, dy) >= best.distance)
-    return;
-  const int n = scene.mesh.particles_per_cell;
-  const double size = (cell.x_max - cell.x_min) / n;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const Point place{cell.x_min + (i + 0.5) * size, cell.y_min + (j + 0.5) * size};
-      const double distance = std::hypot(place.x - point.x, place.y - point.y);
-      if (distance < best.distance &&
-          std::ranges::any_of(scene.regions, [&](const Region& r) { return contains(r.polygon, place); }))
-        best = {place, distance};
-    }
+/// The particle that starts nearest to a point, sought in wider and wider squares around it.
+Nearest nearest_particle(const Case& scene, const mesh::Quadtree& tree, Point point) {
+  const Box& box = scene.mesh.box;
+  const double all = std::hypot(box.x_max - box.x_min, box.y_max - box.y_min);
+  Nearest best;
+  for (double reach = scene.mesh.size; best.distance > 0.5 * reach && reach < 4.0 * all; reach *= 2.0)
+    find_particle_place(
+        scene, tree, {point.x - reach, point.y - reach, point.x + reach, point.y + reach}, [&](Point place) {
+          const double distance = std::hypot(place.x - point.x, place.y - point.y);
+          if (distance < best.distance &&
+              std::ranges::any_of(scene.regions, [&](const Region& r) { return contains(r.polygon, place); }))
+            best = {place, distance};
+          return false; // look at all
+        });
+  return best;
 }
 
 } // namespace
@@ -44,9 +42,7 @@ void monitors_lie_on_particles(const Case& scene, Findings& findings) {
   const mesh::Quadtree tree = quadtree(scene);
   for (std::size_t i = 0; i < scene.monitors.size(); ++i) {
     const auto& [name, point] = scene.monitors[i];
-    Nearest best;
-    for (const mesh::Cell& leaf : tree.leaves())
-      look_in(scene, tree, leaf, point, best);
+    const Nearest best = nearest_particle(scene, tree, point);
     constexpr double rounding = 1e-9;
     if (best.distance > rounding * scene.mesh.size && std::isfinite(best.distance))
       findings.add(

@@ -14,7 +14,7 @@ constexpr double water = 1000.0;            // kg/m3
 } // namespace
 
 void saturated_soil_has_water(const Case& scene, Findings& findings) {
-  if (!scene.gravity)
+  if (!scene.gravity || scene.water)
     return;
   for (const Soil& soil : domain_soils(scene)) {
     const auto& elastic = materials::elasticity(soil.law);

@@ -28,11 +28,14 @@ std::string refused(const Case& scene, SourceModel model, const std::vector<Laye
     const Soil& soil = scene.soils[*layer.soil];
     const bool column =
         model == SourceModel::fe || model == SourceModel::ode || model == SourceModel::oblique;
-    if (column && materials::traits(soil.law).remembers_initial_stress)
-      return fmt::format("model = \"{}\" gives its soil no memory of the geostatic stress, with which {} "
-                         "(soil '{}') begins; use "
-                         "model = \"mpm\", or \"wave\", which takes its layers as linear elastic",
-                         name(model), materials::name(soil.law), soil.name);
+    const bool two_phase = model == SourceModel::fe && scene.water;
+    if (column && !two_phase && materials::traits(soil.law).remembers_initial_stress)
+      return fmt::format(
+          "model = \"{}\" gives its soil no memory of the geostatic stress, with which {} "
+          "(soil '{}') begins; use "
+          "model = \"mpm\", or \"fe\" under a water table, or \"wave\", which takes its layers as linear "
+          "elastic",
+          name(model), materials::name(soil.law), soil.name);
     if ((model == SourceModel::ode || model == SourceModel::oblique) && !in_one_shear(soil.column_law))
       return fmt::format("model = \"{}\" takes linear and hysteretic soil, but soil '{}' is {}; use model = "
                          "\"fe\"",

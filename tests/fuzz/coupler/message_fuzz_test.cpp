@@ -26,7 +26,11 @@ namespace fs = std::filesystem;
 constexpr unsigned messages = 20'000;
 constexpr unsigned damages = 400;
 
-constexpr std::array<std::string_view, 24> tokens{"-1",
+/// Deeper than any message.
+constexpr std::string_view deep = "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[";
+
+constexpr std::array<std::string_view, 25> tokens{deep,
+                                                  "-1",
                                                   "2000.5",
                                                   "1e400",
                                                   "9007199254740993",

@@ -48,11 +48,11 @@ def starts_late(faults):
     return "the same bits"
 
 
-@fault("a source that ends with status 3", "status and last lines told")
+@fault("a source that ends with status 3, control characters in its last line", "status and last lines told")
 def source_that_dies(faults):
     with faults.rogue("die") as run:
-        run.must_fail(r"'left' exited with code 3.*the rogue has had enough", 10.0, run.started)
-    return "its last line told"
+        run.must_fail(r"'left' exited with code 3.*\\x1b\[31mthe rogue has had enough", 10.0, run.started)
+    return "its last line told, the characters as bytes"
 
 
 @fault("a source that stays after BYE", "killed after the shutdown deadline, which is said; the results are complete")
@@ -94,7 +94,7 @@ def strangers(faults, *options):
 
 
 @fault("strangers at the ipc socket: HTTP, 4 KiB of random bytes, a ZMTP 1.0 greeting, half a greeting, silence; messages of "
-       "4 KiB, none, a brace, BYE, a data frame, 64 MiB + 1", "ignored and noted, the same bits")
+       "4 KiB, none, a brace, a million brackets, BYE, a data frame, 64 MiB + 1", "ignored and noted, the same bits")
 def strangers_at_the_socket(faults):
     return strangers(faults)
 

@@ -109,7 +109,7 @@ def strangers():
             stranger.sendall(text)
         except OSError:
             pass
-    for message in (b"x" * 4096, b"", b"{", b'{"type": "BYE"}', frame(0, 1, sender=1), b"y" * ((64 << 20) + 1)):
+    for message in (b"x" * 4096, b"", b"{", b"[" * 500_000 + b"]" * 500_000, b'{"type": "BYE"}', frame(0, 1, sender=1), b"y" * ((64 << 20) + 1)):
         dealer = connect()
         dealer.send(message)
         kept.append(dealer)
@@ -117,7 +117,7 @@ def strangers():
 
 def misbehave_before(first):
     if MISDEED == "die":
-        print("the rogue has had enough", file=sys.stderr)
+        print("\x1b[31mthe rogue has had enough", file=sys.stderr)
         os._exit(3)
     if MISDEED == "pause":
         time.sleep(5.0)

@@ -1,9 +1,9 @@
-// Ten steps of the same dry elastic square, by the domain or by the plain loop, for test_instructions.py to
-// count.
+// Some steps for test_instructions.py and test_serial_share.py to count.
 //
-//     instructions_steps domain|plain
+//     instructions_steps MODEL
 //
-// Prints how many updates of a particle that is.
+// MODEL is a dry elastic square by the `domain` or by the `plain` loop, or the slope of cases/slope_oblique
+// with matched layers: `uniform`, `graded` or `subcycled`. Prints how many updates of a particle that is.
 
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/cost/mpm_domain/plain_step.hpp"
@@ -20,7 +20,8 @@ using namespace mpm_domain;
 
 constexpr int cells = 48;         // a side of the square
 constexpr double cell_size = 1.0; // m
-constexpr int steps = 10;
+constexpr int square_steps = 10;
+constexpr int slope_steps = 4;
 const materials::Elasticity soil{1700.0, 40e6, 0.28};
 
 /// The scheme of the plain loop: update stress last, FLIP.
@@ -36,8 +37,22 @@ Spec dry_elastic_square() {
   return spec;
 }
 
-std::size_t step_domain() {
-  Domain domain(dry_elastic_square());
+Spec slope(std::string_view mesh) {
+  Spec spec;
+  spec.box = {0.0, -20.0, 90.0, 10.0};
+  spec.cell_size = mesh == "uniform" ? 0.5 : 1.0;
+  if (mesh != "uniform")
+    spec.refine = {{{26.0, -8.0, 72.0, 10.0}, 1}, {{34.0, -3.0, 60.0, 10.0}, 2}};
+  spec.scheme.subcycle = mesh == "subcycled";
+  spec.gravity = 9.81;
+  spec.matched_sides = {Side::left, Side::right, Side::base};
+  spec.soils = {{"slope", materials::LinearElastic{{1700.0, 40e6, 0.28}}}};
+  spec.regions = {{0, {{0.0, -20.0}, {90.0, -20.0}, {90.0, 10.0}, {50.0, 10.0}, {40.0, 0.0}, {0.0, 0.0}}}};
+  return spec;
+}
+
+std::size_t step_domain(const Spec& spec, int steps) {
+  Domain domain(spec);
   for (Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       set.vx[k] = 0.01 * std::sin(6.0 * set.y[k] / domain.spec.box.y_max);
@@ -50,13 +65,17 @@ std::size_t step_domain() {
 std::size_t step_plain() {
   cost::PlainStep plain(cells, cell_size, soil.density, soil.young, soil.poisson);
   const double dt = 0.3 * cell_size / soil.p_wave_speed();
-  for (int step = 0; step < steps; ++step)
+  for (int step = 0; step < square_steps; ++step)
     plain.step(dt);
-  return plain.particles() * steps;
+  return plain.particles() * square_steps;
 }
 
 } // namespace
 
 int main(int, char** arguments) {
-  std::cout << (std::string_view(arguments[1]) == "plain" ? step_plain() : step_domain()) << '\n';
+  const std::string_view model = arguments[1];
+  std::cout << (model == "plain"    ? step_plain()
+                : model == "domain" ? step_domain(dry_elastic_square(), square_steps)
+                                    : step_domain(slope(model), slope_steps))
+            << '\n';
 }

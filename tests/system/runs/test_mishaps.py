@@ -5,6 +5,7 @@
 
 import os
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -52,6 +53,19 @@ class Mishaps(unittest.TestCase):
             self.assertTrue(result.status.startswith("aborted"), result.status)
             self.assertGreaterEqual(len(result.times), 3)
 
+    def test_the_session_stands_in_no_command_line(self):
+        with Workspace(TREMOLO, **LONG) as work:
+            run = start(work)
+            wait_for_frames(work)
+            for pid in children(run.pid):
+                words = Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
+                [session] = [word.removeprefix(b"TREMOLO_SESSION=") for word in words if word.startswith(b"TREMOLO_SESSION=")]
+                self.assertEqual(16, len(session))
+                for process in (pid, run.pid):
+                    self.assertNotIn(session, Path(f"/proc/{process}/cmdline").read_bytes())
+            run.send_signal(signal.SIGINT)
+            run.communicate(timeout=20)
+
     def killed(self, victim):
         with Workspace(TREMOLO, **LONG) as work:
             run = start(work)
@@ -83,6 +97,58 @@ class Mishaps(unittest.TestCase):
             self.assertNotEqual(0, run.returncode)
             self.assertIn("run.h5", output)
             self.assertIn("File too large", output)
+
+    def test_a_launcher_killed_as_it_begins_leaves_no_run_file_that_cannot_be_read(self):
+        with Workspace(TREMOLO, **LONG) as work:
+            named = 0
+            for attempt in range(20):
+                shutil.rmtree(work.path / "run", ignore_errors=True)
+                run = start(work)
+                while not list((work.path / "run").glob("run.h5*")):
+                    time.sleep(0.0005)
+                time.sleep(0.0015 * attempt)
+                run.kill()
+                run.communicate(timeout=20)
+                time.sleep(0.05)  # the kernel kills the domain
+                if (work.path / "run/run.h5").exists():
+                    named += 1
+                    self.assertEqual("running", Run(work.path / "run").status)
+            self.assertGreater(named, 5)
+
+    @unittest.skipIf(os.geteuid() != 0, "needs root to mount a file system")
+    def test_a_full_file_system_is_told_with_the_systems_reason(self):
+        for megabytes in (3, 39):
+            with self.subTest(megabytes), Workspace(TREMOLO, size=0.5, duration=20.0, every=0.001) as work:
+                disk = work.path / "disk"
+                disk.mkdir()
+                mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={megabytes}m", "tmpfs", disk], capture_output=True)
+                if mounted.returncode != 0:
+                    self.skipTest(mounted.stderr.decode())
+                try:
+                    result = work.command("run", work.case, "--out", disk / "run")
+                    self.assertEqual(1, result.returncode, result.stderr)
+                    self.assertRegex(result.stderr, r"disk/run/run\.\S*: .*: No space left on device")
+                    self.assertNotIn("Bad file descriptor", result.stderr)
+                    self.assertGreaterEqual(len(Run(disk / "run").times), 3)
+                finally:
+                    subprocess.run(["umount", disk], check=True)
+
+    @unittest.skipIf(os.geteuid() != 0, "needs root to become a user who may write nothing")
+    def test_an_unwritable_folder_is_no_full_disk(self):
+        with Workspace(TREMOLO) as work:
+            work.path.chmod(0o555)
+            run = start(work, user=65534, group=65534, extra_groups=())
+            output, _ = run.communicate(timeout=20)
+            self.assertEqual(1, run.returncode, output)
+            self.assertIn("run: Permission denied", output)
+            self.assertNotIn("full", output)
+            work.path.chmod(0o777)
+            (work.path / "run").mkdir(mode=0o555)
+            run = start(work, user=65534, group=65534, extra_groups=())
+            output, _ = run.communicate(timeout=20)
+            self.assertEqual(1, run.returncode, output)
+            self.assertIn("Permission denied", output)
+            self.assertNotIn("full", output)
 
     def test_a_wrong_key_is_refused_with_its_place_and_the_nearest_key(self):
         with Workspace(TREMOLO) as work:

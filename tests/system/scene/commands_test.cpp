@@ -47,7 +47,6 @@ TEST(Commands, WrongCommandLineEndsWithTwo) {
   EXPECT_EQ(status, 2);
   EXPECT_THAT(output, HasSubstr("'chek' is no command, did you mean 'check'?"));
   EXPECT_THAT(run_tremolo("run " + box + " --out /tmp/never --threads 0").output, HasSubstr("1 to 1024"));
-  EXPECT_EQ(run_tremolo("motion " + box + " --damping -1").status, 2);
   EXPECT_EQ(run_tremolo("check").status, 2);
   EXPECT_EQ(run_tremolo("").status, 2);
 }

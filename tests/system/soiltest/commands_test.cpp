@@ -175,6 +175,28 @@ by_stress = ["sig_xy"]
   EXPECT_GT(column(out, "sig_xy").size(), 10U);
 }
 
+TEST(SoilTestCommand, AStaticBiasThatTheSoilCannotCarryIsRefusedWhereItStands) {
+  const TemporaryFolder folder;
+  const auto test = folder.write("bias.toml", replaced(cyclic, "[loading]", "shear_bias = 0.9\n[loading]"));
+  const auto [status, output] = run_tremolo("soiltest " + test.string());
+  EXPECT_EQ(status, 1);
+  EXPECT_THAT(output, HasSubstr(test.string() + ":8:14: [test] shear_bias = 0.9 cannot be applied"));
+}
+
+/// Kilopascals for pascals, and a stress at rest that no sand has.
+TEST(SoilTestCommand, AndCalibrateTellTheSameNotes) {
+  const TemporaryFolder folder;
+  const auto head = replaced(replaced(cyclic, "101.3e3", "101.3"), "[loading]", "k0 = 6.0\n[loading]");
+  const auto test = folder.write("test.toml", head);
+  const auto fit = folder.write("fit.toml", head.substr(0, head.find("[loading]")) +
+                                                "[target]\nstress_ratio = 0.13\ncycles = 5\n");
+  for (const auto& command : {"soiltest " + test.string(), "calibrate " + fit.string()}) {
+    const auto output = run_tremolo(command).output;
+    EXPECT_THAT(output, HasSubstr("note: vertical_stress = 101.3 Pa is less than 1 kPa")) << command;
+    EXPECT_THAT(output, HasSubstr("note: the initial stress mobilises 45.6 degrees of friction")) << command;
+  }
+}
+
 TEST(SoilTestCommand, ListsTheLibrary) {
   const auto [status, output] = run_tremolo("soiltest --library");
   EXPECT_EQ(status, 0);
@@ -241,6 +263,16 @@ TEST(CalibrateCommand, ATargetOutOfReachNamesTheParameterAndItsStrengths) {
   const auto refusal = run_tremolo("calibrate " + drained.string());
   EXPECT_EQ(refusal.status, 1);
   EXPECT_THAT(refusal.output, HasSubstr("the test is drained, and drained soil does not liquefy"));
+}
+
+TEST(CalibrateCommand, SaysWhatItLeavesOutAndChecksItsOutputBeforeTheWork) {
+  const TemporaryFolder folder;
+  const auto test = folder.write("test.toml", cyclic + "[target]\nstress_ratio = 0.13\ncycles = 5\n");
+  EXPECT_THAT(run_tremolo("calibrate " + test.string()).output,
+              HasSubstr("note: [loading] is for `tremolo soiltest`"));
+  const auto [status, output] = run_tremolo("calibrate " + test.string() + " --out /nowhere/soil.toml");
+  EXPECT_EQ(status, 1);
+  EXPECT_EQ(output, "tremolo: --out /nowhere/soil.toml: there is no folder /nowhere\n");
 }
 
 TEST(CalibrateCommand, RefusesWithoutATarget) {

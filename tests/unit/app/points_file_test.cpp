@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(PointsFile, RefusesAFileThatIsNotThere) {
   EXPECT_THAT([] { read_points("/nowhere/p.csv", 0.0); },
-              ThrowsMessage<std::runtime_error>("/nowhere/p.csv: cannot be read"));
+              ThrowsMessage<std::runtime_error>("/nowhere/p.csv: there is no such file"));
 }
 
 TEST(Times, HoldBothEndsWhereTheStepDividesTheInterval) {

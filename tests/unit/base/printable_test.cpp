@@ -33,6 +33,9 @@ TEST(Printable, LongTextIsCutAndSaysSo) {
 
 TEST(Printable, ALineStaysOne) {
   EXPECT_EQ(printable_line("expected 'inf', saw 'i\n'"), "expected 'inf', saw 'i\\n'");
+  EXPECT_TRUE(is_printable_line(std::string(10000, 'a')));
+  EXPECT_FALSE(is_printable_line("a\n"));
+  EXPECT_FALSE(is_printable_line("a\x1b[31m"));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -105,6 +106,15 @@ TEST(Messages, CrcOfAFileIsTheCheckValueOfCrc32) {
   EXPECT_EQ(text_crc(file_text(file)), "cbf43926");
   std::filesystem::remove(file);
   EXPECT_THROW(file_text(file), Error);
+}
+
+/// What prints a value walks into it call by call: half a million brackets would end the hub with a full
+/// stack.
+TEST(Messages, NestedTooDeepAreRefused) {
+  const std::string deep = std::string(500'000, '[') + std::string(500'000, ']');
+  for (const std::string& text : {deep, R"({"type":"HELLO","protocol":)" + deep + "}"})
+    EXPECT_THAT([&] { parse_message(std::as_bytes(std::span(text))); },
+                testing::ThrowsMessage<Error>(testing::HasSubstr("nested more than 32 deep")));
 }
 
 } // namespace

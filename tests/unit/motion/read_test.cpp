@@ -178,6 +178,8 @@ TEST(Peer, StepsThatNoMotionHasAreRefused) {
 TEST(Peer, DecimalCommasAreNamed) {
   EXPECT_EQ(refusal_of("NPTS= 3, DT= .01 SEC\n0,001 -0,102 1,5E-2\n", "x.AT2"),
             "x.AT2:2: decimal commas: numbers are written with a point, 0.123 instead of 0,123");
+  EXPECT_EQ(refusal_of("NPTS= 3, DT= 1,02 SEC\n0.001 -0.102 1.5E-2\n", "x.AT2"),
+            "x.AT2:1: decimal commas: numbers are written with a point, 0.123 instead of 0,123");
   EXPECT_EQ(refusal_of("NPTS= 3, DT= .01 SEC\n0.001,-0.102,1.5E-2\n", "x.AT2"), "");
 }
 
@@ -192,7 +194,7 @@ TEST(Files, AreRefusedInOneLine) {
     return std::string();
   };
   EXPECT_EQ(error_of_file(folder / "absent.AT2"), ": there is no such file");
-  EXPECT_EQ(error_of_file(folder / "."), ": cannot be read: not a regular file, or no permission");
+  EXPECT_EQ(error_of_file(folder / "."), ": cannot be read: this is a folder; give the file in it");
   EXPECT_EQ(error_of_file(folder.write("e.AT2", "")), ":1: no header line with NPTS and DT");
   EXPECT_EQ(error_of_file(folder.write("e.csv", "")), ":1: 0 samples, at least 2 are needed");
   EXPECT_EQ(error_of_file(folder.write("j.h5", "\x89HDF\r\n\x1a\njunk")),

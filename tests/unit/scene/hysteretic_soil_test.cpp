@@ -67,7 +67,7 @@ TEST(HystereticSoil, SaysWhatIsMissingOrTooMuch) {
                                   "plasticity_index = 15\nmean_stress = 1e5\n")),
               ::testing::Contains(HasSubstr("'curve' does not apply to model = \"hyperbolic\"")));
   EXPECT_THAT(errors_of(with_clay("model = \"mkz\"\ncurve = \"none.csv\"\n")),
-              ElementsAre(HasSubstr("none.csv: cannot be read")));
+              ElementsAre(HasSubstr("none.csv: there is no such file")));
   EXPECT_THAT(errors_of(with_clay("model = \"mkz\"\nreference_strain = 5e-4\nbeta = 1.0\nexponent = 1.5\n")),
               ElementsAre(HasSubstr("'exponent' = 1.5 is out of range, must be in [0.1, 1]")));
 }

@@ -20,6 +20,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 TEST(Keys, GoodCaseHasItsValuesAndDefaults) {
   const auto scene = parse_case(std::string(flat_case));
@@ -168,6 +169,14 @@ TEST(Keys, OutOfRange) {
               ElementsAre("case.toml:10:11: [halfspace] 'density' = 0 is out of range, must be > 0 kg/m3"));
   EXPECT_THAT(errors_of(plus("[time]\nfraction = 1.5\n")),
               ElementsAre("case.toml:32:12: [time] 'fraction' = 1.5 is out of range, must be in (0, 1]"));
+  // Sampled, either would take all memory.
+  EXPECT_THAT(
+      errors_of(with("frequency = 3.0", "frequency = 1e9")),
+      ElementsAre("case.toml:3:41: [motion.pulse] 'frequency' = 1000000000 is out of range, must be in "
+                  "[0.001, 1000] Hz"));
+  EXPECT_THAT(errors_of(with("time = 1.0", "time = 1e9")),
+              ElementsAre("case.toml:3:53: [motion.pulse] 'time' = 1000000000 is out of range, must be in "
+                          "[-10000, 10000] s"));
 }
 
 TEST(Keys, UnknownChoice) {
@@ -285,6 +294,19 @@ TEST(Text, ManyUnknownTablesAreTold) {
   for (int i = 0; i < 20000; ++i)
     text += "[x" + std::to_string(i) + "]\n";
   EXPECT_EQ(errors_of(text).size(), 20000U);
+}
+
+/// What a terminal would obey.
+TEST(Text, ControlCharactersOfTheFileAreShownNotObeyed) {
+  EXPECT_THAT(errors_of("\"\\u001b[31mred\\n\" = 1\n" + std::string(flat_case)),
+              ElementsAre(StartsWith("case.toml:1:1: unknown key '\\x1b[31mred\\n', known: ")));
+  EXPECT_THAT(
+      errors_of(with("title = \"flat\"", "title = \"\\u001b[31mred\"")),
+      ElementsAre("case.toml:1:9: 'title' = \"\\x1b[31mred\" holds a control character or the end of a "
+                  "line, must be plain text"));
+  EXPECT_THAT(errors_of(with("[soil.sand]", "[soil.\"sand\\u0007\"]",
+                             with("soil = \"sand\"", "soil = \"sand\\u0007\""))),
+              Contains(HasSubstr("[soil.sand\\x07] the name holds a control character")));
 }
 
 TEST(Load, FoldersAndPipesAreNoCases) {

@@ -233,7 +233,7 @@ TEST(PlasticSoil, ClayOfNestedSurfaces) {
   EXPECT_THAT(errors_of(with_soil(keys + "surfaces = 13\n")),
               ElementsAre(HasSubstr("[soil.sand] 'surfaces' = 13 must be a multiple of 4")));
   EXPECT_THAT(errors_of(with_soil(keys + "curve = \"none.csv\"\n")),
-              ElementsAre(HasSubstr("none.csv: cannot be read")));
+              ElementsAre(HasSubstr("none.csv: there is no such file")));
 }
 
 TEST(Library, EverySoilIsReadAndSaysWhereItIsFrom) {

@@ -93,7 +93,7 @@ TEST(SoilTestFile, PathIsReadFromItsTable) {
   const auto file = parse_soil_test(path_text, "test.toml", folder / "", SoilTestUse::test);
   EXPECT_EQ(std::get<soiltest::Path>(file.test.loading).rows.size(), 2U);
   EXPECT_THAT(errors_of(text), ElementsAre(HasSubstr("a path belongs to [test] kind = \"path\""),
-                                           HasSubstr("path.csv: cannot be read")));
+                                           HasSubstr("path.csv: there is no such file")));
 }
 
 TEST(SoilTestFile, ErrorsOfAPathNameItsTableAndLine) {

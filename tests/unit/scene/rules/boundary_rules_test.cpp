@@ -115,7 +115,8 @@ TEST(Rules, FilesOfModelsExist) {
       ElementsAre("case.toml:25:38: [boundary.left] './none.h5': there is no such file"));
   EXPECT_THAT(
       errors_of(with("left = { model = \"wave\" }", "left = { model = \"external\", program = \"/dev\" }")),
-      ElementsAre("case.toml:25:40: [boundary.left] '/dev': there is no such file"));
+      ElementsAre(
+          "case.toml:25:40: [boundary.left] '/dev': cannot be read: this is a folder; give the file in it"));
   EXPECT_THAT(errors_of(with("left = { model = \"wave\" }",
                              "left = { model = \"external\", program = \"/etc/passwd\" }")),
               ElementsAre("case.toml:25:40: [boundary.left] '/etc/passwd' is not a program that may be run"));

@@ -57,6 +57,20 @@ TEST(Rules, RegionsLieInMesh) {
                           "to 0"));
 }
 
+/// A layer of 0.2 m at the surface lies between the places of particles, 0.25 m and 0.75 m below it.
+TEST(Rules, RegionsHoldParticles) {
+  const auto layered = [](const std::string& level) {
+    const auto below = "[[0.0, -10.0], [20.0, -10.0], [20.0, " + level + "], [0.0, " + level + "]]";
+    const auto above = "[[0.0, " + level + "], [20.0, " + level + "], [20.0, 0.0], [0.0, 0.0]]";
+    return errors_of(with(polygon, below) + "\n[[region]]\nsoil = \"sand\"\npolygon = " + above + "\n");
+  };
+  EXPECT_THAT(layered("-0.3"), IsEmpty());
+  EXPECT_THAT(layered("-0.2"),
+              ElementsAre(HasSubstr("[[region]] 'polygon' holds no particle, so its soil would not be "
+                                    "there: particles lie in the middle of squares of 0.5 m")));
+  EXPECT_THAT(errors_of(plus("[[refine]]\nbox = [0.0, -2.0, 20.0, 0.0]\nlevel = 2\n")), IsEmpty());
+}
+
 TEST(Rules, RegionsAreApart) {
   const std::string second = "[[region]]\nsoil = \"sand\"\npolygon = ";
   const auto left = with(polygon, "[[0.0, -10.0], [10.0, -10.0], [10.0, 0.0], [0.0, 0.0]]");

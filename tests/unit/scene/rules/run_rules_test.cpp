@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/resource.h>
+
 namespace tremolo::scene::testing {
 namespace {
 
@@ -28,7 +30,7 @@ TEST(Rules, MonitorsHavePlainNames) {
   };
   for (const char* good : {"crest", "P 1.5", "böschung_2", "a-b+c"})
     EXPECT_THAT(named(good), IsEmpty()) << good;
-  for (const char* bad : {"../../x/y", ".", "a/b", "-o", "a\\nb", "$HOME"})
+  for (const char* bad : {"../../x/y", ".", "a/b", "-o", "$HOME"})
     EXPECT_THAT(named(bad), ElementsAre(HasSubstr("letters, digits, blanks and _ - + . are allowed"))) << bad;
 }
 
@@ -42,6 +44,24 @@ TEST(Rules, MonitorsTellTheParticleThatTheyFollow) {
       Contains(HasSubstr("note: [[monitor]] monitor \"m\" follows the particle that starts at [9.75, -0.25], "
                          "0.354 m from its point")));
   EXPECT_THAT(monitor("[10.25, -0.25]"), Not(Contains(HasSubstr("follows the particle"))));
+  // In finer cells.
+  EXPECT_THAT(remarks_of(plus("[[refine]]\nbox = [8.0, -2.0, 12.0, 0.0]\nlevel = 2\n"
+                              "[[monitor]]\nname = \"m\"\npoint = [10.0, 0.0]\n")),
+              Contains(HasSubstr("starts at [9.9375, -0.0625], 0.0884 m from its point")));
+}
+
+/// The mesh has 8e8 particles: only those around the point are looked at.
+TEST(Rules, MonitorsOfHugeMeshesTakeLittleMemory) {
+  const auto peak = [] {
+    rusage use{};
+    getrusage(RUSAGE_SELF, &use);
+    return use.ru_maxrss; // KiB
+  };
+  const auto before = peak();
+  EXPECT_THAT(remarks_of(with("size = 1.0", "size = 0.001",
+                              plus("[[monitor]]\nname = \"m\"\npoint = [10.0, 0.0]\n"))),
+              Contains(HasSubstr("starts at [9.99975, -0.00025]")));
+  EXPECT_LT(peak() - before, 100'000);
 }
 
 } // namespace

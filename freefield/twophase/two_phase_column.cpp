@@ -1,0 +1,257 @@
+// Zienkiewicz & Shiomi (1984), Int. J. Numer. Anal. Meth. Geomech. 8, 71-96, in the form of two velocities,
+// grains incompressible, along the vertical y; excess over the state at rest:
+//
+//     (1-n) rho_s a_s + n rho_f a_f = d(sigma' - p)/dy,    rho_f a_f,y = -dp/dy - (n rho_f g/k) w_y,
+//     dp/dt = -(K_f/n) d(v_s + n w)/dy,                    rho_f a_f,x = -(n rho_f g/k) w_x,
+//
+// sigma' = (sxy, syy) from the law, and beta C(sigma') d eps/dt of damping, C elastic at the present stress.
+// With linear velocities and p constant in an element the second line is the dual of the first: w n, the
+// flux, is what is continuous, and nothing flows at rest whatever n and k do. Central differences: from t to
+// t + dt
+//
+//     u += dt v,    sigma' by the law,    p* -= dt Q d(v_s + n_I w)/h,    p = max(p*, p_cav - p_0),
+//
+// then the velocities by the forces at t + dt to t + 3/2 dt (node_kick.hpp). p* is not cut, so that a cavity
+// closes before pressure rises again.
+
+#include "freefield/twophase/two_phase_column.hpp"
+
+#include "base/require.hpp"
+#include "freefield/twophase/step_limit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tremolo::freefield {
+namespace {
+
+constexpr long steps_between_checks = 16;
+
+const Profile& checked(const Profile& profile, const TwoPhaseSettings& settings) {
+  validate(profile);
+  require(settings.time_step > 0.0 && std::isfinite(settings.time_step), "time step of the column",
+          settings.time_step, "positive, in s");
+  require(std::isfinite(settings.start_time), "start time of the column", settings.start_time, "finite");
+  if (std::ranges::any_of(profile.layers, [](const Layer& layer) { return layer.damping_ratio > 0.0; }))
+    validate(settings.damping);
+  const bool flows = std::ranges::any_of(profile.layers, [](const Layer& layer) {
+    return layer.pores && layer.pores->drainage == materials::Drainage::coupled;
+  });
+  require(!flows || profile.gravity > 0.0, "gravity where water flows", profile.gravity,
+          "positive, in m/s2: hydraulic conductivity is made for it");
+  return profile;
+}
+
+} // namespace
+
+double two_phase_step_limit(const Profile& profile, double max_element_size, const Damping& damping,
+                            double growth) {
+  validate(profile);
+  const ColumnMesh mesh = mesh_profile(profile, max_element_size);
+  const FeSoil soil(profile, mesh);
+  SoilState state = soil.initial();
+  std::vector<double> moduli;
+  soil.p_moduli(state, moduli);
+  for (double& modulus : moduli)
+    modulus *= growth;
+  return step_limit(wet_grid(profile, mesh, damping, false), moduli);
+}
+
+TwoPhaseColumn::TwoPhaseColumn(const Profile& profile, const TwoPhaseSettings& settings, InputVelocity input)
+    : settings_(settings), mesh_(mesh_profile(checked(profile, settings), settings.max_element_size)),
+      grid_(wet_grid(profile, mesh_, settings.damping, settings.base == BaseKind::compliant)),
+      soil_(profile, mesh_), input_(std::move(input)), state_(soil_.initial()), u_(mesh_.node_y.size()),
+      v_(u_.size()), before_(u_.size()), excess_(mesh_.elements()), deyy_(excess_.size()),
+      dgxy_(excess_.size()), shear_(excess_.size()), vertical_(excess_.size()),
+      pressure_(excess_.size()), snapshots_{WetSnapshot(mesh_.elements()), WetSnapshot(mesh_.elements()),
+                                            WetSnapshot(mesh_.elements())} {
+  if (!input_)
+    throw std::invalid_argument("the column has no input motion");
+  damped_ = std::ranges::any_of(grid_.elements, [](const WetElement& e) { return e.beta > 0.0; });
+  if (settings_.base_pressure && grid_.elements.front().flows())
+    grid_.nodes.front().sealed = false;
+  soil_.p_moduli(state_, modulus_);
+  const double limit = step_limit(grid_, modulus_);
+  require(settings_.time_step <= limit, "time step of the column", settings_.time_step,
+          "at most " + shortest(limit) + " s, the stability limit of central differences");
+}
+
+double TwoPhaseColumn::time() const {
+  return settings_.start_time + static_cast<double>(steps_) * settings_.time_step;
+}
+
+void TwoPhaseColumn::step() {
+  const double dt = settings_.time_step;
+  for (std::size_t i = 0; i < u_.size(); ++i) {
+    u_[i].x += dt * v_[i][0].solid;
+    u_[i].y += dt * v_[i][1].solid;
+  }
+  ++steps_;
+  strain_soil();
+  press_water();
+  before_ = v_;
+  kick();
+  remember(before_);
+  if (steps_ % steps_between_checks == 0)
+    check_step();
+}
+
+void TwoPhaseColumn::strain_soil() {
+  const double dt = settings_.time_step;
+  for (std::size_t e = 0; e < deyy_.size(); ++e) {
+    const double scale = dt / grid_.elements[e].length;
+    dgxy_[e] = scale * (v_[e + 1][0].solid - v_[e][0].solid);
+    deyy_[e] = scale * (v_[e + 1][1].solid - v_[e][1].solid);
+  }
+  soil_.update(state_, deyy_, dgxy_);
+  if (damped_)
+    soil_.p_moduli(state_, modulus_);
+  for (std::size_t e = 0; e < deyy_.size(); ++e) {
+    const WetElement& element = grid_.elements[e];
+    const double viscosity = element.beta * modulus_[e] / dt;
+    shear_[e] = soil_.shear(state_, e) + viscosity * element.shear_ratio * dgxy_[e];
+    vertical_[e] = soil_.vertical(state_, e) + viscosity * deyy_[e];
+  }
+}
+
+void TwoPhaseColumn::press_water() {
+  const double dt = settings_.time_step;
+  const auto flux = [&](std::size_t i) {
+    return grid_.nodes[i].porosity() * (v_[i][1].fluid - v_[i][1].solid);
+  };
+  for (std::size_t e = 0; e < excess_.size(); ++e) {
+    const WetElement& element = grid_.elements[e];
+    if (element.stiffness == 0.0)
+      continue;
+    double dilation = deyy_[e];
+    if (element.flows())
+      dilation += dt / element.length * (flux(e + 1) - flux(e));
+    excess_[e] -= element.stiffness * dilation;
+    pressure_[e] = std::max(excess_[e], element.lowest_excess);
+  }
+}
+
+Phases TwoPhaseColumn::kick_x(std::size_t i, double force) const {
+  const WetNode& node = grid_.nodes[i];
+  const double dt = settings_.time_step;
+  if (i == 0 && settings_.base == BaseKind::rigid) {
+    const double base = input_(time() + 0.5 * dt).x;
+    return node.fluid > 0.0 ? kicked_by_base(node, v_[i][0], base, 0.0, dt) : Phases{base, base};
+  }
+  return node.fluid > 0.0 ? kicked_apart(node, v_[i][0], {force, 0.0}, node.dashpot_x, dt)
+                          : kicked_together(node, v_[i][0], force, node.dashpot_x, dt);
+}
+
+Phases TwoPhaseColumn::kick_y(std::size_t i, const NodeForce& force) const {
+  const WetNode& node = grid_.nodes[i];
+  const double dt = settings_.time_step;
+  const bool flows = node.fluid > 0.0 && !node.sealed;
+  if (i == 0 && settings_.base == BaseKind::rigid) {
+    const double base = input_(time() + 0.5 * dt).y;
+    return flows ? kicked_by_base(node, v_[i][1], base, force.fluid, dt) : Phases{base, base};
+  }
+  return flows ? kicked_apart(node, v_[i][1], force, node.dashpot_y, dt)
+               : kicked_together(node, v_[i][1], force.mixture, node.dashpot_y, dt);
+}
+
+/// Velocities half a step ahead of the present time, from those half a step behind and the present forces.
+void TwoPhaseColumn::kick() {
+  const std::size_t last = grid_.elements.size();
+  const Velocity incident = settings_.base == BaseKind::compliant ? input_(time()) : Velocity{};
+  for (std::size_t i = 0; i <= last; ++i) {
+    double fx = 0.0;
+    NodeForce fy;
+    if (i < last) {
+      fx += shear_[i];
+      fy.mixture += vertical_[i] - pressure_[i];
+      fy.fluid -= grid_.elements[i].flows() ? pressure_[i] : 0.0;
+    }
+    if (i > 0) {
+      fx -= shear_[i - 1];
+      fy.mixture -= vertical_[i - 1] - pressure_[i - 1];
+      fy.fluid += grid_.elements[i - 1].flows() ? pressure_[i - 1] : 0.0;
+    }
+    if (i == 0) {
+      fx += 2.0 * grid_.impedance_x * incident.x;
+      fy.mixture += 2.0 * grid_.impedance_y * incident.y;
+      if (settings_.base_pressure)
+        fy.fluid += settings_.base_pressure(time());
+    }
+    if (i == last && settings_.surface_load)
+      fy.mixture += settings_.surface_load(time());
+    v_[i] = {kick_x(i, fx), kick_y(i, fy)};
+  }
+}
+
+/// The present state, with velocity and acceleration from the velocities half a step before and after it.
+void TwoPhaseColumn::remember(const std::vector<std::array<Phases, 2>>& before) {
+  std::rotate(snapshots_.begin(), snapshots_.end() - 1, snapshots_.end());
+  WetSnapshot& now = snapshots_.front();
+  const double per_step = 1.0 / settings_.time_step;
+  double finite = 0.0; // a sum that is not finite if one of its terms is not
+  for (std::size_t i = 0; i < u_.size(); ++i) {
+    const auto& [x0, y0] = before[i];
+    const auto& [x1, y1] = v_[i];
+    now.u[i] = u_[i];
+    now.v[i] = {0.5 * (x0.solid + x1.solid), 0.5 * (y0.solid + y1.solid)};
+    now.a[i] = {per_step * (x1.solid - x0.solid), per_step * (y1.solid - y0.solid)};
+    now.a_fluid[i] = {per_step * (x1.fluid - x0.fluid), per_step * (y1.fluid - y0.fluid)};
+    now.flux[i] = grid_.nodes[i].porosity() * (y1.fluid - y1.solid);
+    finite += now.a[i].x + now.a[i].y + now.a_fluid[i].x + now.a_fluid[i].y;
+  }
+  if (!std::isfinite(finite)) {
+    const Velocity input = input_(time());
+    throw std::runtime_error("the motion of the free-field column is no longer finite; input velocity " +
+                             shortest(input.x) + ", " + shortest(input.y) + " m/s");
+  }
+  for (std::size_t e = 0; e < excess_.size(); ++e) {
+    now.sxx[e] = soil_.lateral(state_, e) +
+                 grid_.elements[e].lateral_ratio * (vertical_[e] - soil_.vertical(state_, e));
+    now.syy[e] = vertical_[e];
+    now.sxy[e] = shear_[e];
+    now.pressure[e] = pressure_[e];
+  }
+}
+
+/// Stiffness that goes with pressure can multiply in dilation.
+void TwoPhaseColumn::check_step() {
+  soil_.p_moduli(state_, modulus_);
+  const double limit = step_limit(grid_, modulus_);
+  if (settings_.time_step > limit)
+    throw std::runtime_error(fmt::format(
+        "the soil of the free-field column has become so stiff, with its pressure, that at {:.4g} s "
+        "steps of {:.4g} s are no longer stable, the limit is {:.4g} s; choose a smaller step",
+        time(), settings_.time_step, limit));
+}
+
+void TwoPhaseColumn::sample(std::span<const double> y, std::span<ColumnSample> samples) const {
+  if (y.size() != samples.size())
+    throw std::invalid_argument("number of samples is " + std::to_string(samples.size()) +
+                                ", must be that of the levels, " + std::to_string(y.size()));
+  const double scale = 0.5 / settings_.time_step;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const auto place = mesh_.at(y[i], from_below(y, i) ? ColumnMesh::Side::below : ColumnMesh::Side::above);
+    const auto stress = [&](std::size_t age) { return stress_at(snapshots_[age], mesh_, grid_, place); };
+    const std::array then = {stress(0), stress(1), stress(2)};
+    const auto rate = [&](double WetStress::*component) {
+      return scale * (3.0 * then[0].*component - 4.0 * then[1].*component + then[2].*component);
+    };
+    samples[i] = motion_at(snapshots_[0], mesh_, place);
+    samples[i].sxx = then[0].sxx;
+    samples[i].syy = then[0].syy;
+    samples[i].sxy = then[0].sxy;
+    samples[i].pore_pressure = then[0].pressure;
+    samples[i].sxx_rate = rate(&WetStress::sxx);
+    samples[i].syy_rate = rate(&WetStress::syy);
+    samples[i].sxy_rate = rate(&WetStress::sxy);
+  }
+}
+
+std::string TwoPhaseColumn::report() const {
+  return fmt::format("{} steps of {:.4g} s, soil and water", steps_, settings_.time_step);
+}
+
+} // namespace tremolo::freefield

@@ -1,0 +1,85 @@
+#include "freefield/twophase/wet_grid.hpp"
+
+namespace tremolo::freefield {
+namespace {
+
+WetElement element_of(const Profile& profile, const Layer& layer, double length, double centre,
+                      const Damping& damping) {
+  const DampingCoefficients c = coefficients(damping, layer.damping_ratio);
+  WetElement element{.length = length,
+                     .solid_share = layer.soil.density,
+                     .alpha = c.alpha,
+                     .beta = c.beta,
+                     .shear_ratio = layer.soil.shear_modulus() / layer.soil.p_modulus(),
+                     .lateral_ratio = layer.soil.lame() / layer.soil.p_modulus(),
+                     .density = layer.soil.density};
+  if (!layer.pores || layer.pores->drainage == materials::Drainage::drained)
+    return element;
+  const materials::PoreFluid& fluid = profile.water->fluid;
+  element.stiffness = materials::pore_stiffness(*layer.pores, fluid);
+  element.lowest_excess = fluid.cavitation_pressure - profile.hydrostatic_pressure(centre);
+  if (layer.pores->drainage == materials::Drainage::undrained) {
+    element.undrained_share = element.stiffness / (element.stiffness + layer.soil.p_modulus());
+    return element;
+  }
+  element.fluid_density = fluid.density;
+  element.fluid_share = layer.pores->porosity * fluid.density;
+  element.solid_share = materials::dry_density(*layer.pores);
+  element.resistance = materials::flow_resistance(*layer.pores, fluid, profile.gravity);
+  return element;
+}
+
+/// Whether water cannot pass from an element in which it flows into the one on the other side of a node.
+bool closed(const Profile& profile, const Layer& other, double level) {
+  if (other.pores)
+    return other.pores->drainage == materials::Drainage::undrained;
+  constexpr double rounding = 1e-6; // m
+  return level < profile.water->level - rounding;
+}
+
+bool sealed(const Profile& profile, const ColumnMesh& mesh, const std::vector<WetElement>& elements,
+            std::size_t node) {
+  if (node == 0)
+    return true;
+  if (node == elements.size() || elements[node - 1].flows() == elements[node].flows())
+    return false;
+  const std::size_t other = elements[node].flows() ? node - 1 : node;
+  return closed(profile, profile.layers[mesh.element_layer[other]], mesh.node_y[node]);
+}
+
+} // namespace
+
+WetGrid wet_grid(const Profile& profile, const ColumnMesh& mesh, const Damping& damping, bool compliant) {
+  WetGrid grid;
+  for (std::size_t e = 0; e < mesh.elements(); ++e)
+    grid.elements.push_back(element_of(profile, profile.layers[mesh.element_layer[e]], mesh.length(e),
+                                       0.5 * (mesh.node_y[e] + mesh.node_y[e + 1]), damping));
+  grid.nodes.resize(mesh.node_y.size());
+  for (std::size_t e = 0; e < mesh.elements(); ++e) {
+    const WetElement& element = grid.elements[e];
+    const double half = 0.5 * element.length;
+    for (const std::size_t i : {e, e + 1}) {
+      WetNode& node = grid.nodes[i];
+      node.solid += half * element.solid_share;
+      node.fluid += half * element.fluid_share;
+      node.full += half * element.fluid_density;
+      node.drag += half * element.resistance;
+      node.dashpot_x += half * element.alpha * element.density;
+      node.dashpot_y += half * element.alpha * element.density;
+    }
+  }
+  for (std::size_t i = 0; i < grid.nodes.size(); ++i) {
+    WetNode& node = grid.nodes[i];
+    node.drag *= node.porosity();
+    node.sealed = sealed(profile, mesh, grid.elements, i);
+  }
+  if (compliant) {
+    grid.impedance_x = profile.half_space.density * profile.half_space.s_wave_speed();
+    grid.impedance_y = profile.half_space.density * profile.half_space.p_wave_speed();
+    grid.nodes.front().dashpot_x += grid.impedance_x;
+    grid.nodes.front().dashpot_y += grid.impedance_y;
+  }
+  return grid;
+}
+
+} // namespace tremolo::freefield

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scene/case.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tremolo::scene {
+
+/// The soils that reach below the water table, in a region or in a layer of a free field, in the order of the
+/// case; none without [water].
+std::vector<std::reference_wrapper<const Soil>> soils_below_table(const Case& scene);
+
+/// What water does in each of them, in words: densities, stiffness, speeds of waves, drag.
+std::string water_text(const Case& scene);
+
+} // namespace tremolo::scene

@@ -1,0 +1,141 @@
+#include "scene/read/read_water.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tremolo::scene {
+
+namespace {
+
+constexpr std::array pore_key_names = {"porosity", "void_ratio", "grain_density", "permeability", "drainage"};
+
+constexpr double quartz = 2650.0; // kg/m3
+
+/// How far a given density may be from that of grains and water: it is rounded in tables of soils.
+constexpr double density_rounding = 0.002;
+
+/// Keys of pores in a case without water would have no effect.
+void refuse_dry(const TableReader& table, Findings& findings) {
+  for (const char* key : pore_key_names)
+    if (table.given(key))
+      findings.add(table.path(key),
+                   fmt::format("'{}' is of soil below a water table, but the case has none: add [water] with "
+                               "its level, or remove '{}'",
+                               key, key));
+}
+
+/// Porosity as the soil gives it, otherwise as its law has it; nothing where neither does.
+std::optional<double> porosity(const TableReader& table, const GroundWater& water, double grains) {
+  if (const auto n = table.optional_number("porosity"))
+    return n;
+  if (const auto e = table.optional_number("void_ratio"))
+    return materials::porosity_of(*e);
+  if (const auto e = void_ratio_of_law(table))
+    return materials::porosity_of(*e);
+  if (const auto density = saturated_density_of_law(table))
+    return (grains - *density) / (grains - water.fluid.density);
+  return std::nullopt;
+}
+
+/// Whether the density in the file is that of the saturated soil; gives the soil this density.
+void settle_density(TableReader& table, const materials::PoreSpace& pores, const GroundWater& water,
+                    Findings& findings) {
+  const double saturated = materials::saturated_density(pores, water.fluid);
+  const auto given = table.optional_number("density");
+  if (given && std::abs(*given - saturated) > density_rounding * saturated) {
+    findings.add(
+        table.path("density"),
+        fmt::format("'density' = {} contradicts porosity {:.4g} and grains of {:g} kg/m3, which make "
+                    "{:.5g} kg/m3 saturated and {:.5g} kg/m3 dry; remove 'density', or mend the "
+                    "others",
+                    *given, pores.porosity, pores.grain_density, saturated, materials::dry_density(pores)));
+    return;
+  }
+  table.settle("density", saturated, "porosity and grain density, saturated");
+}
+
+} // namespace
+
+void read_water(Document& document, Case& scene) {
+  if (!document.has("water"))
+    return;
+  const auto table = document.table("water");
+  scene.water = {table.number("level"),
+                 {.density = table.number("density"),
+                  .bulk_modulus = table.number("bulk_modulus"),
+                  .cavitation_pressure = table.number("cavitation_pressure")}};
+}
+
+std::optional<materials::PoreSpace> read_pores(TableReader& table, const std::optional<GroundWater>& water,
+                                               Findings& findings) {
+  if (!water) {
+    refuse_dry(table, findings);
+    return std::nullopt;
+  }
+  if (table.given("porosity") && table.given("void_ratio"))
+    findings.add(table.path("void_ratio"), "'void_ratio' and 'porosity' exclude each other: remove one");
+  if (!pores_are_sound(table.path(), findings)) {
+    if (!table.given("density"))
+      table.settle("density", quartz, "unknown"); // the case is refused for its pores, not for its density
+    return std::nullopt;
+  }
+  const double grains = table.optional_number("grain_density").value_or(quartz);
+  const auto n = porosity(table, *water, grains);
+  if (!n)
+    return std::nullopt;
+  if (!(*n >= 0.01 && *n <= 0.95)) {
+    findings.add(table.path("density"),
+                 fmt::format("a saturated density with grains of {:g} kg/m3 makes the porosity {:.4g}, must "
+                             "be in [0.01, 0.95]; give 'porosity'",
+                             grains, *n));
+    return std::nullopt;
+  }
+  const materials::PoreSpace pores{.porosity = *n,
+                                   .grain_density = grains,
+                                   .permeability = table.number("permeability"),
+                                   .drainage = table.choice<materials::Drainage>("drainage")};
+  settle_density(table, pores, *water, findings);
+  return pores;
+}
+
+bool pores_are_sound(const std::string& soil, const Findings& findings) {
+  return findings.sound("water.density") && std::ranges::all_of(pore_key_names, [&](const char* key) {
+           return findings.sound(fmt::format("{}.{}", soil, key));
+         });
+}
+
+std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, const Case& scene) {
+  if (!scene.water)
+    return layers;
+  std::vector<Layer> cut;
+  double top = surface;
+  for (const Layer& layer : layers) {
+    const double bottom = top - layer.thickness;
+    const Soil* soil = layer.soil ? &scene.soils[*layer.soil] : nullptr;
+    if (soil == nullptr || !soil->pores) {
+      cut.push_back(layer);
+    } else {
+      const double table = std::clamp(scene.water->level, bottom, top);
+      const auto& skeleton = materials::elasticity(soil->law);
+      if (table < top) {
+        Layer& above = cut.emplace_back(layer);
+        above.thickness = top - table;
+        above.elastic = materials::dry(skeleton, *soil->pores);
+        above.wet = false;
+      }
+      if (table > bottom) {
+        Layer& below = cut.emplace_back(layer);
+        below.thickness = table - bottom;
+        below.elastic = materials::saturated(skeleton, *soil->pores, scene.water->fluid);
+        below.wet = true;
+      }
+    }
+    top = bottom;
+  }
+  return cut;
+}
+
+} // namespace tremolo::scene

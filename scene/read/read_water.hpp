@@ -1,0 +1,31 @@
+#pragma once
+
+// Ground water: the table, the pores of soils, and the layers that the table cuts.
+
+#include "scene/read/read.hpp"
+
+namespace tremolo::scene {
+
+/// [water]; before the soils.
+void read_water(Document& document, Case& scene);
+
+/// The pores of a soil from its keys, or from what its law says of them. Gives the soil's table the density
+/// below the water table where it names none, so that the law can be read after; refuses a density that
+/// contradicts, and keys of pores without [water].
+std::optional<materials::PoreSpace> read_pores(TableReader& table, const std::optional<GroundWater>& water,
+                                               Findings& findings);
+
+/// Whether none of the keys of pores of a soil, "soil.sand", has been refused.
+bool pores_are_sound(const std::string& soil, const Findings& findings);
+
+/// The void ratio that a soil's law has by its keys; nothing where it has none.
+std::optional<double> void_ratio_of_law(const TableReader& table);
+/// The density of the saturated soil that a law has without a key, kg/m3.
+std::optional<double> saturated_density_of_law(const TableReader& table);
+
+/// The layers under a surface, cut at the water table. Elastic constants become those that waves meet: below
+/// the table those of grains and water together, above it those of dry soil. Layers without pores stay as
+/// they are.
+std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, const Case& scene);
+
+} // namespace tremolo::scene

@@ -1,0 +1,150 @@
+"""`tremolo column` in ground below a water table: pore pressure, settlement and pictures of `fe`, undrained constants of the
+other models, and what is refused.
+
+    usage: test_water.py TREMOLO PYTHON_PACKAGE_DIR MY_FIELD
+"""
+
+import sys
+import unittest
+
+TREMOLO, PACKAGE, _ = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
+sys.path.insert(0, PACKAGE)
+
+import h5py
+import numpy as np
+from free_field_cases import ColumnWorkspace
+from tremolo import column, pore_pressure
+
+STAGES = '\n[[stage]]\nkind = "gravity"\n\n[[stage]]\nkind = "shaking"\nduration_s = 5.0\n'
+
+# n = 0.4, rho = 1990 kg/m3 below the table, 2 m deep, and 1590 above.
+ELASTIC = """
+[water]
+level = -2.0
+
+[[profile]]
+thickness = 20.0
+soil = "sand"
+
+[soil.sand]
+model = "linear_elastic"
+porosity = 0.4
+permeability = 1e-9
+young = 150e6
+poisson = 0.25
+""" + STAGES
+
+LIQUEFYING = """
+[water]
+level = -2.0
+
+[[profile]]
+thickness = 20.0
+soil = "sand"
+damping = 0.005
+
+[soil.sand]
+library = "pm4sand_dr35"
+permeability = 1e-4
+rest_coefficient = 0.5
+
+[damping]
+model = "kelvin_voigt"
+reference_hz = 5.0
+""" + STAGES
+
+SHEAR = 'pulse = { shape = "ricker", frequency = 1.5, time = 1.5, velocity = 0.4 }'
+DILATION = 'pulse = { shape = "ricker", frequency = 6.0, time = 0.5, velocity = 0.01 }'
+
+
+def relative(a, b):
+    first = np.searchsorted(a["time"], b["time"][0] - 1e-9)
+    return np.linalg.norm(a["vy"][first : first + len(b["vy"])] - b["vy"]) / np.linalg.norm(b["vy"])
+
+
+class Liquefying(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.work = ColumnWorkspace(TREMOLO, ground=LIQUEFYING, motion=SHEAR, size=1.0).__enter__()
+        cls.result = cls.work.command("column", cls.work.case, "--model", "fe", "--out", "out.h5", "--depths", "1,3,8,15",
+                                      "--duration", "8", "--plot")
+        cls.file = cls.work.path / "out.h5"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.work.__exit__(None, None, None)
+
+    def test_says_what_the_water_does(self):
+        self.assertEqual(0, self.result.returncode, self.result.stderr)
+        for words in ("water table at y = -2 m", "coupled, water flows by Darcy's law", "largest r_u", "settlement"):
+            self.assertIn(words, self.result.stdout)
+
+    def test_tables_begin_with_the_hydrostatic_state(self):
+        _, _, water, settlement, initial = pore_pressure.read(self.file)
+        deep = initial["y"] == -20.0
+        # e = 0.8 - 0.35 * 0.3 = 0.695: grains of 2650 kg/m3 make 1563.4 dry and 1973.45 kg/m3 saturated.
+        weight = 9.81 * (2.0 * 2650.0 / 1.695 + 18.0 * 1973.45)
+        np.testing.assert_allclose(initial["pore_pressure"][deep], 18.0 * 9810.0, rtol=1e-12)
+        np.testing.assert_allclose(initial["effective_stress"][deep], weight - 18.0 * 9810.0, rtol=1e-5)
+        self.assertEqual(0.0, water["pore_pressure"][0])
+        self.assertEqual(0.0, settlement["settlement"][0])
+
+    def test_pore_pressure_rises_below_the_table_alone(self):
+        levels, histories, water, settlement, initial = pore_pressure.read(self.file)
+        self.assertGreater(initial["peak_pore_pressure_ratio"].max(), 0.5)
+        self.assertEqual(0.0, np.abs(water["pore_pressure"][water["y"] > -2.0]).max())
+        self.assertGreater(settlement["settlement"][-1], 0.0)
+        for level, history in zip(levels, histories, strict=True):
+            self.assertEqual(level < -2.0, history["pore_pressure"].any())
+            at = initial["effective_stress"][np.argmin(np.abs(initial["y"] - level))]
+            np.testing.assert_allclose(history["effective_stress"], at - history["syy"] - history["pore_pressure"], atol=2e-2 * at)
+
+    def test_draws_two_pictures(self):
+        for name in ("out.png", "out_water.png"):
+            self.assertGreater((self.work.path / name).stat().st_size, 20000, name)
+
+
+class TotalStress(unittest.TestCase):
+    def test_all_models_meet_the_constants_of_grains_and_water_together(self):
+        """Water that hardly flows: `fe` of two phases against undrained layers, P waves. Measured: ode 0.03 %, wave 0.3 %."""
+        with ColumnWorkspace(TREMOLO, ground=ELASTIC, motion=DILATION, size=0.25) as work:
+            text = work.case.read_text().replace('wave = "SV"', 'wave = "P"')
+            work.case.write_text(text)
+            span = ("--duration", "1.0", "--every", "0.001", "--depths", "0,5")
+            fields = {model: work.histories(model, *span) for model in ("fe", "wave", "ode")}
+            self.assertNotIn("pore_pressure", fields["wave"][0])
+            for model in ("wave", "ode"):
+                for ours, exact in zip(fields["fe"], fields[model], strict=True):
+                    self.assertLess(relative(ours, exact), 0.01, model)
+
+
+class Refusals(unittest.TestCase):
+    def test_what_a_new_user_gets_wrong(self):
+        for old, new, why in (
+            ("permeability = 1e-9", "", "missing 'permeability', m/s"),
+            ("porosity = 0.4", "porosity = 1.2", "'porosity' = 1.2 is out of range"),
+            ("level = -2.0", "level = -2.0\ncavitation_pressure = 90e3", "'cavitation_pressure' = 90000 is out of range"),
+            ("porosity = 0.4", "porosity = 0.4\ndensity = 1700.0", "1990 kg/m3 saturated"),
+            ("[water]\nlevel = -2.0\n", "", "'porosity' is of soil below a water table"),
+        ):
+            with ColumnWorkspace(TREMOLO, ground=ELASTIC, motion=SHEAR, size=1.0) as work:
+                work.case.write_text(work.case.read_text().replace(old, new))
+                result = work.command("column", work.case, "--model", "fe", "--out", "out.h5")
+                self.assertEqual(2, result.returncode, (new, result.stdout))
+                self.assertIn(why, result.stderr)
+                self.assertFalse((work.path / "out.h5").exists())
+
+    def test_doubts_are_told_and_computed(self):
+        for old, new, why in (
+            ("permeability = 1e-9", "permeability = 1e3", "1000 m/day would be 0.0116"),
+            ("level = -2.0", "level = 2.0", "stands 2 m above the ground"),
+        ):
+            with ColumnWorkspace(TREMOLO, ground=ELASTIC, motion=SHEAR, size=1.0) as work:
+                work.case.write_text(work.case.read_text().replace(old, new))
+                result = work.command("column", work.case, "--model", "fe", "--out", "out.h5", "--duration", "0.1")
+                self.assertEqual(0, result.returncode, result.stderr)
+                self.assertIn(why, result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

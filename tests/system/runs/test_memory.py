@@ -1,0 +1,67 @@
+"""The memory of a process is bounded: four times the levels, or three times the motion, of a source and seventy times the history of a
+domain leave the peak of its resident memory (VmHWM) where it was.
+
+    usage: test_memory.py TREMOLO PYTHON_PACKAGE_DIR
+"""
+
+import re
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
+sys.path[:0] = [str(Path(__file__).parent)]
+
+from small_case import CASE, Workspace
+
+MEBIBYTE = 1024  # KiB
+
+
+class DeepWorkspace(Workspace):
+    """The small box with cells of 5 m, as deep as wanted, under waves of 1 Hz."""
+
+    template = CASE.replace("-10.0", "-{depth}.0").replace("frequency = 3.0", "frequency = 1.0")
+    defaults = {**Workspace.defaults, "size": 5.0, "depth": 10}
+
+
+def peaks(**settings):
+    """The largest resident memory of each process of a run, KiB."""
+    most = {}
+    with DeepWorkspace(TREMOLO, every=settings["duration"], **settings) as work:
+        run = subprocess.Popen([TREMOLO, "run", work.case, "--out", work.path / "run"], stdout=subprocess.DEVNULL, stderr=subprocess.STDOUT)
+        while run.poll() is None:
+            try:
+                for process in Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split():
+                    status = Path(f"/proc/{process}/status").read_text()
+                    peak = re.search(r"VmHWM:\s*(\d+) kB", status)
+                    if peak:
+                        name = re.search(r"Name:\s*(\S+)", status)[1]
+                        most[name] = max(most.get(name, 0), int(peak[1]))
+            except FileNotFoundError:
+                pass
+            time.sleep(0.005)
+        assert run.returncode == 0, (settings, run.returncode)
+    return most
+
+
+class Memory(unittest.TestCase):
+    def test_of_a_source_does_not_go_with_its_levels(self):
+        # 100 s in steps of 0.01 s: a level takes 0.8 MB, so that 32 levels more than fill what is computed at a time.
+        shallow, deep = (peaks(duration=100.0, depth=depth)["tremolo-wave"] for depth in (80, 320))
+        self.assertLess(deep - shallow, 16 * MEBIBYTE, f"{shallow} KiB at 80 m, {deep} KiB at 320 m")
+
+    def test_of_a_source_does_not_go_with_the_motion(self):
+        # 500 s more make 140 MB more of all levels.
+        short, long = (peaks(duration=duration, depth=80)["tremolo-wave"] for duration in (200.0, 700.0))
+        self.assertLess(long - short, 48 * MEBIBYTE, f"{short} KiB in 200 s, {long} KiB in 700 s")
+
+    def test_of_a_domain_does_not_go_with_its_history(self):
+        # 690 s more make 138,000 rows more, which are 1.3 kB each.
+        short, long = (peaks(duration=duration)["tremolo-domain"] for duration in (10.0, 700.0))
+        self.assertLess(long - short, 8 * MEBIBYTE, f"{short} KiB in 10 s, {long} KiB in 700 s")
+
+
+if __name__ == "__main__":
+    unittest.main()
