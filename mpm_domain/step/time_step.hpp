@@ -4,6 +4,7 @@
 //
 //     dt <= 0.65 h / (c_p + |v|)                                  (spec/limits.hpp),
 //
+// with viscous damping of the time beta sqrt(dt^2 + beta^2) - beta, dt being the former (damped_step there);
 // so does a matched layer of other ground below the base; and where levels take steps of their own, 2^r of
 // that for clock 0, r being the clock of the soil.
 

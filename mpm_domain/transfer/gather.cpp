@@ -5,6 +5,7 @@
 #include "mpm_domain/transfer/cell_dilatation.hpp"
 #include "mpm_domain/transfer/samples.hpp"
 #include "mpm_domain/transfer/strain_update.hpp"
+#include "mpm_domain/transfer/viscous_stress.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -71,6 +72,8 @@ GatherSums gather_range(Particles& p, const ParticleRange& range, double dt, Wai
       }
     });
     if constexpr (parts.strain) {
+      if (p.traits.damped)
+        sums.viscous += damp(p, {first, first + count}, {inc.exx.data(), inc.eyy.data(), inc.gxy.data()}, dt);
       if (waiting != nullptr)
         waiting->hold(p, first, count, inc);
       else

@@ -19,6 +19,8 @@ enum class ScatterPart {
 ///   motion:  m_i = sum_p S_ip m_p,    p_i = sum_p S_ip m_p (v_p + C_p (x_i - x_p))    (C only with APIC)
 ///   force:   f_i = sum_p (S_ip m_p g - V_p sigma_p grad S_ip)
 ///
+/// sigma_p being the stress of the law and that of viscous damping, where the soil has any.
+///
 /// Every tile of particles adds up sums of its own, which the nodes then add up in the order of tiles
 /// (tile_sums.hpp): every node receives its contributions in one order for any number of threads.
 

@@ -8,6 +8,7 @@
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/lanes.hpp"
 #include "mpm_domain/transfer/particle_boxes.hpp"
+#include "mpm_domain/transfer/viscous_stress.hpp"
 
 #include <algorithm>
 #include <array>
@@ -38,10 +39,11 @@ struct LaneSums {
   Lanes total{};   ///< work of the stresses, J/m
   Lanes plastic{}; ///< of it on plastic strain
   Lanes max_speed2{};
+  double viscous = 0.0; ///< work of the viscous stresses, J/m
 
   GatherSums collected() const {
     const Lanes& m = max_speed2;
-    return {sum(total) - sum(plastic), sum(plastic),
+    return {sum(total) - sum(plastic), sum(plastic), viscous,
             std::sqrt(std::max(std::max(m[0], m[1]), std::max(m[2], m[3])))};
   }
 };
@@ -91,7 +93,7 @@ inline void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Inc
     const std::size_t k = begin + c;
     const Lanes before = group.load(&p.volume[k]);
     const Lanes dilation = load(&moved.exx[c]) + load(&moved.eyy[c]);
-    const Lanes volume = before * (1.0 + dilation * (1.0 + 0.5 * dilation));
+    const Lanes volume = before * growth(dilation);
     sums.total += 0.5 * volume * work_density(p, k, moved, c, group);
     sums.plastic += 0.5 * (before + volume) * load(&seen.plastic[c]);
     group.store(&p.volume[k], volume);
