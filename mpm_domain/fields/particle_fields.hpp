@@ -59,8 +59,8 @@ const std::vector<ParticleFieldDescription>& particle_field_table();
 struct ParticleTraits {
   bool affine = false;
   bool own_boxes = false;
-  bool damped = false;
   bool cell_dilatation = false; ///< their law sees the mean dilatation of their cell; no field goes with it
+  bool damped = false;
 
   bool have(FieldTrait trait) const {
     switch (trait) {
