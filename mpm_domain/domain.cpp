@@ -154,6 +154,7 @@ Domain::Domain(const Spec& specification)
     : spec(checked(specification)), grid(make_grid(spec)), workers(spec.threads) {
   rebuild_mesh(*this);
   sets = fill(spec, mesh ? &mesh->tree() : nullptr);
+  waiting_strains.resize(sets.size());
   boundary.match(sets, spec);
   for (const BoundaryFace& face : boundary.faces())
     keep_whole(*this, face.set, face.id);

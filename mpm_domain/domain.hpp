@@ -24,6 +24,18 @@ struct AcrossTile {
   std::vector<double> sums; ///< what they bring to nodes: [field of particle_sums][place of a four][lane]
 };
 
+/// Strain increments of the particles of a set that wait for the mean of their cells (cell_dilatation.hpp).
+struct WaitingStrains {
+  std::vector<double> exx, eyy, gxy, wxy;
+  std::vector<std::size_t> cell; ///< the node that it begins at
+
+  void resize(std::size_t particles) {
+    for (std::vector<double>* field : {&exx, &eyy, &gxy, &wxy})
+      field->resize(particles);
+    cell.resize(particles);
+  }
+};
+
 /// What tiles need to know of the particles on one clock, as of the last sort.
 struct ClockTiles {
   TileSums sums;                  ///< of particles on one lattice
@@ -39,10 +51,11 @@ struct Domain {
 
   Spec spec;
   Grid grid;
-  std::optional<GradedMesh> mesh; ///< where the spec refines; without it the grid is one lattice
-  Prolongation images;            ///< of periodic sides without a mesh: ties()
-  ClockMap clocks;                ///< one clock unless the spec sub-cycles
-  std::vector<Particles> sets;    ///< one per soil
+  std::optional<GradedMesh> mesh;              ///< where the spec refines; without it the grid is one lattice
+  Prolongation images;                         ///< of periodic sides without a mesh: ties()
+  ClockMap clocks;                             ///< one clock unless the spec sub-cycles
+  std::vector<Particles> sets;                 ///< one per soil
+  std::vector<WaitingStrains> waiting_strains; ///< by set, within a gather
   Boundary boundary;
   EnergyLedger energy;
   BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them

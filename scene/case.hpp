@@ -135,6 +135,7 @@ struct Mesh {
   int layer_cells = 10;       ///< depth of matched layers behind the box, in cells
   std::vector<Refinement> refine;
   ParticleBoxes particle_boxes = ParticleBoxes::fixed;
+  Dilatation dilatation = Dilatation::cell;
 };
 
 struct TimeStepping {

@@ -9,6 +9,7 @@
 namespace tremolo::scene {
 
 // The domain's own choices, under their own names.
+using mpm_domain::Dilatation;
 using mpm_domain::ParticleBoxes;
 using mpm_domain::Side;
 using mpm_domain::Sides;

@@ -21,6 +21,7 @@ enum class NodeGroup {
   force,        ///< summed over particles and boundary faces
   velocity,     ///< derived: before and after the update, and that which strains the soil
   acceleration, ///< derived
+  cell,         ///< summed over the particles of the cell that begins at the node
 };
 
 struct NodeFields {
@@ -33,6 +34,8 @@ struct NodeFields {
   NodeField vx_strain,
       vy_strain;    ///< u, remapped from the particles after they took v+; musl strains with it, m/s
   NodeField ax, ay; ///< of the last update, m/s2
+  /// Of the cell to the right and above: volume of its particles (m2), and its increase in this step (m2).
+  NodeField cell_volume, cell_dilation;
 };
 
 /// A line of the table.
@@ -59,12 +62,15 @@ inline constexpr std::array node_field_table{
     NodeFieldDescription{"vy_strain", "m/s", NodeGroup::velocity, &NodeFields::vy_strain},
     NodeFieldDescription{"ax", "m/s2", NodeGroup::acceleration, &NodeFields::ax},
     NodeFieldDescription{"ay", "m/s2", NodeGroup::acceleration, &NodeFields::ay},
+    NodeFieldDescription{"cell_volume", "m2", NodeGroup::cell, &NodeFields::cell_volume},
+    NodeFieldDescription{"cell_dilation", "m2", NodeGroup::cell, &NodeFields::cell_dilation},
 };
 
 /// The fields that particles add up to, in the order in which tiles keep their sums.
-enum class Sum : std::size_t { mass, momentum_x, momentum_y, force_x, force_y };
-inline constexpr std::array particle_sums{&NodeFields::mass, &NodeFields::momentum_x, &NodeFields::momentum_y,
-                                          &NodeFields::force_x, &NodeFields::force_y};
+enum class Sum : std::size_t { mass, momentum_x, momentum_y, force_x, force_y, cell_volume, cell_dilation };
+inline constexpr std::array particle_sums{
+    &NodeFields::mass,    &NodeFields::momentum_x,  &NodeFields::momentum_y,   &NodeFields::force_x,
+    &NodeFields::force_y, &NodeFields::cell_volume, &NodeFields::cell_dilation};
 
 /// act(field) for every field of a group.
 template <typename Act>

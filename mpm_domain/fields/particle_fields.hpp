@@ -60,6 +60,7 @@ struct ParticleTraits {
   bool affine = false;
   bool own_boxes = false;
   bool damped = false;
+  bool cell_dilatation = false; ///< their law sees the mean dilatation of their cell; no field goes with it
 
   bool have(FieldTrait trait) const {
     switch (trait) {

@@ -45,7 +45,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                  .order = scene.time.order,
                  .fraction = scene.time.fraction,
                  .dt = scene.time.dt,
-                 .subcycle = scene.time.subcycle};
+                 .subcycle = scene.time.subcycle,
+                 .dilatation = scene.mesh.dilatation};
   const auto& [sides, left, right, base] = scene.boundary;
   spec.sides = sides;
   if (left.absorber == scene::Absorber::matched_layer)

@@ -33,6 +33,15 @@ constexpr auto words(ParticleBoxes) {
       {{ParticleBoxes::fixed, "fixed"}, {ParticleBoxes::deforming, "deforming"}});
 }
 
+/// Which change of volume a law that yields sees.
+enum class Dilatation {
+  cell, ///< the mean of the particle's cell: soil that keeps its volume does not lock (cell_dilatation.hpp)
+  particle, ///< the particle's own
+};
+constexpr auto words(Dilatation) {
+  return word_table<Dilatation>({{Dilatation::cell, "cell"}, {Dilatation::particle, "particle"}});
+}
+
 enum class Side { left, right, base };
 constexpr auto words(Side) {
   return word_table<Side>({{Side::left, "left"}, {Side::right, "right"}, {Side::base, "base"}});
@@ -59,6 +68,7 @@ struct Scheme {
   /// Each level of a graded mesh takes a step of its own, half of the coarser one's (shared_nodes.hpp);
   /// fraction and dt are of the coarsest one's. For the transfer apic and the order musl.
   bool subcycle = false;
+  Dilatation dilatation = Dilatation::cell; ///< of laws that yield; others see their own
 };
 
 } // namespace tremolo::mpm_domain

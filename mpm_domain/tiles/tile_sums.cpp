@@ -100,7 +100,7 @@ void TileSums::add_to(NodeFields& nodes, SumRange fields, const TileMap& tiles, 
     to_take_[n] = static_cast<int>(owners_of_[n].size());
   workers.run(filled_.size(), [&](std::size_t n) {
     window_[n] = windows.take();
-    const RowRange rows = fill(filled_[n], window_[n]);
+    const RowRange rows = fill(n, window_[n]);
     touched_[n] = {places_[n].column, rows.begin, window_columns, rows.end - rows.begin};
     for (const std::size_t o : owners_of_[n]) {
       if (!is_last(to_fill_[o]))

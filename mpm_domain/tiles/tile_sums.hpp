@@ -65,8 +65,9 @@ public:
 
   std::span<const std::size_t> filled() const { return filled_; }
 
-  /// Adds what a tile's particles bring to a window that is zero, and returns the rows that they touch.
-  using Fill = std::function<RowRange(std::size_t tile, double* window)>;
+  /// Adds what the particles of the n-th filled tile bring to a window that is zero, and returns the rows
+  /// that they touch.
+  using Fill = std::function<RowRange(std::size_t n, double* window)>;
   /// Adds what all tiles bring to the nodes.
   void add_to(NodeFields& nodes, SumRange fields, const TileMap& tiles, WorkerPool& workers,
               WindowPool& windows, const Fill& fill);

@@ -368,13 +368,13 @@ template <Motion motion, bool force>
 void add_clock(Domain& domain, int clock) {
   constexpr SumRange fields = fields_of(motion, force);
   ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
-  tiles.sums.add_to(domain.grid, fields, domain.tiles, domain.workers, domain.windows,
-                    [&](std::size_t tile, double* window) {
-                      RowRange touched;
-                      for (const Particles& p : domain.sets)
-                        touched.add(scatter_set<motion, force>(domain, p, clock, tile, window));
-                      return touched;
-                    });
+  tiles.sums.add_to(
+      domain.grid, fields, domain.tiles, domain.workers, domain.windows, [&](std::size_t n, double* window) {
+        RowRange touched;
+        for (const Particles& p : domain.sets)
+          touched.add(scatter_set<motion, force>(domain, p, clock, tiles.sums.filled()[n], window));
+        return touched;
+      });
   if (tiles.across.empty())
     return;
   domain.workers.run(tiles.across.size(), [&](std::size_t task) {

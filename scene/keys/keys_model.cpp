@@ -174,6 +174,13 @@ std::vector<Table> model_keys() {
                 "breaks into pieces in the end. `deforming`: they follow the soil, up to two cells "
                 "wide. See docs/mesh.md.",
                 ParticleBoxes::fixed),
+            choice<Dilatation>(
+                "dilatation",
+                "The change of volume that laws of soil that yields see. `cell`: the mean of the particles "
+                "of their cell, so that soil that yields at constant volume does not lock. `particle`: "
+                "their own, cheaper and far too strong where soil is nearly incompressible. See "
+                "docs/theory.md.",
+                Dilatation::cell),
             {.name = "layer_cells",
              .type = Type::integer,
              .unit = "cells",

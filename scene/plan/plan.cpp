@@ -20,6 +20,7 @@ namespace {
 // plasticity where the soil yields.
 constexpr double base_cost_ns = 200.0;
 constexpr double box_cost_ns = 20.0;
+constexpr double dilatation_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double damping_cost_ns = 10.0;
@@ -103,6 +104,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const bool hysteretic = !hysteretic_soils.empty();
   const bool liquefies = !liquefying_soils.empty();
   const bool softening = any_softens(scene);
+  const bool by_cell = scene.mesh.dilatation == Dilatation::cell && (plastic || hysteretic || liquefies);
   const auto& [sides, left, right, base] = scene.boundary;
   const bool layered = left.absorber == Absorber::matched_layer ||
                        right.absorber == Absorber::matched_layer || base.absorber == Absorber::matched_layer;
@@ -132,6 +134,10 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        hysteretic ? hysteresis_cost_ns : 0.0},
       {"cyclic mobility", liquefies, liquefies ? liquefying_soils : "no soil is sand that liquefies",
        liquefies ? 8.0 * state_size(scene, false) : 0.0, liquefies ? mobility_cost_ns : 0.0},
+      {"mean dilatation", by_cell,
+       by_cell ? "soil that yields sees the mean change of volume of its cell"
+               : "no soil yields, or [mesh] dilatation = \"particle\"",
+       by_cell ? 40.0 : 0.0, by_cell ? dilatation_cost_ns : 0.0},
       {"strain softening", softening,
        softening ? "a [soil] with softening > 0" : "no soil has softening > 0"},
       {"oblique incidence", scene.motion.angle_deg > 0.0,

@@ -55,7 +55,8 @@ void read_mesh(Document& document, Case& scene) {
                 table.integer("particles_per_cell"),
                 table.integer("layer_cells"),
                 {},
-                table.choice<ParticleBoxes>("particle_boxes")};
+                table.choice<ParticleBoxes>("particle_boxes"),
+                table.choice<Dilatation>("dilatation")};
   for (const auto& refine : document.array("refine"))
     scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});
 }

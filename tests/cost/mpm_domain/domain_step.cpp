@@ -5,8 +5,9 @@
 //   domain/<order>_<transfer>     the schemes, elastic soil
 //   boxes_follow/...              the same where the particles' boxes follow the soil
 //   threads/<case>/<n>            the wall clock, for n threads on as many free cores
-//   softening/<c>                 Mohr-Coulomb that softens, cohesion c (Pa): `yielding` tells the share of
-//                                 particles that yield in a step
+//   softening/<c>                 Mohr-Coulomb that softens, cohesion c (Pa), each particle with its own
+//                                 dilatation: `yielding` tells the share of particles that yield in a step
+//   mean_dilatation/<c>           the same with the mean dilatation of cells
 //   graded                        cells of 1, 0.5 and 0.25 m, a third of the depth or less each
 //   particles/<n>                 cost against their number, with the bytes that one takes: `arrays` its own,
 //                                 `peak` the memory of the process, grid, filling and sorting included
@@ -92,7 +93,7 @@ void boxes_follow(benchmark::State& run, Transfer transfer, StepOrder order) {
 }
 
 /// The wave's shear stress reaches some 1.6 kPa.
-void softening(benchmark::State& run) {
+void softening_soil(benchmark::State& run, mpm_domain::Dilatation dilatation) {
   materials::MohrCoulomb law;
   law.elastic = soil;
   law.cohesion_peak = static_cast<double>(run.range(0));
@@ -100,7 +101,9 @@ void softening(benchmark::State& run) {
   law.friction_peak = std::numbers::pi / 4.0;
   law.friction_residual = 28.0 * std::numbers::pi / 180.0;
   law.softening = 15.0;
-  Shaken shaken(square(cells, law, Transfer::flip, StepOrder::usl, 1));
+  mpm_domain::Spec spec = square(cells, law, Transfer::flip, StepOrder::usl, 1);
+  spec.scheme.dilatation = dilatation;
+  Shaken shaken(spec);
   const std::vector<double>& plastic_strain = shaken.domain.sets.front().state;
   std::vector<double> before = plastic_strain;
   double yielded = 0.0;
@@ -116,6 +119,14 @@ void softening(benchmark::State& run) {
   }
   count_updates(run, before.size());
   run.counters["yielding"] = yielded / updates;
+}
+
+void softening(benchmark::State& run) {
+  softening_soil(run, mpm_domain::Dilatation::particle);
+}
+
+void mean_dilatation(benchmark::State& run) {
+  softening_soil(run, mpm_domain::Dilatation::cell);
 }
 
 /// Three levels, in bands, with about as many particles as the square.
@@ -226,6 +237,7 @@ BENCHMARK_CAPTURE(threads, graded_musl_apic, Mesh::graded, Transfer::apic, StepO
     ->Arg(2)
     ->UseRealTime();
 BENCHMARK(softening)->Arg(100)->Arg(1000)->Arg(1400)->Arg(2000);
+BENCHMARK(mean_dilatation)->Arg(100)->Arg(1000)->Arg(1400)->Arg(2000);
 BENCHMARK(particles)->Arg(10'000)->Arg(102'400)->Arg(1'000'000)->Arg(10'000'000);
 BENCHMARK(triad);
 

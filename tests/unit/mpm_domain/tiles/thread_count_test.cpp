@@ -42,7 +42,19 @@ void subcycle(Spec& spec) {
   spec.scheme.subcycle = true;
 }
 
+/// Clay weak enough to yield in the wave.
+void yield(Spec& spec) {
+  materials::MohrCoulomb clay;
+  clay.elastic = materials::elasticity(spec.soils.front().law);
+  clay.cohesion_peak = clay.cohesion_residual = 100.0;
+  spec.soils.front().law = clay;
+}
+
 const Model models[] = {
+    {"UniformYielding", yield, 60},
+    {"GradedYielding", [](Spec& spec) { refine(spec), yield(spec); }, 40},
+    {"PeriodicYielding", [](Spec& spec) { make_periodic(spec), yield(spec); }, 60},
+    {"SubcycledYielding", [](Spec& spec) { subcycle(spec), yield(spec); }, 20},
     {"Uniform", [](Spec&) {}, 100},
     {"UniformOwnBoxes", follow_soil, 100},
     {"UniformLayers", add_layers, 100},

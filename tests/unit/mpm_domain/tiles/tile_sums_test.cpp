@@ -69,7 +69,7 @@ TEST(TileSums, AreAddedInTheOrderOfTilesByAnyNumberOfThreads) {
     NodeFields nodes = zero_fields();
     for (int time = 0; time < 3; ++time) // windows of the first are filled again
       tile_sums.add_to(nodes, all_fields, sums.tiles, workers, windows,
-                       [&](std::size_t tile, double* window) { return sums.fill(tile, window); });
+                       [&](std::size_t n, double* window) { return sums.fill(sums.filled[n], window); });
     for (NodeField NodeFields::*field : particle_sums)
       EXPECT_EQ(nodes.*field, expected.*field) << threads;
   }
@@ -81,9 +81,9 @@ TEST(TileSums, LeaveFieldsThatAreNotAskedForAlone) {
   WindowPool windows;
   TileSums tile_sums(sums.tiles, sums.filled);
   NodeFields nodes = zero_fields();
-  tile_sums.add_to(nodes, {1, 3}, sums.tiles, workers, windows, [&](std::size_t tile, double* window) {
+  tile_sums.add_to(nodes, {1, 3}, sums.tiles, workers, windows, [&](std::size_t n, double* window) {
     std::fill_n(window + window_nodes, 2 * window_nodes, 1.0);
-    const NodeBlock at = sums.touched(tile);
+    const NodeBlock at = sums.touched(sums.filled[n]);
     return RowRange{at.row, at.end_row()};
   });
   EXPECT_EQ(nodes.mass, zero_fields().mass);

@@ -175,8 +175,12 @@ TEST(Rules, DampingShortensTheStep) {
 }
 
 TEST(Rules, YieldingSoilDoesNotLock) {
-  EXPECT_THAT(remarks_of(with_strength(friction)), Not(Contains(HasSubstr("lock"))));
-  EXPECT_THAT(remarks_of(with_strength(friction, "0.495")),
+  const auto own_dilatation = [](std::string text) {
+    return text.replace(text.find("[mesh]\n"), 7, "[mesh]\ndilatation = \"particle\"\n");
+  };
+  EXPECT_THAT(remarks_of(with_strength(friction, "0.495")), Not(Contains(HasSubstr("lock"))));
+  EXPECT_THAT(remarks_of(own_dilatation(with_strength(friction))), Not(Contains(HasSubstr("lock"))));
+  EXPECT_THAT(remarks_of(own_dilatation(with_strength(friction, "0.495"))),
               Contains(HasSubstr("warning: [soil.sand] soil 'sand': Poisson's ratio 0.495 is above 0.45")));
   EXPECT_THAT(remarks_of(with("poisson = 0.28\n[[region]]", "poisson = 0.495\n[[region]]")),
               Not(Contains(HasSubstr("lock"))));
