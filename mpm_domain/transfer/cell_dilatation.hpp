@@ -51,7 +51,7 @@ bool some_wait(const Domain& domain);
 /// Makes the sums over cells zero, and room for strains to wait.
 void clear_cells(Domain& domain);
 
-/// Stress, state and volume of the particles of a clock whose strains wait.
-GatherSums strain_by_cells(Domain& domain, int clock);
+/// Stress, state and volume of the particles of a clock whose strains wait, after a step of dt (s).
+GatherSums strain_by_cells(Domain& domain, int clock, double dt);
 
 } // namespace tremolo::mpm_domain

@@ -5,7 +5,6 @@
 #include "mpm_domain/transfer/cell_dilatation.hpp"
 #include "mpm_domain/transfer/samples.hpp"
 #include "mpm_domain/transfer/strain_update.hpp"
-#include "mpm_domain/transfer/viscous_stress.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -72,12 +71,10 @@ GatherSums gather_range(Particles& p, const ParticleRange& range, double dt, Wai
       }
     });
     if constexpr (parts.strain) {
-      if (p.traits.damped)
-        sums.viscous += damp(p, {first, first + count}, {inc.exx.data(), inc.eyy.data(), inc.gxy.data()}, dt);
       if (waiting != nullptr)
         waiting->hold(p, first, count, inc);
       else
-        strain_chunk(p, first, count, inc, inc, sums);
+        strain_chunk(p, first, count, inc, inc, dt, sums);
     }
   }
   return sums.collected();
@@ -169,7 +166,7 @@ GatherSums gather_tiles(Domain& domain, double dt, int clock) {
                         return RowRange{place.row, place.end_row()};
                       });
     domain.workers.run(tiles.across.size(), across);
-    sums.push_back(strain_by_cells(domain, clock));
+    sums.push_back(strain_by_cells(domain, clock, dt));
   } else {
     domain.workers.run(sums.size(), [&](std::size_t task) {
       if (task < filled.size())

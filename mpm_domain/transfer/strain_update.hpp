@@ -80,8 +80,12 @@ template <typename Group>
 /// Stress and state of a chunk by its law, then the other half of the work, and the volumes.
 /// @param seen   the increments that the law sees
 /// @param moved  those by which the particles have moved
+/// @param dt     of the step, s
 inline void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& seen,
-                         const Increments& moved, LaneSums& sums) {
+                         const Increments& moved, double dt, LaneSums& sums) {
+  if (p.traits.damped)
+    sums.viscous += damp(p, {begin, begin + count}, {seen.exx.data(), seen.eyy.data(), seen.gxy.data()},
+                         {moved.exx.data(), moved.eyy.data(), moved.gxy.data()}, dt);
   materials::Points points = p.points(begin, count);
   points.plastic_work = seen.plastic.data();
   points.dexx = seen.exx.data();

@@ -18,7 +18,8 @@ Lanes tangent_factor(Particles& p, std::size_t k, Group group, double p_wave_spe
 
 } // namespace
 
-double damp(Particles& p, const ParticleRange& range, const StrainIncrements& increments, double dt) {
+double damp(Particles& p, const ParticleRange& range, const StrainIncrements& seen,
+            const StrainIncrements& moved, double dt) {
   const materials::Elasticity& elastic = materials::elasticity(p.law);
   const bool follows_pressure = materials::traits(p.law).follows_pressure;
   const double rate = p.damping_time / dt;
@@ -28,9 +29,9 @@ double damp(Particles& p, const ParticleRange& range, const StrainIncrements& in
   Lanes work{};
   by_fours(range.begin, range.end, [&](std::size_t k, auto group) {
     const std::size_t c = k - range.begin;
-    const Lanes exx = group.load(&increments.exx[c]);
-    const Lanes eyy = group.load(&increments.eyy[c]);
-    const Lanes gxy = group.load(&increments.gxy[c]);
+    const Lanes exx = group.load(&moved.exx[c]);
+    const Lanes eyy = group.load(&moved.eyy[c]);
+    const Lanes gxy = group.load(&moved.gxy[c]);
     const auto power = [&] {
       return group.load(&p.viscous_xx[k]) * exx + group.load(&p.viscous_yy[k]) * eyy +
              group.load(&p.viscous_xy[k]) * gxy;
@@ -38,9 +39,11 @@ double damp(Particles& p, const ParticleRange& range, const StrainIncrements& in
     const Lanes volume = group.load(&p.volume[k]);
     work += 0.5 * volume * power();
     const Lanes factor = follows_pressure ? tangent_factor(p, k, group, elastic.p_wave_speed()) : all(1.0);
-    group.store(&p.viscous_xx[k], factor * (along * exx + across * eyy));
-    group.store(&p.viscous_yy[k], factor * (across * exx + along * eyy));
-    group.store(&p.viscous_xy[k], factor * (shear * gxy));
+    const Lanes seen_xx = group.load(&seen.exx[c]);
+    const Lanes seen_yy = group.load(&seen.eyy[c]);
+    group.store(&p.viscous_xx[k], factor * (along * seen_xx + across * seen_yy));
+    group.store(&p.viscous_yy[k], factor * (across * seen_xx + along * seen_yy));
+    group.store(&p.viscous_xy[k], factor * (shear * group.load(&seen.gxy[c])));
     work += 0.5 * volume * growth(exx + eyy) * power();
   });
   return sum(work);

@@ -29,7 +29,11 @@ struct StrainIncrements {
 
 /// The viscous stress of particles of a damped set for the increments of a step of dt (s). To be called
 /// before the law and the volumes follow the increments.
+/// @param seen   the increments that the law sees, whose rate the stress takes: soil that is not to lock must
+///               not be held by its damping either
+/// @param moved  those by which the particles have moved, which it works on
 /// @returns the work that the viscous stresses dissipate, (V s + V' s') : de/2 of those before and after, J/m
-double damp(Particles& particles, const ParticleRange& range, const StrainIncrements& increments, double dt);
+double damp(Particles& particles, const ParticleRange& range, const StrainIncrements& seen,
+            const StrainIncrements& moved, double dt);
 
 } // namespace tremolo::mpm_domain

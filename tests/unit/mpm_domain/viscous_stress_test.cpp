@@ -26,7 +26,8 @@ Spec damped_box(const materials::Law& law) {
 /// The same increments for all particles of the first set.
 double damp_all(Particles& set) {
   const std::vector<double> xx(set.size(), exx), yy(set.size(), eyy), xy(set.size(), gxy);
-  return damp(set, {0, set.size()}, {xx.data(), yy.data(), xy.data()}, dt);
+  const StrainIncrements increments{xx.data(), yy.data(), xy.data()};
+  return damp(set, {0, set.size()}, increments, increments, dt);
 }
 
 TEST(ViscousStress, IsTheElasticOneOfTheStrainRate) {
