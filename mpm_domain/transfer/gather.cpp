@@ -7,6 +7,7 @@
 #include "mpm_domain/transfer/strain_update.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -46,30 +47,31 @@ GatherSums gather_range(Particles& p, const ParticleRange& range, double dt, Wai
     const std::size_t count = std::min(strain_chunk_size, range.end - first);
     if (parts.strain && waiting != nullptr)
       waiting->find_cells(p, first, count);
-    by_fours(0, count, [&](std::size_t c, auto group) {
-      const std::size_t k = first + c;
-      const Lanes x = group.load(&p.x[k]);
-      const Lanes y = group.load(&p.y[k]);
-      const Samples q = sample_at(k, group, x, y);
-      if constexpr (parts.velocity) {
-        if constexpr (affine)
-          take_affine(p, k, group, q);
-        else
-          take_change(p, k, group, q);
-      }
-      if constexpr (parts.strain) {
-        const DisplacementGradient<Lanes> a{dt * q.vx_x, dt * q.vx_y, dt * q.vy_x, dt * q.vy_y};
-        take_strain(p, k, group, a, c, inc, sums);
-        if constexpr (boxes_follow)
-          deform_boxes(p, k, group, a);
-      }
-      if constexpr (parts.position || parts.drift) {
-        const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_after;
-        group.store(&p.x[k], x + dt * v.x);
-        group.store(&p.y[k], y + dt * v.y);
-        sums.max_speed2 = larger(v.x * v.x + v.y * v.y, sums.max_speed2);
-      }
-    });
+    by_fours(
+        0, count, [&](std::size_t c, auto group) __attribute__((always_inline)) {
+          const std::size_t k = first + c;
+          const Lanes x = group.load(&p.x[k]);
+          const Lanes y = group.load(&p.y[k]);
+          const Samples q = sample_at(k, group, x, y);
+          if constexpr (parts.velocity) {
+            if constexpr (affine)
+              take_affine(p, k, group, q);
+            else
+              take_change(p, k, group, q);
+          }
+          if constexpr (parts.strain) {
+            const DisplacementGradient<Lanes> a{dt * q.vx_x, dt * q.vx_y, dt * q.vy_x, dt * q.vy_y};
+            take_strain(p, k, group, a, c, inc, sums);
+            if constexpr (boxes_follow)
+              deform_boxes(p, k, group, a);
+          }
+          if constexpr (parts.position || parts.drift) {
+            const Vectors v = parts.drift ? Vectors{group.load(&p.vx[k]), group.load(&p.vy[k])} : q.v_after;
+            group.store(&p.x[k], x + dt * v.x);
+            group.store(&p.y[k], y + dt * v.y);
+            sums.max_speed2 = larger(v.x * v.x + v.y * v.y, sums.max_speed2);
+          }
+        });
     if constexpr (parts.strain) {
       if (waiting != nullptr)
         waiting->hold(p, first, count, inc);
@@ -132,8 +134,10 @@ GatherSums gather_filled(Domain& domain, int clock, std::size_t tile, double dt,
   GatherSums sums;
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     Particles& p = domain.sets[s];
-    WaitingRange waits(domain.waiting_strains[s], domain.tiles, tile, window);
-    WaitingRange* const waiting = parts.strain && p.traits.cell_dilatation ? &waits : nullptr;
+    std::optional<WaitingRange> waits;
+    if (parts.strain && p.traits.cell_dilatation)
+      waits.emplace(domain.waiting_strains[s], domain.tiles, tile, window);
+    WaitingRange* const waiting = waits ? &*waits : nullptr;
     sums += p.traits.affine ? gather_set<parts, true>(domain, p, clock, tile, dt, waiting)
                             : gather_set<parts, false>(domain, p, clock, tile, dt, waiting);
   }

@@ -81,8 +81,9 @@ template <typename Group>
 /// @param seen   the increments that the law sees
 /// @param moved  those by which the particles have moved
 /// @param dt     of the step, s
-inline void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& seen,
-                         const Increments& moved, double dt, LaneSums& sums) {
+[[gnu::noinline]] inline void strain_chunk(Particles& p, std::size_t begin, std::size_t count,
+                                           Increments& seen, const Increments& moved, double dt,
+                                           LaneSums& sums) {
   if (p.traits.damped)
     sums.viscous += damp(p, {begin, begin + count}, {seen.exx.data(), seen.eyy.data(), seen.gxy.data()},
                          {moved.exx.data(), moved.eyy.data(), moved.gxy.data()}, dt);
