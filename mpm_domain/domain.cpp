@@ -48,8 +48,12 @@ const Spec& checked(const Spec& spec) {
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");
-  for (const Soil& soil : spec.soils)
+  for (const Soil& soil : spec.soils) {
     materials::validate(soil.law);
+    refuse_unless(soil.damping_time >= 0.0 && std::isfinite(soil.damping_time),
+                  fmt::format("the damping time of soil '{}' (s)", soil.name), soil.damping_time,
+                  "finite, >= 0");
+  }
   return spec;
 }
 

@@ -64,6 +64,7 @@ struct Soil {
   /// Cell size for which the softening holds, m, where the soil has a reference_size.
   std::optional<double> softening_size;
   std::optional<StrainCurves> curves; ///< of hysteretic soils
+  double damping = 0.0;               ///< ratio, of critical, at small strain, in the domain and in layers
   /// Of a case with water: the law's density is then that of the saturated soil.
   std::optional<materials::PoreSpace> pores = std::nullopt;
   /// Void ratio that the law has by its own parameters, where it has one.
@@ -86,10 +87,10 @@ struct Layer {
 
 struct Damping {
   DampingModel model = DampingModel::none;
-  double ratio = 0.0;                  ///< of layers that have none of their own
+  double ratio = 0.0;                  ///< of soils and layers that have none of their own
   std::array<double, 2> frequencies{}; ///< Hz; of rayleigh
-  /// Hz; of kelvin_voigt and kjartansson, and where columns marched in time, which cannot have a ratio that
-  /// is the same at all frequencies, have that of hysteretic and shake.
+  /// Hz; of kelvin_voigt and kjartansson, and where domain and columns, which march in time and cannot have a
+  /// ratio that is the same at all frequencies, have that of hysteretic and shake.
   std::optional<double> reference_hz;
 };
 

@@ -170,7 +170,12 @@ std::vector<eq6::Stress> PeriodicColumn::stresses() const {
   for (std::size_t r = 0; r < ids_.size(); ++r) {
     const Particles& set = domain_.sets[sets_[r]];
     const std::size_t k = set.index_of[ids_[r]];
-    all.push_back({set.sxx[k], set.syy[k], set.sxy[k]});
+    eq6::Stress& stress = all.emplace_back(eq6::Stress{set.sxx[k], set.syy[k], set.sxy[k]});
+    if (set.traits.damped) {
+      stress.xx += set.viscous_xx[k];
+      stress.yy += set.viscous_yy[k];
+      stress.xy += set.viscous_xy[k];
+    }
   }
   return all;
 }

@@ -29,6 +29,9 @@ const std::vector<ParticleFieldDescription>& particle_field_table() {
       {"box_xx", "m2", "moments M of the box", own_boxes, shared, "", &F::box_xx},
       {"box_xy", "m2", "moments M of the box", own_boxes, shared, "", &F::box_xy},
       {"box_yy", "m2", "moments M of the box", own_boxes, shared, "", &F::box_yy},
+      {"viscous_xx", "Pa", "viscous stress, tension positive", damped, copied, "", &F::viscous_xx},
+      {"viscous_yy", "Pa", "viscous stress, tension positive", damped, copied, "", &F::viscous_yy},
+      {"viscous_xy", "Pa", "viscous stress", damped, copied, "", &F::viscous_xy},
   };
   return table;
 }

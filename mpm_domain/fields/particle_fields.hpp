@@ -16,6 +16,7 @@ enum class FieldTrait {
   always,
   affine,    ///< with the transfer apic
   own_boxes, ///< where boxes follow the soil
+  damped,    ///< of soil with viscous damping
 };
 
 /// What becomes of a field when a particle is cut in four.
@@ -31,8 +32,9 @@ struct ParticleFields {
   /// the particle and D, the second moment of its weights, does not: so angular momentum stays (Jiang,
   /// Schroeder and Teran 2017).
   std::vector<double> bxx, bxy, byx, byy;
-  std::vector<double> sxx, syy, szz, sxy;     ///< Cauchy stress, tension positive
-  std::vector<double> mass, volume;           ///< per metre out of plane
+  std::vector<double> sxx, syy, szz, sxy;                 ///< Cauchy stress, tension positive
+  std::vector<double> viscous_xx, viscous_yy, viscous_xy; ///< stress of viscous damping (viscous_stress.hpp)
+  std::vector<double> mass, volume;                       ///< per metre out of plane
   std::vector<double> box_xx, box_xy, box_yy; ///< M of boxes that follow the soil (particle_boxes.hpp)
   std::vector<double> x_initial, y_initial;
   std::vector<std::vector<double>> more; ///< of Spec::more_fields, in their order
@@ -58,9 +60,20 @@ struct ParticleTraits {
   bool affine = false;
   bool own_boxes = false;
   bool cell_dilatation = false; ///< their law sees the mean dilatation of their cell; no field goes with it
+  bool damped = false;
 
   bool have(FieldTrait trait) const {
-    return trait == FieldTrait::always || (trait == FieldTrait::affine ? affine : own_boxes);
+    switch (trait) {
+    case FieldTrait::always:
+      return true;
+    case FieldTrait::affine:
+      return affine;
+    case FieldTrait::own_boxes:
+      return own_boxes;
+    case FieldTrait::damped:
+      return damped;
+    }
+    return false;
   }
 };
 

@@ -130,6 +130,7 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   for (Particles& set : domain.sets) {
     laws.push_back(set.law);
     set.law = materials::without_softening(set.law);
+    set.damping_time = 0.0; // relaxation has a damping of its own, on mass
   }
   const std::vector<Geometry> given(domain.sets.begin(), domain.sets.end());
 
@@ -170,8 +171,11 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
     reactions.force[n] = {-domain.grid.force_x[n], -domain.grid.force_y[n]};
   for (const std::size_t n : reactions.sides)
     reactions.force[n] = {-domain.grid.force_x[n], 0.0};
-  for (std::size_t s = 0; s < domain.sets.size(); ++s)
-    domain.sets[s].law = laws[s];
+  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+    Particles& set = domain.sets[s];
+    set.law = laws[s];
+    set.damping_time = domain.spec.soils[set.soil_index].damping_time;
+  }
   reactions.unheld = begin_history(domain);
   return reactions;
 }

@@ -44,8 +44,10 @@ std::vector<Particles> empty_sets(const Spec& spec, int finest) {
       set.soil_index = s;
       set.traits = {.affine = spec.scheme.transfer == Transfer::apic,
                     .own_boxes = spec.boxes == ParticleBoxes::deforming,
+                    .damped = soil.damping_time > 0.0,
                     .cell_dilatation = spec.scheme.dilatation == Dilatation::cell &&
                                        materials::traits(soil.law).response != materials::Response::elastic};
+      set.damping_time = soil.damping_time;
       set.more_fields = spec.more_fields;
       set.more.resize(spec.more_fields.size());
       set.level = level;

@@ -30,6 +30,7 @@ struct Particles : ParticleFields {
   double cell_size = 0.0;     ///< h of these, m
   double half_size = 0.0;     ///< l of their boxes, at the start where these follow the soil, m
   materials::Law law;
+  double damping_time = 0.0;  ///< beta of the viscous stress, s; only with trait damped
   std::size_t state_size = 0; ///< doubles per particle in `state`
 
   ParticleTraits traits;

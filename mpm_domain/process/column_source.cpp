@@ -7,6 +7,7 @@
 #include "mpm_domain/process/spec_from_case.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/service.hpp"
+#include "scene/soils/viscous_damping.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +22,11 @@ namespace tremolo::mpm_domain {
 namespace {
 
 /// Adds a layer of the column between two levels.
-void add_layer(Spec& spec, const materials::Law& law, double top, double bottom) {
+void add_layer(Spec& spec, const materials::Law& law, double damping_time, double top, double bottom) {
   const double left = spec.box.x_min;
   const double right = spec.box.x_max;
   spec.regions.push_back({spec.soils.size(), {{left, bottom}, {right, bottom}, {right, top}, {left, top}}});
-  spec.soils.push_back({std::to_string(spec.soils.size() + 1), law});
+  spec.soils.push_back({std::to_string(spec.soils.size() + 1), law, {}, damping_time});
 }
 
 /// One column of the model's coarsest cells under the source's surface: its layers, then the half-space. It
@@ -44,12 +45,12 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
       spec.cell_size * std::ceil(std::max(0.0, spec.box.y_min - half_space) / spec.cell_size - 1e-9);
   double top = source.surface;
   for (const scene::Layer& layer : scene::layers(scene, source)) {
-    add_layer(spec, layer.soil ? scene.soils[*layer.soil].law : materials::LinearElastic{layer.elastic}, top,
-              top - layer.thickness);
+    add_layer(spec, layer.soil ? scene.soils[*layer.soil].law : materials::LinearElastic{layer.elastic},
+              scene::damping_time(scene.damping, layer.damping), top, top - layer.thickness);
     top -= layer.thickness;
   }
   if (top > spec.box.y_min)
-    add_layer(spec, materials::LinearElastic{scene.halfspace}, top, spec.box.y_min);
+    add_layer(spec, materials::LinearElastic{scene.halfspace}, 0.0, top, spec.box.y_min);
   return spec;
 }
 

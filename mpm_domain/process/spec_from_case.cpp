@@ -1,6 +1,7 @@
 #include "mpm_domain/process/spec_from_case.hpp"
 
 #include "scene/plan/layers.hpp"
+#include "scene/soils/viscous_damping.hpp"
 
 #include <algorithm>
 
@@ -32,7 +33,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
         {{refine.box.x_min, refine.box.y_min, refine.box.x_max, refine.box.y_max}, refine.level});
   spec.boxes = scene.mesh.particle_boxes;
   for (const scene::Soil& soil : scene.soils)
-    spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh)});
+    spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh),
+                          scene::damping_time(scene.damping, soil.damping)});
   for (const scene::Region& region : scene.regions) {
     Region& copy = spec.regions.emplace_back();
     copy.soil = region.soil;

@@ -21,6 +21,8 @@ struct Soil {
   materials::Law law; ///< on cells of level 0
   /// On cells of level 1, 2, ... where the law depends on their size; where there is none, `law`.
   std::vector<materials::Law> finer_laws = {};
+  /// beta of the viscous stress beta D_e : d eps/dt, s; 0: none.
+  double damping_time = 0.0;
 };
 
 /// A polygon of one soil; where polygons overlap, the later one wins.

@@ -7,11 +7,12 @@
 //     K(v+) - K(v-) = dt sum_i f_i . v_i.
 //
 // Gravity, dashpots, the rest of the boundary tractions and the stresses each give a part of f. What the
-// stresses take is not booked from f but from the particles, V (s- + s+)/2 : de, as elastic and plastic work;
-// what the transfer between grid and particles loses is booked as K(v-) of the next step minus K(v+) of this
-// one. All entries are thus measured, and
+// stresses take is not booked from f but from the particles, V (s- + s+)/2 : de, as elastic, plastic and
+// viscous work; what the transfer between grid and particles loses is booked as K(v-) of the next step minus
+// K(v+) of this one. All entries are thus measured, and
 //
-//     residual = kinetic - kinetic_0 + elastic + plastic - gravity - input - static - dashpots - transfer
+//     residual = kinetic - kinetic_0 + elastic + plastic + viscous - gravity - input - static - dashpots -
+//     transfer
 //
 // is a true check: it holds the error of the time integration alone.
 
@@ -28,6 +29,7 @@ struct EnergyLedger {
   double kinetic = 0.0;
   double elastic = 0.0; ///< work stored in elastic strain
   double plastic = 0.0; ///< work dissipated in plastic strain, >= 0
+  double viscous = 0.0; ///< work dissipated by viscous damping, >= 0
   double gravity = 0.0;
   double input = 0.0;    ///< work of free-field velocity and stress through the boundary faces
   double static_ = 0.0;  ///< work of the tractions that replaced the constraints
@@ -35,13 +37,15 @@ struct EnergyLedger {
   double transfer = 0.0; ///< gained (> 0) or lost (< 0) between particles and grid: numerical
 
   double residual() const {
-    return kinetic - kinetic_start + elastic + plastic - gravity - input - static_ - dashpots - transfer;
+    return kinetic - kinetic_start + elastic + plastic + viscous - gravity - input - static_ - dashpots -
+           transfer;
   }
 
   /// Column names and the values of one row of the energy history.
-  static constexpr std::array<std::string_view, 9> columns{
-      "kinetic", "elastic", "plastic", "gravity", "input", "static", "dashpots", "transfer", "residual"};
-  std::array<double, 9> row() const;
+  static constexpr std::array<std::string_view, 10> columns{"kinetic",  "elastic", "plastic", "viscous",
+                                                            "gravity",  "input",   "static",  "dashpots",
+                                                            "transfer", "residual"};
+  std::array<double, 10> row() const;
 
   /// All entries, for a checkpoint, and back.
   std::vector<double> state() const;

@@ -234,6 +234,7 @@ void Stepper::gather_accelerations() {
 void Stepper::book(const GatherSums& sums) {
   domain_.energy.elastic += sums.elastic;
   domain_.energy.plastic += sums.plastic;
+  domain_.energy.viscous += sums.viscous;
   if (sums.max_speed > 0.0)
     max_speed_ = sums.max_speed;
 }

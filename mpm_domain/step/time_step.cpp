@@ -13,20 +13,22 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// The least of steps_of(clock) 0.65 h/(c_p + |v|) over all particles, where h is the size of the finest
+/// The least of steps_of(clock) times the critical step over all particles, where h is the size of the finest
 /// cells that a particle touches.
 template <typename StepsOf>
 double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
+  const double share = share_of(domain.spec.scheme.order);
   std::vector<double> least(domain.block_count(), std::numeric_limits<double>::infinity());
   domain.workers.run(least.size(), [&](std::size_t block) {
     const double h = domain.lattice(domain.level_of_block(block)).h;
-    const double way = steps_of(domain.clock_of_block(block)) * largest_courant_number * h;
+    const double steps = steps_of(domain.clock_of_block(block));
     const auto see = [&](Particles& set, const ParticleRange& range) {
       if (range.begin == range.end)
         return;
       const double c =
           materials::p_wave_speed_bound(set.law, set.points(range.begin, range.end - range.begin));
-      least[block] = std::min(least[block], way / (c + max_speed));
+      const double undamped = largest_courant_number * h / (c + max_speed);
+      least[block] = std::min(least[block], steps * damped_step(undamped, set.damping_time, share));
     };
     for (Particles& set : domain.sets) {
       see(set, set.in_block(block));
@@ -47,6 +49,11 @@ double layer_step(const Spec& spec) {
 }
 
 [[noreturn]] void refuse(Domain& domain, double dt, double critical, double max_speed) {
+  if (std::ranges::any_of(domain.sets, [](const Particles& set) { return set.damping_time > 0.0; }))
+    throw std::invalid_argument(fmt::format(
+        "the time step {:.6g} s is over the limit {:.6g} s: the least of sqrt(t^2 + beta^2) - beta, t "
+        "= 0.65 h/(c_p + |v|) and beta the damping time of the soil",
+        dt, critical));
   if (domain.clocks.count() > 1)
     throw std::invalid_argument(fmt::format(
         "the time step {:.6g} s of the coarsest level is over the limit {:.6g} s: the least of 2^k 0.65 "

@@ -4,8 +4,9 @@
 //
 //     dt <= 0.65 h / (c_p + |v|)                                  (spec/limits.hpp).
 //
-// The same limit, with v = 0, holds for a matched layer below the base whose ground is not the soil. Where
-// levels take steps of their own, soil on clock r allows clock 0 a step 2^r times as long.
+// With viscous damping of the time beta the limit dt becomes sqrt(dt^2 + beta^2) - beta (damped_step there).
+// A matched layer below the base whose ground is not the soil has the limit above with v = 0. Where levels
+// take steps of their own, soil on clock r allows clock 0 a step 2^r times as long.
 
 #include "mpm_domain/domain.hpp"
 

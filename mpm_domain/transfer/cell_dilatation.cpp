@@ -39,7 +39,7 @@ void add_across(Domain& domain, const ClockTiles& tiles) {
   }
 }
 
-GatherSums strain_range(Domain& domain, std::size_t s, const ParticleRange& range) {
+GatherSums strain_range(Domain& domain, std::size_t s, const ParticleRange& range, double dt) {
   Particles& p = domain.sets[s];
   const WaitingStrains& strains = domain.waiting_strains[s];
   LaneSums sums;
@@ -60,7 +60,7 @@ GatherSums strain_range(Domain& domain, std::size_t s, const ParticleRange& rang
       seen.wxy[c] = strains.wxy[k];
       seen.plastic[c] = 0.0;
     }
-    strain_chunk(p, first, count, seen, moved, sums);
+    strain_chunk(p, first, count, seen, moved, dt, sums);
   }
   return sums.collected();
 }
@@ -125,7 +125,7 @@ void clear_cells(Domain& domain) {
       domain.waiting_strains[s].resize(domain.sets[s].size());
 }
 
-GatherSums strain_by_cells(Domain& domain, int clock) {
+GatherSums strain_by_cells(Domain& domain, int clock, double dt) {
   const ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
   add_across(domain, tiles);
   if (!domain.mesh) { // the images of a period are cells of it
@@ -138,12 +138,12 @@ GatherSums strain_by_cells(Domain& domain, int clock) {
     if (task >= filled.size()) {
       const AcrossTile& tile = tiles.across[task - filled.size()];
       if (domain.sets[tile.set].traits.cell_dilatation)
-        sums[task] = strain_range(domain, tile.set, {tile.weights.first(), tile.weights.end()});
+        sums[task] = strain_range(domain, tile.set, {tile.weights.first(), tile.weights.end()}, dt);
       return;
     }
     for (std::size_t s = 0; s < domain.sets.size(); ++s)
       if (domain.sets[s].traits.cell_dilatation)
-        sums[task] += strain_range(domain, s, domain.sets[s].in_block(domain.block(clock, filled[task])));
+        sums[task] += strain_range(domain, s, domain.sets[s].in_block(domain.block(clock, filled[task])), dt);
   });
   GatherSums total;
   for (const GatherSums& sum : sums)

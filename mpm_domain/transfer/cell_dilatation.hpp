@@ -52,7 +52,8 @@ bool some_wait(const Domain& domain);
 /// Sets the sums over cells to zero and makes room for the strains of all particles.
 void clear_cells(Domain& domain);
 
-/// Updates stress, state and volume of the particles of a clock whose strains have been stored.
-GatherSums strain_by_cells(Domain& domain, int clock);
+/// Updates stress, state and volume of the particles of a clock whose strains over a step of dt (s) have been
+/// stored.
+GatherSums strain_by_cells(Domain& domain, int clock, double dt);
 
 } // namespace tremolo::mpm_domain

@@ -75,7 +75,7 @@ GatherSums gather_range(Particles& p, const ParticleRange& range, double dt, Wai
       if (waiting != nullptr)
         waiting->hold(p, first, count, inc);
       else
-        strain_chunk(p, first, count, inc, inc, sums);
+        strain_chunk(p, first, count, inc, inc, dt, sums);
     }
   }
   return sums.collected();
@@ -167,7 +167,7 @@ GatherSums gather_tiles(Domain& domain, double dt, int clock) {
                         return RowRange{place.row, place.end_row()};
                       });
     domain.workers.run(tiles.across.size(), across);
-    sums.push_back(strain_by_cells(domain, clock));
+    sums.push_back(strain_by_cells(domain, clock, dt));
   } else {
     domain.workers.run(sums.size(), [&](std::size_t task) {
       if (task < filled.size())

@@ -22,11 +22,13 @@ struct GatherParts {
 struct GatherSums {
   double elastic = 0.0;   ///< work of the stresses on elastic strain, J/m
   double plastic = 0.0;   ///< work of the stresses on plastic strain, J/m
+  double viscous = 0.0;   ///< work of the viscous stresses, J/m
   double max_speed = 0.0; ///< of particles that were moved, m/s
 
   GatherSums& operator+=(const GatherSums& more) {
     elastic += more.elastic;
     plastic += more.plastic;
+    viscous += more.viscous;
     max_speed = std::max(max_speed, more.max_speed);
     return *this;
   }

@@ -83,6 +83,11 @@ template <bool force, bool affine, typename Boxes, typename Group>
   }
 }
 
+/// Stress of a chunk of particles, Pa.
+struct ChunkStress {
+  std::array<double, chunk> xx, yy, xy;
+};
+
 /// The arrays of a chunk of particles and of a window's sums, as pointers to their first element. The
 /// compiler would load the pointer inside a std::vector again after every store.
 struct Arrays {
@@ -96,6 +101,22 @@ struct Arrays {
         sxx(&p.sxx[first]), syy(&p.syy[first]), sxy(&p.sxy[first]), sums(window) {}
 
   double* of(Sum field) const { return sums + static_cast<std::size_t>(field) * window_nodes; }
+
+  /// Lets forces see the stress of the law and that of viscous damping.
+  void add_viscous(const Particles& p, std::size_t first, std::size_t count, ChunkStress& sum) {
+    by_fours(0, count, [&](std::size_t c, auto group) {
+      const auto add = [&](std::vector<double> ParticleFields::*stress,
+                           std::vector<double> ParticleFields::*viscous, std::array<double, chunk>& to) {
+        group.store(&to[c], group.load(&(p.*stress)[first + c]) + group.load(&(p.*viscous)[first + c]));
+      };
+      add(&ParticleFields::sxx, &ParticleFields::viscous_xx, sum.xx);
+      add(&ParticleFields::syy, &ParticleFields::viscous_yy, sum.yy);
+      add(&ParticleFields::sxy, &ParticleFields::viscous_xy, sum.xy);
+    });
+    sxx = sum.xx.data();
+    syy = sum.yy.data();
+    sxy = sum.xy.data();
+  }
 
 private:
   /// A set without affine velocities has no such arrays.
@@ -229,13 +250,17 @@ template <Motion motion, bool force, bool affine, typename Boxes>
   const Lanes g = all(gravity);
   ChunkWeights<Boxes::rows> w;
   FirstRows seen;
+  ChunkStress damped_stress; // only of soil with viscous damping
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t count = std::min(chunk, range.end - k);
     by_fours(0, count, [&](std::size_t c, auto group) {
       take_weights<force, motion != Motion::none && affine>(p, k + c, c, group, nodes, x_axis, y_axis, boxes,
                                                             w, seen);
     });
-    const Arrays arrays(p, k, window);
+    Arrays arrays(p, k, window);
+    if constexpr (force)
+      if (p.traits.damped)
+        arrays.add_viscous(p, k, count, damped_stress);
     if constexpr (motion != Motion::none)
       stream<Moving>(w, count, arrays, [&](Moving& sums, std::size_t c, auto is_first) {
         sums.template add<affine, is_first>(arrays, w, c, lattice.h);
@@ -273,7 +298,7 @@ constexpr SumRange fields_of(Motion motion, bool force) {
 }
 
 /// Adds up the contributions of a tile's particles that touch several lattices, four nodes at a time.
-template <Motion motion, bool force, bool affine>
+template <Motion motion, bool force, bool affine, bool damped>
 void scatter_across(const Particles& p, AcrossTile& tile, const BasisCells& cells, double gravity) {
   const std::size_t field = 4 * tile.weights.fours().size(); // length of one field in `tile.sums`
   constexpr SumRange fields = fields_of(motion, force);
@@ -281,6 +306,14 @@ void scatter_across(const Particles& p, AcrossTile& tile, const BasisCells& cell
   for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k) {
     const double m = p.mass[k];
     const double v = p.volume[k];
+    double sxx = p.sxx[k];
+    double syy = p.syy[k];
+    double sxy = p.sxy[k];
+    if constexpr (force && damped) {
+      sxx += p.viscous_xx[k];
+      syy += p.viscous_yy[k];
+      sxy += p.viscous_xy[k];
+    }
     double cxx = 0.0, cxy = 0.0, cyx = 0.0, cyy = 0.0; // C = B D^-1
     if constexpr (motion != Motion::none && affine) {
       const InverseMoments& per = tile.weights.per_moments(k);
@@ -311,8 +344,8 @@ void scatter_across(const Particles& p, AcrossTile& tile, const BasisCells& cell
         add(Sum::momentum_y, mass * vy);
       }
       if constexpr (force) {
-        add(Sum::force_x, -v * (p.sxx[k] * w.gx + p.sxy[k] * w.gy));
-        add(Sum::force_y, -v * (p.sxy[k] * w.gx + p.syy[k] * w.gy) - gravity * mass);
+        add(Sum::force_x, -v * (sxx * w.gx + sxy * w.gy));
+        add(Sum::force_y, -v * (sxy * w.gx + syy * w.gy) - gravity * mass);
       }
     }
   }
@@ -350,9 +383,15 @@ void add_clock(Domain& domain, int clock) {
   domain.workers.run(tiles.across.size(), [&](std::size_t task) {
     AcrossTile& tile = tiles.across[task];
     const Particles& p = domain.sets[tile.set];
-    const auto scatter_as =
-        p.traits.affine ? scatter_across<motion, force, true> : scatter_across<motion, force, false>;
-    scatter_as(p, tile, domain.basis_cells, domain.spec.gravity);
+    const auto scatter_as = [&]<bool affine, bool damped>() {
+      scatter_across<motion, force, affine, damped>(p, tile, domain.basis_cells, domain.spec.gravity);
+    };
+    if (force && p.traits.damped)
+      p.traits.affine ? scatter_as.template operator()<true, force>()
+                      : scatter_as.template operator()<false, force>();
+    else
+      p.traits.affine ? scatter_as.template operator()<true, false>()
+                      : scatter_as.template operator()<false, false>();
   });
   add_across(domain, tiles.across, fields);
 }

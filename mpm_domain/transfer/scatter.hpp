@@ -19,6 +19,8 @@ enum class ScatterPart {
 ///   motion:  m_i = sum_p S_ip m_p,    p_i = sum_p S_ip m_p (v_p + C_p (x_i - x_p))    (C only with APIC)
 ///   force:   f_i = sum_p (S_ip m_p g - V_p sigma_p grad S_ip)
 ///
+/// where sigma_p is the stress of the law and that of viscous damping, if the soil has any.
+///
 /// The particles of every tile are added up by themselves, and the nodes then add up the tiles in their order
 /// (tile_sums.hpp). So every node receives its contributions in the same order for any number of threads.
 

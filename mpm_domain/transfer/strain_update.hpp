@@ -8,6 +8,7 @@
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/lanes.hpp"
 #include "mpm_domain/transfer/particle_boxes.hpp"
+#include "mpm_domain/transfer/viscous_stress.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,13 +36,14 @@ template <typename Group>
 
 /// Sums over a range of particles, one in each of four lanes.
 struct LaneSums {
-  Lanes total{};      ///< work of the stresses, J/m
-  Lanes plastic{};    ///< the part of it on plastic strain, J/m
-  Lanes max_speed2{}; ///< square of the largest speed, m2/s2
+  Lanes total{};        ///< work of the stresses, J/m
+  Lanes plastic{};      ///< the part of it on plastic strain, J/m
+  Lanes max_speed2{};   ///< square of the largest speed, m2/s2
+  double viscous = 0.0; ///< work of the viscous stresses, J/m
 
   GatherSums collected() const {
     const Lanes& m = max_speed2;
-    return {sum(total) - sum(plastic), sum(plastic),
+    return {sum(total) - sum(plastic), sum(plastic), viscous,
             std::sqrt(std::max(std::max(m[0], m[1]), std::max(m[2], m[3])))};
   }
 };
@@ -79,8 +81,12 @@ template <typename Group>
 /// Updates stress and state of a chunk by its law, then books the other half of the work and updates volumes.
 /// @param seen   the increments that the law sees
 /// @param moved  the increments of the particles' own motion: work and volumes follow them
+/// @param dt     length of the step, s
 inline void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Increments& seen,
-                         const Increments& moved, LaneSums& sums) {
+                         const Increments& moved, double dt, LaneSums& sums) {
+  if (p.traits.damped)
+    sums.viscous += damp(p, {begin, begin + count}, {seen.exx.data(), seen.eyy.data(), seen.gxy.data()},
+                         {moved.exx.data(), moved.eyy.data(), moved.gxy.data()}, dt);
   materials::Points points = p.points(begin, count);
   points.plastic_work = seen.plastic.data();
   points.dexx = seen.exx.data();
@@ -92,7 +98,7 @@ inline void strain_chunk(Particles& p, std::size_t begin, std::size_t count, Inc
     const std::size_t k = begin + c;
     const Lanes before = group.load(&p.volume[k]);
     const Lanes dilation = load(&moved.exx[c]) + load(&moved.eyy[c]);
-    const Lanes volume = before * (1.0 + dilation * (1.0 + 0.5 * dilation));
+    const Lanes volume = before * growth(dilation);
     sums.total += 0.5 * volume * work_density(p, k, moved, c, group);
     sums.plastic += 0.5 * (before + volume) * load(&seen.plastic[c]);
     group.store(&p.volume[k], volume);

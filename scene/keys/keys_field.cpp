@@ -86,8 +86,10 @@ Table pulse() {
 Key damping_ratio() {
   return {.name = "damping",
           .unit = "1",
-          .meaning = "Fraction of critical damping; [damping] says what it is at which frequency.",
-          .otherwise = "`[damping] ratio`",
+          .meaning =
+              "Fraction of critical damping of a layer without `soil`; [damping] says what it is at which "
+              "frequency.",
+          .otherwise = "that of the `soil`, or `[damping] ratio`",
           .range = {.low = 0.0, .high = 1.0, .high_open = true}};
 }
 
@@ -103,23 +105,30 @@ Key half_space_damping() {
 Table damping() {
   return {
       .name = "damping",
-      .meaning = "Material damping of the free field.",
+      .meaning =
+          "Material damping at small strain, of the free field and of the domain. Domain and columns march "
+          "in "
+          "time: their damping is proportional to stiffness, sigma = D_e (eps + beta d eps/dt), and shortens "
+          "an explicit step from t to sqrt(t^2 + beta^2) - beta.",
       .keys = {
           choice<DampingModel>(
               "model",
-              "How damping depends on frequency. `kelvin_voigt`: proportional to it, all models but "
+              "How damping depends on frequency. `kelvin_voigt`: proportional to it, domain and all models "
+              "but "
               "`oblique`. "
               "`rayleigh`: the "
-              "ratio at two frequencies, columns only. `hysteretic` G (1 + 2 i xi), `shake` G (1 - 2 xi^2 "
+              "ratio at two frequencies, columns `fe` and `ode` only; the domain and `mpm` have its part "
+              "proportional to stiffness alone. `hysteretic` G (1 + 2 i xi), `shake` G (1 - 2 xi^2 "
               "+ 2 i xi "
               "sqrt(1 - xi^2)) and `kjartansson`: the same or nearly so at all frequencies, `wave` and "
               "`eql`; "
-              "columns then take Kelvin-Voigt damping with the ratio at `reference_hz`. Under `none` the "
+              "domain and columns then take Kelvin-Voigt damping with the ratio at `reference_hz`. Under "
+              "`none` the "
               "curves of `eql` damp as `hysteretic`.",
               DampingModel::none),
           {.name = "ratio",
            .unit = "1",
-           .meaning = "Fraction of critical damping of layers that have none of their own.",
+           .meaning = "Fraction of critical damping of soils and layers that have none of their own.",
            .fallback = "0",
            .range = {.low = 0.0, .high = 1.0, .high_open = true},
            .when = {"model", {"rayleigh", "kelvin_voigt", "hysteretic", "shake", "kjartansson"}}},
@@ -134,10 +143,10 @@ Table damping() {
            .when = {"model", {"rayleigh"}}},
           {.name = "reference_hz",
            .unit = "Hz",
-           .meaning =
-               "The frequency at which the damping of `kelvin_voigt`, `kjartansson` and of columns has the "
-               "ratio.",
-           .otherwise = "none; needed by `kelvin_voigt`, `kjartansson` and damped columns",
+           .meaning = "The frequency at which the damping of `kelvin_voigt`, `kjartansson`, of domain and "
+                      "columns has "
+                      "the ratio.",
+           .otherwise = "none; needed by `kelvin_voigt`, `kjartansson`, a damped domain and damped columns",
            .range = positive,
            .when = {"model", {"kelvin_voigt", "hysteretic", "shake", "kjartansson"}}}}};
 }

@@ -114,6 +114,14 @@ std::vector<Key> soil_keys_of_a_case() {
                       "The gravity stage begins with it.",
                   .otherwise = "poisson/(1 - poisson)",
                   .range = {.low = 0.0, .high = 10.0, .low_open = true}});
+  keys.push_back({.name = "damping",
+                  .unit = "1",
+                  .meaning =
+                      "Fraction of critical damping at small strain, in the domain and in layers that name "
+                      "the soil; what its law dissipates comes on top. [damping] says what it is at which "
+                      "frequency.",
+                  .otherwise = "`[damping] ratio`",
+                  .range = {.low = 0.0, .high = 1.0, .high_open = true}});
   for (Key& key : pore_keys())
     keys.push_back(std::move(key));
   return keys;

@@ -3,6 +3,7 @@
 #include "mpm_domain/spec/grid_shape.hpp"
 #include "mpm_domain/spec/limits.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/soils/viscous_damping.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -46,12 +47,30 @@ double p_wave_speed(const Case& scene, const materials::Law& law) {
   return materials::p_wave_speed_bound(law, point);
 }
 
-/// c_p by region, m/s.
-std::vector<double> p_wave_speeds(const Case& scene) {
-  std::vector<double> speeds;
+/// The critical step of a soil on cells of a size, at rest, s.
+class CriticalStep {
+public:
+  CriticalStep(const Case& scene, const Soil& soil)
+      : speed_(p_wave_speed(scene, soil.law)), damping_time_(damping_time(scene.damping, soil.damping)),
+        share_(mpm_domain::share_of(scene.time.order)) {}
+
+  double on(double cell_size) const {
+    return mpm_domain::damped_step(mpm_domain::largest_courant_number * cell_size / speed_, damping_time_,
+                                   share_);
+  }
+
+private:
+  double speed_; ///< c_p, m/s
+  double damping_time_;
+  double share_;
+};
+
+/// Of each region's soil.
+std::vector<CriticalStep> critical_steps(const Case& scene) {
+  std::vector<CriticalStep> steps;
   for (const Region& region : scene.regions)
-    speeds.push_back(p_wave_speed(scene, scene.soils[region.soil].law));
-  return speeds;
+    steps.emplace_back(scene, scene.soils[region.soil]);
+  return steps;
 }
 
 Level uniform_level(const Case& scene) {
@@ -61,15 +80,15 @@ Level uniform_level(const Case& scene) {
     soil_area += area(region.polygon);
   const double spacing = mesh.size / mesh.particles_per_cell;
   const mpm_domain::GridShape grid = grid_shape_of(scene);
-  double fastest = 0.0;
-  for (const double speed : p_wave_speeds(scene))
-    fastest = std::max(fastest, speed);
+  double critical = std::numeric_limits<double>::infinity();
+  for (const CriticalStep& step : critical_steps(scene))
+    critical = std::min(critical, step.on(mesh.size));
   return {.cell_size = mesh.size,
           .particle_size = spacing,
           .cells = static_cast<double>(grid.nx - 1) * static_cast<double>(grid.ny - 1),
           .particles = std::round(soil_area / (spacing * spacing)),
           .nodes = static_cast<double>(grid.count()),
-          .critical_dt = mpm_domain::largest_courant_number * mesh.size / fastest};
+          .critical_dt = critical};
 }
 
 /// Calls act(region) for every particle of a leaf that lies in one.
@@ -100,7 +119,7 @@ std::vector<Level> levels(const Case& scene) {
   if (scene.mesh.refine.empty())
     return {uniform_level(scene)};
   const mesh::Quadtree tree = quadtree(scene);
-  const std::vector<double> speeds = p_wave_speeds(scene);
+  const std::vector<CriticalStep> steps = critical_steps(scene);
   std::vector<Level> all;
   for (int level = 0; level <= tree.finest(); ++level)
     all.push_back({.cell_size = tree.size(level),
@@ -120,8 +139,7 @@ std::vector<Level> levels(const Case& scene) {
         tree.finest_in({cell.x_min - near, cell.y_min - near, cell.x_max + near, cell.y_max + near}));
     for_particles(scene, cell, all[level].particle_size, [&](std::size_t region) {
       ++all[level].particles;
-      all[finest].critical_dt = std::min(all[finest].critical_dt, mpm_domain::largest_courant_number *
-                                                                      all[finest].cell_size / speeds[region]);
+      all[finest].critical_dt = std::min(all[finest].critical_dt, steps[region].on(all[finest].cell_size));
     });
   }
   const std::vector<mpm_domain::LevelLattice> lattices = mpm_domain::lattices_of(tree);

@@ -4,11 +4,13 @@
 #include "scene/plan/layers.hpp"
 #include "scene/plan/sources.hpp"
 #include "scene/soils/domain_soils.hpp"
+#include "scene/soils/viscous_damping.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tremolo::scene {
 
@@ -21,7 +23,8 @@ constexpr double box_cost_ns = 20.0;
 constexpr double dilatation_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
-constexpr double mobility_cost_ns = 400.0;   // PM4Sand or PDMY03 at small strain increments
+constexpr double damping_cost_ns = 10.0;
+constexpr double mobility_cost_ns = 400.0; // PM4Sand or PDMY03 at small strain increments
 
 /// The soils of the domain that answer in one way: "soil 'sand', soil 'clay'"; empty where there are none.
 std::string soils_that_are(const Case& scene, materials::Response response) {
@@ -29,6 +32,16 @@ std::string soils_that_are(const Case& scene, materials::Response response) {
   for (const Soil& soil : domain_soils(scene))
     if (materials::traits(soil.law).response == response)
       text += fmt::format("{}soil '{}'", text.empty() ? "" : ", ", soil.name);
+  return text;
+}
+
+/// "soil 'sand' 2 % at 3 Hz"; empty where none is damped.
+std::string soils_with_damping(const Case& scene) {
+  std::string text;
+  for (const Soil& soil : domain_soils(scene))
+    if (const double time = damping_time(scene.damping, soil.damping); time > 0.0)
+      text += fmt::format("{}soil '{}' {:.3g} % at {:.3g} Hz", text.empty() ? "" : ", ", soil.name,
+                          100.0 * soil.damping, soil.damping / (std::numbers::pi * time));
   return text;
 }
 
@@ -98,7 +111,9 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const double bare_bytes = particle_bytes({});
   const double affine_bytes = particle_bytes({.affine = true}) - bare_bytes;
   const double box_bytes = particle_bytes({.own_boxes = true}) - bare_bytes;
-  const bool damped = scene.damping.model != DampingModel::none;
+  const std::string damped_soils = soils_with_damping(scene);
+  const bool damped = !damped_soils.empty();
+  const double damped_bytes = particle_bytes({.damped = true}) - bare_bytes;
   return {
       {"soil skeleton", true, "always: GIMP particles, plane strain", bare_bytes, base_cost_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
@@ -131,8 +146,11 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"periodic sides", scene.boundary.periodic(), periodic_text(scene.boundary.sides)},
       {"matched layers", layered,
        layered ? "[boundary]: absorber = \"matched_layer\"" : "all sides of [boundary] have dashpots"},
-      {"material damping", damped,
-       fmt::format("[damping] model = \"{}\", of the free field", name(scene.damping.model))},
+      {"material damping", scene.damping.model != DampingModel::none,
+       fmt::format("[damping] model = \"{}\"", name(scene.damping.model))},
+      {"viscous damping", damped,
+       damped ? damped_soils + ", in the domain; shortens the step" : "no soil of the domain is damped",
+       damped ? damped_bytes : 0.0, damped ? damping_cost_ns : 0.0},
       {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
@@ -204,7 +222,7 @@ Plan plan(const Case& scene) {
   const double rows = scene.shaking.duration / scene.output.history_every;
   result.output_bytes =
       8.0 * (static_cast<double>(result.frames) * particles * output_doubles_per_particle(scene) +
-             rows * (static_cast<double>(scene.monitors.size()) * 6.0 + 10.0));
+             rows * (static_cast<double>(scene.monitors.size()) * 6.0 + 11.0));
   return result;
 }
 

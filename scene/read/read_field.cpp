@@ -69,7 +69,7 @@ void read_layer_soil(const TableReader& table, Findings& findings, const Case& s
     layer.elastic = read_elasticity(table, findings);
     return;
   }
-  for (const char* key : {"density", "young", "poisson", "vs", "vp"})
+  for (const char* key : {"density", "young", "poisson", "vs", "vp", "damping"})
     if (table.given(key))
       findings.add(table.path(key), fmt::format("'{}' and 'soil' exclude each other: remove one", key));
   layer.soil = soil_index(table, scene.soils, findings);
@@ -84,8 +84,9 @@ std::vector<Layer> read_layers(Document& document, const char* name, Findings& f
   for (const auto& table : document.array(name)) {
     Layer layer;
     layer.thickness = table.number("thickness");
-    layer.damping = table.optional_number("damping").value_or(scene.damping.ratio);
     read_layer_soil(table, findings, scene, layer);
+    layer.damping = layer.soil ? scene.soils[*layer.soil].damping
+                               : table.optional_number("damping").value_or(scene.damping.ratio);
     layers.push_back(layer);
   }
   return layers;
@@ -98,10 +99,10 @@ void read_free_field(Document& document, Findings& findings, Case& scene) {
   scene.halfspace = read_elasticity(half_space, findings);
   scene.halfspace_damping = half_space.number("damping");
 
+  read_damping(document, scene);
   read_water(document, scene);
   if (document.has("soil"))
     read_soils(document, findings, scene);
-  read_damping(document, scene);
   scene.profile = read_layers(document, "profile", findings, scene);
   scene.profile = watered(scene.profile, scene.surface_level, scene);
   read_numerics(document, scene);

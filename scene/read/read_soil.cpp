@@ -158,6 +158,7 @@ void read_soils(Document& document, Findings& findings, Case& scene) {
     if (const auto at_rest = soil.reader.optional_number("rest_coefficient"))
       for (materials::Law* law : {&scene.soils.back().law, &scene.soils.back().column_law})
         *law = materials::with_rest_coefficient(std::move(*law), *at_rest);
+    scene.soils.back().damping = soil.reader.optional_number("damping").value_or(scene.damping.ratio);
   }
 }
 

@@ -92,7 +92,7 @@ void soil_is_that_of_halfspace(const Case& scene, Findings& findings);
 
 /// No soil that can yield lies beside an elastic free field.
 void free_field_yields_like_soil(const Case& scene, Findings& findings);
-/// The free field is not damped where the domain is not.
+/// The free field is damped like the domain beside it, at the same ratio and by the same law of frequency.
 void domain_is_damped_like_free_field(const Case& scene, Findings& findings);
 /// Soil that can yield is not nearly incompressible.
 void yielding_soil_does_not_lock(const Case& scene, Findings& findings);

@@ -12,11 +12,12 @@ namespace tremolo::test_support {
 class CentredResidual {
 public:
   void after_step(const mpm_domain::EnergyLedger& energy) {
-    const double rest = energy.residual() - energy.kinetic - energy.elastic;
+    const double strain = energy.elastic + energy.viscous;
+    const double rest = energy.residual() - energy.kinetic - strain;
     if (steps_ > 0)
-      largest_ = std::max(largest_, std::abs(0.5 * (energy.kinetic + kinetic_ + rest + rest_) + elastic_));
+      largest_ = std::max(largest_, std::abs(0.5 * (energy.kinetic + kinetic_ + rest + rest_) + strain_));
     kinetic_ = energy.kinetic;
-    elastic_ = energy.elastic;
+    strain_ = strain;
     rest_ = rest;
     ++steps_;
   }
@@ -27,8 +28,8 @@ public:
 private:
   long steps_ = 0;
   double kinetic_ = 0.0;
-  double elastic_ = 0.0;
-  double rest_ = 0.0; ///< residual less kinetic and elastic energy
+  double strain_ = 0.0; ///< elastic energy and viscous work
+  double rest_ = 0.0;   ///< residual less these and kinetic energy
   double largest_ = 0.0;
 };
 

@@ -1,5 +1,6 @@
 #include "scene/plan/layers.hpp"
 #include "scene/rules/rules.hpp"
+#include "scene/soils/domain_soils.hpp"
 
 #include <fmt/format.h>
 
@@ -16,11 +17,22 @@ bool in_frequency_domain(SourceModel model) {
 }
 
 bool marched_in_time(SourceModel model) {
-  return model == SourceModel::fe || model == SourceModel::ode || model == SourceModel::oblique;
+  using enum SourceModel;
+  return model == fe || model == ode || model == oblique || model == mpm;
+}
+
+bool domain_is_damped(const Case& scene) {
+  return std::ranges::any_of(domain_soils(scene), [](const Soil& soil) { return soil.damping > 0.0; });
 }
 
 bool damped(const std::vector<Layer>& layers) {
   return std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; });
+}
+
+std::string without_model(double ratio) {
+  return fmt::format("'damping' = {} has no effect without a damping model; set [damping] model, e.g. to "
+                     "\"kelvin_voigt\"",
+                     ratio);
 }
 
 /// A ratio that stands in the file but has no law of frequency.
@@ -28,12 +40,13 @@ void ratios_have_model(const Case& scene, Findings& findings) {
   const auto check = [&](const std::vector<Layer>& layers, const std::string& name) {
     for (std::size_t i = 0; i < layers.size(); ++i)
       if (const auto path = fmt::format("{}[{}].damping", name, i);
-          layers[i].damping > 0.0 && findings.sound(path))
-        findings.add(path,
-                     fmt::format("'damping' = {} has no effect without a damping model; set [damping] model, "
-                                 "e.g. to \"kelvin_voigt\"",
-                                 layers[i].damping));
+          !layers[i].soil && layers[i].damping > 0.0 && findings.sound(path))
+        findings.add(path, without_model(layers[i].damping));
   };
+  for (const Soil& soil : scene.soils)
+    if (const auto path = fmt::format("soil.{}.damping", soil.name);
+        soil.damping > 0.0 && findings.sound(path))
+      findings.add(path, without_model(soil.damping));
   check(scene.profile, "profile");
   check(scene.boundary.left.own_profile, "boundary.left.profile");
   check(scene.boundary.right.own_profile, "boundary.right.profile");
@@ -68,14 +81,18 @@ void damping_suits_models(const Case& scene, Findings& findings) {
                                     "\"kelvin_voigt\", \"hysteretic\", \"shake\" and \"kjartansson\"");
     return;
   }
-  const bool needed = model == DampingModel::kelvin_voigt || model == DampingModel::kjartansson ||
-                      (any_damped && std::ranges::any_of(sources, marched_in_time));
-  if (needed && !scene.damping.reference_hz && findings.sound("damping.reference_hz"))
+  if (scene.damping.reference_hz || !findings.sound("damping.reference_hz"))
+    return;
+  const auto need = [&](const std::string& whose) {
     findings.add("damping.reference_hz",
-                 fmt::format("missing 'reference_hz': at which frequency {} has its ratio",
-                             model == DampingModel::kelvin_voigt || model == DampingModel::kjartansson
-                                 ? fmt::format("\"{}\" damping", name(model))
-                                 : "the Kelvin-Voigt damping of a column, which has no other here,"));
+                 fmt::format("missing 'reference_hz': at which frequency {} has its ratio", whose));
+  };
+  if (model == DampingModel::kelvin_voigt || model == DampingModel::kjartansson)
+    need(fmt::format("\"{}\" damping", name(model)));
+  else if (any_damped && std::ranges::any_of(sources, marched_in_time))
+    need("the Kelvin-Voigt damping of a column, which has no other here,");
+  else if (domain_is_damped(scene))
+    need("the Kelvin-Voigt damping of the domain, which has no other,");
 }
 
 } // namespace tremolo::scene

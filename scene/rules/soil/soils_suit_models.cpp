@@ -19,10 +19,6 @@ bool in_one_shear(const materials::Law& law) {
 /// Why a model cannot compute with these layers; empty if it can.
 std::string refused(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
   const bool damped = std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; });
-  if (model == SourceModel::mpm && damped)
-    return "model = \"mpm\" takes layers without viscous damping, of which the domain has none either; use "
-           "model "
-           "= \"fe\", or hysteretic soil";
   if (model == SourceModel::oblique && damped)
     return "model = \"oblique\" takes layers without viscous damping, with which waves of one slowness have "
            "no well-posed column; use model = \"wave\", or hysteretic soil";

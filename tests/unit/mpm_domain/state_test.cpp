@@ -115,6 +115,17 @@ TEST(State, OfMatchedLayersAndTheirCornersGoesOnWithTheSameBits) {
   expect_exact_resumption(spec);
 }
 
+TEST(State, OfSoilWithViscousDampingGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(softening_soil());
+  spec.soils.front().damping_time = 5e-3;
+  expect_exact_resumption(spec);
+  spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}};
+  for (const bool subcycle : {false, true}) {
+    spec.scheme.subcycle = subcycle;
+    expect_exact_resumption(spec);
+  }
+}
+
 TEST(State, OnAGradedMeshGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = box(softening_soil());
   spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}};

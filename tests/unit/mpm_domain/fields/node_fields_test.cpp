@@ -16,7 +16,7 @@ namespace tremolo::mpm_domain {
 namespace {
 
 static_assert(sizeof(NodeFields) == node_field_table.size() * sizeof(NodeField));
-static_assert(bytes_per_node == 15 * sizeof(double));
+static_assert(bytes_per_node == 17 * sizeof(double));
 
 /// Another number on every node of every field.
 double number(std::size_t line, std::size_t node) {
@@ -82,8 +82,8 @@ TEST(NodeFieldTable, ClearingTakesTheGroupsOfAPart) {
   }
 }
 
-constexpr NodeGroup all_groups[] = {NodeGroup::mass, NodeGroup::momentum, NodeGroup::force,
-                                    NodeGroup::velocity, NodeGroup::acceleration};
+constexpr NodeGroup all_groups[] = {NodeGroup::mass,     NodeGroup::momentum,     NodeGroup::force,
+                                    NodeGroup::velocity, NodeGroup::acceleration, NodeGroup::cell};
 
 /// The images of a period; with cells of two sizes, hanging and virtual nodes besides.
 class TiedNodes : public testing::TestWithParam<bool> {

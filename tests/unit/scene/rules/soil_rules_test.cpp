@@ -1,8 +1,13 @@
 // The rules of soils and layers, each with a case that keeps it and one that breaks it, and the message.
 
 #include "rule_cases.hpp"
+#include "scene/plan/plan.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
 
 namespace tremolo::scene::testing {
 namespace {
@@ -106,12 +111,67 @@ TEST(Rules, FreeFieldYieldsLikeTheSoil) {
 TEST(Rules, DomainIsDampedLikeTheFreeField) {
   const auto damped = std::string(flat_case) + std::string(layer) + "damping = 0.05\n";
   // 1 - exp(-2 pi 3 Hz 0.05 4 m / 80 m/s)
-  EXPECT_THAT(remarks_of(damped + "[damping]\nmodel = \"hysteretic\"\n"),
-              Contains(HasSubstr(
-                  "warning: [damping] the layers of the free field are damped, the domain is not: a shear "
-                  "wave of 3 Hz loses 4.6 % of its amplitude")));
-  EXPECT_THAT(remarks_of(std::string(flat_case) + std::string(layer)),
-              Not(Contains(HasSubstr("the domain is not"))));
+  const auto differs = HasSubstr("the free field is not damped like the domain beside it");
+  EXPECT_THAT(
+      remarks_of(damped + "[damping]\nmodel = \"hysteretic\"\n"),
+      Contains(HasSubstr(
+          "warning: [damping] the free field is not damped like the domain beside it: a shear wave of 3 Hz "
+          "loses 4.6 % of its amplitude on its way up through the free field, and 0 % on its way up through "
+          "the domain")));
+  EXPECT_THAT(remarks_of(std::string(flat_case) + std::string(layer)), Not(Contains(differs)));
+
+  // One soil, one damping; the half-space below has none.
+  const std::string kelvin = "[damping]\nmodel = \"kelvin_voigt\"\nratio = 0.05\nreference_hz = 3.0\n";
+  const auto named = [](double thickness) {
+    return fmt::format("[[profile]]\nthickness = {}\nsoil = \"sand\"\n", thickness);
+  };
+  EXPECT_THAT(remarks_of(std::string(flat_case) + named(10.0) + kelvin), Not(Contains(differs)));
+  EXPECT_THAT(remarks_of(std::string(flat_case) + named(5.0) + kelvin), Contains(differs));
+  EXPECT_THAT(remarks_of(std::string(flat_case) + kelvin), Contains(differs));
+}
+
+TEST(Rules, DampingOfTheDomainHasTheFrequenciesOfTheFreeField) {
+  const std::string named = "[[profile]]\nthickness = 10.0\nsoil = \"sand\"\n[damping]\nratio = 0.05\n";
+  const auto alone = HasSubstr("they agree at 3 Hz alone");
+  const std::string hysteretic = named + "model = \"hysteretic\"\n";
+  EXPECT_THAT(
+      errors_of(std::string(flat_case) + hysteretic),
+      ElementsAre(HasSubstr("missing 'reference_hz': at which frequency the Kelvin-Voigt damping of the "
+                            "domain")));
+  EXPECT_THAT(remarks_of(std::string(flat_case) + hysteretic + "reference_hz = 3.0\n"), Contains(alone));
+  EXPECT_THAT(remarks_of(with_columns() + hysteretic + "reference_hz = 3.0\n"), Not(Contains(alone)));
+  EXPECT_THAT(remarks_of(std::string(flat_case) + named + "model = \"kelvin_voigt\"\nreference_hz = 3.0\n"),
+              Not(Contains(alone)));
+  EXPECT_THAT(remarks_of(with_columns() + named + "model = \"rayleigh\"\nfrequencies = [1.0, 4.0]\n"),
+              Contains(HasSubstr("alone: 0.2 of its ratio at 1 Hz and 0.8 at 4 Hz")));
+}
+
+TEST(Rules, OneSoilHasOneDamping) {
+  const std::string kelvin = "[damping]\nmodel = \"kelvin_voigt\"\nratio = 0.05\nreference_hz = 3.0\n";
+  const std::string named = "[[profile]]\nthickness = 10.0\nsoil = \"sand\"\n";
+  const std::string own = with("poisson = 0.28\n[[region]]", "poisson = 0.28\ndamping = 0.02\n[[region]]");
+  for (const auto& [text, ratio] : {std::pair(std::string(flat_case), 0.05), std::pair(own, 0.02)}) {
+    const Case scene = parse_case(text + named + kelvin);
+    EXPECT_EQ(scene.soils.front().damping, ratio);
+    EXPECT_EQ(scene.profile.front().damping, ratio);
+  }
+  EXPECT_THAT(errors_of(std::string(flat_case) + named + "damping = 0.02\n" + kelvin),
+              ElementsAre(HasSubstr("'damping' and 'soil' exclude each other")));
+  EXPECT_THAT(errors_of(own + named),
+              ElementsAre(HasSubstr("'damping' = 0.02 has no effect without a damping model")));
+}
+
+/// t = 0.65 h/c_p becomes sqrt(t^2 + beta^2) - beta, beta = xi/(pi f).
+TEST(Rules, DampingShortensTheStep) {
+  const std::string damped =
+      std::string(flat_case) + "[damping]\nmodel = \"kelvin_voigt\"\nratio = 0.05\n" + "reference_hz = 3.0\n";
+  const double undamped = plan(parse_case(std::string(flat_case))).critical_dt;
+  const double beta = 0.05 / (std::numbers::pi * 3.0);
+  const Plan plan_of_damped = plan(parse_case(damped));
+  EXPECT_NEAR(plan_of_damped.critical_dt, std::hypot(undamped, beta) - beta, 1e-12);
+  EXPECT_THAT(explain(parse_case(damped), plan_of_damped), HasSubstr("soil 'sand' 5 % at 3 Hz"));
+  EXPECT_THAT(errors_of(with("[[stage]]", fmt::format("[time]\ndt = {}\n\n[[stage]]", undamped), damped)),
+              ElementsAre(HasSubstr("exceeds the critical step sqrt(t^2 + beta^2) - beta")));
 }
 
 TEST(Rules, YieldingSoilDoesNotLock) {

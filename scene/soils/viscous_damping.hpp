@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scene/case.hpp"
+
+namespace tremolo::scene {
+
+/// beta of the viscous stress beta D_e : d eps/dt that gives domain and column `mpm` a damping ratio, s; 0
+/// without damping, or where it has no frequency (damping_suits_models).
+///
+/// xi = beta w/2 (Chopra 2012, Dynamics of Structures, 4th ed., sec. 11.4): 2 xi/w at the reference
+/// frequency; of Rayleigh's damping, xi = alpha/(2 w) + beta w/2 at two frequencies, the part 2 xi/(w_1 +
+/// w_2).
+/// @param ratio of critical
+double damping_time(const Damping& damping, double ratio);
+
+} // namespace tremolo::scene

@@ -1,0 +1,88 @@
+"""One soil has one damping: a flat domain under its own damped column, whichever computes it, does what the column does.
+
+    usage: test_damping.py TREMOLO PYTHON_PACKAGE_DIR MY_FIELD
+"""
+
+import sys
+import unittest
+
+TREMOLO, PACKAGE, _ = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
+sys.path.insert(0, PACKAGE)
+
+import numpy as np
+from free_field_cases import FLAT, STIFF, BoxWorkspace, model
+from tremolo import Run, column
+
+PROFILE = '\n[[profile]]\nthickness = 10.0\nsoil = "box"\n\n[fe]\nelement_size = 0.25\n'
+DAMPING = '\n[damping]\nmodel = "kelvin_voigt"\nratio = 0.05\nreference_hz = 3.0\n'
+MODELS = ("wave", "fe", "mpm")
+
+
+def unevenness(run):
+    """Largest difference of velocities at one level, over all frames, relative to the largest velocity."""
+    level = np.round(run.field(0, "position")[:, 1] - run.field(0, "displacement")[:, 1], 6)
+    largest = difference = 0.0
+    for index in range(len(run.times)):
+        velocity = run.field(index, "velocity")
+        largest = max(largest, abs(velocity).max())
+        for y in np.unique(level):
+            row = velocity[level == y]
+            difference = max(difference, (row.max(axis=0) - row.min(axis=0)).max())
+    return difference / largest
+
+
+def to_column(monitor, history):
+    """Velocities of a monitor against those of a column at its depth, relative L2."""
+    exact = np.interp(monitor["time"], history["time"], history["vx"])
+    return np.linalg.norm(monitor["vx"] - exact) / np.linalg.norm(exact)
+
+
+class Damping(unittest.TestCase):
+    """10 m of soil on stiffer rock under a pulse of 3 Hz, with 5 % at 3 Hz and without, by the model of the free field."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.runs = {(name, damped): cls.measured(name, damped) for name in MODELS for damped in (False, True)}
+
+    @classmethod
+    def measured(cls, name, damped):
+        everywhere = {side: model(name) for side in ("left", "right", "base")}
+        ground = FLAT + PROFILE + (DAMPING if damped else "")
+        with BoxWorkspace(TREMOLO, ground=ground, halfspace=STIFF, duration=2.0, **everywhere) as work:
+            work.case.write_text(work.case.read_text().replace("every_s = 1.0", "every_s = 0.05"))
+            run = Run(work.run("run"))
+            assert run.status == "complete"
+            exact = work.path / "exact.h5"
+            done = work.command("column", work.case, "--model", "wave", "--out", exact, "--depths", "0.125,7")
+            assert done.returncode == 0, done.stdout + done.stderr
+            surface = column.read(exact)[1][0]
+            energy = run.energy
+            return {"uneven": unevenness(run), "to_column": to_column(run.monitor("surface"), surface),
+                    "peak": abs(run.monitor("surface")["vx"]).max() / abs(surface["vx"]).max(),
+                    "velocity": abs(surface["vx"]).max(), "viscous": energy["viscous"][-1],
+                    "residual": abs(energy["residual"]).max() / energy["input"].max()}
+
+    def test_damping_is_on(self):
+        self.assertLess(self.runs["fe", True]["velocity"], 0.92 * self.runs["fe", False]["velocity"])
+        self.assertGreater(self.runs["fe", True]["viscous"], 0.0)
+        self.assertEqual(0.0, self.runs["fe", False]["viscous"])
+
+    def test_a_damped_domain_is_as_even_as_an_undamped_one(self):
+        """Measured, undamped and damped: 0.18 and 0.18 % (wave), 0.21 and 0.22 % (fe), 0.08 and 0.07 % (mpm)."""
+        for name in MODELS:
+            self.assertLess(self.runs[name, True]["uneven"], 1.1 * self.runs[name, False]["uneven"], name)
+
+    def test_a_damped_domain_does_what_the_exact_column_does(self):
+        """Measured, undamped and damped: 0.14 and 0.10 % (wave), 0.15 and 0.12 % (fe), 0.19 and 0.13 % (mpm); peaks within 0.1 %."""
+        for name in MODELS:
+            self.assertLess(self.runs[name, True]["to_column"], 1.1 * self.runs[name, False]["to_column"], name)
+            self.assertAlmostEqual(1.0, self.runs[name, True]["peak"], delta=0.005, msg=name)
+
+    def test_the_ledger_closes(self):
+        """Measured: 1e-3 of the work of the boundary undamped, 2e-4 damped."""
+        for name in MODELS:
+            self.assertLess(self.runs[name, True]["residual"], self.runs[name, False]["residual"], name)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

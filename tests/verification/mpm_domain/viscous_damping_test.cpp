@@ -1,0 +1,170 @@
+// Viscous damping: standing waves between two free faces, cos(k y) with k = n pi/H, lose the fraction xi =
+// beta w/2 of critical damping,
+//
+//     v(t) = V exp(-xi w t) (cos w_d t - xi/sqrt(1 - xi^2) sin w_d t),   w = k c,  w_d = w sqrt(1 - xi^2),
+//
+// S and P alike (Chopra 2012, Dynamics of Structures, 4th ed., sec. 2.2 and 11.4).
+
+#include "tests/support/box_run.hpp"
+#include "tests/support/no_traction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+namespace {
+
+constexpr double depth = 16.0; // m
+constexpr double h = 0.5;
+constexpr double amplitude = 1e-4; // m/s: strains of 1e-6
+const materials::Elasticity soil{1700.0, 40e6, 0.28};
+
+struct StandingWave {
+  bool shear = true;
+  int half_waves = 1;
+
+  double wave_number() const { return half_waves * std::numbers::pi / depth; }
+  /// w of the undamped motion, rad/s
+  double frequency() const { return wave_number() * (shear ? soil.s_wave_speed() : soil.p_wave_speed()); }
+};
+
+Spec strip(double damping_time, Transfer transfer) {
+  Spec spec = test_support::elastic_box(2.0, depth, h);
+  spec.sides = Sides::periodic;
+  spec.soils.front().damping_time = damping_time;
+  spec.scheme.transfer = transfer;
+  return spec;
+}
+
+/// The modal velocity against time, over the largest one.
+struct History {
+  std::vector<double> time, velocity;
+  double residual = 0.0; ///< of the ledger, largest, over the energy at the start
+  EnergyLedger energy;   ///< at the end
+};
+
+History run(Domain& domain, const StandingWave& wave, double periods) {
+  for (Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      (wave.shear ? set.vx : set.vy)[k] = amplitude * std::cos(wave.wave_number() * (set.y[k] + depth));
+  Stepper stepper(domain, 0.0, test_support::no_traction(domain));
+  const double end = periods * 2.0 * std::numbers::pi / wave.frequency();
+  History history;
+  while (stepper.time() < end) {
+    stepper.step();
+    double sum = 0.0;
+    double norm = 0.0;
+    for (const Particles& set : domain.sets)
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        const double mode = set.mass[k] * std::cos(wave.wave_number() * (set.y_initial[k] + depth));
+        sum += mode * (wave.shear ? set.vx : set.vy)[k];
+        norm += mode * mode / set.mass[k];
+      }
+    history.time.push_back(stepper.velocity_time());
+    history.velocity.push_back(sum / (norm * amplitude));
+    history.residual = std::max(history.residual, std::abs(domain.energy.residual()));
+  }
+  history.energy = domain.energy;
+  history.residual /= domain.energy.kinetic_start;
+  return history;
+}
+
+/// xi, from the logarithms of the extremes: they fall by pi xi/sqrt(1 - xi^2) each.
+double damping_ratio(const History& history) {
+  std::vector<double> extremes;
+  const std::vector<double>& v = history.velocity;
+  for (std::size_t n = 1; n + 1 < v.size(); ++n)
+    if ((v[n] - v[n - 1]) * (v[n + 1] - v[n]) <= 0.0) {
+      const double slope = 0.5 * (v[n + 1] - v[n - 1]);
+      const double curvature = v[n + 1] - 2.0 * v[n] + v[n - 1];
+      extremes.push_back(std::abs(v[n] - 0.5 * slope * slope / curvature));
+    }
+  const double decrement =
+      std::log(extremes[1] / extremes.back()) / static_cast<double>(extremes.size() - 2) / std::numbers::pi;
+  return decrement / std::sqrt(1.0 + decrement * decrement);
+}
+
+double closed_form(const StandingWave& wave, double xi, double time) {
+  const double root = std::sqrt(1.0 - xi * xi);
+  const double phase = wave.frequency() * root * time;
+  return std::exp(-xi * wave.frequency() * time) * (std::cos(phase) - xi / root * std::sin(phase));
+}
+
+class ViscousDamping : public testing::TestWithParam<std::tuple<bool, Transfer>> {
+protected:
+  StandingWave wave(int half_waves) const { return {std::get<0>(GetParam()), half_waves}; }
+  Transfer transfer() const { return std::get<1>(GetParam()); }
+};
+
+/// Measured: 0.1 % of the ratio with APIC, 0.5 % with FLIP. The history is compared with APIC alone, 0.7 % at
+/// most: with FLIP particles keep for good what the grid does not see of their first velocities.
+TEST_P(ViscousDamping, HasItsRatioAtTheFrequencyAndInProportionAtOthers) {
+  constexpr double ratio = 0.05;
+  const double beta = 2.0 * ratio / wave(1).frequency();
+  for (const int half_waves : {1, 2}) {
+    Domain domain(strip(beta, transfer()));
+    const History history = run(domain, wave(half_waves), 3.0);
+    EXPECT_NEAR(damping_ratio(history) / (half_waves * ratio), 1.0, 0.01) << half_waves;
+    double error = 0.0;
+    for (std::size_t n = 0; n < history.time.size(); ++n)
+      error = std::max(error, std::abs(history.velocity[n] -
+                                       closed_form(wave(half_waves), half_waves * ratio, history.time[n])));
+    if (transfer() == Transfer::apic) {
+      EXPECT_LT(error, 0.01) << half_waves;
+    }
+    RecordProperty("ratio_" + std::to_string(half_waves), std::to_string(damping_ratio(history)));
+    RecordProperty("error_" + std::to_string(half_waves), std::to_string(error));
+  }
+}
+
+/// What the motion loses is what the ledger books, and the ledger closes as without damping. Measured:
+/// residuals of 1.5e-3 (S) and 4.6e-3 (P) of the energy with damping, 4.4e-3 and 8.0e-3 without it at half
+/// the step.
+TEST_P(ViscousDamping, IsBookedInTheLedger) {
+  const double beta = 2.0 * 0.05 / wave(1).frequency();
+  Domain undamped(strip(0.0, transfer()));
+  undamped.spec.scheme.fraction = 0.25;
+  Domain damped(strip(beta, transfer()));
+  const History without = run(undamped, wave(1), 3.0);
+  const History with = run(damped, wave(1), 3.0);
+  EXPECT_EQ(without.energy.viscous, 0.0);
+  EXPECT_LT(with.residual, without.residual);
+  const double lost = 1.0 - (with.energy.kinetic + with.energy.elastic) / with.energy.kinetic_start;
+  EXPECT_GT(lost, 0.8);
+  EXPECT_NEAR(with.energy.viscous / with.energy.kinetic_start, lost, 0.02);
+  RecordProperty("residual_damped", std::to_string(with.residual));
+  RecordProperty("residual_undamped", std::to_string(without.residual));
+}
+
+/// The upper half on cells of half the size, with steps of their own.
+TEST(ViscousDampingOnLevels, HasItsRatioAndIsBooked) {
+  constexpr double ratio = 0.05;
+  for (const bool shear : {true, false}) {
+    const StandingWave wave{shear, 1};
+    Spec spec = strip(2.0 * ratio / wave.frequency(), Transfer::apic);
+    spec.refine = {{{0.0, -0.5 * depth, 2.0, 0.0}, 1}};
+    for (const bool subcycle : {false, true}) {
+      spec.scheme.subcycle = subcycle;
+      Domain domain(spec);
+      const History history = run(domain, wave, 3.0);
+      EXPECT_NEAR(damping_ratio(history) / ratio, 1.0, 0.01);
+      EXPECT_LT(history.residual, 0.01);
+      const double lost =
+          1.0 - (history.energy.kinetic + history.energy.elastic) / history.energy.kinetic_start;
+      EXPECT_NEAR(history.energy.viscous / history.energy.kinetic_start, lost, 0.02);
+      RecordProperty(shear ? "S" : "P", std::to_string(damping_ratio(history)));
+      RecordProperty(shear ? "S_residual" : "P_residual", std::to_string(history.residual));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Waves, ViscousDamping,
+                         testing::Combine(testing::Bool(), testing::Values(Transfer::apic, Transfer::flip)));
+
+} // namespace
+} // namespace tremolo::mpm_domain
