@@ -36,7 +36,7 @@ struct WaitingStrains {
   }
 };
 
-/// What tiles need to know of the particles on one clock, as of the last sort.
+/// The tiles that hold particles of one clock, as of the last sort.
 struct ClockTiles {
   TileSums sums;                  ///< of particles on one lattice
   std::vector<AcrossTile> across; ///< by set and tile
@@ -75,22 +75,23 @@ struct Domain {
   Axis x_axis(int level = 0) const { return {lattice(level).x0, lattice(level).h}; }
   Axis y_axis(int level = 0) const { return {lattice(level).y0, lattice(level).h}; }
   std::size_t particle_count() const;
-  /// A block holds the particles of a tile on a clock, clock after clock. Behind these blocks stand as many
-  /// of particles that touch several lattices, in the tiles of the finest of them.
+  /// Number of a block. A block holds the particles of one tile that run on one clock and touch one lattice;
+  /// blocks are numbered clock after clock. As many blocks follow for particles that touch several lattices,
+  /// which belong to a tile of the finest of these.
   std::size_t block(int clock, std::size_t tile) const {
     return static_cast<std::size_t>(clock) * tiles.count() + tile;
   }
   std::size_t across_block(int clock, std::size_t tile) const { return block_count() + block(clock, tile); }
   std::size_t block_count() const { return static_cast<std::size_t>(clocks.count()) * tiles.count(); }
   std::size_t across_block_count() const { return mesh ? block_count() : 0; }
-  /// Of a block of particles on one lattice.
+  /// Level of the lattice that the tile of a block belongs to.
   int level_of_block(std::size_t block) const { return tiles.level_of(block % tiles.count()); }
   int clock_of_block(std::size_t block) const {
     return static_cast<int>(block % block_count() / tiles.count());
   }
-  /// Rows of nodes of all lattices.
+  /// How many rows of nodes all lattices have together.
   std::size_t row_count() const;
-  /// One of them.
+  /// The nodes of one of these rows, counted lattice after lattice.
   NodeRange row(std::size_t row) const;
   /// Nodes whose motion is that of others: images of a period, and the tied nodes of a graded mesh.
   const Prolongation& ties() const { return mesh ? mesh->prolongation() : images; }
@@ -113,13 +114,14 @@ void sort_particles(Domain& domain);
 /// Finds what particles may touch until the next sort, and the weights of those across several lattices.
 void find_reach(Domain& domain);
 
-/// The weights of particles that touch several lattices, at their present places; those of the given clock
-/// and faster ones.
+/// Computes the weights of particles that touch several lattices at their present places, for the given clock
+/// and all faster ones.
 void weigh_across(Domain& domain, int slowest_clock = 0);
 
-/// A node with less mass (kg/m) is empty: boxes reach it by 1e-10 of a cell or less, with whose square its
-/// mass goes. Far more than soil at rest moves, and far less than momentum would show: without a least mass,
-/// the least motion of soil whose surface lies on nodes would have these nodes pull at it.
+/// A node with less mass than this (kg/m) counts as empty. Boxes that reach a node by 1e-10 of a cell leave
+/// it with this mass, since mass grows with the square of that length. Soil at rest moves by far less, and
+/// the momentum of so small a mass does not show. Without a limit, the smallest motion of soil whose surface
+/// lies on nodes would make these nodes pull at it.
 double empty_mass(const Domain& domain);
 
 } // namespace tremolo::mpm_domain

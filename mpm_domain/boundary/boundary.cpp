@@ -258,7 +258,7 @@ void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& node
   });
 }
 
-/// What faces give at this tick to their nodes of a clock that is due.
+/// Computes the loads of all faces on their nodes of a clock that is due at this tick.
 void Boundary::find_loads(int clock, const Ticks& ticks) {
   const int first_due = ticks.first_due();
   const auto clocks = static_cast<std::size_t>(ticks.clocks());

@@ -63,12 +63,13 @@ public:
   void exchange(Domain& domain, const ClockNodes& nodes, const FreeFieldSource& source, long step,
                 double time);
   void react(double time, WorkerPool& workers);
-  /// At every tick: Eq. (6) of the faces that are due, on the nodes' forces and dashpots.
+  /// At every tick: evaluates Eq. (6) at the faces that are due and adds it to the nodes' forces and
+  /// dashpots.
   void apply(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
-  /// After the update: the work of the boundary, by its parts.
+  /// After the update: books the work of the boundary by its parts.
   void book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
-  /// Work over the last step of a clock's nodes that the boundary would have done on what v+ differs from the
-  /// remapped velocity by, over the time of that step: its power, W/m.
+  /// Power (W/m) of the boundary's forces on the difference between v+ and the remapped velocity, at the
+  /// nodes of one clock.
   double remap_power(const Grid& grid, const ClockNodes& nodes, int clock) const;
 
   /// What the last exchange found per face: v^m (m/s) and the free field.
@@ -128,7 +129,7 @@ private:
   void evaluate(std::size_t face);
   void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
   void find_loads(int clock, const Ticks& ticks);
-  /// Of faces [begin, end).
+  /// Work of faces [begin, end) in the last update.
   FaceWork work_of(std::size_t begin, std::size_t end, const Grid& grid, const Ticks& ticks,
                    const ClockNodes& nodes) const;
   void correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);

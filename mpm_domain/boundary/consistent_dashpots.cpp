@@ -13,7 +13,7 @@ void ConsistentDashpots::find_inertia(const NodeField& mass, const NodeField& da
     c.per_inertia[n] = mass[n] > empty ? 1.0 / (mass[n] + 0.5 * dt * dashpot[n]) : 0.0;
 }
 
-/// One fixed-point step: a from g, then g from a.
+/// One fixed-point step: computes a from g, then g from a.
 /// @param dashpots  L Z dt/2 of each face
 void ConsistentDashpots::iterate(const NodeField& force, std::span<const FaceWeights> weights,
                                  std::span<const double> dashpots, Component& c) const {

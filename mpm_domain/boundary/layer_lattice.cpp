@@ -115,7 +115,7 @@ void LayerLattice::sum_forces(double dt, WorkerPool& workers) {
   std::ranges::fill(force_, Vector{});
   std::size_t blocks = std::max<std::size_t>(1, columns / columns_per_block);
   if (shape_.ends[0] == LayerEnd::repeated && blocks % 2 == 1 && blocks > 1)
-    --blocks; // the last one shares nodes with the first
+    --blocks; // The last block shares nodes with the first, so they must have different colours.
   for (std::size_t colour = 0; colour < 2; ++colour)
     workers.run((blocks + 1 - colour) / 2, [&](std::size_t task) {
       const std::size_t block = 2 * task + colour;

@@ -69,8 +69,9 @@ public:
   /// @throws std::invalid_argument for a shape that is empty or has a value that is not positive
   explicit LayerLattice(LayerShape shape);
 
-  /// From one time to the next, dt later (s), while the nodes on the boundary move at the given velocities
-  /// (m/s). Blocks of columns are worked on in two colours, so no two threads write one node.
+  /// Advances the layer by dt (s) while its nodes on the boundary move at the given velocities (m/s). Blocks
+  /// of columns have two colours, and blocks of one colour share no node, so no two threads write to one
+  /// node.
   void advance(double dt, std::span<const eq6::Vector> boundary_velocity, WorkerPool& workers);
 
   /// Nodes on the boundary.
@@ -87,8 +88,8 @@ public:
 
   /// The nodes of an end, 0 or 1.
   [[nodiscard]] LayerEndNodes end_nodes(std::size_t end) const;
-  /// How the node j elements behind the boundary moves in the next step, m/s: an end at a corner is led by
-  /// it.
+  /// Sets the velocity (m/s), in the next step, of the node j elements behind the boundary at an end: a
+  /// corner leads the nodes of its end.
   void lead(std::size_t end, std::size_t j, eq6::Vector velocity) { v_[end_node(end, j)] = velocity; }
   /// Adds mass (kg/m) of a corner to the node on the boundary, once and for all.
   void add_corner_mass(std::size_t end, double mass) { mass_[end_node(end, 0)] += mass; }
@@ -106,7 +107,7 @@ private:
     eq6::Vector q; ///< Q
     eq6::Vector s; ///< S: of s_xx and s_xz
   };
-  /// Of the strain at the two depths of a row of elements where its integration points lie.
+  /// Decays of the memory Q at the two depths where the integration points of a row of elements lie.
   using StrainDecays = std::array<Decay, 2>;
 
   void lump();

@@ -61,7 +61,7 @@ public:
 
   [[nodiscard]] std::size_t first_face() const { return first_; }
   [[nodiscard]] std::size_t face_count() const { return ties_.size(); }
-  /// Of the layer at one of its faces, kg/m2.
+  /// Mass of the layer at one of its faces, kg/m2.
   [[nodiscard]] double mass(std::size_t face) const { return ties_[face].mass; }
 
   /// All that changes with time, for a checkpoint.
@@ -70,7 +70,7 @@ public:
   void restore(std::span<const double> state);
 
 private:
-  /// H of one face: up to three nodes in a row.
+  /// H of one face, which touches up to three consecutive nodes.
   struct Tie {
     std::vector<std::pair<std::size_t, double>> weights; ///< node, H_jf
     double length = 0.0;

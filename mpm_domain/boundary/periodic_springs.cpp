@@ -28,7 +28,7 @@ double stiffness_of(const Domain& domain, const BoundaryFace& face) {
   return 0.25 * density * h / (dt * dt);
 }
 
-/// Of the particle that a face rides on, since rest, m.
+/// Displacement since rest of the particle that a face rides on, m.
 Vector displacement(const Domain& domain, std::size_t f) {
   const BoundaryFace& face = domain.boundary.faces()[f];
   const Particles& set = domain.sets[face.set];

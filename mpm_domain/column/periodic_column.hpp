@@ -38,7 +38,7 @@ struct ColumnPoint {
 /// shorter steps, an interval is cut into equal ones.
 class PeriodicColumn {
 public:
-  /// At rest under gravity, if there is any, at the start time.
+  /// The column is at rest at the start time, under gravity if there is any.
   /// @throws std::invalid_argument for a spec that cannot be built
   explicit PeriodicColumn(PeriodicColumnSpec spec);
 

@@ -34,7 +34,8 @@ struct NodeFields {
   NodeField vx_strain,
       vy_strain;    ///< u, remapped from the particles after they took v+; musl strains with it, m/s
   NodeField ax, ay; ///< of the last update, m/s2
-  /// Of the cell to the right and above: volume of its particles (m2), and its increase in this step (m2).
+  /// Sums over the cell to the right of and above the node: the volume of its particles (m2) and the increase
+  /// of that volume in this step (m2).
   NodeField cell_volume, cell_dilation;
 };
 

@@ -84,7 +84,7 @@ double relax_grid(Domain& domain, const Supports& supports, double dt, double al
   return std::sqrt(unbalanced / applied);
 }
 
-/// What is given of a set under gravity.
+/// The geometry of a set, which stays the same under gravity.
 class Geometry {
 public:
   explicit Geometry(const Particles& set)

@@ -12,8 +12,8 @@ namespace tremolo::mpm_domain {
 /// Weights of four real nodes in the part of a particle's box that lies in one cell.
 struct FourWeights {
   std::array<std::uint32_t, 4> node;
-  std::uint32_t four;  ///< of the table of cells, which knows where the nodes lie
-  std::uint32_t place; ///< of that four among those that the particles touch: AcrossWeights::fours()
+  std::uint32_t four;  ///< number in the table of cells, which knows where the nodes lie
+  std::uint32_t place; ///< index of that four in AcrossWeights::fours()
   Lanes s;
   Lanes gx, gy; ///< 1/m
 };
@@ -24,33 +24,35 @@ struct InverseMoments {
   double y = 0.0;
 };
 
-/// Weights of real nodes of consecutive particles whose boxes touch several lattices or a virtual node, or
-/// are larger than half a cell. An affine velocity v_p + C (x - x_p) is told to nodes at their own places:
-/// told to virtual ones and shared out, it would come to their real nodes as that of places in between, and a
-/// linear field would be smoothed in every step.
+/// Weights of real nodes for consecutive particles whose boxes touch several lattices or a virtual node, or
+/// are larger than half a cell. An affine velocity v_p + C (x - x_p) is evaluated at the places of the real
+/// nodes. If it were evaluated at virtual nodes and then shared out, real nodes would receive the velocity of
+/// places between them, and every step would smooth a linear field.
 ///
-/// The cells that a box may touch are found once, after a sort; as particles move only parts are found anew.
+/// The cells that a box may touch are found once after a sort. In each step only the parts of the box in
+/// these cells are computed again.
 class AcrossWeights {
 public:
-  /// Forgets all: particles from `first` on will follow.
+  /// Forgets everything. The particles that follow begin with number `first`.
   void restart(std::size_t first);
-  /// The next particle: the cells that its box may touch from now on.
-  /// @param reach  m
+  /// Finds the cells that the next particle's box may touch from now on.
+  /// @param reach  all places that the box may come to, m
   void expect(const GradedMesh& mesh, BasisCells& cells, const mesh::Rectangle& reach);
-  /// After the last particle: gives the fours of all cells their places.
+  /// Call after the last particle: gives the fours of all cells their places in fours().
   void settle(const BasisCells& cells);
 
-  /// Forgets the weights, not the cells.
+  /// Forgets the weights and keeps the cells.
   void clear();
-  /// The weights of the next particle. A node stands once for every part of the box.
+  /// Computes the weights of the next particle. A node appears once for every part of the box that touches
+  /// it.
   void add(const BasisCells& cells, const mesh::Rectangle& box);
 
   /// Particles [first, end).
   std::size_t first() const { return first_; }
   std::size_t end() const { return first_ + cells_start_.size() - 1; }
 
-  /// Fours of the table that the particles may touch, each once, in an order that is theirs however cells
-  /// have been found.
+  /// The fours of the table that the particles may touch, each once. Their order follows from the mesh and
+  /// does not depend on when a cell was found.
   std::span<const std::uint32_t> fours() const { return fours_; }
 
   std::span<const FourWeights> of(std::size_t particle) const {

@@ -21,16 +21,16 @@
 
 namespace tremolo::mpm_domain {
 
-/// Four real nodes of a cell's basis, a lane each. A lane too many has no share in any corner.
+/// Four real nodes of a cell's basis, a lane each. An unused lane has no share in any corner.
 struct FourNodes {
   std::array<std::uint32_t, 4> node{};
   Lanes x{}, y{};                 ///< where they, or the images that belong to the cell, lie, m
   std::array<Lanes, 4> corners{}; ///< [corner] R
 };
 
-/// A cell and its nodes, fours [first, end) of the table's.
+/// A cell; its nodes are the fours [first, end) of the table.
 struct BasisCell {
-  std::uint64_t key; ///< orders cells the same way whenever they were asked for
+  std::uint64_t key; ///< orders cells by their place in the mesh, not by when they were asked for
   mesh::Rectangle all;
   double per_h = 0.0; ///< 1/m
   std::uint32_t first = 0;
@@ -47,8 +47,8 @@ struct BoxPart {
 /// A table of the cells that have been asked for.
 class BasisCells {
 public:
-  /// Number of a cell in the table, which takes it up if it is new.
-  /// @param mesh  always the same
+  /// Number of a cell in the table. A cell that is new is added.
+  /// @param mesh  must be the same in every call
   std::uint32_t number_of(const GradedMesh& mesh, const mesh::Cell& cell);
 
   const BasisCell& operator[](std::uint32_t number) const { return cells_[number]; }

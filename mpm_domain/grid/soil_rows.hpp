@@ -8,8 +8,8 @@ namespace tremolo::mpm_domain {
 
 struct Domain;
 
-/// Of every row of nodes that particles may touch until the next sort the part from the first to the last of
-/// them, tied nodes and those that they follow included: what passes over nodes run over. All others are
+/// For every row of nodes that particles may touch until the next sort, the part from the first to the last
+/// of them, tied nodes and those that they follow included: what passes over nodes run over. All others are
 /// empty. Parts begin a multiple of four nodes after their row and end at another or with it, so that sums in
 /// lanes have the same bits however far particles have moved since the sort.
 std::vector<NodeRange> find_soil_rows(const Domain& domain);

@@ -18,7 +18,7 @@ void fold(Domain& domain, NodeGroup group, std::span<const std::size_t> rows);
 /// Gives tied nodes the fields of a group of the nodes that they follow.
 void prolong(Domain& domain, NodeGroup group, std::span<const std::size_t> rows);
 
-/// Both for all tied nodes.
+/// `fold` and `prolong` for all tied nodes.
 void fold(Domain& domain, NodeGroup group);
 void prolong(Domain& domain, NodeGroup group);
 

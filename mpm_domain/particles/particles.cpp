@@ -31,8 +31,8 @@ namespace {
                                        allowed.y_min, allowed.y_max));
 }
 
-/// By block, and in it by the first node of the particle's stencil.
-/// @param first_block  that of the first tile
+/// Sort key of a particle: its block, and within the block the first node of its stencil.
+/// @param first_block  block that belongs to the first tile
 std::size_t key_of(const Particles& p, std::size_t k, const TileMap& tiles, int level,
                    std::size_t first_block) {
   const Lattice& lattice = tiles.lattice(level);
@@ -45,7 +45,7 @@ std::size_t key_of(const Particles& p, std::size_t k, const TileMap& tiles, int 
   return (first_block + tiles.tile_of(level, column, row)) * cells_per_tile + static_cast<std::size_t>(cell);
 }
 
-/// Puts the particles in the order of their keys, keeping that of equal ones, and finds their blocks.
+/// Sorts the particles by their keys, stably, and finds where each block begins.
 void order_by(Particles& particles, std::span<const std::size_t> key, std::size_t blocks) {
   const std::size_t n = particles.size();
   const std::size_t keys = blocks * cells_per_tile;
@@ -83,7 +83,8 @@ void order_by(Particles& particles, std::span<const std::size_t> key, std::size_
 } // namespace
 
 void sort_by_cell(Particles& particles, const Grid& grid, const TileMap& tiles) {
-  // A particle may move by one cell before the next sort, hence the margin; NaN fails every comparison.
+  // The margin is there because a particle may move by one cell before the next sort. NaN fails every
+  // comparison.
   const mesh::Rectangle allowed{grid.x0 + 2 * grid.h, grid.y0 + 2 * grid.h, grid.x0 + (grid.nx - 3) * grid.h,
                                 grid.y0 + (grid.ny - 3) * grid.h};
   std::vector<std::size_t> key(particles.size());

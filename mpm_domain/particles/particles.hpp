@@ -43,12 +43,12 @@ struct Particles : ParticleFields {
   std::vector<std::uint32_t> index_of;  ///< place of each id in the arrays, or nowhere
   std::vector<std::uint32_t> whole;     ///< ids, rising, of particles that are never cut (splitting.hpp)
 
-  /// Of an id whose particle has been cut.
+  /// The place of an id whose particle has been cut.
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
   std::size_t size() const { return x.size(); }
   ParticleRange in_block(std::size_t block) const { return {block_start[block], block_start[block + 1]}; }
-  /// Stress and state of particles [first, first + count), as laws see them; who steps adds the increments.
+  /// Stress and state of particles [first, first + count), as laws see them. The caller adds the increments.
   materials::Points points(std::size_t first, std::size_t count);
 
   /// act(description, values) for every field that the set has, in the order of the table.
@@ -76,7 +76,8 @@ private:
   }
 };
 
-/// Orders the particles by tile and in it by cell, rows first, keeping the order of those that share a cell.
+/// Orders the particles by tile and within a tile by cell, row after row. Particles that share a cell keep
+/// their order.
 /// @throws std::runtime_error if a particle has left the grid, naming its place
 void sort_by_cell(Particles& particles, const Grid& grid, const TileMap& tiles);
 
@@ -94,18 +95,19 @@ inline mesh::Rectangle box_of(const Particles& p, std::size_t k) {
   return {p.x[k] - l.x, p.y[k] - l.y, p.x[k] + l.x, p.y[k] + l.y};
 }
 
-/// Where it may come to while particles move by a distance. A side that follows the soil moves as fast, and
-/// with its particle besides.
+/// All places that the box of a particle may come to while particles move by up to a distance (m). The side
+/// of a box that follows the soil moves relative to its particle too, by as much again.
 inline mesh::Rectangle reach_of(const Particles& p, std::size_t k, double distance) {
   const mesh::Rectangle box = box_of(p, k);
   const double margin = p.has_own_boxes() ? 2.0 * distance : distance;
   return {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
 }
 
-/// The same on a graded mesh: by clock, then by tile of their lattice, then by cell. Behind them stand, again
-/// by clock and tile, here of the finest lattice that they touch, the particles whose box touches cells of
-/// several lattices or of a virtually split leaf, or might before the next sort, and those too large for the
-/// lattice's kernel: half a cell, or a cell where boxes follow the soil.
+/// Orders the particles on a graded mesh. Those that touch one lattice come first, by clock, then by tile,
+/// then by cell. The others follow, by clock and by tile of the finest lattice that they touch. These are
+/// particles whose box touches cells of several lattices or of a virtually split leaf, or might do so before
+/// the next sort, and particles whose box is too large for the lattice's kernel: its half side is larger than
+/// half a cell, or than a cell where boxes follow the soil.
 /// @param margin  how far particles may move until the next sort, m
 /// @throws std::runtime_error if a particle has left the mesh, naming its place
 void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const TileMap& tiles,

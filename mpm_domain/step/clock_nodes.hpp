@@ -16,18 +16,18 @@ namespace tremolo::mpm_domain {
 
 class ClockNodes {
 public:
-  /// By the particles' blocks as of the last sort, wherever they move until the next one.
+  /// Takes the particles' blocks of the last sort and holds wherever particles move until the next one.
   explicit ClockNodes(const Domain& domain);
 
   /// Real nodes of a clock, by rows.
   std::span<const NodeRange> of(int clock) const { return of_[static_cast<std::size_t>(clock)]; }
   /// Real nodes of a clock and of all faster ones.
   std::span<const NodeRange> from(int clock) const { return from_[static_cast<std::size_t>(clock)]; }
-  /// Those of clocks faster than this one that particles of this or a slower one touch too.
+  /// Real nodes of faster clocks that particles of this clock or a slower one touch too.
   std::span<const NodeRange> shared(int clock) const { return shared_[static_cast<std::size_t>(clock)]; }
   /// Rows of the prolongation whose tied nodes the particles of a clock touch.
   std::span<const std::size_t> ties_of(int clock) const { return ties_[static_cast<std::size_t>(clock)]; }
-  /// Of a real node; -1 if there are several clocks and no particle touches it.
+  /// The clock of a real node; -1 if there are several clocks and no particle touches the node.
   int clock_of(std::size_t node) const { return one_clock() ? 0 : static_cast<int>(clock_[node]) - 1; }
   bool one_clock() const { return clock_.empty(); }
 

@@ -179,8 +179,8 @@ void Stepper::gather_all() {
   book(gather(domain_, dt_, {.velocity = true, .position = true, .strain = true}, 0));
 }
 
-/// Fast clocks first: each slower one finds on its shared nodes what it reads there in the place of what the
-/// faster ones have read.
+/// Fast clocks come first: then each slower clock may replace the velocities of nodes that it shares with
+/// faster ones by those that its own particles read.
 void Stepper::gather_velocities() {
   for (int clock = ticks_.clocks() - 1; clock >= ticks_.first_ending(); --clock) {
     prolong(domain_, NodeGroup::velocity, nodes_.ties_of(clock));
@@ -198,9 +198,9 @@ void Stepper::scatter_momenta() {
   }
 }
 
-// Stresses work on the remapped velocity u of this step and, with trapezoidal work, of the one before, which
-// is v-, while K grows by their power on (v- + v+)/2: half of their power on v+ - u is the transfer's. What
-// weight and boundary do is booked on v+.
+// With the trapezoidal rule, the work of the stresses is booked on the mean of this step's remapped velocity
+// u and the last one, which is v-. The kinetic energy grows by their power on (v- + v+)/2. Half of their
+// power on v+ - u is therefore booked as transfer. The work of weight and boundary is booked on v+.
 void Stepper::remap() {
   for (int clock = ticks_.first_ending(); clock < ticks_.clocks(); ++clock) {
     const double power = remap_velocities(domain_, nodes_.of(clock)) -
@@ -223,7 +223,7 @@ void Stepper::gather_rest() {
   book(sums);
 }
 
-/// For output.
+/// Accelerations are for output alone.
 void Stepper::gather_accelerations() {
   if (ticks_.first_ending() > 0)
     return;

@@ -50,7 +50,7 @@ public:
   double dt() const { return dt_; }     ///< of the step just made, or of the first
   double kick() const { return kick_; } ///< time that the forces of the step just made have acted for, s
   long steps() const { return steps_; }
-  /// Of all particles, by this stepper: how often one was moved.
+  /// How often this stepper has moved a particle, added up over all particles.
   double particle_updates() const { return updates_; }
   const std::vector<Pass>& passes() const { return passes_; }
 

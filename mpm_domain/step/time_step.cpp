@@ -13,8 +13,8 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// The least over all particles of steps_of(clock) times the critical step, h being the finest of the cells
-/// that a particle touches.
+/// The least of steps_of(clock) times the critical step over all particles, where h is the size of the finest
+/// cells that a particle touches.
 template <typename StepsOf>
 double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
   const double share = share_of(domain.spec.scheme.order);
@@ -39,7 +39,8 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
   return *std::ranges::min_element(least);
 }
 
-/// 0.65 h/c_p of a matched layer at the base that is made of other ground than the soil.
+/// The limit 0.65 h/c_p of a matched layer at the base whose ground is not the soil; infinity if there is
+/// none.
 double layer_step(const Spec& spec) {
   const bool has_layer = std::ranges::find(spec.matched_sides, Side::base) != spec.matched_sides.end();
   if (!spec.below_base || !has_layer)

@@ -1,12 +1,12 @@
 #pragma once
 
-// The length of a step. Soil of wave speed c_p on cells of size h bears
+// The length of a step. Soil of wave speed c_p on cells of size h is stable for
 //
-//     dt <= 0.65 h / (c_p + |v|)                                  (spec/limits.hpp),
+//     dt <= 0.65 h / (c_p + |v|)                                  (spec/limits.hpp).
 //
-// with viscous damping of the time beta sqrt(dt^2 + beta^2) - beta, dt being the former (damped_step there);
-// so does a matched layer of other ground below the base; and where levels take steps of their own, 2^r of
-// that for clock 0, r being the clock of the soil.
+// With viscous damping of the time beta the limit dt becomes sqrt(dt^2 + beta^2) - beta (damped_step there).
+// A matched layer below the base whose ground is not the soil has the limit above with v = 0. Where levels
+// take steps of their own, soil on clock r allows clock 0 a step 2^r times as long.
 
 #include "mpm_domain/domain.hpp"
 
@@ -15,12 +15,12 @@ namespace tremolo::mpm_domain {
 /// The critical time step if all particles take the same, s.
 double critical_time_step(Domain& domain, double max_speed);
 
-/// The critical step of clock 0 where every clock keeps to the limit of its own particles, s. Nor may a
-/// particle come near other cells within it, unsorted.
+/// The critical step of clock 0, s, so that every clock keeps to the limit of its own particles. It is also
+/// short enough that no particle comes near cells of another level before the next sort.
 double critical_subcycled_step(Domain& domain, double max_speed);
 
-/// The next step, s: what the scheme fixes, or its fraction of the critical step. A last step that is still
-/// near that is kept, for leapfrog is second order only while the step stays the same.
+/// The next step, s: the fixed step of the scheme, or its fraction of the critical step. A last step that is
+/// still close to this is kept, since leapfrog is of second order only while the step stays the same.
 /// @param last the step before, 0 if there was none
 /// @throws std::invalid_argument for a step over the limit
 double next_time_step(Domain& domain, double max_speed, double last);

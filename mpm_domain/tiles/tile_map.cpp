@@ -7,7 +7,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Nodes that a particle may have gone back by since the last sort.
+/// Number of cells that a particle may have moved to the left or down since the last sort.
 constexpr int halo = 1;
 
 } // namespace

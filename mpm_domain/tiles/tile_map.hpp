@@ -1,8 +1,8 @@
 #pragma once
 
-// The lattices cut into tiles of 32 x 8 cells from their first node on, lattice after lattice and row after
-// row. The cut depends on nothing but the grid, so whoever works through tiles finds the same ones however
-// many threads share them.
+// The lattices are cut into tiles of 32 x 8 cells. The first tile of a lattice begins at its first node, and
+// tiles are numbered lattice after lattice and row after row. The cut depends on nothing but the grid, so the
+// tiles are the same for any number of threads.
 
 #include "mpm_domain/spec/lattice.hpp"
 
@@ -15,7 +15,7 @@ inline constexpr int tile_columns = 32;
 inline constexpr int tile_rows = 8;
 inline constexpr std::size_t cells_per_tile = static_cast<std::size_t>(tile_columns * tile_rows);
 
-/// Nodes of a lattice: `columns` by `rows` of them from (column, row) on. May reach beyond it.
+/// A block of `columns` by `rows` nodes whose first node is (column, row). It may reach beyond the lattice.
 struct NodeBlock {
   int column = 0;
   int row = 0;
@@ -27,7 +27,7 @@ struct NodeBlock {
   bool empty() const { return columns <= 0 || rows <= 0; }
 };
 
-/// What both hold.
+/// The nodes that two blocks have in common; empty() if there are none.
 NodeBlock overlap(const NodeBlock& a, const NodeBlock& b);
 
 class TileMap {
@@ -35,28 +35,30 @@ public:
   TileMap() = default;
   explicit TileMap(std::vector<Lattice> lattices);
 
-  /// Of all lattices together.
+  /// Number of tiles of all lattices together.
   std::size_t count() const { return starts_.back(); }
   /// The tiles of a lattice are [first(level), first(level + 1)).
   std::size_t first(int level) const { return starts_[static_cast<std::size_t>(level)]; }
-  /// Of the tiles in a row, on the widest lattice.
+  /// The largest number of tiles in a row of any lattice.
   std::size_t most_columns() const;
   const Lattice& lattice(int level) const { return lattices_[static_cast<std::size_t>(level)]; }
 
   int level_of(std::size_t tile) const;
-  /// The nodes that a tile owns: every node of a lattice is owned once.
+  /// The nodes that a tile owns. Every node of a lattice belongs to exactly one tile.
   NodeBlock owned(std::size_t tile) const;
-  /// The tile that owns a node, or the nearest one to a node beyond the lattice.
+  /// The tile that owns a node. For a node beyond the lattice it is the nearest tile.
   std::size_t tile_of(int level, int column, int row) const;
-  /// The nodes that particles may touch whose first node a tile owned at the last sort. They may have gone by
-  /// a cell since, and boxes reach three nodes on from the first.
+  /// The nodes that the particles of a tile may touch. A particle belongs to the tile that owned the first
+  /// node of its stencil at the last sort. Since then it may have moved by up to one cell in any direction,
+  /// and its stencil reaches three nodes beyond the first: one node is added before the tile and four behind
+  /// it.
   NodeBlock window(std::size_t tile) const;
-  /// The tiles of the lattice whose windows may hold nodes that a tile owns, this one among them, in rising
-  /// order.
+  /// The tiles of the same lattice whose windows may hold nodes that this tile owns, itself included, in
+  /// rising order.
   std::vector<std::size_t> around(std::size_t tile) const;
 
 private:
-  /// Place of a tile among those of its lattice.
+  /// A tile's level, and its column and row among the tiles of that lattice.
   struct Place {
     int level;
     int column;
@@ -70,7 +72,7 @@ private:
   std::vector<std::size_t> starts_{0};
 };
 
-/// The size of every window.
+/// Every window has the same size, also at the edge of a lattice.
 inline constexpr int window_columns = tile_columns + 5;
 inline constexpr int window_rows = tile_rows + 5;
 inline constexpr std::size_t window_nodes = static_cast<std::size_t>(window_columns * window_rows);

@@ -14,8 +14,8 @@ void move_four(double* from, double* to) {
   store(from, Lanes{});
 }
 
-/// Adds to an array what another holds, which becomes zero. One by one at the end: stores of some lanes alone
-/// take longer.
+/// Adds one array to another and makes the first one zero. The last one to three numbers go one by one, which
+/// is faster than masked stores.
 void move_row(double* from, double* to, int count) {
   int i = 0;
   for (; i + 4 <= count; i += 4)
@@ -26,7 +26,7 @@ void move_row(double* from, double* to, int count) {
   }
 }
 
-/// The same for a row of a whole tile.
+/// move_row() for a row as long as a tile.
 void move_tile_row(double* from, double* to) {
   static_assert(tile_columns % 4 == 0);
 #pragma GCC unroll 8
@@ -34,8 +34,9 @@ void move_tile_row(double* from, double* to) {
     move_four(from + i, to + i);
 }
 
-/// Counts one down.
-/// @returns whether it was the last; all that others did before they counted theirs down is then seen
+/// Subtracts one.
+/// @returns whether the count is now zero. The caller then sees everything that other threads wrote before
+/// they subtracted theirs.
 bool is_last(std::atomic<int>& count) {
   return count.fetch_sub(1, std::memory_order_acq_rel) == 1;
 }

@@ -1,12 +1,12 @@
 #pragma once
 
-// What the particles of a tile bring to the nodes is summed up in a window of the tile's own, its nodes with
-// a halo; then every node adds up the windows that hold it in the order of their tiles. No two threads write
-// one number, and every sum has the same terms in the same order for any number of threads.
+// Every tile adds up the contributions of its particles in a window of its own: its nodes and a halo around
+// them. Then every node adds up the windows that hold it, in the order of their tiles. No two threads write
+// to the same number, and every sum has the same terms in the same order for any number of threads.
 //
-// Nodes take their sums as soon as the last of the windows that hold them is filled, and a window that all
-// its nodes have taken is filled anew for another tile: so few windows are in use at a time, and they stay in
-// the cache.
+// The nodes of a tile take their sums as soon as the last window that holds any of them is filled. Once all
+// nodes of a window have taken their sums, the window is used for another tile. So only few windows are in
+// use at a time, and they stay in the cache.
 
 #include "mpm_domain/fields/node_fields.hpp"
 #include "mpm_domain/tiles/tile_map.hpp"
@@ -41,10 +41,10 @@ struct RowRange {
   }
 };
 
-/// Windows of sums that are not in use, all zero: [field of particle_sums][row][column].
+/// Keeps the windows that are not in use. Their sums are zero: [field of particle_sums][row][column].
 class WindowPool {
 public:
-  /// Makes so many windows at once; more are made when they are needed.
+  /// Makes windows until there are `count`. More are made when they are needed.
   void reserve(std::size_t count);
   double* take();
   void give_back(double* window);
@@ -57,23 +57,23 @@ private:
   std::vector<double*> free_;
 };
 
-/// The tiles of one clock that hold particles.
+/// The sums of the tiles that hold particles of one clock.
 class TileSums {
 public:
-  /// @param filled  in rising order
+  /// @param filled  the tiles that hold particles, in rising order
   TileSums(const TileMap& tiles, std::vector<std::size_t> filled);
 
   std::span<const std::size_t> filled() const { return filled_; }
 
-  /// Adds what the particles of the n-th filled tile bring to a window that is zero, and returns the rows
-  /// that they touch.
+  /// Adds the contributions of the particles of the n-th filled tile to a window whose sums are zero, and
+  /// returns the rows of the lattice that they touch.
   using Fill = std::function<RowRange(std::size_t n, double* window)>;
-  /// Adds what all tiles bring to the nodes.
+  /// Calls `fill` for every filled tile and adds the sums of the given fields to the nodes.
   void add_to(NodeFields& nodes, SumRange fields, const TileMap& tiles, WorkerPool& workers,
               WindowPool& windows, const Fill& fill);
 
 private:
-  /// A tile with nodes that some window may hold, and the filled tiles with such windows, in rising order.
+  /// A tile that owns nodes of some window, and the filled tiles (by n, rising) whose windows may hold them.
   struct Owner {
     std::size_t tile;
     std::vector<std::size_t> from;
@@ -83,14 +83,14 @@ private:
 
   std::vector<std::size_t> filled_;
   std::vector<Owner> owners_;
-  // by filled tile:
+  // These have one entry a filled tile:
   std::vector<std::vector<std::size_t>> owners_of_;
-  std::vector<NodeBlock> places_;         ///< of the window
-  std::vector<NodeBlock> touched_;        ///< the rows of it that particles touch
-  std::vector<double*> window_;           ///< while its sums are on their way to the nodes
-  std::vector<std::atomic<int>> to_take_; ///< owners that have not taken their sums yet
-  // by owner:
-  std::vector<std::atomic<int>> to_fill_; ///< windows that are not filled yet
+  std::vector<NodeBlock> places_;         ///< nodes of its window
+  std::vector<NodeBlock> touched_;        ///< the rows of the window that particles touch
+  std::vector<double*> window_;           ///< its sums, until all owners have taken them
+  std::vector<std::atomic<int>> to_take_; ///< number of owners that have not taken their sums yet
+  // This has one entry an owner:
+  std::vector<std::atomic<int>> to_fill_; ///< number of windows that are not filled yet
 };
 
 } // namespace tremolo::mpm_domain

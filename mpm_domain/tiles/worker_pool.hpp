@@ -12,13 +12,13 @@ namespace tremolo::mpm_domain {
 
 /// A fixed set of threads that share the tasks 0..n-1 of one loop at a time. The caller works too.
 ///
-/// Which thread runs a task is left open, so tasks must not depend on it: results are the same for any thread
-/// count. Nobody waits for a thread that has not woken up yet: where the processors are busy with other
-/// programs, the caller does its work. Threads look out for the next loop for some microseconds before they
-/// sleep, since the loops of a step follow each other faster than a thread wakes up.
+/// Any thread may run any task, so a task must not depend on its thread; results are then the same for any
+/// number of threads. The caller does not wait for a thread that has not woken up yet: where other programs
+/// keep the processors busy, it runs the tasks itself. Threads look out for the next loop for some
+/// microseconds before they sleep, since the loops of a step follow each other faster than a thread wakes up.
 class WorkerPool {
 public:
-  /// @throws std::runtime_error where the system does not allow so many
+  /// @throws std::runtime_error if the system does not allow that many threads
   explicit WorkerPool(int threads);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;

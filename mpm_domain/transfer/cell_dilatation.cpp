@@ -13,7 +13,7 @@ double* sums_of(Sum sum, double* window) {
   return window + static_cast<std::size_t>(sum) * window_nodes;
 }
 
-/// The leaf that holds a point.
+/// The lower left node of the leaf that holds a point.
 std::size_t leaf_at(const GradedMesh& mesh, double x, double y) {
   std::size_t node = 0;
   mesh.for_parts({x, y, x, y}, [&](const mesh::Cell& cell, const mesh::Rectangle&) {
@@ -24,7 +24,8 @@ std::size_t leaf_at(const GradedMesh& mesh, double x, double y) {
   return node;
 }
 
-/// Particles across lattices are few: one thread adds what they bring.
+/// Adds the particles that touch several lattices to the sums of their cells. They are few, so one thread
+/// does it.
 void add_across(Domain& domain, const ClockTiles& tiles) {
   for (const AcrossTile& tile : tiles.across) {
     const Particles& p = domain.sets[tile.set];

@@ -5,13 +5,14 @@
 //     de_xx, de_yy += (mean - d)/2,      d = de_xx + de_yy,      mean = sum V d / sum V
 //
 // over the cell's particles, and their own distortion: the F-bar method (de Souza Neto et al. 1996) for
-// material points (Coombs et al. 2018). Each particle would otherwise ask its cell to keep its volume at a
-// place of its own, which four nodes cannot do: soil that yields at constant volume, or is nearly
-// incompressible, would be too stiff and far too strong. The mean is a projection that is self-adjoint with
-// the volumes as weights, so that elastic soil gains no energy by it.
+// material points (Coombs et al. 2018). Otherwise every particle would require that the volume is constant at
+// its own place, and the four nodes of a cell cannot satisfy so many constraints: soil that yields at
+// constant volume, or is nearly incompressible, would be too stiff and far too strong. With the volumes as
+// weights, the mean is a self-adjoint projection, so elastic soil gains no energy by it.
 //
-// The strains of a tile wait until the sums over cells are complete. A cell is the leaf that holds the
-// particle's centre at the start of the step; its sums stand at its lower left node.
+// The strains of a step are stored until the sums over all cells are complete; only then the laws see them. A
+// cell is the leaf that holds the particle's centre at the start of the step. Its sums are stored at its
+// lower left node. Particles of different clocks have means of their own.
 
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/transfer/gather.hpp"
@@ -22,18 +23,18 @@ namespace tremolo::mpm_domain {
 inline constexpr SumRange cell_sums{static_cast<std::size_t>(Sum::cell_volume),
                                     static_cast<std::size_t>(Sum::cell_dilation) + 1};
 
-/// Takes the strains of particles of one set, chunk by chunk.
+/// Stores the strains of particles of one set, chunk by chunk, and adds them to the sums of their cells.
 class WaitingRange {
 public:
-  /// Of a tile on one lattice.
-  /// @param window  of its sums
+  /// For the particles of a tile that touch its lattice alone.
+  /// @param window  takes the tile's sums
   WaitingRange(WaitingStrains& strains, const TileMap& tiles, std::size_t tile, double* window);
-  /// Of particles across lattices, whose sums are added later.
+  /// For particles that touch several lattices. strain_by_cells() adds them to the sums.
   WaitingRange(WaitingStrains& strains, const GradedMesh& mesh);
 
-  /// The cells of particles [first, first + count), before they move.
+  /// Finds the cells of particles [first, first + count). Call it before they move.
   void find_cells(const Particles& p, std::size_t first, std::size_t count);
-  /// Their strains.
+  /// Stores the strain increments of these particles.
   void hold(const Particles& p, std::size_t first, std::size_t count, const Increments& increments);
 
 private:
@@ -42,16 +43,17 @@ private:
   const Lattice* lattice_ = nullptr;
   NodeBlock place_; ///< of the window
   double* window_ = nullptr;
-  std::array<std::size_t, strain_chunk_size> in_window_{};
+  std::array<std::size_t, strain_chunk_size> in_window_{}; ///< where the sums of each particle's cell stand
 };
 
-/// Whether some set's law sees the mean of its cells.
+/// Whether the law of any set sees the mean dilatation of cells.
 bool some_wait(const Domain& domain);
 
-/// Makes the sums over cells zero, and room for strains to wait.
+/// Sets the sums over cells to zero and makes room for the strains of all particles.
 void clear_cells(Domain& domain);
 
-/// Stress, state and volume of the particles of a clock whose strains wait, after a step of dt (s).
+/// Updates stress, state and volume of the particles of a clock whose strains over a step of dt (s) have been
+/// stored.
 GatherSums strain_by_cells(Domain& domain, int clock, double dt);
 
 } // namespace tremolo::mpm_domain

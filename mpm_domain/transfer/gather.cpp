@@ -37,7 +37,8 @@ constexpr Wanted wanted_by{.v_before = parts.velocity && !affine,
                            .remapped = parts.remapped,
                            .affine = (parts.velocity && affine)};
 
-/// @param sample_at  (k, group, x, y) -> what a group of particles from k on, at x and y, reads off the grid
+/// @param sample_at  (k, group, x, y) -> Samples of a group of particles from k on, at x and y
+/// @param waiting    takes the strains until the means of cells are known; null: the law sees them at once
 template <GatherParts parts, bool affine, bool boxes_follow, typename SampleAt>
 GatherSums gather_range(Particles& p, const ParticleRange& range, double dt, WaitingRange* waiting,
                         const SampleAt& sample_at) {
@@ -82,7 +83,7 @@ GatherSums gather_range(Particles& p, const ParticleRange& range, double dt, Wai
   return sums.collected();
 }
 
-/// The particles of a soil in a tile.
+/// Gathers for the particles of a set that lie in a tile and touch its lattice alone.
 template <GatherParts parts, bool affine, typename Boxes>
 GatherSums gather_tile(Domain& domain, Particles& p, int clock, std::size_t tile, double dt,
                        WaitingRange* waiting) {
@@ -100,7 +101,7 @@ GatherSums gather_tile(Domain& domain, Particles& p, int clock, std::size_t tile
                                                     sample_at);
 }
 
-/// In a tile across several lattices.
+/// Gathers for the particles of a set in a tile that touch several lattices.
 template <GatherParts parts, bool affine, bool boxes_follow>
 GatherSums gather_across(Domain& domain, const AcrossTile& tile, double dt, WaitingRange* waiting) {
   constexpr Wanted wanted = wanted_by<parts, affine>;
@@ -127,8 +128,8 @@ GatherSums gather_set(Domain& domain, const AcrossTile& tile, double dt, Waiting
              : gather_across<parts, affine, false>(domain, tile, dt, waiting);
 }
 
-/// The particles of a tile on one lattice.
-/// @param window  of sums over cells, for sets whose strains wait for these
+/// Gathers for the particles of all sets in a tile that touch one lattice.
+/// @param window  takes the sums over cells of sets whose law sees the mean dilatation
 template <GatherParts parts>
 GatherSums gather_filled(Domain& domain, int clock, std::size_t tile, double dt, double* window) {
   GatherSums sums;

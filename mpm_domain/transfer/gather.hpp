@@ -6,22 +6,22 @@
 
 namespace tremolo::mpm_domain {
 
-/// What a gather pass brings to the particles: all, velocity alone, or strain with or without position or
-/// drift.
+/// Which quantities of the particles a gather pass updates: velocity, position and strain together, velocity
+/// alone, strain alone, or the remapped strain with position or drift.
 struct GatherParts {
   bool velocity = false; ///< v_p (and C_p with APIC)
   bool position = false; ///< x_p += dt sum_i S_ip v+_i
-  bool drift = false;    ///< x_p += dt v_p: the same, once APIC has gathered v_p
+  bool drift = false;    ///< x_p += dt v_p: equal to `position` once APIC has gathered v_p
   bool strain = false;   ///< strain increment from the grid velocity, then stress, state and volume
   bool remapped = false; ///< the strain is that of the remapped velocity, not of v+
 
   friend constexpr bool operator==(const GatherParts&, const GatherParts&) = default;
 };
 
-/// What a gather adds up.
+/// Sums over the particles of a gather, and their largest speed.
 struct GatherSums {
   double elastic = 0.0;   ///< work of the stresses on elastic strain, J/m
-  double plastic = 0.0;   ///< on plastic strain, J/m
+  double plastic = 0.0;   ///< work of the stresses on plastic strain, J/m
   double viscous = 0.0;   ///< work of the viscous stresses, J/m
   double max_speed = 0.0; ///< of particles that were moved, m/s
 
@@ -42,9 +42,10 @@ struct GatherSums {
 /// With A = dt sum_i u_i grad S, u being v+ or the remapped velocity, the strain increment de is the
 /// symmetric part of A - A^2/2, the rotation its skew part. Volumes grow by det(I + A), to second order in A;
 /// boxes that follow the soil by I + A (particle_boxes.hpp).
+/// @throws std::logic_error for a combination of parts that no step uses
 GatherSums gather(Domain& domain, double dt, GatherParts parts, int clock);
 
-/// Grid to all particles over the same step.
+/// Gathers for the particles of all clocks over the same step dt (s).
 GatherSums gather(Domain& domain, double dt, GatherParts parts);
 
 /// The grid's acceleration of the last update at particle k of one soil, m/s2, for output.

@@ -5,9 +5,9 @@
 //
 //     S_i = 1/(2l) int_box N_i dx,      G_i = dS_i/dx.
 //
-// Of four consecutive nodes 0 to 3 let the particle lie at xi cells above node 1, and lengths count in cells.
-// Where its box crosses no node, S = N(xi) and G = N'(xi). A box that reaches a length `low` below node 1 or
-// `high` above node 2 rounds the kink of N there:
+// Take four consecutive nodes 0 to 3, let the particle lie at xi cells above node 1, and measure lengths in
+// cells. Where its box crosses no node, S = N(xi) and G = N'(xi). A box that reaches a length `low` below
+// node 1 or `high` above node 2 rounds the kink of N there:
 //
 //     S = (0, 1 - xi, xi, 0) + low^2/(4l) (1, -2, 1, 0) + high^2/(4l) (0, 1, -2, 1),
 //     G = 1/h { (0, -1, 1, 0) - low/(2l) (1, -2, 1, 0) + high/(2l) (0, 1, -2, 1) },

@@ -13,7 +13,7 @@ namespace tremolo::mpm_domain {
 
 using Lanes = double __attribute__((vector_size(32)));
 
-/// The same, anywhere in memory.
+/// Lanes at an address that need not be aligned.
 using LanesInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 /// Which of the four take part: all bits of a lane set, or none.
@@ -41,7 +41,7 @@ inline Lanes choose(const LaneMask& mask, const Lanes& a, const Lanes& b) {
   return mask ? a : b;
 }
 
-/// The part of a above zero; zero for what is not a number.
+/// max(a, 0); zero where a is not a number.
 inline Lanes positive(const Lanes& a) {
   return _mm256_max_pd(a, Lanes{});
 }
@@ -54,7 +54,7 @@ inline Lanes sqrt(const Lanes& a) {
   return _mm256_sqrt_pd(a);
 }
 
-/// a, or the nearer bound where it is beyond; the lower one for what is not a number.
+/// a limited to [low, high]; low where a is not a number.
 inline Lanes clamp(const Lanes& a, double low, double high) {
   return _mm256_min_pd(_mm256_max_pd(a, all(low)), all(high));
 }
@@ -64,6 +64,7 @@ inline Lanes larger(const Lanes& a, const Lanes& b) {
   return _mm256_max_pd(a, b);
 }
 
+/// The smaller of each lane; b where a is not a number.
 inline Lanes smaller(const Lanes& a, const Lanes& b) {
   return _mm256_min_pd(a, b);
 }

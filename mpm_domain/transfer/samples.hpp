@@ -1,7 +1,7 @@
 #pragma once
 
-// What particles read from the grid, four at a time: on one lattice by its stencils, across several node by
-// node.
+// How particles read velocities from the grid, four particles at a time. On one lattice they use stencils;
+// across several lattices they read node by node.
 
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/transfer/stencil.hpp"
@@ -10,7 +10,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What is read of a velocity component.
+/// Which sums of a velocity component are computed.
 struct Reading {
   bool value = false;
   bool gradient = false;
@@ -29,15 +29,15 @@ struct Columns {
   std::array<Lanes, 4> x{}, y{};
 };
 
-/// The stencils of four particles, ready to read with: along x a factor per node, along y one per row, which
-/// is taken from memory into all lanes.
+/// Reads with the stencils of four particles. There is a factor per node along x and one per row along y; the
+/// latter is loaded from memory into all lanes.
 template <std::size_t rows>
 struct Reader {
   using Factors = std::array<std::array<double, 4>, rows>; ///< [row][particle]
 
-  std::size_t count;                 ///< of the four
-  std::array<std::int32_t, 4> first; ///< node
-  std::ptrdiff_t row;                ///< nodes
+  std::size_t count;                 ///< particles among the four lanes
+  std::array<std::int32_t, 4> first; ///< first node of each particle's stencil
+  std::ptrdiff_t row;                ///< nodes from one row to the next
   CellWeights<Lanes> x;
   std::array<Lanes, 4> x_moment; ///< S (x_i - x), m
   alignas(32) Factors y_s, y_g, y_moment;
@@ -57,8 +57,8 @@ struct Reader {
     }
   }
 
-  /// For each particle the sum over the rows of the four columns; then the particles side by side per column.
-  /// Both components at once: they have their factors in common.
+  /// Adds up the rows in each of a particle's four columns, then transposes: the result has one particle a
+  /// lane. Both components are read together since they have their factors in common.
   [[gnu::always_inline]] Columns columns(const NodeField& field_x, const NodeField& field_y,
                                          const Factors& factors) const {
     const double* const nodes_x = field_x.data();
@@ -181,7 +181,7 @@ template <Wanted wanted, std::size_t rows, typename Boxes>
   return samples_of<wanted>(read);
 }
 
-/// The weights of four nodes of a particle that touches several lattices, ready to read with: a lane each.
+/// Reads four nodes, one a lane, of a particle that touches several lattices.
 struct NodesReader {
   const FourWeights& w;
   Lanes dx, dy; ///< of the nodes from the particle, m
@@ -205,7 +205,7 @@ struct NodesReader {
   }
 };
 
-/// Adds up the lanes of each of a particle's sums, which become the particle's lane.
+/// Adds up the four lanes of each of a particle's sums and stores the result in the particle's lane.
 template <Reading reading>
 [[gnu::always_inline]] inline void collect(const Component& sums, std::size_t lane, Component& particles) {
   if constexpr (reading.value)
@@ -220,7 +220,7 @@ template <Reading reading>
   }
 }
 
-/// The same for particles from `first` on that touch several lattices.
+/// sample() for `count` particles from `first` on that touch several lattices.
 template <Wanted wanted>
 Samples sample_across(const Grid& grid, const AcrossWeights& weights, const BasisCells& cells,
                       const Particles& p, std::size_t first, std::size_t count) {

@@ -13,23 +13,23 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// What a pass scatters of the particles' motion.
+/// Which part of the particles' motion a pass scatters.
 enum class Motion { none, momentum, mass_and_momentum };
 
 /// Particles whose weights are held at a time, in the first-level cache.
 constexpr std::size_t chunk = 64;
 
-/// Weights of a chunk of particles: of x a row of four nodes each, of y one number per row.
+/// Weights of a chunk of particles: along x those of four nodes, along y one number per row.
 template <std::size_t rows>
 struct ChunkWeights {
-  std::array<std::int32_t, chunk> first; ///< node
+  std::array<std::int32_t, chunk> first; ///< first node of the stencil, in the window
   std::array<Lanes, chunk> xs, xg;
   std::array<std::array<double, chunk>, rows> ys, yg;
   std::array<double, chunk> xi, eta;      ///< cells above node 1 of a row, above row 0
-  std::array<double, chunk> per_x, per_y; ///< of D^-1, 1/m2
+  std::array<double, chunk> per_x, per_y; ///< diagonal of D^-1, 1/m2
 };
 
-/// The first rows of the particles that have been seen: of four lanes the least and the largest each.
+/// The least and the largest first row among the particles seen so far, for each of the four lanes.
 struct FirstRows {
   static constexpr double far = std::numeric_limits<double>::infinity();
   Lanes least = all(far);
@@ -41,7 +41,8 @@ struct FirstRows {
     last = group.present(larger(rows, last), last);
   }
 
-  /// The rows of their stencils, so many each.
+  /// The rows that the stencils of these particles cover.
+  /// @param rows  of one stencil
   RowRange stencils(std::size_t rows) const {
     return {static_cast<int>(std::min(std::min(least[0], least[1]), std::min(least[2], least[3]))),
             static_cast<int>(std::max(std::max(last[0], last[1]), std::max(last[2], last[3]))) +
@@ -87,13 +88,13 @@ struct ChunkStress {
   std::array<double, chunk> xx, yy, xy;
 };
 
-/// Arrays of particles and of a window's sums by their first element: a pointer in a vector would be read
-/// anew after every store.
+/// The arrays of a chunk of particles and of a window's sums, as pointers to their first element. The
+/// compiler would load the pointer inside a std::vector again after every store.
 struct Arrays {
   const double *mass, *volume, *vx, *vy, *bxx, *bxy, *byx, *byy, *sxx, *syy, *sxy;
   double* sums; ///< [field of particle_sums][row][column]
 
-  /// From particle `first` on.
+  /// @param first  particle that the chunk begins with
   Arrays(const Particles& p, std::size_t first, double* window)
       : mass(&p.mass[first]), volume(&p.volume[first]), vx(&p.vx[first]), vy(&p.vy[first]),
         bxx(at(p.bxx, first)), bxy(at(p.bxy, first)), byx(at(p.byx, first)), byy(at(p.byy, first)),
@@ -118,7 +119,7 @@ struct Arrays {
   }
 
 private:
-  /// Affine velocities need not be there.
+  /// A set without affine velocities has no such arrays.
   static const double* at(const std::vector<double>& column, std::size_t first) {
     return column.empty() ? nullptr : &column[first];
   }
@@ -142,12 +143,12 @@ template <bool first>
     sum += value;
 }
 
-/// What the particles of one cell add to the nodes that they share, rows of four: held in registers while
-/// they stream through, written to the tile's window once. Motion and force go one after the other: together
-/// they are more than the registers hold.
+/// Sums of the particles of one cell for the nodes that they share, in rows of four. The sums stay in
+/// registers while the particles are read and are written to the tile's window once. Motion and force are
+/// summed up one after the other, since the registers do not hold both.
 template <Motion motion, std::size_t rows>
 struct MotionSums {
-  Rows<rows> mass, momentum_x, momentum_y; ///< of no particle before the first
+  Rows<rows> mass, momentum_x, momentum_y; ///< not set until the first particle
 
   /// S m and S m (v + C (x_i - x)), C = B D^-1. Lanes run along x: for each row only the factor of y remains.
   template <bool affine, bool first>
@@ -155,7 +156,7 @@ struct MotionSums {
     const Lanes m = a.mass[c] * w.xs[c];
     Lanes vx = all(a.vx[c]);
     Lanes vy = all(a.vy[c]);
-    Lanes row_x{}; // from one row to the next
+    Lanes row_x{}; // increment of momentum from one row to the next
     Lanes row_y{};
     if constexpr (affine) {
       constexpr Lanes node = {-1.0, 0.0, 1.0, 2.0};
@@ -221,7 +222,7 @@ struct ForceSums {
   }
 };
 
-/// Sums of a chunk, cell by cell; add(sums, c, is_first) adds particle c of it.
+/// Adds up a chunk cell by cell. add(sums, c, is_first) adds the chunk's particle c to the sums of its cell.
 template <typename Sums, std::size_t rows, typename Add>
 [[gnu::always_inline]] inline void stream(const ChunkWeights<rows>& w, std::size_t count,
                                           const Arrays& arrays, const Add& add) {
@@ -235,7 +236,7 @@ template <typename Sums, std::size_t rows, typename Add>
   }
 }
 
-/// Flattened: the sums leave the registers if anything that touches them is a call.
+/// All calls in this function are inlined (`flatten`): a call would push the sums out of the registers.
 /// @returns the rows of the lattice that the particles touch
 template <Motion motion, bool force, bool affine, typename Boxes>
 [[gnu::flatten]] RowRange scatter_range(const Particles& p, const ParticleRange& range,
@@ -272,7 +273,8 @@ template <Motion motion, bool force, bool affine, typename Boxes>
   return seen.stencils(Boxes::rows);
 }
 
-/// The particles of a set in a tile, with the boxes and affine velocities that it has.
+/// Scatters the particles of a set in a tile, by the boxes and affine velocities that the set has.
+/// @returns the rows of the lattice that they touch
 template <Motion motion, bool force>
 RowRange scatter_set(const Domain& domain, const Particles& p, int clock, std::size_t tile, double* window) {
   const ParticleRange range = p.in_block(domain.block(clock, tile));
@@ -290,15 +292,15 @@ RowRange scatter_set(const Domain& domain, const Particles& p, int clock, std::s
                          : scatter_as.template operator()<false, OneSquare>();
 }
 
-/// The fields that a pass sums up.
+/// The fields of particle_sums that a pass sums up.
 constexpr SumRange fields_of(Motion motion, bool force) {
   return {motion == Motion::mass_and_momentum ? 0U : motion == Motion::momentum ? 1U : 3U, force ? 5U : 3U};
 }
 
-/// What a tile of particles that touch several lattices brings to the nodes, four of them at a time.
+/// Adds up the contributions of a tile's particles that touch several lattices, four nodes at a time.
 template <Motion motion, bool force, bool affine, bool damped>
 void scatter_across(const Particles& p, AcrossTile& tile, const BasisCells& cells, double gravity) {
-  const std::size_t field = 4 * tile.weights.fours().size(); // numbers of each
+  const std::size_t field = 4 * tile.weights.fours().size(); // length of one field in `tile.sums`
   constexpr SumRange fields = fields_of(motion, force);
   std::fill(tile.sums.data() + fields.first * field, tile.sums.data() + fields.end * field, 0.0);
   for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k) {
@@ -349,7 +351,8 @@ void scatter_across(const Particles& p, AcrossTile& tile, const BasisCells& cell
   }
 }
 
-/// Adds the sums of particles across lattices to the nodes, tile by tile.
+/// Adds the sums of particles across lattices to the nodes, tile by tile. Each field is one task, so the
+/// order of the tiles is the same for any number of threads.
 void add_across(Domain& domain, std::span<const AcrossTile> tiles, SumRange fields) {
   domain.workers.run(fields.end - fields.first, [&](std::size_t task) {
     const std::size_t f = fields.first + task;

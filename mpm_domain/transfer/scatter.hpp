@@ -6,10 +6,10 @@
 
 namespace tremolo::mpm_domain {
 
-/// What a scatter pass brings to the nodes.
+/// Which sums a scatter pass adds up at the nodes.
 enum class ScatterPart {
-  motion,
-  momentum, ///< of motion without the masses, which stay while particles stay where they are
+  motion,   ///< mass and momentum
+  momentum, ///< momentum alone: masses stay the same while particles stay where they are
   force,
   both, ///< motion and force
 };
@@ -19,20 +19,20 @@ enum class ScatterPart {
 ///   motion:  m_i = sum_p S_ip m_p,    p_i = sum_p S_ip m_p (v_p + C_p (x_i - x_p))    (C only with APIC)
 ///   force:   f_i = sum_p (S_ip m_p g - V_p sigma_p grad S_ip)
 ///
-/// sigma_p being the stress of the law and that of viscous damping, where the soil has any.
+/// where sigma_p is the stress of the law and that of viscous damping, if the soil has any.
 ///
-/// Every tile of particles adds up sums of its own, which the nodes then add up in the order of tiles
-/// (tile_sums.hpp): every node receives its contributions in one order for any number of threads.
+/// The particles of every tile are added up by themselves, and the nodes then add up the tiles in their order
+/// (tile_sums.hpp). So every node receives its contributions in the same order for any number of threads.
 
-/// Makes the sums of a part zero.
+/// Sets the sums of a part to zero.
 void clear(Domain& domain, ScatterPart part, std::span<const NodeRange> nodes);
-/// Adds what the particles of a clock bring; tied nodes keep their share.
+/// Adds the contributions of a clock's particles. Tied nodes keep theirs until fold().
 void add_particles(Domain& domain, ScatterPart part, int clock);
-/// Hands on what tied nodes have collected.
-/// @param rows of the prolongation
+/// Moves the sums of tied nodes to the nodes that they follow.
+/// @param rows of the prolongation: the tied nodes that are meant
 void fold(Domain& domain, ScatterPart part, std::span<const std::size_t> rows);
 
-/// All three for all particles and nodes.
+/// clear(), add_particles() and fold() for all particles and nodes.
 void scatter(Domain& domain, ScatterPart part);
 
 } // namespace tremolo::mpm_domain

@@ -13,12 +13,12 @@ namespace tremolo::mpm_domain {
 class OneSquare {
 public:
   static constexpr std::size_t rows = 3;
-  static constexpr bool follow = false; ///< the soil
+  static constexpr bool follow = false; ///< whether boxes follow the soil
 
   /// @param axis  of either direction: cells are squares
   OneSquare(const Particles& p, const Lattice&, const Axis& axis) : side_(p.half_size, axis) {}
 
-  /// Those of a group of particles from k on.
+  /// The boxes of a group of particles from k on.
   template <typename Group>
   const OneSquare& of(std::size_t, Group) const {
     return *this;
@@ -46,7 +46,7 @@ struct Rectangles {
 class OwnRectangles {
 public:
   static constexpr std::size_t rows = 4;
-  static constexpr bool follow = true; ///< the soil
+  static constexpr bool follow = true; ///< whether boxes follow the soil
 
   OwnRectangles(const Particles& p, const Lattice& lattice, const Axis& axis)
       : p_(p), axis_(axis), limits_(p.box_limits()) {
@@ -65,21 +65,21 @@ private:
   BoxLimits limits_;
 };
 
-/// Where a lattice's nodes stand in an array: node (i, j) at first + j row + i.
+/// Where a lattice's nodes stand in an array: node (i, j) has the index first + j row + i.
 struct NodeArray {
   double row;
   double first;
 
-  /// In the arrays of all nodes.
+  /// For the arrays of all nodes.
   explicit NodeArray(const Lattice& lattice) : row(lattice.nx), first(static_cast<double>(lattice.first)) {}
-  /// In a window of the lattice.
+  /// For an array that holds a window of the lattice, row after row.
   explicit NodeArray(const NodeBlock& window)
       : row(window.columns), first(-static_cast<double>(window.row * window.columns + window.column)) {}
 };
 
 /// The nodes of four particles, a lane each: along x the four nodes around the particle's cell, which all
-/// particles of the cell share; along y the rows that its box touches. Lanes that are zero stand for no
-/// particle.
+/// particles of the cell share; along y the rows that its box touches. Where there are fewer than four
+/// particles, the coordinates in the unused lanes are zero and their results must not be used.
 struct Stencils {
   Lanes xi;     ///< cells above node 1 of a row
   Lanes eta;    ///< cells above row 0

@@ -1,7 +1,7 @@
 #pragma once
 
-// From the displacement gradient of a step to stress, state and volume of particles, a chunk of them at a
-// time.
+// Updates stress, state and volume of particles from the displacement gradient of a step, a chunk of
+// particles at a time.
 
 #include "materials/law/law.hpp"
 #include "mpm_domain/particles/particles.hpp"
@@ -16,7 +16,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Particles whose increments are held at a time between the grid and the law.
+/// Number of particles whose increments are passed from the grid to the law at a time.
 inline constexpr std::size_t strain_chunk_size = 128;
 
 using ChunkField = std::array<double, strain_chunk_size>;
@@ -26,7 +26,7 @@ struct Increments {
   ChunkField plastic; ///< plastic work per volume
 };
 
-/// sigma : de of the increments from `c` on, J/m3
+/// sigma : de of a group of particles from k on, whose increments begin at `c`, J/m3
 template <typename Group>
 [[gnu::always_inline]] inline Lanes work_density(const Particles& p, std::size_t k, const Increments& inc,
                                                  std::size_t c, Group group) {
@@ -34,11 +34,11 @@ template <typename Group>
          group.load(&p.sxy[k]) * load(&inc.gxy[c]);
 }
 
-/// Sums of a range, four particles side by side.
+/// Sums over a range of particles, one in each of four lanes.
 struct LaneSums {
-  Lanes total{};   ///< work of the stresses, J/m
-  Lanes plastic{}; ///< of it on plastic strain
-  Lanes max_speed2{};
+  Lanes total{};        ///< work of the stresses, J/m
+  Lanes plastic{};      ///< the part of it on plastic strain, J/m
+  Lanes max_speed2{};   ///< square of the largest speed, m2/s2
   double viscous = 0.0; ///< work of the viscous stresses, J/m
 
   GatherSums collected() const {
@@ -49,8 +49,9 @@ struct LaneSums {
 };
 
 /// Strain and rotation increments about the middle of the step (Hughes and Winget 1980), A (I + A/2)^-1 with
-/// A = dt grad u, here to its second order A - A^2/2: taken about its beginning, a turn by theta would be
-/// read as a contraction by theta^2/2. And half of the work: that of the stress before the update.
+/// A = dt grad u, here to second order: A - A^2/2. About the beginning of the step, a rotation by theta would
+/// look like a contraction by theta^2/2. Also books the work of the stress before the update, half of the
+/// trapezoidal rule.
 template <typename Group>
 [[gnu::always_inline]] inline void take_strain(const Particles& p, std::size_t k, Group group,
                                                const DisplacementGradient<Lanes>& a, std::size_t c,
@@ -66,7 +67,7 @@ template <typename Group>
   sums.total += 0.5 * group.load(&p.volume[k]) * work_density(p, k, inc, c, group);
 }
 
-/// The boxes of a group follow the soil.
+/// Lets the boxes of a group of particles follow the soil.
 template <typename Group>
 [[gnu::always_inline]] inline void deform_boxes(Particles& p, std::size_t k, Group group,
                                                 const DisplacementGradient<Lanes>& a) {
@@ -77,10 +78,10 @@ template <typename Group>
   group.store(&p.box_yy[k], box.yy);
 }
 
-/// Stress and state of a chunk by its law, then the other half of the work, and the volumes.
+/// Updates stress and state of a chunk by its law, then books the other half of the work and updates volumes.
 /// @param seen   the increments that the law sees
-/// @param moved  those by which the particles have moved
-/// @param dt     of the step, s
+/// @param moved  the increments of the particles' own motion: work and volumes follow them
+/// @param dt     length of the step, s
 [[gnu::noinline]] inline void strain_chunk(Particles& p, std::size_t begin, std::size_t count,
                                            Increments& seen, const Increments& moved, double dt,
                                            LaneSums& sums) {

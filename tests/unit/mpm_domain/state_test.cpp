@@ -132,6 +132,15 @@ TEST(State, OnAGradedMeshGoesOnWithTheSameBits) {
   expect_exact_resumption(spec);
 }
 
+/// Cells beside finer ones below and to the left of them begin at nodes that are tied to these.
+TEST(State, OfCoarseCellsAboveFineOnesGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(softening_soil());
+  for (const mpm_domain::Box& fine : {mpm_domain::Box{0.0, -4.0, 6.0, -2.0}, {0.0, -4.0, 3.0, 0.0}}) {
+    spec.refine = {{fine, 1}};
+    expect_exact_resumption(spec);
+  }
+}
+
 TEST(State, OfBoxesThatFollowTheSoilGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = box(softening_soil());
   spec.boxes = mpm_domain::ParticleBoxes::deforming;
@@ -197,6 +206,43 @@ TEST(State, OfParticlesThatWereCutGoesOnWithTheSameBits) {
     resumed.steps(round);
     expect_same(whole.save(), resumed.save());
   }
+}
+
+/// Soil above flies up and out of the first grid, while the faces below stay where they are.
+TEST(State, OfAGridThatHasGrownBehindItsFacesGoesOnWithTheSameBits) {
+  const mpm_domain::Spec spec = test_support::elastic_box(6.0, 4.0, 1.0);
+  struct Thrown {
+    mpm_domain::Domain domain;
+    mpm_domain::Stepper stepper;
+
+    explicit Thrown(const mpm_domain::Spec& of)
+        : domain(of), stepper(set_moving(domain), 0.0, test_support::no_traction(domain)) {}
+
+    static mpm_domain::Domain& set_moving(mpm_domain::Domain& domain) {
+      for (mpm_domain::Particles& set : domain.sets)
+        for (std::size_t k = 0; k < set.size(); ++k)
+          set.vy[k] = set.y[k] > -1.0 ? 60.0 : 0.0;
+      return domain;
+    }
+    void steps(int count) {
+      for (int i = 0; i < count; ++i)
+        stepper.step();
+    }
+  };
+  Thrown whole(spec);
+  const std::size_t nodes = whole.domain.grid.size();
+  while (whole.domain.grid.size() == nodes && whole.stepper.time() < 1.0)
+    whole.stepper.step();
+  ASSERT_GT(whole.domain.grid.size(), nodes);
+  const SavedState saved = test_support::saved_state(whole.domain, whole.stepper);
+  whole.steps(20);
+
+  Thrown resumed(spec);
+  test_support::restore_state(saved, resumed.domain, resumed.stepper);
+  expect_same(saved, test_support::saved_state(resumed.domain, resumed.stepper));
+  resumed.steps(20);
+  expect_same(test_support::saved_state(whole.domain, whole.stepper),
+              test_support::saved_state(resumed.domain, resumed.stepper));
 }
 
 TEST(State, FacesOfAnotherBoundaryAreRefused) {
