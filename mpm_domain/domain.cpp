@@ -57,6 +57,15 @@ const Spec& checked(const Spec& spec) {
   return spec;
 }
 
+/// Rows of tied nodes that are one other node, a period away.
+std::vector<std::size_t> rows_of_images(const Prolongation& ties) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < ties.tied_count(); ++row)
+    if (const auto shares = ties.row(row); shares.size() == 1 && shares.front().dx != 0.0)
+      rows.push_back(row);
+  return rows;
+}
+
 } // namespace
 
 void rebuild_mesh(Domain& domain) {
@@ -64,15 +73,16 @@ void rebuild_mesh(Domain& domain) {
   if (spec.refine.empty()) {
     domain.images = images_of(domain.grid);
     domain.tiles = TileMap({domain.grid});
-    return;
+  } else {
+    domain.mesh.emplace(roots_of(domain.grid),
+                        refinements_of(spec.refine, spec.box, spec.cell_size, spec.sides));
+    domain.tiles = TileMap({domain.mesh->lattices().begin(), domain.mesh->lattices().end()});
+    domain.basis_cells = {};
+    if (spec.scheme.subcycle)
+      domain.clocks = ClockMap(domain.mesh->tree(), buffer_layers);
+    resize_fields(domain.grid, domain.mesh->node_count());
   }
-  domain.mesh.emplace(roots_of(domain.grid),
-                      refinements_of(spec.refine, spec.box, spec.cell_size, spec.sides));
-  domain.tiles = TileMap({domain.mesh->lattices().begin(), domain.mesh->lattices().end()});
-  domain.basis_cells = {};
-  if (spec.scheme.subcycle)
-    domain.clocks = ClockMap(domain.mesh->tree(), buffer_layers);
-  resize_fields(domain.grid, domain.mesh->node_count());
+  domain.image_rows = rows_of_images(domain.ties());
 }
 
 void keep_whole(Domain& domain, std::size_t set, std::uint32_t id) {

@@ -51,10 +51,11 @@ struct Domain {
 
   Spec spec;
   Grid grid;
-  std::optional<GradedMesh> mesh;              ///< where the spec refines; without it the grid is one lattice
-  Prolongation images;                         ///< of periodic sides without a mesh: ties()
-  ClockMap clocks;                             ///< one clock unless the spec sub-cycles
-  std::vector<Particles> sets;                 ///< one per soil
+  std::optional<GradedMesh> mesh;      ///< where the spec refines; without it the grid is one lattice
+  Prolongation images;                 ///< of periodic sides without a mesh: ties()
+  std::vector<std::size_t> image_rows; ///< rows of ties() that are images of a period and follow one node
+  ClockMap clocks;                     ///< one clock unless the spec sub-cycles
+  std::vector<Particles> sets;         ///< one per soil
   std::vector<WaitingStrains> waiting_strains; ///< by set, within a gather
   Boundary boundary;
   EnergyLedger energy;

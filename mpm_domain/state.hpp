@@ -104,6 +104,7 @@ void restore(Domain& domain, const Reader& from) {
     restore(domain.sets[s], name, domain.mesh.has_value(), from);
     require_blocks(domain, domain.sets[s], name);
   }
+  domain.boundary.follow_sort(domain);
   domain.boundary.restore(from);
   find_reach(domain);
   domain.energy.set_state(numbers_of_size(from, "energy", domain.energy.state().size()));

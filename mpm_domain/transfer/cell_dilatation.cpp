@@ -43,8 +43,8 @@ GatherSums strain_range(Domain& domain, std::size_t s, const ParticleRange& rang
   Particles& p = domain.sets[s];
   const WaitingStrains& strains = domain.waiting_strains[s];
   LaneSums sums;
-  Increments moved;
-  Increments seen;
+  Increments moved{}; // lanes beyond the last particle are read, and count nothing
+  Increments seen{};
   for (std::size_t first = range.begin; first < range.end; first += strain_chunk_size) {
     const std::size_t count = std::min(strain_chunk_size, range.end - first);
     for (std::size_t c = 0; c < count; ++c) {
@@ -113,12 +113,11 @@ bool some_wait(const Domain& domain) {
 }
 
 void clear_cells(Domain& domain) {
-  domain.workers.run(domain.soil_rows.size(), [&](std::size_t row) {
-    const auto [begin, end] = domain.soil_rows[row];
-    std::fill(domain.grid.cell_volume.begin() + static_cast<std::ptrdiff_t>(begin),
-              domain.grid.cell_volume.begin() + static_cast<std::ptrdiff_t>(end), 0.0);
-    std::fill(domain.grid.cell_dilation.begin() + static_cast<std::ptrdiff_t>(begin),
-              domain.grid.cell_dilation.begin() + static_cast<std::ptrdiff_t>(end), 0.0);
+  // All rows: a cell may begin at a node that is tied to finer ones and carries no soil.
+  domain.workers.run(domain.row_count(), [&](std::size_t row) {
+    const auto [begin, end] = domain.row(row);
+    for_group(domain.grid, NodeGroup::cell,
+              [&](NodeField& field) { std::fill(field.data() + begin, field.data() + end, 0.0); });
   });
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     if (domain.sets[s].traits.cell_dilatation)
@@ -128,10 +127,8 @@ void clear_cells(Domain& domain) {
 GatherSums strain_by_cells(Domain& domain, int clock, double dt) {
   const ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
   add_across(domain, tiles);
-  if (!domain.mesh) { // the images of a period are cells of it
-    fold(domain, NodeGroup::cell);
-    prolong(domain, NodeGroup::cell);
-  }
+  fold(domain, NodeGroup::cell, domain.image_rows); // the images of a period are cells of it
+  prolong(domain, NodeGroup::cell, domain.image_rows);
   const std::span<const std::size_t> filled = tiles.sums.filled();
   std::vector<GatherSums> sums(filled.size() + tiles.across.size());
   domain.workers.run(sums.size(), [&](std::size_t task) {
