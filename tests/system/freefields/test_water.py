@@ -41,12 +41,12 @@ level = -2.0
 [[profile]]
 thickness = 20.0
 soil = "sand"
-damping = 0.005
 
 [soil.sand]
 library = "pm4sand_dr35"
 permeability = 1e-4
 rest_coefficient = 0.5
+damping = 0.005
 
 [damping]
 model = "kelvin_voigt"
