@@ -76,11 +76,13 @@ TEST_P(Taylor, SlopeStandsAboveItsStabilityNumberAndFailsBelowIt) {
   EXPECT_TRUE(stands(GetParam(), 1.05));
 }
 
+// A slope that slides along its own base asks for finer cells: of 1 m it is 5 to 10 % too strong at 45
+// degrees.
 INSTANTIATE_TEST_SUITE_P(
     Angles, Taylor,
     testing::Values(ClaySlope{{30.0, 1.5, 1.0}, 0.164, 0.3}, ClaySlope{{30.0, 1.5, 1.0}, 0.164, 0.495},
                     ClaySlope{{30.0, 2.0, 1.0}, 0.172, 0.3}, ClaySlope{{30.0, 2.0, 1.0}, 0.172, 0.495},
-                    ClaySlope{{45.0, 1.0, 1.0}, 0.164, 0.3}, ClaySlope{{45.0, 1.0, 1.0}, 0.164, 0.495},
+                    ClaySlope{{45.0, 1.0, 0.5}, 0.164, 0.3}, ClaySlope{{45.0, 1.0, 0.5}, 0.164, 0.495},
                     ClaySlope{{45.0, 1.5, 1.0}, 0.174, 0.3}, ClaySlope{{45.0, 1.5, 1.0}, 0.174, 0.495},
                     ClaySlope{{60.0, 1.0, 1.0}, 0.191, 0.3}, ClaySlope{{60.0, 1.0, 1.0}, 0.191, 0.495},
                     ClaySlope{{60.0, 2.0, 1.0}, 0.191, 0.3}, ClaySlope{{60.0, 2.0, 1.0}, 0.191, 0.495}));
