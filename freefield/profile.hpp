@@ -16,7 +16,8 @@ struct Layer {
   materials::Elasticity soil; ///< at small strain
   double damping_ratio = 0.0; ///< of critical, [0, 1); what it means at which frequency is the Damping's
   std::optional<materials::Law> law = std::nullopt; ///< absent: linear elastic; its constants are `soil`
-  /// Of a layer below the water table: `soil` is then the skeleton, with the density of grains and water.
+  /// Set for a layer below the water table: `soil` is then the skeleton, with the density of grains and
+  /// water.
   std::optional<materials::PoreSpace> pores = std::nullopt;
 };
 

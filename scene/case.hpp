@@ -65,7 +65,7 @@ struct Soil {
   std::optional<double> softening_size;
   std::optional<StrainCurves> curves; ///< of hysteretic soils
   double damping = 0.0;               ///< ratio, of critical, at small strain, in the domain and in layers
-  /// Of a case with water: the law's density is then that of the saturated soil.
+  /// Set in a case with water: the law's density is then that of the saturated soil.
   std::optional<materials::PoreSpace> pores = std::nullopt;
   /// Void ratio that the law has by its own parameters, where it has one.
   std::optional<double> law_void_ratio = std::nullopt;

@@ -59,7 +59,7 @@ private:
   /// Cuts the interval so that its parts are stable; returns their number.
   int cut_interval();
   void sample_velocities(std::vector<Vector>& v, bool accelerations) const;
-  /// Of the law and of viscous damping.
+  /// The stress of the law and that of viscous damping.
   std::vector<eq6::Stress> stresses() const;
 
   PeriodicColumnSpec spec_;

@@ -65,7 +65,7 @@ private:
   double share_;
 };
 
-/// Of each region's soil.
+/// One for each region's soil.
 std::vector<CriticalStep> critical_steps(const Case& scene) {
   std::vector<CriticalStep> steps;
   for (const Region& region : scene.regions)

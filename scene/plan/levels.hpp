@@ -19,7 +19,7 @@ struct Level {
   double cells = 0.0;         ///< of one level: of the padded grid; of several: those in the model's box
   double particles = 0.0;
   double nodes = 0.0;
-  /// Of the soils whose particles touch cells of this level the least of 0.65 h/c_p, shortened by viscous
+  /// The least of 0.65 h/c_p over the soils whose particles touch cells of this level, shortened by viscous
   /// damping (mpm_domain/spec/limits.hpp), s; infinite where none does.
   double critical_dt = 0.0;
   double dt = 0.0; ///< that they take, s; set by the plan

@@ -108,7 +108,7 @@ struct LiquefactionHistory {
     return std::numeric_limits<double>::infinity();
   }
 
-  /// Of r_u between two times.
+  /// The mean of r_u between two times.
   double mean(std::size_t depth, double from, double to) const {
     double sum = 0.0;
     int count = 0;

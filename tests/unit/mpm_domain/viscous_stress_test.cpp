@@ -23,7 +23,7 @@ Spec damped_box(const materials::Law& law) {
   return spec;
 }
 
-/// The same increments for all particles of the first set.
+/// Gives all particles of the first set the same increments.
 double damp_all(Particles& set) {
   const std::vector<double> xx(set.size(), exx), yy(set.size(), eyy), xy(set.size(), gxy);
   const StrainIncrements increments{xx.data(), yy.data(), xy.data()};

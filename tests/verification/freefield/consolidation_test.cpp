@@ -23,7 +23,7 @@ double terzaghi(double z, double t) {
   return sum;
 }
 
-/// The same under a load that grows linearly until `ramp`, by Simpson's rule over the moments of loading.
+/// The solution under a load that grows linearly until `ramp`, by Simpson's rule over the moments of loading.
 double ramped(double z, double t, double ramp) {
   constexpr int intervals = 20;
   double sum = 0.0;
@@ -190,8 +190,8 @@ TEST_P(ConstantHead, FluxIsDarcys) {
 INSTANTIATE_TEST_SUITE_P(TwoPhase, ConstantHead, ::testing::Values(1e-3, 1e-1, 1e1, 1e3),
                          [](const auto& one) { return "Drag" + std::to_string(one.index); });
 
-/// The same at one node, at which drag would take 1e6 times the relative velocity in a step: a split that
-/// kicks and then damps by exp(-lambda dt) leaves nothing of the flux.
+/// Constant head at one node, at which drag would take 1e6 times the relative velocity in a step: a split
+/// that kicks and then damps by exp(-lambda dt) leaves nothing of the flux.
 TEST(TwoPhaseColumnVerification, FluxOfANodeIsDarcysAtAnyDrag) {
   constexpr double porosity = 0.4, dt = 2e-4, gradient = 1e3; // Pa/m
   for (const double decade : evenly(-3.0, 6.0, 1.0)) {

@@ -133,7 +133,7 @@ public:
     amplitude_[1] = loads(1);
   }
 
-  /// Of p at height y over the base, for a unit load.
+  /// The pressure p at height y over the base, for a unit load.
   std::complex<double> pressure(double y) const {
     return amplitude_[0] * pressure_[0] * std::cos(number_[0] * y) +
            amplitude_[1] * pressure_[1] * std::cos(number_[1] * y);

@@ -44,7 +44,7 @@ struct Sums {
     return {part.row, part.end_row()};
   }
 
-  /// The same one after the other.
+  /// The sums that adding tile after tile gives.
   NodeFields expected(int times) const {
     NodeFields nodes = zero_fields();
     for (int time = 0; time < times; ++time)
