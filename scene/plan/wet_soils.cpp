@@ -87,8 +87,8 @@ std::vector<std::reference_wrapper<const Soil>> soils_below_table(const Case& sc
 
 std::string water_text(const Case& scene) {
   std::string text =
-      fmt::format("water table at y = {} m; models other than \"fe\" take the ground below it as "
-                  "undrained; soil there:\n",
+      fmt::format("water table at y = {} m; models other than \"fe\" and \"mpm\" take the ground below it "
+                  "as undrained; soil there:\n",
                   scene.water->level);
   for (const Soil& soil : soils_below_table(scene))
     text += soil_text(soil, scene.water->fluid, scene.gravity->acceleration);
