@@ -3,6 +3,7 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
+#include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/spec/limits.hpp"
 
 #include <fmt/format.h>
@@ -45,6 +46,9 @@ const Spec& checked(const Spec& spec) {
                                spec.scheme.order != StepOrder::musl || spec.sides == Sides::periodic_springs))
     throw std::invalid_argument("sub-cycling needs a refined mesh, the transfer apic, the order musl, "
                                 "and sides without springs");
+  if (spec.scheme.subcycle && spec.water)
+    throw std::invalid_argument("soil below a water table takes the same step on all levels: sub-cycling is "
+                                "for domains without water");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");
@@ -53,6 +57,12 @@ const Spec& checked(const Spec& spec) {
     refuse_unless(soil.damping_time >= 0.0 && std::isfinite(soil.damping_time),
                   fmt::format("the damping time of soil '{}' (s)", soil.name), soil.damping_time,
                   "finite, >= 0");
+    if (spec.water && soil.pores)
+      materials::validate(*soil.pores);
+  }
+  if (spec.water) {
+    materials::validate(spec.water->fluid);
+    refuse_unless(spec.gravity > 0.0, "gravity above a water table (m/s2)", spec.gravity, "> 0");
   }
   return spec;
 }
@@ -130,7 +140,8 @@ std::vector<AcrossTile> find_across(Domain& domain, int clock) {
       for (std::size_t k = begin; k < end; ++k)
         found.weights.expect(*domain.mesh, domain.basis_cells, reach_of(set, k, domain.sort_distance()));
       found.weights.settle(domain.basis_cells);
-      found.sums.resize(particle_sums.size() * found.weights.fours().size() * 4);
+      const std::size_t fields = domain.has_water() ? particle_sums.size() : dry_sums.end;
+      found.sums.resize(fields * found.weights.fours().size() * 4);
     }
   return across;
 }
@@ -164,11 +175,20 @@ Domain::Domain(const Spec& specification)
     : spec(checked(specification)), grid(make_grid(spec)), workers(spec.threads) {
   rebuild_mesh(*this);
   sets = fill(spec, mesh ? &mesh->tree() : nullptr);
+  for (const Particles& set : sets) {
+    grid.traits.wet |= set.water && set.size() > 0;
+    grid.traits.flowing |= set.traits.flowing && set.size() > 0;
+  }
   waiting_strains.resize(sets.size());
+  waiting_pressures.resize(sets.size());
   boundary.match(sets, spec);
   for (const BoundaryFace& face : boundary.faces())
     keep_whole(*this, face.set, face.id);
   sort_particles(*this);
+}
+
+bool Domain::has_pore_pressure() const {
+  return std::ranges::any_of(sets, [](const Particles& set) { return set.traits.wet && set.size() > 0; });
 }
 
 double Domain::half_size(int level) const {
@@ -205,7 +225,7 @@ double Domain::fastest_wave() {
   double fastest = 0.0;
   for (Particles& set : sets)
     if (set.size() > 0)
-      fastest = std::max(fastest, materials::p_wave_speed_bound(set.law, set.points(0, set.size())));
+      fastest = std::max(fastest, mpm_domain::fastest_wave(set, {0, set.size()}));
   return fastest;
 }
 

@@ -36,6 +36,19 @@ struct WaitingStrains {
   }
 };
 
+/// Changes of the pore pressure of the particles of a set that wait for their means (pore_pressure.hpp).
+struct WaitingPressures {
+  std::vector<double> compression; ///< -V div(v_s + n w) dt, m2
+  std::vector<double> change;      ///< dp, Pa
+  std::vector<std::size_t> cell;   ///< the node that it begins at
+
+  void resize(std::size_t particles) {
+    compression.resize(particles);
+    change.resize(particles);
+    cell.resize(particles);
+  }
+};
+
 /// The tiles that hold particles of one clock, as of the last sort.
 struct ClockTiles {
   TileSums sums;                  ///< of particles on one lattice
@@ -56,7 +69,8 @@ struct Domain {
   std::vector<std::size_t> image_rows; ///< rows of ties() that are images of a period and follow one node
   ClockMap clocks;                     ///< one clock unless the spec sub-cycles
   std::vector<Particles> sets;         ///< one per soil
-  std::vector<WaitingStrains> waiting_strains; ///< by set, within a gather
+  std::vector<WaitingStrains> waiting_strains;     ///< by set, within a gather
+  std::vector<WaitingPressures> waiting_pressures; ///< by set, while pore pressures are found
   Boundary boundary;
   EnergyLedger energy;
   BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them
@@ -66,6 +80,9 @@ struct Domain {
   WorkerPool workers;
   WindowPool windows;
 
+  bool has_water() const { return grid.traits.wet; }
+  bool has_flow() const { return grid.traits.flowing; }
+  bool has_pore_pressure() const;
   int lattice_count() const { return mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
   const Lattice& lattice(int level) const {
     return level == 0 ? grid : mesh->lattices()[static_cast<std::size_t>(level)];

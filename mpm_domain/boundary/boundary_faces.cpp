@@ -2,6 +2,7 @@
 
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/grid/box_average.hpp"
+#include "mpm_domain/particles/wave_speed.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,10 +30,8 @@ eq6::Face ground_of(Side side, Vector normal, const Spec& spec, Particles& set, 
     const materials::Elasticity& ground = *spec.below_base;
     return {normal, ground.density * ground.p_wave_speed(), ground.density * ground.s_wave_speed()};
   }
-  const materials::Elasticity& soil = materials::elasticity(set.law);
-  const double c_p = materials::p_wave_speed_bound(set.law, set.points(k, 1));
-  const double c_s = c_p * soil.s_wave_speed() / soil.p_wave_speed(); // Poisson's ratio stays the same
-  return {normal, soil.density * c_p, soil.density * c_s};
+  const Impedances soil = impedances(set, k);
+  return {normal, soil.p, soil.s};
 }
 
 BoundaryFace make_face(Side side, Vector normal, const Spec& spec, Particles& set, std::size_t set_index,
@@ -45,23 +44,6 @@ BoundaryFace make_face(Side side, Vector normal, const Spec& spec, Particles& se
   face.length = size;
   face.ground = ground_of(side, normal, spec, set, k);
   return face;
-}
-
-/// The side of a particle's box that a face covers: a line.
-mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set) {
-  mesh::Rectangle line = box_of(set, set.index_of[face.id]);
-  switch (face.side) {
-  case Side::left:
-    line.x_max = line.x_min;
-    break;
-  case Side::right:
-    line.x_min = line.x_max;
-    break;
-  case Side::base:
-    line.y_max = line.y_min;
-    break;
-  }
-  return line;
 }
 
 /// On one lattice: averaged along the face, linear across it. Calls add(i, j, w) for columns and rows of
@@ -93,6 +75,22 @@ void lattice_weights(const BoundaryFace& face, const Particles& set, const Latti
 }
 
 } // namespace
+
+mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set) {
+  mesh::Rectangle line = box_of(set, set.index_of[face.id]);
+  switch (face.side) {
+  case Side::left:
+    line.x_max = line.x_min;
+    break;
+  case Side::right:
+    line.x_min = line.x_max;
+    break;
+  case Side::base:
+    line.y_max = line.y_min;
+    break;
+  }
+  return line;
+}
 
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec) {
   std::vector<BoundaryFace> faces;

@@ -69,6 +69,9 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
 /// The level of a face whose way until the next sort keeps it on one lattice; otherwise unknown.
 int level_of(const Domain& domain, const BoundaryFace& face);
 
+/// The side of its particle's box that a face covers: a line.
+mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set);
+
 /// Weights of a face at its particle's present place, of nodes that are not tied.
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights);
 

@@ -6,11 +6,14 @@
 
 namespace tremolo::mpm_domain {
 
-/// 1/(m + dt/2 C_L) of the nodes that faces touch; zero where they are empty.
-void ConsistentDashpots::find_inertia(const NodeField& mass, const NodeField& dashpot, double empty,
-                                      double dt, Component& c) const {
-  for (const std::size_t n : nodes_->all())
-    c.per_inertia[n] = mass[n] > empty ? 1.0 / (mass[n] + 0.5 * dt * dashpot[n]) : 0.0;
+/// 1/(m + dt/2 C_L) of the nodes that faces touch; zero where they are empty. Water moves with its soil here.
+void ConsistentDashpots::find_inertia(const Grid& grid, const NodeField& dashpot, double empty, double dt,
+                                      Component& c) const {
+  const bool flows = grid.traits.flowing;
+  for (const std::size_t n : nodes_->all()) {
+    const double mass = flows ? grid.mass[n] + grid.water_mass[n] : grid.mass[n];
+    c.per_inertia[n] = grid.mass[n] > empty ? 1.0 / (mass + 0.5 * dt * dashpot[n]) : 0.0;
+  }
 }
 
 /// One fixed-point step: computes a from g, then g from a.
@@ -56,7 +59,7 @@ void ConsistentDashpots::correct(Domain& domain, std::span<const FaceWeights> we
     const bool is_x = component == 0;
     Component& c = is_x ? x_ : y_;
     NodeField& force = is_x ? grid.force_x : grid.force_y;
-    find_inertia(grid.mass, is_x ? grid.dashpot_x : grid.dashpot_y, empty, dt, c);
+    find_inertia(grid, is_x ? grid.dashpot_x : grid.dashpot_y, empty, dt, c);
     for (const std::size_t n : nodes_->all())
       c.g[n] = 0.0;
     for (int k = 0; k < steps; ++k)

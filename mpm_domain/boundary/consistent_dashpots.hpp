@@ -15,7 +15,7 @@
 // stays bound to its C_L.
 
 #include "mpm_domain/boundary/face_nodes.hpp"
-#include "mpm_domain/fields/node_fields.hpp"
+#include "mpm_domain/grid/grid.hpp"
 
 #include <span>
 #include <vector>
@@ -46,8 +46,7 @@ private:
     std::vector<double> of_faces;
   };
 
-  void find_inertia(const NodeField& mass, const NodeField& dashpot, double empty, double dt,
-                    Component& c) const;
+  void find_inertia(const Grid& grid, const NodeField& dashpot, double empty, double dt, Component& c) const;
   void iterate(const NodeField& force, std::span<const FaceWeights> weights, std::span<const double> dashpots,
                Component& c) const;
 

@@ -8,6 +8,7 @@
 
 #include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/step/time_step.hpp"
+#include "mpm_domain/transfer/total_stress.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -170,12 +171,8 @@ std::vector<eq6::Stress> PeriodicColumn::stresses() const {
   for (std::size_t r = 0; r < ids_.size(); ++r) {
     const Particles& set = domain_.sets[sets_[r]];
     const std::size_t k = set.index_of[ids_[r]];
-    eq6::Stress& stress = all.emplace_back(eq6::Stress{set.sxx[k], set.syy[k], set.sxy[k]});
-    if (set.traits.damped) {
-      stress.xx += set.viscous_xx[k];
-      stress.yy += set.viscous_yy[k];
-      stress.xy += set.viscous_xy[k];
-    }
+    const TotalStress stress = total_stress(set, k);
+    all.push_back({stress.xx, stress.yy, stress.xy});
   }
   return all;
 }

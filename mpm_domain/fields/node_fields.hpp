@@ -16,12 +16,42 @@ using NodeField = std::vector<double>;
 
 /// How the values of a group come about.
 enum class NodeGroup {
-  mass,         ///< summed over particles, while they stay where they are
-  momentum,     ///< summed over particles
-  force,        ///< summed over particles and boundary faces
-  velocity,     ///< derived: before and after the update, and that which strains the soil
-  acceleration, ///< derived
-  cell,         ///< summed over the particles of the cell that begins at the node
+  mass,           ///< summed over particles, while they stay where they are
+  momentum,       ///< summed over particles
+  force,          ///< summed over particles and boundary faces
+  velocity,       ///< derived: before and after the update, and that which strains the soil
+  acceleration,   ///< derived
+  cell,           ///< summed over the particles of the cell that begins at the node
+  pores,          ///< summed over wet particles, while they stay where they are
+  pressure,       ///< summed over wet particles, then their mean (pore_pressure.hpp)
+  volume_flux,    ///< derived: what changes the pressure of pore water that flows
+  openness,       ///< derived: where water may pass
+  water_mass,     ///< summed over particles whose water flows, while they stay where they are
+  water_momentum, ///< summed over them
+  water_force,    ///< summed over them
+  water_velocity, ///< derived, as velocity
+};
+
+/// Which domains have a group.
+enum class NodeTrait {
+  always,
+  wet,     ///< with soil below the water table
+  flowing, ///< with soil whose pore water flows
+};
+constexpr NodeTrait trait_of(NodeGroup group) {
+  if (group < NodeGroup::pores)
+    return NodeTrait::always;
+  return group < NodeGroup::volume_flux ? NodeTrait::wet : NodeTrait::flowing;
+}
+
+/// The traits of a domain.
+struct NodeTraits {
+  bool wet = false;     ///< soil lies below the water table
+  bool flowing = false; ///< and water flows in it
+
+  constexpr bool have(NodeTrait trait) const {
+    return trait == NodeTrait::always || (trait == NodeTrait::wet ? wet : flowing);
+  }
 };
 
 struct NodeFields {
@@ -34,9 +64,21 @@ struct NodeFields {
   NodeField vx_strain,
       vy_strain;    ///< u, remapped from the particles after they took v+; musl strains with it, m/s
   NodeField ax, ay; ///< of the last update, m/s2
-  /// Sums over the cell to the right of and above the node: the volume of its particles (m2) and the increase
-  /// of that volume in this step (m2).
-  NodeField cell_volume, cell_dilation;
+  /// Sums over the cell to the right of and above the node, whose ratio is a mean over its particles: their
+  /// weights, and these times what changes in the step (cell_means.hpp).
+  NodeField cell_weight, cell_change;
+  NodeField lift;            ///< what water takes off the weight, N/m
+  NodeField storage;         ///< W of wet soil (pore_pressure.hpp), m2/Pa
+  NodeField pressure_change; ///< W dp of wet soil, m2; then its mean dp, Pa
+  NodeField flux_x, flux_y;  ///< v_s + n w: volume of grains and water through unit area, m/s
+  NodeField open_x, open_y;  ///< 1, or 0 where water may not move against the grains in this direction
+  NodeField water_mass;      ///< m_f, kg/m
+  NodeField wet_volume;      ///< volume of the soil whose water flows, m2
+  NodeField resistance;      ///< that volume times rho_f g/k, Pa s
+  NodeField water_momentum_x, water_momentum_y; ///< kg/s
+  NodeField water_force_x, water_force_y;       ///< of the excess pressure per unit of water volume, N/m
+  NodeField wx_before, wy_before;               ///< of the water, v_f-, m/s
+  NodeField wx_after, wy_after;                 ///< v_f+, m/s
 };
 
 /// A line of the table.
@@ -63,15 +105,80 @@ inline constexpr std::array node_field_table{
     NodeFieldDescription{"vy_strain", "m/s", NodeGroup::velocity, &NodeFields::vy_strain},
     NodeFieldDescription{"ax", "m/s2", NodeGroup::acceleration, &NodeFields::ax},
     NodeFieldDescription{"ay", "m/s2", NodeGroup::acceleration, &NodeFields::ay},
-    NodeFieldDescription{"cell_volume", "m2", NodeGroup::cell, &NodeFields::cell_volume},
-    NodeFieldDescription{"cell_dilation", "m2", NodeGroup::cell, &NodeFields::cell_dilation},
+    NodeFieldDescription{"cell_weight", "that of the mean", NodeGroup::cell, &NodeFields::cell_weight},
+    NodeFieldDescription{"cell_change", "that of the mean", NodeGroup::cell, &NodeFields::cell_change},
+    NodeFieldDescription{"lift", "N/m", NodeGroup::pores, &NodeFields::lift},
+    NodeFieldDescription{"storage", "m2/Pa", NodeGroup::pores, &NodeFields::storage},
+    NodeFieldDescription{"pressure_change", "m2", NodeGroup::pressure, &NodeFields::pressure_change},
+    NodeFieldDescription{"flux_x", "m/s", NodeGroup::volume_flux, &NodeFields::flux_x},
+    NodeFieldDescription{"flux_y", "m/s", NodeGroup::volume_flux, &NodeFields::flux_y},
+    NodeFieldDescription{"open_x", "1", NodeGroup::openness, &NodeFields::open_x},
+    NodeFieldDescription{"open_y", "1", NodeGroup::openness, &NodeFields::open_y},
+    NodeFieldDescription{"water_mass", "kg/m", NodeGroup::water_mass, &NodeFields::water_mass},
+    NodeFieldDescription{"wet_volume", "m2", NodeGroup::water_mass, &NodeFields::wet_volume},
+    NodeFieldDescription{"resistance", "Pa s", NodeGroup::water_mass, &NodeFields::resistance},
+    NodeFieldDescription{"water_momentum_x", "kg/s", NodeGroup::water_momentum,
+                         &NodeFields::water_momentum_x},
+    NodeFieldDescription{"water_momentum_y", "kg/s", NodeGroup::water_momentum,
+                         &NodeFields::water_momentum_y},
+    NodeFieldDescription{"water_force_x", "N/m", NodeGroup::water_force, &NodeFields::water_force_x},
+    NodeFieldDescription{"water_force_y", "N/m", NodeGroup::water_force, &NodeFields::water_force_y},
+    NodeFieldDescription{"wx_before", "m/s", NodeGroup::water_velocity, &NodeFields::wx_before},
+    NodeFieldDescription{"wy_before", "m/s", NodeGroup::water_velocity, &NodeFields::wy_before},
+    NodeFieldDescription{"wx_after", "m/s", NodeGroup::water_velocity, &NodeFields::wx_after},
+    NodeFieldDescription{"wy_after", "m/s", NodeGroup::water_velocity, &NodeFields::wy_after},
 };
 
-/// The fields that particles add up to, in the order in which tiles keep their sums.
-enum class Sum : std::size_t { mass, momentum_x, momentum_y, force_x, force_y, cell_volume, cell_dilation };
-inline constexpr std::array particle_sums{
-    &NodeFields::mass,    &NodeFields::momentum_x,  &NodeFields::momentum_y,   &NodeFields::force_x,
-    &NodeFields::force_y, &NodeFields::cell_volume, &NodeFields::cell_dilation};
+/// The fields that particles add up to, in the order in which tiles keep their sums. Those of the water stand
+/// in the order of those of the soil.
+enum class Sum : std::size_t {
+  mass,
+  momentum_x,
+  momentum_y,
+  force_x,
+  force_y,
+  cell_weight,
+  cell_change,
+  lift,
+  storage,
+  wet_volume,
+  resistance,
+  pressure_change,
+  water_mass,
+  water_momentum_x,
+  water_momentum_y,
+  water_force_x,
+  water_force_y,
+};
+inline constexpr std::array particle_sums{&NodeFields::mass,
+                                          &NodeFields::momentum_x,
+                                          &NodeFields::momentum_y,
+                                          &NodeFields::force_x,
+                                          &NodeFields::force_y,
+                                          &NodeFields::cell_weight,
+                                          &NodeFields::cell_change,
+                                          &NodeFields::lift,
+                                          &NodeFields::storage,
+                                          &NodeFields::wet_volume,
+                                          &NodeFields::resistance,
+                                          &NodeFields::pressure_change,
+                                          &NodeFields::water_mass,
+                                          &NodeFields::water_momentum_x,
+                                          &NodeFields::water_momentum_y,
+                                          &NodeFields::water_force_x,
+                                          &NodeFields::water_force_y};
+
+/// Fields [first, end) of particle_sums.
+struct SumRange {
+  std::size_t first;
+  std::size_t end;
+};
+constexpr SumRange sums_between(Sum first, Sum last) {
+  return {static_cast<std::size_t>(first), static_cast<std::size_t>(last) + 1};
+}
+
+/// The sums that particles above the water table have.
+inline constexpr SumRange dry_sums = sums_between(Sum::mass, Sum::force_y);
 
 /// act(field) for every field of a group.
 template <typename Act>
@@ -81,7 +188,12 @@ constexpr void for_group(NodeFields& fields, NodeGroup group, const Act& act) {
       act(fields.*line.field);
 }
 
-/// Bytes of one node.
-inline constexpr std::size_t bytes_per_node = node_field_table.size() * sizeof(double);
+/// Bytes of one node of a domain with these traits.
+constexpr std::size_t bytes_per_node(NodeTraits traits = {}) {
+  std::size_t fields = 0;
+  for (const NodeFieldDescription& line : node_field_table)
+    fields += traits.have(trait_of(line.group)) ? 1 : 0;
+  return fields * sizeof(double);
+}
 
 } // namespace tremolo::mpm_domain

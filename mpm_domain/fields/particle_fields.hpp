@@ -17,6 +17,9 @@ enum class FieldTrait {
   affine,    ///< with the transfer apic
   own_boxes, ///< where boxes follow the soil
   damped,    ///< of soil with viscous damping
+  wet,       ///< of soil below the water table that has a pore pressure
+  flowing,   ///< of soil whose pore water flows
+  flowing_affine,
 };
 
 /// What becomes of a field when a particle is cut in four.
@@ -34,6 +37,10 @@ struct ParticleFields {
   std::vector<double> bxx, bxy, byx, byy;
   std::vector<double> sxx, syy, szz, sxy;                 ///< Cauchy stress, tension positive
   std::vector<double> viscous_xx, viscous_yy, viscous_xy; ///< stress of viscous damping (viscous_stress.hpp)
+  std::vector<double> pore_pressure;                      ///< p*, compression positive (pore_water.hpp)
+  std::vector<double> pressure_at_rest, vertical_at_rest; ///< p, and effective syy, before the shaking
+  std::vector<double> wx, wy;                             ///< velocity v_f of the pore water
+  std::vector<double> wbxx, wbxy, wbyx, wbyy;             ///< its B
   std::vector<double> mass, volume;                       ///< per metre out of plane
   std::vector<double> box_xx, box_xy, box_yy; ///< M of boxes that follow the soil (particle_boxes.hpp)
   std::vector<double> x_initial, y_initial;
@@ -61,6 +68,8 @@ struct ParticleTraits {
   bool own_boxes = false;
   bool cell_dilatation = false; ///< their law sees the mean dilatation of their cell; no field goes with it
   bool damped = false;
+  bool wet = false;
+  bool flowing = false;
 
   bool have(FieldTrait trait) const {
     switch (trait) {
@@ -72,6 +81,12 @@ struct ParticleTraits {
       return own_boxes;
     case FieldTrait::damped:
       return damped;
+    case FieldTrait::wet:
+      return wet;
+    case FieldTrait::flowing:
+      return flowing;
+    case FieldTrait::flowing_affine:
+      return flowing && affine;
     }
     return false;
   }

@@ -113,6 +113,8 @@ std::size_t begin_history(Domain& domain) {
                             std::abs(set.sxy[k] - before[2][k]);
       unheld += change > 1e-3 * (std::abs(before[0][k]) + std::abs(before[1][k])) ? 1 : 0;
     }
+    if (set.traits.wet)
+      set.vertical_at_rest = set.syy;
   }
   domain.boundary.match(domain.sets, domain.spec);
   return unheld;
@@ -144,7 +146,7 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   for (const Particles& set : domain.sets)
     slowest = std::min(slowest, materials::elasticity(set.law).s_wave_speed());
   const double alpha = std::numbers::pi * slowest / depth;
-  const double dt = domain.spec.scheme.fraction * critical_time_step(domain, 0.0);
+  const double dt = domain.spec.scheme.fraction * critical_skeleton_step(domain); // pore pressures stay
 
   double residual = 0.0;
   for (long step = 0;; ++step) {

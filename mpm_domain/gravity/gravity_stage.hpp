@@ -6,9 +6,9 @@
 //
 //     m_i dv_i/dt = f_i - alpha m_i v_i,      alpha = 2 omega_1,      omega_1 = pi c_s / (2 H),
 //
-// which damps the slowest mode of a layer of depth H critically and every other at the same rate. It ends
-// when the unbalanced force in the free directions, ||f|| over the norm of all nodal weights, is below the
-// stated residual.
+// where soil weighs what it weighs under water, and its pore pressure stays hydrostatic. It damps the slowest
+// mode of a layer of depth H critically and every other at the same rate. It ends when the unbalanced force
+// in the free directions, ||f|| over the norm of all nodal weights, is below the stated residual.
 
 #include "mpm_domain/domain.hpp"
 

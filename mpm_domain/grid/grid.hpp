@@ -11,6 +11,8 @@ namespace tremolo::mpm_domain {
 /// The background grid: its nodes' fields, and the place of the coarsest nodes. A graded mesh has more
 /// lattices, whose nodes stand behind these in every field; on a uniform one the grid is this lattice alone.
 struct Grid : GridShape, NodeFields {
+  NodeTraits traits; ///< of the domain: which fields there are
+
   /// The column that column i stands for: itself, or the one of the period that it is an image of.
   int real_column(int i) const {
     if (period == 0)

@@ -1,5 +1,6 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -18,6 +19,14 @@ void over_fields(Domain& domain, NodeGroup group, const Act& act) {
 }
 
 } // namespace
+
+void clear(Domain& domain, NodeGroup group, std::span<const NodeRange> nodes) {
+  domain.workers.run(nodes.size(), [&](std::size_t row) {
+    for_group(domain.grid, group, [&](NodeField& field) {
+      std::fill(field.data() + nodes[row].begin, field.data() + nodes[row].end, 0.0);
+    });
+  });
+}
 
 void fold(Domain& domain, NodeGroup group, std::span<const std::size_t> rows) {
   over_fields(domain, group, [&](NodeField& field) { domain.ties().restrict(field, rows); });

@@ -11,6 +11,9 @@
 
 namespace tremolo::mpm_domain {
 
+/// Sets the fields of a group to zero at the given nodes.
+void clear(Domain& domain, NodeGroup group, std::span<const NodeRange> nodes);
+
 /// Adds to the nodes that they follow what tied nodes have in the fields of a group, and leaves them empty.
 /// @param rows of the prolongation
 void fold(Domain& domain, NodeGroup group, std::span<const std::size_t> rows);

@@ -22,21 +22,56 @@ int count_along(double length, double size) {
 }
 
 void add_particle(Particles& set, std::uint32_t id, double x, double y, double size) {
-  const double density = materials::elasticity(set.law).density;
   set.id.push_back(id);
   set.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.push_back(0.0); });
   set.x.back() = set.x_initial.back() = x;
   set.y.back() = set.y_initial.back() = y;
   set.volume.back() = size * size;
-  set.mass.back() = density * size * size;
+  set.mass.back() = set.density * size * size;
   if (set.traits.own_boxes)
     set.box_xx.back() = set.box_yy.back() = set.half_size * set.half_size;
+  if (set.traits.wet)
+    set.pore_pressure.back() = set.pressure_at_rest.back() = set.water->hydrostatic(y);
+}
+
+/// What soil of a region becomes: particles above the water table, or below it.
+struct Kind {
+  std::size_t soil;
+  bool under_water;
+};
+
+/// Soil with pores may lie on both sides of the table.
+std::vector<Kind> kinds_of(const Spec& spec) {
+  std::vector<Kind> kinds;
+  for (std::size_t s = 0; s < spec.soils.size(); ++s)
+    kinds.push_back({s, false});
+  for (std::size_t s = 0; s < spec.soils.size(); ++s)
+    if (spec.water && spec.soils[s].pores)
+      kinds.push_back({s, true});
+  return kinds;
+}
+
+/// Gives a set that lies below the table its water, and the densities that go with its drainage.
+void fill_pores(Particles& set, const materials::PoreSpace& pores, const Spec& spec) {
+  const materials::PoreFluid& fluid = spec.water->fluid;
+  const double dry = materials::dry_density(pores);
+  const double saturated = materials::saturated_density(pores, fluid);
+  const bool flows = pores.drainage == materials::Drainage::coupled;
+  set.traits.wet = pores.drainage != materials::Drainage::drained;
+  set.traits.flowing = flows;
+  set.density = flows ? dry : saturated;
+  set.weight_share = materials::buoyant_density(pores, fluid) / set.density;
+  set.water = {.pores = pores,
+               .fluid = fluid,
+               .level = spec.water->level,
+               .unit_weight = fluid.density * spec.gravity,
+               .grains_per_mass = (1.0 - pores.porosity) / set.density};
 }
 
 std::vector<Particles> empty_sets(const Spec& spec, int finest) {
   std::vector<Particles> sets;
   for (int level = 0; level <= finest; ++level)
-    for (std::size_t s = 0; s < spec.soils.size(); ++s) {
+    for (const auto& [s, under_water] : kinds_of(spec)) {
       const Soil& soil = spec.soils[s];
       const auto finer = static_cast<std::size_t>(level) - 1;
       Particles& set = sets.emplace_back();
@@ -55,6 +90,10 @@ std::vector<Particles> empty_sets(const Spec& spec, int finest) {
       set.half_size = 0.5 * particle_size(spec, level);
       set.law = level > 0 && finer < soil.finer_laws.size() ? soil.finer_laws[finer] : soil.law;
       set.state_size = materials::state_variables(set.law).size();
+      set.density = spec.water && soil.pores ? materials::dry_density(*soil.pores)
+                                             : materials::elasticity(set.law).density;
+      if (under_water)
+        fill_pores(set, *soil.pores, spec);
     }
   return sets;
 }
@@ -80,12 +119,18 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
   const int rows = count_along(spec.box.y_max - spec.box.y_min, size);
 
   std::vector<Particles> sets = empty_sets(spec, tree ? tree->finest() : 0);
+  const std::vector<Kind> kinds = kinds_of(spec);
   const auto add = [&](int level, double x, double y) {
     const auto region = std::find_if(spec.regions.rbegin(), spec.regions.rend(),
                                      [&](const Region& r) { return mesh::inside(r.polygon, x, y); });
     if (region == spec.regions.rend())
       return;
-    Particles& set = sets[static_cast<std::size_t>(level) * spec.soils.size() + region->soil];
+    const bool under_water = spec.water && spec.soils[region->soil].pores && y < spec.water->level;
+    const auto kind = std::ranges::find_if(kinds, [&](const Kind& candidate) {
+      return candidate.soil == region->soil && candidate.under_water == under_water;
+    });
+    Particles& set =
+        sets[static_cast<std::size_t>(level) * kinds.size() + static_cast<std::size_t>(kind - kinds.begin())];
     add_particle(set, static_cast<std::uint32_t>(set.size()), x, y, particle_size(spec, level));
   };
   if (tree)
@@ -129,7 +174,7 @@ void set_rest_stress(std::vector<Particles>& sets, const Spec& spec) {
     double overburden = 0.0;
     for (const Place& place : column) {
       Particles& set = *place.set;
-      const double weight = set.mass[place.k] * spec.gravity / (2.0 * set.half_size);
+      const double weight = set.weight_share * set.mass[place.k] * spec.gravity / (2.0 * set.half_size);
       set.syy[place.k] -= (overburden + 0.5 * weight) / static_cast<double>(1 << (finest - set.level));
       overburden += weight;
     }

@@ -113,7 +113,8 @@ void resize(Grid& grid, int nx, int ny) {
 
 void resize_fields(Grid& grid, std::size_t count) {
   for (const NodeFieldDescription& line : node_field_table)
-    (grid.*line.field).assign(count, 0.0);
+    if (grid.traits.have(trait_of(line.group)))
+      (grid.*line.field).assign(count, 0.0);
 }
 
 void make_room(Domain& domain, double time, long step) {

@@ -21,19 +21,30 @@ bool is_to_be_cut(const Particles& p, std::size_t k, const mesh::Quadtree& tree)
          tree.coarsest_in(box) == finest && !std::ranges::binary_search(p.whole, p.id[k]);
 }
 
+/// A velocity of particles and its B.
+struct AffineVelocity {
+  std::vector<double> ParticleFields::*vx, ParticleFields::*vy;
+  std::vector<double> ParticleFields::*bxx, ParticleFields::*bxy, ParticleFields::*byx, ParticleFields::*byy;
+};
+constexpr AffineVelocity of_soil{&ParticleFields::vx,  &ParticleFields::vy,  &ParticleFields::bxx,
+                                 &ParticleFields::bxy, &ParticleFields::byx, &ParticleFields::byy};
+constexpr AffineVelocity of_water{&ParticleFields::wx,   &ParticleFields::wy,   &ParticleFields::wbxx,
+                                  &ParticleFields::wbxy, &ParticleFields::wbyx, &ParticleFields::wbyy};
+
 /// The affine velocity of the four is that of the one, C = B D^-1, each with its own D.
-void share_affine_velocity(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
+void share_affine_velocity(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh,
+                           const AffineVelocity& of) {
   const SecondMoments d = second_moments(mesh, box_of(whole, k));
   const std::size_t quarter = to.size() - 1;
   const double dx = to.x[quarter] - whole.x[k];
   const double dy = to.y[quarter] - whole.y[k];
-  to.vx[quarter] += whole.bxx[k] / d.x * dx + whole.bxy[k] / d.y * dy;
-  to.vy[quarter] += whole.byx[k] / d.x * dx + whole.byy[k] / d.y * dy;
+  (to.*of.vx)[quarter] += (whole.*of.bxx)[k] / d.x * dx + (whole.*of.bxy)[k] / d.y * dy;
+  (to.*of.vy)[quarter] += (whole.*of.byx)[k] / d.x * dx + (whole.*of.byy)[k] / d.y * dy;
   const SecondMoments own = second_moments(mesh, box_of(to, quarter));
-  to.bxx[quarter] *= own.x / d.x;
-  to.bxy[quarter] *= own.y / d.y;
-  to.byx[quarter] *= own.x / d.x;
-  to.byy[quarter] *= own.y / d.y;
+  (to.*of.bxx)[quarter] *= own.x / d.x;
+  (to.*of.bxy)[quarter] *= own.y / d.y;
+  (to.*of.byx)[quarter] *= own.x / d.x;
+  (to.*of.byy)[quarter] *= own.y / d.y;
 }
 
 void add_quarters(const Particles& whole, std::size_t k, Particles& to, const GradedMesh& mesh) {
@@ -47,7 +58,9 @@ void add_quarters(const Particles& whole, std::size_t k, Particles& to, const Gr
     to.x_initial.back() += dx;
     to.y_initial.back() += dy;
     if (whole.traits.affine)
-      share_affine_velocity(whole, k, to, mesh);
+      share_affine_velocity(whole, k, to, mesh, of_soil);
+    if (whole.traits.have(FieldTrait::flowing_affine))
+      share_affine_velocity(whole, k, to, mesh, of_water);
   }
 }
 
@@ -56,15 +69,15 @@ void add_quarters(const Particles& whole, std::size_t k, Particles& to, const Gr
 std::size_t split_particles(Domain& domain) {
   if (!domain.mesh)
     return 0;
-  const std::size_t soils = domain.spec.soils.size();
+  const std::size_t kinds = domain.sets.size() / static_cast<std::size_t>(domain.lattice_count());
   std::size_t count = 0;
   // From coarse to fine, so that a particle that has passed two levels is cut twice.
-  for (std::size_t s = 0; s + soils < domain.sets.size(); ++s) {
+  for (std::size_t s = 0; s + kinds < domain.sets.size(); ++s) {
     Particles& set = domain.sets[s];
     std::vector<std::size_t> gone;
     for (std::size_t k = 0; k < set.size(); ++k)
       if (is_to_be_cut(set, k, domain.mesh->tree())) {
-        add_quarters(set, k, domain.sets[s + soils], *domain.mesh);
+        add_quarters(set, k, domain.sets[s + kinds], *domain.mesh);
         gone.push_back(k);
       }
     if (!gone.empty())

@@ -34,7 +34,9 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   spec.boxes = scene.mesh.particle_boxes;
   for (const scene::Soil& soil : scene.soils)
     spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh),
-                          scene::damping_time(scene.damping, soil.damping)});
+                          scene::damping_time(scene.damping, soil.damping), soil.pores});
+  if (scene.water)
+    spec.water = {scene.water->level, scene.water->fluid};
   for (const scene::Region& region : scene.regions) {
     Region& copy = spec.regions.emplace_back();
     copy.soil = region.soil;

@@ -2,10 +2,12 @@
 
 #include "coupler/eq6/boundary_traction.hpp"
 #include "materials/law/law.hpp"
+#include "materials/water/pore_water.hpp"
 #include "mesh/quadtree.hpp"
 #include "mpm_domain/fields/particle_fields.hpp"
 #include "mpm_domain/spec/numerics.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,14 @@ struct Soil {
   std::vector<materials::Law> finer_laws = {};
   /// beta of the viscous stress beta D_e : d eps/dt, s; 0: none.
   double damping_time = 0.0;
+  /// Of soil that lies below a water table; the density of its law is then the saturated one.
+  std::optional<materials::PoreSpace> pores = {};
+};
+
+/// Ground water at rest.
+struct GroundWater {
+  double level = 0.0; ///< y of the table, m
+  materials::PoreFluid fluid;
 };
 
 /// A polygon of one soil; where polygons overlap, the later one wins.
@@ -40,6 +50,7 @@ struct Spec {
   /// Where cells are finer. A box that reaches an edge of the model goes on beyond it.
   std::vector<mesh::Refinement> refine;
   double gravity = 0.0; ///< m/s2, downwards
+  std::optional<GroundWater> water = {};
   std::vector<Soil> soils;
   std::vector<Region> regions;
   Scheme scheme;

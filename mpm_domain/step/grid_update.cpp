@@ -1,5 +1,6 @@
 #include "mpm_domain/step/grid_update.hpp"
 
+#include "mpm_domain/step/over_rows.hpp"
 #include "mpm_domain/transfer/lanes.hpp"
 
 #include <numeric>
@@ -9,15 +10,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Runs `row_sum(nodes)` for all rows of nodes; the results stand in the order of the rows, to be added in it
-/// for the same bits with any thread count.
-template <typename Sum, typename RowSum>
-std::vector<Sum> over_rows(Domain& domain, std::span<const NodeRange> rows, const RowSum& row_sum) {
-  std::vector<Sum> sums(rows.size());
-  domain.workers.run(sums.size(), [&](std::size_t row) { sums[row] = row_sum(rows[row]); });
-  return sums;
-}
-
 /// Velocities of four nodes.
 struct Vectors {
   Lanes x, y;
@@ -26,8 +18,7 @@ struct Vectors {
 /// p/m; zero where the mass m is that of an empty node.
 template <typename Group>
 Vectors velocities(const Grid& grid, std::size_t n, Group group, const Lanes& m, double empty) {
-  const LaneMask full = m > empty;
-  const Lanes per_mass = choose(full, 1.0 / choose(full, m, all(1.0)), Lanes{});
+  const Lanes per_mass = inverse(m, m > empty);
   return {group.load(&grid.momentum_x[n]) * per_mass, group.load(&grid.momentum_y[n]) * per_mass};
 }
 

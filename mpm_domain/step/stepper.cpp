@@ -6,6 +6,10 @@
 #include "mpm_domain/particles/splitting.hpp"
 #include "mpm_domain/step/grid_update.hpp"
 #include "mpm_domain/step/time_step.hpp"
+#include "mpm_domain/water/mixture_update.hpp"
+#include "mpm_domain/water/pore_pressure.hpp"
+#include "mpm_domain/water/water_gather.hpp"
+#include "mpm_domain/water/water_scatter.hpp"
 
 #include <fmt/format.h>
 
@@ -50,18 +54,24 @@ std::vector<Pass> Stepper::recipe() {
   add("time step", &Stepper::choose_step);
   add("sort", &Stepper::sort);
   add("particles to grid", &Stepper::scatter_particles);
+  if (domain_.has_water())
+    add("water to grid", &Stepper::scatter_pores);
   add("grid velocities", &Stepper::find_velocities);
   add("boundary exchange", &Stepper::exchange);
   if (domain_.boundary.has_layers())
     add("matched layers", &Stepper::react);
   passes.push_back({"boundary tractions", [this] { domain_.boundary.apply(domain_, ticks_, nodes_); }});
-  add("grid update", &Stepper::update);
+  add("grid update", domain_.has_flow() ? &Stepper::update_with_flow : &Stepper::update);
   if (domain_.spec.scheme.order == StepOrder::usl) {
+    if (domain_.has_pore_pressure())
+      add("pore pressure", &Stepper::find_pressures);
     add("grid to particles, stress", &Stepper::gather_all);
   } else {
     add("grid to particles", &Stepper::gather_velocities);
     add("velocities to grid again", &Stepper::scatter_momenta);
     add("remapped velocities", &Stepper::remap);
+    if (domain_.has_pore_pressure())
+      add("pore pressure", &Stepper::find_pressures);
     add("strain and stress", &Stepper::gather_rest);
   }
   add("accelerations", &Stepper::gather_accelerations);
@@ -130,10 +140,16 @@ void Stepper::scatter_particles() {
   shared_.add_steady();
 }
 
+void Stepper::scatter_pores() {
+  scatter_water(domain_, nodes_.of(0), nodes_.ties_of(0));
+}
+
 void Stepper::find_velocities() {
   double gained = 0.0;
   for (int clock = ticks_.first_due(); clock < ticks_.clocks(); ++clock)
     gained += grid_velocities(domain_, nodes_.of(clock)) - kinetic_of(clock);
+  if (domain_.has_flow())
+    gained += water_velocities(domain_, nodes_.of(0));
   book_transfer(gained);
 }
 
@@ -166,6 +182,25 @@ void Stepper::update() {
     energy.gravity += sums.gravity_work;
     energy.dashpots += sums.dashpot_relief;
   }
+  if (domain_.has_water())
+    energy.gravity += kicks_.front() * lift_power(domain_, nodes_.of(0));
+  finish_update();
+}
+
+void Stepper::update_with_flow() {
+  EnergyLedger& energy = domain_.energy;
+  close_faces(domain_);
+  kicks_.front() = ticks_.kick_of(0);
+  const MixtureUpdate sums = update_mixture(domain_, kicks_.front(), nodes_.of(0));
+  kinetic_.front() = sums.kinetic;
+  energy.gravity += sums.gravity_work;
+  energy.dashpots += sums.dashpot_relief;
+  energy.drag += sums.drag;
+  finish_update();
+}
+
+void Stepper::finish_update() {
+  EnergyLedger& energy = domain_.energy;
   energy.kinetic = std::accumulate(kinetic_.begin(), kinetic_.end(), 0.0);
   if (!std::isfinite(energy.kinetic))
     throw std::runtime_error(
@@ -176,6 +211,8 @@ void Stepper::update() {
 
 void Stepper::gather_all() {
   prolong(domain_, NodeGroup::velocity, nodes_.ties_of(0));
+  if (domain_.has_flow())
+    read_water();
   book(gather(domain_, dt_, {.velocity = true, .position = true, .strain = true}, 0));
 }
 
@@ -186,6 +223,13 @@ void Stepper::gather_velocities() {
     prolong(domain_, NodeGroup::velocity, nodes_.ties_of(clock));
     gather(domain_, ticks_.dt_of(clock), {.velocity = true}, clock);
   }
+  if (domain_.has_flow())
+    read_water();
+}
+
+void Stepper::read_water() {
+  prolong(domain_, NodeGroup::water_velocity, nodes_.ties_of(0));
+  gather_water(domain_);
 }
 
 void Stepper::scatter_momenta() {
@@ -196,6 +240,8 @@ void Stepper::scatter_momenta() {
     add_particles(domain_, ScatterPart::momentum, clock);
     fold(domain_, ScatterPart::momentum, nodes_.ties_of(clock));
   }
+  if (domain_.has_flow())
+    scatter_water_momenta(domain_, nodes_.of(0), nodes_.ties_of(0));
 }
 
 // With the trapezoidal rule, the work of the stresses is booked on the mean of this step's remapped velocity
@@ -207,6 +253,24 @@ void Stepper::remap() {
                          domain_.boundary.remap_power(domain_.grid, nodes_, clock);
     domain_.energy.transfer += 0.5 * kicks_[static_cast<std::size_t>(clock)] * power;
   }
+  double water_power = domain_.has_water() ? -lift_remap_power(domain_, nodes_.of(0)) : 0.0;
+  if (domain_.has_flow())
+    water_power += remap_flux(domain_, nodes_.of(0));
+  domain_.energy.transfer += 0.5 * kicks_.front() * water_power;
+}
+
+/// The pressures of a step follow from the velocities that strain the soil.
+void Stepper::find_pressures() {
+  const bool remapped = domain_.spec.scheme.order == StepOrder::musl;
+  if (domain_.has_flow()) {
+    if (!remapped)
+      find_flux(domain_, nodes_.of(0));
+    prolong(domain_, NodeGroup::volume_flux, nodes_.ties_of(0));
+  } else {
+    prolong(domain_, NodeGroup::velocity, nodes_.ties_of(0));
+  }
+  domain_.energy.pore +=
+      update_pressures(domain_, ticks_.dt_of(0), remapped, nodes_.of(0), nodes_.ties_of(0));
 }
 
 void Stepper::gather_rest() {

@@ -29,6 +29,9 @@ struct Pass {
 ///   musl:  scatter | velocities | boundary | update | gather velocity | scatter momentum | remap | gather
 ///   rest
 ///
+/// Soil below the water table adds passes of its own: water to grid and back, and pore pressures before the
+/// particles move (water/).
+///
 /// It runs on a list of clocks (ticks.hpp): passes after the sort run at every tick for the clocks that begin
 /// or end a step of theirs with it. Where all particles take the same step there is one clock and one tick.
 ///
@@ -88,14 +91,19 @@ private:
   void choose_step();
   void sort();
   void scatter_particles();
+  void scatter_pores();
   void find_velocities();
   void exchange();
   void react();
   void update();
+  void update_with_flow();
+  void finish_update();
+  void read_water();
   void gather_all();
   void gather_velocities();
   void scatter_momenta();
   void remap();
+  void find_pressures();
   void gather_rest();
   void gather_accelerations();
 

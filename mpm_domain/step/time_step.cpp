@@ -1,5 +1,6 @@
 #include "mpm_domain/step/time_step.hpp"
 
+#include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/spec/limits.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +16,9 @@ namespace {
 
 /// The least of steps_of(clock) times the critical step over all particles, where h is the size of the finest
 /// cells that a particle touches.
-template <typename StepsOf>
-double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
+/// @param speed_of  of waves, from a set and a range of it, m/s
+template <typename StepsOf, typename SpeedOf>
+double least_step(Domain& domain, double max_speed, const StepsOf& steps_of, const SpeedOf& speed_of) {
   const double share = share_of(domain.spec.scheme.order);
   std::vector<double> least(domain.block_count(), std::numeric_limits<double>::infinity());
   domain.workers.run(least.size(), [&](std::size_t block) {
@@ -25,8 +27,7 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
     const auto see = [&](Particles& set, const ParticleRange& range) {
       if (range.begin == range.end)
         return;
-      const double c =
-          materials::p_wave_speed_bound(set.law, set.points(range.begin, range.end - range.begin));
+      const double c = speed_of(set, range);
       const double undamped = largest_courant_number * h / (c + max_speed);
       least[block] = std::min(least[block], steps * damped_step(undamped, set.damping_time, share));
     };
@@ -37,6 +38,11 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of) {
     }
   });
   return *std::ranges::min_element(least);
+}
+
+/// Where all particles take the same step.
+double one_step(int /*clock*/) {
+  return 1.0;
 }
 
 /// The limit 0.65 h/c_p of a matched layer at the base whose ground is not the soil; infinity if there is
@@ -68,13 +74,18 @@ double layer_step(const Spec& spec) {
 } // namespace
 
 double critical_time_step(Domain& domain, double max_speed) {
-  return std::min(least_step(domain, max_speed, [](int) { return 1.0; }), layer_step(domain.spec));
+  return std::min(least_step(domain, max_speed, one_step, fastest_wave), layer_step(domain.spec));
+}
+
+double critical_skeleton_step(Domain& domain) {
+  return std::min(least_step(domain, 0.0, one_step, fastest_skeleton_wave), layer_step(domain.spec));
 }
 
 double critical_subcycled_step(Domain& domain, double max_speed) {
-  const double stable =
-      std::min(least_step(domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); }),
-               layer_step(domain.spec));
+  const double stable = std::min(
+      least_step(
+          domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); }, fastest_wave),
+      layer_step(domain.spec));
   return max_speed > 0.0 ? std::min(stable, 0.5 * domain.sort_distance() / max_speed) : stable;
 }
 

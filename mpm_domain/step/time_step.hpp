@@ -4,9 +4,11 @@
 //
 //     dt <= 0.65 h / (c_p + |v|)                                  (spec/limits.hpp).
 //
-// With viscous damping of the time beta the limit dt becomes sqrt(dt^2 + beta^2) - beta (damped_step there).
-// A matched layer below the base whose ground is not the soil has the limit above with v = 0. Where levels
-// take steps of their own, soil on clock r allows clock 0 a step 2^r times as long.
+// Below the water table the speed is that of grains and water without drag where water flows, and that of
+// both together where it does not (wave_speed.hpp). Permeability does not limit the step. With viscous
+// damping of the time beta the limit dt becomes sqrt(dt^2 + beta^2) - beta (damped_step there). A matched
+// layer below the base whose ground is not the soil has the limit above with v = 0. Where levels take steps
+// of their own, soil on clock r allows clock 0 a step 2^r times as long.
 
 #include "mpm_domain/domain.hpp"
 
@@ -14,6 +16,9 @@ namespace tremolo::mpm_domain {
 
 /// The critical time step if all particles take the same, s.
 double critical_time_step(Domain& domain, double max_speed);
+
+/// Likewise where pore pressures stay as they are, as under gravity, s.
+double critical_skeleton_step(Domain& domain);
 
 /// The critical step of clock 0, s, so that every clock keeps to the limit of its own particles. It is also
 /// short enough that no particle comes near cells of another level before the next sort.

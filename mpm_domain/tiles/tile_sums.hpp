@@ -24,12 +24,6 @@
 
 namespace tremolo::mpm_domain {
 
-/// Fields [first, end) of the table of particle_sums.
-struct SumRange {
-  std::size_t first;
-  std::size_t end;
-};
-
 /// Rows [begin, end) of a lattice.
 struct RowRange {
   int begin = std::numeric_limits<int>::max();

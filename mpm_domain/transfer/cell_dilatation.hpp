@@ -10,18 +10,16 @@
 // constant volume, or is nearly incompressible, would be too stiff and far too strong. With the volumes as
 // weights, the mean is a self-adjoint projection, so elastic soil gains no energy by it.
 //
-// The strains of a step are stored until the sums over all cells are complete; only then the laws see them. A
-// cell is the leaf that holds the particle's centre at the start of the step. Its sums are stored at its
-// lower left node. Particles of different clocks have means of their own.
+// The strains of a step are stored until the sums over all cells (cell_means.hpp) are complete; only then the
+// laws see them. Cells are those of the particles at the start of the step. Particles of different clocks
+// have means of their own.
 
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/transfer/cell_means.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/strain_update.hpp"
 
 namespace tremolo::mpm_domain {
-
-inline constexpr SumRange cell_sums{static_cast<std::size_t>(Sum::cell_volume),
-                                    static_cast<std::size_t>(Sum::cell_dilation) + 1};
 
 /// Stores the strains of particles of one set, chunk by chunk, and adds them to the sums of their cells.
 class WaitingRange {
@@ -39,9 +37,7 @@ public:
 
 private:
   WaitingStrains& strains_;
-  const GradedMesh* mesh_ = nullptr;
-  const Lattice* lattice_ = nullptr;
-  NodeBlock place_; ///< of the window
+  CellFinder finder_;
   double* window_ = nullptr;
   std::array<std::size_t, strain_chunk_size> in_window_{}; ///< where the sums of each particle's cell stand
 };
@@ -50,7 +46,7 @@ private:
 bool some_wait(const Domain& domain);
 
 /// Sets the sums over cells to zero and makes room for the strains of all particles.
-void clear_cells(Domain& domain);
+void clear_strains(Domain& domain);
 
 /// Updates stress, state and volume of the particles of a clock whose strains over a step of dt (s) have been
 /// stored.

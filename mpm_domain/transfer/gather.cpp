@@ -88,14 +88,15 @@ template <GatherParts parts, bool affine, typename Boxes>
 GatherSums gather_tile(Domain& domain, Particles& p, int clock, std::size_t tile, double dt,
                        WaitingRange* waiting) {
   constexpr Wanted wanted = wanted_by<parts, affine>;
-  const Grid& grid = domain.grid;
+  const VelocityFields velocities = of_soil(domain.grid);
   const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const Boxes boxes(p, lattice, x_axis);
   const auto sample_at = [&](std::size_t k, auto group, const Lanes& x, const Lanes& y)
       __attribute__((always_inline)) {
-    return sample<wanted, Boxes::rows>(grid, lattice, x, y, group.count, x_axis, y_axis, boxes.of(k, group));
+    return sample<wanted, Boxes::rows>(velocities, lattice, x, y, group.count, x_axis, y_axis,
+                                       boxes.of(k, group));
   };
   return gather_range<parts, affine, Boxes::follow>(p, p.in_block(domain.block(clock, tile)), dt, waiting,
                                                     sample_at);
@@ -106,11 +107,11 @@ template <GatherParts parts, bool affine, bool boxes_follow>
 GatherSums gather_across(Domain& domain, const AcrossTile& tile, double dt, WaitingRange* waiting) {
   constexpr Wanted wanted = wanted_by<parts, affine>;
   Particles& p = domain.sets[tile.set];
-  const Grid& grid = domain.grid;
+  const VelocityFields velocities = of_soil(domain.grid);
   return gather_range<parts, affine, boxes_follow>(
       p, {tile.weights.first(), tile.weights.end()}, dt, waiting,
       [&](std::size_t k, auto group, const Lanes&, const Lanes&) {
-        return sample_across<wanted>(grid, tile.weights, domain.basis_cells, p, k, group.count);
+        return sample_across<wanted>(velocities, tile.weights, domain.basis_cells, p, k, group.count);
       });
 }
 
@@ -148,8 +149,10 @@ GatherSums gather_filled(Domain& domain, int clock, std::size_t tile, double dt,
 template <GatherParts parts>
 GatherSums gather_across_tile(Domain& domain, const AcrossTile& tile, double dt) {
   const Particles& p = domain.sets[tile.set];
-  WaitingRange waits(domain.waiting_strains[tile.set], *domain.mesh);
-  WaitingRange* const waiting = parts.strain && p.traits.cell_dilatation ? &waits : nullptr;
+  std::optional<WaitingRange> waits;
+  if (parts.strain && p.traits.cell_dilatation)
+    waits.emplace(domain.waiting_strains[tile.set], *domain.mesh);
+  WaitingRange* const waiting = waits ? &*waits : nullptr;
   return p.traits.affine ? gather_set<parts, true>(domain, tile, dt, waiting)
                          : gather_set<parts, false>(domain, tile, dt, waiting);
 }
@@ -163,7 +166,7 @@ GatherSums gather_tiles(Domain& domain, double dt, int clock) {
     sums[filled.size() + n] = gather_across_tile<parts>(domain, tiles.across[n], dt);
   };
   if (parts.strain && some_wait(domain)) {
-    clear_cells(domain);
+    clear_strains(domain);
     tiles.sums.add_to(domain.grid, cell_sums, domain.tiles, domain.workers, domain.windows,
                       [&](std::size_t n, double* window) {
                         sums[n] = gather_filled<parts>(domain, clock, filled[n], dt, window);

@@ -41,6 +41,11 @@ inline Lanes choose(const LaneMask& mask, const Lanes& a, const Lanes& b) {
   return mask ? a : b;
 }
 
+/// 1/a in the lanes of a mask, 0 in the others.
+inline Lanes inverse(const Lanes& a, const LaneMask& mask) {
+  return choose(mask, 1.0 / choose(mask, a, all(1.0)), Lanes{});
+}
+
 /// max(a, 0); zero where a is not a number.
 inline Lanes positive(const Lanes& a) {
   return _mm256_max_pd(a, Lanes{});

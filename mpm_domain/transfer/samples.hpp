@@ -103,6 +103,18 @@ struct Reader {
     }
   }
 
+  /// sum S q of a field of numbers
+  [[gnu::always_inline]] Lanes number(const NodeField& field) const {
+    std::array<Lanes, 4> sums{};
+    for (std::size_t k = 0; k < count; ++k) {
+      const double* nodes = field.data() + first[k];
+      sums[k] = y_s[0][k] * load(nodes);
+      for (std::size_t j = 1; j < rows; ++j)
+        sums[k] += y_s[j][k] * load(nodes += row);
+    }
+    return dot(x.s, transposed(sums));
+  }
+
   /// sum over the four nodes of a row
   static Lanes dot(const std::array<Lanes, 4>& a, const std::array<Lanes, 4>& b) {
     return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
@@ -130,6 +142,18 @@ struct Wanted {
   bool remapped = false; ///< the gradient is that of the remapped velocity, not of v+
   bool affine = false;
 };
+
+/// The fields of the grid that are sampled: velocities before and after the update, and that which strains.
+struct VelocityFields {
+  const NodeField &x_before, &y_before, &x_after, &y_after, &x_strain, &y_strain;
+};
+inline VelocityFields of_soil(const Grid& grid) {
+  return {grid.vx_before, grid.vy_before, grid.vx_after, grid.vy_after, grid.vx_strain, grid.vy_strain};
+}
+/// Of water that flows; its strain is that of the flux of grains and water.
+inline VelocityFields of_water(const Grid& grid) {
+  return {grid.wx_before, grid.wy_before, grid.wx_after, grid.wy_after, grid.flux_x, grid.flux_y};
+}
 
 /// Both components of the velocities of the grid, as far as they are wanted.
 struct Velocities {
@@ -166,19 +190,25 @@ template <Wanted wanted>
           .byy = read.y_after.moment_y};
 }
 
+/// What the four particles of a reader read from the grid.
+template <Wanted wanted, std::size_t rows>
+[[gnu::always_inline]] inline Samples samples_at(const Reader<rows>& at, const VelocityFields& v) {
+  Velocities read;
+  if constexpr (reads(of_before<wanted>))
+    at.template read<of_before<wanted>>(v.x_before, v.y_before, read.x_before, read.y_before);
+  if constexpr (reads(of_after<wanted>))
+    at.template read<of_after<wanted>>(v.x_after, v.y_after, read.x_after, read.y_after);
+  if constexpr (reads(of_strain<wanted>))
+    at.template read<of_strain<wanted>>(v.x_strain, v.y_strain, read.x_strain, read.y_strain);
+  return samples_of<wanted>(read);
+}
+
 template <Wanted wanted, std::size_t rows, typename Boxes>
-[[gnu::always_inline]] inline Samples sample(const Grid& grid, const Lattice& lattice, const Lanes& x,
+[[gnu::always_inline]] inline Samples sample(const VelocityFields& v, const Lattice& lattice, const Lanes& x,
                                              const Lanes& y, std::size_t count, const Axis& x_axis,
                                              const Axis& y_axis, const Boxes& boxes) {
   const Reader<rows> at(Stencils(x, y, x_axis, y_axis, boxes), count, lattice, x_axis, y_axis, boxes);
-  Velocities read;
-  if constexpr (reads(of_before<wanted>))
-    at.template read<of_before<wanted>>(grid.vx_before, grid.vy_before, read.x_before, read.y_before);
-  if constexpr (reads(of_after<wanted>))
-    at.template read<of_after<wanted>>(grid.vx_after, grid.vy_after, read.x_after, read.y_after);
-  if constexpr (reads(of_strain<wanted>))
-    at.template read<of_strain<wanted>>(grid.vx_strain, grid.vy_strain, read.x_strain, read.y_strain);
-  return samples_of<wanted>(read);
+  return samples_at<wanted>(at, v);
 }
 
 /// Reads four nodes, one a lane, of a particle that touches several lattices.
@@ -222,7 +252,7 @@ template <Reading reading>
 
 /// sample() for `count` particles from `first` on that touch several lattices.
 template <Wanted wanted>
-Samples sample_across(const Grid& grid, const AcrossWeights& weights, const BasisCells& cells,
+Samples sample_across(const VelocityFields& v, const AcrossWeights& weights, const BasisCells& cells,
                       const Particles& p, std::size_t first, std::size_t count) {
   Velocities read;
   for (std::size_t lane = 0; lane < count; ++lane) {
@@ -231,12 +261,12 @@ Samples sample_across(const Grid& grid, const AcrossWeights& weights, const Basi
     for (const FourWeights& w : weights.of(k)) {
       const FourNodes& nodes = cells.four(w.four);
       const NodesReader at{w, nodes.x - p.x[k], nodes.y - p.y[k]};
-      at.add<of_before<wanted>>(grid.vx_before, sums.x_before);
-      at.add<of_before<wanted>>(grid.vy_before, sums.y_before);
-      at.add<of_after<wanted>>(grid.vx_after, sums.x_after);
-      at.add<of_after<wanted>>(grid.vy_after, sums.y_after);
-      at.add<of_strain<wanted>>(grid.vx_strain, sums.x_strain);
-      at.add<of_strain<wanted>>(grid.vy_strain, sums.y_strain);
+      at.add<of_before<wanted>>(v.x_before, sums.x_before);
+      at.add<of_before<wanted>>(v.y_before, sums.y_before);
+      at.add<of_after<wanted>>(v.x_after, sums.x_after);
+      at.add<of_after<wanted>>(v.y_after, sums.y_after);
+      at.add<of_strain<wanted>>(v.x_strain, sums.x_strain);
+      at.add<of_strain<wanted>>(v.y_strain, sums.y_strain);
     }
     collect<of_before<wanted>>(sums.x_before, lane, read.x_before);
     collect<of_before<wanted>>(sums.y_before, lane, read.y_before);

@@ -65,6 +65,12 @@ private:
   BoxLimits limits_;
 };
 
+/// act.template operator()<Boxes>() for the boxes of a set.
+template <typename Act>
+auto for_boxes(const Particles& p, const Act& act) {
+  return p.has_own_boxes() ? act.template operator()<OwnRectangles>() : act.template operator()<OneSquare>();
+}
+
 /// Where a lattice's nodes stand in an array: node (i, j) has the index first + j row + i.
 struct NodeArray {
   double row;

@@ -216,7 +216,7 @@ Plan plan(const Case& scene) {
     bytes += effect.bytes_per_particle;
     ns += effect.ns_per_particle_step;
   }
-  result.memory_bytes = particles * bytes + nodes * static_cast<double>(mpm_domain::bytes_per_node);
+  result.memory_bytes = particles * bytes + nodes * static_cast<double>(mpm_domain::bytes_per_node());
   result.estimated_time = static_cast<double>(result.steps) * updates * ns * 1e-9;
   result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
   const double rows = scene.shaking.duration / scene.output.history_every;

@@ -16,7 +16,7 @@ namespace tremolo::mpm_domain {
 namespace {
 
 static_assert(sizeof(NodeFields) == node_field_table.size() * sizeof(NodeField));
-static_assert(bytes_per_node == 17 * sizeof(double));
+static_assert(bytes_per_node() == 17 * sizeof(double));
 
 /// Another number on every node of every field.
 double number(std::size_t line, std::size_t node) {
@@ -24,6 +24,8 @@ double number(std::size_t line, std::size_t node) {
 }
 
 void fill_with_numbers(Grid& grid) {
+  grid.traits = {.wet = true, .flowing = true};
+  resize_fields(grid, grid.size());
   for (std::size_t line = 0; line < node_field_table.size(); ++line)
     for (std::size_t n = 0; n < grid.size(); ++n)
       (grid.*node_field_table[line].field)[n] = number(line, n);
@@ -50,12 +52,22 @@ TEST(NodeFieldTable, HasEveryFieldOnce) {
 
 TEST(NodeFieldTable, ResizingMakesEveryFieldZero) {
   Grid grid;
+  grid.traits = {.wet = true, .flowing = true};
   for (const NodeFieldDescription& line : node_field_table)
     (grid.*line.field).assign(3, 1.0);
   resize_fields(grid, 7);
   EXPECT_EQ(grid.size(), 7U);
   for (const NodeFieldDescription& line : node_field_table)
     EXPECT_EQ(grid.*line.field, NodeField(7, 0.0)) << line.name;
+}
+
+TEST(NodeFieldTable, DryNodesHaveNoWater) {
+  Grid grid;
+  resize_fields(grid, 7);
+  for (const NodeFieldDescription& line : node_field_table)
+    EXPECT_EQ((grid.*line.field).size(), trait_of(line.group) == NodeTrait::always ? 7U : 0U) << line.name;
+  EXPECT_GT(bytes_per_node({.wet = true, .flowing = false}), bytes_per_node());
+  EXPECT_GT(bytes_per_node({.wet = true, .flowing = true}), bytes_per_node({.wet = true, .flowing = false}));
 }
 
 TEST(NodeFieldTable, ClearingTakesTheGroupsOfAPart) {
@@ -82,8 +94,13 @@ TEST(NodeFieldTable, ClearingTakesTheGroupsOfAPart) {
   }
 }
 
-constexpr NodeGroup all_groups[] = {NodeGroup::mass,     NodeGroup::momentum,     NodeGroup::force,
-                                    NodeGroup::velocity, NodeGroup::acceleration, NodeGroup::cell};
+/// Every group, from the table.
+std::set<NodeGroup> all_groups() {
+  std::set<NodeGroup> groups;
+  for (const NodeFieldDescription& line : node_field_table)
+    groups.insert(line.group);
+  return groups;
+}
 
 /// The images of a period; with cells of two sizes, hanging and virtual nodes besides.
 class TiedNodes : public testing::TestWithParam<bool> {
@@ -102,7 +119,7 @@ TEST_P(TiedNodes, HandOnTheFieldsOfAGroup) {
   Domain domain = tied_domain();
   const Prolongation& ties = domain.ties();
   ASSERT_FALSE(ties.empty());
-  for (const NodeGroup folded : all_groups) {
+  for (const NodeGroup folded : all_groups()) {
     fill_with_numbers(domain.grid);
     fold(domain, folded);
     for (std::size_t line = 0; line < node_field_table.size(); ++line) {
@@ -129,7 +146,7 @@ TEST_P(TiedNodes, HandOnTheFieldsOfAGroup) {
 TEST_P(TiedNodes, FollowInTheFieldsOfAGroup) {
   Domain domain = tied_domain();
   const Prolongation& ties = domain.ties();
-  for (const NodeGroup prolonged : all_groups) {
+  for (const NodeGroup prolonged : all_groups()) {
     fill_with_numbers(domain.grid);
     prolong(domain, prolonged);
     for (std::size_t line = 0; line < node_field_table.size(); ++line) {

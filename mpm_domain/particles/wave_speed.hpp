@@ -1,0 +1,26 @@
+#pragma once
+
+// Speeds of compression waves in particles, in their present stress. A law gives the speed for the density
+// that it knows, rho_law c^2 = M; the particles' own density may be that of dry soil, of grains alone, or of
+// grains and water.
+
+#include "coupler/eq6/boundary_traction.hpp"
+#include "mpm_domain/particles/particles.hpp"
+
+namespace tremolo::mpm_domain {
+
+/// The largest speed that bounds the step of particles of a range, m/s: below the water table that of grains
+/// and water without drag where water flows, and that of both together where it does not.
+double fastest_wave(Particles& particles, const ParticleRange& range);
+
+/// Likewise where pore pressures stay as they are: the skeleton alone, with the particles' mass.
+double fastest_skeleton_wave(Particles& particles, const ParticleRange& range);
+
+/// What the ground at a particle opposes to slow waves, which water follows, Pa s/m: rho c_p and rho c_s.
+struct Impedances {
+  double p = 0.0;
+  double s = 0.0;
+};
+Impedances impedances(Particles& particles, std::size_t k);
+
+} // namespace tremolo::mpm_domain

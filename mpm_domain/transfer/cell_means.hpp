@@ -1,0 +1,81 @@
+#pragma once
+
+// Means over the particles of a cell, sum w q / sum w. A cell is the leaf that holds a particle's centre; its
+// sums stand at its lower left node, NodeFields::cell_weight and cell_change. Particles on one lattice add
+// theirs in the window of their tile, and particles that touch several lattices are added afterwards.
+
+#include "mpm_domain/domain.hpp"
+
+#include <cmath>
+
+namespace tremolo::mpm_domain {
+
+inline constexpr SumRange cell_sums = sums_between(Sum::cell_weight, Sum::cell_change);
+
+/// Finds the cells of the particles of a tile, or of particles that touch several lattices.
+class CellFinder {
+public:
+  CellFinder(const TileMap& tiles, std::size_t tile)
+      : lattice_(&tiles.lattice(tiles.level_of(tile))), place_(tiles.window(tile)) {}
+  explicit CellFinder(const GradedMesh& mesh) : mesh_(&mesh) {}
+
+  struct Cell {
+    std::size_t node;      ///< its lower left one
+    std::size_t in_window; ///< where that stands in the window of the tile, if there is one
+  };
+  Cell at(double x, double y) const;
+
+private:
+  const GradedMesh* mesh_ = nullptr;
+  const Lattice* lattice_ = nullptr;
+  NodeBlock place_; ///< of the window
+};
+
+/// Where a tile's sums over cells stand in its window.
+struct CellWindow {
+  double *weight, *change;
+
+  explicit CellWindow(double* window)
+      : weight(window + cell_sums.first * window_nodes), change(weight + window_nodes) {}
+  void add(std::size_t cell, double w, double wq) const {
+    weight[cell] += w;
+    change[cell] += wq;
+  }
+};
+
+/// Sets the sums over cells to zero.
+void clear_cells(Domain& domain);
+
+struct CellValues {
+  std::size_t cell;
+  double weight, change;
+};
+
+/// The images of a period take the sums of the cells that they stand for.
+void join_images_of_cells(Domain& domain);
+
+/// Adds what particles that touch several lattices bring to their cells, then the images of a period to the
+/// cells that they are. They are few, so one thread does it.
+/// @param takes_part  (set) whether its particles do
+/// @param values_of   (set, particle) -> {cell, w, w q}
+template <typename TakesPart, typename ValuesOf>
+void complete_cells(Domain& domain, const ClockTiles& tiles, const TakesPart& takes_part,
+                    const ValuesOf& values_of) {
+  for (const AcrossTile& tile : tiles.across) {
+    if (!takes_part(domain.sets[tile.set]))
+      continue;
+    for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k) {
+      const CellValues values = values_of(tile.set, k);
+      domain.grid.cell_weight[values.cell] += values.weight;
+      domain.grid.cell_change[values.cell] += values.change;
+    }
+  }
+  join_images_of_cells(domain);
+}
+
+/// The mean of a cell.
+inline double mean_of_cell(const Grid& grid, std::size_t cell) {
+  return grid.cell_change[cell] / grid.cell_weight[cell];
+}
+
+} // namespace tremolo::mpm_domain

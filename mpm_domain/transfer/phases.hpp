@@ -1,0 +1,145 @@
+#pragma once
+
+// What particles carry to the grid: grains, and water that flows between them. The sums of both stand in the
+// order mass, momentum, force in NodeFields.
+
+#include "mpm_domain/transfer/chunk_weights.hpp"
+#include "mpm_domain/transfer/total_stress.hpp"
+
+#include <array>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// The arrays of a chunk of particles and of a window's sums, as pointers to their first element. The
+/// compiler would load the pointer inside a std::vector again after every store.
+struct Arrays {
+  const double *mass, *volume, *vx, *vy, *bxx, *bxy, *byx, *byy, *sxx, *syy, *sxy;
+  double* sums; ///< [field][row][column], from the field on that takes `mass`
+
+  double* of(Sum field) const { return sums + static_cast<std::size_t>(field) * window_nodes; }
+};
+
+/// Numbers that a chunk of particles does not carry.
+struct ChunkStore {
+  std::array<double, chunk> mass, xx, yy, xy;
+};
+
+/// A column from a particle on; sets without it have no such array.
+inline const double* column_from(const std::vector<double>& column, std::size_t first) {
+  return column.empty() ? nullptr : &column[first];
+}
+
+/// The numbers of one particle.
+struct ParticleValues {
+  double mass, vx, vy, bxx, bxy, byx, byy;
+  TotalStress stress;
+};
+
+/// What moves with the particles: grains, and water that does not flow in their pores. Their sums begin with
+/// Sum::mass. The forces are those on soil and water together.
+struct SoilPhase {
+  static constexpr Sum first_sum = Sum::mass;
+  static constexpr double weighs = 1.0;
+
+  /// @param store  takes the stress of forces where it is not that of the law alone
+  template <bool force>
+  static Arrays arrays(const Particles& p, std::size_t first, std::size_t count, double* window,
+                       ChunkStore& store) {
+    Arrays a{&p.mass[first],
+             &p.volume[first],
+             &p.vx[first],
+             &p.vy[first],
+             column_from(p.bxx, first),
+             column_from(p.bxy, first),
+             column_from(p.byx, first),
+             column_from(p.byy, first),
+             &p.sxx[first],
+             &p.syy[first],
+             &p.sxy[first],
+             window};
+    if constexpr (force)
+      if (has_more_than_law_stress(p)) {
+        by_fours(0, count, [&](std::size_t c, auto group) {
+          const auto [xx, yy, xy] = total_stress(p, first + c, group);
+          group.store(&store.xx[c], xx);
+          group.store(&store.yy[c], yy);
+          group.store(&store.xy[c], xy);
+        });
+        a.sxx = store.xx.data();
+        a.syy = store.yy.data();
+        a.sxy = store.xy.data();
+      }
+    return a;
+  }
+
+  template <bool affine>
+  static ParticleValues of(const Particles& p, std::size_t k) {
+    ParticleValues v{p.mass[k], p.vx[k], p.vy[k], 0.0, 0.0, 0.0, 0.0, total_stress(p, k)};
+    if constexpr (affine) {
+      v.bxx = p.bxx[k];
+      v.bxy = p.bxy[k];
+      v.byx = p.byx[k];
+      v.byy = p.byy[k];
+    }
+    return v;
+  }
+};
+
+/// Water that flows. Its force is that of the excess pressure per unit of water volume; it has no weight,
+/// since the pressure is that beyond the hydrostatic one.
+struct WaterPhase {
+  static constexpr Sum first_sum = Sum::water_mass;
+  static constexpr double weighs = 0.0;
+
+  template <bool force>
+  static Arrays arrays(const Particles& p, std::size_t first, std::size_t count, double* window,
+                       ChunkStore& store) {
+    const PoreWater& water = *p.water;
+    by_fours(0, count, [&](std::size_t c, auto group) {
+      const Lanes volume = group.load(&p.volume[first + c]);
+      group.store(&store.mass[c],
+                  water.fluid.density * (volume - water.grains_per_mass * group.load(&p.mass[first + c])));
+      if constexpr (force) {
+        const Lanes excess = excess_pressure(p, first + c, group);
+        group.store(&store.xx[c], -excess);
+        group.store(&store.xy[c], Lanes{});
+      }
+    });
+    return {store.mass.data(),
+            &p.volume[first],
+            &p.wx[first],
+            &p.wy[first],
+            column_from(p.wbxx, first),
+            column_from(p.wbxy, first),
+            column_from(p.wbyx, first),
+            column_from(p.wbyy, first),
+            store.xx.data(),
+            store.xx.data(),
+            store.xy.data(),
+            window + static_cast<std::size_t>(first_sum) * window_nodes};
+  }
+
+  template <bool affine>
+  static ParticleValues of(const Particles& p, std::size_t k) {
+    const PoreWater& water = *p.water;
+    const double excess = water.excess(p.pore_pressure[k], p.y[k]);
+    ParticleValues v{water.fluid.density * (p.volume[k] - water.grains_per_mass * p.mass[k]),
+                     p.wx[k],
+                     p.wy[k],
+                     0.0,
+                     0.0,
+                     0.0,
+                     0.0,
+                     {-excess, -excess, 0.0}};
+    if constexpr (affine) {
+      v.bxx = p.wbxx[k];
+      v.bxy = p.wbxy[k];
+      v.byx = p.wbyx[k];
+      v.byy = p.wbyy[k];
+    }
+    return v;
+  }
+};
+
+} // namespace tremolo::mpm_domain

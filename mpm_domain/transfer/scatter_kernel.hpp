@@ -1,0 +1,317 @@
+#pragma once
+
+// How particles add up to nodes, chunk by chunk: on one lattice with stencils, in the window of their tile;
+// across several lattices four nodes at a time.
+
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/transfer/phases.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Which part of the particles' motion a pass scatters.
+enum class Motion { none, momentum, mass_and_momentum };
+
+template <std::size_t rows>
+using Rows = std::array<Lanes, rows>;
+
+template <std::size_t rows>
+[[gnu::always_inline]] inline void add_rows(double* nodes, const Rows<rows>& sums) {
+  for (std::size_t j = 0; j < rows; ++j, nodes += window_columns)
+    store(nodes, load(nodes) + sums[j]);
+}
+
+/// The first particle of a cell begins the sums.
+template <bool first>
+[[gnu::always_inline]] inline void add_to_row(Lanes& sum, const Lanes& value) {
+  if constexpr (first)
+    sum = value;
+  else
+    sum += value;
+}
+
+/// Sums of the particles of one cell for the nodes that they share, in rows of four. The sums stay in
+/// registers while the particles are read and are written to the tile's window once. Motion and force are
+/// summed up one after the other, since the registers do not hold both.
+template <Motion motion, std::size_t rows>
+struct MotionSums {
+  Rows<rows> mass, momentum_x, momentum_y; ///< not set until the first particle
+
+  /// S m and S m (v + C (x_i - x)), C = B D^-1. Lanes run along x: for each row only the factor of y remains.
+  template <bool affine, bool first>
+  [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights<rows>& w, std::size_t c, double h) {
+    const Lanes m = a.mass[c] * w.xs[c];
+    Lanes vx = all(a.vx[c]);
+    Lanes vy = all(a.vy[c]);
+    Lanes row_x{}; // increment of momentum from one row to the next
+    Lanes row_y{};
+    if constexpr (affine) {
+      constexpr Lanes node = {-1.0, 0.0, 1.0, 2.0};
+      const Lanes dx = h * (node - w.xi[c]);
+      const double dy = -h * w.eta[c];
+      const double cxy = a.bxy[c] * w.per_y[c];
+      const double cyy = a.byy[c] * w.per_y[c];
+      vx += a.bxx[c] * w.per_x[c] * dx + cxy * dy;
+      vy += a.byx[c] * w.per_x[c] * dx + cyy * dy;
+      row_x = cxy * h * m;
+      row_y = cyy * h * m;
+    }
+    Lanes px = m * vx;
+    Lanes py = m * vy;
+    for (std::size_t j = 0; j < rows; ++j) {
+      const double s = w.ys[j][c];
+      if constexpr (motion == Motion::mass_and_momentum)
+        add_to_row<first>(mass[j], s * m);
+      add_to_row<first>(momentum_x[j], s * px);
+      add_to_row<first>(momentum_y[j], s * py);
+      if constexpr (affine) {
+        px += row_x;
+        py += row_y;
+      }
+    }
+  }
+
+  [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
+    if constexpr (motion == Motion::mass_and_momentum)
+      add_rows(a.of(Sum::mass) + first, mass);
+    add_rows(a.of(Sum::momentum_x) + first, momentum_x);
+    add_rows(a.of(Sum::momentum_y) + first, momentum_y);
+  }
+};
+
+template <std::size_t rows>
+struct ForceSums {
+  Rows<rows> force_x, force_y;
+
+  /// S m g - V sigma grad S
+  template <bool first>
+  [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights<rows>& w, std::size_t c,
+                                  const Lanes& gravity) {
+    const Lanes vs = a.volume[c] * w.xs[c];
+    const Lanes vg = a.volume[c] * w.xg[c];
+    const Lanes fx_s = a.sxx[c] * vg;
+    const Lanes fx_g = a.sxy[c] * vs;
+    const Lanes fy_s = a.sxy[c] * vg + gravity * (a.mass[c] * w.xs[c]);
+    const Lanes fy_g = a.syy[c] * vs;
+    for (std::size_t j = 0; j < rows; ++j) {
+      const double s = w.ys[j][c];
+      const double g = w.yg[j][c];
+      add_to_row<first>(force_x[j], -(s * fx_s));
+      add_to_row<first>(force_y[j], -(s * fy_s));
+      force_x[j] -= g * fx_g;
+      force_y[j] -= g * fy_g;
+    }
+  }
+
+  [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
+    add_rows(a.of(Sum::force_x) + first, force_x);
+    add_rows(a.of(Sum::force_y) + first, force_y);
+  }
+};
+
+/// Sums S q of numbers q that particles bring to nodes.
+template <std::size_t count>
+using ChunkScalars = std::array<std::array<double, chunk>, count>;
+
+template <std::size_t count, std::size_t rows>
+struct ScalarSums {
+  std::array<Rows<rows>, count> sums;
+
+  template <bool first>
+  [[gnu::always_inline]] void add(const ChunkScalars<count>& values, const ChunkWeights<rows>& w,
+                                  std::size_t c) {
+    for (std::size_t f = 0; f < count; ++f) {
+      const Lanes along = values[f][c] * w.xs[c];
+      for (std::size_t j = 0; j < rows; ++j)
+        add_to_row<first>(sums[f][j], w.ys[j][c] * along);
+    }
+  }
+
+  /// @param window  where the sums of the first number stand
+  [[gnu::always_inline]] void add_to(double* window, std::ptrdiff_t first) const {
+    for (std::size_t f = 0; f < count; ++f)
+      add_rows(window + f * window_nodes + first, sums[f]);
+  }
+};
+
+/// Adds up a chunk cell by cell. add(sums, c, is_first) adds the chunk's particle c to the sums of its cell.
+template <typename Sums, std::size_t rows, typename To, typename Add>
+[[gnu::always_inline]] inline void stream(const ChunkWeights<rows>& w, std::size_t count, const To& arrays,
+                                          const Add& add) {
+  for (std::size_t c = 0; c < count;) {
+    const std::int32_t shared = w.first[c];
+    Sums sums;
+    add(sums, c++, std::true_type{});
+    while (c < count && w.first[c] == shared)
+      add(sums, c++, std::false_type{});
+    sums.add_to(arrays, shared);
+  }
+}
+
+/// All calls in this function are inlined (`flatten`): a call would push the sums out of the registers.
+/// @returns the rows of the lattice that the particles touch
+template <typename Phase, Motion motion, bool force, bool affine, typename Boxes>
+[[gnu::flatten]] RowRange scatter_range(const Particles& p, const ParticleRange& range,
+                                        const Lattice& lattice, const NodeArray& nodes, double* window,
+                                        double gravity) {
+  using Moving = MotionSums<motion, Boxes::rows>;
+  using Pulling = ForceSums<Boxes::rows>;
+  const Axis x_axis(lattice.x0, lattice.h);
+  const Axis y_axis(lattice.y0, lattice.h);
+  const Boxes boxes(p, lattice, x_axis);
+  const Lanes g = all(gravity);
+  ChunkWeights<Boxes::rows> w;
+  FirstRows seen;
+  ChunkStore store;
+  for (std::size_t k = range.begin; k < range.end; k += chunk) {
+    const std::size_t count = std::min(chunk, range.end - k);
+    by_fours(0, count, [&](std::size_t c, auto group) {
+      take_weights<force, motion != Motion::none && affine>(p, k + c, c, group, nodes, x_axis, y_axis, boxes,
+                                                            w, seen);
+    });
+    const Arrays arrays = Phase::template arrays<force>(p, k, count, window, store);
+    if constexpr (motion != Motion::none)
+      stream<Moving>(w, count, arrays, [&](Moving& sums, std::size_t c, auto is_first) {
+        sums.template add<affine, is_first>(arrays, w, c, lattice.h);
+      });
+    if constexpr (force)
+      stream<Pulling>(w, count, arrays, [&](Pulling& sums, std::size_t c, auto is_first) {
+        sums.template add<is_first>(arrays, w, c, g);
+      });
+  }
+  return seen.stencils(Boxes::rows);
+}
+
+/// Scatters numbers of the particles of a range.
+/// @param window    where the sums of the first number stand
+/// @param values_of  (k, group) -> the numbers of a group of particles from k on
+/// @returns the rows of the lattice that the particles touch
+template <std::size_t count, typename Boxes, typename ValuesOf>
+[[gnu::flatten]] RowRange scatter_scalars(const Particles& p, const ParticleRange& range,
+                                          const Lattice& lattice, const NodeArray& nodes, double* window,
+                                          const ValuesOf& values_of) {
+  using Sums = ScalarSums<count, Boxes::rows>;
+  const Axis x_axis(lattice.x0, lattice.h);
+  const Axis y_axis(lattice.y0, lattice.h);
+  const Boxes boxes(p, lattice, x_axis);
+  ChunkWeights<Boxes::rows> w;
+  ChunkScalars<count> values;
+  FirstRows seen;
+  for (std::size_t k = range.begin; k < range.end; k += chunk) {
+    const std::size_t part = std::min(chunk, range.end - k);
+    by_fours(0, part, [&](std::size_t c, auto group) {
+      take_weights<false, false>(p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
+      const std::array<Lanes, count> of_group = values_of(k + c, group);
+      for (std::size_t f = 0; f < count; ++f)
+        group.store(&values[f][c], of_group[f]);
+    });
+    stream<Sums>(w, part, window, [&](Sums& sums, std::size_t c, auto is_first) {
+      sums.template add<is_first>(values, w, c);
+    });
+  }
+  return seen.stencils(Boxes::rows);
+}
+
+/// Scatters the particles of a set in a tile, by the boxes and affine velocities that the set has.
+/// @returns the rows of the lattice that they touch
+template <typename Phase, Motion motion, bool force>
+RowRange scatter_set(const Domain& domain, const Particles& p, int clock, std::size_t tile, double* window) {
+  const ParticleRange range = p.in_block(domain.block(clock, tile));
+  if (range.begin == range.end)
+    return {};
+  const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
+  const NodeArray nodes(domain.tiles.window(tile));
+  const double gravity = Phase::weighs * p.weight_share * domain.spec.gravity;
+  return for_boxes(p, [&]<typename Boxes>() {
+    return p.traits.affine
+               ? scatter_range<Phase, motion, force, true, Boxes>(p, range, lattice, nodes, window, gravity)
+               : scatter_range<Phase, motion, force, false, Boxes>(p, range, lattice, nodes, window, gravity);
+  });
+}
+
+/// scatter_scalars() for the particles of a set in a tile. Their sums begin with those of a field.
+template <std::size_t count, typename ValuesOf>
+RowRange scatter_scalars(const Domain& domain, const Particles& p, int clock, std::size_t tile,
+                         double* window, Sum first, const ValuesOf& values_of) {
+  const ParticleRange range = p.in_block(domain.block(clock, tile));
+  if (range.begin == range.end)
+    return {};
+  return for_boxes(p, [&]<typename Boxes>() {
+    return scatter_scalars<count, Boxes>(p, range, domain.tiles.lattice(domain.tiles.level_of(tile)),
+                                         NodeArray(domain.tiles.window(tile)),
+                                         window + static_cast<std::size_t>(first) * window_nodes, values_of);
+  });
+}
+
+/// The fields of particle_sums that a pass sums up.
+template <typename Phase>
+constexpr SumRange fields_of(Motion motion, bool force) {
+  constexpr auto first = static_cast<std::size_t>(Phase::first_sum);
+  const Sum from = motion == Motion::mass_and_momentum ? Sum::mass
+                   : motion == Motion::momentum        ? Sum::momentum_x
+                                                       : Sum::force_x;
+  const SumRange fields = sums_between(from, force ? Sum::force_y : Sum::momentum_y);
+  return {first + fields.first, first + fields.end};
+}
+
+/// Adds up what a tile's particles that touch several lattices bring to four nodes at a time.
+/// @param add_to  (particle, weights of four, add) calls add(sum, lanes)
+template <typename AddTo>
+void add_across_tile(AcrossTile& tile, SumRange fields, const AddTo& add_to) {
+  const std::size_t field = 4 * tile.weights.fours().size(); // length of one field in `tile.sums`
+  std::fill(tile.sums.data() + fields.first * field, tile.sums.data() + fields.end * field, 0.0);
+  for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k)
+    for (const FourWeights& w : tile.weights.of(k))
+      add_to(k, w, [&](std::size_t sum, const Lanes& values) {
+        double* to = &tile.sums[sum * field + 4 * w.place];
+        store(to, load(to) + values);
+      });
+}
+
+template <typename Phase, Motion motion, bool force, bool affine>
+void scatter_across(const Particles& p, AcrossTile& tile, const BasisCells& cells, double gravity) {
+  constexpr auto first = static_cast<std::size_t>(Phase::first_sum);
+  constexpr auto at = [](Sum sum) { return first + static_cast<std::size_t>(sum); };
+  add_across_tile(tile, fields_of<Phase>(motion, force),
+                  [&](std::size_t k, const FourWeights& w, const auto& add) {
+                    const ParticleValues of = Phase::template of<affine>(p, k);
+                    const Lanes mass = of.mass * w.s;
+                    if constexpr (motion != Motion::none) {
+                      Lanes vx = all(of.vx);
+                      Lanes vy = all(of.vy);
+                      if constexpr (affine) {
+                        const InverseMoments& per = tile.weights.per_moments(k); // C = B D^-1
+                        const FourNodes& nodes = cells.four(w.four);
+                        const Lanes dx = nodes.x - p.x[k];
+                        const Lanes dy = nodes.y - p.y[k];
+                        vx += of.bxx * per.x * dx + of.bxy * per.y * dy;
+                        vy += of.byx * per.x * dx + of.byy * per.y * dy;
+                      }
+                      if constexpr (motion == Motion::mass_and_momentum)
+                        add(at(Sum::mass), mass);
+                      add(at(Sum::momentum_x), mass * vx);
+                      add(at(Sum::momentum_y), mass * vy);
+                    }
+                    if constexpr (force) {
+                      const auto& [sxx, syy, sxy] = of.stress;
+                      const double v = p.volume[k];
+                      add(at(Sum::force_x), -v * (sxx * w.gx + sxy * w.gy));
+                      add(at(Sum::force_y), -v * (sxy * w.gx + syy * w.gy) - gravity * mass);
+                    }
+                  });
+}
+
+template <typename Phase, Motion motion, bool force>
+void scatter_across_set(Domain& domain, AcrossTile& tile) {
+  const Particles& p = domain.sets[tile.set];
+  const double gravity = Phase::weighs * p.weight_share * domain.spec.gravity;
+  p.traits.affine ? scatter_across<Phase, motion, force, true>(p, tile, domain.basis_cells, gravity)
+                  : scatter_across<Phase, motion, force, false>(p, tile, domain.basis_cells, gravity);
+}
+
+} // namespace tremolo::mpm_domain

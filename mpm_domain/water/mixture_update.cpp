@@ -1,0 +1,232 @@
+#include "mpm_domain/water/mixture_update.hpp"
+
+#include "mpm_domain/step/over_rows.hpp"
+#include "mpm_domain/transfer/lanes.hpp"
+#include "mpm_domain/water/mixture_kick.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// A node with less than this share of the mass of an empty node of soil has no water.
+double empty_water(const Domain& domain) {
+  return 0.1 * empty_mass(domain);
+}
+
+double density_of_water(const Domain& domain) {
+  return domain.spec.water->fluid.density;
+}
+
+template <typename Group>
+MixtureNodes masses(const Grid& grid, std::size_t n, Group group, double density, double empty,
+                    double without_water) {
+  const Lanes solid = group.load(&grid.mass[n]);
+  const Lanes water = group.load(&grid.water_mass[n]);
+  return {solid,
+          water,
+          density * group.load(&grid.wet_volume[n]),
+          group.load(&grid.resistance[n]),
+          solid > empty,
+          water > without_water};
+}
+
+/// n = m_f/(rho_f V), 0 where there is no water.
+Lanes porosity(const MixtureNodes& nodes) {
+  return nodes.water_mass * inverse(nodes.full_water, nodes.has_water);
+}
+
+/// Closes the nodes of a lattice on the line of a face, and those next to it outside.
+void close_on(const Lattice& lattice, Side side, const mesh::Rectangle& line, Grid& grid) {
+  const auto nearest = [&](double place, double origin) {
+    return static_cast<int>(std::lround((place - origin) / lattice.h));
+  };
+  const auto first = [&](double place, double origin) {
+    return static_cast<int>(std::floor((place - origin) / lattice.h + 1e-9));
+  };
+  const auto last = [&](double place, double origin) {
+    return static_cast<int>(std::ceil((place - origin) / lattice.h - 1e-9));
+  };
+  const auto close = [&](NodeField& open, int i, int j) {
+    if (i >= 0 && i < lattice.nx && j >= 0 && j < lattice.ny)
+      open[lattice.index(i, j)] = 0.0;
+  };
+  if (side == Side::base) {
+    const int row = nearest(line.y_min, lattice.y0);
+    for (int i = first(line.x_min, lattice.x0); i <= last(line.x_max, lattice.x0); ++i)
+      for (const int j : {row, row - 1})
+        close(grid.open_y, i, j);
+    return;
+  }
+  const int column = nearest(line.x_min, lattice.x0);
+  for (int j = first(line.y_min, lattice.y0); j <= last(line.y_max, lattice.y0); ++j)
+    for (const int i : {column, side == Side::left ? column - 1 : column + 1})
+      close(grid.open_x, i, j);
+}
+
+} // namespace
+
+void close_faces(Domain& domain) {
+  Grid& grid = domain.grid;
+  for_group(grid, NodeGroup::openness, [](NodeField& open) { std::ranges::fill(open, 1.0); });
+  for (const BoundaryFace& face : domain.boundary.faces())
+    if (domain.sets[face.set].traits.flowing)
+      for (int level = 0; level < domain.lattice_count(); ++level)
+        close_on(domain.lattice(level), face.side, line_of(face, domain.sets[face.set]), grid);
+}
+
+double water_velocities(Domain& domain, std::span<const NodeRange> rows) {
+  Grid& grid = domain.grid;
+  const double without = empty_water(domain);
+  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
+    Lanes kinetic{};
+    by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
+      const Lanes m = group.load(&grid.water_mass[n]);
+      const LaneMask wet = m > without;
+      const Lanes per_mass = inverse(m, wet);
+      const auto velocity = [&](const NodeField& momentum, const NodeField& of_soil, NodeField& to) {
+        const Lanes v = choose(wet, group.load(&momentum[n]) * per_mass, group.load(&of_soil[n]));
+        group.store(&to[n], v);
+        kinetic += choose(wet, 0.5 * m * v * v, Lanes{});
+      };
+      velocity(grid.water_momentum_x, grid.vx_before, grid.wx_before);
+      velocity(grid.water_momentum_y, grid.vy_before, grid.wy_before);
+    });
+    return sum(kinetic);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+MixtureUpdate update_mixture(Domain& domain, double dt, std::span<const NodeRange> rows) {
+  Grid& grid = domain.grid;
+  const double empty = empty_mass(domain);
+  const double without = empty_water(domain);
+  const double density = density_of_water(domain);
+  const double gravity = domain.spec.gravity;
+  const std::vector<MixtureUpdate> sums = over_rows<MixtureUpdate>(domain, rows, [&](const NodeRange& nodes) {
+    Lanes kinetic{};
+    Lanes weight_work{}; // over the step, downwards
+    Lanes relief{};
+    Lanes drag{};
+    by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
+      const MixtureNodes m = masses(grid, n, group, density, empty, without);
+      const Lanes water = choose(m.has_water, m.water_mass, Lanes{});
+      const Lanes pores = porosity(m);
+      // One component; returns the mean velocity of the grains over the step.
+      const auto kick = [&](const NodeField& force, const NodeField& dashpot, const NodeField& pull,
+                            const NodeField& open, const NodeField& v_before, const NodeField& w_before,
+                            NodeField& acceleration, NodeField& v_after, NodeField& w_after) {
+        const Lanes c = group.load(&dashpot[n]);
+        const Lanes v = group.load(&v_before[n]);
+        const Lanes vf = group.load(&w_before[n]);
+        const Lanes f = group.load(&pull[n]);
+        const MixtureKick a = kick_mixture(m, group.load(&force[n]), c, f, vf - v, group.load(&open[n]), dt);
+        const Lanes u = v + dt * a.solid;
+        const Lanes uf = choose(m.has_water, vf + dt * a.water, u);
+        const Lanes mid = 0.5 * (v + u);
+        group.store(&acceleration[n], a.solid);
+        group.store(&v_after[n], u);
+        group.store(&w_after[n], uf);
+        kinetic += 0.5 * (m.solid_mass * u * u + water * uf * uf);
+        relief -= c * a.mixture * mid;
+        drag += (pores * f - water * a.water) * (0.5 * (vf + uf) - mid);
+        return mid;
+      };
+      kick(grid.force_x, grid.dashpot_x, grid.water_force_x, grid.open_x, grid.vx_before, grid.wx_before,
+           grid.ax, grid.vx_after, grid.wx_after);
+      const Lanes mid = kick(grid.force_y, grid.dashpot_y, grid.water_force_y, grid.open_y, grid.vy_before,
+                             grid.wy_before, grid.ay, grid.vy_after, grid.wy_after);
+      weight_work -= (gravity * m.solid_mass - group.load(&grid.lift[n])) * mid;
+    });
+    return MixtureUpdate{sum(kinetic), dt * sum(weight_work), 0.5 * dt * dt * sum(relief), dt * sum(drag)};
+  });
+  MixtureUpdate total;
+  for (const MixtureUpdate& sum : sums) {
+    total.kinetic += sum.kinetic;
+    total.gravity_work += sum.gravity_work;
+    total.dashpot_relief += sum.dashpot_relief;
+    total.drag += sum.drag;
+  }
+  return total;
+}
+
+void find_flux(Domain& domain, std::span<const NodeRange> rows) {
+  Grid& grid = domain.grid;
+  const double empty = empty_mass(domain);
+  const double without = empty_water(domain);
+  const double density = density_of_water(domain);
+  domain.workers.run(rows.size(), [&](std::size_t row) {
+    by_fours(rows[row].begin, rows[row].end, [&](std::size_t n, auto group) {
+      const Lanes pores = porosity(masses(grid, n, group, density, empty, without));
+      const auto flux = [&](const NodeField& v, const NodeField& w, NodeField& to) {
+        const Lanes of_soil = group.load(&v[n]);
+        group.store(&to[n], of_soil + pores * (group.load(&w[n]) - of_soil));
+      };
+      flux(grid.vx_after, grid.wx_after, grid.flux_x);
+      flux(grid.vy_after, grid.wy_after, grid.flux_y);
+    });
+  });
+}
+
+double remap_flux(Domain& domain, std::span<const NodeRange> rows) {
+  Grid& grid = domain.grid;
+  const double empty = empty_mass(domain);
+  const double without = empty_water(domain);
+  const double density = density_of_water(domain);
+  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
+    Lanes power{};
+    by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
+      const MixtureNodes m = masses(grid, n, group, density, empty, without);
+      const Lanes pores = porosity(m);
+      const Lanes per_mass = inverse(m.water_mass, m.has_water);
+      const auto remap = [&](const NodeField& momentum, const NodeField& open, const NodeField& pull,
+                             const NodeField& v_strain, const NodeField& v_after, const NodeField& w_after,
+                             NodeField& flux) {
+        const Lanes u = group.load(&v_strain[n]);
+        const Lanes relative =
+            choose(m.has_water, group.load(&open[n]) * (group.load(&momentum[n]) * per_mass - u), Lanes{});
+        group.store(&flux[n], u + pores * relative);
+        const Lanes after = group.load(&w_after[n]) - group.load(&v_after[n]);
+        power += pores * group.load(&pull[n]) * (after - relative);
+      };
+      remap(grid.water_momentum_x, grid.open_x, grid.water_force_x, grid.vx_strain, grid.vx_after,
+            grid.wx_after, grid.flux_x);
+      remap(grid.water_momentum_y, grid.open_y, grid.water_force_y, grid.vy_strain, grid.vy_after,
+            grid.wy_after, grid.flux_y);
+    });
+    return sum(power);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+namespace {
+
+/// Sum of lift (a + factor b), W/m
+double power_of_lift(Domain& domain, std::span<const NodeRange> rows, const NodeField& a, double factor,
+                     const NodeField& b) {
+  const Grid& grid = domain.grid;
+  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
+    Lanes power{};
+    by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
+      power += group.load(&grid.lift[n]) * (group.load(&a[n]) + factor * group.load(&b[n]));
+    });
+    return sum(power);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+} // namespace
+
+double lift_power(Domain& domain, std::span<const NodeRange> rows) {
+  return 0.5 * power_of_lift(domain, rows, domain.grid.vy_before, 1.0, domain.grid.vy_after);
+}
+
+double lift_remap_power(Domain& domain, std::span<const NodeRange> rows) {
+  return power_of_lift(domain, rows, domain.grid.vy_after, -1.0, domain.grid.vy_strain);
+}
+
+} // namespace tremolo::mpm_domain

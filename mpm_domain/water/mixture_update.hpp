@@ -1,0 +1,54 @@
+#pragma once
+
+// What happens on the nodes below the water table between the transfers, in the place of, or after, what
+// happens on nodes of dry soil (step/grid_update.hpp). All functions work on the rows of nodes that they are
+// given. Nodes without water take part as dry ones.
+//
+// The kinetic energy of both phases changes by
+//
+//     m_s a_s . v_s + m_f a_f . v_f = F' . v_s + m_f a_f . w,      m_f a_f = n (f - d w),
+//
+// velocities being means over the step. F' . v_s holds the power of stresses, boundary and weight; n f . w is
+// the power of the excess pressure on the flow of water; the rest is what the drag dissipates.
+
+#include "mpm_domain/domain.hpp"
+
+#include <span>
+
+namespace tremolo::mpm_domain {
+
+/// Closes the nodes at boundary faces to flow across these: w . n = 0.
+void close_faces(Domain& domain);
+
+/// v_f- = p_f/m_f; that of the grains where there is no water.
+/// @returns kinetic energy of the water, J/m
+double water_velocities(Domain& domain, std::span<const NodeRange> nodes);
+
+/// What the update of nodes adds up, J/m.
+struct MixtureUpdate {
+  double kinetic = 0.0; ///< of grains and water
+  double gravity_work = 0.0;
+  double dashpot_relief = 0.0; ///< as in GridUpdate
+  double drag = 0.0;           ///< dissipated by drag, and by closed faces
+};
+
+/// v_s+ and v_f+ (mixture_kick.hpp).
+/// @param dt time that the forces act for, s
+MixtureUpdate update_mixture(Domain& domain, double dt, std::span<const NodeRange> nodes);
+
+/// The flux v_s + n w that changes pore pressures, of v+ (usl).
+void find_flux(Domain& domain, std::span<const NodeRange> nodes);
+
+/// Likewise of the velocities of the particles' new momenta (musl).
+/// @returns power of the excess pressure on the difference between the flow after the update and that of the
+/// flux, W/m
+double remap_flux(Domain& domain, std::span<const NodeRange> nodes);
+
+/// Power of the weight that water takes off on the mean of the velocity before and after the update, W/m. The
+/// update of dry nodes has booked the whole weight.
+double lift_power(Domain& domain, std::span<const NodeRange> nodes);
+
+/// Likewise on the difference between the velocity after the update and the remapped one, W/m.
+double lift_remap_power(Domain& domain, std::span<const NodeRange> nodes);
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,34 @@
+#pragma once
+
+// Pore pressure. With n_i = m_f,i/(rho_f V_i) and w_i = v_f,i - v_s,i at nodes, a particle's water is
+// compressed at the rate
+//
+//     theta_p = sum_i (v_s,i + n_i w_i) . grad S_ip,          dp_p = -dt (K_f/n_p) theta_p,
+//
+// which is the dual of the water's force per unit of its volume: drag aside, water and grains exchange
+// exactly the energy that the pressure stores, at any porosity.
+//
+// Every particle would then require its own change of volume, more than nodes can give: pressures would
+// oscillate within and between cells by several times the load, and shear waves in saturated soil would be
+// too fast by half. So increments are filtered with the pore volumes W = V n/K_f as weights, by C A C:
+//
+//     C:  the mean of the particle's cell, sum W dp / sum W,
+//     A:  dp_i = sum_p W S_ip dp_p / sum_p W S_ip,    then dp_p = sum_i S_ip dp_i.
+//
+// C and A are self-adjoint for these weights, and so is C A C, which A C is not: the filter can add no
+// energy. It keeps sum W dp = -dt sum V theta: no water is lost.
+
+#include "mpm_domain/domain.hpp"
+
+#include <span>
+
+namespace tremolo::mpm_domain {
+
+/// Brings the pore pressures of all wet particles over a step of dt (s), before they move.
+/// @param remapped  whether soil without flow is strained by the remapped velocity, not by v+
+/// @param ties      rows of the prolongation whose tied nodes particles touch
+/// @returns the work that the pressures take up, J/m
+double update_pressures(Domain& domain, double dt, bool remapped, std::span<const NodeRange> nodes,
+                        std::span<const std::size_t> ties);
+
+} // namespace tremolo::mpm_domain
