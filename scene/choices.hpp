@@ -116,13 +116,27 @@ constexpr auto words(StartBy) {
   return word_table<StartBy>({{StartBy::ssh, "ssh"}, {StartBy::slurm, "slurm"}, {StartBy::join, "join"}});
 }
 
-enum class OutputField { displacement, velocity, acceleration, stress, state };
+enum class OutputField {
+  displacement,
+  velocity,
+  acceleration,
+  stress,
+  state,
+  pore_pressure,
+  excess_pore_pressure,
+  pore_pressure_ratio,
+  darcy_velocity,
+};
 constexpr auto words(OutputField) {
   return word_table<OutputField>({{OutputField::displacement, "displacement"},
                                   {OutputField::velocity, "velocity"},
                                   {OutputField::acceleration, "acceleration"},
                                   {OutputField::stress, "stress"},
-                                  {OutputField::state, "state"}});
+                                  {OutputField::state, "state"},
+                                  {OutputField::pore_pressure, "pore_pressure"},
+                                  {OutputField::excess_pore_pressure, "excess_pore_pressure"},
+                                  {OutputField::pore_pressure_ratio, "pore_pressure_ratio"},
+                                  {OutputField::darcy_velocity, "darcy_velocity"}});
 }
 
 /// Of `model` in a soil's table; `hyperbolic` and `mkz` are two ways to give one law.

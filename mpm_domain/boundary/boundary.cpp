@@ -37,12 +37,25 @@ void for_faces(WorkerPool& workers, std::size_t count, const Act& act) {
   });
 }
 
+/// Velocity that a node's dashpots see, m/s. Where water flows it is that of grains and water together, which
+/// the implicit half of the dashpots acts on too (water/mixture_kick.hpp): a dashpot that saw the grains
+/// alone could bring in energy.
+Vector moving_at(const Grid& grid, std::size_t node) {
+  const Vector v = grid.velocity_before(node);
+  const double water = grid.traits.flowing ? grid.water_mass[node] : 0.0;
+  if (!(water > 0.0))
+    return v;
+  const double share = water / (grid.mass[node] + water);
+  return {v.x + share * (grid.wx_before[node] - v.x), v.y + share * (grid.wy_before[node] - v.y)};
+}
+
 /// v_f = sum_i W_if v_i, m/s.
 Vector velocity_at(const Grid& grid, const FaceWeights& weights) {
   Vector v;
   for (const auto& [node, w] : weights) {
-    v.x += w * grid.vx_before[node];
-    v.y += w * grid.vy_before[node];
+    const Vector of_node = moving_at(grid, node);
+    v.x += w * of_node.x;
+    v.y += w * of_node.y;
   }
   return v;
 }

@@ -22,11 +22,12 @@ namespace tremolo::mpm_domain {
 namespace {
 
 /// Adds a layer of the column between two levels.
-void add_layer(Spec& spec, const materials::Law& law, double damping_time, double top, double bottom) {
+void add_layer(Spec& spec, const materials::Law& law, const std::optional<materials::PoreSpace>& pores,
+               double damping_time, double top, double bottom) {
   const double left = spec.box.x_min;
   const double right = spec.box.x_max;
   spec.regions.push_back({spec.soils.size(), {{left, bottom}, {right, bottom}, {right, top}, {left, top}}});
-  spec.soils.push_back({std::to_string(spec.soils.size() + 1), law, {}, damping_time});
+  spec.soils.push_back({std::to_string(spec.soils.size() + 1), law, {}, damping_time, pores});
 }
 
 /// One column of the model's coarsest cells under the source's surface: its layers, then the half-space. It
@@ -45,12 +46,14 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
       spec.cell_size * std::ceil(std::max(0.0, spec.box.y_min - half_space) / spec.cell_size - 1e-9);
   double top = source.surface;
   for (const scene::Layer& layer : scene::layers(scene, source)) {
-    add_layer(spec, layer.soil ? scene.soils[*layer.soil].law : materials::LinearElastic{layer.elastic},
-              scene::damping_time(scene.damping, layer.damping), top, top - layer.thickness);
+    const scene::Soil* const soil = layer.soil ? &scene.soils[*layer.soil] : nullptr;
+    add_layer(spec, soil != nullptr ? soil->law : materials::LinearElastic{layer.elastic},
+              soil != nullptr ? soil->pores : std::nullopt, scene::damping_time(scene.damping, layer.damping),
+              top, top - layer.thickness);
     top -= layer.thickness;
   }
   if (top > spec.box.y_min)
-    add_layer(spec, materials::LinearElastic{scene.halfspace}, 0.0, top, spec.box.y_min);
+    add_layer(spec, materials::LinearElastic{scene.halfspace}, std::nullopt, 0.0, top, spec.box.y_min);
   return spec;
 }
 

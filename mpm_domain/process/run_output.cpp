@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -42,15 +44,58 @@ constexpr std::array<std::string_view, 7> field_order{"position",     "soil",   
 struct CarriedField {
   std::string name;
   std::string unit;
-  std::vector<std::size_t> components; ///< places in Particles::for_fields
+  std::vector<std::string> components; ///< names of particle fields
   std::vector<double> values;
 };
+
+/// Fields of a frame that follow from the pore water; 0 where there is none.
+struct WaterFrame {
+  std::vector<double> pressure, excess, ratio, flux;
+};
+
+/// A line of what is written of it.
+struct WaterField {
+  scene::OutputField field;
+  std::string_view unit;
+  std::size_t components;
+  std::span<const double> values;
+};
+
+/// What a monitor records besides motion where the case has water: the effective stress path, and pressure.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> monitored_stress{
+    {{"sxx", "Pa"},
+     {"syy", "Pa"},
+     {"szz", "Pa"},
+     {"sxy", "Pa"},
+     {"pore_pressure", "Pa"},
+     {"pore_pressure_ratio", "1"}}};
+
+void add_water(WaterFrame& frame, const Particles& set, std::size_t k) {
+  double pressure = 0.0;
+  double excess = 0.0;
+  double ratio = 0.0;
+  Vector flux;
+  if (set.traits.wet) {
+    pressure = set.water->pressure(set.pore_pressure[k]);
+    excess = set.water->excess(set.pore_pressure[k], set.y[k]);
+    ratio = set.vertical_at_rest[k] < 0.0 ? excess / -set.vertical_at_rest[k] : 0.0;
+  }
+  if (set.traits.flowing) {
+    const double porosity = set.water->porosity(set.mass[k], set.volume[k]);
+    flux = {porosity * (set.wx[k] - set.vx[k]), porosity * (set.wy[k] - set.vy[k])};
+  }
+  frame.pressure.push_back(pressure);
+  frame.excess.push_back(excess);
+  frame.ratio.push_back(ratio);
+  frame.flux.insert(frame.flux.end(), {flux.x, flux.y});
+}
 
 /// Arrays of a frame: all soils one after the other, each in the order of particle ids.
 struct Frame {
   std::vector<double> position, displacement, acceleration, size;
   std::vector<std::int32_t> soil;
-  std::vector<CarriedField> carried;               ///< by the table of fields
+  std::vector<CarriedField> carried; ///< by the table of fields
+  WaterFrame water;
   std::vector<materials::StateVariable> variables; ///< of all soils, each name once
   std::vector<std::vector<double>> states; ///< one array a variable; 0 where a soil has no such variable
 };
@@ -81,16 +126,14 @@ Vector place(const Particles& set, std::size_t k, double dt) {
 /// The fields of frames that the table of particle fields names, in its order, and fields of one's own.
 std::vector<CarriedField> carried_fields(const Domain& domain) {
   std::vector<CarriedField> fields;
-  std::size_t place = 0;
   domain.sets.front().for_fields([&](const ParticleFieldDescription& line, const std::vector<double>&) {
     const std::string& name = line.field == nullptr ? line.name : line.frame;
     if (!name.empty()) {
       auto known = std::ranges::find(fields, name, &CarriedField::name);
       if (known == fields.end())
         known = fields.insert(known, {name, line.unit, {}, {}});
-      known->components.push_back(place);
+      known->components.push_back(line.name);
     }
-    ++place;
   });
   return fields;
 }
@@ -102,9 +145,9 @@ Frame collect(const Domain& domain, double dt) {
   frame.states.resize(frame.variables.size());
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     const Particles& set = domain.sets[s];
-    std::vector<const std::vector<double>*> columns;
-    set.for_fields([&](const ParticleFieldDescription&, const std::vector<double>& values) {
-      columns.push_back(&values);
+    std::map<std::string_view, const std::vector<double>*> columns;
+    set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
+      columns[line.name] = &values;
     });
     for (const std::uint32_t k : set.index_of) {
       if (k == Particles::nowhere)
@@ -115,8 +158,9 @@ Frame collect(const Domain& domain, double dt) {
       frame.displacement.insert(frame.displacement.end(), {x - set.x_initial[k], y - set.y_initial[k]});
       frame.acceleration.insert(frame.acceleration.end(), {acceleration.x, acceleration.y});
       for (CarriedField& field : frame.carried)
-        for (const std::size_t component : field.components)
-          field.values.push_back((*columns[component])[k]);
+        for (const std::string& component : field.components)
+          field.values.push_back((*columns.at(component))[k]);
+      add_water(frame.water, set, k);
       frame.soil.push_back(static_cast<std::int32_t>(set.soil_index));
       frame.size.push_back(2.0 * set.half_size);
       for (std::size_t v = 0; v < frame.variables.size(); ++v)
@@ -168,8 +212,13 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
 }
 
 void RunOutput::add_monitors() {
-  const std::array<std::string, 9> columns{"time", "x", "y", "ux", "uy", "vx", "vy", "ax", "ay"};
-  const std::array<std::string, 9> units{"s", "m", "m", "m", "m", "m/s", "m/s", "m/s2", "m/s2"};
+  std::vector<std::string> columns{"time", "x", "y", "ux", "uy", "vx", "vy", "ax", "ay"};
+  std::vector<std::string> units{"s", "m", "m", "m", "m", "m/s", "m/s", "m/s2", "m/s2"};
+  if (scene_.water)
+    for (const auto& [name, unit] : monitored_stress) {
+      columns.emplace_back(name);
+      units.emplace_back(unit);
+    }
   for (const scene::Monitor& monitor : scene_.monitors) {
     Follower follower;
     double nearest = std::numeric_limits<double>::infinity();
@@ -216,8 +265,22 @@ void RunOutput::write_history(const Stepper& stepper) {
     const std::size_t k = set.index_of[follower.id];
     const Vector a = particle_acceleration(domain_, set, k);
     const auto [x, y] = place(set, k, dt);
-    follower.series->append(std::array<double, 9>{stepper.velocity_time(), x, y, x - set.x_initial[k],
-                                                  y - set.y_initial[k], set.vx[k], set.vy[k], a.x, a.y});
+    std::vector<double> values{stepper.velocity_time(),
+                               x,
+                               y,
+                               x - set.x_initial[k],
+                               y - set.y_initial[k],
+                               set.vx[k],
+                               set.vy[k],
+                               a.x,
+                               a.y};
+    if (scene_.water) {
+      WaterFrame water;
+      add_water(water, set, k);
+      values.insert(values.end(), {set.sxx[k], set.syy[k], set.szz[k], set.sxy[k], water.pressure.front(),
+                                   water.ratio.front()});
+    }
+    follower.series->append(values);
   }
   write_boundary(stepper);
   writer_.flush_if_large();
@@ -238,6 +301,13 @@ void RunOutput::write_frame(const Stepper& stepper) {
   if (wants(scene_, scene::OutputField::state))
     for (std::size_t v = 0; v < frame.variables.size(); ++v)
       fields.push_back({frame.variables[v].name, frame.variables[v].unit, 1, frame.states[v]});
+  for (const auto& [field, unit, components, values] :
+       {WaterField{scene::OutputField::pore_pressure, "Pa", 1, frame.water.pressure},
+        WaterField{scene::OutputField::excess_pore_pressure, "Pa", 1, frame.water.excess},
+        WaterField{scene::OutputField::pore_pressure_ratio, "1", 1, frame.water.ratio},
+        WaterField{scene::OutputField::darcy_velocity, "m/s", 2, frame.water.flux}})
+    if (wants(scene_, field))
+      fields.push_back({scene::name(field), unit, components, values});
   last_frame_ = stepper.velocity_time();
   writer_.write_frame(last_frame_, fields);
 }

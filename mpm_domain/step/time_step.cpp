@@ -14,6 +14,15 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
+/// beta of the fastest motion, s: viscous damping acts on the stiffness of the skeleton, of which water adds
+/// its own.
+double damping_of_fastest(Particles& set, const ParticleRange& range, double speed) {
+  if (!set.traits.wet || set.damping_time == 0.0)
+    return set.damping_time;
+  const double share = fastest_skeleton_wave(set, range) / speed;
+  return set.damping_time * share * share;
+}
+
 /// The least of steps_of(clock) times the critical step over all particles, where h is the size of the finest
 /// cells that a particle touches.
 /// @param speed_of  of waves, from a set and a range of it, m/s
@@ -29,7 +38,8 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of, con
         return;
       const double c = speed_of(set, range);
       const double undamped = largest_courant_number * h / (c + max_speed);
-      least[block] = std::min(least[block], steps * damped_step(undamped, set.damping_time, share));
+      const double damping = damping_of_fastest(set, range, c);
+      least[block] = std::min(least[block], steps * damped_step(undamped, damping, share));
     };
     for (Particles& set : domain.sets) {
       see(set, set.in_block(block));

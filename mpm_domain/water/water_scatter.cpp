@@ -11,41 +11,55 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// The numbers of a group of particles under water that add up to lift and storage; where water flows in the
-/// domain, to volume and resistance too.
+/// Soil without pores, or whose water does not flow, lets none enter: a resistance beyond all drag of soil
+/// takes the relative velocity of the nodes that it touches. Above the table it is dry and open.
+constexpr double sealed = 1e30; // Pa s/m2
+
+/// The numbers of a group of particles that add up to lift and storage; where water flows in the domain, to
+/// volume and resistance too.
 template <std::size_t count, typename Group>
-std::array<Lanes, count> pore_numbers(const Particles& p, double gravity, std::size_t k, Group group) {
+std::array<Lanes, count> pore_numbers(const Particles& p, const Spec& spec, std::size_t k, Group group) {
   std::array<Lanes, count> numbers{};
-  numbers[0] = (1.0 - p.weight_share) * gravity * group.load(&p.mass[k]);
+  numbers[0] = (1.0 - p.weight_share) * spec.gravity * group.load(&p.mass[k]);
   if (p.traits.wet)
     numbers[1] = storage_of(p, k, group);
-  if constexpr (count == 4)
+  if constexpr (count == 4) {
+    const Lanes volume = group.load(&p.volume[k]);
     if (p.traits.flowing) {
-      numbers[2] = group.load(&p.volume[k]);
-      numbers[3] = p.water->resistance() * numbers[2];
+      numbers[2] = volume;
+      numbers[3] = p.water->resistance() * volume;
+    } else if (p.traits.wet) {
+      numbers[3] = sealed * volume;
+    } else if (!p.water) {
+      numbers[3] = choose(group.load(&p.y_initial[k]) < spec.water->level, sealed * volume, Lanes{});
     }
+  }
   return numbers;
+}
+
+/// Whether any numbers of a set are to be added up.
+bool takes_part(const Domain& domain, const Particles& p) {
+  return p.water || (domain.has_flow() && !domain.spec.soils[p.soil_index].pores);
 }
 
 template <std::size_t count>
 void add_pores(Domain& domain) {
   constexpr SumRange fields{static_cast<std::size_t>(Sum::lift), static_cast<std::size_t>(Sum::lift) + count};
-  const double gravity = domain.spec.gravity;
   add_sums(
       domain, 0, fields,
       [&](const Particles& p, std::size_t tile, double* window) {
-        if (!p.water)
+        if (!takes_part(domain, p))
           return RowRange{};
         return scatter_scalars<count>(domain, p, 0, tile, window, Sum::lift, [&](std::size_t k, auto group) {
-          return pore_numbers<count>(p, gravity, k, group);
+          return pore_numbers<count>(p, domain.spec, k, group);
         });
       },
       [&](AcrossTile& tile) {
         const Particles& p = domain.sets[tile.set];
         add_across_tile(tile, fields, [&](std::size_t k, const FourWeights& w, const auto& add) {
-          if (!p.water)
+          if (!takes_part(domain, p))
             return;
-          const std::array<Lanes, count> numbers = pore_numbers<count>(p, gravity, k, FewerThanFour(1));
+          const std::array<Lanes, count> numbers = pore_numbers<count>(p, domain.spec, k, FewerThanFour(1));
           for (std::size_t f = 0; f < count; ++f)
             add(fields.first + f, numbers[f][0] * w.s);
         });

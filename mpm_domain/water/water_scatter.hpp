@@ -9,6 +9,8 @@
 //
 //     m_f,i = sum S n rho_f V,      p_f,i = sum S n rho_f V (v_f + C_f (x_i - x)),
 //     V_i = sum S V,                R_i = sum S V rho_f g/k,      f_i = sum V p_e grad S.
+//
+// Soil that lets no water enter adds to the resistance alone.
 
 #include "mpm_domain/domain.hpp"
 

@@ -100,8 +100,14 @@ std::vector<Table> run_keys() {
              .type = Type::choices,
              .meaning =
                  "Particle fields of a frame. `state`: the state variables of the soil's law, such as the "
-                 "equivalent plastic strain.",
-             .fallback = "displacement, velocity, acceleration, stress, state",
+                 "equivalent plastic strain. In a case with [water], `stress` is effective below the table, "
+                 "and "
+                 "there are four fields more, zero in dry soil: `pore_pressure`; "
+                 "`excess_pore_pressure`, beyond the hydrostatic one of the present place; "
+                 "`pore_pressure_ratio`, that over the vertical effective stress before the shaking; "
+                 "`darcy_velocity`, the flux of water through the grains.",
+             .fallback = "displacement, velocity, acceleration, stress, state, pore_pressure, "
+                         "excess_pore_pressure, pore_pressure_ratio, darcy_velocity",
              .choices = all_words<OutputField>()}}},
       {.name = "verify",
        .meaning = "Acceptance of `tremolo verify`.",

@@ -3,6 +3,7 @@
 #include "mpm_domain/spec/grid_shape.hpp"
 #include "mpm_domain/spec/limits.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/wet_soils.hpp"
 #include "scene/soils/viscous_damping.hpp"
 
 #include <fmt/format.h>
@@ -47,20 +48,50 @@ double p_wave_speed(const Case& scene, const materials::Law& law) {
   return materials::p_wave_speed_bound(law, point);
 }
 
+/// Speeds of compression waves, m/s: that which bounds the step, and that of the skeleton by itself.
+struct WaveSpeeds {
+  double fastest = 0.0;
+  double skeleton = 0.0;
+};
+
+/// Below the water table the particles of soil have other densities than its law, and water stiffens them.
+WaveSpeeds wave_speeds(const Case& scene, const Soil& soil) {
+  const double of_law = p_wave_speed(scene, soil.law);
+  if (!scene.water || !soil.pores)
+    return {of_law, of_law};
+  const double modulus = materials::elasticity(soil.law).density * of_law * of_law;
+  const double dry = std::sqrt(modulus / materials::dry_density(*soil.pores));
+  const auto below = soils_below_table(scene);
+  const bool wet = std::ranges::any_of(below, [&](const Soil& other) { return other.name == soil.name; });
+  if (!wet)
+    return {dry, dry};
+  const auto speeds = materials::saturated_speeds(modulus, *soil.pores, scene.water->fluid);
+  switch (soil.pores->drainage) {
+  case materials::Drainage::coupled:
+    return {speeds.fast, dry};
+  case materials::Drainage::undrained:
+    return {speeds.undrained, of_law};
+  case materials::Drainage::drained:
+    return {of_law, of_law};
+  }
+  return {of_law, of_law};
+}
+
 /// The critical step of a soil on cells of a size, at rest, s.
 class CriticalStep {
 public:
   CriticalStep(const Case& scene, const Soil& soil)
-      : speed_(p_wave_speed(scene, soil.law)), damping_time_(damping_time(scene.damping, soil.damping)),
+      : speeds_(wave_speeds(scene, soil)), damping_time_(damping_time(scene.damping, soil.damping)),
         share_(mpm_domain::share_of(scene.time.order)) {}
 
   double on(double cell_size) const {
-    return mpm_domain::damped_step(mpm_domain::largest_courant_number * cell_size / speed_, damping_time_,
-                                   share_);
+    const double of_skeleton = speeds_.skeleton / speeds_.fastest;
+    return mpm_domain::damped_step(mpm_domain::largest_courant_number * cell_size / speeds_.fastest,
+                                   damping_time_ * of_skeleton * of_skeleton, share_);
   }
 
 private:
-  double speed_; ///< c_p, m/s
+  WaveSpeeds speeds_;
   double damping_time_;
   double share_;
 };

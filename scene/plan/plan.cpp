@@ -3,6 +3,7 @@
 #include "mpm_domain/spec/bytes.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/sources.hpp"
+#include "scene/plan/wet_soils.hpp"
 #include "scene/soils/domain_soils.hpp"
 #include "scene/soils/viscous_damping.hpp"
 
@@ -24,6 +25,9 @@ constexpr double dilatation_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double damping_cost_ns = 10.0;
+constexpr double pressure_cost_ns = 90.0;
+constexpr double flow_cost_ns = 150.0;
+constexpr double pressure_bytes = 24.0;    // while pressures are found
 constexpr double mobility_cost_ns = 400.0; // PM4Sand or PDMY03 at small strain increments
 
 /// The soils of the domain that answer in one way: "soil 'sand', soil 'clay'"; empty where there are none.
@@ -64,6 +68,29 @@ double state_size(const Case& scene, bool written) {
 /// Bytes of a particle that has some traits, besides its law's state.
 double particle_bytes(mpm_domain::ParticleTraits traits) {
   return static_cast<double>(mpm_domain::bytes_per_particle(traits));
+}
+
+/// The soils of the domain below the water table with a choice of drainage, as soils_that_are().
+std::string soils_drained_as(const Case& scene, materials::Drainage drainage) {
+  std::string text;
+  if (!scene.water)
+    return text;
+  const auto below = soils_below_table(scene);
+  for (const Soil& soil : domain_soils(scene))
+    if (soil.pores && soil.pores->drainage == drainage &&
+        std::ranges::any_of(below, [&](const Soil& other) { return other.name == soil.name; }))
+      text += fmt::format("{}soil '{}'", text.empty() ? "" : ", ", soil.name);
+  return text;
+}
+
+/// Why there is pore pressure, or none.
+std::string pressure_text(const Case& scene, const std::string& flowing, const std::string& undrained) {
+  if (!scene.water)
+    return "no [water]";
+  if (flowing.empty() && undrained.empty())
+    return "no soil of the domain below the water table but drained";
+  return fmt::format("{}{}{} below the table at y = {} m", flowing,
+                     flowing.empty() || undrained.empty() ? "" : ", ", undrained, scene.water->level);
 }
 
 std::string listed(const std::vector<SourceProcess>& sources) {
@@ -114,6 +141,13 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const std::string damped_soils = soils_with_damping(scene);
   const bool damped = !damped_soils.empty();
   const double damped_bytes = particle_bytes({.damped = true}) - bare_bytes;
+  const std::string flowing_soils = soils_drained_as(scene, materials::Drainage::coupled);
+  const std::string undrained_soils = soils_drained_as(scene, materials::Drainage::undrained);
+  const bool flows = !flowing_soils.empty();
+  const bool wet = flows || !undrained_soils.empty();
+  const double wet_bytes = particle_bytes({.wet = true}) - bare_bytes + pressure_bytes;
+  const double flow_bytes = particle_bytes({.affine = apic, .wet = true, .flowing = true}) -
+                            particle_bytes({.affine = apic, .wet = true});
   return {
       {"soil skeleton", true, "always: GIMP particles, plane strain", bare_bytes, base_cost_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
@@ -151,16 +185,36 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"viscous damping", damped,
        damped ? damped_soils + ", in the domain; shortens the step" : "no soil of the domain is damped",
        damped ? damped_bytes : 0.0, damped ? damping_cost_ns : 0.0},
+      {"pore pressure", wet, pressure_text(scene, flowing_soils, undrained_soils), wet ? wet_bytes : 0.0,
+       wet ? pressure_cost_ns : 0.0},
+      {"flow of pore water", flows,
+       flows ? flowing_soils + ": water has a velocity of its own" : "no soil of the domain lets water flow",
+       flows ? flow_bytes : 0.0, flows ? flow_cost_ns : 0.0},
       {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
   };
 }
 
+double output_doubles(const Case& scene, OutputField field) {
+  switch (field) {
+  case OutputField::stress:
+    return 4.0;
+  case OutputField::state:
+    return state_size(scene, true);
+  case OutputField::pore_pressure:
+  case OutputField::excess_pore_pressure:
+  case OutputField::pore_pressure_ratio:
+    return 1.0;
+  default:
+    return 2.0;
+  }
+}
+
 double output_doubles_per_particle(const Case& scene) {
   double count = 2.0; // place
   for (const OutputField field : scene.output.fields)
-    count += field == OutputField::stress ? 4.0 : field == OutputField::state ? state_size(scene, true) : 2.0;
+    count += output_doubles(scene, field);
   return count;
 }
 
@@ -181,6 +235,12 @@ std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess
                                   source.name, name(source.field.model), soil.name));
   }
   return notes;
+}
+
+/// Bytes of a node.
+double node_bytes(const Case& scene) {
+  const bool flows = !soils_drained_as(scene, materials::Drainage::coupled).empty();
+  return static_cast<double>(mpm_domain::bytes_per_node({.wet = scene.water.has_value(), .flowing = flows}));
 }
 
 Plan plan(const Case& scene) {
@@ -216,7 +276,7 @@ Plan plan(const Case& scene) {
     bytes += effect.bytes_per_particle;
     ns += effect.ns_per_particle_step;
   }
-  result.memory_bytes = particles * bytes + nodes * static_cast<double>(mpm_domain::bytes_per_node());
+  result.memory_bytes = particles * bytes + nodes * node_bytes(scene);
   result.estimated_time = static_cast<double>(result.steps) * updates * ns * 1e-9;
   result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
   const double rows = scene.shaking.duration / scene.output.history_every;

@@ -90,8 +90,8 @@ std::string water_text(const Case& scene) {
   if (soils.empty())
     return fmt::format("water table at y = {} m, below all soil\n", scene.water->level);
   std::string text =
-      fmt::format("water table at y = {} m; models other than \"fe\" take the ground below it as "
-                  "undrained; soil there:\n",
+      fmt::format("water table at y = {} m; models other than \"fe\" and \"mpm\" take the ground below it "
+                  "as undrained; soil there:\n",
                   scene.water->level);
   for (const Soil& soil : soils)
     text += soil_text(soil, scene.water->fluid, scene.gravity->acceleration);

@@ -1,5 +1,9 @@
 #include "scene/read/read.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace tremolo::scene {
 
 namespace {
@@ -27,11 +31,24 @@ Checkpoints read_checkpoints(Document& document, Findings& findings) {
   return checkpoints;
 }
 
-Output read_output(Document& document) {
+bool is_of_water(OutputField field) {
+  return field >= OutputField::pore_pressure;
+}
+
+Output read_output(Document& document, const Case& scene, Findings& findings) {
   const auto table = document.table("output");
   Output output{table.number("every_s"), table.number("history_every_s"), {}};
   for (const auto& field : table.choices("fields"))
     output.fields.push_back(value_named<OutputField>(field).value());
+  if (!scene.water) {
+    const auto of_water = std::ranges::find_if(output.fields, is_of_water);
+    if (of_water != output.fields.end() && table.given("fields"))
+      findings.add(table.path("fields"),
+                   fmt::format("'{}' is a field of pore water, but the case has none: add [water] with its "
+                               "level, or remove the field",
+                               name(*of_water)));
+    std::erase_if(output.fields, is_of_water);
+  }
   return output;
 }
 
@@ -43,7 +60,7 @@ void read_run(Document& document, Findings& findings, Case& scene) {
   scene.checkpoints = read_checkpoints(document, findings);
   for (const auto& table : document.array("monitor"))
     scene.monitors.push_back({table.text("name"), table.point("point")});
-  scene.output = read_output(document);
+  scene.output = read_output(document, scene, findings);
   scene.verify_tolerance = document.table("verify").number("tolerance");
 }
 

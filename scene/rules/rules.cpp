@@ -39,7 +39,6 @@ constexpr std::array rules = {
     Rule{Severity::error, wet_soil_has_pores},
     Rule{Severity::error, water_has_weight},
     Rule{Severity::error, water_is_marched_explicitly},
-    Rule{Severity::error, domain_serves_no_water},
     Rule{Severity::error, monitors_lie_in_soil},
     Rule{Severity::error, hosts_can_meet},
 

@@ -66,8 +66,6 @@ void wet_soil_has_pores(const Case& scene, Findings& findings);
 void water_has_weight(const Case& scene, Findings& findings);
 /// Finite-element columns with pore water are marched by central differences.
 void water_is_marched_explicitly(const Case& scene, Findings& findings);
-/// The domain has no pore water.
-void domain_serves_no_water(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.
 void monitors_lie_in_soil(const Case& scene, Findings& findings);
 /// [hosts] places sides, one host for a process, at an endpoint that other machines can be told.

@@ -20,6 +20,10 @@ void subcycling_suits_case(const Case& scene, Findings& findings) {
     refuse(fmt::format("needs order = \"musl\", found \"{}\"", name(scene.time.order)));
   if (scene.boundary.sides == Sides::periodic_springs && findings.sound("boundary.sides"))
     refuse("needs sides = \"free_field\" or \"periodic\" in [boundary]: springs go by one step for all");
+  if (scene.water)
+    refuse(
+        "is for cases without [water]: water flows between soil on all levels, and its fast waves allow the "
+        "same short step wherever cells are equally fine");
 }
 
 } // namespace tremolo::scene

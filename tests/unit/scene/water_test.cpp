@@ -190,12 +190,19 @@ TEST(GroundWater, KeysOfPoresWithoutWaterAreRefused) {
               ElementsAre(HasSubstr("'permeability' is of soil below a water table, but the case has none")));
 }
 
-TEST(GroundWater, TheDomainHasNone) {
+TEST(GroundWater, GoesWithOneStepForAllLevels) {
   const auto wet = with("[soil.sand]\nmodel = \"linear_elastic\"\ndensity = 1700.0\n",
                         "[water]\nlevel = 0.0\n[soil.sand]\nmodel = \"linear_elastic\"\nporosity = "
                         "0.4\npermeability = 1e-4\n",
                         with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]"));
-  EXPECT_THAT(errors_of(wet), ElementsAre(HasSubstr("the domain has no pore water yet")));
+  EXPECT_THAT(errors_of(wet), ElementsAre());
+  EXPECT_THAT(errors_of(wet + "\n[time]\nsubcycle = true\n"),
+              Contains(HasSubstr("is for cases without [water]")));
+}
+
+TEST(GroundWater, FieldsOfPoreWaterNeedIt) {
+  EXPECT_THAT(errors_of(with("[mesh]", "[output]\nfields = [\"velocity\", \"pore_pressure\"]\n[mesh]")),
+              ElementsAre(HasSubstr("'pore_pressure' is a field of pore water, but the case has none")));
 }
 
 } // namespace
