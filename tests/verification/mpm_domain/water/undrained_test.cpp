@@ -3,7 +3,7 @@
 // and c_1 where there is hardly any (verification C3; Verruijt 2010, An Introduction to Soil Dynamics, ch.
 // 5).
 
-#include "tests/verification/mpm_domain/water/growing_load.hpp"
+#include "tests/support/growing_load.hpp"
 #include "tests/verification/mpm_domain/water/saturated_column.hpp"
 
 #include <gtest/gtest.h>
