@@ -57,10 +57,8 @@ TEST_P(UndrainedLoad, IsSharedByStiffness) {
   }
   const double q = materials::pore_stiffness(column.pores, column.fluid);
   const double exact = q / (modulus + q);
-  for_wet(*domain, [&, drained_by = 2.0 * column.cell](const Particles& set, std::size_t k) {
-    if (set.y[k] < -drained_by) {
-      EXPECT_NEAR(excess(set, k) / added, exact, 1e-3 * exact) << set.y[k];
-    }
+  for_wet(*domain, [&](const Particles& set, std::size_t k) {
+    EXPECT_NEAR(excess(set, k) / added, exact, 1e-3 * exact) << set.y[k];
   });
 }
 
@@ -86,7 +84,10 @@ protected:
     column.scheme.transfer = std::get<Transfer>(GetParam());
     column.scheme.order = std::get<StepOrder>(GetParam());
     column.scheme.dt = 3e-5; // s
-    column.load = 0.0;
+    // Nodes shared with dry soil: only the transfer APIC gives grains and water the same new velocity there,
+    // and the remapped velocities of both are means over other masses.
+    const bool dry_layer = column.scheme.transfer == Transfer::apic && column.scheme.order == StepOrder::usl;
+    column.load = dry_layer ? 1e4 : 0.0;
     Spec spec = column.spec();
     spec.gravity = 1e-9; // no stress at rest whose rounding would show
     auto domain = std::make_unique<Domain>(spec);
