@@ -12,7 +12,10 @@
 //     u += dt v,    sigma' by the law,    p* -= dt Q d(v_s + n_I w)/h,    p = max(p*, p_cav - p_0),
 //
 // then the velocities by the forces at t + dt to t + 3/2 dt (node_kick.hpp). p* is not cut, so that a cavity
-// closes before pressure rises again.
+// closes before pressure rises again. Elements take their new lengths and porosities before the velocities
+// (wet_grid.hpp). Excess is counted from the hydrostatic pressure at the place where the soil is now, under
+// water that stands as high as at the start: the weight of grains less that of the water they displace does
+// not change with strain, and gravity stays out of the equations.
 
 #include "freefield/twophase/two_phase_column.hpp"
 
@@ -65,9 +68,9 @@ TwoPhaseColumn::TwoPhaseColumn(const Profile& profile, const TwoPhaseSettings& s
       grid_(wet_grid(profile, mesh_, settings.damping, settings.base == BaseKind::compliant)),
       soil_(profile, mesh_), input_(std::move(input)), state_(soil_.initial()), u_(mesh_.node_y.size()),
       v_(u_.size()), before_(u_.size()), excess_(mesh_.elements()), deyy_(excess_.size()),
-      dgxy_(excess_.size()), shear_(excess_.size()), vertical_(excess_.size()),
-      pressure_(excess_.size()), snapshots_{WetSnapshot(mesh_.elements()), WetSnapshot(mesh_.elements()),
-                                            WetSnapshot(mesh_.elements())} {
+      dgxy_(excess_.size()), shear_(excess_.size()), vertical_(excess_.size()), pressure_(excess_.size()),
+      lengths_(excess_.size()), snapshots_{WetSnapshot(mesh_.elements()), WetSnapshot(mesh_.elements()),
+                                           WetSnapshot(mesh_.elements())} {
   if (!input_)
     throw std::invalid_argument("the column has no input motion");
   damped_ = std::ranges::any_of(grid_.elements, [](const WetElement& e) { return e.beta > 0.0; });
@@ -92,11 +95,15 @@ void TwoPhaseColumn::step() {
   ++steps_;
   strain_soil();
   press_water();
+  stretch();
   before_ = v_;
   kick();
-  remember(before_);
-  if (steps_ % steps_between_checks == 0)
+  remember();
+  count_power();
+  if (steps_ % steps_between_checks == 0) {
+    check_pores();
     check_step();
+  }
 }
 
 void TwoPhaseColumn::strain_soil() {
@@ -106,14 +113,19 @@ void TwoPhaseColumn::strain_soil() {
     dgxy_[e] = scale * (v_[e + 1][0].solid - v_[e][0].solid);
     deyy_[e] = scale * (v_[e + 1][1].solid - v_[e][1].solid);
   }
+  sxy_before_ = state_.sxy;
+  syy_before_ = state_.syy;
   soil_.update(state_, deyy_, dgxy_);
   if (damped_)
     soil_.p_moduli(state_, modulus_);
   for (std::size_t e = 0; e < deyy_.size(); ++e) {
     const WetElement& element = grid_.elements[e];
     const double viscosity = element.beta * modulus_[e] / dt;
-    shear_[e] = soil_.shear(state_, e) + viscosity * element.shear_ratio * dgxy_[e];
-    vertical_[e] = soil_.vertical(state_, e) + viscosity * deyy_[e];
+    const double shear = soil_.shear(state_, e) + viscosity * element.shear_ratio * dgxy_[e];
+    const double vertical = soil_.vertical(state_, e) + viscosity * deyy_[e];
+    count_strain(e, shear, vertical);
+    shear_[e] = shear;
+    vertical_[e] = vertical;
   }
 }
 
@@ -129,9 +141,17 @@ void TwoPhaseColumn::press_water() {
     double dilation = deyy_[e];
     if (element.flows())
       dilation += dt / element.length * (flux(e + 1) - flux(e));
+    const double before = pressure_[e];
     excess_[e] -= element.stiffness * dilation;
     pressure_[e] = std::max(excess_[e], element.lowest_excess);
+    spent_.pore -= 0.5 * (before + pressure_[e]) * element.length * dilation;
   }
+}
+
+void TwoPhaseColumn::stretch() {
+  for (std::size_t e = 0; e < lengths_.size(); ++e)
+    lengths_[e] = grid_.elements[e].length_at_rest + u_[e + 1].y - u_[e].y;
+  set_lengths(grid_, lengths_);
 }
 
 Phases TwoPhaseColumn::kick_x(std::size_t i, double force) const {
@@ -175,6 +195,7 @@ void TwoPhaseColumn::kick() {
       fy.fluid += grid_.elements[i - 1].flows() ? pressure_[i - 1] : 0.0;
     }
     if (i == 0) {
+      base_force_ = {fx, fy.mixture};
       fx += 2.0 * grid_.impedance_x * incident.x;
       fy.mixture += 2.0 * grid_.impedance_y * incident.y;
       if (settings_.base_pressure)
@@ -187,13 +208,13 @@ void TwoPhaseColumn::kick() {
 }
 
 /// The present state, with velocity and acceleration from the velocities half a step before and after it.
-void TwoPhaseColumn::remember(const std::vector<std::array<Phases, 2>>& before) {
+void TwoPhaseColumn::remember() {
   std::rotate(snapshots_.begin(), snapshots_.end() - 1, snapshots_.end());
   WetSnapshot& now = snapshots_.front();
   const double per_step = 1.0 / settings_.time_step;
   double finite = 0.0; // a sum that is not finite if one of its terms is not
   for (std::size_t i = 0; i < u_.size(); ++i) {
-    const auto& [x0, y0] = before[i];
+    const auto& [x0, y0] = before_[i];
     const auto& [x1, y1] = v_[i];
     now.u[i] = u_[i];
     now.v[i] = {0.5 * (x0.solid + x1.solid), 0.5 * (y0.solid + y1.solid)};
@@ -213,6 +234,20 @@ void TwoPhaseColumn::remember(const std::vector<std::array<Phases, 2>>& before) 
     now.syy[e] = vertical_[e];
     now.sxy[e] = shear_[e];
     now.pressure[e] = pressure_[e];
+  }
+}
+
+void TwoPhaseColumn::check_pores() const {
+  constexpr double least = 0.01, most = 0.95;
+  for (std::size_t e = 0; e < grid_.elements.size(); ++e) {
+    const WetElement& element = grid_.elements[e];
+    const double n = element.porosity();
+    if (element.bulk_modulus > 0.0 && !(n >= least && n <= most))
+      throw std::runtime_error(fmt::format("the soil of the free-field column has strained so much that its "
+                                           "porosity is {:.4g} at y = {:.4g} m "
+                                           "and {:.4g} s, from {:.4g}; it must stay in [{:g}, {:g}]",
+                                           n, 0.5 * (mesh_.node_y[e] + mesh_.node_y[e + 1]), time(),
+                                           1.0 - element.grain_share, least, most));
   }
 }
 
@@ -251,7 +286,11 @@ void TwoPhaseColumn::sample(std::span<const double> y, std::span<ColumnSample> s
 }
 
 std::string TwoPhaseColumn::report() const {
-  return fmt::format("{} steps of {:.4g} s, soil and water", steps_, settings_.time_step);
+  const WetEnergy spent = energy();
+  return fmt::format("{} steps of {:.4g} s, soil and water; of the energy given, {:.4g} J/m2, {:.2g} % is "
+                     "missing",
+                     steps_, settings_.time_step, spent.given(),
+                     spent.given() > 0.0 ? 100.0 * std::abs(spent.missing()) / spent.given() : 0.0);
 }
 
 } // namespace tremolo::freefield

@@ -5,6 +5,7 @@
 #include "freefield/fe/fe_soil.hpp"
 #include "freefield/profile.hpp"
 #include "freefield/twophase/node_kick.hpp"
+#include "freefield/twophase/wet_energy.hpp"
 #include "freefield/twophase/wet_grid.hpp"
 #include "freefield/twophase/wet_snapshot.hpp"
 
@@ -29,16 +30,16 @@ struct TwoPhaseSettings {
 /// Finite-element column of soil and the water in it: solid and fluid have velocities of their own, stress is
 /// effective stress and pore pressure, and every law of soil can follow it. Laterally periodic. Starts under
 /// its own weight with hydrostatic pore pressure; the surface is free and drained, the base impervious.
-/// Strains are small; porosity and permeability stay as they are. The equations stand in the source.
+/// Elements change their length and porosity as they strain, and water that leaves stays above the ground;
+/// rotations are small and the permeability is constant. The equations stand in the source.
 class TwoPhaseColumn final : public Column {
 public:
   /// @throws std::invalid_argument for values outside their range, for a step over the stability limit (the
   ///         message states the limit), and for an initial stress beyond the soil's strength
   TwoPhaseColumn(const Profile& profile, const TwoPhaseSettings& settings, InputVelocity input);
 
-  /// @throws std::runtime_error if the motion is no longer finite, or if the soil has become so stiff that
-  /// the
-  ///         step is no longer stable
+  /// @throws std::runtime_error if the motion is no longer finite, if the soil has become so stiff that the
+  ///         step is no longer stable, or if a porosity leaves 0.01 to 0.95
   void step() override;
   double time() const override;
   double time_step() const override { return settings_.time_step; }
@@ -49,15 +50,29 @@ public:
 
   /// Darcy flux n w at the nodes from the base up, upwards, m/s.
   const std::vector<double>& flux() const { return snapshots_[0].flux; }
+  /// Present porosity of an element, counted from the base.
+  double porosity(std::size_t element) const { return grid_.elements[element].porosity(); }
+  WetEnergy energy() const;
 
 private:
+  /// Rates of work at the nodes, W/m2.
+  struct Power {
+    double base = 0.0, load = 0.0, drag = 0.0, damping = 0.0;
+  };
+
   void strain_soil();
   void press_water();
+  void stretch();
   void kick();
   Phases kick_x(std::size_t node, double force) const;
   Phases kick_y(std::size_t node, const NodeForce& force) const;
-  void remember(const std::vector<std::array<Phases, 2>>& before);
+  void remember();
   void check_step();
+  void check_pores() const;
+  void count_strain(std::size_t element, double shear, double vertical);
+  void count_power();
+  Power power() const;
+  double base_traction(std::size_t direction) const;
 
   TwoPhaseSettings settings_;
   ColumnMesh mesh_;
@@ -72,7 +87,12 @@ private:
   std::vector<double> deyy_, dgxy_;           ///< strain of the step
   std::vector<double> modulus_;               ///< M at the present stress, Pa
   std::vector<double> shear_, vertical_, pressure_; ///< at the centres, damping included, Pa
+  std::vector<double> sxy_before_, syy_before_;     ///< of the soil a step ago, Pa
+  std::vector<double> lengths_;                     ///< of the elements, m
+  std::array<double, 2> base_force_{};              ///< of the lowest element on the base node, Pa
   std::array<WetSnapshot, 3> snapshots_;            ///< now, one and two steps ago
+  WetEnergy spent_;                                 ///< without the kinetic energy; elastic with plastic work
+  Power power_;                                     ///< at the present time
   long steps_ = 0;
   bool damped_ = false;
 };

@@ -7,6 +7,7 @@ WetElement element_of(const Profile& profile, const Layer& layer, double length,
                       const Damping& damping) {
   const DampingCoefficients c = coefficients(damping, layer.damping_ratio);
   WetElement element{.length = length,
+                     .length_at_rest = length,
                      .solid_share = layer.soil.density,
                      .alpha = c.alpha,
                      .beta = c.beta,
@@ -16,6 +17,8 @@ WetElement element_of(const Profile& profile, const Layer& layer, double length,
   if (!layer.pores || layer.pores->drainage == materials::Drainage::drained)
     return element;
   const materials::PoreFluid& fluid = profile.water->fluid;
+  element.grain_share = 1.0 - layer.pores->porosity;
+  element.bulk_modulus = fluid.bulk_modulus;
   element.stiffness = materials::pore_stiffness(*layer.pores, fluid);
   element.lowest_excess = fluid.cavitation_pressure - profile.hydrostatic_pressure(centre);
   if (layer.pores->drainage == materials::Drainage::undrained) {
@@ -47,7 +50,40 @@ bool sealed(const Profile& profile, const ColumnMesh& mesh, const std::vector<We
   return closed(profile, profile.layers[mesh.element_layer[other]], mesh.node_y[node]);
 }
 
+/// Masses and drag of the nodes from those of their elements.
+void add_elements(WetGrid& grid) {
+  for (WetNode& node : grid.nodes)
+    node.solid = node.fluid = node.full = node.drag = 0.0;
+  for (std::size_t e = 0; e < grid.elements.size(); ++e) {
+    const WetElement& element = grid.elements[e];
+    const double half = 0.5 * element.length;
+    for (const std::size_t i : {e, e + 1}) {
+      WetNode& node = grid.nodes[i];
+      node.solid += half * element.solid_share;
+      node.fluid += half * element.fluid_share;
+      node.full += half * element.fluid_density;
+      node.drag += half * element.resistance;
+    }
+  }
+  for (WetNode& node : grid.nodes)
+    node.drag *= node.porosity();
+}
+
 } // namespace
+
+void set_lengths(WetGrid& grid, const std::vector<double>& lengths) {
+  for (std::size_t e = 0; e < grid.elements.size(); ++e) {
+    WetElement& element = grid.elements[e];
+    element.solid_share *= element.length / lengths[e];
+    element.length = lengths[e];
+    if (element.bulk_modulus == 0.0)
+      continue;
+    const double n = element.porosity();
+    element.stiffness = element.bulk_modulus / n;
+    element.fluid_share = n * element.fluid_density;
+  }
+  add_elements(grid);
+}
 
 WetGrid wet_grid(const Profile& profile, const ColumnMesh& mesh, const Damping& damping, bool compliant) {
   WetGrid grid;
@@ -58,19 +94,13 @@ WetGrid wet_grid(const Profile& profile, const ColumnMesh& mesh, const Damping& 
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
     const WetElement& element = grid.elements[e];
     const double half = 0.5 * element.length;
-    for (const std::size_t i : {e, e + 1}) {
-      WetNode& node = grid.nodes[i];
-      node.solid += half * element.solid_share;
-      node.fluid += half * element.fluid_share;
-      node.full += half * element.fluid_density;
-      node.drag += half * element.resistance;
-      node.dashpot_x += half * element.alpha * element.density;
-      node.dashpot_y += half * element.alpha * element.density;
-    }
+    for (const std::size_t i : {e, e + 1})
+      grid.nodes[i].mass_damping += half * element.alpha * element.density;
   }
+  add_elements(grid);
   for (std::size_t i = 0; i < grid.nodes.size(); ++i) {
     WetNode& node = grid.nodes[i];
-    node.drag *= node.porosity();
+    node.dashpot_x = node.dashpot_y = node.mass_damping;
     node.sealed = sealed(profile, mesh, grid.elements, i);
   }
   if (compliant) {

@@ -102,7 +102,9 @@ void TileSums::add_to(NodeFields& nodes, SumRange fields, const TileMap& tiles, 
   workers.run(filled_.size(), [&](std::size_t n) {
     window_[n] = windows.take();
     const RowRange rows = fill(n, window_[n]);
-    touched_[n] = {places_[n].column, rows.begin, window_columns, rows.end - rows.begin};
+    touched_[n] = rows.begin < rows.end
+                      ? NodeBlock{places_[n].column, rows.begin, window_columns, rows.end - rows.begin}
+                      : NodeBlock{}; // no particle of this tile adds anything
     for (const std::size_t o : owners_of_[n]) {
       if (!is_last(to_fill_[o]))
         continue;

@@ -93,6 +93,8 @@ void average_at_nodes(Domain& domain, std::span<const NodeRange> nodes, std::spa
   };
   constexpr SumRange fields = sums_between(Sum::pressure_change, Sum::pressure_change);
   clear(domain, NodeGroup::pressure, nodes);
+  for (const std::size_t row : ties)
+    grid.pressure_change[domain.ties().tied(row)] = 0.0; // they hold the last means
   add_sums(
       domain, 0, fields,
       [&](const Particles& p, std::size_t tile, double* window) {

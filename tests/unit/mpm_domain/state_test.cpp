@@ -126,6 +126,18 @@ TEST(State, OfSoilWithViscousDampingGoesOnWithTheSameBits) {
   }
 }
 
+TEST(State, OfPoreWaterGoesOnWithTheSameBits) {
+  for (const Drainage drainage : {Drainage::coupled, Drainage::undrained, Drainage::drained}) {
+    mpm_domain::Spec spec = box(softening_soil());
+    spec.water = {-1.0, {}};
+    spec.soils.front().pores = {
+        .porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3, .drainage = drainage};
+    expect_exact_resumption(spec);
+    spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}};
+    expect_exact_resumption(spec);
+  }
+}
+
 TEST(State, OnAGradedMeshGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = box(softening_soil());
   spec.refine = {{{2.0, -2.0, 4.0, 0.0}, 1}};

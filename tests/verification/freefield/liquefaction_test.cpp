@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <regex>
 #include <sstream>
 
@@ -29,24 +30,34 @@ LiquefactionHistory stored(const std::string& run) {
   return history;
 }
 
+constexpr double never = std::numeric_limits<double>::infinity();
+
 struct Band {
   double low = 0.0, high = 0.0;
 };
 
-/// "t50_1s" and so on of a run at a depth, over the variants of the reference.
-std::map<std::string, Band> bands(const std::string& run, double depth) {
+/// Over the variants of a run of the reference: "t50_1s" and so on at a depth, or of the whole column,
+/// "settle_15s_mm" and so on. What some variants never reach ends at infinity.
+std::map<std::string, Band> bands(const std::string& run, std::optional<double> depth) {
   std::ifstream stream(tremolo::testing::reference_folder() / "columns_liquefaction" / "BANDS.txt");
   std::map<std::string, Band> found;
   bool here = false;
   std::ostringstream start;
-  start << "z=" << depth << ": ";
-  const std::regex entry("(\\w+) ([-0-9.e]+)\\.\\.([-0-9.e]+)");
+  if (depth)
+    start << "z=" << *depth << ": ";
+  else
+    start << "pga_all_steps ";
+  const std::regex entry("([\\w.]+) ([-0-9.e]+)\\.\\.([-0-9.e]+)( \\([^)]*never\\))?|([\\w.]+) - ");
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with("### "))
       here = line.starts_with("### " + run + ":");
     else if (here && line.starts_with(start.str()))
-      for (std::sregex_iterator i(line.begin(), line.end(), entry), end; i != end; ++i)
-        found[(*i)[1]] = {std::stod((*i)[2]), std::stod((*i)[3])};
+      for (std::sregex_iterator i(line.begin(), line.end(), entry), end; i != end; ++i) {
+        if ((*i)[5].matched)
+          found[(*i)[5]] = {never, never};
+        else
+          found[(*i)[1]] = {std::stod((*i)[2]), (*i)[4].matched ? never : std::stod((*i)[3])};
+      }
   }
   return found;
 }
@@ -56,28 +67,65 @@ void expect_within(double value, const Band& band, double slack, const std::stri
   EXPECT_LE(value, band.high + slack) << what;
 }
 
+/// That two ranges lie no farther apart than `slack`.
+void expect_overlap(double a, double b, const Band& band, double slack, const std::string& what) {
+  EXPECT_GE(std::max(a, b), band.low - slack) << what;
+  EXPECT_LE(std::min(a, b), band.high + slack) << what;
+}
+
 #define SKIP_WITHOUT(history, run)                                                                           \
   if ((history).time.empty())                                                                                \
   GTEST_SKIP() << "columns_liquefaction/" << (run)                                                           \
                << " is absent; set TREMOLO_REFERENCE to the reference data"
 
-/// The law of which a column is reproducible: times to 0.1 s, mean r_u to 0.01, settlement to 3 %.
+/// The law of which a column is reproducible: times to 0.1 s, mean r_u to 0.005, settlement to 1 %.
 TEST(Liquefaction, Pdmy03ColumnIsThatOfTheReference) {
   const auto reference = stored("C2");
   SKIP_WITHOUT(reference, "C2");
   const auto ours = computed(pdmy03_column("C2"));
   for (std::size_t i = 0; i < depths.size(); ++i) {
     SCOPED_TRACE(depths[i]);
-    for (const double level : {0.5, 0.7, 0.9}) {
-      // Near the surface and at 9.5 m r_u creeps past 0.9 at 0.02 a second, or not at all.
-      if (level == 0.9 && (depths[i] < 5.0 || depths[i] > 9.0))
-        continue;
+    for (const double level : {0.5, 0.7})
       EXPECT_NEAR(ours.time_of(i, level), reference.time_of(i, level), 0.1 + 1e-9) << level;
-    }
-    EXPECT_NEAR(ours.mean(i, 5.0, 15.0), reference.mean(i, 5.0, 15.0), 0.01);
+    // r_u creeps past these at 0.02 to 0.1 a second.
+    auto band = bands("C2", depths[i]);
+    expect_within(ours.time_of(i, 0.8), band["t80_1s"], 0.1 + 1e-9, "t80");
+    expect_within(ours.time_of(i, 0.9), band["t90_1s"], 0.1 + 1e-9, "t90");
+    EXPECT_NEAR(ours.mean(i, 5.0, 15.0), reference.mean(i, 5.0, 15.0), 0.005);
+    EXPECT_NEAR(ours.ratio_at(i, 25.0), reference.ratio_at(i, 25.0), 0.005);
   }
   for (const double time : {15.0, 25.0})
-    EXPECT_NEAR(ours.settlement_at(time) / reference.settlement_at(time), 1.0, 0.03) << time;
+    EXPECT_NEAR(ours.settlement_at(time) / reference.settlement_at(time), 1.0, 0.01) << time;
+}
+
+/// The largest difference of r_u between two runs until a time.
+double difference(const LiquefactionHistory& a, const LiquefactionHistory& b, double until) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < depths.size(); ++i)
+    for (std::size_t k = 0; k < a.time.size() && a.time[k] <= until; ++k)
+      largest = std::max(largest, std::abs(a.ratio[i][k] - b.ratio[i][k]));
+  return largest;
+}
+
+TEST(Liquefaction, Pdmy03ColumnConvergesWithTheStep) {
+  const auto run = [](double dt) { return computed(pdmy03_column("C2"), 0.5, dt); };
+  const auto coarse = run(2e-4), middle = run(1e-4), fine = run(5e-5);
+  const double first = difference(coarse, middle, 25.0);
+  const double second = difference(middle, fine, 25.0);
+  EXPECT_LT(first, 1e-3);
+  EXPECT_GT(std::log2(first / second), 0.8);
+  EXPECT_NEAR(coarse.settlement_at(25.0) / fine.settlement_at(25.0), 1.0, 5e-4);
+}
+
+/// Before sand has liquefied the step makes no difference, and from 1e-4 s down little to settlement after
+/// it. Between longer steps one reversal at 9.25 m, smaller than the yield cone, is counted or not.
+TEST(Liquefaction, Pm4SandColumnConvergesWithTheStep) {
+  const auto run = [](double dt) { return computed(pm4sand_column("B2", 0.55, 677.0, 0.40, 1e-4), 0.5, dt); };
+  const auto coarse = run(2e-4), middle = run(1e-4), fine = run(5e-5);
+  EXPECT_LT(difference(coarse, middle, 3.0), 3e-4);
+  EXPECT_LT(difference(middle, fine, 5.0), 1e-3);
+  EXPECT_NEAR(middle.settlement_at(15.0) / fine.settlement_at(15.0), 1.0, 0.005);
+  EXPECT_NEAR(middle.settlement_at(25.0) / fine.settlement_at(25.0), 1.0, 0.005);
 }
 
 struct Pm4Column {
@@ -85,44 +133,65 @@ struct Pm4Column {
   double relative_density, G_o, h_po;
 };
 
-class Pm4SandColumn : public ::testing::TestWithParam<Pm4Column> {};
+class Pm4SandColumn : public ::testing::TestWithParam<Pm4Column> {
+protected:
+  static LiquefactionHistory of(const Pm4Column& column, double element_size) {
+    return computed(pm4sand_column(column.run, column.relative_density, column.G_o, column.h_po, 1e-4),
+                    element_size, 1e-4);
+  }
+};
 
+/// Times to r_u = 0.5 within 0.1 s and to 0.7 within 0.2 s, mean r_u and settlement in the bands of the
+/// reference's variants to 0.02 and 1 %.
 TEST_P(Pm4SandColumn, LiquefiesWhenTheReferenceDoes) {
-  const auto& [run, density, G_o, h_po] = GetParam();
+  const std::string run = GetParam().run;
   const auto reference = stored(run);
   SKIP_WITHOUT(reference, run);
-  const auto ours = computed(pm4sand_column(run, density, G_o, h_po, 1e-4));
+  const auto ours = of(GetParam(), 0.5);
   for (std::size_t i = 1; i <= 3; ++i) {
     SCOPED_TRACE(depths[i]);
-    auto band = bands(run, depths[i]);
     EXPECT_NEAR(ours.time_of(i, 0.5), reference.time_of(i, 0.5), 0.1);
-    expect_within(ours.time_of(i, 0.7), band["t70_1s"], 0.2, "t70");
-    expect_within(ours.mean(i, 5.0, 15.0), band["ru_mean_5_15"], 0.02, "mean r_u from 5 to 15 s");
+    EXPECT_NEAR(ours.time_of(i, 0.7), reference.time_of(i, 0.7), 0.2);
+    expect_within(ours.mean(i, 5.0, 15.0), bands(run, depths[i])["ru_mean_5_15"], 0.02,
+                  "mean r_u, 5 to 15 s");
   }
-  for (const double time : {15.0, 25.0})
-    EXPECT_NEAR(ours.settlement_at(time) / reference.settlement_at(time), 1.0, 0.08) << time;
+  auto band = bands(run, std::nullopt);
+  expect_within(1e3 * ours.settlement_at(15.0), band["settle_15s_mm"], 0.01, "settlement at 15 s");
+  expect_within(1e3 * ours.settlement_at(25.0), band["settle_end_shake_mm"], 0.02, "settlement at 25 s");
 }
 
-/// Once sand has liquefied, disturbances decide which element strains: elements half as long lie in the bands
-/// of the reference's variants, to what one of its own repetitions is off.
+/// Once sand has liquefied, disturbances decide which element strains. Elements of 0.5 and 0.25 m: in the
+/// bands of the reference's variants each, to what its README says of them; where one of its variants alone
+/// is seconds from the others, the ranges of both overlap.
 TEST_P(Pm4SandColumn, StaysInTheBandsOnceLiquefied) {
-  const auto& [run, density, G_o, h_po] = GetParam();
+  const std::string run = GetParam().run;
   const auto reference = stored(run);
   SKIP_WITHOUT(reference, run);
-  const auto ours = computed(pm4sand_column(run, density, G_o, h_po, 1e-4), 0.25, 1e-4);
+  const std::array ours = {of(GetParam(), 0.5), of(GetParam(), 0.25)};
+  auto whole = bands(run, std::nullopt);
   for (std::size_t i = 0; i < depths.size(); ++i) {
     SCOPED_TRACE(depths[i]);
     auto band = bands(run, depths[i]);
-    expect_within(ours.mean(i, 5.0, 15.0), band["ru_mean_5_15"], 0.02, "mean r_u from 5 to 15 s");
-    // Above and below, r_u creeps past these levels: the reference's own runs differ by seconds.
-    if (depths[i] > 9.0)
-      continue;
-    expect_within(ours.time_of(i, 0.8), band["t80_1s"], depths[i] < 3.0 ? 1.0 : 0.5, "t80");
-    if (depths[i] > 3.0)
-      expect_within(ours.time_of(i, 0.9), band["t90_1s"], 0.5, "t90");
+    const bool middle = depths[i] > 2.0 && depths[i] < 9.0;
+    for (const auto& [name, level] : {std::pair("t70_1s", 0.7), {"t80_1s", 0.8}, {"t90_1s", 0.9}})
+      expect_overlap(ours[0].time_of(i, level), ours[1].time_of(i, level), band[name], 0.2, name);
+    expect_overlap(ours[0].ratio_at(i, 25.0), ours[1].ratio_at(i, 25.0), band["ru_25s"], 0.005,
+                   "r_u at 25 s");
+    for (const auto& one : ours) {
+      if (depths[i] > 2.0)
+        expect_within(one.time_of(i, 0.5), band["t50_1s"], middle ? 0.1 : 0.2, "t50");
+      expect_within(one.mean(i, 5.0, 15.0), band["ru_mean_5_15"], middle ? 0.02 : 0.05,
+                    "mean r_u, 5 to 15 s");
+      if (depths[i] > 3.0 && middle) {
+        expect_within(one.time_of(i, 0.8), band["t80_1s"], 0.4, "t80");
+        expect_within(one.time_of(i, 0.9), band["t90_1s"], 0.5, "t90");
+      }
+    }
   }
-  for (const double time : {15.0, 25.0})
-    EXPECT_NEAR(ours.settlement_at(time) / reference.settlement_at(time), 1.0, 0.08) << time;
+  for (const auto& one : ours) {
+    expect_within(1e3 * one.settlement_at(15.0), whole["settle_15s_mm"], 0.02, "settlement at 15 s");
+    expect_within(1e3 * one.settlement_at(25.0), whole["settle_end_shake_mm"], 0.02, "settlement at 25 s");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Liquefaction, Pm4SandColumn,
@@ -138,8 +207,27 @@ TEST(Liquefaction, PorePressureDissipatesAfterShaking) {
   for (const double time : {25.0, 30.0, 40.0, 60.0, 100.0, 200.0})
     for (std::size_t i = 0; i < depths.size(); ++i)
       EXPECT_NEAR(ours.ratio_at(i, time), reference.ratio_at(i, time), 0.02) << depths[i] << " m, " << time;
+  for (std::size_t i = 1; i <= 3; ++i) {
+    EXPECT_NEAR(ours.time_of(i, 0.5), reference.time_of(i, 0.5), 0.1) << depths[i];
+    EXPECT_NEAR(ours.time_of(i, 0.7), reference.time_of(i, 0.7), 0.2) << depths[i];
+  }
   for (const double time : {15.0, 25.0, 200.0})
     EXPECT_NEAR(ours.settlement_at(time) / reference.settlement_at(time), 1.0, 0.05) << time;
+}
+/// Work given, stored and dissipated from elastic soil to liquefied sand.
+TEST(Liquefaction, LedgerOfEnergyCloses) {
+  for (const auto& sand : {pm4sand_column("", 0.55, 677.0, 0.40, 1e-4), pdmy03_column("")}) {
+    TwoPhaseColumn column(liquefying_profile(sand), liquefying_settings(0.5, 2e-4), BaseShaking(0.981));
+    while (column.time() < 25.0) {
+      for (int i = 0; i < 5000; ++i)
+        column.step();
+      const WetEnergy energy = column.energy();
+      ASSERT_LE(std::abs(energy.missing()), 1e-5 * energy.given()) << column.time();
+    }
+    const WetEnergy energy = column.energy();
+    EXPECT_GT(energy.plastic, 0.5 * energy.given()) << materials::name(sand.law);
+    EXPECT_GT(energy.drag, 0.01 * energy.given()) << materials::name(sand.law);
+  }
 }
 
 } // namespace

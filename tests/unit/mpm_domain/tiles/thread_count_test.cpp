@@ -50,7 +50,21 @@ void yield(Spec& spec) {
   spec.soils.front().law = clay;
 }
 
+/// Water in the lower half, where it flows or not.
+void add_water(Spec& spec, materials::Drainage drainage) {
+  spec.gravity = 9.81;
+  spec.water = {-20.0, {}};
+  spec.soils.front().pores = {
+      .porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3, .drainage = drainage};
+}
+
 const Model models[] = {
+    {"Wet", [](Spec& spec) { add_water(spec, materials::Drainage::coupled); }, 60},
+    {"Undrained", [](Spec& spec) { add_water(spec, materials::Drainage::undrained), yield(spec); }, 60},
+    {"WetGraded", [](Spec& spec) { refine(spec), add_water(spec, materials::Drainage::coupled); }, 30},
+    {"WetPeriodicGraded",
+     [](Spec& spec) { make_periodic(spec), refine(spec), add_water(spec, materials::Drainage::coupled); },
+     30},
     {"UniformYielding", yield, 60},
     {"GradedYielding", [](Spec& spec) { refine(spec), yield(spec); }, 40},
     {"PeriodicYielding", [](Spec& spec) { make_periodic(spec), yield(spec); }, 60},

@@ -75,6 +75,18 @@ TEST(TileSums, AreAddedInTheOrderOfTilesByAnyNumberOfThreads) {
   }
 }
 
+/// A pass that no particle of a tile takes part in.
+TEST(TileSums, OfATileThatAddsNothingAreNone) {
+  const Sums sums;
+  WorkerPool workers(1);
+  WindowPool windows;
+  TileSums tile_sums(sums.tiles, sums.filled);
+  NodeFields nodes = zero_fields();
+  tile_sums.add_to(nodes, all_fields, sums.tiles, workers, windows, [](auto, auto) { return RowRange{}; });
+  for (NodeField NodeFields::*field : particle_sums)
+    EXPECT_EQ(nodes.*field, zero_fields().*field);
+}
+
 TEST(TileSums, LeaveFieldsThatAreNotAskedForAlone) {
   const Sums sums;
   WorkerPool workers(1);

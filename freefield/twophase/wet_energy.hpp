@@ -1,0 +1,27 @@
+#pragma once
+
+namespace tremolo::freefield {
+
+/// Where the energy of a two-phase column has gone since the start, J per m2 of plan area. Every entry is
+/// measured: stresses and pressure by their work on the strain of their elements, tractions and drag by their
+/// work on the nodes. Balance:
+///
+///     base + load + gravity = kinetic + elastic + plastic + pore + drag + damping,
+///
+/// and what is missing is the error of the integration in time, of second order in the step.
+struct WetEnergy {
+  double base = 0.0;    ///< work of the base on the column, and of pressure that drives water in there
+  double load = 0.0;    ///< work of the load on the surface
+  double gravity = 0.0; ///< work of the weight, under water the buoyant one, on soil that settles
+  double kinetic = 0.0; ///< of grains and water
+  double elastic = 0.0; ///< work of effective stress that the law does not count as plastic
+  double plastic = 0.0; ///< dissipated by the law
+  double pore = 0.0;    ///< work of pore pressure on the water, by which it is compressed
+  double drag = 0.0;    ///< dissipated by water that flows through the grains
+  double damping = 0.0; ///< dissipated by the soil's small-strain damping
+
+  double given() const { return base + load + gravity; }
+  double missing() const { return given() - kinetic - elastic - plastic - pore - drag - damping; }
+};
+
+} // namespace tremolo::freefield

@@ -1,0 +1,173 @@
+// What pore pressures take up is what the water's force does, no water is lost, and the filter of the
+// increments is self-adjoint: it cannot add energy.
+
+#include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/step/clock_nodes.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
+#include "mpm_domain/water/mixture_update.hpp"
+#include "mpm_domain/water/pore_pressure.hpp"
+#include "mpm_domain/water/storage.hpp"
+#include "mpm_domain/water/water_scatter.hpp"
+#include "tests/support/box_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tremolo::mpm_domain {
+namespace {
+
+struct Mesh {
+  const char* name;
+  bool periodic = false;
+  bool graded = false;
+  bool boxes_follow = false;
+};
+
+class PorePressure : public testing::TestWithParam<Mesh> {
+protected:
+  /// A saturated box of two porosities, whose particles lie anywhere by up to a tenth of a cell.
+  static Spec wet_spec() {
+    Spec spec = test_support::elastic_box(8.0, 6.0, 1.0);
+    spec.gravity = 9.81;
+    spec.water = {0.0, {}};
+    spec.soils.front().pores = {.porosity = 0.35, .grain_density = 2650.0, .permeability = 1e-3};
+    Soil loose = spec.soils.front();
+    loose.pores->porosity = 0.5;
+    spec.soils.push_back(loose);
+    spec.regions.push_back({1, {{2.0, -4.0}, {6.0, -4.0}, {6.0, -1.0}, {2.0, -1.0}}});
+    if (GetParam().periodic)
+      spec.sides = Sides::periodic;
+    if (GetParam().graded)
+      spec.refine = {{{2.0, -3.0, 5.0, 0.0}, 1}};
+    if (GetParam().boxes_follow)
+      spec.boxes = ParticleBoxes::deforming;
+    return spec;
+  }
+
+  PorePressure() : domain(wet_spec()) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> jitter(-0.1, 0.1);
+    for (Particles& set : domain.sets)
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        set.x[k] += jitter(random) * set.cell_size;
+        set.y[k] += jitter(random) * set.cell_size;
+      }
+    sort_particles(domain);
+    scatter(domain, ScatterPart::motion);
+  }
+
+  /// Velocities of grains and water at random, and the flux of both; tied nodes follow.
+  void set_flow(unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> speed(0.0, 1.0);
+    Grid& grid = domain.grid;
+    for (NodeField* field : {&grid.vx_after, &grid.vy_after, &grid.wx_after, &grid.wy_after})
+      for (double& v : *field)
+        v = speed(random);
+    find_flux(domain, domain.soil_rows);
+    prolong(domain, NodeGroup::volume_flux);
+  }
+
+  /// Changes of the pressures in the flow of a seed.
+  std::vector<std::vector<double>> changes(unsigned seed) {
+    std::vector<std::vector<double>> before;
+    for (const Particles& set : domain.sets)
+      before.push_back(set.pore_pressure);
+    const ClockNodes nodes(domain);
+    scatter_water(domain, nodes.of(0), nodes.ties_of(0));
+    set_flow(seed);
+    update_pressures(domain, dt, true, nodes.of(0), nodes.ties_of(0));
+    for (std::size_t s = 0; s < domain.sets.size(); ++s)
+      for (std::size_t k = 0; k < domain.sets[s].size(); ++k)
+        before[s][k] = std::exchange(domain.sets[s].pore_pressure[k], before[s][k]) - before[s][k];
+    return before;
+  }
+
+  template <typename Of>
+  double sum(const Of& of) const {
+    double total = 0.0;
+    for (std::size_t s = 0; s < domain.sets.size(); ++s)
+      for (std::size_t k = 0; k < domain.sets[s].size(); ++k)
+        total += of(s, k);
+    return total;
+  }
+
+  static constexpr double dt = 1e-4; // s
+  Domain domain;
+};
+
+/// sum V theta = sum of the flux times the force of a pressure of 1.
+TEST_P(PorePressure, IsTheDualOfTheForceOfWater) {
+  for (Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      set.pore_pressure[k] = set.water->hydrostatic(set.y[k]) + std::sin(3.0 * set.x[k] + 2.0 * set.y[k]);
+  std::vector<std::vector<double>> excess;
+  for (const Particles& set : domain.sets) {
+    excess.emplace_back();
+    for (std::size_t k = 0; k < set.size(); ++k)
+      excess.back().push_back(set.water->excess(set.pore_pressure[k], set.y[k]));
+  }
+  changes(1);
+  const Grid& grid = domain.grid;
+  double of_force = 0.0;
+  double size = 0.0;
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    const double power = grid.water_force_x[n] * grid.flux_x[n] + grid.water_force_y[n] * grid.flux_y[n];
+    of_force += power;
+    size += std::abs(power);
+  }
+  const double of_pressure =
+      sum([&](auto s, auto k) { return excess[s][k] * domain.waiting_pressures[s].compression[k]; });
+  EXPECT_NEAR(-dt * of_force, of_pressure, 1e-12 * dt * size);
+}
+
+TEST_P(PorePressure, LosesNoWater) {
+  const auto change = changes(2);
+  const auto stored = sum([&](auto s, auto k) { return storage_of(domain.sets[s], k) * change[s][k]; });
+  const auto compressed = sum([&](auto s, auto k) { return domain.waiting_pressures[s].compression[k]; });
+  const auto size = sum([&](auto s, auto k) { return std::abs(domain.waiting_pressures[s].compression[k]); });
+  EXPECT_NEAR(stored, compressed, 1e-13 * size);
+}
+
+/// With a and b what two flows compress, a . F b = b . F a and a . F a >= 0.
+TEST_P(PorePressure, FilterIsSelfAdjoint) {
+  const auto compression = [&] {
+    std::vector<std::vector<double>> all;
+    for (const WaitingPressures& waiting : domain.waiting_pressures)
+      all.push_back(waiting.compression);
+    return all;
+  };
+  const auto change_a = changes(3);
+  const auto a = compression();
+  const auto change_b = changes(4);
+  const auto b = compression();
+  const auto product = [&](const auto& x, const auto& y) {
+    return sum([&](auto s, auto k) { return x[s][k] * y[s][k]; });
+  };
+  const double size = std::sqrt(product(a, change_a) * product(b, change_b));
+  EXPECT_GT(product(a, change_a), 0.0);
+  EXPECT_GT(product(b, change_b), 0.0);
+  EXPECT_NEAR(product(a, change_b), product(b, change_a), 1e-12 * size);
+}
+
+/// A pressure is that of its cell.
+TEST_P(PorePressure, IsTheSameThroughoutACell) {
+  const auto change = changes(5);
+  for (std::size_t s = 0; s < domain.sets.size(); ++s)
+    for (std::size_t k = 0; k < domain.sets[s].size(); ++k)
+      for (std::size_t l = 0; l < k; ++l)
+        if (domain.waiting_pressures[s].cell[k] == domain.waiting_pressures[s].cell[l]) {
+          EXPECT_NEAR(change[s][k], change[s][l], 1e-12 * std::abs(change[s][k]));
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, PorePressure,
+                         testing::Values(Mesh{"Uniform"}, Mesh{"Periodic", true}, Mesh{"Graded", false, true},
+                                         Mesh{"PeriodicGraded", true, true},
+                                         Mesh{"OwnBoxes", false, false, true}),
+                         [](const auto& mesh) { return mesh.param.name; });
+
+} // namespace
+} // namespace tremolo::mpm_domain
