@@ -3,8 +3,8 @@
 //     v(t_n) = v- + dt/2 a,      d sigma/dt (t_n) = (sigma(t_n+1) - sigma(t_n-1))/(t_n+1 - t_n-1).
 //
 // At the base the stress is that of Eq. (6) with this velocity, which is what the base's nodes have felt. The
-// base has no particle: its displacement is the sum of dt v-. Strains are differences of the displacements of
-// the rows above and below over their distance at the start.
+// base has no particle: its displacement is the sum of dt v-. Strains are slopes of the displacement over the
+// levels of the start.
 
 #include "mpm_domain/column/periodic_column.hpp"
 
@@ -190,15 +190,25 @@ void PeriodicColumn::record_deformation() {
       sum += now_[r].pore_pressure;
     cell.pore_pressure = sum / static_cast<double>(cell.end_row - cell.first_row);
   }
-  for (std::size_t i = 0; i <= top; ++i) {
-    const std::size_t below = i == 0 ? 0 : i - 1;
-    const std::size_t above = std::min(i + 1, top);
-    const double distance = levels_[above] - levels_[below];
-    points_[i].eyy = (points_[above].displacement.y - points_[below].displacement.y) / distance;
-    points_[i].gxy = (points_[above].displacement.x - points_[below].displacement.x) / distance;
+  // The slope of the parabola through three neighbours, rows if there are as many: nodes give the base, where
+  // no box is averaged over, another error.
+  const std::size_t first = top > 2 ? 1 : 0;
+  const std::size_t last = std::max<std::size_t>(top, 2);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const std::size_t a = std::clamp(i > 0 ? i - 1 : 0, first, last - 2);
+    const double lower = levels_[a + 1] - levels_[a];
+    const double upper = levels_[a + 2] - levels_[a + 1];
+    const double share = (2.0 * levels_[i] - levels_[a] - levels_[a + 1]) / (lower + upper);
+    const auto slope = [&](double Vector::*component) {
+      const double below =
+          (points_[a + 1].displacement.*component - points_[a].displacement.*component) / lower;
+      const double above =
+          (points_[a + 2].displacement.*component - points_[a + 1].displacement.*component) / upper;
+      return std::lerp(below, above, share);
+    };
+    points_[i].eyy = slope(&Vector::y);
+    points_[i].gxy = slope(&Vector::x);
   }
-  points_.back().eyy = points_[top].eyy;
-  points_.back().gxy = points_[top].gxy;
 }
 
 /// At the faces of the base, at the particles' rows, and at the surface, as side faces of a domain would.
