@@ -41,6 +41,7 @@ def _panels(runs, frames, name, component, colouring, label, colour_extend):
     figure, axes = style.map_axes(bounds, rows, columns, highest=2.4)
     if side_by_side:
         axes = axes.T
+        axes[0, 0].locator_params(axis="x", nbins=4)  # shared by all
     figure.colorbar(
         ScalarMappable(Normalize(colouring["vmin"], colouring["vmax"]), colouring["cmap"]), ax=axes, label=label,
         extend=colour_extend, extendfrac=0.03, shrink=1.2 / (rows + 0.5), aspect=18, pad=0.015,
