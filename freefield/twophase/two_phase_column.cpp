@@ -286,11 +286,13 @@ void TwoPhaseColumn::sample(std::span<const double> y, std::span<ColumnSample> s
 }
 
 std::string TwoPhaseColumn::report() const {
+  std::string text = fmt::format("{} steps of {:.4g} s, soil and water", steps_, settings_.time_step);
+  constexpr double nothing = 1e-6; // J/m2: a micrometre a second in a thousand metres of soil
   const WetEnergy spent = energy();
-  return fmt::format("{} steps of {:.4g} s, soil and water; of the energy given, {:.4g} J/m2, {:.2g} % is "
-                     "missing",
-                     steps_, settings_.time_step, spent.given(),
-                     spent.given() > 0.0 ? 100.0 * std::abs(spent.missing()) / spent.given() : 0.0);
+  if (spent.given() > nothing)
+    text += fmt::format("; of the energy given, {:.4g} J/m2, {:.2g} % is missing", spent.given(),
+                        100.0 * std::abs(spent.missing()) / spent.given());
+  return text;
 }
 
 } // namespace tremolo::freefield

@@ -8,7 +8,8 @@ namespace tremolo::freefield {
 ///
 ///     base + load + gravity = kinetic + elastic + plastic + pore + drag + damping,
 ///
-/// and what is missing is the error of the integration in time, of second order in the step.
+/// and what is missing is the error of the integration in time, of second order in the step, and what water
+/// carries along as it flows, in proportion to strain.
 struct WetEnergy {
   double base = 0.0;    ///< work of the base on the column, and of pressure that drives water in there
   double load = 0.0;    ///< work of the load on the surface

@@ -38,9 +38,9 @@ void for_faces(WorkerPool& workers, std::size_t count, const Act& act) {
 }
 
 /// Velocity that a node's dashpots see, m/s. Where water flows it is that of grains and water together, which
-/// the implicit half of the dashpots acts on too (water/mixture_kick.hpp): a dashpot that saw the grains
-/// alone could bring in energy.
-Vector moving_at(const Grid& grid, std::size_t node) {
+/// the implicit half of the dashpots acts on too (water/mixture_kick.hpp): a dashpot that saw the grains alone
+/// could bring in energy.
+Vector seen_by_dashpots(const Grid& grid, std::size_t node) {
   const Vector v = grid.velocity_before(node);
   const double water = grid.traits.flowing ? grid.water_mass[node] : 0.0;
   if (!(water > 0.0))
@@ -53,7 +53,7 @@ Vector moving_at(const Grid& grid, std::size_t node) {
 Vector velocity_at(const Grid& grid, const FaceWeights& weights) {
   Vector v;
   for (const auto& [node, w] : weights) {
-    const Vector of_node = moving_at(grid, node);
+    const Vector of_node = seen_by_dashpots(grid, node);
     v.x += w * of_node.x;
     v.y += w * of_node.y;
   }

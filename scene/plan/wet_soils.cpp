@@ -86,11 +86,14 @@ std::vector<std::reference_wrapper<const Soil>> soils_below_table(const Case& sc
 }
 
 std::string water_text(const Case& scene) {
+  const auto soils = soils_below_table(scene);
+  if (soils.empty())
+    return fmt::format("water table at y = {} m, below all soil\n", scene.water->level);
   std::string text =
       fmt::format("water table at y = {} m; models other than \"fe\" and \"mpm\" take the ground below it "
                   "as undrained; soil there:\n",
                   scene.water->level);
-  for (const Soil& soil : soils_below_table(scene))
+  for (const Soil& soil : soils)
     text += soil_text(soil, scene.water->fluid, scene.gravity->acceleration);
   return text;
 }

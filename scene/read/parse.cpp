@@ -59,7 +59,8 @@ Case load_free_field(const std::filesystem::path& file, SourceModel model) {
 
   findings.throw_if_any();
   findings.grade(Severity::warning);
-  for (const auto rule : {table_lies_in_ground, permeability_is_that_of_soil, sand_has_one_void_ratio})
+  for (const auto rule : {table_lies_in_ground, permeability_is_that_of_soil, cavitation_is_in_pascals,
+                          sand_has_one_void_ratio})
     rule(scene, findings);
   scene.remarks = findings.remarks();
   return scene;

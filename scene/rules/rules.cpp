@@ -56,6 +56,7 @@ constexpr std::array rules = {
     Rule{Severity::warning, saturated_soil_has_water},
     Rule{Severity::warning, table_lies_in_ground},
     Rule{Severity::warning, permeability_is_that_of_soil},
+    Rule{Severity::warning, cavitation_is_in_pascals},
     Rule{Severity::warning, sand_has_one_void_ratio},
     Rule{Severity::warning, densities_are_in_kilograms},
 

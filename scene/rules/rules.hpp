@@ -100,6 +100,8 @@ void saturated_soil_has_water(const Case& scene, Findings& findings);
 void table_lies_in_ground(const Case& scene, Findings& findings);
 /// Hydraulic conductivities are those of soil, in m/s.
 void permeability_is_that_of_soil(const Case& scene, Findings& findings);
+/// The cavitation pressure is in Pa.
+void cavitation_is_in_pascals(const Case& scene, Findings& findings);
 /// The pores that are given are those that the law of sand has.
 void sand_has_one_void_ratio(const Case& scene, Findings& findings);
 /// Densities are those of soil or rock in kg/m3.

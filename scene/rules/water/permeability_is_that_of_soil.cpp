@@ -6,7 +6,7 @@ namespace tremolo::scene {
 
 namespace {
 
-constexpr double most_permeable = 1.0;    // m/s: coarse gravel
+constexpr double most_permeable = 0.1;    // m/s: gravel
 constexpr double least_permeable = 1e-13; // m/s: unfissured clay and rock salt
 constexpr double day = 86400.0;           // s
 
@@ -20,8 +20,8 @@ void permeability_is_that_of_soil(const Case& scene, Findings& findings) {
     const auto path = "soil." + soil.name + ".permeability";
     if (k > most_permeable)
       findings.add(
-          path, fmt::format("'permeability' = {:g} m/s is that of no soil: m/s are meant; {:g} m/day would "
-                            "be {:.3g}, {:g} cm/s would be {:.3g}",
+          path, fmt::format("'permeability' = {:g} m/s is that of no soil finer than gravel: m/s are meant; "
+                            "{:g} m/day would be {:.3g}, {:g} cm/s would be {:.3g}",
                             k, k, k / day, k, 0.01 * k));
     else if (k < least_permeable)
       findings.add(path,

@@ -53,6 +53,31 @@ model = "kelvin_voigt"
 reference_hz = 5.0
 """ + STAGES
 
+# The same ground, its layers with the constants of the skeleton, dry, and of grains and water together: K_f/n = 5.5 GPa.
+YOUNG, POISSON = 150e6, 0.25
+SHEAR_MODULUS, BULK_MODULUS = YOUNG / (2 * (1 + POISSON)), YOUNG / (3 * (1 - 2 * POISSON)) + 5.5e9
+LAYERS = f"""
+[[profile]]
+thickness = 2.0
+soil = "dry"
+
+[[profile]]
+thickness = 18.0
+soil = "wet"
+
+[soil.dry]
+model = "linear_elastic"
+density = 1590.0
+young = {YOUNG!r}
+poisson = {POISSON!r}
+
+[soil.wet]
+model = "linear_elastic"
+density = 1990.0
+young = {9 * BULK_MODULUS * SHEAR_MODULUS / (3 * BULK_MODULUS + SHEAR_MODULUS)!r}
+poisson = {(3 * BULK_MODULUS - 2 * SHEAR_MODULUS) / (2 * (3 * BULK_MODULUS + SHEAR_MODULUS))!r}
+""" + STAGES
+
 SHEAR = 'pulse = { shape = "ricker", frequency = 1.5, time = 1.5, velocity = 0.4 }'
 DILATION = 'pulse = { shape = "ricker", frequency = 6.0, time = 0.5, velocity = 0.01 }'
 
@@ -85,7 +110,8 @@ class Liquefying(unittest.TestCase):
 
     def test_says_what_the_water_does(self):
         self.assertEqual(0, self.result.returncode, self.result.stderr)
-        for words in ("water table at y = -2 m", "coupled, water flows by Darcy's law", "largest r_u", "settlement"):
+        for words in ("water table at y = -2 m", "coupled, water flows by Darcy's law", "largest r_u", "settlement",
+                      "of the energy given"):
             self.assertIn(words, self.result.stdout)
 
     def test_tables_begin_with_the_hydrostatic_state(self):
@@ -158,6 +184,39 @@ class TotalStress(unittest.TestCase):
                     self.assertLess(relative(ours, exact), 0.01, model)
 
 
+class ObliqueWaves(unittest.TestCase):
+    """Below the table c_u = 1689 m/s: P waves there are beyond their critical angle from asin(400/1689), 13.70 degrees, on."""
+
+    @staticmethod
+    def at(angle, ground=ELASTIC):
+        work = ColumnWorkspace(TREMOLO, ground=ground, motion=SHEAR, size=0.25)
+        work.__enter__()
+        work.case.write_text(work.case.read_text().replace("angle_deg = 0.0", f"angle_deg = {angle}"))
+        return work
+
+    SPAN = ("--duration", "4.0", "--every", "0.005", "--depths", "0,5")
+
+    def test_wave_and_eql_serve_any_angle_with_the_constants_of_hand_made_layers(self):
+        for angle in (10.0, 15.0, 40.0):
+            with self.at(angle) as wet, self.at(angle, LAYERS) as layers:
+                for model in ("wave", "eql"):
+                    pairs = zip(wet.histories(model, *self.SPAN), layers.histories(model, *self.SPAN), strict=True)
+                    for ours, theirs in pairs:
+                        np.testing.assert_allclose(ours["vx"], theirs["vx"], atol=1e-9)
+                        np.testing.assert_allclose(ours["vy"], theirs["vy"], atol=1e-9)
+
+    def test_oblique_serves_what_is_below_the_critical_angle_and_refuses_the_rest_with_it(self):
+        with self.at(10.0) as work:
+            for ours, exact in zip(work.histories("oblique", *self.SPAN), work.histories("wave", *self.SPAN), strict=True):
+                self.assertLess(np.linalg.norm(ours["vx"] - exact["vx"]), 0.01 * np.linalg.norm(exact["vx"]))
+        with self.at(15.0) as work:
+            result = work.command("column", work.case, "--model", "oblique", "--out", "out.h5")
+            self.assertEqual(2, result.returncode, result.stdout)
+            self.assertIn('model = "oblique" is possible below 13.70 degrees only', result.stderr)
+            result = work.command("column", work.case, "--model", "wave", "--out", "out.h5", "--duration", "2")
+            self.assertIn("c_u = 1689 m/s undrained, c_s = 173.6 m/s, critical angle of SV 5.90 degrees", result.stdout)
+
+
 class Refusals(unittest.TestCase):
     def test_what_a_new_user_gets_wrong(self):
         for old, new, why in (
@@ -177,6 +236,8 @@ class Refusals(unittest.TestCase):
     def test_doubts_are_told_and_computed(self):
         for old, new, why in (
             ("permeability = 1e-9", "permeability = 1e3", "1000 m/day would be 0.0116"),
+            ("permeability = 1e-9", "permeability = 8.64", "8.64 m/day would be 0.0001"),
+            ("level = -2.0", "level = -2.0\ncavitation_pressure = -90", "-90 kPa would be -90000"),
             ("level = -2.0", "level = 2.0", "stands 2 m above the ground"),
         ):
             with ColumnWorkspace(TREMOLO, ground=ELASTIC, motion=SHEAR, size=1.0) as work:

@@ -18,6 +18,7 @@
 namespace tremolo::freefield::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -228,6 +229,17 @@ TEST(TwoPhaseColumn, WaterDoesNotPassIntoTightSoil) {
   for (const double y : evenly(-3.75, -2.25, 0.5))
     mean += 0.25 * sample_at(column, y).pore_pressure;
   EXPECT_NEAR(mean, 1e4 * 5.5e9 / (5.5e9 + 1e8), 300.0); // nothing drains below
+}
+
+TEST(TwoPhaseColumn, StopsBeforePoresClose) {
+  // exp(-0.5) of the volume at rest holds less than the grains, 0.7 of it.
+  const Profile profile = wet_profile({wet_layer(1.0, 1e6, 1e-2, 0.3)});
+  auto settings = wet_settings(profile, 0.25, 0.1);
+  settings.surface_load = [](double time) { return -5e5 * std::clamp(time / 0.1, 0.0, 1.0); };
+  TwoPhaseColumn column(profile, settings, at_rest);
+  EXPECT_THAT([&] { march(column, 5.0); }, ThrowsMessage<std::runtime_error>(AllOf(
+                                               HasSubstr("its porosity is 0.00"), HasSubstr("from 0.3;"),
+                                               HasSubstr("must stay in [0.01, 0.95]"))));
 }
 
 TEST(TwoPhaseColumn, StepIsLimitedByTheFastWaveAlone) {

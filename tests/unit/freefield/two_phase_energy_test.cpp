@@ -27,6 +27,7 @@ Profile mixed_profile() {
   profile.layers[0].damping_ratio = 0.05;
   profile.layers[1].damping_ratio = 0.02;
   profile.layers[2].pores->drainage = materials::Drainage::undrained;
+  profile.layers[3].pores->drainage = materials::Drainage::drained;
   profile.water->level = -2.0;
   return profile;
 }

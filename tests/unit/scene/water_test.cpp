@@ -153,6 +153,15 @@ TEST_F(GroundWaterCase, WrongUnitsAndPlacesAreTold) {
   EXPECT_THAT(remarks(ground(join(elastic, "porosity = 0.4\npermeability = 1e3\n"))),
               ElementsAre(AllOf(HasSubstr("'permeability' = 1000 m/s is that of no soil"),
                                 HasSubstr("1000 m/day would be 0.0116"))));
+  EXPECT_THAT(remarks(ground(join(elastic, "porosity = 0.4\npermeability = 0.864\n"))),
+              ElementsAre(AllOf(HasSubstr("is that of no soil finer than gravel"),
+                                HasSubstr("0.864 m/day would be 1e-05"))));
+  EXPECT_THAT(remarks(ground(join(elastic, "porosity = 0.4\npermeability = 0.05\n"))), IsEmpty());
+  EXPECT_THAT(
+      remarks(ground(join(elastic, pores), "[water]\nlevel = 0.0\ncavitation_pressure = -90.0\n")),
+      ElementsAre(AllOf(HasSubstr("'cavitation_pressure' = -90 Pa"), HasSubstr("-90 kPa would be -90000"))));
+  EXPECT_THAT(remarks(ground(join(elastic, pores), "[water]\nlevel = 0.0\ncavitation_pressure = 0.0\n")),
+              IsEmpty());
   EXPECT_THAT(remarks(ground(join(elastic, pores), "[water]\nlevel = 3.0\n")),
               ElementsAre(AllOf(HasSubstr("stands 3 m above the ground"), HasSubstr("not a depth"))));
   EXPECT_THAT(remarks(ground(join(elastic, "density = 1700.0\n"), "[water]\nlevel = -20.0\n")),
@@ -171,6 +180,8 @@ TEST_F(GroundWaterCase, IsToldInWords) {
   const auto text = water_text(load_ground(ground(join(elastic, pores))));
   EXPECT_THAT(text, AllOf(HasSubstr("1990 kg/m3 saturated, 1590 dry, 990 buoyant"), HasSubstr("c_u = 16"),
                           HasSubstr("critical angle of SV")));
+  EXPECT_EQ(water_text(load_ground(ground(join(elastic, "density = 1700.0\n"), "[water]\nlevel = -20.0\n"))),
+            "water table at y = -20 m, below all soil\n");
 }
 
 TEST(GroundWater, KeysOfPoresWithoutWaterAreRefused) {
