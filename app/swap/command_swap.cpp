@@ -30,8 +30,8 @@ struct Options {
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
-constexpr std::array known = {scene::SourceModel::wave, scene::SourceModel::fe, scene::SourceModel::ode,
-                              scene::SourceModel::oblique, scene::SourceModel::eql};
+constexpr std::array known = {scene::SourceModel::wave,    scene::SourceModel::fe,  scene::SourceModel::ode,
+                              scene::SourceModel::oblique, scene::SourceModel::eql, scene::SourceModel::mpm};
 
 std::vector<std::string> names() {
   std::vector<std::string> all;
