@@ -291,8 +291,8 @@ Case load(const std::filesystem::path& file);
 Case parse(std::string_view text, const std::filesystem::path& file, const std::filesystem::path& directory);
 
 /// The free field alone, by a model: a case of which only motion, surface level, half-space, water, soils,
-/// profile, damping and gravity are filled. Their tables are read and checked as by load(), with this model
-/// on both sides; others may be missing and are not looked at.
+/// profile, damping, gravity, mesh and time stepping are filled. Their tables are read and checked as by
+/// load(), with this model on both sides; others may be missing and are not looked at, and so may [mesh].
 /// @throws CaseErrors with every error of these tables
 Case load_free_field(const std::filesystem::path& file, SourceModel model);
 

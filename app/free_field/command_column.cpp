@@ -40,8 +40,8 @@ struct Options {
   bool plot = false;
 };
 
-constexpr std::array models = {scene::SourceModel::wave, scene::SourceModel::fe, scene::SourceModel::ode,
-                               scene::SourceModel::oblique, scene::SourceModel::eql};
+constexpr std::array models = {scene::SourceModel::wave,    scene::SourceModel::fe,  scene::SourceModel::ode,
+                               scene::SourceModel::oblique, scene::SourceModel::eql, scene::SourceModel::mpm};
 
 scene::SourceModel model_of(const Options& options) {
   return *std::ranges::find(models, options.model, [](scene::SourceModel m) { return scene::name(m); });
@@ -222,9 +222,9 @@ void add_column(Command& app) {
     names.emplace_back(scene::name(model));
   command
       ->add_option("CASE", options->scene,
-                   "Case file; needs [motion], [surface], [halfspace] and [[profile]]")
+                   "Case file; needs [motion], [surface], [halfspace] and [[profile]], for mpm also [mesh]")
       ->required();
-  command->add_option("--model", options->model, "Free-field model: wave, fe, ode, oblique or eql")
+  command->add_option("--model", options->model, "Free-field model: wave, fe, ode, oblique, eql or mpm")
       ->required()
       ->one_of(names);
   command

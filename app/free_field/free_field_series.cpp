@@ -3,6 +3,7 @@
 #include "app/verify/hermite.hpp"
 #include "freefield/process/column_from_case.hpp"
 #include "freefield/process/column_values.hpp"
+#include "mpm_domain/process/column_from_case.hpp"
 #include "scene/plan/layers.hpp"
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/ground_from_case.hpp"
@@ -109,15 +110,18 @@ FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceP
   }
   case scene::SourceModel::fe:
   case scene::SourceModel::ode:
-  case scene::SourceModel::oblique: {
-    const auto column = freefield::column_from_case(scene, source, x_line, times.start);
+  case scene::SourceModel::oblique:
+  case scene::SourceModel::mpm: {
+    const auto column = source.field.model == scene::SourceModel::mpm
+                            ? mpm_domain::column_from_case(scene, source, x_line, times.start)
+                            : freefield::column_from_case(scene, source, x_line, times.start);
     march(*column, series);
     series.report = column->report();
     break;
   }
   default:
     throw std::invalid_argument(
-        fmt::format("model \"{}\" is not computed here; wave, fe, ode, oblique and eql are",
+        fmt::format("model \"{}\" is not computed here; wave, fe, ode, oblique, eql and mpm are",
                     scene::name(source.field.model)));
   }
   series.cpu_seconds = cpu_seconds() - before;

@@ -25,9 +25,9 @@ struct FreeFieldSeries {
   }
 };
 
-/// Computes a free field in this process with the model of the source: wave, fe, ode, oblique or eql. Between
-/// the steps of a column, velocity, displacement and stress are cubic Hermite, strain and pore pressure
-/// linear.
+/// Computes a free field in this process with the model of the source: wave, fe, ode, oblique, eql or mpm.
+/// Between the steps of a column, velocity, displacement and stress are cubic Hermite, strain and pore
+/// pressure linear.
 /// @param x_line  where the line stands, m
 /// @throws std::invalid_argument for another model, or values out of range
 FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceProcess& source,

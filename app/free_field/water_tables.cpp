@@ -88,7 +88,8 @@ results::Table over_depth(const scene::Case& scene, const scene::SourceProcess& 
 } // namespace
 
 bool has_pore_pressure(const scene::Case& scene, const scene::SourceProcess& source) {
-  return source.field.model == scene::SourceModel::fe &&
+  const scene::SourceModel model = source.field.model;
+  return (model == scene::SourceModel::fe || model == scene::SourceModel::mpm) &&
          std::ranges::any_of(scene::layers(scene, source), &scene::Layer::wet);
 }
 

@@ -30,11 +30,18 @@ struct Squares {
   double ratio() const { return reference > 0.0 ? std::sqrt(difference / reference) : 0.0; }
 };
 
-std::size_t column_named(const results::SeriesData& series, const std::string& name) {
+std::optional<std::size_t> find_column(const results::SeriesData& series, std::string_view name) {
   const auto found = std::ranges::find(series.columns, name);
   if (found == series.columns.end())
-    throw std::runtime_error(fmt::format("a monitor has no column '{}'", name));
+    return std::nullopt;
   return static_cast<std::size_t>(found - series.columns.begin());
+}
+
+std::size_t column_named(const results::SeriesData& series, const std::string& name) {
+  const auto column = find_column(series, name);
+  if (!column)
+    throw std::runtime_error(fmt::format("a monitor has no column '{}'", name));
+  return *column;
 }
 
 Difference at_monitor(const std::string& monitor, const results::RunReader& run,
@@ -49,6 +56,30 @@ Difference at_monitor(const std::string& monitor, const results::RunReader& run,
       squares.add(series.values[i * stride + column], expected.values[i * stride + column]);
   }
   return {monitor, squares.ratio()};
+}
+
+std::optional<PorePressureRatio> ratio_at_monitor(const std::string& monitor, const results::RunReader& run,
+                                                  const results::RunReader& reference) {
+  const auto series = run.series("/monitors/" + monitor);
+  const auto expected = reference.series("/monitors/" + monitor);
+  const auto column = find_column(series, "pore_pressure_ratio");
+  const std::size_t rows = std::min(series.rows(), expected.rows());
+  if (!column || rows == 0)
+    return std::nullopt;
+  const std::size_t stride = series.columns.size();
+  double sum = 0.0;
+  double largest = 0.0;
+  Squares squares;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double ratio = series.values[i * stride + *column];
+    sum += ratio;
+    largest = std::max(largest, std::abs(ratio));
+    squares.add(ratio, expected.values[i * stride + *column]);
+  }
+  if (largest == 0.0) // dry, or drained
+    return std::nullopt;
+  const auto count = static_cast<double>(rows);
+  return PorePressureRatio{monitor, sum / count, std::sqrt(squares.difference / count)};
 }
 
 /// The free fields of the sides that differ: the left one, and the right one where its ground or surface is
@@ -152,6 +183,30 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
+/// r_u at the monitors, a line a model; empty where there is no pore pressure.
+std::string ratio_text(const std::vector<SwappedRun>& runs, const SwappedRun& first) {
+  if (first.pore_pressure_ratio.empty())
+    return {};
+  const auto width = [](const PorePressureRatio& ratio) {
+    return std::max<std::size_t>(18, ratio.where.size() + 3);
+  };
+  std::string text = fmt::format("\n{:<10}", "r_u");
+  for (const PorePressureRatio& ratio : first.pore_pressure_ratio)
+    text += fmt::format("{:>{}}", ratio.where, width(ratio));
+  text += '\n';
+  for (const SwappedRun& run : runs) {
+    if (!run.refused.empty())
+      continue;
+    text += fmt::format("{:<10}", scene::name(run.model));
+    for (const PorePressureRatio& ratio : run.pore_pressure_ratio)
+      text += fmt::format("{:>{}}", fmt::format("{:.3f} ({:.3f})", ratio.mean, ratio.rms_difference),
+                          width(ratio));
+    text += '\n';
+  }
+  return text + fmt::format("Mean of the run, in brackets the root mean square of the difference to '{}'.\n",
+                            scene::name(first.model));
+}
+
 } // namespace
 
 std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<scene::SourceModel>& models,
@@ -190,8 +245,11 @@ std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<
       first_fields = fields;
       exact = exact_fields(*scene);
     }
-    for (const scene::Monitor& monitor : scene->monitors)
+    for (const scene::Monitor& monitor : scene->monitors) {
       entry.monitors.push_back(at_monitor(monitor.name, reader, *first_run));
+      if (const auto ratio = ratio_at_monitor(monitor.name, reader, *first_run))
+        entry.pore_pressure_ratio.push_back(*ratio);
+    }
     if (fields && first_fields)
       entry.free_field = difference(*fields, *first_fields);
     if (fields && exact)
@@ -230,7 +288,8 @@ std::string swap_text(const std::vector<SwappedRun>& runs) {
   }
   return text +
          fmt::format("Differences: relative L2 of particle velocity, to '{}' where nothing else is said.\n",
-                     scene::name(first->model));
+                     scene::name(first->model)) +
+         ratio_text(runs, *first);
 }
 
 std::string swap_json(const std::vector<SwappedRun>& runs) {
@@ -247,6 +306,9 @@ std::string swap_json(const std::vector<SwappedRun>& runs) {
         entry["free_field_to_exact"] = *run.free_field_to_exact;
       for (const Difference& monitor : run.monitors)
         entry["monitors"][monitor.where] = monitor.relative_l2;
+      for (const PorePressureRatio& ratio : run.pore_pressure_ratio)
+        entry["pore_pressure_ratio"][ratio.where] = {{"mean", ratio.mean},
+                                                     {"rms_difference", ratio.rms_difference}};
     }
     json.push_back(std::move(entry));
   }

@@ -21,12 +21,20 @@ struct Difference {
   double relative_l2 = 0.0;
 };
 
+/// r_u at a monitor over the run.
+struct PorePressureRatio {
+  std::string where; ///< monitor
+  double mean = 0.0;
+  double rms_difference = 0.0; ///< to that of the first model
+};
+
 /// One model's run.
 struct SwappedRun {
   scene::SourceModel model = scene::SourceModel::wave;
   std::string refused;              ///< why the case cannot take this model; empty if it ran to its end
   bool failed = false;              ///< it was taken, but its run failed
   std::vector<Difference> monitors; ///< to the first model that ran
+  std::vector<PorePressureRatio> pore_pressure_ratio; ///< at the monitors that have pore pressure
   /// Relative L2 of the free field to that of the first model; of the worse side where the sides differ in
   /// ground or surface. None where either cannot be computed for itself.
   std::optional<double> free_field;

@@ -2,7 +2,9 @@
 //
 //     v(t_n) = v- + dt/2 a,      d sigma/dt (t_n) = (sigma(t_n+1) - sigma(t_n-1))/(t_n+1 - t_n-1).
 //
-// At the base the stress is that of Eq. (6) with this velocity, which is what the base's nodes have felt.
+// At the base the stress is that of Eq. (6) with this velocity, which is what the base's nodes have felt. The
+// base has no particle: its displacement is the sum of dt v-. Strains are slopes of the displacement over the
+// levels of the start.
 
 #include "mpm_domain/column/periodic_column.hpp"
 
@@ -20,7 +22,7 @@ namespace tremolo::mpm_domain {
 namespace {
 
 PeriodicColumnSpec checked(PeriodicColumnSpec spec) {
-  if (!(spec.time_step > 0.0 && std::isfinite(spec.time_step)))
+  if (spec.time_step && !(*spec.time_step > 0.0 && std::isfinite(*spec.time_step)))
     throw std::invalid_argument(
         "a periodic column needs a finite interval > 0 between the states that it serves");
   spec.domain.sides = Sides::periodic;
@@ -46,51 +48,87 @@ PeriodicColumn::PeriodicColumn(PeriodicColumnSpec spec)
     face.ground.impedance_p = spec_.half_space.density * spec_.half_space.p_wave_speed();
     face.ground.impedance_s = spec_.half_space.density * spec_.half_space.s_wave_speed();
   }
-  struct Row {
+  struct Place {
     double y;
     std::size_t set;
     std::uint32_t id;
   };
-  std::vector<Row> rows;
+  std::vector<Place> places;
   for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
     const Particles& set = domain_.sets[s];
     for (std::size_t k = 0; k < set.size(); ++k)
       if (set.x[k] - spec_.domain.box.x_min < 2.0 * domain_.half_size())
-        rows.push_back({set.y[k], s, set.id[k]});
+        places.push_back({set.y[k], s, set.id[k]});
   }
-  std::ranges::sort(rows, {}, &Row::y);
+  std::ranges::sort(places, {}, &Place::y);
   levels_.push_back(spec_.domain.box.y_min);
-  for (const Row& row : rows) {
-    sets_.push_back(row.set);
-    ids_.push_back(row.id);
-    levels_.push_back(row.y);
+  for (const Place& place : places) {
+    sets_.push_back(place.set);
+    ids_.push_back(place.id);
+    levels_.push_back(place.y);
   }
-  levels_.push_back(rows.back().y + domain_.half_size());
+  levels_.push_back(places.back().y + domain_.half_size());
   points_.resize(levels_.size());
+  find_wet_cells();
 
   velocity_before_.resize(levels_.size());
+  if (!spec_.time_step)
+    spec_.time_step = domain_.spec.scheme.fraction * critical_time_step(domain_, 0.0);
   cut_interval();
   stepper_ = std::make_unique<Stepper>(domain_, spec_.start_time, [this](long, double t, auto, auto field) {
     sample_velocities(velocity_before_, false);
+    base_displacement_.x += previous_dt_ * velocity_before_.front().x;
+    base_displacement_.y += previous_dt_ * velocity_before_.front().y;
     std::ranges::fill(field, spec_.incident(t));
   });
-  at_rest_ = before_ = now_ = stresses();
+  at_rest_ = before_ = now_ = rows();
   time_ = spec_.start_time;
   previous_dt_ = *domain_.spec.scheme.dt;
   advance();
 }
 
+void PeriodicColumn::find_wet_cells() {
+  const auto cell_of = [&](std::size_t row) {
+    return std::floor((levels_[row + 1] - spec_.domain.box.y_min) / spec_.domain.cell_size);
+  };
+  const auto wet = [&](std::size_t row) { return domain_.sets[sets_[row]].traits.wet; };
+  for (std::size_t r = 0; r < ids_.size(); ++r) {
+    if (!wet(r))
+      continue;
+    if (r == 0 || !wet(r - 1) || cell_of(r) != cell_of(r - 1))
+      wet_cells_.push_back({.first_row = r});
+    WetCell& cell = wet_cells_.back();
+    cell.end_row = r + 1;
+    cell.y = 0.5 * (levels_[cell.first_row + 1] + levels_[r + 1]);
+  }
+}
+
+double PeriodicColumn::pore_pressure_at(double y) const {
+  if (wet_cells_.empty() || y >= domain_.spec.water->level)
+    return 0.0;
+  const auto above = std::ranges::upper_bound(wet_cells_, y, {}, &WetCell::y);
+  if (above == wet_cells_.begin())
+    return above->pore_pressure; // nothing flows through the base
+  const WetCell& below = *(above - 1);
+  if (above != wet_cells_.end())
+    return std::lerp(below.pore_pressure, above->pore_pressure, (y - below.y) / (above->y - below.y));
+  if (!domain_.sets[sets_[below.first_row]].traits.flowing)
+    return below.pore_pressure;
+  const double top = std::min(domain_.spec.water->level, levels_.back());
+  return below.pore_pressure * std::max(0.0, top - y) / (top - below.y);
+}
+
 void PeriodicColumn::step() {
   ++intervals_;
-  time_ = spec_.start_time + static_cast<double>(intervals_) * spec_.time_step;
+  time_ = spec_.start_time + static_cast<double>(intervals_) * time_step();
   advance();
 }
 
 int PeriodicColumn::cut_interval() {
   constexpr double margin = 0.9; // for pressure that grows, and soil that moves, within the interval
   const int parts =
-      static_cast<int>(std::ceil(spec_.time_step / (margin * critical_time_step(domain_, 0.0)) - 1e-9));
-  domain_.spec.scheme.dt = spec_.time_step / parts;
+      static_cast<int>(std::ceil(time_step() / (margin * critical_time_step(domain_, 0.0)) - 1e-9));
+  domain_.spec.scheme.dt = time_step() / parts;
   return parts;
 }
 
@@ -98,15 +136,17 @@ void PeriodicColumn::advance() {
   const int parts = cut_interval();
   for (int part = 0; part < parts; ++part) {
     stepper_->step();
-    const std::vector<eq6::Stress> after = stresses();
-    if (part == 0)
+    const std::vector<Row> after = rows();
+    if (part == 0) {
       record(after);
+      record_deformation();
+    }
     before_ = std::exchange(now_, after);
     previous_dt_ = stepper_->dt();
   }
 }
 
-void PeriodicColumn::record(const std::vector<eq6::Stress>& after) {
+void PeriodicColumn::record(const std::vector<Row>& after) {
   const double dt = stepper_->dt();
   std::vector<Vector> acceleration(levels_.size());
   sample_velocities(acceleration, true);
@@ -117,8 +157,8 @@ void PeriodicColumn::record(const std::vector<eq6::Stress>& after) {
     points_[i].acceleration = a;
   }
   for (std::size_t r = 0; r < ids_.size(); ++r) {
-    points_[r + 1].stress = now_[r] - at_rest_[r];
-    points_[r + 1].stress_rate = 1.0 / (dt + previous_dt_) * (after[r] - before_[r]);
+    points_[r + 1].stress = now_[r].stress - at_rest_[r].stress;
+    points_[r + 1].stress_rate = 1.0 / (dt + previous_dt_) * (after[r].stress - before_[r].stress);
   }
   const auto at_base = [&](double time, Vector v) {
     const Vector t =
@@ -134,6 +174,41 @@ void PeriodicColumn::record(const std::vector<eq6::Stress>& after) {
   points_.front().stress_rate.xx = points_[1].stress_rate.xx;
   points_.back().stress = {points_[ids_.size()].stress.xx, 0.0, 0.0};
   points_.back().stress_rate = {points_[ids_.size()].stress_rate.xx, 0.0, 0.0};
+}
+
+void PeriodicColumn::record_deformation() {
+  points_.front().displacement = base_displacement_;
+  for (std::size_t r = 0; r < ids_.size(); ++r) {
+    const Vector start = at_rest_[r].displacement;
+    points_[r + 1].displacement = {now_[r].displacement.x - start.x, now_[r].displacement.y - start.y};
+  }
+  const std::size_t top = ids_.size();
+  points_[top + 1].displacement = points_[top].displacement;
+  for (WetCell& cell : wet_cells_) {
+    double sum = 0.0;
+    for (std::size_t r = cell.first_row; r < cell.end_row; ++r)
+      sum += now_[r].pore_pressure;
+    cell.pore_pressure = sum / static_cast<double>(cell.end_row - cell.first_row);
+  }
+  // The slope of the parabola through three neighbours, rows if there are as many: nodes give the base, where
+  // no box is averaged over, another error.
+  const std::size_t first = top > 2 ? 1 : 0;
+  const std::size_t last = std::max<std::size_t>(top, 2);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const std::size_t a = std::clamp(i > 0 ? i - 1 : 0, first, last - 2);
+    const double lower = levels_[a + 1] - levels_[a];
+    const double upper = levels_[a + 2] - levels_[a + 1];
+    const double share = (2.0 * levels_[i] - levels_[a] - levels_[a + 1]) / (lower + upper);
+    const auto slope = [&](double Vector::*component) {
+      const double below =
+          (points_[a + 1].displacement.*component - points_[a].displacement.*component) / lower;
+      const double above =
+          (points_[a + 2].displacement.*component - points_[a + 1].displacement.*component) / upper;
+      return std::lerp(below, above, share);
+    };
+    points_[i].eyy = slope(&Vector::y);
+    points_[i].gxy = slope(&Vector::x);
+  }
 }
 
 /// At the faces of the base, at the particles' rows, and at the surface, as side faces of a domain would.
@@ -165,14 +240,16 @@ void PeriodicColumn::sample_velocities(std::vector<Vector>& v, bool acceleration
   v.back() = v[ids_.size()]; // no strain where there is no stress
 }
 
-std::vector<eq6::Stress> PeriodicColumn::stresses() const {
-  std::vector<eq6::Stress> all;
+std::vector<PeriodicColumn::Row> PeriodicColumn::rows() const {
+  std::vector<Row> all;
   all.reserve(ids_.size());
   for (std::size_t r = 0; r < ids_.size(); ++r) {
     const Particles& set = domain_.sets[sets_[r]];
     const std::size_t k = set.index_of[ids_[r]];
     const TotalStress stress = total_stress(set, k);
-    all.push_back({stress.xx, stress.yy, stress.xy});
+    all.push_back({{stress.xx, stress.yy, stress.xy},
+                   {set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]},
+                   set.traits.wet ? set.water->excess(set.pore_pressure[k], set.y[k]) : 0.0});
   }
   return all;
 }

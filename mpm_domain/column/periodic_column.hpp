@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,15 +24,19 @@ struct PeriodicColumnSpec {
   materials::Elasticity half_space; ///< what the base's dashpots match
   IncidentWave incident;
   double start_time = 0.0; ///< s
-  double time_step = 0.0;  ///< s, between two served states
+  /// Between two served states, s; without it the step that the scheme takes in the soil at rest.
+  std::optional<double> time_step;
 };
 
 /// Motion at one level: the state at the column's present time and its time derivative.
 struct ColumnPoint {
   Vector velocity;         ///< m/s
   Vector acceleration;     ///< m/s2
-  eq6::Stress stress;      ///< dynamic part, Pa
+  eq6::Stress stress;      ///< dynamic part, total where there is pore water, Pa
   eq6::Stress stress_rate; ///< Pa/s
+  Vector displacement;     ///< since the start, m
+  double eyy = 0.0;        ///< strain: duy/dy
+  double gxy = 0.0;        ///< dux/dy
 };
 
 /// The column, served at a constant interval. Where its soil, whose stiffness may grow with pressure, needs
@@ -45,22 +50,43 @@ public:
   void step();
 
   double time() const { return time_; }
-  double time_step() const { return spec_.time_step; }
+  double time_step() const { return *spec_.time_step; }
   /// Base, the centres of the particles, surface; ascending, m.
   const std::vector<double>& levels() const { return levels_; }
   /// One a level.
   std::span<const ColumnPoint> points() const { return points_; }
+  /// Excess over the hydrostatic pressure at a level (m), Pa: linear between the centres of cells, whose mean
+  /// it is, and to zero at the water table, which is drained unless the soil there lets no water through.
+  double pore_pressure_at(double y) const;
+  long steps() const { return stepper_->steps(); }
 
 private:
+  /// What a row's particle carries.
+  struct Row {
+    eq6::Stress stress; ///< of law, viscous damping and excess pore pressure
+    Vector displacement;
+    double pore_pressure = 0.0; ///< excess, Pa
+  };
+
+  /// The wet rows of a cell.
+  struct WetCell {
+    std::size_t first_row = 0;
+    std::size_t end_row = 0;
+    double y = 0.0;             ///< of their centre, m
+    double pore_pressure = 0.0; ///< at the present time, Pa
+  };
+
+  void find_wet_cells();
   /// Goes one interval ahead: the state at a time is known when the step from it has been made.
   void advance();
   /// The state at the present time, after the step from it.
-  void record(const std::vector<eq6::Stress>& after);
+  void record(const std::vector<Row>& after);
+  /// Displacements, strains and pore pressures at the present time.
+  void record_deformation();
   /// Cuts the interval so that its parts are stable; returns their number.
   int cut_interval();
   void sample_velocities(std::vector<Vector>& v, bool accelerations) const;
-  /// The stress of the law and that of viscous damping.
-  std::vector<eq6::Stress> stresses() const;
+  std::vector<Row> rows() const;
 
   PeriodicColumnSpec spec_;
   Domain domain_;
@@ -69,8 +95,10 @@ private:
   std::vector<std::size_t> sets_;  ///< and its soil
   std::vector<double> levels_;
   std::vector<ColumnPoint> points_;
-  std::vector<eq6::Stress> at_rest_, before_, now_; ///< of the particles
-  std::vector<Vector> velocity_before_;             ///< of the grid before the update, one a level
+  std::vector<WetCell> wet_cells_; ///< upwards
+  std::vector<Row> at_rest_, before_, now_;
+  std::vector<Vector> velocity_before_; ///< of the grid before the update, one a level
+  Vector base_displacement_;            ///< at the present time, m
   long intervals_ = 0;
   double time_ = 0.0;
   double previous_dt_ = 0.0; ///< of the step before the present time, s

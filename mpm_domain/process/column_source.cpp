@@ -2,12 +2,8 @@
 
 #include "coupler/participant.hpp"
 #include "freefield/process/incident_field.hpp"
-#include "freefield/process/incident_input.hpp"
-#include "mpm_domain/column/periodic_column.hpp"
-#include "mpm_domain/process/spec_from_case.hpp"
-#include "scene/plan/layers.hpp"
+#include "mpm_domain/process/column_from_case.hpp"
 #include "scene/plan/service.hpp"
-#include "scene/soils/viscous_damping.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,58 +11,12 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
 namespace {
-
-/// Adds a layer of the column between two levels.
-void add_layer(Spec& spec, const materials::Law& law, const std::optional<materials::PoreSpace>& pores,
-               double damping_time, double top, double bottom) {
-  const double left = spec.box.x_min;
-  const double right = spec.box.x_max;
-  spec.regions.push_back({spec.soils.size(), {{left, bottom}, {right, bottom}, {right, top}, {left, top}}});
-  spec.soils.push_back({std::to_string(spec.soils.size() + 1), law, {}, damping_time, pores});
-}
-
-/// One column of the model's coarsest cells under the source's surface: its layers, then the half-space. It
-/// reaches down to the base of the model, or by whole cells more to where the half-space begins.
-Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
-  Spec spec = spec_from_case(scene, 1);
-  spec.refine.clear();
-  spec.scheme.subcycle = false;
-  spec.box.x_max = spec.box.x_min + spec.cell_size;
-  spec.box.y_max = source.surface;
-  spec.soils.clear();
-  spec.regions.clear();
-  spec.matched_sides.clear();
-  const double half_space = scene::base_level(source.surface, scene::layers(scene, source));
-  spec.box.y_min -=
-      spec.cell_size * std::ceil(std::max(0.0, spec.box.y_min - half_space) / spec.cell_size - 1e-9);
-  double top = source.surface;
-  for (const scene::Layer& layer : scene::layers(scene, source)) {
-    const scene::Soil* const soil = layer.soil ? &scene.soils[*layer.soil] : nullptr;
-    add_layer(spec, soil != nullptr ? soil->law : materials::LinearElastic{layer.elastic},
-              soil != nullptr ? soil->pores : std::nullopt, scene::damping_time(scene.damping, layer.damping),
-              top, top - layer.thickness);
-    top -= layer.thickness;
-  }
-  if (top > spec.box.y_min)
-    add_layer(spec, materials::LinearElastic{scene.halfspace}, std::nullopt, 0.0, top, spec.box.y_min);
-  return spec;
-}
-
-/// Velocity and stress of the incident wave at the base: sxy = -rho c_s vx, syy = -rho c_p vy, sxx = lambda/M
-/// syy.
-IncidentWave incident_wave(const materials::Elasticity& ground, const freefield::InputVelocity& velocity) {
-  return [ground, velocity](double time) -> eq6::FreeField {
-    const freefield::Velocity v = velocity(time);
-    const double syy = -ground.density * ground.p_wave_speed() * v.y;
-    return {{v.x, v.y},
-            {ground.lame() / ground.p_modulus() * syy, syy, -ground.density * ground.s_wave_speed() * v.x}};
-  };
-}
 
 void write(std::span<const ColumnPoint> points, std::span<double> values) {
   auto next = values.begin();
@@ -82,12 +32,13 @@ void write(std::span<const ColumnPoint> points, std::span<double> values) {
 void serve_column(const scene::Case& scene, const scene::Plan& plan, const scene::SourceProcess& source,
                   const coupler::ParticipantOptions& options) {
   const scene::Service service = scene::service(scene, source, 0.0);
-  const Spec spec = column_spec(scene, source);
-  const auto input = freefield::incident_input(scene, source, service.x_line, spec.box.y_min);
+  PeriodicColumnSpec spec = periodic_column_spec(scene, source, service.x_line);
   const double dt = plan.dt; // the domain's own step: both know the same times
   // A whole number of steps before time zero, and two for the exchange to interpolate.
-  const double start = -dt * (std::ceil(std::max(0.0, -input.begin) / dt) + 2.0);
-  PeriodicColumn column({spec, scene.halfspace, incident_wave(scene.halfspace, input.velocity), start, dt});
+  const double start = -dt * (std::ceil(std::max(0.0, -spec.start_time) / dt) + 2.0);
+  spec.start_time = start;
+  spec.time_step = dt;
+  PeriodicColumn column(std::move(spec));
 
   const auto steps = static_cast<std::uint64_t>(std::ceil((service.end_time - start) / dt)) + 4;
   std::vector<coupler::FieldDescription> fields;

@@ -38,6 +38,10 @@ def plot(arguments):
         yield maps.acceleration([run], _times(arguments, run), folder)
     if run.has_field("equivalent_plastic_strain"):
         yield maps.shear_bands([run], _times(arguments, run), folder)
+    if run.has_field("pore_pressure_ratio"):
+        yield maps.pore_pressure_ratio([run], _times(arguments, run), folder)
+    if wet := pore_pressure.monitors(run, folder):
+        yield wet
     for name in run.monitors:
         if len(run.monitor(name)) > 1:
             yield histories.monitor(run, name, folder)
@@ -64,6 +68,8 @@ def compare(arguments):
     yield maps.acceleration(runs, times, folder, "compare_acceleration.png")
     if all(run.has_field("equivalent_plastic_strain") for run in runs):
         yield maps.shear_bands(runs, times, folder, "compare_shear_bands.png")
+    if all(run.has_field("pore_pressure_ratio") for run in runs):
+        yield maps.pore_pressure_ratio(runs, times, folder, "compare_pore_pressure_ratio.png")
 
 
 def failure_times(arguments):
@@ -114,7 +120,7 @@ def _parser():
         command.add_argument("--out", metavar="DIR", help="folder of the pictures (default: pictures/ beside the run)")
         command.add_argument("--time", type=float, nargs="+", metavar="T", help="times of the contour pictures, s")
 
-    single = add("plot", plot, "Model preview, acceleration contours, shear bands, histories, energy, wave fronts.")
+    single = add("plot", plot, "Model preview, contours of acceleration, shear bands and r_u, histories, energy, wave fronts.")
     single.add_argument("run", help="folder of the run, or its run.h5")
     add_picture_options(single)
     waited = add("timeline", waits, "What the processes of a run did when, drawn and in words: who waited for whom.")

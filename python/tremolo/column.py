@@ -41,7 +41,7 @@ def picture(path):
     path = Path(path)
     levels, histories, profile, spectra, transfer = read(path)
     names = components(histories)
-    surface = levels.max()
+    surface = profile["y"].max()
     figure, axes = style.plt.subplot_mosaic(
         [
             [[["time", "time", "time", "loops"]]],

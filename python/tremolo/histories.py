@@ -46,14 +46,18 @@ def monitor(run, name, folder):
 
 
 def energy(run, folder):
-    """Every entry of the ledger over time."""
+    """Every entry of the ledger over time; below it their absolute values, so that small ones show beside what the base takes in."""
     ledger = run.energy
-    figure, ax = style.plt.subplots(figsize=(7.2, 3.8), layout="constrained")
-    for number, column in enumerate(ledger.columns[1:]):
+    figure, (ax, sizes) = style.plt.subplots(2, figsize=(7.2, 5.6), layout="constrained", sharex=True)
+    entries = [column for column in ledger.columns[1:] if np.any(ledger[column])]
+    for number, column in enumerate(entries):
         line = "-" if number < len(style.COLOURS) else "--"
         ax.plot(ledger["time"], ledger[column] / 1e3, line, label=column.replace("_", " "))
+        sizes.plot(ledger["time"], np.abs(ledger[column]) / 1e3, line)
     ax.axhline(0.0, color="0.6", linewidth=0.5, zorder=0)
-    ax.set(xlabel="t (s)", ylabel="energy (kJ per m of thickness)")
+    ax.set(ylabel="energy (kJ per m of thickness)")
+    top = 2.0 * max(np.abs(ledger[column]).max() for column in entries) / 1e3 if entries else 1.0
+    sizes.set(xlabel="t (s)", ylabel="absolute value (kJ per m)", yscale="log", ylim=(1e-7 * top, top))
     ax.set_xlim(ledger["time"][0], ledger["time"][-1])
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     return style.save(figure, folder, "energy.png")

@@ -1,4 +1,4 @@
-"""Contour pictures of particle fields: acceleration, plastic strain, and two runs side by side."""
+"""Contour pictures of particle fields: acceleration, plastic strain, r_u, and two runs side by side."""
 
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -33,10 +33,15 @@ def _angle(run):
 
 
 def _panels(runs, frames, name, component, colouring, label, colour_extend):
-    """One row a time, one column a run; frames[run][row] are frame indices."""
+    """One row a time, one column a run; times of one run of a high model side by side. frames[run][row] are frame
+    indices."""
     bounds = style.extent(runs[0], [0, *frames[0]])
-    figure, axes = style.map_axes(bounds, len(frames[0]), len(runs))
-    rows = len(frames[0])
+    side_by_side = len(runs) == 1 and style.aspect_of(bounds) > 0.6
+    rows, columns = (1, len(frames[0])) if side_by_side else (len(frames[0]), len(runs))
+    figure, axes = style.map_axes(bounds, rows, columns, highest=2.4)
+    if side_by_side:
+        axes = axes.T
+        axes[0, 0].locator_params(axis="x", nbins=4)  # shared by all
     figure.colorbar(
         ScalarMappable(Normalize(colouring["vmin"], colouring["vmax"]), colouring["cmap"]), ax=axes, label=label,
         extend=colour_extend, extendfrac=0.03, shrink=1.2 / (rows + 0.5), aspect=18, pad=0.015,
@@ -67,15 +72,20 @@ def acceleration(runs, times, folder, name="acceleration.png"):
     return style.save(figure, folder, name)
 
 
-def shear_bands(runs, times, folder, name="shear_bands.png"):
-    """Equivalent plastic strain on the deformed shape at the given times and at the end."""
+def _frames_and_last(runs, times):
+    """Indices of the frames nearest to the times and of the last one; as many of each run."""
     frames = []
     for run in runs:
         indices = [run.nearest_frame(time) for time in times]
         last = len(run.times) - 1
         frames.append(indices if indices[-1] == last else indices + [last])
     rows = min(len(indices) for indices in frames)
-    frames = [indices[-rows:] for indices in frames]
+    return [indices[-rows:] for indices in frames]
+
+
+def shear_bands(runs, times, folder, name="shear_bands.png"):
+    """Equivalent plastic strain on the deformed shape at the given times and at the end."""
+    frames = _frames_and_last(runs, times)
     strains = np.concatenate([run.field(indices[-1], "equivalent_plastic_strain") for run, indices in zip(runs, frames)])
     # Soil that has strained by 1 has lost what it can lose: a longer scale would only hide the bands.
     top = min(float(np.percentile(strains, 99.5)), 1.0)
@@ -83,5 +93,14 @@ def shear_bands(runs, times, folder, name="shear_bands.png"):
     figure = _panels(
         runs, frames, "equivalent_plastic_strain", 0, dict(cmap=style.SEQUENTIAL, vmin=0.0, vmax=top),
         "equivalent plastic strain (1)", "max",
+    )
+    return style.save(figure, folder, name)
+
+
+def pore_pressure_ratio(runs, times, folder, name="pore_pressure_ratio.png"):
+    """r_u on the deformed shape at the given times and at the end; soil that dilates sucks and has less than 0."""
+    figure = _panels(
+        runs, _frames_and_last(runs, times), "pore_pressure_ratio", 0,
+        dict(cmap=style.SEQUENTIAL, vmin=0.0, vmax=1.0), "pore pressure ratio $r_u$ (1)", "both",
     )
     return style.save(figure, folder, name)

@@ -49,13 +49,19 @@ def extent(run, indices):
     return low[0] - margin, low[1] - margin, high[0] + margin, high[1] + margin
 
 
-def map_axes(bounds, rows, columns):
-    """A grid of axes of equal aspect, as high as their maps need; all share the bounds."""
-    aspect = (bounds[3] - bounds[1]) / (bounds[2] - bounds[0])
-    width = 7.2 if columns == 1 else 5.2 * columns
+def aspect_of(bounds):
+    """Height over width of (xmin, ymin, xmax, ymax)."""
+    return (bounds[3] - bounds[1]) / (bounds[2] - bounds[0])
+
+
+def map_axes(bounds, rows, columns, highest=np.inf):
+    """A grid of axes of equal aspect, as high as their maps need, but no higher than `highest` inches each; all share the
+    bounds."""
+    aspect = aspect_of(bounds)
+    width = columns * min(7.2 if columns == 1 else 5.2, highest / aspect)
     panel = (0.78 if columns == 1 else 0.86) * width / columns * aspect + 0.3
     figure, axes = plt.subplots(
-        rows, columns, figsize=(width, rows * panel + 0.3), squeeze=False, sharex=True, sharey=True,
+        rows, columns, figsize=(width, rows * panel + 0.4), squeeze=False, sharex=True, sharey=True,
         layout="constrained",
     )
     for ax in axes.flat:

@@ -16,7 +16,8 @@ def moving_component(run, monitors):
 
 
 def picture(folder):
-    """Velocity at every monitor, one line a model; differences and cost beside them; swap.png in the folder."""
+    """Velocity, and r_u below a water table, at every monitor, one line a model; differences and cost beside them; swap.png
+    in the folder."""
     folder = Path(folder)
     entries = [entry for entry in json.loads((folder / "swap.json").read_text()) if not entry["refused"]]
     if not entries:
@@ -24,26 +25,35 @@ def picture(folder):
     runs = [Run(folder / entry["model"]) for entry in entries]
     monitors = list(entries[0]["monitors"])
     moving = moving_component(runs[0], monitors)
+    wet = any("pore_pressure_ratio" in entry for entry in entries)
+    widths = [2.6, 1.8, 1.0] if wet else [2.6, 1.0]
     figure, axes = style.plt.subplots(
-        len(monitors), 2, figsize=(9.6, 0.6 + 2.2 * len(monitors)), squeeze=False, layout="constrained",
-        width_ratios=[2.6, 1.0],
+        len(monitors), len(widths), figsize=(2.7 * sum(widths), 0.6 + 2.2 * len(monitors)), squeeze=False,
+        layout="constrained", width_ratios=widths,
     )
     for row, monitor in zip(axes, monitors):
         for number, (entry, run) in enumerate(zip(entries, runs)):
             series = run.monitor(monitor)
-            row[0].plot(series["time"], series[moving], "-" if number == 0 else "--", label=entry["model"], linewidth=0.9)
+            line = "-" if number == 0 else "--"
+            row[0].plot(series["time"], series[moving], line, label=entry["model"], linewidth=0.9)
+            if monitor in entry.get("pore_pressure_ratio", {}):
+                row[1].plot(series["time"], series["pore_pressure_ratio"], line, linewidth=0.9)
         row[0].set(ylabel=f"$v_{moving[1]}$ (m/s)", title=monitor)
-        row[0].set_xlim(series["time"][0], series["time"][-1])
+        for ax in row[:-1]:
+            ax.set_xlim(series["time"][0], series["time"][-1])
+        if wet:
+            row[1].set(ylabel="$r_u$")
         differences = [100 * entry["monitors"][monitor] for entry in entries]
         names = [entry["model"] for entry in entries]
-        bars = row[1].barh(names, differences, color=style.COLOURS[: len(names)])
-        row[1].bar_label(bars, [f"{value:.3g} %" for value in differences], padding=2, fontsize=7)
-        row[1].invert_yaxis()
-        row[1].set_xlim(0, 1.35 * max([*differences, 1e-12]))
-        row[1].set_title(f"difference to {names[0]}, relative L2")
+        bars = row[-1].barh(names, differences, color=style.COLOURS[: len(names)])
+        row[-1].bar_label(bars, [f"{value:.3g} %" for value in differences], padding=2, fontsize=7)
+        row[-1].invert_yaxis()
+        row[-1].set_xlim(0, 1.35 * max([*differences, 1e-12]))
+        row[-1].set_title(f"difference to {names[0]}, relative L2")
     axes[0][0].legend(loc="upper right", ncols=len(entries))
-    axes[-1][0].set_xlabel("t (s)")
-    axes[-1][1].set_xlabel("%")
+    for ax in axes[-1][:-1]:
+        ax.set_xlabel("t (s)")
+    axes[-1][-1].set_xlabel("%")
     cost = ", ".join(f"{entry['model']} {entry['source_cpu_s']:.2g} s" for entry in entries)
     figure.suptitle(f"CPU time of the free fields: {cost}", fontsize=9)
     return style.save(figure, folder, "swap.png")

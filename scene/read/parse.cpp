@@ -42,8 +42,10 @@ Case load_free_field(const std::filesystem::path& file, SourceModel model) {
 
   const toml::table root = parse_toml(scene.text, findings);
   Document document(root, {case_keys(), findings, scene.values});
-  if (document.has("mesh"))
+  if (document.has("mesh")) {
     read_mesh(document, scene);
+    read_time(document, findings, scene);
+  }
   read_free_field(document, findings, scene);
   if (document.has("stage"))
     read_stages(document, findings, scene);

@@ -23,6 +23,8 @@ std::optional<std::size_t> soil_index(const TableReader& table, const std::vecto
                                       Findings& findings);
 /// Mesh; before read_free_field.
 void read_mesh(Document& document, Case& scene);
+/// Time stepping of the domain.
+void read_time(Document& document, Findings& findings, Case& scene);
 /// Stages: gravity and shaking.
 void read_stages(Document& document, Findings& findings, Case& scene);
 /// Regions, time stepping and stages; after read_free_field.

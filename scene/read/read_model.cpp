@@ -13,15 +13,15 @@ Box read_box(const TableReader& table) {
   return box.empty() ? Box{} : Box{box[0], box[1], box[2], box[3]};
 }
 
-TimeStepping read_time(Document& document, Findings& findings) {
+} // namespace
+
+void read_time(Document& document, Findings& findings, Case& scene) {
   const auto table = document.table("time");
   if (table.given("dt") && table.given("fraction"))
     findings.add(table.path("dt"), "'dt' and 'fraction' exclude each other: remove one");
-  return {table.number("fraction"), table.optional_number("dt"), table.choice<Transfer>("transfer"),
-          table.choice<StepOrder>("order"), table.boolean("subcycle")};
+  scene.time = {table.number("fraction"), table.optional_number("dt"), table.choice<Transfer>("transfer"),
+                table.choice<StepOrder>("order"), table.boolean("subcycle")};
 }
-
-} // namespace
 
 void read_stages(Document& document, Findings& findings, Case& scene) {
   bool shaken = false;
@@ -64,7 +64,7 @@ void read_mesh(Document& document, Case& scene) {
 void read_model(Document& document, Findings& findings, Case& scene) {
   for (const auto& table : document.array("region"))
     scene.regions.push_back(read_region(table, scene.soils, findings));
-  scene.time = read_time(document, findings);
+  read_time(document, findings, scene);
   read_stages(document, findings, scene);
 }
 

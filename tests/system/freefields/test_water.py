@@ -87,13 +87,22 @@ def relative(a, b):
     return np.linalg.norm(a["vy"][first : first + len(b["vy"])] - b["vy"]) / np.linalg.norm(b["vy"])
 
 
+CELLS = "\n[mesh]\nsize = 1.0\nbox = [0.0, -20.0, 4.0, 0.0]\n"
+
+
 class Liquefying(unittest.TestCase):
+    model = "fe"
+
     @classmethod
     def setUpClass(cls):
-        cls.work = ColumnWorkspace(TREMOLO, ground=LIQUEFYING, motion=SHEAR, size=1.0).__enter__()
-        cls.result = cls.work.command("column", cls.work.case, "--model", "fe", "--out", "out.h5", "--depths", "1,3,8,15",
-                                      "--duration", "8", "--plot")
+        cls.work = ColumnWorkspace(TREMOLO, ground=LIQUEFYING + CELLS, motion=SHEAR, size=1.0).__enter__()
+        cls.result = cls.column(cls.model, "out.h5", "--plot")
         cls.file = cls.work.path / "out.h5"
+
+    @classmethod
+    def column(cls, model, out, *options):
+        return cls.work.command("column", cls.work.case, "--model", model, "--out", out, "--depths", "1,3,8,15", "--duration",
+                                "8", *options)
 
     @classmethod
     def tearDownClass(cls):
@@ -128,6 +137,37 @@ class Liquefying(unittest.TestCase):
     def test_draws_two_pictures(self):
         for name in ("out.png", "out_water.png"):
             self.assertGreater((self.work.path / name).stat().st_size, 20000, name)
+
+
+class LiquefyingParticles(Liquefying):
+    """The same of the domain's own cells, and beside the finite elements, which share nothing with them but the soil."""
+
+    model = "mpm"
+
+    def test_agrees_with_finite_elements(self):
+        """Measured: r_u 0.014, 0.030 and 0.033 apart (rms) at 3, 8 and 15 m; strains of soil that has not liquefied 2.3 %,
+        displacements 5 % down to 8 m, settlement 2.4 %. In liquefied sand below, rounding decides which cell strains."""
+        self.assertEqual(0, self.column("fe", "fe.h5").returncode)
+        _, ours, _, down, _ = pore_pressure.read(self.file)
+        levels, theirs, _, expected, _ = pore_pressure.read(self.work.path / "fe.h5")
+        for level, history, reference in zip(levels, ours, theirs, strict=True):
+            ratios = history["pore_pressure_ratio"], reference["pore_pressure_ratio"]
+            self.assertLess(np.sqrt(np.mean((ratios[0] - ratios[1]) ** 2)), 0.05, level)
+            if ratios[1].max() < 0.9:
+                peaks = [abs(one["gxy"]).max() for one in (history, reference)]
+                self.assertLess(abs(peaks[0] - peaks[1]), 0.05 * peaks[1], level)
+            if level > -10.0:
+                ux, expected_ux = history["ux"], reference["ux"]
+                self.assertLess(np.linalg.norm(ux - expected_ux), 0.1 * np.linalg.norm(expected_ux), level)
+        self.assertLess(abs(down["settlement"][-1] - expected["settlement"][-1]), 0.05 * expected["settlement"][-1])
+
+    def test_needs_the_cells_of_a_domain(self):
+        text = self.work.case.read_text()
+        self.work.case.write_text(text.replace(CELLS, ""))
+        result = self.column("mpm", "none.h5")
+        self.work.case.write_text(text)
+        self.assertNotEqual(0, result.returncode)
+        self.assertIn("[mesh] size and box are needed", result.stderr)
 
 
 class TotalStress(unittest.TestCase):

@@ -28,7 +28,7 @@ LIBRARIES = {
     "mpm_domain": {"mpm_domain/spec", "mesh", "materials", "results", "coupler/eq6"},
     "scene": {"mpm_domain/spec", "mesh", "materials", "motion"},
     "coupler": {"results", "coupler/eq6"},
-    "app": {"scene", "coupler", "results", "materials", "motion", "wavefield", "freefield"},
+    "app": {"scene", "coupler", "results", "materials", "motion", "wavefield", "freefield", "mpm_domain"},
 }
 
 # Mains of processes, in <library>/process/ or <library>/main.cpp: their library's folders and these.

@@ -21,9 +21,17 @@ def slope_particles(size=1.0):
     return np.column_stack([x[inside], y[inside]])
 
 
-def write(path, angle_deg=15.0, amplitude=0.1, frame_interval=0.02, frames=100, size=1.0, damaged=False):
-    """An SV wave v = amplitude * ricker(t - (x sin + y cos)/c_s) along (cos, -sin), nothing else."""
+def pore_pressure_ratio(t):
+    """r_u that rises to 1 within two seconds, anywhere."""
+    return np.sin(np.pi / 4.0 * np.asarray(t))
+
+
+def write(path, angle_deg=15.0, amplitude=0.1, frame_interval=0.02, frames=100, size=1.0, damaged=False, water=False,
+          width=70.0):
+    """An SV wave v = amplitude * ricker(t - (x sin + y cos)/c_s) along (cos, -sin), nothing else; with `water` a pore
+    pressure that rises by itself. Only soil at x < `width` is there."""
     position = slope_particles(size)
+    position = position[position[:, 0] < width]
     particles = len(position)
     angle = np.radians(angle_deg)
     polarisation = np.array([np.cos(angle), -np.sin(angle)])
@@ -58,9 +66,11 @@ def write(path, angle_deg=15.0, amplitude=0.1, frame_interval=0.02, frames=100, 
                 "soil": ((position[:, 1] < -12.0).astype(np.int32), "1"),
                 "volume": (np.full(particles, (size / 2.0) ** 2), "m2"),
             }
+            if water:
+                fields["pore_pressure_ratio"] = (np.full(particles, pore_pressure_ratio(t)), "1")
             for name, (values, unit) in fields.items():
                 frame.create_dataset(name, data=values).attrs["unit"] = np.bytes_(unit)
-        _write_series(file, "monitors/crest", frame_interval * frames, velocity, np.array([[45.0, 10.0]]), damaged)
+        _write_series(file, "monitors/crest", frame_interval * frames, velocity, np.array([[45.0, 10.0]]), damaged, water)
         _write_boundary(file, velocity, frame_interval, frames)
         times = np.arange(frames) * frame_interval
         ledger = np.column_stack([times, 1e3 * times**2, 1e3 * times, -2e3 * times])
@@ -88,14 +98,21 @@ def _write_boundary(file, velocity, interval, count):
     group["traction"] = np.zeros_like(motion)
 
 
-def _write_series(file, path, duration, velocity, point, damaged):
+def _write_series(file, path, duration, velocity, point, damaged, water):
     t = np.arange(0.0, duration, 0.005)
     v = np.array([velocity(point, ti)[0] for ti in t])
     a = np.gradient(v, t, axis=0)
     u = np.cumsum(v, axis=0) * 0.005
     rows = np.column_stack([t, np.tile(point, (len(t), 1)), u, v, a])
+    columns = [b"time", b"x", b"y", b"ux", b"uy", b"vx", b"vy", b"ax", b"ay"]
+    units = [b"s", b"m", b"m", b"m", b"m", b"m/s", b"m/s", b"m/s2", b"m/s2"]
+    if water:  # 5 m below the table, an effective stress of 50 kPa before the shaking
+        ratio = pore_pressure_ratio(t)
+        rows = np.column_stack([rows, -5e4 * (1.0 - ratio), 1e4 * v[:, 0], 49050.0 + 5e4 * ratio, ratio])
+        columns += [b"syy", b"sxy", b"pore_pressure", b"pore_pressure_ratio"]
+        units += [b"Pa", b"Pa", b"Pa", b"1"]
     if damaged:
         rows = np.vstack([rows, np.full((3, rows.shape[1]), np.nan)])
     series = file.create_dataset(path, data=rows)
-    series.attrs["columns"] = np.array([b"time", b"x", b"y", b"ux", b"uy", b"vx", b"vy", b"ax", b"ay"])
-    series.attrs["units"] = np.array([b"s", b"m", b"m", b"m", b"m", b"m/s", b"m/s", b"m/s2", b"m/s2"])
+    series.attrs["columns"] = np.array(columns)
+    series.attrs["units"] = np.array(units)

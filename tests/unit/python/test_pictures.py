@@ -12,7 +12,7 @@ import matplotlib.image
 import numpy as np
 
 import synthetic_run
-from tremolo import Run, comparison, fronts, histories
+from tremolo import Run, comparison, fronts, histories, maps, pore_pressure
 from tremolo.__main__ import main
 
 
@@ -49,6 +49,40 @@ class Pictures(unittest.TestCase):
         self.assertEqual((status, error), (0, ""))
         names = ["model.png", "acceleration.png", "shear_bands.png", "monitor_crest.png", "energy.png", "fronts.png"]
         self.expect_pictures(paths, names)
+
+    def test_plot_of_ground_with_pore_water(self):
+        (self.folder / "wet").mkdir()
+        synthetic_run.write(self.folder / "wet" / "run.h5", size=2.0, water=True)
+        status, paths, error = run_command("plot", self.folder / "wet", "--time", 0.8)
+        self.assertEqual((status, error), (0, ""))
+        names = ["model.png", "acceleration.png", "shear_bands.png", "pore_pressure_ratio.png", "pore_water.png",
+                 "monitor_crest.png", "energy.png", "fronts.png"]
+        self.expect_pictures(paths, names)
+        status, lines, error = run_command("compare", self.folder / "wet", self.folder / "wet", "--out", self.folder / "w")
+        self.assertEqual((status, error), (0, ""))
+        self.assertIn(str(self.folder / "w" / "compare_pore_pressure_ratio.png"), lines)
+
+    def test_a_monitor_follows_the_effective_stress(self):
+        synthetic_run.write(self.folder / "traced.h5", size=2.0, water=True)
+        with Run(self.folder / "traced.h5") as run:
+            (trace,) = pore_pressure.traces(pore_pressure.wet_monitors(run))
+        self.assertEqual("crest", trace.label)
+        np.testing.assert_allclose(trace.ratio, synthetic_run.pore_pressure_ratio(trace.time))
+        np.testing.assert_allclose(trace.effective, 5e4 * (1.0 - trace.ratio))  # total stress does not change
+
+    def test_dry_ground_has_no_picture_of_water(self):
+        with Run(self.folder / "15") as run:
+            self.assertIsNone(pore_pressure.monitors(run, self.folder))
+
+    def test_times_of_a_high_model_lie_side_by_side(self):
+        sizes = {}
+        for width in (16.0, 70.0):
+            synthetic_run.write(self.folder / "wide.h5", size=2.0, width=width)
+            with Run(self.folder / "wide.h5") as run:
+                picture = maps.acceleration([run], [0.4, 0.8, 1.2], self.folder, f"wide_{width}.png")
+            sizes[width] = matplotlib.image.imread(picture).shape
+        self.assertGreater(sizes[16.0][1], 1.5 * sizes[16.0][0])
+        self.assertLess(sizes[70.0][1], 1.5 * sizes[70.0][0])
 
     def test_compare(self):
         runs = self.folder / "0", self.folder / "15"

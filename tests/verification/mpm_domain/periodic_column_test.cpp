@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -156,6 +157,41 @@ TEST(OwnFreeFieldAlone, ApproachesTheExactWave) {
   }
   EXPECT_LT(errors[1], 0.03);
   EXPECT_GT(std::log2(errors[0] / errors[1]), 1.8);
+}
+
+/// u = v0 (t - t0) exp(-a) of each wave, gxy = (v_down - v_up)/c; second order in h.
+TEST(OwnFreeFieldAlone, DisplacementsAndStrainsApproachTheExactWave) {
+  const double c = soil.s_wave_speed();
+  const auto displacement = [](double t) {
+    return strong * (t - 0.6) * std::exp(-std::pow(std::numbers::pi * 3.0 * (t - 0.6), 2));
+  };
+  std::vector<double> of_displacement;
+  std::vector<double> of_strain;
+  for (const double h : {1.0, 0.5}) {
+    PeriodicColumn column(column_of(box(h, 0.0), Wave::sv));
+    std::array<double, 4> sums{};
+    while (column.time() < 1.5) {
+      column.step();
+      for (std::size_t i = 0; i < column.levels().size(); ++i) {
+        const double d = column.levels()[i] + depth;
+        const double up = column.time() - d / c;
+        const double down = column.time() - (2.0 * depth - d) / c;
+        const double u = displacement(up) + displacement(down);
+        const double strain = (ricker(down) - ricker(up)) / c;
+        sums[0] += std::pow(column.points()[i].displacement.x - u, 2);
+        sums[1] += u * u;
+        sums[2] += std::pow(column.points()[i].gxy - strain, 2);
+        sums[3] += strain * strain;
+        EXPECT_EQ(0.0, column.pore_pressure_at(column.levels()[i]));
+      }
+    }
+    of_displacement.push_back(std::sqrt(sums[0] / sums[1]));
+    of_strain.push_back(std::sqrt(sums[2] / sums[3]));
+  }
+  EXPECT_LT(of_displacement[1], 0.03);
+  EXPECT_LT(of_strain[1], 0.03);
+  EXPECT_GT(std::log2(of_displacement[0] / of_displacement[1]), 1.8);
+  EXPECT_GT(std::log2(of_strain[0] / of_strain[1]), 1.8);
 }
 
 /// Rates are the derivatives of what is served: Simpson's rule over two steps.

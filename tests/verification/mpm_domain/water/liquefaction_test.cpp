@@ -11,11 +11,13 @@
 namespace tremolo::mpm_domain {
 namespace {
 using namespace freefield::testing;
+int ppc = 2;
 
 LiquefactionHistory run(const LiquefyingSand& sand, double h, Scheme scheme, Dilatation dil) {
   Spec spec;
   spec.box = {0.0, -10.0, h, 0.0};
   spec.cell_size = h;
+  spec.particles_per_cell = ppc;
   spec.gravity = 9.81;
   spec.sides = Sides::periodic;
   spec.scheme = scheme;
@@ -101,14 +103,20 @@ void report(const LiquefyingSand& sand, double h, Scheme scheme, Dilatation dil,
   for (double t : {15.0, 25.0}) printf("settlement %g: %g / %g\n", t, ours.settlement_at(t), ref.settlement_at(t));
 }
 
-TEST(Scratch, C2) {
-  report(pdmy03_column("C2"), 0.5, {}, Dilatation::cell, "h .5 cell");
+TEST(Scratch, B2one) {
+  ppc = 1;
+  report(pm4sand_column("B2", 0.55, 677.0, 0.40, 1e-4), 0.5, {}, Dilatation::cell, "h .5 ppc 1");
 }
-TEST(Scratch, B2) {
-  report(pm4sand_column("B2", 0.55, 677.0, 0.40, 1e-4), 0.5, {}, Dilatation::cell, "h .5 cell");
+TEST(Scratch, B1one) {
+  ppc = 1;
+  report(pm4sand_column("B1", 0.35, 476.0, 0.53, 1e-4), 0.5, {}, Dilatation::cell, "h .5 ppc 1");
 }
-TEST(Scratch, C2p) {
-  report(pdmy03_column("C2"), 0.5, {}, Dilatation::particle, "h .5 particle");
+TEST(Scratch, C2one) {
+  ppc = 1;
+  report(pdmy03_column("C2"), 0.5, {}, Dilatation::cell, "h .5 ppc 1");
+}
+TEST(Scratch, B1) {
+  report(pm4sand_column("B1", 0.35, 476.0, 0.53, 1e-4), 0.5, {}, Dilatation::cell, "h .5");
 }
 } // namespace
 } // namespace tremolo::mpm_domain
