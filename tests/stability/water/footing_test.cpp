@@ -112,7 +112,7 @@ TEST_P(HardCase23, UndrainedFootingCarriesItsLimitLoad) {
   bounded("energy", ledger_error(domain->energy), 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(Water, HardCase23,
+INSTANTIATE_TEST_SUITE_P(Drainages, HardCase23,
                          testing::Values(materials::Drainage::undrained, materials::Drainage::coupled));
 
 } // namespace
