@@ -121,6 +121,8 @@ TEST_P(StripLoad, PressuresAreSmooth) {
     most.lowest = std::min(most.lowest, r.lowest);
     most.highest = std::max(most.highest, r.highest);
   }
+  // Off the lattice the means of cells, then of nodes, without those of cells again, leave 0.17 within cells
+  // and 0.04 between them; no filter leaves 2.2 and 0.17.
   EXPECT_LT(most.within_cells, 1e-3);
   EXPECT_LT(most.between_cells, GetParam() > 0.0 ? 0.06 : 0.01);
   EXPECT_LT(most.checkerboard, GetParam() > 0.0 ? 0.004 : 1e-12);
