@@ -4,12 +4,16 @@
 #include "scene/text/nearest.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 namespace tremolo::app {
 
@@ -113,9 +117,27 @@ void Command::add_relay(const std::string& name, const std::string& description,
   command->callback([command, action] { action(command->remaining()); });
 }
 
+namespace {
+
+/// CLI11's own checks of a range let a NaN pass.
+std::string finite(const std::string& word) {
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  return *end == '\0' && !std::isfinite(value) ? fmt::format("{} is no finite number", word) : "";
+}
+
+template <class Value>
+constexpr bool is_real = std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>> ||
+                         std::is_same_v<Value, std::vector<double>>;
+
+} // namespace
+
 template <class Value>
 Option* Command::add_option(const std::string& name, Value& variable, const std::string& description) {
-  return options_.emplace_back(std::make_unique<Option>(*app_.add_option(name, variable, description))).get();
+  CLI::Option& option = *app_.add_option(name, variable, description);
+  if constexpr (is_real<Value>)
+    option.check(finite);
+  return options_.emplace_back(std::make_unique<Option>(option)).get();
 }
 
 template Option* Command::add_option(const std::string&, int&, const std::string&);

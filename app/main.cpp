@@ -1,6 +1,7 @@
 // tremolo: free fields and a large-deformation soil domain under seismic waves, coupled as processes.
 
 #include "app/commands.hpp"
+#include "app/crash_words.hpp"
 #include "app/python.hpp"
 #include "coupler/wire/error.hpp"
 #include "scene/text/errors.hpp"
@@ -36,6 +37,7 @@ void add_commands(tremolo::app::Command& program) {
 } // namespace
 
 int main(int argc, char** argv) {
+  tremolo::app::explain_crashes(argc, argv);
   try {
     tremolo::app::share_python_package();
     return tremolo::app::run_command_line(

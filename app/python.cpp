@@ -1,5 +1,7 @@
 #include "app/python.hpp"
 
+#include "app/crash_words.hpp"
+
 #include <fmt/format.h>
 
 #include <sys/wait.h>
@@ -36,16 +38,7 @@ std::runtime_error cannot_start(const std::string& program) {
       fmt::format("cannot start {}: {}", program, std::generic_category().message(errno)));
 }
 
-} // namespace
-
-void share_python_package() {
-  const char* inherited = std::getenv("PYTHONPATH");
-  const std::string path =
-      python_package().string() + (inherited != nullptr ? fmt::format(":{}", inherited) : "");
-  setenv("PYTHONPATH", path.c_str(), 1);
-}
-
-void become_python(const std::string& command, const std::vector<std::string>& arguments) {
+[[noreturn]] void become_python(const std::string& command, const std::vector<std::string>& arguments) {
   std::vector<std::string> words{python(), "-m", "tremolo", command};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -55,6 +48,15 @@ void become_python(const std::string& command, const std::vector<std::string>& a
   argv.push_back(nullptr);
   execvp(argv.front(), argv.data());
   throw cannot_start(words.front());
+}
+
+} // namespace
+
+void share_python_package() {
+  const char* inherited = std::getenv("PYTHONPATH");
+  const std::string path =
+      python_package().string() + (inherited != nullptr ? fmt::format(":{}", inherited) : "");
+  setenv("PYTHONPATH", path.c_str(), 1);
 }
 
 int run_python(const std::string& command, const std::vector<std::string>& arguments) {
@@ -73,7 +75,10 @@ int run_python(const std::string& command, const std::vector<std::string>& argum
   int ended = 0;
   while (waitpid(child, &ended, 0) < 0 && errno == EINTR) {
   }
-  return WIFEXITED(ended) ? WEXITSTATUS(ended) : EXIT_FAILURE;
+  if (WIFEXITED(ended))
+    return WEXITSTATUS(ended);
+  std::fputs(crash_words("python3 -m tremolo " + command, WTERMSIG(ended)).c_str(), stderr);
+  return EXIT_FAILURE;
 }
 
 } // namespace tremolo::app

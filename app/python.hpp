@@ -9,11 +9,8 @@ namespace tremolo::app {
 /// installation or source tree. Called once, at start.
 void share_python_package();
 
-/// Becomes `python3 -m tremolo COMMAND ARGUMENTS...`.
-/// @throws std::runtime_error where the interpreter cannot be started
-[[noreturn]] void become_python(const std::string& command, const std::vector<std::string>& arguments);
-
-/// Runs the same beside this process and returns its exit status when it has ended.
+/// Runs `python3 -m tremolo COMMAND ARGUMENTS...` and returns its exit status when it has ended; says so
+/// where it crashed.
 /// @throws std::runtime_error where no process can be started
 int run_python(const std::string& command, const std::vector<std::string>& arguments);
 

@@ -12,6 +12,7 @@
 #include "mpm_domain/tiles/tile_sums.hpp"
 #include "mpm_domain/tiles/worker_pool.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -38,14 +39,16 @@ struct WaitingStrains {
 
 /// Changes of the pore pressure of the particles of a set that wait for their means (pore_pressure.hpp).
 struct WaitingPressures {
-  std::vector<double> compression; ///< -V div(v_s + n w) dt, m2
-  std::vector<double> change;      ///< dp, Pa
-  std::vector<std::size_t> cell;   ///< the node that it begins at
+  std::vector<double> compression;      ///< -V div(v_s + n w) dt, m2
+  std::vector<double> change;           ///< dp, Pa
+  std::vector<std::size_t> cell;        ///< the node that it begins at
+  std::vector<std::uint32_t> in_window; ///< where the cell stands in the window of the particle's tile
 
   void resize(std::size_t particles) {
     compression.resize(particles);
     change.resize(particles);
     cell.resize(particles);
+    in_window.resize(particles);
   }
 };
 

@@ -1,25 +1,14 @@
 #include "app/commands.hpp"
 
+#include "base/text_file.hpp"
 #include "scene/keys/reference.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 namespace tremolo::app {
-
-namespace {
-
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  if (!stream.flush())
-    throw std::runtime_error(file.string() + ": cannot be written");
-}
-
-} // namespace
 
 void add_docs(Command& app) {
   auto* command = app.add_subcommand(
@@ -28,8 +17,8 @@ void add_docs(Command& app) {
   command->add_option("FOLDER", *folder, "Existing folder to write to")->required();
   command->callback([folder] {
     for (const scene::Reference& reference : scene::references()) {
-      write(std::filesystem::path(*folder) / reference.page, scene::markdown(reference));
-      write(std::filesystem::path(*folder) / reference.schema, scene::json_schema(reference));
+      write_text_file(std::filesystem::path(*folder) / reference.page, scene::markdown(reference));
+      write_text_file(std::filesystem::path(*folder) / reference.schema, scene::json_schema(reference));
     }
   });
 }

@@ -8,7 +8,10 @@ namespace tremolo::app {
 namespace {
 
 void add_python_command(Command& app, const std::string& name, const std::string& summary) {
-  app.add_relay(name, summary, [name](const std::vector<std::string>& rest) { become_python(name, rest); });
+  app.add_relay(name, summary, [name](const std::vector<std::string>& rest) {
+    if (const int status = run_python(name, rest); status != 0)
+      throw Exit{status};
+  });
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "app/run/case_run.hpp"
 #include "app/run/local_options.hpp"
 #include "app/verify/exact_field.hpp"
+#include "base/text_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -87,11 +88,8 @@ Cost run_rung(const Rung& rung, const fs::path& folder, int threads) {
     cost.cpu += process.cpu_seconds;
     cost.work += process.report.particle_updates;
   }
-  std::ofstream stream(cost_file(folder));
-  stream << nlohmann::ordered_json{{"cpu_s", cost.cpu}, {"updates", cost.work}}.dump() << '\n';
-  stream.close();
-  if (!stream)
-    throw std::runtime_error(fmt::format("{}: cannot be written", cost_file(folder).string()));
+  write_text_file(cost_file(folder),
+                  nlohmann::ordered_json{{"cpu_s", cost.cpu}, {"updates", cost.work}}.dump() + "\n");
   return cost;
 }
 

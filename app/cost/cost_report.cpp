@@ -1,10 +1,10 @@
 #include "app/cost/cost_report.hpp"
+#include "base/text_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <numeric>
 #include <stdexcept>
 
@@ -156,14 +156,6 @@ std::string to_csv(const CostStudy& study) {
   return text;
 }
 
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  stream << text;
-  stream.close();
-  if (!stream)
-    throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
-}
-
 } // namespace
 
 std::vector<CostPoint> CostStudy::points() const {
@@ -197,8 +189,8 @@ std::string cost_text(const CostStudy& study) {
 }
 
 void write_cost(const CostStudy& study, const std::filesystem::path& folder) {
-  write_text(folder / "cost.json", to_json(study).dump(2) + "\n");
-  write_text(folder / "cost.csv", to_csv(study));
+  write_text_file(folder / "cost.json", to_json(study).dump(2) + "\n");
+  write_text_file(folder / "cost.csv", to_csv(study));
 }
 
 } // namespace tremolo::app

@@ -3,6 +3,7 @@
 
 #include "app/commands.hpp"
 #include "app/free_field/points_file.hpp"
+#include "base/text_file.hpp"
 #include "scene/case.hpp"
 #include "wavefield/layers/transfer.hpp"
 #include "wavefield/process/ground_from_case.hpp"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -33,32 +33,12 @@ struct Options {
 /// Points whose histories are held at once; it bounds the memory, not the answer.
 constexpr std::size_t points_at_once = 64;
 
-class Table {
-public:
-  Table(const std::string& file, std::string_view columns) : file_(file), stream_(file) {
-    stream_ << columns << '\n';
-  }
-  std::ostream& stream() { return stream_; }
-  bool is_good() const { return stream_.good(); }
-
-  /// @throws std::runtime_error if anything could not be written
-  void close() {
-    stream_.close();
-    if (!stream_)
-      throw std::runtime_error(fmt::format("{}: cannot be written", file_));
-  }
-
-private:
-  std::string file_;
-  std::ofstream stream_;
-};
-
-void write_rows(std::ostream& stream, const wavefield::Point& point, const wavefield::TimeGrid& times,
+void write_rows(TextFile& table, const wavefield::Point& point, const wavefield::TimeGrid& times,
                 const wavefield::History& h) {
   for (std::size_t i = 0; i < times.count; ++i)
-    stream << fmt::format("{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g}\n",
+    table.add(fmt::format("{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g}\n",
                           times.start + static_cast<double>(i) * times.dt, point.x, point.y, h.ux[i], h.uy[i],
-                          h.vx[i], h.vy[i], h.sxx[i], h.syy[i], h.sxy[i]);
+                          h.vx[i], h.vy[i], h.sxx[i], h.syy[i], h.sxy[i]));
 }
 
 void print_wrap_around(const wavefield::LayeredField& field, std::span<const wavefield::Point> points,
@@ -76,12 +56,13 @@ void write_field(const Options& options, const scene::Case& scene) {
   const auto field = wavefield::elastic_field(scene, scene.profile, scene.surface_level);
   const wavefield::Quantities quantities{.strain = false, .rates = false};
 
-  Table table(options.out, "t,x,y,ux,uy,vx,vy,sxx,syy,sxy");
-  for (std::size_t begin = 0; begin < points.size() && table.is_good(); begin += points_at_once) {
+  TextFile table(options.out);
+  table.add("t,x,y,ux,uy,vx,vy,sxx,syy,sxy\n");
+  for (std::size_t begin = 0; begin < points.size(); begin += points_at_once) {
     const auto some = std::span(points).subspan(begin, std::min(points_at_once, points.size() - begin));
     const auto histories = field.sample(some, times, wavefield::Part::total, quantities);
     for (std::size_t i = 0; i < some.size(); ++i)
-      write_rows(table.stream(), some[i], times, histories[i]);
+      write_rows(table, some[i], times, histories[i]);
   }
   table.close();
   fmt::print("{}: {} points x {} times\n", options.out, points.size(), times.count);
@@ -95,15 +76,15 @@ void write_transfer(const Options& options, const scene::Case& scene) {
   const auto incidence = wavefield::incidence_from_case(scene);
   const auto rows = wavefield::surface_transfer(ground, incidence.wave, incidence.angle_rad, frequencies);
 
-  Table table(options.out,
-              "frequency_hz,re_ux,im_ux,re_uy,im_uy,re_within_ux,im_within_ux,re_within_uy,im_within_uy,"
-              "re_to_outcrop,im_to_outcrop,re_to_within,im_to_within");
+  TextFile table(options.out);
+  table.add("frequency_hz,re_ux,im_ux,re_uy,im_uy,re_within_ux,im_within_ux,re_within_uy,im_within_uy,"
+            "re_to_outcrop,im_to_outcrop,re_to_within,im_to_within\n");
   for (const wavefield::SurfaceTransfer& row : rows) {
-    table.stream() << fmt::format("{:.12g}", row.frequency_hz);
+    table.add(fmt::format("{:.12g}", row.frequency_hz));
     for (const std::complex<double> value :
          {row.surface.ux, row.surface.uy, row.within.ux, row.within.uy, row.to_outcrop, row.to_within})
-      table.stream() << fmt::format(",{:.12g},{:.12g}", value.real(), value.imag());
-    table.stream() << '\n';
+      table.add(fmt::format(",{:.12g},{:.12g}", value.real(), value.imag()));
+    table.add("\n");
   }
   table.close();
   fmt::print("{}: {} frequencies\n", options.out, rows.size());

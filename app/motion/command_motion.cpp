@@ -113,6 +113,7 @@ void work_on(const Options& options) {
     throw std::invalid_argument("motion: a FILE or --synthesise RECIPE is needed, and not both");
   const auto as = read_as(options);
   Named named = the_motion(options, as);
+  const std::string overruled = unit_warning(named.record);
   MotionSteps steps = options.steps;
   steps.kind = chosen(options.as, motion::kind_named, "--as");
   steps.fit = options.fit == "velocity" ? motion::BaselineFit::velocity : motion::BaselineFit::displacement;
@@ -121,6 +122,8 @@ void work_on(const Options& options) {
     named.record = motion::with_unit(named.record, *unit);
 
   fmt::print("{}", motion_report(named.record, named.name));
+  if (!overruled.empty())
+    fmt::print(stderr, "tremolo: warning: {}: {}\n", named.name, overruled);
   if (const auto warning = motion_warning(named.record); !warning.empty())
     fmt::print(stderr, "tremolo: warning: {}: {}\n", named.name, warning);
   if (!options.out.empty())

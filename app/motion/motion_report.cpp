@@ -1,5 +1,6 @@
 #include "app/motion/motion_report.hpp"
 
+#include "base/text_file.hpp"
 #include "motion/measures.hpp"
 #include "motion/mend/process.hpp"
 #include "motion/spectra.hpp"
@@ -7,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 
 namespace tremolo::app {
@@ -19,14 +19,6 @@ constexpr std::size_t periods = 200;
 
 motion::Record acceleration_of(const motion::Record& record) {
   return motion::with_unit(record, motion::Unit::m_s2);
-}
-
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream)
-    throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
 
 } // namespace
@@ -58,6 +50,15 @@ std::string motion_warning(const motion::Record& record) {
   return motion::residual_warning(motion::measures(record)).value_or("");
 }
 
+std::string unit_warning(const motion::Record& record) {
+  if (!record.overruled_unit)
+    return "";
+  return fmt::format(
+      "--unit {}, but the file says {}: the motion is taken {:.4g} times as strong as its file says",
+      motion::name(record.unit), motion::name(*record.overruled_unit),
+      motion::in_si(record.unit) / motion::in_si(*record.overruled_unit));
+}
+
 void write_histories(const motion::Record& record, const std::filesystem::path& file) {
   const auto a = acceleration_of(record).samples;
   const auto v = motion::with_unit(record, motion::Unit::m_s).samples;
@@ -66,7 +67,7 @@ void write_histories(const motion::Record& record, const std::filesystem::path& 
   for (std::size_t i = 0; i < a.size(); ++i)
     text +=
         fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", static_cast<double>(i) * record.dt, a[i], v[i], d[i]);
-  write(file, text);
+  write_text_file(file, text);
 }
 
 void write_response_spectrum(const motion::Record& record, double damping,
@@ -77,7 +78,7 @@ void write_response_spectrum(const motion::Record& record, double damping,
            a, record.dt, motion::tabulated_periods(shortest_period, longest_period, periods), damping))
     text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", one.period, one.displacement, one.velocity,
                         one.acceleration);
-  write(file, text);
+  write_text_file(file, text);
 }
 
 void write_fourier_spectrum(const motion::Record& record, const std::filesystem::path& file) {
@@ -85,7 +86,7 @@ void write_fourier_spectrum(const motion::Record& record, const std::filesystem:
   for (const auto& [frequency, amplitude] :
        motion::fourier_spectrum(acceleration_of(record).samples, record.dt))
     text += fmt::format("{:.9g},{:.9g}\n", frequency, amplitude);
-  write(file, text);
+  write_text_file(file, text);
 }
 
 } // namespace tremolo::app

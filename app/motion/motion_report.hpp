@@ -15,6 +15,9 @@ std::string motion_report(const motion::Record& record, const std::string& name)
 /// The warning that belongs to it, empty where the motion ends at rest.
 std::string motion_warning(const motion::Record& record);
 
+/// What `--unit` changed where the file names another unit; empty where they agree.
+std::string unit_warning(const motion::Record& record);
+
 /// Columns t (s), a (m/s2), v (m/s), d (m). Every table @throws std::runtime_error where it cannot be
 /// written.
 void write_histories(const motion::Record& record, const std::filesystem::path& file);

@@ -4,8 +4,8 @@
 #include "app/commands.hpp"
 #include "app/temporary_folder.hpp"
 #include "base/printable.hpp"
+#include "base/text_file.hpp"
 #include "coupler/conformance/conformance.hpp"
-#include "results/text_file.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/service.hpp"
@@ -80,7 +80,7 @@ struct Arguments {
 
 fs::path written_built_in_case(const fs::path& folder) {
   fs::path file = folder / "case.toml";
-  results::write_text_file(file, built_in_case);
+  write_text_file(file, built_in_case);
   return file;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/recording/recording_name.hpp"
+#include "base/text_file.hpp"
 #include "results/exchange_file.hpp"
 #include "results/free_field_recording.hpp"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -30,29 +30,26 @@ struct Options {
 /// Numbers are written with as many digits as give the same bits when they are read again.
 class Table {
 public:
-  Table(const std::string& file, std::string_view columns) : file_(file), stream_(file, std::ios::binary) {
-    stream_ << columns << '\n';
+  Table(const std::string& file, std::string_view columns) : file_(file) {
+    file_.add(fmt::format("{}\n", columns));
   }
 
   template <class Numbers>
   void add(const Numbers& numbers) {
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      stream_ << fmt::format("{}{}", i == 0 ? "" : ",", numbers[i]);
-    stream_ << '\n';
+      file_.add(fmt::format("{}{}", i == 0 ? "" : ",", numbers[i]));
+    file_.add("\n");
     ++rows_;
   }
 
   /// @throws std::runtime_error if anything could not be written
   std::uint64_t close() {
-    stream_.close();
-    if (!stream_)
-      throw std::runtime_error(fmt::format("{}: cannot be written", file_));
+    file_.close();
     return rows_;
   }
 
 private:
-  std::string file_;
-  std::ofstream stream_;
+  TextFile file_;
   std::uint64_t rows_ = 0;
 };
 

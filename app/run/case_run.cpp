@@ -7,11 +7,11 @@
 #include "app/run/run_display.hpp"
 #include "app/run/run_lock.hpp"
 #include "base/printable.hpp"
+#include "base/text_file.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "coupler/recording/exchange_recorder.hpp"
 #include "coupler/wire/messages.hpp"
 #include "results/run_file.hpp"
-#include "results/text_file.hpp"
 #include "scene/plan/hosts.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/text/files.hpp"
@@ -225,7 +225,7 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
   const RunLock lock(run.folder);
   scene.file = run.folder / "case.toml";
   if (!run.resume)
-    results::write_text_file(scene.file, scene.text);
+    write_text_file(scene.file, scene.text);
   auto options = launch_options(scene, run);
   ProgressLine line;
   options.on_progress = [&](const coupler::Progress& progress) { line.show(progress); };

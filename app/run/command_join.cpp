@@ -5,6 +5,7 @@
 #include "app/run/participant_program.hpp"
 #include "app/temporary_folder.hpp"
 #include "base/printable.hpp"
+#include "base/text_file.hpp"
 #include "coupler/launch/child_process.hpp"
 #include "coupler/launch/joining.hpp"
 #include "coupler/launch/termination.hpp"
@@ -17,7 +18,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -57,7 +57,7 @@ void require_same_files(const coupler::Invitation& invitation) {
 coupler::Command command(const JoinArguments& arguments, const coupler::Invitation& invitation,
                          const fs::path& folder) {
   const auto file = folder / "case.toml";
-  std::ofstream(file, std::ios::binary) << invitation.case_text;
+  write_text_file(file, invitation.case_text);
   const auto plan = scene::plan(scene::load(file));
   const auto& field = scene::source_named(plan, arguments.role).field;
   std::vector<std::string> words{located(scene::program(field)).string()};

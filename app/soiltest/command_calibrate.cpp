@@ -3,13 +3,13 @@
 #include "app/commands.hpp"
 #include "app/output_place.hpp"
 #include "app/soiltest/soiltest_report.hpp"
+#include "base/text_file.hpp"
 #include "materials/soiltest/cyclic/calibrate.hpp"
 #include "scene/soil_test.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -127,12 +127,8 @@ void calibrate(const Options& options) {
   }
   const auto table = soil_table(file, found.parameter);
   fmt::print("{}{}\n{}", fit_text(file, found), counting, table);
-  if (options.out.empty())
-    return;
-  std::ofstream stream(options.out, std::ios::binary);
-  stream << provenance(file, found) << table;
-  if (!stream.flush())
-    throw std::runtime_error(fmt::format("{}: cannot be written", options.out));
+  if (!options.out.empty())
+    write_text_file(options.out, provenance(file, found) + table);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "app/output_place.hpp"
 #include "app/soiltest/soiltest_lines.hpp"
+#include "base/text_file.hpp"
 #include "materials/soiltest/notes.hpp"
 #include "scene/soils/soil_report.hpp"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -184,19 +184,18 @@ Table loops(const std::vector<soiltest::Loop>& closed) {
 }
 
 void write_csv(const std::filesystem::path& out, const Table& table) {
-  std::ofstream stream(out, std::ios::binary);
+  TextFile file(out);
   for (const Table::Column& column : table.columns)
-    stream << (&column == &table.columns.front() ? "" : ",") << column.name;
-  stream << '\n';
+    file.add((&column == &table.columns.front() ? "" : ",") + column.name);
+  file.add("\n");
   const auto rows = std::get<std::vector<double>>(table.columns.front().values).size();
   for (std::size_t i = 0; i < rows; ++i) {
     for (const Table::Column& column : table.columns)
-      stream << (&column == &table.columns.front() ? "" : ",")
-             << fmt::format("{}", std::get<std::vector<double>>(column.values)[i]);
-    stream << '\n';
+      file.add(fmt::format("{}{}", &column == &table.columns.front() ? "" : ",",
+                           std::get<std::vector<double>>(column.values)[i]));
+    file.add("\n");
   }
-  if (!stream.flush())
-    throw std::runtime_error(fmt::format("{}: cannot be written", out.string()));
+  file.close();
 }
 
 std::size_t specimens(const scene::SoilTestFile& file) {

@@ -5,12 +5,12 @@
 #include "app/python.hpp"
 #include "app/run/local_options.hpp"
 #include "app/swap/swap.hpp"
+#include "base/text_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -60,11 +60,7 @@ void compare(const Options& options) {
         fmt::format("{} is not an empty folder; choose another --out", options.out.string()));
   const auto runs =
       swap_models(scene, models, {.folder = options.out, .mode = {}, .threads = options.threads});
-  std::ofstream file(options.out / "swap.json");
-  file << swap_json(runs) << '\n';
-  file.close();
-  if (!file)
-    throw std::runtime_error(fmt::format("cannot write {}", (options.out / "swap.json").string()));
+  write_text_file(options.out / "swap.json", swap_json(runs) + "\n");
   fmt::print("\n{}", swap_text(runs));
   if (std::ranges::none_of(runs, [](const SwappedRun& run) { return run.refused.empty(); }))
     throw Exit{1};

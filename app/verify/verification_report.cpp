@@ -1,9 +1,9 @@
 #include "app/verify/verification_report.hpp"
+#include "base/text_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
 #include <stdexcept>
 
 namespace tremolo::app {
@@ -85,12 +85,8 @@ std::string text(const Verification& verification, const scene::Case& scene) {
 void write_report(const Verification& verification, const scene::Case& scene,
                   const std::filesystem::path& run_file) {
   const std::filesystem::path folder = run_file.parent_path();
-  const auto json_file = folder / "verify.json";
-  std::ofstream stream(json_file);
-  stream << to_json(verification, scene, run_file.filename().string()).dump(2) << '\n';
-  stream.close();
-  if (!stream)
-    throw std::runtime_error(fmt::format("{}: cannot be written", json_file.string()));
+  write_text_file(folder / "verify.json",
+                  to_json(verification, scene, run_file.filename().string()).dump(2) + "\n");
   results::write_tables(folder / "verify.h5", tables(verification));
 }
 

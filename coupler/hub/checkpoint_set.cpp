@@ -1,12 +1,12 @@
 #include "coupler/hub/checkpoint_set.hpp"
 
+#include "base/text_file.hpp"
 #include "coupler/hub/case_difference.hpp"
 #include "coupler/launch/invitation.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/json_keys.hpp"
 #include "coupler/wire/messages.hpp"
 #include "results/checkpoint_file.hpp"
-#include "results/text_file.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -80,7 +80,7 @@ void write_manifest(const CheckpointSet& set) {
   manifest.update(json(versions()));
   manifest["crc"] = text_crc(dumped(manifest));
   const fs::path file = set.folder / manifest_name;
-  results::write_text_file(file, dumped(manifest));
+  write_text_file(file, dumped(manifest));
   results::sync_to_disk(file);
 }
 

@@ -1,12 +1,11 @@
 #include "motion/read/write.hpp"
 
+#include "base/text_file.hpp"
 #include "motion/read/read_formats.hpp"
 #include "motion/read/stated.hpp"
 #include "motion/read/text.hpp"
 
 #include <fmt/format.h>
-
-#include <fstream>
 
 namespace tremolo::motion {
 
@@ -58,11 +57,8 @@ void write_record(const Record& record, const std::filesystem::path& file, const
   if (!quantity && upper(file.extension().string()) != ".CSV")
     throw std::invalid_argument(
         fmt::format("{}: a motion is written as .AT2, .VT2, .DT2 or .csv", file.string()));
-  std::ofstream stream(file, std::ios::binary);
-  stream << (quantity ? peer_text(with_unit(record, peer_unit(*quantity)), title) : csv_text(record));
-  stream.close();
-  if (!stream)
-    throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+  write_text_file(file,
+                  quantity ? peer_text(with_unit(record, peer_unit(*quantity)), title) : csv_text(record));
 }
 
 } // namespace tremolo::motion

@@ -38,8 +38,8 @@ void for_faces(WorkerPool& workers, std::size_t count, const Act& act) {
 }
 
 /// Velocity that a node's dashpots see, m/s. Where water flows it is that of grains and water together, which
-/// the implicit half of the dashpots acts on too (water/mixture_kick.hpp): a dashpot that saw the grains alone
-/// could bring in energy.
+/// the implicit half of the dashpots acts on too (water/mixture_kick.hpp): a dashpot that saw the grains
+/// alone could bring in energy.
 Vector seen_by_dashpots(const Grid& grid, std::size_t node) {
   const Vector v = grid.velocity_before(node);
   const double water = grid.traits.flowing ? grid.water_mass[node] : 0.0;

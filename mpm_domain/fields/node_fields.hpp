@@ -23,7 +23,7 @@ enum class NodeGroup {
   acceleration,   ///< derived
   cell,           ///< summed over the particles of the cell that begins at the node
   pores,          ///< summed over wet particles, while they stay where they are
-  pressure,       ///< summed over wet particles, then their mean (pore_pressure.hpp)
+  compression,    ///< summed over wet particles, then their mean (pore_pressure.hpp)
   volume_flux,    ///< derived: what changes the pressure of pore water that flows
   openness,       ///< derived: where water may pass
   water_mass,     ///< summed over particles whose water flows, while they stay where they are
@@ -67,14 +67,14 @@ struct NodeFields {
   /// Sums over the cell to the right of and above the node, whose ratio is a mean over its particles: their
   /// weights, and these times what changes in the step (cell_means.hpp).
   NodeField cell_weight, cell_change;
-  NodeField lift;            ///< what water takes off the weight, N/m
-  NodeField storage;         ///< W of wet soil (pore_pressure.hpp), m2/Pa
-  NodeField pressure_change; ///< W dp of wet soil, m2; then its mean dp, Pa
-  NodeField flux_x, flux_y;  ///< v_s + n w: volume of grains and water through unit area, m/s
-  NodeField open_x, open_y;  ///< 1, or 0 where water may not move against the grains in this direction
-  NodeField water_mass;      ///< m_f, kg/m
-  NodeField wet_volume;      ///< volume of the soil whose water flows, m2
-  NodeField resistance;      ///< that volume times rho_f g/k, Pa s
+  NodeField lift;           ///< what water takes off the weight, N/m
+  NodeField pore_volume;    ///< V n of wet soil, m2
+  NodeField compression;    ///< V n e of wet soil, m2; then its mean e (pore_pressure.hpp), 1
+  NodeField flux_x, flux_y; ///< v_s + n w: volume of grains and water through unit area, m/s
+  NodeField open_x, open_y; ///< 1, or 0 where water may not move against the grains in this direction
+  NodeField water_mass;     ///< m_f, kg/m
+  NodeField wet_volume;     ///< volume of the soil whose water flows, m2
+  NodeField resistance;     ///< that volume times rho_f g/k, Pa s
   NodeField water_momentum_x, water_momentum_y; ///< kg/s
   NodeField water_force_x, water_force_y;       ///< of the excess pressure per unit of water volume, N/m
   NodeField wx_before, wy_before;               ///< of the water, v_f-, m/s
@@ -108,8 +108,8 @@ inline constexpr std::array node_field_table{
     NodeFieldDescription{"cell_weight", "that of the mean", NodeGroup::cell, &NodeFields::cell_weight},
     NodeFieldDescription{"cell_change", "that of the mean", NodeGroup::cell, &NodeFields::cell_change},
     NodeFieldDescription{"lift", "N/m", NodeGroup::pores, &NodeFields::lift},
-    NodeFieldDescription{"storage", "m2/Pa", NodeGroup::pores, &NodeFields::storage},
-    NodeFieldDescription{"pressure_change", "m2", NodeGroup::pressure, &NodeFields::pressure_change},
+    NodeFieldDescription{"pore_volume", "m2", NodeGroup::pores, &NodeFields::pore_volume},
+    NodeFieldDescription{"compression", "m2", NodeGroup::compression, &NodeFields::compression},
     NodeFieldDescription{"flux_x", "m/s", NodeGroup::volume_flux, &NodeFields::flux_x},
     NodeFieldDescription{"flux_y", "m/s", NodeGroup::volume_flux, &NodeFields::flux_y},
     NodeFieldDescription{"open_x", "1", NodeGroup::openness, &NodeFields::open_x},
@@ -140,15 +140,15 @@ enum class Sum : std::size_t {
   cell_weight,
   cell_change,
   lift,
-  storage,
-  wet_volume,
-  resistance,
-  pressure_change,
+  pore_volume,
+  compression,
   water_mass,
   water_momentum_x,
   water_momentum_y,
   water_force_x,
   water_force_y,
+  wet_volume,
+  resistance,
 };
 inline constexpr std::array particle_sums{&NodeFields::mass,
                                           &NodeFields::momentum_x,
@@ -158,15 +158,15 @@ inline constexpr std::array particle_sums{&NodeFields::mass,
                                           &NodeFields::cell_weight,
                                           &NodeFields::cell_change,
                                           &NodeFields::lift,
-                                          &NodeFields::storage,
-                                          &NodeFields::wet_volume,
-                                          &NodeFields::resistance,
-                                          &NodeFields::pressure_change,
+                                          &NodeFields::pore_volume,
+                                          &NodeFields::compression,
                                           &NodeFields::water_mass,
                                           &NodeFields::water_momentum_x,
                                           &NodeFields::water_momentum_y,
                                           &NodeFields::water_force_x,
-                                          &NodeFields::water_force_y};
+                                          &NodeFields::water_force_y,
+                                          &NodeFields::wet_volume,
+                                          &NodeFields::resistance};
 
 /// Fields [first, end) of particle_sums.
 struct SumRange {

@@ -54,7 +54,7 @@ std::vector<Pass> Stepper::recipe() {
   add("time step", &Stepper::choose_step);
   add("sort", &Stepper::sort);
   add("particles to grid", &Stepper::scatter_particles);
-  if (domain_.has_water())
+  if (domain_.has_flow())
     add("water to grid", &Stepper::scatter_pores);
   add("grid velocities", &Stepper::find_velocities);
   add("boundary exchange", &Stepper::exchange);
@@ -74,6 +74,8 @@ std::vector<Pass> Stepper::recipe() {
       add("pore pressure", &Stepper::find_pressures);
     add("strain and stress", &Stepper::gather_rest);
   }
+  if (domain_.has_water())
+    add("weight under water", &Stepper::book_lift);
   add("accelerations", &Stepper::gather_accelerations);
   return passes;
 }
@@ -182,8 +184,6 @@ void Stepper::update() {
     energy.gravity += sums.gravity_work;
     energy.dashpots += sums.dashpot_relief;
   }
-  if (domain_.has_water())
-    energy.gravity += kicks_.front() * lift_power(domain_, nodes_.of(0));
   finish_update();
 }
 
@@ -253,24 +253,36 @@ void Stepper::remap() {
                          domain_.boundary.remap_power(domain_.grid, nodes_, clock);
     domain_.energy.transfer += 0.5 * kicks_[static_cast<std::size_t>(clock)] * power;
   }
-  double water_power = domain_.has_water() ? -lift_remap_power(domain_, nodes_.of(0)) : 0.0;
   if (domain_.has_flow())
-    water_power += remap_flux(domain_, nodes_.of(0));
-  domain_.energy.transfer += 0.5 * kicks_.front() * water_power;
+    domain_.energy.transfer += 0.5 * kicks_.front() * remap_flux(domain_, nodes_.of(0));
 }
 
-/// The pressures of a step follow from the velocities that strain the soil.
+/// The update and the remap have booked all of the weight.
+void Stepper::book_lift() {
+  if (!domain_.has_pore_pressure())
+    scatter_lift(domain_, nodes_.of(0), nodes_.ties_of(0));
+  domain_.energy.gravity += kicks_.front() * lift_power(domain_, nodes_.of(0));
+  if (domain_.spec.scheme.order == StepOrder::musl)
+    domain_.energy.transfer -= 0.5 * kicks_.front() * lift_remap_power(domain_, nodes_.of(0));
+}
+
+/// The pressures of a step follow from the velocities that strain the soil, and from the flux of both where
+/// water flows.
 void Stepper::find_pressures() {
+  const Grid& grid = domain_.grid;
   const bool remapped = domain_.spec.scheme.order == StepOrder::musl;
+  const auto update = [&](const NodeField& flux_x, const NodeField& flux_y) {
+    domain_.energy.pore +=
+        update_pressures(domain_, ticks_.dt_of(0), flux_x, flux_y, nodes_.of(0), nodes_.ties_of(0));
+  };
   if (domain_.has_flow()) {
     if (!remapped)
       find_flux(domain_, nodes_.of(0));
     prolong(domain_, NodeGroup::volume_flux, nodes_.ties_of(0));
-  } else {
-    prolong(domain_, NodeGroup::velocity, nodes_.ties_of(0));
+    return update(grid.flux_x, grid.flux_y);
   }
-  domain_.energy.pore +=
-      update_pressures(domain_, ticks_.dt_of(0), remapped, nodes_.of(0), nodes_.ties_of(0));
+  prolong(domain_, NodeGroup::velocity, nodes_.ties_of(0));
+  remapped ? update(grid.vx_strain, grid.vy_strain) : update(grid.vx_after, grid.vy_after);
 }
 
 void Stepper::gather_rest() {

@@ -104,6 +104,7 @@ private:
   void scatter_momenta();
   void remap();
   void find_pressures();
+  void book_lift();
   void gather_rest();
   void gather_accelerations();
 

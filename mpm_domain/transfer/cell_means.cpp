@@ -6,28 +6,14 @@
 
 namespace tremolo::mpm_domain {
 
-namespace {
-
-/// The lower left node of the leaf that holds a point.
-std::size_t leaf_at(const GradedMesh& mesh, double x, double y) {
+std::size_t CellFinder::leaf_at(double x, double y) const {
   std::size_t node = 0;
-  mesh.for_parts({x, y, x, y}, [&](const mesh::Cell& cell, const mesh::Rectangle&) {
-    const bool is_leaf = mesh.tree().exists(cell);
-    node = is_leaf ? mesh.node(cell.level, cell.i, cell.j)
-                   : mesh.node(cell.level - 1, cell.i / 2, cell.j / 2); // a quarter of one
+  mesh_->for_parts({x, y, x, y}, [&](const mesh::Cell& cell, const mesh::Rectangle&) {
+    const bool is_leaf = mesh_->tree().exists(cell);
+    node = is_leaf ? mesh_->node(cell.level, cell.i, cell.j)
+                   : mesh_->node(cell.level - 1, cell.i / 2, cell.j / 2); // a quarter of one
   });
   return node;
-}
-
-} // namespace
-
-CellFinder::Cell CellFinder::at(double x, double y) const {
-  if (mesh_ != nullptr)
-    return {leaf_at(*mesh_, x, y), 0};
-  const int column = static_cast<int>(std::floor((x - lattice_->x0) / lattice_->h));
-  const int row = static_cast<int>(std::floor((y - lattice_->y0) / lattice_->h));
-  return {lattice_->index(column, row),
-          static_cast<std::size_t>((row - place_.row) * window_columns + column - place_.column)};
 }
 
 void clear_cells(Domain& domain) {

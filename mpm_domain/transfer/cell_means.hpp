@@ -16,19 +16,31 @@ inline constexpr SumRange cell_sums = sums_between(Sum::cell_weight, Sum::cell_c
 class CellFinder {
 public:
   CellFinder(const TileMap& tiles, std::size_t tile)
-      : lattice_(&tiles.lattice(tiles.level_of(tile))), place_(tiles.window(tile)) {}
+      : lattice_(&tiles.lattice(tiles.level_of(tile))), per_h_(1.0 / lattice_->h),
+        place_(tiles.window(tile)) {}
   explicit CellFinder(const GradedMesh& mesh) : mesh_(&mesh) {}
 
   struct Cell {
     std::size_t node;      ///< its lower left one
     std::size_t in_window; ///< where that stands in the window of the tile, if there is one
   };
-  Cell at(double x, double y) const;
+  Cell at(double x, double y) const {
+    if (mesh_ != nullptr)
+      return {leaf_at(x, y), 0};
+    const int column = static_cast<int>(std::floor((x - lattice_->x0) * per_h_));
+    const int row = static_cast<int>(std::floor((y - lattice_->y0) * per_h_));
+    return {lattice_->index(column, row),
+            static_cast<std::size_t>((row - place_.row) * window_columns + column - place_.column)};
+  }
 
 private:
+  /// The lower left node of the leaf that holds a point.
+  std::size_t leaf_at(double x, double y) const;
+
   const GradedMesh* mesh_ = nullptr;
   const Lattice* lattice_ = nullptr;
-  NodeBlock place_; ///< of the window
+  double per_h_ = 0.0; ///< 1/h, 1/m
+  NodeBlock place_;    ///< of the window
 };
 
 /// Where a tile's sums over cells stand in its window.

@@ -41,6 +41,29 @@ void for_samples(const Domain& domain, const Particles& p, const AcrossTile& til
   });
 }
 
+/// act(k, group, divergence) of a field of vectors.
+template <typename Act>
+void for_divergences(const Domain& domain, const Particles& p, const ParticleRange& range, std::size_t tile,
+                     const NodeField& field_x, const NodeField& field_y, const Act& act) {
+  for_readers(domain, p, range, tile, [&](std::size_t k, auto group, const auto& reader) {
+    act(k, group, reader.divergence(field_x, field_y));
+  });
+}
+
+template <typename Act>
+void for_divergences(const AcrossTile& tile, const NodeField& field_x, const NodeField& field_y,
+                     const Act& act) {
+  for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k) {
+    Lanes divergence{};
+    for (const FourWeights& w : tile.weights.of(k)) {
+      const auto& n = w.node;
+      divergence += w.gx * Lanes{field_x[n[0]], field_x[n[1]], field_x[n[2]], field_x[n[3]]} +
+                    w.gy * Lanes{field_y[n[0]], field_y[n[1]], field_y[n[2]], field_y[n[3]]};
+    }
+    act(k, FewerThanFour(1), all(sum(divergence)));
+  }
+}
+
 /// act(k, group, sum S q) of a field of numbers.
 template <typename Act>
 void for_numbers(const Domain& domain, const Particles& p, const ParticleRange& range, std::size_t tile,

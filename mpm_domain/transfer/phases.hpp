@@ -41,6 +41,7 @@ struct ParticleValues {
 struct SoilPhase {
   static constexpr Sum first_sum = Sum::mass;
   static constexpr double weighs = 1.0;
+  static constexpr std::size_t scalars = 0; ///< numbers that are summed up beside the forces
 
   /// @param store  takes the stress of forces where it is not that of the law alone
   template <bool force>
@@ -91,6 +92,14 @@ struct SoilPhase {
 struct WaterPhase {
   static constexpr Sum first_sum = Sum::water_mass;
   static constexpr double weighs = 0.0;
+  static constexpr std::size_t scalars = 2; ///< the volume of the soil, and that times rho_f g/k
+  static constexpr auto first_scalar = static_cast<std::size_t>(Sum::wet_volume);
+
+  template <typename Group>
+  static std::array<Lanes, scalars> scalars_of(const Particles& p, std::size_t k, Group group) {
+    const Lanes volume = group.load(&p.volume[k]);
+    return {volume, p.water->resistance() * volume};
+  }
 
   template <bool force>
   static Arrays arrays(const Particles& p, std::size_t first, std::size_t count, double* window,

@@ -103,6 +103,23 @@ struct Reader {
     }
   }
 
+  /// sum of a field of vectors times grad S
+  [[gnu::always_inline]] Lanes divergence(const NodeField& field_x, const NodeField& field_y) const {
+    std::array<Lanes, 4> along{};
+    std::array<Lanes, 4> up{};
+    for (std::size_t k = 0; k < count; ++k) {
+      const double* nodes_x = field_x.data() + first[k];
+      const double* nodes_y = field_y.data() + first[k];
+      along[k] = y_s[0][k] * load(nodes_x);
+      up[k] = y_g[0][k] * load(nodes_y);
+      for (std::size_t j = 1; j < rows; ++j) {
+        along[k] += y_s[j][k] * load(nodes_x += row);
+        up[k] += y_g[j][k] * load(nodes_y += row);
+      }
+    }
+    return dot(x.g, transposed(along)) + dot(x.s, transposed(up));
+  }
+
   /// sum S q of a field of numbers
   [[gnu::always_inline]] Lanes number(const NodeField& field) const {
     std::array<Lanes, 4> sums{};

@@ -183,6 +183,18 @@ template <typename Phase, Motion motion, bool force, bool affine, typename Boxes
       stream<Pulling>(w, count, arrays, [&](Pulling& sums, std::size_t c, auto is_first) {
         sums.template add<is_first>(arrays, w, c, g);
       });
+    if constexpr (force && Phase::scalars > 0) {
+      using Sums = ScalarSums<Phase::scalars, Boxes::rows>;
+      ChunkScalars<Phase::scalars> values;
+      by_fours(0, count, [&](std::size_t c, auto group) {
+        const std::array<Lanes, Phase::scalars> of_group = Phase::scalars_of(p, k + c, group);
+        for (std::size_t f = 0; f < Phase::scalars; ++f)
+          group.store(&values[f][c], of_group[f]);
+      });
+      stream<Sums>(
+          w, count, window + Phase::first_scalar * window_nodes,
+          [&](Sums& sums, std::size_t c, auto is_first) { sums.template add<is_first>(values, w, c); });
+    }
   }
   return seen.stencils(Boxes::rows);
 }
@@ -256,7 +268,7 @@ constexpr SumRange fields_of(Motion motion, bool force) {
                    : motion == Motion::momentum        ? Sum::momentum_x
                                                        : Sum::force_x;
   const SumRange fields = sums_between(from, force ? Sum::force_y : Sum::momentum_y);
-  return {first + fields.first, first + fields.end};
+  return {first + fields.first, first + fields.end + (force ? Phase::scalars : 0)};
 }
 
 /// Adds up what a tile's particles that touch several lattices bring to four nodes at a time.
@@ -277,33 +289,38 @@ template <typename Phase, Motion motion, bool force, bool affine>
 void scatter_across(const Particles& p, AcrossTile& tile, const BasisCells& cells, double gravity) {
   constexpr auto first = static_cast<std::size_t>(Phase::first_sum);
   constexpr auto at = [](Sum sum) { return first + static_cast<std::size_t>(sum); };
-  add_across_tile(tile, fields_of<Phase>(motion, force),
-                  [&](std::size_t k, const FourWeights& w, const auto& add) {
-                    const ParticleValues of = Phase::template of<affine>(p, k);
-                    const Lanes mass = of.mass * w.s;
-                    if constexpr (motion != Motion::none) {
-                      Lanes vx = all(of.vx);
-                      Lanes vy = all(of.vy);
-                      if constexpr (affine) {
-                        const InverseMoments& per = tile.weights.per_moments(k); // C = B D^-1
-                        const FourNodes& nodes = cells.four(w.four);
-                        const Lanes dx = nodes.x - p.x[k];
-                        const Lanes dy = nodes.y - p.y[k];
-                        vx += of.bxx * per.x * dx + of.bxy * per.y * dy;
-                        vy += of.byx * per.x * dx + of.byy * per.y * dy;
-                      }
-                      if constexpr (motion == Motion::mass_and_momentum)
-                        add(at(Sum::mass), mass);
-                      add(at(Sum::momentum_x), mass * vx);
-                      add(at(Sum::momentum_y), mass * vy);
-                    }
-                    if constexpr (force) {
-                      const auto& [sxx, syy, sxy] = of.stress;
-                      const double v = p.volume[k];
-                      add(at(Sum::force_x), -v * (sxx * w.gx + sxy * w.gy));
-                      add(at(Sum::force_y), -v * (sxy * w.gx + syy * w.gy) - gravity * mass);
-                    }
-                  });
+  add_across_tile(
+      tile, fields_of<Phase>(motion, force), [&](std::size_t k, const FourWeights& w, const auto& add) {
+        const ParticleValues of = Phase::template of<affine>(p, k);
+        const Lanes mass = of.mass * w.s;
+        if constexpr (motion != Motion::none) {
+          Lanes vx = all(of.vx);
+          Lanes vy = all(of.vy);
+          if constexpr (affine) {
+            const InverseMoments& per = tile.weights.per_moments(k); // C = B D^-1
+            const FourNodes& nodes = cells.four(w.four);
+            const Lanes dx = nodes.x - p.x[k];
+            const Lanes dy = nodes.y - p.y[k];
+            vx += of.bxx * per.x * dx + of.bxy * per.y * dy;
+            vy += of.byx * per.x * dx + of.byy * per.y * dy;
+          }
+          if constexpr (motion == Motion::mass_and_momentum)
+            add(at(Sum::mass), mass);
+          add(at(Sum::momentum_x), mass * vx);
+          add(at(Sum::momentum_y), mass * vy);
+        }
+        if constexpr (force) {
+          const auto& [sxx, syy, sxy] = of.stress;
+          const double v = p.volume[k];
+          add(at(Sum::force_x), -v * (sxx * w.gx + sxy * w.gy));
+          add(at(Sum::force_y), -v * (sxy * w.gx + syy * w.gy) - gravity * mass);
+          if constexpr (Phase::scalars > 0) {
+            const std::array<Lanes, Phase::scalars> values = Phase::scalars_of(p, k, FewerThanFour(1));
+            for (std::size_t f = 0; f < Phase::scalars; ++f)
+              add(Phase::first_scalar + f, values[f][0] * w.s);
+          }
+        }
+      });
 }
 
 template <typename Phase, Motion motion, bool force>

@@ -140,7 +140,7 @@ MixtureUpdate update_mixture(Domain& domain, double dt, std::span<const NodeRang
            grid.ax, grid.vx_after, grid.wx_after);
       const Lanes mid = kick(grid.force_y, grid.dashpot_y, grid.water_force_y, grid.open_y, grid.vy_before,
                              grid.wy_before, grid.ay, grid.vy_after, grid.wy_after);
-      weight_work -= (gravity * m.solid_mass - group.load(&grid.lift[n])) * mid;
+      weight_work -= gravity * m.solid_mass * mid;
     });
     return MixtureUpdate{sum(kinetic), dt * sum(weight_work), 0.5 * dt * dt * sum(relief), dt * sum(drag)};
   });

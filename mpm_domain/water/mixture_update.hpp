@@ -45,7 +45,7 @@ void find_flux(Domain& domain, std::span<const NodeRange> nodes);
 double remap_flux(Domain& domain, std::span<const NodeRange> nodes);
 
 /// Power of the weight that water takes off on the mean of the velocity before and after the update, W/m. The
-/// update of dry nodes has booked the whole weight.
+/// update has booked the whole weight of what moves with the grains.
 double lift_power(Domain& domain, std::span<const NodeRange> nodes);
 
 /// Likewise on the difference between the velocity after the update and the remapped one, W/m.

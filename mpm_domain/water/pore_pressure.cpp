@@ -5,8 +5,9 @@
 #include "mpm_domain/transfer/cell_means.hpp"
 #include "mpm_domain/transfer/for_samples.hpp"
 #include "mpm_domain/transfer/scatter_kernel.hpp"
-#include "mpm_domain/water/storage.hpp"
+#include "mpm_domain/water/pore_volume.hpp"
 
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -18,160 +19,199 @@ bool is_wet(const Particles& p) {
   return p.traits.wet;
 }
 
-std::size_t number_of(const Domain& domain, const Particles& p) {
-  return static_cast<std::size_t>(&p - domain.sets.data());
+WaitingPressures& waiting_of(Domain& domain, const Particles& p) {
+  return domain.waiting_pressures[static_cast<std::size_t>(&p - domain.sets.data())];
 }
 
-/// Adds up W and W dp of the particles of all cells, after `find(set, range or tile)` has found W dp.
-/// @param of_tile    (set, range, tile) finds W dp of particles on one lattice
-/// @param of_across  (set, tile) finds it of others
-/// @param product    W dp of particle k of set s
+void find_cells(const Particles& p, std::size_t begin, std::size_t end, const CellFinder& finder,
+                WaitingPressures& waiting) {
+  for (std::size_t k = begin; k < end; ++k) {
+    const CellFinder::Cell cell = finder.at(p.x[k], p.y[k]);
+    waiting.cell[k] = cell.node;
+    waiting.in_window[k] = static_cast<std::uint32_t>(cell.in_window);
+  }
+}
+
+/// The mean e of every cell, sum W e/sum W of its wet particles, which stands in cell_change then.
+/// @param of_tile    (set, range, tile) finds W e of particles on one lattice and their cells
+/// @param of_across  (set, tile) does so for others
+/// @param product    W e of particle k of set s
 template <typename OfTile, typename OfAcross, typename Product>
-void sum_cells(Domain& domain, const OfTile& of_tile, const OfAcross& of_across, const Product& product) {
+void average_in_cells(Domain& domain, const OfTile& of_tile, const OfAcross& of_across,
+                      const Product& product) {
   clear_cells(domain);
   ClockTiles& tiles = domain.clock_tiles.front();
   tiles.sums.add_to(domain.grid, cell_sums, domain.tiles, domain.workers, domain.windows,
                     [&](std::size_t n, double* window) {
                       const std::size_t tile = tiles.sums.filled()[n];
-                      const CellFinder finder(domain.tiles, tile);
                       const CellWindow sums(window);
+                      bool any = false;
                       for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-                        Particles& p = domain.sets[s];
+                        const Particles& p = domain.sets[s];
                         const ParticleRange range = p.in_block(domain.block(0, tile));
                         if (!is_wet(p) || range.begin == range.end)
                           continue;
+                        any = true;
                         of_tile(s, range, tile);
-                        for (std::size_t k = range.begin; k < range.end; ++k) {
-                          const CellFinder::Cell cell = finder.at(p.x[k], p.y[k]);
-                          domain.waiting_pressures[s].cell[k] = cell.node;
-                          sums.add(cell.in_window, storage_of(p, k), product(s, k));
-                        }
+                        const std::uint32_t* const cell = domain.waiting_pressures[s].in_window.data();
+                        for (std::size_t k = range.begin; k < range.end; ++k)
+                          sums.add(cell[k], pore_volume(p, k), product(s, k));
                       }
                       const NodeBlock place = domain.tiles.window(tile);
-                      return RowRange{place.row, place.end_row()};
+                      return any ? RowRange{place.row, place.end_row()} : RowRange{};
                     });
   domain.workers.run(tiles.across.size(), [&](std::size_t task) {
     const AcrossTile& tile = tiles.across[task];
-    const Particles& p = domain.sets[tile.set];
-    if (!is_wet(p))
-      return;
-    of_across(tile.set, tile);
-    const CellFinder finder(*domain.mesh);
-    for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k)
-      domain.waiting_pressures[tile.set].cell[k] = finder.at(p.x[k], p.y[k]).node;
+    if (is_wet(domain.sets[tile.set]))
+      of_across(tile.set, tile);
   });
   complete_cells(domain, tiles, is_wet, [&](std::size_t s, std::size_t k) {
-    return CellValues{domain.waiting_pressures[s].cell[k], storage_of(domain.sets[s], k), product(s, k)};
+    return CellValues{domain.waiting_pressures[s].cell[k], pore_volume(domain.sets[s], k), product(s, k)};
+  });
+  Grid& grid = domain.grid;
+  domain.workers.run(domain.row_count(), [&](std::size_t row) {
+    const NodeRange nodes = domain.row(row);
+    by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
+      const Lanes weight = group.load(&grid.cell_weight[n]);
+      group.store(&grid.cell_change[n], group.load(&grid.cell_change[n]) * inverse(weight, weight > 0.0));
+    });
   });
 }
 
-/// C of -dt (K_f/n) theta.
-template <bool remapped>
-void compress(Domain& domain, double dt) {
-  constexpr Wanted wanted{.gradient = true, .remapped = remapped};
-  const auto take = [&](std::size_t s, const VelocityFields& velocities, const auto&... where) {
-    const Particles& p = domain.sets[s];
-    double* const compression = domain.waiting_pressures[s].compression.data();
-    for_samples<wanted>(domain, p, where..., velocities, [&](std::size_t k, auto group, const Samples& q) {
-      group.store(&compression[k], -dt * group.load(&p.volume[k]) * (q.vx_x + q.vy_y));
-    });
+/// C of e = -dt theta/n.
+/// @param flux_x,flux_y  v_s + n w
+void compress(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y) {
+  const auto keep = [&](std::size_t s) {
+    return [&p = domain.sets[s], to = domain.waiting_pressures[s].compression.data(),
+            dt](std::size_t k, auto group, const Lanes& divergence) {
+      group.store(&to[k], -dt * group.load(&p.volume[k]) * divergence);
+    };
   };
-  // In a domain where water flows nowhere there is no flux but that of soil.
-  const VelocityFields velocities = domain.has_flow() ? of_water(domain.grid) : of_soil(domain.grid);
-  sum_cells(
+  average_in_cells(
       domain,
-      [&](std::size_t s, const ParticleRange& range, std::size_t tile) { take(s, velocities, range, tile); },
-      [&](std::size_t s, const AcrossTile& tile) { take(s, velocities, tile); },
+      [&](std::size_t s, const ParticleRange& range, std::size_t tile) {
+        const Particles& p = domain.sets[s];
+        for_divergences(domain, p, range, tile, flux_x, flux_y, keep(s));
+        find_cells(p, range.begin, range.end, CellFinder(domain.tiles, tile), domain.waiting_pressures[s]);
+      },
+      [&](std::size_t s, const AcrossTile& tile) {
+        for_divergences(tile, flux_x, flux_y, keep(s));
+        find_cells(domain.sets[s], tile.weights.first(), tile.weights.end(), CellFinder(*domain.mesh),
+                   domain.waiting_pressures[s]);
+      },
       [&](std::size_t s, std::size_t k) { return domain.waiting_pressures[s].compression[k]; });
+}
+
+/// Numbers that particles add to the nodes: what water takes off their weight, W, and W e.
+template <typename Group>
+std::array<Lanes, 3> numbers_of(Domain& domain, const Particles& p, std::size_t k, Group group) {
+  const Lanes lift = (1.0 - p.weight_share) * domain.spec.gravity * group.load(&p.mass[k]);
+  if (!is_wet(p))
+    return {lift, Lanes{}, Lanes{}};
+  const std::size_t* const cell = waiting_of(domain, p).cell.data() + k;
+  Lanes mean{};
+  for (std::size_t lane = 0; lane < group.count; ++lane)
+    mean[lane] = domain.grid.cell_change[cell[lane]];
+  const Lanes volume = pore_volume(p, k, group);
+  return {lift, volume, volume * mean};
 }
 
 /// The mean at nodes, which A takes of the means of cells.
 void average_at_nodes(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
   Grid& grid = domain.grid;
-  const auto product = [&](const Particles& p, std::size_t k) {
-    return storage_of(p, k) * mean_of_cell(grid, domain.waiting_pressures[number_of(domain, p)].cell[k]);
-  };
-  constexpr SumRange fields = sums_between(Sum::pressure_change, Sum::pressure_change);
-  clear(domain, NodeGroup::pressure, nodes);
+  constexpr SumRange fields = sums_between(Sum::lift, Sum::compression);
+  clear(domain, NodeGroup::pores, nodes);
+  clear(domain, NodeGroup::compression, nodes);
   for (const std::size_t row : ties)
-    grid.pressure_change[domain.ties().tied(row)] = 0.0; // they hold the last means
+    grid.compression[domain.ties().tied(row)] = 0.0; // they hold the last means
   add_sums(
       domain, 0, fields,
       [&](const Particles& p, std::size_t tile, double* window) {
-        if (!is_wet(p))
+        if (!p.water)
           return RowRange{};
-        return scatter_scalars<1>(domain, p, 0, tile, window, Sum::pressure_change,
-                                  [&](std::size_t k, auto group) {
-                                    Lanes products{};
-                                    for (std::size_t lane = 0; lane < group.count; ++lane)
-                                      products[lane] = product(p, k + lane);
-                                    return std::array{products};
-                                  });
+        return scatter_scalars<3>(domain, p, 0, tile, window, Sum::lift,
+                                  [&](std::size_t k, auto group) { return numbers_of(domain, p, k, group); });
       },
       [&](AcrossTile& tile) {
         const Particles& p = domain.sets[tile.set];
         add_across_tile(tile, fields, [&](std::size_t k, const FourWeights& w, const auto& add) {
-          if (is_wet(p))
-            add(fields.first, product(p, k) * w.s);
+          if (!p.water)
+            return;
+          const std::array<Lanes, 3> numbers = numbers_of(domain, p, k, FewerThanFour(1));
+          for (std::size_t f = 0; f < numbers.size(); ++f)
+            add(fields.first + f, numbers[f][0] * w.s);
         });
       });
-  fold(domain, NodeGroup::pressure, ties);
+  fold(domain, NodeGroup::pores, ties);
+  fold(domain, NodeGroup::compression, ties);
   domain.workers.run(nodes.size(), [&](std::size_t row) {
     by_fours(nodes[row].begin, nodes[row].end, [&](std::size_t n, auto group) {
-      const Lanes storage = group.load(&grid.storage[n]);
-      group.store(&grid.pressure_change[n],
-                  group.load(&grid.pressure_change[n]) * inverse(storage, storage > 0.0));
+      const Lanes volume = group.load(&grid.pore_volume[n]);
+      group.store(&grid.compression[n], group.load(&grid.compression[n]) * inverse(volume, volume > 0.0));
     });
   });
-  prolong(domain, NodeGroup::pressure, ties);
+  prolong(domain, NodeGroup::compression, ties);
 }
 
 /// C of what particles read from the nodes.
 void average_again(Domain& domain) {
-  const NodeField& mean = domain.grid.pressure_change;
+  const NodeField& mean = domain.grid.compression;
   const auto keep = [&](std::size_t s) {
     return [to = domain.waiting_pressures[s].change.data()](std::size_t k, auto group, const Lanes& change) {
       group.store(&to[k], change);
     };
   };
-  sum_cells(
+  average_in_cells(
       domain,
       [&](std::size_t s, const ParticleRange& range, std::size_t tile) {
         for_numbers(domain, domain.sets[s], range, tile, mean, keep(s));
       },
       [&](std::size_t s, const AcrossTile& tile) { for_numbers(tile, mean, keep(s)); },
       [&](std::size_t s, std::size_t k) {
-        return storage_of(domain.sets[s], k) * domain.waiting_pressures[s].change[k];
+        return pore_volume(domain.sets[s], k) * domain.waiting_pressures[s].change[k];
       });
 }
 
-/// Adds the increments to the pressures; returns the work by the trapezoidal rule.
+/// Adds the increments to the pressures of a range; returns the work by the trapezoidal rule.
+double add_increments(Domain& domain, Particles& p, std::size_t begin, std::size_t end) {
+  const WaitingPressures& waiting = waiting_of(domain, p);
+  const PoreWater& water = *p.water;
+  double work = 0.0;
+  for (std::size_t k = begin; k < end; ++k) {
+    const double before = p.pore_pressure[k];
+    const double after = before + water.fluid.bulk_modulus * domain.grid.cell_change[waiting.cell[k]];
+    p.pore_pressure[k] = after;
+    work += (0.5 * (water.pressure(before) + water.pressure(after)) - water.hydrostatic(p.y[k])) *
+            waiting.compression[k];
+  }
+  return work;
+}
+
 double add_increments(Domain& domain) {
-  std::vector<double> works(domain.sets.size());
-  domain.workers.run(works.size(), [&](std::size_t s) {
-    Particles& p = domain.sets[s];
-    if (!is_wet(p))
-      return;
-    const WaitingPressures& waiting = domain.waiting_pressures[s];
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      const double before = p.water->excess(p.pore_pressure[k], p.y[k]);
-      p.pore_pressure[k] += mean_of_cell(domain.grid, waiting.cell[k]);
-      const double after = p.water->excess(p.pore_pressure[k], p.y[k]);
-      works[s] += 0.5 * (before + after) * waiting.compression[k];
-    }
+  constexpr std::size_t part = 4096; // particles
+  struct Task {
+    Particles* set;
+    std::size_t begin, end;
+  };
+  std::vector<Task> tasks;
+  for (Particles& p : domain.sets)
+    for (std::size_t k = 0; is_wet(p) && k < p.size(); k += part)
+      tasks.push_back({&p, k, std::min(k + part, p.size())});
+  std::vector<double> works(tasks.size());
+  domain.workers.run(tasks.size(), [&](std::size_t task) {
+    works[task] = add_increments(domain, *tasks[task].set, tasks[task].begin, tasks[task].end);
   });
   return std::accumulate(works.begin(), works.end(), 0.0);
 }
 
 } // namespace
 
-double update_pressures(Domain& domain, double dt, bool remapped, std::span<const NodeRange> nodes,
-                        std::span<const std::size_t> ties) {
+double update_pressures(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y,
+                        std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     if (is_wet(domain.sets[s]))
       domain.waiting_pressures[s].resize(domain.sets[s].size());
-  // The flux is that which strains, whether remapped or not.
-  remapped || domain.has_flow() ? compress<true>(domain, dt) : compress<false>(domain, dt);
+  compress(domain, dt, flux_x, flux_y);
   average_at_nodes(domain, nodes, ties);
   average_again(domain);
   return add_increments(domain);

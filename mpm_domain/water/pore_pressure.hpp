@@ -10,13 +10,14 @@
 //
 // Every particle would then require its own change of volume, more than nodes can give: pressures would
 // oscillate within and between cells by several times the load, and shear waves in saturated soil would be
-// too fast by half. So increments are filtered with the pore volumes W = V n/K_f as weights, by C A C:
+// too fast by half. So what the water is compressed by, e = -dt theta/n = dp/K_f, is filtered with the pore
+// volumes W = V n as weights, by C A C:
 //
-//     C:  the mean of the particle's cell, sum W dp / sum W,
-//     A:  dp_i = sum_p W S_ip dp_p / sum_p W S_ip,    then dp_p = sum_i S_ip dp_i.
+//     C:  the mean of the particle's cell, sum W e / sum W,
+//     A:  e_i = sum_p W S_ip e_p / sum_p W S_ip,    then e_p = sum_i S_ip e_i.
 //
 // C and A are self-adjoint for these weights, and so is C A C, which A C is not: the filter can add no
-// energy. It keeps sum W dp = -dt sum V theta: no water is lost.
+// energy. It keeps sum W e = -dt sum V theta: no water is lost.
 
 #include "mpm_domain/domain.hpp"
 
@@ -24,11 +25,12 @@
 
 namespace tremolo::mpm_domain {
 
-/// Brings the pore pressures of all wet particles over a step of dt (s), before they move.
-/// @param remapped  whether soil without flow is strained by the remapped velocity, not by v+
-/// @param ties      rows of the prolongation whose tied nodes particles touch
+/// Brings the pore pressures of all wet particles over a step of dt (s), before they move. The nodes have
+/// what water takes off the weight of particles then, NodeFields::lift, wherever there is a pore pressure.
+/// @param flux_x,flux_y  v_s + n w at the nodes, tied ones too, m/s
+/// @param ties           rows of the prolongation whose tied nodes particles touch
 /// @returns the work that the pressures take up, J/m
-double update_pressures(Domain& domain, double dt, bool remapped, std::span<const NodeRange> nodes,
-                        std::span<const std::size_t> ties);
+double update_pressures(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y,
+                        std::span<const NodeRange> nodes, std::span<const std::size_t> ties);
 
 } // namespace tremolo::mpm_domain

@@ -3,7 +3,6 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/transfer/add_sums.hpp"
 #include "mpm_domain/transfer/scatter_kernel.hpp"
-#include "mpm_domain/water/storage.hpp"
 
 #include <array>
 
@@ -11,59 +10,37 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
+constexpr std::array water_sums{NodeGroup::water_mass, NodeGroup::water_momentum, NodeGroup::water_force};
+
 /// Soil without pores, or whose water does not flow, lets none enter: a resistance beyond all drag of soil
-/// takes the relative velocity of the nodes that it touches. Above the table it is dry and open.
+/// takes the relative velocity of the nodes that it touches. Above the table soil without pores is open.
 constexpr double sealed = 1e30; // Pa s/m2
 
-/// The numbers of a group of particles that add up to lift and storage; where water flows in the domain, to
-/// volume and resistance too.
-template <std::size_t count, typename Group>
-std::array<Lanes, count> pore_numbers(const Particles& p, const Spec& spec, std::size_t k, Group group) {
-  std::array<Lanes, count> numbers{};
-  numbers[0] = (1.0 - p.weight_share) * spec.gravity * group.load(&p.mass[k]);
-  if (p.traits.wet)
-    numbers[1] = storage_of(p, k, group);
-  if constexpr (count == 4) {
-    const Lanes volume = group.load(&p.volume[k]);
-    if (p.traits.flowing) {
-      numbers[2] = volume;
-      numbers[3] = p.water->resistance() * volume;
-    } else if (p.traits.wet) {
-      numbers[3] = sealed * volume;
-    } else if (!p.water) {
-      numbers[3] = choose(group.load(&p.y_initial[k]) < spec.water->level, sealed * volume, Lanes{});
-    }
-  }
-  return numbers;
+bool is_sealed(const Domain& domain, const Particles& p) {
+  return !p.traits.flowing && (p.traits.wet || !domain.spec.soils[p.soil_index].pores);
 }
 
-/// Whether any numbers of a set are to be added up.
-bool takes_part(const Domain& domain, const Particles& p) {
-  return p.water || (domain.has_flow() && !domain.spec.soils[p.soil_index].pores);
+template <typename Group>
+Lanes seal(const Particles& p, const Spec& spec, std::size_t k, Group group) {
+  const Lanes resistance = sealed * group.load(&p.volume[k]);
+  return p.traits.wet ? resistance
+                      : choose(group.load(&p.y_initial[k]) < spec.water->level, resistance, Lanes{});
 }
 
-template <std::size_t count>
-void add_pores(Domain& domain) {
-  constexpr SumRange fields{static_cast<std::size_t>(Sum::lift), static_cast<std::size_t>(Sum::lift) + count};
-  add_sums(
-      domain, 0, fields,
-      [&](const Particles& p, std::size_t tile, double* window) {
-        if (!takes_part(domain, p))
-          return RowRange{};
-        return scatter_scalars<count>(domain, p, 0, tile, window, Sum::lift, [&](std::size_t k, auto group) {
-          return pore_numbers<count>(p, domain.spec, k, group);
-        });
-      },
-      [&](AcrossTile& tile) {
-        const Particles& p = domain.sets[tile.set];
-        add_across_tile(tile, fields, [&](std::size_t k, const FourWeights& w, const auto& add) {
-          if (!takes_part(domain, p))
-            return;
-          const std::array<Lanes, count> numbers = pore_numbers<count>(p, domain.spec, k, FewerThanFour(1));
-          for (std::size_t f = 0; f < count; ++f)
-            add(fields.first + f, numbers[f][0] * w.s);
-        });
-      });
+RowRange seal_tile(const Domain& domain, const Particles& p, std::size_t tile, double* window) {
+  return scatter_scalars<1>(domain, p, 0, tile, window, Sum::resistance, [&](std::size_t k, auto group) {
+    return std::array{seal(p, domain.spec, k, group)};
+  });
+}
+
+/// @param fields  of the pass; without resistance it adds nothing
+void seal_across(const Domain& domain, AcrossTile& tile, SumRange fields) {
+  const Particles& p = domain.sets[tile.set];
+  const bool seals = fields.end > static_cast<std::size_t>(Sum::resistance) && is_sealed(domain, p);
+  add_across_tile(tile, fields, [&](std::size_t k, const FourWeights& w, const auto& add) {
+    if (seals)
+      add(static_cast<std::size_t>(Sum::resistance), seal(p, domain.spec, k, FewerThanFour(1))[0] * w.s);
+  });
 }
 
 template <Motion motion, bool force>
@@ -72,30 +49,25 @@ void add_water(Domain& domain) {
   add_sums(
       domain, 0, fields,
       [&](const Particles& p, std::size_t tile, double* window) {
-        return p.traits.flowing ? scatter_set<WaterPhase, motion, force>(domain, p, 0, tile, window)
-                                : RowRange{};
+        if (p.traits.flowing)
+          return scatter_set<WaterPhase, motion, force>(domain, p, 0, tile, window);
+        return force && is_sealed(domain, p) ? seal_tile(domain, p, tile, window) : RowRange{};
       },
       [&](AcrossTile& tile) {
         if (domain.sets[tile.set].traits.flowing)
           scatter_across_set<WaterPhase, motion, force>(domain, tile);
         else
-          add_across_tile(tile, fields, [](auto, const auto&, const auto&) {});
+          seal_across(domain, tile, fields);
       });
 }
 
 } // namespace
 
 void scatter_water(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
-  clear(domain, NodeGroup::pores, nodes);
-  if (domain.has_flow())
-    for (const NodeGroup group : {NodeGroup::water_mass, NodeGroup::water_momentum, NodeGroup::water_force})
-      clear(domain, group, nodes);
-  domain.has_flow() ? add_pores<4>(domain) : add_pores<2>(domain);
-  fold(domain, NodeGroup::pores, ties);
-  if (!domain.has_flow())
-    return;
+  for (const NodeGroup group : water_sums)
+    clear(domain, group, nodes);
   add_water<Motion::mass_and_momentum, true>(domain);
-  for (const NodeGroup group : {NodeGroup::water_mass, NodeGroup::water_momentum, NodeGroup::water_force})
+  for (const NodeGroup group : water_sums)
     fold(domain, group, ties);
 }
 
@@ -104,6 +76,28 @@ void scatter_water_momenta(Domain& domain, std::span<const NodeRange> nodes,
   clear(domain, NodeGroup::water_momentum, nodes);
   add_water<Motion::momentum, false>(domain);
   fold(domain, NodeGroup::water_momentum, ties);
+}
+
+void scatter_lift(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
+  constexpr SumRange fields = sums_between(Sum::lift, Sum::lift);
+  const auto lift_of = [&](const Particles& p) { return (1.0 - p.weight_share) * domain.spec.gravity; };
+  clear(domain, NodeGroup::pores, nodes);
+  add_sums(
+      domain, 0, fields,
+      [&](const Particles& p, std::size_t tile, double* window) {
+        if (!p.water)
+          return RowRange{};
+        return scatter_scalars<1>(domain, p, 0, tile, window, Sum::lift, [&](std::size_t k, auto group) {
+          return std::array{lift_of(p) * group.load(&p.mass[k])};
+        });
+      },
+      [&](AcrossTile& tile) {
+        const Particles& p = domain.sets[tile.set];
+        add_across_tile(tile, fields, [&](std::size_t k, const FourWeights& w, const auto& add) {
+          add(fields.first, lift_of(p) * p.mass[k] * w.s);
+        });
+      });
+  fold(domain, NodeGroup::pores, ties);
 }
 
 } // namespace tremolo::mpm_domain

@@ -1,11 +1,7 @@
 #pragma once
 
-// What soil below the water table adds up at the nodes beside mass, momentum and force
-// (transfer/scatter.hpp), of wet particles p with storage W_p = V_p n_p/K_f:
-//
-//     lift_i = sum_p S_ip (m_p g - weight_p),      storage_i = sum_p S_ip W_p,
-//
-// and of particles whose water flows:
+// What particles whose water flows add up at the nodes beside mass, momentum and force
+// (transfer/scatter.hpp):
 //
 //     m_f,i = sum S n rho_f V,      p_f,i = sum S n rho_f V (v_f + C_f (x_i - x)),
 //     V_i = sum S V,                R_i = sum S V rho_f g/k,      f_i = sum V p_e grad S.
@@ -26,5 +22,8 @@ void scatter_water(Domain& domain, std::span<const NodeRange> nodes, std::span<c
 /// The momentum of the water alone.
 void scatter_water_momenta(Domain& domain, std::span<const NodeRange> nodes,
                            std::span<const std::size_t> ties);
+
+/// Sums up what water takes off the weight, in a domain without pore pressure.
+void scatter_lift(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties);
 
 } // namespace tremolo::mpm_domain

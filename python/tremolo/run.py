@@ -14,12 +14,13 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from tremolo import links
+
 SCHEMA_MAJOR = "1"
 
 
 class DamagedRun(ValueError):
     """A run file that cannot be read as what it should hold; says which part of which file."""
-
 
 
 def _text(value):
@@ -68,7 +69,7 @@ class Run:
         if version.split(".")[0] != SCHEMA_MAJOR:
             raise ValueError(f"{self.path}: schema version {version}, this package reads {SCHEMA_MAJOR}.x")
         with self._reading("the frames"):
-            self._frames = sorted(self._file["frames"], key=int)
+            self._frames = sorted(links.names(self._file["frames"]), key=int)
             self.times = np.array([float(self._file["frames"][name].attrs["time"]) for name in self._frames])
 
     @contextlib.contextmanager
@@ -111,7 +112,8 @@ class Run:
     def frame(self, index):
         """Fields of one frame: name -> array [particles] or [particles, components]."""
         with self._reading(f"frame {index}"):
-            return {name: data[()] for name, data in self._file["frames"][self._frames[index]].items()}
+            frame = self._file["frames"][self._frames[index]]
+            return {name: frame[name][()] for name in links.names(frame)}
 
     def field(self, index, name):
         """One field of one frame."""
@@ -130,7 +132,7 @@ class Run:
     def monitors(self):
         """Names of the monitors."""
         with self._reading("the monitors"):
-            return sorted(self._file["monitors"])
+            return links.names(self._file["monitors"])
 
     def monitor(self, name):
         """Series of a monitor: time, x, y, ux, uy, vx, vy, ax, ay."""
@@ -152,7 +154,7 @@ class Run:
             if "boundary" not in self._file:
                 return None
             group = self._file["boundary"]
-            arrays = {name: data[()] for name, data in group.items()}
+            arrays = {name: group[name][()] for name in links.names(group)}
             whole = int(np.count_nonzero(~np.isnan(arrays["time"])))
             for name in ("time", "free_field_velocity", "domain_velocity", "traction"):
                 arrays[name] = arrays[name][:whole]

@@ -15,6 +15,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from tremolo import links
+
 STRAINS = ("eps_xx", "eps_yy", "gamma_xy")
 STRESSES = ("sig_xx", "sig_yy", "sig_zz", "sig_xy")
 STRESS_UNITS = {"kPa": 1e3, "Pa": 1.0}
@@ -46,7 +48,12 @@ def _table(file, name):
     """Columns of a table by name, None where the file has no such table."""
     if name not in file:
         return None
-    return {column: _plain(data[()]) for column, data in file[name].items() if isinstance(data, h5py.Dataset)}
+    group = file[name]
+    return {column: _plain(group[column][()]) for column in links.names(group) if isinstance(group[column], h5py.Dataset)}
+
+
+def _held(file, group):
+    return links.names(file[group]) if group in file else []
 
 
 def _required(file, path, name):
@@ -54,6 +61,28 @@ def _required(file, path, name):
     if not table:
         raise ValueError(f"{path}: has no table /{name}: not a file that `tremolo soiltest` wrote")
     return table
+
+
+def _soil_test(file, path):
+    about = {name: column[0] for name, column in _required(file, path, "about").items()}
+    histories = {name: _required(file, path, f"tests/{name}/history") for name in _held(file, "tests")}
+    if not histories:
+        raise ValueError(f"{path}: holds no test")
+    for name, history in histories.items():
+        missing = [c for c in ("step", "gamma_xy", "eps_yy", "sig_xy", "p", "q") if c not in history]
+        if missing:
+            raise ValueError(f"{path}: the history of test {name} has no column {', '.join(missing)}")
+    return SoilTest(
+        path=path,
+        about=about,
+        histories=histories,
+        summary=_required(file, path, "summary"),
+        parameters=_table(file, "parameters") or {},
+        lines={name: _table(file, f"lines/{name}") for name in _held(file, "lines")},
+        strength_curve=_table(file, "strength_curve"),
+        strength_target=_table(file, "strength_target"),
+        modulus_curve=_table(file, "modulus_curve"),
+    )
 
 
 def read(path):
@@ -71,25 +100,10 @@ def read(path):
     except OSError as error:
         raise OSError(f"{path}: cannot be read as HDF5: {error}") from error
     with file:
-        about = {name: column[0] for name, column in _required(file, path, "about").items()}
-        histories = {name: _required(file, path, f"tests/{name}/history") for name in sorted(file.get("tests", ()))}
-        if not histories:
-            raise ValueError(f"{path}: holds no test")
-        for name, history in histories.items():
-            missing = [c for c in ("step", "gamma_xy", "eps_yy", "sig_xy", "p", "q") if c not in history]
-            if missing:
-                raise ValueError(f"{path}: the history of test {name} has no column {', '.join(missing)}")
-        return SoilTest(
-            path=path,
-            about=about,
-            histories=histories,
-            summary=_required(file, path, "summary"),
-            parameters=_table(file, "parameters") or {},
-            lines={name: _table(file, f"lines/{name}") for name in file.get("lines", ())},
-            strength_curve=_table(file, "strength_curve"),
-            strength_target=_table(file, "strength_target"),
-            modulus_curve=_table(file, "modulus_curve"),
-        )
+        try:
+            return _soil_test(file, path)
+        except (OSError, RuntimeError, LookupError, TypeError, AttributeError, MemoryError) as error:
+            raise ValueError(f"{path}: cannot be read, the file is damaged: {error}") from error
 
 
 def _numbers(path):

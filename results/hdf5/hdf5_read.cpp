@@ -55,6 +55,10 @@ bool FileReader::exists(const std::string& name) const {
 std::vector<std::string> FileReader::children(const std::string& group_path) const {
   const Handle group(checked(H5Gopen2(root(), group_path.c_str(), H5P_DEFAULT), path_, "open " + group_path),
                      H5Gclose);
+  // Looking for a name that is not there decodes all links. H5Literate of libhdf5 1.10 does too, but where
+  // one is damaged it frees links that it has not read yet.
+  if (H5Lexists(group.get(), "no link has this name", H5P_DEFAULT) < 0)
+    throw_hdf5_error(path_, "list " + group_path);
   std::vector<std::string> names;
   const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
     static_cast<std::vector<std::string>*>(out)->emplace_back(name);

@@ -4,16 +4,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 namespace tremolo::scene {
 
 namespace {
 
+/// Errors that are told; what is behind them is mostly the same again.
+constexpr std::size_t most_told = 100;
+
 std::string all_messages(const std::vector<Finding>& errors) {
   std::string text;
-  for (const Finding& error : errors)
-    text += fmt::format("{}{}", text.empty() ? "" : "\n", error.message());
+  for (std::size_t i = 0; i < std::min(errors.size(), most_told); ++i)
+    text += fmt::format("{}{}", text.empty() ? "" : "\n", errors[i].message());
+  if (errors.size() > most_told)
+    text += fmt::format("\n{}: {} more errors like these", errors.back().file, errors.size() - most_told);
   return text;
 }
 

@@ -27,7 +27,8 @@ struct Finding {
   bool operator==(const Finding&) const = default;
 };
 
-/// Every error of one case file, in the order of the file; what() holds one message a line.
+/// Every error of one case file, in the order of the file; what() holds one message a line, of the first
+/// hundred.
 class CaseErrors : public std::runtime_error {
 public:
   explicit CaseErrors(std::vector<Finding> errors);

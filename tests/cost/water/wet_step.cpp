@@ -1,10 +1,10 @@
 // What pore water costs in a step of the domain: CPU time of 102,400 particles under water next to dry ones.
 //
-//   dry/<scheme>          elastic soil above the table
-//   drained/<scheme>      under water whose pressure stays hydrostatic
-//   undrained/<scheme>    with a pore pressure, and water that moves with the grains
-//   coupled/<scheme>      with water that flows
-//   sand/<drainage>       PM4Sand, apic and musl, at small strain
+//   elastic/dry_<scheme>          elastic soil above the table
+//   elastic/drained_<scheme>      under water whose pressure stays hydrostatic
+//   elastic/undrained_<scheme>    with a pore pressure, and water that moves with the grains
+//   elastic/coupled_<scheme>      with water that flows
+//   sand/<drainage>               PM4Sand, apic and musl, at small strain
 
 #include "materials/sand/pm4sand/pm4sand.hpp"
 #include "mpm_domain/step/stepper.hpp"
@@ -70,13 +70,14 @@ void elastic(benchmark::State& run, std::optional<Drainage> drainage, Transfer t
 }
 
 void sand(benchmark::State& run, std::optional<Drainage> drainage) {
-  const auto law = materials::pm4sand({.density = 1990.0, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.40});
+  const auto law =
+      materials::pm4sand({.density = 1990.0, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.40});
   step_on(run, square(law, drainage, Transfer::apic, StepOrder::musl));
 }
 
 #define SCHEMES(name, drainage)                                                                              \
-  BENCHMARK_CAPTURE(elastic, name/apic_musl, drainage, Transfer::apic, StepOrder::musl);                     \
-  BENCHMARK_CAPTURE(elastic, name/flip_usl, drainage, Transfer::flip, StepOrder::usl)
+  BENCHMARK_CAPTURE(elastic, name##_apic_musl, drainage, Transfer::apic, StepOrder::musl);                   \
+  BENCHMARK_CAPTURE(elastic, name##_flip_usl, drainage, Transfer::flip, StepOrder::usl)
 
 SCHEMES(dry, std::nullopt);
 SCHEMES(drained, Drainage::drained);

@@ -191,7 +191,7 @@ TEST(WaveCommand, SaysThatTheDiskIsFull) {
       run_tremolo("wave " + folder.write("case.toml", case_text("SV", "0")).string() + " --points " +
                   folder.write("points.csv", "x,y\n0,0\n").string() + " --times 0:1:0.1 --out /dev/full");
   EXPECT_EQ(status, 1);
-  EXPECT_EQ(output, "tremolo: /dev/full: cannot be written\n");
+  EXPECT_EQ(output, "tremolo: cannot write /dev/full: No space left on device\n");
 }
 
 } // namespace

@@ -102,6 +102,16 @@ TEST_F(MotionCommand, MakesPulsesAndTheMotionOfTheSlope) {
             read_record(TREMOLO_SOURCE_DIR "/cases/slope_oblique/motion.AT2").samples);
 }
 
+TEST_F(MotionCommand, AUnitThatTheHeaderDeniesIsTold) {
+  const auto record = folder / "record.AT2";
+  std::ofstream(record) << "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 4, DT= .01 SEC\n0.0 0.1 -0.1 0.0\n";
+  EXPECT_THAT(run_tremolo("motion " + record.string() + " --unit cm/s2").output,
+              HasSubstr("record.AT2: --unit cm/s2, but the file says g: the motion is taken 0.00102 times as "
+                        "strong as its file says\n"));
+  EXPECT_THAT(run_tremolo("motion " + record.string() + " --unit g").output,
+              ::testing::Not(HasSubstr("the file says")));
+}
+
 TEST_F(MotionCommand, RefusesInOneLine) {
   const auto error_of = [](const std::string& arguments) {
     const auto outcome = run_tremolo("motion " + arguments);
@@ -115,6 +125,8 @@ TEST_F(MotionCommand, RefusesInOneLine) {
                                                       "and lie below the Nyquist frequency, 50 Hz (0 leaves "
                                                       "a side open)\n");
   EXPECT_THAT(error_of(file.string() + " --damping -1"), HasSubstr("--damping: Value -1 not in range"));
+  for (const auto* number : {"--damping nan", "--scale inf", "--shift -inf", "--band 1,nan"})
+    EXPECT_THAT(error_of(file.string() + " " + number), HasSubstr("is no finite number")) << number;
   EXPECT_THAT(error_of(file.string() + " --as within"), HasSubstr("from outcrop to within the layers above"));
 }
 

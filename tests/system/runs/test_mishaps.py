@@ -85,6 +85,26 @@ class Mishaps(unittest.TestCase):
     def test_a_killed_domain_is_named(self):
         self.assertRegex(self.killed("tremolo-domain"), "domain.*(killed|signal 9|SIGKILL)")
 
+    def test_a_crash_is_told_in_words(self):
+        with Workspace(TREMOLO, **LONG) as work:
+            run = start(work)
+            wait_for_frames(work)
+            run.send_signal(signal.SIGSEGV)
+            output, _ = run.communicate(timeout=20)
+            self.assertEqual(-signal.SIGSEGV, run.returncode)
+            self.assertIn(f"tremolo: run {work.case} --out {work.path / 'run'} crashed (Segmentation fault). A damaged file", output)
+
+    def test_a_picture_whose_program_crashes_is_told_in_words(self):
+        with Workspace(TREMOLO, duration=0.1) as work:
+            folder = work.run("run")
+            package = work.path / "crashing"
+            package.mkdir()
+            (package / "sitecustomize.py").write_text("import os, signal, sys\nif 'tremolo' in sys.argv or '-m' in sys.orig_argv:\n"
+                                                      "    os.kill(os.getpid(), signal.SIGSEGV)\n")
+            done = subprocess.run([TREMOLO, "plot", folder], env={**os.environ, "PYTHONPATH": str(package)}, capture_output=True, text=True)
+            self.assertEqual(1, done.returncode)
+            self.assertIn("tremolo: python3 -m tremolo plot crashed (Segmentation fault). A damaged file can do that", done.stderr)
+
     def test_a_full_disk_is_said(self):
         limit = 200_000  # bytes a file may have: a few frames
 

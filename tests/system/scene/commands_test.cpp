@@ -85,7 +85,7 @@ TEST(Commands, DocsWritesBothFilesOrSaysWhyNot) {
   std::filesystem::remove_all(folder);
   const auto [status, output] = run_tremolo("docs /nowhere");
   EXPECT_EQ(status, 1);
-  EXPECT_EQ(output, "tremolo: /nowhere/case-file.md: cannot be written\n");
+  EXPECT_EQ(output, "tremolo: cannot write /nowhere/case-file.md: No such file or directory\n");
 }
 
 } // namespace

@@ -115,6 +115,26 @@ class ReadsADamagedRun(unittest.TestCase):
                 path.write_bytes(bytes_now)
                 self.assertEqual(0, self.told(path), f"seed {seed}")
 
+    def test_a_link_that_cannot_be_decoded_is_refused_in_words(self):
+        """tremolo writes the links of a group as messages of its header: version, flags, order, length of the name, name."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "run.h5"
+            with h5py.File(path, "w") as file:
+                file.attrs["schema_version"] = np.bytes_("1.0")
+                links = h5py.h5p.create(h5py.h5p.GROUP_CREATE)
+                links.set_link_creation_order(h5py.h5p.CRT_ORDER_TRACKED)
+                frames = h5py.Group(h5py.h5g.create(file.id, b"frames", gcpl=links))
+                for index in range(5):
+                    frames.create_group(f"{index:04}").attrs["time"] = 0.1 * index
+            content = bytearray(path.read_bytes())
+            name = content.index(b"\x040001")
+            self.assertEqual(1, content[name - 10])
+            content[name - 10] = 99
+            path.write_bytes(content)
+            self.assertEqual(0, self.told(path))
+            with self.assertRaisesRegex(DamagedRun, "run.h5: cannot read the frames, the file is damaged"):
+                Run(path)
+
     def test_an_unknown_monitor_is_named_with_those_that_exist(self):
         with tempfile.TemporaryDirectory() as folder:
             synthetic_run.write(Path(folder) / "run.h5", frames=1, size=5.0)

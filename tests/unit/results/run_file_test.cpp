@@ -186,6 +186,25 @@ TEST(RunFile, ReaderNamesTheFileAndTheReason) {
               ThrowsMessage<std::runtime_error>(HasSubstr("cannot open /frames/0000/pressure")));
 }
 
+/// A link of a group is a message of its header: version, flags, order of creation (8 bytes), length of the
+/// name, name (HDF5 File Format Specification IV.A.2.g). Where one cannot be decoded, libhdf5 1.10 frees
+/// links that it has not read.
+TEST(RunFile, ALinkThatCannotBeDecodedIsRefused) {
+  const Folder folder;
+  write_full_run(folder / "run.h5", 12);
+  std::fstream file(folder / "run.h5", std::ios::in | std::ios::out | std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  const auto name = bytes.find(std::string("\4") + "0001");
+  ASSERT_NE(name, std::string::npos);
+  ASSERT_EQ(bytes[name - 10], 1);
+  file.seekp(static_cast<std::streamoff>(name - 10));
+  file.put(99);
+  file.close();
+  EXPECT_THAT([&] { RunReader run(folder / "run.h5"); },
+              ThrowsMessage<std::runtime_error>(
+                  AllOf(HasSubstr("run.h5: cannot list /frames: "), HasSubstr("bad version number"))));
+}
+
 TEST(RunFile, RefusesAnotherMajorSchema) {
   const Folder folder;
   write_full_run(folder / "run.h5", 1);

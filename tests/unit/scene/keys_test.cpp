@@ -16,11 +16,15 @@
 namespace tremolo::scene::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
+using ::testing::ThrowsMessage;
 
 TEST(Keys, GoodCaseHasItsValuesAndDefaults) {
   const auto scene = parse_case(std::string(flat_case));
@@ -294,6 +298,10 @@ TEST(Text, ManyUnknownTablesAreTold) {
   for (int i = 0; i < 20000; ++i)
     text += "[x" + std::to_string(i) + "]\n";
   EXPECT_EQ(errors_of(text).size(), 20000U);
+  EXPECT_THAT(
+      [&] { parse_case(text); },
+      ThrowsMessage<CaseErrors>(AllOf(HasSubstr("unknown key 'x99'"), Not(HasSubstr("unknown key 'x100'")),
+                                      EndsWith("\ncase.toml: 19900 more errors like these"))));
 }
 
 /// What a terminal would obey.

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace tremolo::app {
+
+/// From now on a crash of this process (SIGSEGV, SIGBUS, SIGABRT, SIGFPE) is told in one line before it ends
+/// the process: the command line, the signal, and that a damaged file can be the reason, since libhdf5 itself
+/// crashes over some.
+void explain_crashes(int argc, char** argv);
+
+/// The same line of another process that a signal has ended; shorter where that was no crash.
+std::string crash_words(const std::string& command, int signal);
+
+} // namespace tremolo::app
