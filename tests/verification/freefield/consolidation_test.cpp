@@ -2,6 +2,7 @@
 // different permeability, flow under a constant head, and rest.
 
 #include "tests/support/saturated_ground.hpp"
+#include "tests/support/two_layer_consolidation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -75,66 +76,6 @@ INSTANTIATE_TEST_SUITE_P(TwoPhase, Terzaghi,
                                            Consolidation{1e8, 1e-5}),
                          [](const auto& one) { return "Case" + std::to_string(one.index + 1); });
 
-/// Eigenfunctions of two layers on an impervious base, p and k dp/dy continuous, found from the roots of
-/// k1 b1 tan(b1 h1) tan(b2 h2) = k2 b2, b_i = s/sqrt(c_i); layer 1 above. An initial p of 1.
-class TwoLayers {
-public:
-  TwoLayers(double h1, double c1, double k1, double h2, double c2, double k2)
-      : h1_(h1), c1_(c1), k1_(k1), h2_(h2), c2_(c2), k2_(k2) {
-    double previous = mismatch(1e-9);
-    for (double s = 1e-4; roots_.size() < 60; s += 1e-4) {
-      const double now = mismatch(s);
-      if ((now > 0.0) != (previous > 0.0))
-        roots_.push_back(refined(s - 1e-4, s));
-      previous = now;
-    }
-  }
-
-  /// p at depth d below the drained surface after time t.
-  double pressure(double d, double t) const {
-    double sum = 0.0;
-    for (const double s : roots_)
-      sum += coefficient(s) * shape(s, d) * std::exp(-s * s * t);
-    return sum;
-  }
-
-private:
-  double b1(double s) const { return s / std::sqrt(c1_); }
-  double b2(double s) const { return s / std::sqrt(c2_); }
-  /// Zero where flux and pressure are continuous.
-  double mismatch(double s) const {
-    return k1_ * b1(s) * std::cos(b1(s) * h1_) * std::cos(b2(s) * h2_) -
-           k2_ * b2(s) * std::sin(b1(s) * h1_) * std::sin(b2(s) * h2_);
-  }
-  double refined(double low, double high) const {
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      ((mismatch(middle) > 0.0) == (mismatch(low) > 0.0) ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-  }
-  double shape(double s, double d) const {
-    return d <= h1_ ? std::sin(b1(s) * d) / std::sin(b1(s) * h1_)
-                    : std::cos(b2(s) * (h1_ + h2_ - d)) / std::cos(b2(s) * h2_);
-  }
-  /// Orthogonal with the weight k/c = m_v rho_f g of each layer.
-  double coefficient(double s) const {
-    constexpr int n = 2000;
-    double top = 0.0, bottom = 0.0;
-    for (int i = 0; i < n; ++i) {
-      const double d1 = h1_ * (i + 0.5) / n;
-      const double d2 = h1_ + h2_ * (i + 0.5) / n;
-      const double w1 = k1_ / c1_ * h1_ / n, w2 = k2_ / c2_ * h2_ / n;
-      top += w1 * shape(s, d1) + w2 * shape(s, d2);
-      bottom += w1 * shape(s, d1) * shape(s, d1) + w2 * shape(s, d2) * shape(s, d2);
-    }
-    return top / bottom;
-  }
-
-  double h1_, c1_, k1_, h2_, c2_, k2_;
-  std::vector<double> roots_;
-};
-
 TEST(TwoPhaseColumnVerification, TwoLayersConsolidateLikeTheirEigenfunctions) {
   // A tight layer over a permeable one that is half as stiff.
   const Profile profile = wet_profile({wet_layer(1.0, 2e7, 1e-4), wet_layer(2.0, 1e7, 1e-3, 0.45)});
@@ -142,7 +83,7 @@ TEST(TwoPhaseColumnVerification, TwoLayersConsolidateLikeTheirEigenfunctions) {
     return materials::consolidation_coefficient(modulus, *profile.layers[i].pores, water, gravity);
   };
   const double c1 = c_of(0, 2e7), c2 = c_of(1, 1e7);
-  const TwoLayers exact(1.0, c1, 1e-4, 2.0, c2, 1e-3);
+  const test_support::TwoLayers exact(1.0, c1, 1e-4, 2.0, c2, 1e-3);
   constexpr double load = 1e4;
   auto settings = wet_settings(profile, 0.1);
   constexpr double ramp = 0.02; // s, short of all times of consolidation

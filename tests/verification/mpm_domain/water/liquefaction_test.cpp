@@ -134,7 +134,7 @@ struct Sand {
   double relative_density, G_o, h_po;
 };
 
-class LiquefyingPm4Sand : public testing::TestWithParam<Sand> {};
+class LiquefyingPm4Sand : public ::testing::TestWithParam<Sand> {};
 
 TEST_P(LiquefyingPm4Sand, IsThatOfTheReference) {
   const auto& [run, density, G_o, h_po] = GetParam();
@@ -158,7 +158,7 @@ TEST_P(LiquefyingPm4Sand, IsThatOfTheReference) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sands, LiquefyingPm4Sand,
-                         testing::Values(Sand{"B1", 0.35, 476.0, 0.53}, Sand{"B2", 0.55, 677.0, 0.40}),
+                         ::testing::Values(Sand{"B1", 0.35, 476.0, 0.53}, Sand{"B2", 0.55, 677.0, 0.40}),
                          [](const auto& sand) { return sand.param.run; });
 
 } // namespace
