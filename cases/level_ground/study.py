@@ -136,8 +136,8 @@ def picture(level, run, columns, path):
     for colour, (model, (*_, settlement, _)) in zip(style.COLOURS, columns.items()):
         axes[-1].plot(settlement["time"], 1e3 * settlement["settlement"], color=colour, linewidth=0.8)
     time = np.array([15.0, 25.0])
-    slope = 1e3 * PERMEABILITY * GRADIENT * (time - 15.0)
-    axes[-1].plot(time, columns["mpm"][3]["settlement"][-1] * 1e3 - slope[-1] + slope, "k:", label="slope $k\\gamma'/\\gamma_w$")
+    slope = columns["mpm"][3]["settlement"][-1] + PERMEABILITY * GRADIENT * (time - time[-1])
+    axes[-1].plot(time, 1e3 * slope, "k:", label="slope $k\\gamma'/\\gamma_w$")
     axes[-1].legend(loc="upper left")
     axes[-1].set(xlabel="t (s)", ylabel="settlement (mm)", xlim=(0.0, run.times[-1]))
     return style.save(figure, path.parent, path.name)

@@ -34,7 +34,7 @@ const std::vector<ParticleFieldDescription>& particle_field_table() {
       {"viscous_xy", "Pa", "viscous stress", damped, copied, "", &F::viscous_xy},
       {"pore_pressure", "Pa", "pore pressure, were there no cavitation", wet, copied, "", &F::pore_pressure},
       {"pressure_at_rest", "Pa", "pore pressure before the shaking", wet, copied, "", &F::pressure_at_rest},
-      {"vertical_at_rest", "Pa", "effective syy before the shaking", wet, copied, "", &F::vertical_at_rest},
+      {"vertical_at_rest", "Pa", "effective syy of the cell before the shaking", wet, copied, "", &F::vertical_at_rest},
       {"wx", "m/s", "velocity of the pore water", flowing, moved, "", &F::wx},
       {"wy", "m/s", "velocity of the pore water", flowing, moved, "", &F::wy},
       {"wbxx", "m2/s", "affine momentum over mass of the water", flowing_affine, moved, "", &F::wbxx},

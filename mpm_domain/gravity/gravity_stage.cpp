@@ -3,6 +3,7 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/step/time_step.hpp"
+#include "mpm_domain/transfer/cell_means.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 
@@ -101,6 +102,25 @@ private:
   std::vector<double> volume_, box_xx_, box_xy_, box_yy_;
 };
 
+/// Excess pressures are means of cells, and so is the stress that pore pressure ratios are taken over.
+void keep_vertical_stress(Domain& domain) {
+  const CellFinder finder = domain.mesh ? CellFinder(*domain.mesh) : CellFinder(domain.tiles, 0);
+  const auto over_wet = [&](const auto& act) {
+    for (Particles& set : domain.sets)
+      for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k)
+        act(set, k, finder.at(set.x[k], set.y[k]).node);
+  };
+  clear_cells(domain);
+  over_wet([&](const Particles& set, std::size_t k, std::size_t cell) {
+    domain.grid.cell_weight[cell] += set.volume[k];
+    domain.grid.cell_change[cell] += set.volume[k] * set.syy[k];
+  });
+  join_images_of_cells(domain);
+  over_wet([&](Particles& set, std::size_t k, std::size_t cell) {
+    set.vertical_at_rest[k] = mean_of_cell(domain.grid, cell);
+  });
+}
+
 /// The laws' memory begins with the stress under gravity, and with it the stiffness that the dashpots match.
 /// Returns the number of particles whose law could not hold that stress.
 std::size_t begin_history(Domain& domain) {
@@ -113,9 +133,8 @@ std::size_t begin_history(Domain& domain) {
                             std::abs(set.sxy[k] - before[2][k]);
       unheld += change > 1e-3 * (std::abs(before[0][k]) + std::abs(before[1][k])) ? 1 : 0;
     }
-    if (set.traits.wet)
-      set.vertical_at_rest = set.syy;
   }
+  keep_vertical_stress(domain);
   domain.boundary.match(domain.sets, domain.spec);
   return unheld;
 }

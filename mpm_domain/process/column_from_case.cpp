@@ -67,7 +67,8 @@ IncidentWave incident_wave(const materials::Elasticity& ground, const freefield:
 
 class SampledColumn final : public freefield::Column {
 public:
-  explicit SampledColumn(PeriodicColumnSpec spec) : column_(std::move(spec)) {}
+  explicit SampledColumn(PeriodicColumnSpec spec)
+      : width_(spec.domain.box.x_max - spec.domain.box.x_min), column_(std::move(spec)) {}
 
   void step() override { column_.step(); }
   double time() const override { return column_.time(); }
@@ -75,16 +76,28 @@ public:
   double base_level() const override { return column_.levels().front(); }
   double surface_level() const override { return column_.levels().back(); }
   void sample(std::span<const double> y, std::span<freefield::ColumnSample> samples) const override;
-  std::string report() const override {
-    return fmt::format("{} rows of particles, {} steps of {:.3g} s or parts of it",
-                       column_.levels().size() - 2, column_.steps(), time_step());
-  }
+  std::string report() const override;
 
 private:
   freefield::ColumnSample at(double y) const;
 
+  double width_; ///< m
   PeriodicColumn column_;
 };
+
+std::string SampledColumn::report() const {
+  std::string text = fmt::format("{} rows of particles, {} steps of {:.3g} s or parts of it",
+                                 column_.levels().size() - 2, column_.steps(), time_step());
+  constexpr double nothing = 1e-6; // J/m2: a micrometre a second in a thousand metres of soil
+  const EnergyLedger& energy = column_.energy();
+  const double given = energy.input + energy.dashpots + energy.static_ + energy.gravity;
+  if (given > nothing * width_)
+    text += fmt::format("; of the energy given, {:.4g} J/m2, {:.2g} % is missing, and {:.2g} % went between "
+                        "particles and grid",
+                        given / width_, 100.0 * std::abs(energy.residual()) / given,
+                        100.0 * std::abs(energy.transfer) / given);
+  return text;
+}
 
 void SampledColumn::sample(std::span<const double> y, std::span<freefield::ColumnSample> samples) const {
   constexpr double rounding = 1e-6; // m

@@ -65,6 +65,8 @@ std::vector<Pass> Stepper::recipe() {
   if (domain_.spec.scheme.order == StepOrder::usl) {
     if (domain_.has_pore_pressure())
       add("pore pressure", &Stepper::find_pressures);
+    if (domain_.has_water())
+      add("weight under water", &Stepper::book_lift);
     add("grid to particles, stress", &Stepper::gather_all);
   } else {
     add("grid to particles", &Stepper::gather_velocities);
@@ -72,10 +74,10 @@ std::vector<Pass> Stepper::recipe() {
     add("remapped velocities", &Stepper::remap);
     if (domain_.has_pore_pressure())
       add("pore pressure", &Stepper::find_pressures);
+    if (domain_.has_water())
+      add("weight under water", &Stepper::book_lift);
     add("strain and stress", &Stepper::gather_rest);
   }
-  if (domain_.has_water())
-    add("weight under water", &Stepper::book_lift);
   add("accelerations", &Stepper::gather_accelerations);
   return passes;
 }
