@@ -113,7 +113,8 @@ TEST_P(HardCase23, UndrainedFootingCarriesItsLimitLoad) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Drainages, HardCase23,
-                         testing::Values(materials::Drainage::undrained, materials::Drainage::coupled));
+                         testing::Values(materials::Drainage::undrained, materials::Drainage::coupled),
+                         [](const auto& drainage) { return std::string(tremolo::name(drainage.param)); });
 
 } // namespace
 } // namespace tremolo

@@ -65,7 +65,12 @@ TEST_P(UndrainedLoad, IsSharedByStiffness) {
 INSTANTIATE_TEST_SUITE_P(Stiffness, UndrainedLoad,
                          testing::Combine(testing::Values(1e7, 1e8, 5e8),
                                           testing::Values(materials::Drainage::coupled,
-                                                          materials::Drainage::undrained)));
+                                                          materials::Drainage::undrained)),
+                         [](const auto& test) {
+                           const long modulus = std::lround(std::get<0>(test.param) / 1e6);
+                           return std::to_string(modulus) + "MPa_" +
+                                  std::string(tremolo::name(std::get<1>(test.param)));
+                         });
 
 /// Endless drag is one velocity of grains and water: the two-velocity step gives what the step of locked
 /// soil gives, here under noise. Strains are minute, since the mass of water in a particle follows its pores
@@ -137,7 +142,11 @@ TEST_P(EndlessDrag, IsOneVelocity) {
 
 INSTANTIATE_TEST_SUITE_P(Schemes, EndlessDrag,
                          testing::Combine(testing::Values(Transfer::apic, Transfer::flip),
-                                          testing::Values(StepOrder::musl, StepOrder::usl)));
+                                          testing::Values(StepOrder::musl, StepOrder::usl)),
+                         [](const auto& test) {
+                           return std::string(tremolo::name(std::get<0>(test.param))) + "_" +
+                                  std::string(tremolo::name(std::get<1>(test.param)));
+                         });
 
 /// Speed of the front of pressure that a jerk of the base sends up: from the times at which half of the
 /// plateau behind it reaches two heights.
