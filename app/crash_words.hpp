@@ -9,7 +9,7 @@ namespace tremolo::app {
 /// crashes over some.
 void explain_crashes(int argc, char** argv);
 
-/// The same line of another process that a signal has ended; shorter where that was no crash.
+/// That line for another process that a signal has ended. It is shorter where that was no crash.
 std::string crash_words(const std::string& command, int signal);
 
 } // namespace tremolo::app

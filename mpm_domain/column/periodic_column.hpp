@@ -59,7 +59,7 @@ public:
   /// it is, and to zero at the water table, which is drained unless the soil there lets no water through.
   double pore_pressure_at(double y) const;
   long steps() const { return stepper_->steps(); }
-  /// Of its width, spec.domain.cell_size: J/m.
+  /// The ledger of the whole column, one cell wide, J/m.
   const EnergyLedger& energy() const { return domain_.energy; }
 
 private:

@@ -17,8 +17,8 @@ namespace tremolo::mpm_domain {
 PeriodicColumnSpec periodic_column_spec(const scene::Case& scene, const scene::SourceProcess& source,
                                         double x_line);
 
-/// The same as a free field that can be sampled at any level: linear between base, rows of particles and
-/// surface.
+/// That column as a free field that can be sampled at any level. It is linear between base, rows of particles
+/// and surface.
 /// @param needed_from  when its motion is first asked for, s
 /// @throws std::invalid_argument for layers that the column cannot have too
 std::unique_ptr<freefield::Column> column_from_case(const scene::Case& scene,

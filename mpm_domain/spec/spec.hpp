@@ -25,7 +25,7 @@ struct Soil {
   std::vector<materials::Law> finer_laws = {};
   /// beta of the viscous stress beta D_e : d eps/dt, s; 0: none.
   double damping_time = 0.0;
-  /// Of soil that lies below a water table; the density of its law is then the saturated one.
+  /// The pores of soil that may lie below a water table. The density of its law is then the saturated one.
   std::optional<materials::PoreSpace> pores = {};
 };
 

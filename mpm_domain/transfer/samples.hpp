@@ -167,7 +167,7 @@ struct VelocityFields {
 inline VelocityFields of_soil(const Grid& grid) {
   return {grid.vx_before, grid.vy_before, grid.vx_after, grid.vy_after, grid.vx_strain, grid.vy_strain};
 }
-/// Of water that flows; its strain is that of the flux of grains and water.
+/// The velocities of water that flows. What strains it is the flux of grains and water.
 inline VelocityFields of_water(const Grid& grid) {
   return {grid.wx_before, grid.wy_before, grid.wx_after, grid.wy_after, grid.flux_x, grid.flux_y};
 }

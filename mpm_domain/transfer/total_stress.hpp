@@ -31,7 +31,7 @@ template <typename Group>
          water.hydrostatic(group.load(&p.y[k]));
 }
 
-/// Of a group of particles from k on.
+/// The stress of a group of particles from k on.
 template <typename Group>
 [[gnu::always_inline]] inline TotalStressLanes total_stress(const Particles& p, std::size_t k, Group group) {
   TotalStressLanes s{group.load(&p.sxx[k]), group.load(&p.syy[k]), group.load(&p.sxy[k])};
@@ -48,7 +48,7 @@ template <typename Group>
   return s;
 }
 
-/// Of one particle.
+/// The stress of one particle.
 inline TotalStress total_stress(const Particles& p, std::size_t k) {
   const auto [xx, yy, xy] = total_stress(p, k, FewerThanFour(1));
   return {xx[0], yy[0], xy[0]};

@@ -11,7 +11,7 @@ Lanes pore_volume(const Particles& p, std::size_t k, Group group) {
   return group.load(&p.volume[k]) - p.water->grains_per_mass * group.load(&p.mass[k]);
 }
 
-/// Of one particle.
+/// V n of one particle, m2
 inline double pore_volume(const Particles& p, std::size_t k) {
   return p.volume[k] - p.water->grains_per_mass * p.mass[k];
 }

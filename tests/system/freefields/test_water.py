@@ -53,7 +53,7 @@ model = "kelvin_voigt"
 reference_hz = 5.0
 """ + STAGES
 
-# The same ground, its layers with the constants of the skeleton, dry, and of grains and water together: K_f/n = 5.5 GPa.
+# This ground has layers with the constants of the skeleton, dry, and of grains and water together: K_f/n = 5.5 GPa.
 YOUNG, POISSON = 150e6, 0.25
 SHEAR_MODULUS, BULK_MODULUS = YOUNG / (2 * (1 + POISSON)), YOUNG / (3 * (1 - 2 * POISSON)) + 5.5e9
 LAYERS = f"""
