@@ -56,6 +56,16 @@ LayeredField::LayeredField(LayeredHalfSpace profile, const Incidence& incidence,
   }
 }
 
+LayeredField LayeredField::with_signal(Signal signal, double velocity_scale) const {
+  SynthesisOptions options = options_;
+  options.velocity_scale = velocity_scale;
+  return {profile_, incidence_, surface_level_, std::move(signal), options};
+}
+
+bool LayeredField::has_tails(Part part) const {
+  return wavefield::has_tails(setup(part));
+}
+
 FieldSetup LayeredField::setup(Part part) const {
   return {profile_, incidence_, surface_level_, signal_, part};
 }

@@ -21,6 +21,9 @@ struct SynthesisOptions {
   /// Synthesis at complex frequencies s = i omega + epsilon: what wraps around is damped by exp(-epsilon T).
   /// Valid for causal fields only, and refused elsewhere.
   bool exponential_window = false;
+  /// Velocity that the window's error is relative to, m/s, where the surface moves less: that of a motion of
+  /// which this one is a part.
+  double velocity_scale = 0.0;
 };
 
 /// Largest change of each kind of quantity when the window is doubled, relative to its peak.
@@ -64,6 +67,15 @@ public:
 
   /// Horizontal slowness, s/m: the field at x is the field at x_0 delayed by slowness_x() (x - x_0).
   double slowness_x() const { return tremolo::wavefield::slowness_x(profile_.half_space, incidence_); }
+
+  /// The same waves of a part of the incident motion.
+  /// @param velocity_scale  of the whole motion, m/s (SynthesisOptions)
+  LayeredField with_signal(Signal signal, double velocity_scale) const;
+  const Signal& signal() const { return signal_; }
+
+  /// Whether the field has algebraic tails: beyond the critical angle, with constant and with Kjartansson
+  /// damping.
+  bool has_tails(Part part) const;
 
   double top_of_half_space() const { return surface_level_ - profile_.thickness(); } ///< m
   const LayeredHalfSpace& profile() const { return profile_; }

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -63,10 +64,17 @@ std::array<const std::vector<double>*, ServedSteps::values_per_level> series(con
 
 } // namespace
 
-ServedSteps::ServedSteps(std::size_t steps) : steps_(steps), file_(unnamed_file()) {}
+ServedSteps::ServedSteps(std::size_t levels, const std::vector<std::size_t>& pieces)
+    : levels_(levels), file_(unnamed_file()) {
+  std::uint64_t first = 0;
+  for (const std::size_t steps : pieces) {
+    pieces_.push_back({first, steps});
+    first += steps;
+  }
+}
 
 ServedSteps::ServedSteps(ServedSteps&& other) noexcept
-    : steps_(other.steps_), levels_(other.levels_), bytes_(other.bytes_), lots_(std::move(other.lots_)),
+    : levels_(other.levels_), pieces_(std::move(other.pieces_)), lots_(std::move(other.lots_)),
       file_(std::exchange(other.file_, -1)) {}
 
 ServedSteps::~ServedSteps() {
@@ -74,32 +82,35 @@ ServedSteps::~ServedSteps() {
     ::close(file_);
 }
 
-void ServedSteps::append(std::span<const History> levels) {
-  const Lot lot{levels.size(), bytes_};
-  const std::size_t row_bytes = lot.levels * level_bytes;
-  const std::size_t block_steps = std::max<std::size_t>(1, block_bytes / row_bytes);
+std::size_t ServedSteps::place(const Piece& piece, std::uint64_t step, std::size_t first_level,
+                               std::size_t levels) const {
+  return level_bytes * (piece.first * levels_ + first_level * piece.steps + (step - piece.first) * levels);
+}
+
+void ServedSteps::put(std::size_t piece, std::size_t first_level, std::span<const History> levels) {
+  const Piece& at = pieces_.at(piece);
+  lots_[first_level] = levels.size();
+  const std::size_t block_steps = std::max<std::size_t>(1, block_bytes / (levels.size() * level_bytes));
   std::vector<double> block;
-  for (std::size_t first = 0; first < steps_; first += block_steps) {
-    const std::size_t last = std::min(steps_, first + block_steps);
+  for (std::size_t first = 0; first < at.steps; first += block_steps) {
+    const std::size_t last = std::min(at.steps, first + block_steps);
     block.clear();
     for (std::size_t step = first; step < last; ++step)
       for (const History& level : levels)
         for (const auto* values : series(level))
           block.push_back(values->at(step));
     const auto bytes = std::as_bytes(std::span<const double>(block));
-    transfer_all(::pwrite, file_, bytes.data(), bytes.size(), lot.place + first * row_bytes);
+    transfer_all(::pwrite, file_, bytes.data(), bytes.size(),
+                 place(at, at.first + first, first_level, levels.size()));
   }
-  bytes_ += steps_ * row_bytes;
-  levels_ += lot.levels;
-  lots_.push_back(lot);
 }
 
 void ServedSteps::read(std::uint64_t step, std::span<double> values) const {
+  const Piece& piece = *std::prev(std::ranges::upper_bound(pieces_, step, {}, &Piece::first));
   auto* to = std::as_writable_bytes(values).data();
-  for (const Lot& lot : lots_) {
-    const std::size_t row_bytes = lot.levels * level_bytes;
-    transfer_all(::pread, file_, to, row_bytes, lot.place + step * row_bytes);
-    to += row_bytes;
+  for (const auto& [first_level, levels] : lots_) {
+    transfer_all(::pread, file_, to, levels * level_bytes, place(piece, step, first_level, levels));
+    to += levels * level_bytes;
   }
 }
 

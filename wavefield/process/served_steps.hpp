@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -21,33 +22,37 @@ public:
   /// vx, vy, sxx, syy, sxy and their time derivatives.
   static constexpr std::size_t values_per_level = 10;
 
-  /// @param steps of every level
+  /// @param levels of every step
+  /// @param pieces how many steps each of the pieces has in which they come, one after the other
   /// @throws std::runtime_error with the folder and the system's reason, as all of these
-  explicit ServedSteps(std::size_t steps);
+  ServedSteps(std::size_t levels, const std::vector<std::size_t>& pieces);
   ~ServedSteps();
   ServedSteps(ServedSteps&& other) noexcept;
   ServedSteps& operator=(ServedSteps&&) = delete;
 
-  /// Adds the next levels, from the lowest up, with velocity, stress and their rates.
-  void append(std::span<const History> levels);
+  /// Levels of a piece, from the lowest up, with velocity, stress and their rates; together with the same
+  /// ones in every piece.
+  void put(std::size_t piece, std::size_t first_level, std::span<const History> levels);
 
-  [[nodiscard]] std::size_t levels() const { return levels_; }
-
-  /// One step of all levels.
+  /// One step of all levels, all of which have been put.
   /// @param values out: values_per_level of each level, from the lowest up
   void read(std::uint64_t step, std::span<double> values) const;
 
 private:
-  /// Levels that were added together: [steps][levels][values_per_level] from a place in the file on.
-  struct Lot {
-    std::size_t levels = 0;
-    std::size_t place = 0; ///< bytes
+  /// Steps from the first one to that of the next piece. In the file a piece holds its lots, levels that were
+  /// put together, as [steps][levels][values_per_level], the lowest first.
+  struct Piece {
+    std::uint64_t first = 0;
+    std::size_t steps = 0;
   };
 
-  std::size_t steps_;
-  std::size_t levels_ = 0;
-  std::size_t bytes_ = 0;
-  std::vector<Lot> lots_;
+  /// Of a step of some levels of a piece, the lowest one of a lot.
+  std::size_t place(const Piece& piece, std::uint64_t step, std::size_t first_level,
+                    std::size_t levels) const;
+
+  std::size_t levels_;
+  std::vector<Piece> pieces_;
+  std::map<std::size_t, std::size_t> lots_; ///< first level -> number of levels
   int file_;
 };
 

@@ -6,6 +6,7 @@
 #include "scene/case.hpp"
 #include "scene/plan/motion.hpp"
 #include "scene/plan/service.hpp"
+#include "wavefield/layers/long_field.hpp"
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/served_steps.hpp"
 
@@ -31,10 +32,7 @@ constexpr double samples_per_period = 20.0;
 constexpr std::size_t levels_per_beat = 32;
 
 /// Of all steps of the levels that are computed together.
-constexpr std::size_t most_lot_bytes = std::size_t{64} << 20;
-
-/// Velocity, stress and their rates; nothing else is sent.
-constexpr wavefield::Quantities served_quantities{.displacement = false, .strain = false};
+constexpr std::size_t most_lot_bytes = std::size_t{32} << 20;
 
 std::vector<coupler::FieldDescription> descriptions(const scene::Service& service, double slowness_x,
                                                     double dt) {
@@ -52,23 +50,30 @@ std::vector<coupler::FieldDescription> descriptions(const scene::Service& servic
   return fields;
 }
 
-/// The field at all its levels, some at a time, with a sign of life after each lot: a long record takes a
-/// while. A lot of a long record is smaller, so that it does not need more memory than a shorter one.
+/// The field at all its levels, some at a time, with a sign of life after each piece of time: a long record
+/// takes a while.
 /// @param done levels of the fields before this one
 wavefield::ServedSteps served_steps(const wavefield::LayeredField& field,
-                                    const coupler::FieldDescription& served, std::size_t done,
+                                    const coupler::FieldDescription& served, double done,
                                     coupler::SourceClient& client) {
   const bool incident = served.name == scene::name(scene::BaseForm::incident);
   const wavefield::Part part = incident ? wavefield::Part::incident : wavefield::Part::total;
   const auto points = wavefield::points_on_line(served.x_reference, served.y);
   const wavefield::TimeGrid times{served.start_time, served.time_step, served.step_count};
-  const std::size_t level_bytes = served.step_count * coupler::values_per_point * sizeof(double);
+  const wavefield::LongField whole(field, points, times, part);
+  std::vector<std::size_t> pieces;
+  for (const wavefield::TimeGrid& piece : whole.pieces())
+    pieces.push_back(piece.count);
+  const std::size_t level_bytes = pieces.front() * coupler::values_per_point * sizeof(double);
   const std::size_t lot_levels = std::clamp<std::size_t>(most_lot_bytes / level_bytes, 1, levels_per_beat);
-  wavefield::ServedSteps steps(served.step_count);
+  wavefield::ServedSteps steps(points.size(), pieces);
   for (std::size_t begin = 0; begin < points.size(); begin += lot_levels) {
     const auto lot = std::span(points).subspan(begin, std::min(lot_levels, points.size() - begin));
-    steps.append(field.sample(lot, times, part, served_quantities));
-    client.beat(static_cast<double>(done + steps.levels()));
+    whole.sample(lot, [&](std::size_t piece, const std::vector<wavefield::History>& histories) {
+      steps.put(piece, begin, histories);
+      done += static_cast<double>(lot.size() * pieces[piece]) / static_cast<double>(times.count);
+      client.beat(done);
+    });
   }
   return steps;
 }
@@ -96,10 +101,10 @@ void run(const coupler::ParticipantOptions& options) {
   synthesis.start();
   std::vector<wavefield::ServedSteps> computed;
   computed.reserve(fields.size());
-  std::size_t levels = 0;
+  double levels = 0.0;
   for (const coupler::FieldDescription& served : fields) {
     computed.push_back(served_steps(field, served, levels, client));
-    levels += computed.back().levels();
+    levels += static_cast<double>(served.y.size());
   }
   synthesis.stop();
 

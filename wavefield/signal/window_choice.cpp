@@ -26,11 +26,6 @@ bool has_branch_point(const FieldSetup& setup) {
   return setup.profile.damping.model == DampingModel::kjartansson && is_damped(setup.profile);
 }
 
-/// Algebraic tails, for ever: of a kink and of a branch point at zero frequency.
-bool has_tails(const FieldSetup& setup) {
-  return setup.has_kink() || has_branch_point(setup);
-}
-
 /// Only delayed copies of the signal: any window that holds them is exact.
 bool is_sum_of_pulses(const FieldSetup& setup) {
   return !has_tails(setup) && !is_damped(setup.profile) &&
@@ -54,6 +49,10 @@ Window window_with(const FieldSetup& setup, const TimeGrid& grid, const Interval
 }
 
 } // namespace
+
+bool has_tails(const FieldSetup& setup) {
+  return setup.has_kink() || has_branch_point(setup);
+}
 
 Interval interval_of(const FieldSetup& setup, std::span<const Point> points, const TimeGrid& grid) {
   const HalfSpace& deep = setup.profile.half_space;
@@ -80,9 +79,9 @@ Interval interval_of(const FieldSetup& setup, std::span<const Point> points, con
 }
 
 double relative_change(const std::vector<History>& a, const std::vector<History>& b,
-                       std::span<std::vector<double> History::*const> kind) {
+                       std::span<std::vector<double> History::*const> kind, double least) {
   double difference = 0.0;
-  double peak = 0.0;
+  double peak = least;
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (const auto series : kind) {
       for (std::size_t t = 0; t < (a[i].*series).size(); ++t) {
@@ -121,7 +120,8 @@ Window choose_window(const FieldSetup& setup, std::span<const Point> points, con
     padding *= 2.0;
     const Window doubled = window(padding);
     std::vector<History> with_doubled = motion(doubled);
-    const double still = relative_change(with_chosen, with_doubled, std::array{&History::vx, &History::vy});
+    const double still = relative_change(with_chosen, with_doubled, std::array{&History::vx, &History::vy},
+                                         options.velocity_scale);
     if (still <= tolerance)
       return chosen;
     if (doubled.length > largest_chosen_window) {
