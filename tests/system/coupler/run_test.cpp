@@ -123,14 +123,14 @@ TEST_F(CoupledRun, SourceThatNeverStartsIsNamedAtTheConnectDeadline) {
 TEST_F(CoupledRun, StuckSourceIsNamedAtTheStepDeadline) {
   for (const Mode mode : {Mode::window, Mode::lockstep}) {
     auto what = options("right stuck 100\n", mode);
-    what.deadlines.step = 1.0;
+    what.deadlines.step = brief;
     EXPECT_THAT(failure(what), HasSubstr("domain 'domain' waits for source 'right', field 'total', step 64"));
   }
 }
 
 TEST_F(CoupledRun, SourceThatRunsInCirclesIsNamedAtTheStepDeadlineThoughItBeats) {
   auto what = options("right circles 100\n");
-  what.deadlines.step = 1.0;
+  what.deadlines.step = brief;
   EXPECT_THAT(failure(what), HasSubstr("domain 'domain' waits for source 'right', field 'total', step 64"));
 }
 
@@ -143,7 +143,7 @@ TEST_F(CoupledRun, SourceThatReportsWorkMayTakeLongerThanTheStepDeadline) {
 
 TEST_F(CoupledRun, StuckDomainIsNamedAtTheStepDeadline) {
   auto what = options("domain stuck 100\n");
-  what.deadlines.step = 1.0;
+  what.deadlines.step = brief;
   EXPECT_THAT(failure(what),
               AllOf(HasSubstr("the hub waits for the velocities of step 64 of domain 'domain'"),
                     HasSubstr("its last sign of life")));
