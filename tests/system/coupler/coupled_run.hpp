@@ -20,13 +20,6 @@ namespace tremolo::coupler {
 
 namespace fs = std::filesystem;
 
-/// A step deadline that is waited for, s. Instrumented processes take longer over their first steps.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr double brief = 5.0;
-#else
-inline constexpr double brief = 1.0;
-#endif
-
 class CoupledRun : public testing::Test {
 protected:
   void SetUp() override {
