@@ -1,12 +1,13 @@
 #include "mpm_domain/particles/fill.hpp"
 
 #include "mesh/polygon.hpp"
-#include "mesh/polygon_measures.hpp"
+#include "mpm_domain/spec/plot.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -20,32 +21,6 @@ int count_along(double length, double size) {
         fmt::format("the model box is {:.6g} m long, which is not a multiple of the particle size {:.6g} m",
                     length, size));
   return static_cast<int>(std::lround(n));
-}
-
-/// The part of a particle's square that no structure takes.
-struct Plot {
-  double x, y; ///< of its centroid, m
-  double area; ///< m2
-};
-
-/// Squares that structures leave less of than this share carry no particle.
-constexpr double least_plot = 0.01;
-
-Plot plot_outside(const std::vector<Structure>& structures, double x, double y, double size) {
-  const double l = 0.5 * size;
-  double area = size * size;
-  double first_x = 0.0; // moments about (x, y)
-  double first_y = 0.0;
-  for (const Structure& structure : structures) {
-    const mesh::PolygonMeasures taken =
-        mesh::measures(mesh::part_in(structure.outline, {x - l, y - l, x + l, y + l}));
-    area -= taken.area;
-    first_x -= taken.area * (taken.x - x);
-    first_y -= taken.area * (taken.y - y);
-  }
-  if (area < least_plot * size * size)
-    return {x, y, 0.0};
-  return {x + first_x / area, y + first_y / area, area};
 }
 
 void add_particle(Particles& set, std::uint32_t id, const Plot& plot) {
@@ -148,18 +123,21 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
 
   std::vector<Particles> sets = empty_sets(spec, tree ? tree->finest() : 0);
   const std::vector<Kind> kinds = kinds_of(spec);
+  const auto regions = std::views::transform(spec.regions, &Region::polygon);
+  const auto structures = std::views::transform(spec.structures, &Structure::outline);
   const auto add = [&](int level, double x, double y) {
-    const auto region = std::find_if(spec.regions.rbegin(), spec.regions.rend(),
-                                     [&](const Region& r) { return mesh::inside(r.polygon, x, y); });
+    const Plot plot = plot_of(regions, structures, x, y, particle_size(spec, level));
+    if (plot.area == 0.0)
+      return;
+    const auto region = std::find_if(spec.regions.rbegin(), spec.regions.rend(), [&](const Region& r) {
+      return mesh::inside(r.polygon, x, y) || (plot.x != x && mesh::inside(r.polygon, plot.x, plot.y));
+    });
     if (region == spec.regions.rend())
       return;
     const bool under_water = spec.water && spec.soils[region->soil].pores && y < spec.water->level;
     const auto kind = std::ranges::find_if(kinds, [&](const Kind& candidate) {
       return candidate.soil == region->soil && candidate.under_water == under_water;
     });
-    const Plot plot = plot_outside(spec.structures, x, y, particle_size(spec, level));
-    if (plot.area == 0.0)
-      return;
     Particles& set =
         sets[static_cast<std::size_t>(level) * kinds.size() + static_cast<std::size_t>(kind - kinds.begin())];
     add_particle(set, static_cast<std::uint32_t>(set.size()), plot);
