@@ -24,6 +24,17 @@ Grid make_grid(const Spec& spec) {
   return grid;
 }
 
+/// What structures ask of the rest of the spec.
+void check_structures(const Spec& spec) {
+  if (spec.scheme.transfer != Transfer::apic || spec.scheme.subcycle)
+    throw std::invalid_argument("structures need the transfer apic and the same step on all levels");
+  for (const Structure& structure : spec.structures)
+    if (structure.friction.size() != spec.soils.size() || structure.adhesion.size() != spec.soils.size())
+      throw std::invalid_argument(
+          fmt::format("structure '{}' needs friction and adhesion for each of {} soils", structure.name,
+                      spec.soils.size()));
+}
+
 const Spec& checked(const Spec& spec) {
   const auto refuse_unless = [](bool good, std::string_view what, double value, std::string_view range) {
     if (!good)
@@ -60,6 +71,8 @@ const Spec& checked(const Spec& spec) {
     if (spec.water && soil.pores)
       materials::validate(*soil.pores);
   }
+  if (!spec.structures.empty())
+    check_structures(spec);
   if (spec.water) {
     materials::validate(spec.water->fluid);
     refuse_unless(spec.gravity > 0.0, "gravity above a water table (m/s2)", spec.gravity, "> 0");
@@ -156,6 +169,7 @@ void find_reach(Domain& domain) {
   domain.soil_rows = find_soil_rows(domain);
   domain.soil_ties = find_soil_ties(domain);
   domain.image_rows = rows_of_images(domain.ties(), domain.soil_ties);
+  domain.contact.follow_sort(domain);
   weigh_across(domain);
 }
 
@@ -173,7 +187,7 @@ void weigh_across(Domain& domain, int slowest_clock) {
 }
 
 Domain::Domain(const Spec& specification)
-    : spec(checked(specification)), grid(make_grid(spec)), workers(spec.threads) {
+    : spec(checked(specification)), grid(make_grid(spec)), contact(spec), workers(spec.threads) {
   rebuild_mesh(*this);
   sets = fill(spec, mesh ? &mesh->tree() : nullptr);
   for (const Particles& set : sets) {

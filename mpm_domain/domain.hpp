@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mpm_domain/boundary/boundary.hpp"
+#include "mpm_domain/contact/contact.hpp"
 #include "mpm_domain/grid/across_weights.hpp"
 #include "mpm_domain/grid/graded_mesh.hpp"
 #include "mpm_domain/grid/grid.hpp"
@@ -76,6 +77,7 @@ struct Domain {
   std::vector<WaitingStrains> waiting_strains;     ///< by set, within a gather
   std::vector<WaitingPressures> waiting_pressures; ///< by set, while pore pressures are found
   Boundary boundary;
+  Contact contact;
   EnergyLedger energy;
   BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them
   TileMap tiles;

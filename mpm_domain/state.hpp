@@ -89,6 +89,7 @@ void save(const Domain& domain, Writer& to) {
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     save(domain.sets[s], "soil" + std::to_string(s), to);
   domain.boundary.save(to);
+  domain.contact.save(to);
   to.write("energy", domain.energy.state());
 }
 
@@ -106,6 +107,7 @@ void restore(Domain& domain, const Reader& from) {
   }
   domain.boundary.follow_sort(domain);
   domain.boundary.restore(from);
+  domain.contact.restore(from);
   find_reach(domain);
   domain.energy.set_state(numbers_of_size(from, "energy", domain.energy.state().size()));
 }

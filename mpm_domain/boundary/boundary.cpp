@@ -22,10 +22,6 @@ constexpr std::size_t most_clocks = mesh::finest_level_allowed + 1;
 /// A node with less of a face is not touched by it: rounding of weights.
 constexpr double negligible = 1e-12;
 
-double dot(const Vector& a, const Vector& b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 constexpr std::size_t faces_per_task = 64;
 
 /// act(f) for all faces, portions of them side by side.

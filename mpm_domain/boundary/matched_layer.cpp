@@ -12,10 +12,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-double dot(const Vector& a, const Vector& b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 /// Where a face begins and ends along its side, m.
 struct Reach {
   double from;

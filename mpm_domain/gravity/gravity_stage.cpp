@@ -24,6 +24,7 @@ constexpr long report_every = 100;
 /// Which directions of a node are fixed, and which nodes carry soil.
 struct Supports {
   std::vector<unsigned char> fixed_x, fixed_y, full;
+  std::vector<unsigned char> met; ///< nodes that structures touch
 };
 
 bool on_line(double a, double b, double h) {
@@ -56,15 +57,19 @@ void find_supports(const Domain& domain, const Lattice& lattice, Supports& suppo
 Supports find_supports(const Domain& domain, Reactions& reactions) {
   const std::size_t nodes = domain.grid.size();
   Supports supports{std::vector<unsigned char>(nodes, 0), std::vector<unsigned char>(nodes, 0),
-                    std::vector<unsigned char>(nodes, 0)};
+                    std::vector<unsigned char>(nodes, 0), std::vector<unsigned char>(nodes, 0)};
+  for (std::size_t b = 0; b < domain.contact.bodies().size(); ++b)
+    for (const ContactNode& contact : domain.contact.nodes(b))
+      supports.met[contact.node] = 1;
   for (int level = 0; level < domain.lattice_count(); ++level)
     find_supports(domain, domain.lattice(level), supports, reactions);
   return supports;
 }
 
-/// One relaxation step on the grid; returns the residual: ||f|| over free directions by ||m g|| over all
-/// nodes.
-double relax_grid(Domain& domain, const Supports& supports, double dt, double alpha) {
+/// One relaxation step on the grid and of the structures, which stick to the soil where they are bonded;
+/// returns the residual: ||f|| over free directions by ||m g|| over all nodes. A structure's forces and those
+/// of the nodes that it touches count with what contact adds to them.
+double relax_grid(Domain& domain, const Supports& supports, double dt, double alpha, bool bonded) {
   Grid& grid = domain.grid;
   const double keep = (1.0 - 0.5 * alpha * dt) / (1.0 + 0.5 * alpha * dt);
   const double gain = dt / (1.0 + 0.5 * alpha * dt);
@@ -79,9 +84,12 @@ double relax_grid(Domain& domain, const Supports& supports, double dt, double al
     const double fy = supports.fixed_y[n] ? 0.0 : grid.force_y[n];
     grid.vx_after[n] = supports.fixed_x[n] ? 0.0 : keep * v.x + gain * fx / m;
     grid.vy_after[n] = supports.fixed_y[n] ? 0.0 : keep * v.y + gain * fy / m;
-    unbalanced += fx * fx + fy * fy;
+    if (!supports.met[n])
+      unbalanced += fx * fx + fy * fy;
     applied += m * m * domain.spec.gravity * domain.spec.gravity;
   }
+  if (domain.contact.any())
+    unbalanced += domain.contact.relax(domain, keep, gain, bonded);
   return std::sqrt(unbalanced / applied);
 }
 
@@ -141,6 +149,31 @@ std::size_t begin_history(Domain& domain) {
 
 } // namespace
 
+namespace {
+
+/// Where a relaxation has ended.
+struct Relaxed {
+  long step;
+  double residual;
+};
+
+/// Relaxes once more with structures that may slide and part from the soil, so that the shaking begins
+/// without a kick. If that finds no rest, the bonded state stays.
+/// @returns whether it did
+template <typename Relax>
+bool release(Domain& domain, const Relax& relax) {
+  const std::vector<Particles> bonded = domain.sets;
+  const bool rests = relax();
+  if (!rests) {
+    domain.sets = bonded;
+    scatter(domain, ScatterPart::force);
+  }
+  domain.contact.end_rest();
+  return rests;
+}
+
+} // namespace
+
 Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                               const GravityProgress& progress) {
   if (!(domain.spec.gravity > 0.0))
@@ -156,6 +189,7 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   const std::vector<Geometry> given(domain.sets.begin(), domain.sets.end());
 
   scatter(domain, ScatterPart::motion);
+  domain.contact.begin_rest(domain);
   for (NodeField* velocity : {&domain.grid.vx_after, &domain.grid.vy_after})
     std::fill(velocity->begin(), velocity->end(), 0.0);
   Reactions reactions;
@@ -167,25 +201,33 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   const double alpha = std::numbers::pi * slowest / depth;
   const double dt = domain.spec.scheme.fraction * critical_skeleton_step(domain); // pore pressures stay
 
-  double residual = 0.0;
-  for (long step = 0;; ++step) {
-    scatter(domain, ScatterPart::force);
-    residual = relax_grid(domain, supports, dt, alpha);
-    prolong(domain, NodeGroup::velocity);
-    if (step % report_every == 0)
-      progress(step, residual);
-    if (residual < settings.residual)
-      break;
-    if (!(static_cast<double>(step) * dt < settings.max_time))
-      throw std::runtime_error(
-          fmt::format("the gravity stage did not come to rest: residual {:.3g} after {:.3g} s of "
-                      "relaxation, wanted {:.3g}; the slope may not be stable under its weight",
-                      residual, settings.max_time, settings.residual));
-    gather(domain, dt, {.strain = true});
-    // Geometry is given: volumes, boxes and places do not change.
-    for (std::size_t s = 0; s < domain.sets.size(); ++s)
-      given[s].restore(domain.sets[s]);
-  }
+  const auto relax = [&](bool bonded, long first, double time) {
+    Relaxed relaxed{first, 0.0};
+    for (long step = first;; ++step) {
+      scatter(domain, ScatterPart::force);
+      relaxed = {step, relax_grid(domain, supports, dt, alpha, bonded)};
+      prolong(domain, NodeGroup::velocity);
+      if (step % report_every == 0)
+        progress(step, relaxed.residual);
+      if (relaxed.residual < settings.residual || !(static_cast<double>(step - first) * dt < time))
+        return relaxed;
+      gather(domain, dt, {.strain = true});
+      // Geometry is given: volumes, boxes and places do not change.
+      for (std::size_t s = 0; s < domain.sets.size(); ++s)
+        given[s].restore(domain.sets[s]);
+    }
+  };
+  const Relaxed rest = relax(true, 0, settings.max_time);
+  if (!(rest.residual < settings.residual))
+    throw std::runtime_error(
+        fmt::format("the gravity stage did not come to rest: residual {:.3g} after {:.3g} s of "
+                    "relaxation, wanted {:.3g}; the slope may not be stable under its weight",
+                    rest.residual, settings.max_time, settings.residual));
+  if (domain.contact.any())
+    reactions.slipping = !release(domain, [&] {
+      const double time = std::max(settings.max_time, 2.0 * static_cast<double>(rest.step) * dt);
+      return relax(false, rest.step, time).residual < settings.residual;
+    });
 
   reactions.force.assign(domain.grid.size(), Vector{});
   for (const std::size_t n : reactions.base)

@@ -9,6 +9,10 @@
 // where soil weighs what it weighs under water, and its pore pressure stays hydrostatic. It damps the slowest
 // mode of a layer of depth H critically and every other at the same rate. It ends when the unbalanced force
 // in the free directions, ||f|| over the norm of all nodal weights, is below the stated residual.
+//
+// Structures stand in place, bonded to the soil. Once all rests, bonds become contact with friction, and the
+// stage goes on until all rests again. Where it cannot, since a structure stands on a slope that is too
+// steep for it, say, the bonded state is kept.
 
 #include "mpm_domain/domain.hpp"
 
@@ -22,6 +26,7 @@ struct Reactions {
   std::vector<std::size_t> base;  ///< nodes fixed in x and y
   std::vector<std::size_t> sides; ///< nodes fixed in x only
   std::vector<Vector> force;      ///< one per node of the grid; zero where free
+  bool slipping = false;  ///< structures do not rest on their friction: they begin to move when bonds end
   std::size_t unheld = 0; ///< particles whose stress was more than their law can hold and has been cut
 };
 

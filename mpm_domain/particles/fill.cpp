@@ -1,6 +1,7 @@
 #include "mpm_domain/particles/fill.hpp"
 
 #include "mesh/polygon.hpp"
+#include "mesh/polygon_measures.hpp"
 
 #include <fmt/format.h>
 
@@ -21,13 +22,40 @@ int count_along(double length, double size) {
   return static_cast<int>(std::lround(n));
 }
 
-void add_particle(Particles& set, std::uint32_t id, double x, double y, double size) {
+/// The part of a particle's square that no structure takes.
+struct Plot {
+  double x, y; ///< of its centroid, m
+  double area; ///< m2
+};
+
+/// Squares that structures leave less of than this share carry no particle.
+constexpr double least_plot = 0.01;
+
+Plot plot_outside(const std::vector<Structure>& structures, double x, double y, double size) {
+  const double l = 0.5 * size;
+  double area = size * size;
+  double first_x = 0.0; // moments about (x, y)
+  double first_y = 0.0;
+  for (const Structure& structure : structures) {
+    const mesh::PolygonMeasures taken =
+        mesh::measures(mesh::part_in(structure.outline, {x - l, y - l, x + l, y + l}));
+    area -= taken.area;
+    first_x -= taken.area * (taken.x - x);
+    first_y -= taken.area * (taken.y - y);
+  }
+  if (area < least_plot * size * size)
+    return {x, y, 0.0};
+  return {x + first_x / area, y + first_y / area, area};
+}
+
+void add_particle(Particles& set, std::uint32_t id, const Plot& plot) {
   set.id.push_back(id);
   set.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.push_back(0.0); });
+  const auto [x, y, area] = plot;
   set.x.back() = set.x_initial.back() = x;
   set.y.back() = set.y_initial.back() = y;
-  set.volume.back() = size * size;
-  set.mass.back() = set.density * size * size;
+  set.volume.back() = area;
+  set.mass.back() = set.density * area;
   if (set.traits.own_boxes)
     set.box_xx.back() = set.box_yy.back() = set.half_size * set.half_size;
   if (set.traits.wet)
@@ -129,9 +157,12 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
     const auto kind = std::ranges::find_if(kinds, [&](const Kind& candidate) {
       return candidate.soil == region->soil && candidate.under_water == under_water;
     });
+    const Plot plot = plot_outside(spec.structures, x, y, particle_size(spec, level));
+    if (plot.area == 0.0)
+      return;
     Particles& set =
         sets[static_cast<std::size_t>(level) * kinds.size() + static_cast<std::size_t>(kind - kinds.begin())];
-    add_particle(set, static_cast<std::uint32_t>(set.size()), x, y, particle_size(spec, level));
+    add_particle(set, static_cast<std::uint32_t>(set.size()), plot);
   };
   if (tree)
     for (const mesh::Cell& leaf : tree->leaves())

@@ -1,19 +1,17 @@
 #pragma once
 
-#include "coupler/eq6/boundary_traction.hpp"
 #include "materials/law/law.hpp"
 #include "materials/water/pore_water.hpp"
 #include "mesh/quadtree.hpp"
 #include "mpm_domain/fields/particle_fields.hpp"
 #include "mpm_domain/spec/numerics.hpp"
+#include "mpm_domain/spec/structure.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace tremolo::mpm_domain {
-
-using eq6::Vector;
 
 /// An axis-parallel rectangle, m.
 using Box = mesh::Rectangle;
@@ -53,6 +51,8 @@ struct Spec {
   std::optional<GroundWater> water = {};
   std::vector<Soil> soils;
   std::vector<Region> regions;
+  std::vector<Structure> structures = {};
+  ContactNormals normals = ContactNormals::gradient;
   Scheme scheme;
   Sides sides = Sides::free_field;
   /// Sides whose scattered waves a matched layer takes up instead of dashpots, and its depth in cells.

@@ -62,6 +62,8 @@ std::vector<Pass> Stepper::recipe() {
     add("matched layers", &Stepper::react);
   passes.push_back({"boundary tractions", [this] { domain_.boundary.apply(domain_, ticks_, nodes_); }});
   add("grid update", domain_.has_flow() ? &Stepper::update_with_flow : &Stepper::update);
+  if (domain_.contact.any())
+    add("contact", &Stepper::meet_bodies);
   if (domain_.spec.scheme.order == StepOrder::usl) {
     if (domain_.has_pore_pressure())
       add("pore pressure", &Stepper::find_pressures);
@@ -78,6 +80,8 @@ std::vector<Pass> Stepper::recipe() {
       add("weight under water", &Stepper::book_lift);
     add("strain and stress", &Stepper::gather_rest);
   }
+  if (domain_.contact.any())
+    add("bodies", &Stepper::move_bodies);
   add("accelerations", &Stepper::gather_accelerations);
   return passes;
 }
@@ -186,7 +190,8 @@ void Stepper::update() {
     energy.gravity += sums.gravity_work;
     energy.dashpots += sums.dashpot_relief;
   }
-  finish_update();
+  if (!domain_.contact.any())
+    finish_update();
 }
 
 void Stepper::update_with_flow() {
@@ -198,12 +203,24 @@ void Stepper::update_with_flow() {
   energy.gravity += sums.gravity_work;
   energy.dashpots += sums.dashpot_relief;
   energy.drag += sums.drag;
+  if (!domain_.contact.any())
+    finish_update();
+}
+
+void Stepper::meet_bodies() {
+  EnergyLedger& energy = domain_.energy;
+  const ContactWork work = domain_.contact.meet(domain_, kicks_.front());
+  kinetic_.front() += work.kinetic;
+  energy.gravity += work.gravity;
+  energy.drag += work.drag;
+  energy.friction += work.friction;
+  energy.impact += work.impact;
   finish_update();
 }
 
 void Stepper::finish_update() {
   EnergyLedger& energy = domain_.energy;
-  energy.kinetic = std::accumulate(kinetic_.begin(), kinetic_.end(), 0.0);
+  energy.kinetic = std::accumulate(kinetic_.begin(), kinetic_.end(), 0.0) + domain_.contact.kinetic_energy();
   if (!std::isfinite(energy.kinetic))
     throw std::runtime_error(
         fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
@@ -257,6 +274,8 @@ void Stepper::remap() {
   }
   if (domain_.has_flow())
     domain_.energy.transfer += 0.5 * kicks_.front() * remap_flux(domain_, nodes_.of(0));
+  if (domain_.contact.any())
+    domain_.energy.transfer += 0.5 * kicks_.front() * domain_.contact.meet_remapped(domain_);
 }
 
 /// The update and the remap have booked all of the weight.
@@ -299,6 +318,10 @@ void Stepper::gather_rest() {
     shared_.add_mean(clock);
   }
   book(sums);
+}
+
+void Stepper::move_bodies() {
+  domain_.contact.move(domain_, dt_);
 }
 
 /// Accelerations are for output alone.

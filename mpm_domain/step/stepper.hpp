@@ -30,7 +30,7 @@ struct Pass {
 ///   rest
 ///
 /// Soil below the water table adds passes of its own: water to grid and back, and pore pressures before the
-/// particles move (water/).
+/// particles move (water/). Structures add contact after the update, and their own motion (contact/).
 ///
 /// It runs on a list of clocks (ticks.hpp): passes after the sort run at every tick for the clocks that begin
 /// or end a step of theirs with it. Where all particles take the same step there is one clock and one tick.
@@ -97,6 +97,7 @@ private:
   void react();
   void update();
   void update_with_flow();
+  void meet_bodies();
   void finish_update();
   void read_water();
   void gather_all();
@@ -106,6 +107,7 @@ private:
   void find_pressures();
   void book_lift();
   void gather_rest();
+  void move_bodies();
   void gather_accelerations();
 
   void book_transfer(double kinetic_gain);

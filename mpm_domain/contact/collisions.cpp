@@ -1,0 +1,103 @@
+#include "mpm_domain/contact/collisions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// What a unit impulse along a direction at an arm changes of a motion.
+RigidMotion answer(const Response& r, const Vector& direction, const Vector& arm) {
+  const double turn = cross(arm, direction);
+  const auto row = [&](std::size_t i) {
+    return r[3 * i] * direction.x + r[3 * i + 1] * direction.y + r[3 * i + 2] * turn;
+  };
+  return {{row(0), row(1)}, row(2)};
+}
+
+void add(RigidMotion& to, const RigidMotion& change, double factor) {
+  to.velocity.x += factor * change.velocity.x;
+  to.velocity.y += factor * change.velocity.y;
+  to.spin += factor * change.spin;
+}
+
+void find_corners(std::span<const RigidBody> bodies, std::size_t owner, std::size_t other, double friction,
+                  double distance, std::vector<CornerContact>& corners) {
+  const mesh::Rectangle box = bodies[other].bounds();
+  for (const Vector& corner : bodies[owner].outline()) {
+    if (corner.x < box.x_min - distance || corner.x > box.x_max + distance ||
+        corner.y < box.y_min - distance || corner.y > box.y_max + distance)
+      continue;
+    const RigidBody::Nearest nearest = bodies[other].nearest(corner);
+    if (nearest.distance >= distance)
+      continue;
+    CornerContact& found = corners.emplace_back();
+    found.a = other; // the normal out of it points to the owner of the corner
+    found.b = owner;
+    found.arm_a = bodies[other].arm(corner);
+    found.arm_b = bodies[owner].arm(corner);
+    found.normal = nearest.normal;
+    found.gap = nearest.distance;
+    found.friction = friction;
+  }
+}
+
+} // namespace
+
+std::vector<CornerContact> find_corners(std::span<const RigidBody> bodies, std::span<const double> friction,
+                                        double distance) {
+  std::vector<CornerContact> corners;
+  for (std::size_t a = 0; a < bodies.size(); ++a)
+    for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+      const double of_both = std::min(friction[a], friction[b]);
+      find_corners(bodies, a, b, of_both, distance, corners);
+      find_corners(bodies, b, a, of_both, distance, corners);
+    }
+  return corners;
+}
+
+double resolve(std::span<CornerContact> corners, std::span<RigidMotion> motions,
+               std::span<const Response> responses, double dt) {
+  constexpr int sweeps = 200;
+  double most = 0.0;
+  std::vector<std::pair<double, double>> before;
+  for (const CornerContact& c : corners)
+    before.emplace_back(c.normal_impulse, c.tangential_impulse);
+  for (int k = 0; k < sweeps; ++k) {
+    double change = 0.0;
+    double scale = 0.0;
+    for (CornerContact& c : corners) {
+      const Vector tangent{-c.normal.y, c.normal.x};
+      // One direction; returns by how much the impulse changes.
+      const auto push = [&](const Vector& direction, double wanted_speed, double impulse, double low,
+                            double high) {
+        const RigidMotion of_a = answer(responses[c.a], direction, c.arm_a);
+        const RigidMotion of_b = answer(responses[c.b], direction, c.arm_b);
+        const double soft = dot(direction, of_a.at(c.arm_a)) + dot(direction, of_b.at(c.arm_b));
+        const double speed =
+            dot(direction, motions[c.b].at(c.arm_b)) - dot(direction, motions[c.a].at(c.arm_a));
+        const double after = std::clamp(impulse + (wanted_speed - speed) / soft, low, high);
+        add(motions[c.a], of_a, impulse - after);
+        add(motions[c.b], of_b, after - impulse);
+        change = std::max(change, std::abs(after - impulse));
+        scale = std::max(scale, std::abs(after));
+        return after;
+      };
+      c.normal_impulse = push(c.normal, -std::max(0.0, c.gap) / dt, c.normal_impulse, 0.0,
+                              std::numeric_limits<double>::max());
+      const double limit = c.friction * c.normal_impulse;
+      c.tangential_impulse = push(tangent, 0.0, c.tangential_impulse, -limit, limit);
+    }
+    if (change <= 1e-13 * scale)
+      break;
+  }
+  for (std::size_t n = 0; n < corners.size(); ++n)
+    most = std::max({most, std::abs(corners[n].normal_impulse - before[n].first),
+                     std::abs(corners[n].tangential_impulse - before[n].second)});
+  return most;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,399 @@
+#include "mpm_domain/contact/contact.hpp"
+
+#include "mpm_domain/domain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+Vector sum(const Vector& a, const Vector& b) {
+  return {a.x + b.x, a.y + b.y};
+}
+
+void add(RigidLoad& to, const Vector& force, const Vector& arm) {
+  to.force = sum(to.force, force);
+  to.moment += cross(arm, force);
+}
+
+double square(const Vector& a) {
+  return dot(a, a);
+}
+
+Vector mean(const Vector& a, const Vector& b) {
+  return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+}
+
+ContactWork sum(const ContactWork& a, const ContactWork& b) {
+  return {a.kinetic + b.kinetic, a.gravity + b.gravity, a.drag + b.drag, a.friction + b.friction,
+          a.impact + b.impact};
+}
+
+/// Gives water its change of motion. Drag has been booked on the mean of w before contact.
+ContactWork add_to_water(Grid& grid, const ContactNode& c, double density, double dt) {
+  const std::size_t n = c.node;
+  const Vector before{grid.wx_after[n], grid.wy_after[n]};
+  const Vector water = sum(before, c.water_change);
+  grid.wx_after[n] = water.x;
+  grid.wy_after[n] = water.y;
+  const double push = dt * c.water_mass / (density * grid.wet_volume[n]);
+  const Vector drag{push * grid.water_force_x[n] - c.water_mass * (c.water_trial.x - c.water_before.x),
+                    push * grid.water_force_y[n] - c.water_mass * (c.water_trial.y - c.water_before.y)};
+  return {.kinetic = 0.5 * c.water_mass * (square(water) - square(before)),
+          .drag =
+              0.5 * dot(drag, {c.water_change.x - c.solid_change.x, c.water_change.y - c.solid_change.y})};
+}
+
+std::optional<WaterAtRest> water_at_rest(const Spec& spec) {
+  if (!spec.water)
+    return std::nullopt;
+  return WaterAtRest{spec.water->level, spec.water->fluid.density * spec.gravity};
+}
+
+} // namespace
+
+Contact::Contact(const Spec& spec)
+    : structures_(spec.structures), bodies_(structures_.begin(), structures_.end()), nodes_(bodies_.size()),
+      shared_(bodies_.size()), motions_(bodies_.size()), responses_(bodies_.size()), loads_(bodies_.size()) {
+  for (const Structure& structure : structures_)
+    between_.push_back(structure.friction_between);
+}
+
+double Contact::kinetic_energy() const {
+  double energy = 0.0;
+  for (const RigidBody& body : bodies_)
+    energy += body.kinetic_energy();
+  return energy;
+}
+
+BodyForces Contact::forces(std::size_t body) const {
+  BodyForces forces;
+  forces.weight = loads_[body];
+  if (dt_ == 0.0)
+    return forces;
+  for (const ContactNode& c : nodes(body)) {
+    const auto along = [&](const Vector& direction, double impulse) {
+      return Vector{impulse / dt_ * direction.x, impulse / dt_ * direction.y};
+    };
+    add(forces.normal, along(c.normal, c.effective_impulse), c.arm);
+    add(forces.water, along(c.normal, c.normal_impulse - c.effective_impulse), c.arm);
+    add(forces.friction, along(c.tangent(), c.tangential_impulse), c.arm);
+  }
+  return forces;
+}
+
+void Contact::follow_sort(const Domain& domain) {
+  // Particles reach two cells; both they and the body move until the next sort.
+  const double margin = 4.0 * domain.finest_lattice().h + 2.0 * domain.sort_distance();
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    nodes_[b].follow_sort(domain, bodies_[b], margin);
+}
+
+void Contact::find_shared() {
+  for (std::vector<SharedNode>& of_body : shared_)
+    of_body.clear();
+  for (std::size_t a = 0; a < bodies_.size(); ++a)
+    for (std::size_t b = a + 1; b < bodies_.size(); ++b) {
+      const std::vector<ContactNode>& of_a = nodes(a);
+      const std::vector<ContactNode>& of_b = nodes(b);
+      for (std::size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();) {
+        if (of_a[i].node == of_b[j].node) {
+          shared_[a].push_back({i, b, j});
+          shared_[b].push_back({j, a, i});
+        }
+        of_a[i].node < of_b[j].node ? ++i : ++j;
+      }
+    }
+}
+
+/// One body with the impulses of the others; returns by how much its motion has changed, m/s.
+double Contact::solve_body(std::size_t body, const RigidMotion& trial, bool bonded) {
+  const RigidBody& b = bodies_[body];
+  std::vector<ContactNode>& nodes = nodes_[body].nodes();
+  std::vector<std::pair<Vector, Vector>> by_others(shared_[body].empty() ? 0 : nodes.size());
+  for (const SharedNode& shared : shared_[body]) {
+    const ContactNode& there = nodes_[shared.other].nodes()[shared.there];
+    by_others[shared.at].first = sum(by_others[shared.at].first, there.solid_change);
+    by_others[shared.at].second = sum(by_others[shared.at].second, there.water_change);
+  }
+  for (std::size_t n = 0; n < by_others.size(); ++n)
+    nodes[n].set_trial(by_others[n].first, by_others[n].second);
+  std::vector<ContactPoint> points(nodes.begin(), nodes.end());
+  const ContactSolution found = solve_contact(b.mass(), b.inertia(), trial, points, bonded);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    static_cast<ContactPoint&>(nodes[n]) = points[n];
+    nodes[n].find_changes(found.motion);
+  }
+  const RigidMotion last = motions_[body];
+  motions_[body] = found.motion;
+  responses_[body] = found.response;
+  const double size = std::sqrt(b.inertia() / b.mass());
+  return std::max({std::abs(found.motion.velocity.x - last.velocity.x),
+                   std::abs(found.motion.velocity.y - last.velocity.y),
+                   size * std::abs(found.motion.spin - last.spin)});
+}
+
+void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) {
+  constexpr int sweeps = 50;
+  constexpr double tolerance = 1e-12; // of the largest speed
+  const bool alone =
+      corners_.empty() && std::ranges::all_of(shared_, [](const auto& of_body) { return of_body.empty(); });
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (ContactNode& c : nodes_[b].nodes())
+      c.solid_change = c.water_change = {};
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    double change = 0.0;
+    double speed = 0.0;
+    std::vector<RigidMotion> pushed(trial.begin(), trial.end());
+    for (const CornerContact& c : corners_) {
+      const auto push = [&](std::size_t body, const Vector& arm, double sense) {
+        const RigidBody& b = bodies_[body];
+        const Vector j = c.impulse();
+        pushed[body].velocity = sum(pushed[body].velocity, {sense * j.x / b.mass(), sense * j.y / b.mass()});
+        pushed[body].spin += sense * cross(arm, j) / b.inertia();
+      };
+      push(c.a, c.arm_a, -1.0);
+      push(c.b, c.arm_b, 1.0);
+    }
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      change = std::max(change, solve_body(b, pushed[b], bonded));
+      speed = std::max(speed, std::hypot(motions_[b].velocity.x, motions_[b].velocity.y));
+    }
+    if (alone)
+      return;
+    // Corners that must give way once more change the motions; the next sweep does so with all nodes.
+    std::vector<RigidMotion> motions = motions_;
+    const double impulse = resolve(corners_, motions, responses_, dt);
+    double lightest = bodies_.front().mass();
+    for (const RigidBody& b : bodies_)
+      lightest = std::min(lightest, b.mass());
+    if (sweep > 0 && std::max(change, impulse / lightest) <= tolerance * speed)
+      return;
+  }
+}
+
+ContactWork Contact::meet(Domain& domain, double dt) {
+  ContactWork work;
+  const double h = domain.finest_lattice().h;
+  std::vector<RigidMotion> trial;
+  std::vector<RigidMotion> before;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const RigidBody& body = bodies_[b];
+    nodes_[b].find(domain, body, structures_[b]);
+    nodes_[b].take_trial(domain, dt);
+    loads_[b] = body.load(domain.spec.gravity, water_at_rest(domain.spec));
+    before.push_back(body.motion());
+    trial.push_back({{body.motion().velocity.x + dt * loads_[b].force.x / body.mass(),
+                      body.motion().velocity.y + dt * loads_[b].force.y / body.mass()},
+                     body.motion().spin + dt * loads_[b].moment / body.inertia()});
+  }
+  corners_ = find_corners(bodies_, between_, 0.5 * h);
+  find_shared();
+  solve(trial, dt, false);
+  dt_ = dt;
+
+  work = add_changes(domain, dt);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    RigidBody& body = bodies_[b];
+    body.set_motion(motions_[b]);
+    const RigidMotion middle{mean(before[b].velocity, motions_[b].velocity),
+                             0.5 * (before[b].spin + motions_[b].spin)};
+    work.gravity += dt * (dot(loads_[b].force, middle.velocity) + loads_[b].moment * middle.spin);
+    for (const ContactNode& c : nodes(b)) {
+      const Vector body_speed = middle.at(c.arm);
+      const Vector on_body{c.normal_impulse * c.normal.x + c.tangential_impulse * c.tangent().x,
+                           c.normal_impulse * c.normal.y + c.tangential_impulse * c.tangent().y};
+      work.impact -= dot(on_body, body_speed);
+      work.friction -= c.tangential_impulse * dot(c.tangent(), body_speed);
+    }
+  }
+  const auto middle_at = [&](std::size_t body, const Vector& arm) {
+    return mean(before[body].at(arm), motions_[body].at(arm));
+  };
+  for (const CornerContact& c : corners_) {
+    const Vector a = middle_at(c.a, c.arm_a);
+    const Vector b = middle_at(c.b, c.arm_b);
+    const Vector slip{b.x - a.x, b.y - a.y};
+    work.impact -= dot(c.impulse(), slip);
+    work.friction -= c.tangential_impulse * dot({-c.normal.y, c.normal.x}, slip);
+  }
+  work.impact -= work.friction;
+  return work;
+}
+
+/// Gives the soil its changes of motion; what they dissipate, the bodies' share aside, stands as impact.
+ContactWork Contact::add_changes(Domain& domain, double dt) {
+  ContactWork work;
+  Grid& grid = domain.grid;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (const ContactNode& c : nodes(b)) {
+      const std::size_t n = c.node;
+      const Vector before = grid.velocity_after(n);
+      const Vector solid = sum(before, c.solid_change);
+      grid.vx_after[n] = solid.x;
+      grid.vy_after[n] = solid.y;
+      grid.ax[n] += c.solid_change.x / dt;
+      grid.ay[n] += c.solid_change.y / dt;
+      work.kinetic += 0.5 * c.solid_mass * (square(solid) - square(before));
+      work.gravity -= 0.5 * dt * domain.spec.gravity * c.solid_mass * c.solid_change.y;
+      if (c.water_mass > 0.0)
+        work = sum(work, add_to_water(grid, c, domain.spec.water->fluid.density, dt));
+      else if (domain.has_flow()) {
+        grid.wx_after[n] = solid.x;
+        grid.wy_after[n] = solid.y;
+      }
+    }
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (const ContactNode& c : nodes(b)) {
+      const Vector solid = mean(c.solid_before, grid.velocity_after(c.node));
+      work.impact -= c.solid_mass * dot(c.solid_change, solid);
+      work.friction += c.tangential_impulse * dot(c.tangent(), solid);
+      if (c.water_mass > 0.0)
+        work.impact -=
+            c.water_mass *
+            dot(c.water_change, mean(c.water_before, {grid.wx_after[c.node], grid.wy_after[c.node]}));
+    }
+  return work;
+}
+
+double Contact::meet_remapped(Domain& domain) {
+  Grid& grid = domain.grid;
+  double power = 0.0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (ContactNode& c : nodes_[b].nodes()) {
+      if (!c.closed)
+        continue;
+      const std::size_t n = c.node;
+      const Vector u{grid.vx_strain[n], grid.vy_strain[n]};
+      const Vector wall = bodies_[b].motion().at(c.arm);
+      const Vector t = c.tangent();
+      const double toward = dot(c.normal, u) - dot(c.normal, wall);
+      // N of both together may not become tension, unless water bears it.
+      double normal = c.mass * toward;
+      if (!c.wet() || !c.tied)
+        normal = std::max(normal, -c.normal_impulse);
+      const double effective = c.effective_impulse + (c.mass - c.full_water) / c.mass * normal;
+      const double slip = dot(t, u) - dot(t, wall);
+      const bool sticks = c.tied && c.slip == 0;
+      const double rest = c.friction * std::max(0.0, effective) + c.adhesion - std::abs(c.tangential_impulse);
+      const bool touches = c.tied || normal > 0.0;
+      const double limit = sticks ? std::abs(c.tangential * slip) : (touches ? std::max(0.0, rest) : 0.0);
+      const double tangential = std::clamp(c.tangential * slip, -limit, limit);
+      const double un = normal / c.mass;
+      const double ut = tangential / c.tangential;
+      const Vector taken{un * c.normal.x + ut * t.x, un * c.normal.y + ut * t.y};
+      grid.vx_strain[n] -= taken.x;
+      grid.vy_strain[n] -= taken.y;
+      power += grid.force_x[n] * taken.x + (grid.force_y[n] + grid.mass[n] * domain.spec.gravity) * taken.y;
+      if (!domain.has_flow())
+        continue;
+      // n w, without its part through the wall.
+      Vector flow{grid.flux_x[n] - u.x, grid.flux_y[n] - u.y};
+      if (touches) {
+        const double through = dot(c.normal, flow);
+        power += through * dot(c.normal, {grid.water_force_x[n], grid.water_force_y[n]});
+        flow = {flow.x - through * c.normal.x, flow.y - through * c.normal.y};
+      }
+      grid.flux_x[n] = grid.vx_strain[n] + flow.x;
+      grid.flux_y[n] = grid.vy_strain[n] + flow.y;
+    }
+  return power;
+}
+
+void Contact::move(Domain& domain, double dt) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b].move(dt);
+    const mesh::Rectangle box = bodies_[b].bounds();
+    for (const NearParticle& near : nodes_[b].near()) {
+      Particles& p = domain.sets[near.set];
+      const std::size_t k = near.index;
+      if (p.x[k] < box.x_min || p.x[k] > box.x_max || p.y[k] < box.y_min || p.y[k] > box.y_max)
+        continue;
+      const RigidBody::Nearest nearest = bodies_[b].nearest({p.x[k], p.y[k]});
+      const double out = -nearest.distance - 0.5 * p.half_size;
+      if (out <= 0.0)
+        continue;
+      p.x[k] += out * nearest.normal.x;
+      p.y[k] += out * nearest.normal.y;
+      ++pushed_out_;
+    }
+  }
+}
+
+void Contact::begin_rest(Domain& domain) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    nodes_[b].find(domain, bodies_[b], structures_[b]);
+    loads_[b] = bodies_[b].load(domain.spec.gravity, water_at_rest(domain.spec));
+  }
+  corners_.clear(); // bodies at rest hold on to the soil alone
+  find_shared();
+}
+
+double Contact::relax(Domain& domain, double keep, double gain, bool bonded) {
+  Grid& grid = domain.grid;
+  std::vector<RigidMotion> trial;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const RigidBody& body = bodies_[b];
+    const RigidMotion& u = body.motion();
+    nodes_[b].take_relaxing(domain, gain);
+    trial.push_back({{keep * u.velocity.x + gain * loads_[b].force.x / body.mass(),
+                      keep * u.velocity.y + gain * loads_[b].force.y / body.mass()},
+                     keep * u.spin + gain * loads_[b].moment / body.inertia()});
+  }
+  solve(trial, gain, bonded);
+  double unbalanced = 0.0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    RigidBody& body = bodies_[b];
+    const RigidMotion last = body.motion();
+    const RigidMotion& u = motions_[b];
+    const double per_gain = body.mass() / gain;
+    const double radius2 = body.inertia() / body.mass();
+    unbalanced += per_gain * per_gain *
+                  (square({u.velocity.x - keep * last.velocity.x, u.velocity.y - keep * last.velocity.y}) +
+                   radius2 * (u.spin - keep * last.spin) * (u.spin - keep * last.spin));
+    body.set_motion(u);
+    for (const ContactNode& c : nodes(b)) {
+      grid.vx_after[c.node] += c.solid_change.x;
+      grid.vy_after[c.node] += c.solid_change.y;
+    }
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (const ContactNode& c : nodes(b)) {
+      if (std::ranges::any_of(std::span(nodes_).first(b),
+                              [&](const ContactNodes& earlier) { return earlier.has(c.node); }))
+        continue; // counted already
+      const double inertia = c.mass / gain;
+      unbalanced += square({grid.force_x[c.node] + inertia * (grid.vx_after[c.node] - c.solid_trial.x),
+                            grid.force_y[c.node] + inertia * (grid.vy_after[c.node] - c.solid_trial.y)});
+    }
+  return unbalanced;
+}
+
+void Contact::end_rest() {
+  for (RigidBody& body : bodies_)
+    body.set_motion({});
+}
+
+std::vector<double> Contact::node_state(std::size_t body) const {
+  std::vector<double> state;
+  for (const ContactNode& c : nodes(body))
+    state.insert(state.end(), {static_cast<double>(c.node), c.tied ? 1.0 : 0.0, static_cast<double>(c.slip)});
+  return state;
+}
+
+void Contact::set_node_state(std::size_t body, const std::vector<double>& state) {
+  std::vector<ContactNode>& nodes = nodes_[body].nodes();
+  nodes.assign(state.size() / 3, {});
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    nodes[n].node = static_cast<std::size_t>(state[3 * n]);
+    nodes[n].tied = state[3 * n + 1] != 0.0;
+    nodes[n].slip = static_cast<int>(state[3 * n + 2]);
+  }
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,123 @@
+#pragma once
+
+// The structures of a domain and what passes between them and the soil in a step: contact/contact_nodes.hpp
+// finds the nodes, contact/rigid_contact.hpp the impulses at all nodes of a body, contact/collisions.hpp
+// those between bodies. Nodes that touch several bodies and bodies that touch each other are solved in turn,
+// each with the impulses of the others, until nothing changes; every solution conserves momentum.
+//
+// Contact acts after the grid update, and once more on the remapped velocities that strain the soil (musl):
+// there it moves no particle and no body.
+
+#include "mpm_domain/contact/collisions.hpp"
+#include "mpm_domain/contact/contact_nodes.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+struct Domain;
+struct Spec;
+
+/// What contact and the bodies change of the energy in a step, J/m.
+struct ContactWork {
+  double kinetic = 0.0;  ///< of the soil's nodes
+  double gravity = 0.0;  ///< work of weight and buoyancy on bodies, and on what contact changes of the soil
+  double drag = 0.0;     ///< as in MixtureUpdate
+  double friction = 0.0; ///< dissipated by sliding, >= 0
+  double impact = 0.0;   ///< dissipated where bodies and soil meet, or part
+};
+
+/// Forces on a body at the last step, N/m and N.
+struct BodyForces {
+  RigidLoad normal; ///< of effective stress
+  RigidLoad friction;
+  RigidLoad water;  ///< of excess pore pressure
+  RigidLoad weight; ///< weight and buoyancy
+};
+
+class Contact {
+public:
+  explicit Contact(const Spec& spec);
+
+  bool any() const { return !bodies_.empty(); }
+  std::span<const RigidBody> bodies() const { return bodies_; }
+  const std::vector<ContactNode>& nodes(std::size_t body) const { return nodes_[body].nodes(); }
+  BodyForces forces(std::size_t body) const;
+  double kinetic_energy() const; ///< of the bodies, J/m
+  /// Particles that had to be brought back out of bodies, over all steps.
+  long pushed_out() const { return pushed_out_; }
+
+  /// Takes the particles near bodies until the next sort.
+  void follow_sort(const Domain& domain);
+
+  /// Contact of the soil's motion after the grid update.
+  /// @param dt time that the forces of the step act for, s
+  ContactWork meet(Domain& domain, double dt);
+
+  /// Contact of the remapped velocities, and of the flux of water.
+  /// @returns power of nodal forces on what it has taken off these velocities, W/m
+  double meet_remapped(Domain& domain);
+
+  /// Moves the bodies for dt (s), and back to their surface particles that lie in them by more than half of
+  /// their half side.
+  void move(Domain& domain, double dt);
+
+  /// Finds the contact nodes of the gravity stage, in which nothing moves.
+  void begin_rest(Domain& domain);
+
+  /// A step of relaxation, after that of the grid: v+ = keep v + gain f/m.
+  /// @param bonded  soil and bodies stick together, whatever that takes
+  /// @returns sum of squares of the unbalanced forces of contact nodes and bodies, (N/m)^2
+  double relax(Domain& domain, double keep, double gain, bool bonded);
+  void end_rest();
+
+  /// What a checkpoint keeps (state.hpp).
+  template <class Writer>
+  void save(Writer& to) const {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const std::string name = "body" + std::to_string(b);
+      to.write(name, bodies_[b].state());
+      to.write(name + ".nodes", node_state(b));
+    }
+  }
+  template <class Reader>
+  void restore(const Reader& from) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const std::string name = "body" + std::to_string(b);
+      bodies_[b].set_state(from.numbers(name));
+      set_node_state(b, from.numbers(name + ".nodes"));
+    }
+  }
+
+private:
+  /// A node that another body touches too.
+  struct SharedNode {
+    std::size_t at;    ///< its place among the nodes of the body
+    std::size_t other; ///< the other body
+    std::size_t there; ///< its place among that body's nodes
+  };
+
+  void find_shared();
+  /// Finds impulses and changes of motion at all nodes, and the bodies' motions, from their trial motions.
+  void solve(std::span<const RigidMotion> trial, double dt, bool bonded);
+  double solve_body(std::size_t body, const RigidMotion& trial, bool bonded);
+  ContactWork add_changes(Domain& domain, double dt);
+  std::vector<double> node_state(std::size_t body) const;
+  void set_node_state(std::size_t body, const std::vector<double>& state);
+
+  std::vector<Structure> structures_;
+  std::vector<RigidBody> bodies_;
+  std::vector<double> between_; ///< friction of each body against others
+  std::vector<ContactNodes> nodes_;
+  std::vector<std::vector<SharedNode>> shared_; ///< by body
+  std::vector<CornerContact> corners_;
+  std::vector<RigidMotion> motions_; ///< of bodies, as found by solve()
+  std::vector<Response> responses_;
+  std::vector<RigidLoad> loads_; ///< weight and buoyancy in the last step
+  double dt_ = 0.0;              ///< of the last step, s
+  long pushed_out_ = 0;
+};
+
+} // namespace tremolo::mpm_domain

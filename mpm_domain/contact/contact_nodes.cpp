@@ -1,0 +1,220 @@
+#include "mpm_domain/contact/contact_nodes.hpp"
+
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/transfer/kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// A node belongs to the surface if its share of it, in cells, is more than this. Surfaces often lie on lines
+/// of the grid, and the next line is not to join with every tremor.
+constexpr double least_share = 0.02;
+/// A gap of less than this, in cells, is closed: places of nodes and particles tell it no better.
+constexpr double closed_gap = 0.05;
+/// The body's gradient decides once it is larger than the soil's by this factor.
+constexpr double much_larger = 1.25;
+
+double length(const Vector& v) {
+  return std::hypot(v.x, v.y);
+}
+
+Vector unit(const Vector& v, double sense) {
+  const double scale = sense / length(v);
+  return {scale * v.x, scale * v.y};
+}
+
+} // namespace
+
+void ContactNodes::follow_sort(const Domain& domain, const RigidBody& body, double margin) {
+  near_.clear();
+  const mesh::Rectangle box = body.bounds();
+  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+    const Particles& p = domain.sets[s];
+    for (std::size_t k = 0; k < p.size(); ++k)
+      if (p.x[k] > box.x_min - margin && p.x[k] < box.x_max + margin && p.y[k] > box.y_min - margin &&
+          p.y[k] < box.y_max + margin)
+        near_.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
+  }
+}
+
+void ContactNodes::measure_gaps(Domain& domain, const RigidBody& body) {
+  gaps_.resize(near_.size());
+  const double reach = 2.0 * domain.finest_lattice().h;
+  const mesh::Rectangle box = body.bounds();
+  constexpr std::size_t part = 256;
+  domain.workers.run((near_.size() + part - 1) / part, [&](std::size_t task) {
+    for (std::size_t n = task * part; n < std::min(near_.size(), (task + 1) * part); ++n) {
+      const Particles& p = domain.sets[near_[n].set];
+      const Vector place{p.x[near_[n].index], p.y[near_[n].index]};
+      gaps_[n] = std::numeric_limits<double>::infinity();
+      if (place.x < box.x_min - reach || place.x > box.x_max + reach || place.y < box.y_min - reach ||
+          place.y > box.y_max + reach)
+        continue;
+      const RigidBody::Nearest nearest = body.nearest(place);
+      gaps_[n] = nearest.distance - p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
+    }
+  });
+}
+
+void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& structure) {
+  const Lattice& lattice = domain.finest_lattice();
+  const Grid& grid = domain.grid;
+  window_ = nodes_around(lattice, body.bounds());
+  find_wall(body, lattice, window_, wall_);
+  measure_gaps(domain, body);
+  sums_.assign(window_.count(), {});
+  for (Sums& sums : sums_)
+    sums.gap = std::numeric_limits<double>::infinity();
+  const Axis x_axis(lattice.x0, lattice.h);
+  const Axis y_axis(lattice.y0, lattice.h);
+  for (std::size_t n = 0; n < near_.size(); ++n) {
+    const Particles& p = domain.sets[near_[n].set];
+    const std::size_t k = near_[n].index;
+    const Weights wx = cell_weights(p.x[k], x_axis, std::min(p.half_size, lattice.h));
+    const Weights wy = cell_weights(p.y[k], y_axis, std::min(p.half_size, lattice.h));
+    const double volume = p.volume[k];
+    const bool sealed = p.traits.wet && !p.traits.flowing;
+    const double excess = sealed ? p.water->excess(p.pore_pressure[k], p.y[k]) : 0.0;
+    const double suction =
+        p.traits.wet ? p.water->fluid.cavitation_pressure - p.water->hydrostatic(p.y[k]) : 0.0;
+    for (std::size_t b = 0; b < 4; ++b)
+      for (std::size_t a = 0; a < 4; ++a) {
+        const int i = wx.base + static_cast<int>(a);
+        const int j = wy.base + static_cast<int>(b);
+        const double vs = volume * wx.s[a] * wy.s[b];
+        if (vs <= 0.0 || !window_.has(i, j))
+          continue;
+        const Vector gradient{volume * wx.g[a] * wy.s[b], volume * wx.s[a] * wy.g[b]};
+        Sums& sums = sums_[window_.place(i, j)];
+        sums.gradient = {sums.gradient.x + gradient.x, sums.gradient.y + gradient.y};
+        sums.volume += vs;
+        sums.friction += vs * structure.friction[p.soil_index];
+        sums.adhesion += vs * structure.adhesion[p.soil_index];
+        sums.gap = std::min(sums.gap, gaps_[n]);
+        if (!p.traits.wet)
+          continue;
+        sums.wet += vs;
+        sums.suction += vs * suction;
+        if (sealed) {
+          sums.sealed += vs;
+          sums.sealed_force = {sums.sealed_force.x + excess * gradient.x,
+                               sums.sealed_force.y + excess * gradient.y};
+        }
+      }
+  }
+  const double empty = empty_mass(domain);
+  std::vector<ContactNode> before = std::move(nodes_);
+  nodes_.clear();
+  of_nodes_.clear();
+  auto known = before.begin();
+  for (int j = window_.j0; j < window_.j0 + window_.rows; ++j)
+    for (int i = window_.i0; i < window_.i0 + window_.columns; ++i) {
+      const Sums& sums = sums_[window_.place(i, j)];
+      const WallShare& wall = wall_[window_.place(i, j)];
+      const std::size_t node = lattice.index(i, j);
+      if (grid.mass[node] <= empty || sums.volume <= 0.0)
+        continue;
+      const Vector place{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
+      if (wall.length <= least_share * lattice.h && !body.contains(place))
+        continue;
+      const double of_soil = length(sums.gradient);
+      const double of_body = length(wall.gradient);
+      const bool by_body = of_body > 0.0 && (domain.spec.normals == ContactNormals::polygon ||
+                                             of_body > much_larger * of_soil);
+      if (!by_body && of_soil <= 0.0)
+        continue;
+      // The search for the sets begins with those of the last step.
+      while (known != before.end() && known->node < node)
+        ++known;
+      ContactNode& found = nodes_.emplace_back();
+      if (known != before.end() && known->node == node) {
+        found.tied = known->tied;
+        found.slip = known->slip;
+      }
+      found.node = node;
+      found.place = place;
+      found.arm = body.arm(place);
+      found.normal = by_body ? unit(wall.gradient, -1.0) : unit(sums.gradient, 1.0);
+      found.area = by_body ? of_body : of_soil;
+      found.friction = sums.friction / sums.volume;
+      found.closed = sums.gap <= closed_gap * lattice.h;
+      of_nodes_.push_back(sums);
+    }
+}
+
+void ContactNode::set_trial(const Vector& solid_by_others, const Vector& water_by_others) {
+  const Vector solid{solid_trial.x + solid_by_others.x, solid_trial.y + solid_by_others.y};
+  const Vector water{water_trial.x + water_by_others.x, water_trial.y + water_by_others.y};
+  solid_normal = dot(normal, solid);
+  water_normal = dot(normal, water);
+  normal_speed = (solid_mass * solid_normal + water_mass * water_normal) / mass;
+  slip_speed = dot(tangent(), solid);
+  water_impulse =
+      free_impulse + full_water * dot(normal, water_mass > 0.0 ? water_by_others : solid_by_others);
+}
+
+void ContactNode::find_changes(const RigidMotion& u) {
+  solid_change = water_change = {};
+  if (!tied)
+    return;
+  const Vector t = tangent();
+  const double wall = pull_normal(u);
+  const double along = -tangential_impulse / tangential;
+  const double drift = solid_mass > 0.0 ? tangential_impulse / solid_mass / drag : 0.0;
+  const double solid_n = wall - solid_normal;
+  const double water_n = wall - water_normal;
+  solid_change = {solid_n * normal.x + along * t.x, solid_n * normal.y + along * t.y};
+  water_change = {water_n * normal.x + (along + drift) * t.x, water_n * normal.y + (along + drift) * t.y};
+}
+
+void ContactNodes::take_trial(const Domain& domain, double dt) {
+  const Grid& grid = domain.grid;
+  const double water_density = domain.spec.water ? domain.spec.water->fluid.density : 0.0;
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    ContactNode& c = nodes_[n];
+    const Sums& sums = of_nodes_[n];
+    c.solid_mass = grid.mass[c.node];
+    c.solid_before = grid.velocity_before(c.node);
+    c.solid_trial = grid.velocity_after(c.node);
+    c.water_mass = 0.0;
+    c.water_before = c.solid_before;
+    c.water_trial = c.solid_trial;
+    c.drag = 1.0;
+    c.full_water = water_density * sums.sealed;
+    c.free_impulse = c.full_water * dot(c.normal, c.solid_before) + dt * dot(c.normal, sums.sealed_force);
+    if (domain.has_flow() && grid.water_mass[c.node] > 1e-9 * c.solid_mass) {
+      const double full = water_density * grid.wet_volume[c.node];
+      c.water_mass = grid.water_mass[c.node];
+      c.water_before = {grid.wx_before[c.node], grid.wy_before[c.node]};
+      c.water_trial = {grid.wx_after[c.node], grid.wy_after[c.node]};
+      c.full_water += full;
+      c.free_impulse += full * dot(c.normal, c.water_before) +
+                        dt * dot(c.normal, {grid.water_force_x[c.node], grid.water_force_y[c.node]});
+      const double ratio = c.water_mass / c.solid_mass;
+      c.drag += dt * (1.0 + ratio) * c.water_mass / (full * full) * grid.resistance[c.node];
+    }
+    c.mass = c.solid_mass + c.water_mass;
+    c.tangential = c.mass / (1.0 + c.water_mass / c.solid_mass / c.drag);
+    c.least_water = sums.wet > 0.0 ? sums.suction / sums.wet * c.area * dt : 0.0;
+    c.adhesion = sums.adhesion / sums.volume * c.area * dt;
+    c.set_trial({}, {});
+  }
+}
+
+void ContactNodes::take_relaxing(const Domain& domain, double dt) {
+  const Grid& grid = domain.grid;
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    ContactNode& c = nodes_[n];
+    c.mass = c.tangential = c.solid_mass = grid.mass[c.node];
+    c.solid_trial = c.water_trial = grid.velocity_after(c.node);
+    c.adhesion = of_nodes_[n].adhesion / of_nodes_[n].volume * c.area * dt;
+    c.set_trial({}, {});
+  }
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,100 @@
+#pragma once
+
+// The nodes at which soil and a body meet: those that soil has given mass and that the body's surface
+// touches, and those with soil inside the body. What contact asks of the soil there is summed over the
+// particles near the body,
+//
+//     g = sum V grad S,      volume = sum V S,      friction = sum V S mu / volume.
+//
+// The normal from soil to body. g points out of the soil, so n = g/|g|: the pressure of pore water then has
+// no tangential rest at a node, since its force is p g. Where the soil ends at a node for another reason, at
+// the ground surface beside a wall, its gradient points elsewhere; there the body's own (wall_nodes.hpp) is
+// the larger of the two by far, and n = -g_body/|g_body|.
+//
+// A node is closed while some particle that reaches it is next to the body: the distance of its place from
+// the surface is no more than what its box reaches along the normal, l (|n_x| + |n_y|).
+
+#include "mpm_domain/contact/rigid_contact.hpp"
+#include "mpm_domain/contact/wall_nodes.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+struct Domain;
+
+struct ContactNode : ContactPoint {
+  std::size_t node = 0;
+  Vector place;
+  double area = 0.0;                ///< A, of the interface per metre out of plane, m
+  double solid_mass = 0.0;          ///< m_s, kg/m
+  double water_mass = 0.0;          ///< m_f, of water that moves by itself, kg/m
+  double drag = 1.0;                ///< 1 + lambda dt
+  double free_impulse = 0.0;        ///< m~_f v_f*.n without bodies, kg/s
+  Vector solid_before, solid_trial; ///< v_s before the update and after it, m/s
+  Vector water_before, water_trial; ///< v_f
+  double solid_normal = 0.0;        ///< v_s.n and v_f.n that the impulses start from, m/s
+  double water_normal = 0.0;
+  Vector solid_change, water_change; ///< of both by the impulses found
+
+  /// Takes trial velocities that differ from those of the update by what other bodies have changed.
+  void set_trial(const Vector& solid_by_others, const Vector& water_by_others);
+  /// The changes of both velocities by the present impulses, for a body that moves by u.
+  void find_changes(const RigidMotion& u);
+};
+
+/// A particle near a body.
+struct NearParticle {
+  std::uint32_t set;
+  std::uint32_t index;
+};
+
+/// The particles that may come to touch a body, and what of it is found anew in every step.
+class ContactNodes {
+public:
+  /// Takes the particles near the body until the next sort.
+  void follow_sort(const Domain& domain, const RigidBody& body, double margin);
+
+  /// Finds the nodes and what does not depend on their motion.
+  void find(Domain& domain, const RigidBody& body, const Structure& structure);
+
+  /// Takes the motion of the soil after an update over dt (s), before contact.
+  void take_trial(const Domain& domain, double dt);
+  /// Likewise in the gravity stage, where water rests.
+  void take_relaxing(const Domain& domain, double dt);
+
+  std::vector<ContactNode>& nodes() { return nodes_; }
+  const std::vector<ContactNode>& nodes() const { return nodes_; }
+  bool has(std::size_t node) const {
+    return std::ranges::binary_search(nodes_, node, {}, &ContactNode::node);
+  }
+  const std::vector<NearParticle>& near() const { return near_; }
+
+private:
+  /// Sums at a node of the window.
+  struct Sums {
+    Vector gradient;
+    double volume = 0.0;
+    double friction = 0.0; ///< sum V S mu
+    double adhesion = 0.0; ///< sum V S c
+    double sealed = 0.0;   ///< sum V S of soil whose water moves with its grains
+    Vector sealed_force;   ///< sum V p_e grad S of it
+    double wet = 0.0;      ///< sum V S of soil with a pore pressure
+    double suction = 0.0;  ///< sum V S (p_cav - hydrostatic) of it
+    double gap = 0.0;      ///< the least of its particles
+  };
+
+  void measure_gaps(Domain& domain, const RigidBody& body);
+
+  std::vector<NearParticle> near_;
+  std::vector<double> gaps_; ///< by near particle
+  NodeWindow window_;
+  std::vector<WallShare> wall_;
+  std::vector<Sums> sums_;
+  std::vector<Sums> of_nodes_; ///< of nodes_, in their order
+  std::vector<ContactNode> nodes_;
+};
+
+} // namespace tremolo::mpm_domain

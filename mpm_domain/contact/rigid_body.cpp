@@ -1,0 +1,141 @@
+#include "mpm_domain/contact/rigid_body.hpp"
+
+#include "mesh/polygon.hpp"
+#include "mesh/polygon_measures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+std::vector<Vector> counter_clockwise(std::vector<Vector> corners) {
+  if (!corners.empty() && mesh::signed_double_area(corners) < 0.0)
+    std::ranges::reverse(corners);
+  return corners;
+}
+
+std::vector<Vector> from(const Vector& origin, std::vector<Vector> corners) {
+  for (Vector& corner : corners)
+    corner = {corner.x - origin.x, corner.y - origin.y};
+  return corners;
+}
+
+} // namespace
+
+RigidBody::RigidBody(const Structure& structure) : name_(structure.name) {
+  const std::vector<Vector> outline = counter_clockwise(structure.outline);
+  const std::vector<Vector> hole = counter_clockwise(structure.hole);
+  const mesh::PolygonMeasures whole = mesh::measures(outline);
+  const mesh::PolygonMeasures empty = mesh::measures(hole);
+  const double area = whole.area - empty.area;
+  if (!(area > 0.0))
+    throw std::invalid_argument(
+        fmt::format("the area of structure '{}' is {:.6g} m2; allowed: > 0", name_, area));
+  if (!(structure.density > 0.0) || !std::isfinite(structure.density))
+    throw std::invalid_argument(
+        fmt::format("the density of structure '{}' is {:.6g} kg/m3; allowed: > 0", name_, structure.density));
+  start_ = centre_ = {(whole.area * whole.x - empty.area * empty.x) / area,
+                      (whole.area * whole.y - empty.area * empty.y) / area};
+  const auto about_centre = [&](const mesh::PolygonMeasures& m) {
+    const Vector to{m.x - centre_.x, m.y - centre_.y};
+    return m.polar + m.area * dot(to, to);
+  };
+  mass_ = structure.density * area;
+  inertia_ = structure.density * (about_centre(whole) - (hole.empty() ? 0.0 : about_centre(empty)));
+  corners_ = from(centre_, outline);
+  hole_ = from(centre_, hole);
+  outline_ = outline;
+}
+
+double RigidBody::kinetic_energy() const {
+  return 0.5 * (mass_ * dot(motion_.velocity, motion_.velocity) + inertia_ * motion_.spin * motion_.spin);
+}
+
+std::vector<Vector> RigidBody::turned(const std::vector<Vector>& corners) const {
+  const double c = std::cos(tilt_);
+  const double s = std::sin(tilt_);
+  std::vector<Vector> now;
+  now.reserve(corners.size());
+  for (const Vector& corner : corners)
+    now.push_back({centre_.x + c * corner.x - s * corner.y, centre_.y + s * corner.x + c * corner.y});
+  return now;
+}
+
+std::vector<Vector> RigidBody::hole() const {
+  return turned(hole_);
+}
+
+mesh::Rectangle RigidBody::bounds() const {
+  mesh::Rectangle box{outline_.front().x, outline_.front().y, outline_.front().x, outline_.front().y};
+  for (const Vector& corner : outline_)
+    box = {std::min(box.x_min, corner.x), std::min(box.y_min, corner.y), std::max(box.x_max, corner.x),
+           std::max(box.y_max, corner.y)};
+  return box;
+}
+
+RigidLoad RigidBody::load(double gravity, const std::optional<WaterAtRest>& water) const {
+  RigidLoad load{{0.0, -mass_ * gravity}, 0.0};
+  if (!water)
+    return load;
+  const mesh::PolygonMeasures below = mesh::measures(mesh::part_below(outline_, water->level));
+  const double lift = water->unit_weight * below.area;
+  load.force.y += lift;
+  load.moment += lift * (below.x - centre_.x);
+  return load;
+}
+
+RigidBody::Nearest RigidBody::nearest(const Vector& place) const {
+  double least = std::numeric_limits<double>::infinity();
+  Vector to{};
+  Vector edge_normal{};
+  for (std::size_t i = 0, j = outline_.size() - 1; i < outline_.size(); j = i++) {
+    const Vector a = outline_[j];
+    const Vector edge{outline_[i].x - a.x, outline_[i].y - a.y};
+    const Vector from_a{place.x - a.x, place.y - a.y};
+    const double length2 = dot(edge, edge);
+    const double t = std::clamp(dot(from_a, edge) / length2, 0.0, 1.0);
+    const Vector away{from_a.x - t * edge.x, from_a.y - t * edge.y};
+    const double distance2 = dot(away, away);
+    if (distance2 < least) {
+      least = distance2;
+      to = away;
+      const double per_length = 1.0 / std::sqrt(length2);
+      edge_normal = {edge.y * per_length, -edge.x * per_length};
+    }
+  }
+  const double distance = std::sqrt(least);
+  const double sense = contains(place) ? -1.0 : 1.0;
+  const double span = std::abs(outline_.front().x - centre_.x) + std::abs(outline_.front().y - centre_.y);
+  if (distance < 1e-12 * span)
+    return {sense * distance, edge_normal};
+  return {sense * distance, {sense * to.x / distance, sense * to.y / distance}};
+}
+
+bool RigidBody::contains(const Vector& place) const {
+  return mesh::inside(outline_, place.x, place.y);
+}
+
+void RigidBody::move(double dt) {
+  centre_ = {centre_.x + dt * motion_.velocity.x, centre_.y + dt * motion_.velocity.y};
+  tilt_ += dt * motion_.spin;
+  outline_ = turned(corners_);
+}
+
+std::vector<double> RigidBody::state() const {
+  return {centre_.x, centre_.y, tilt_, motion_.velocity.x, motion_.velocity.y, motion_.spin};
+}
+
+void RigidBody::set_state(const std::vector<double>& state) {
+  centre_ = {state.at(0), state.at(1)};
+  tilt_ = state.at(2);
+  motion_ = {{state.at(3), state.at(4)}, state.at(5)};
+  outline_ = turned(corners_);
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/words.hpp"
+#include "mpm_domain/spec/vector.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Where the normal at a node between soil and a structure comes from (contact/contact_nodes.hpp).
+enum class ContactNormals {
+  gradient, ///< the gradient of the soil's volume, or of the structure's where that is much the larger
+  polygon,  ///< always that of the structure
+};
+constexpr auto words(ContactNormals) {
+  return word_table<ContactNormals>(
+      {{ContactNormals::gradient, "gradient"}, {ContactNormals::polygon, "polygon"}});
+}
+
+/// A rigid body that stands in or on the soil.
+struct Structure {
+  std::string name;
+  std::vector<Vector> outline; ///< corners, m; the last is joined to the first
+  std::vector<Vector> hole;    ///< an empty inside; none: solid
+  double density = 0.0;             ///< of what lies between both, kg/m3
+  std::vector<double> friction;     ///< mu against each soil of the spec
+  std::vector<double> adhesion;     ///< against each soil, Pa
+  double friction_between = 0.0;    ///< mu against other structures; of two the smaller counts
+};
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "coupler/eq6/boundary_traction.hpp"
+
+namespace tremolo::mpm_domain {
+
+using eq6::Vector;
+
+inline double dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// The out-of-plane component of a x b.
+inline double cross(const Vector& a, const Vector& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,91 @@
+#pragma once
+
+// Structures on or in the ground, without processes: brought to rest under gravity, then left to themselves
+// or shaken through their faces.
+
+#include "mpm_domain/boundary/static_traction.hpp"
+#include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/step/stepper.hpp"
+#include "tests/support/quiet_ground.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace tremolo::test_support {
+
+inline std::vector<mpm_domain::Vector> rectangle(double x_min, double y_min, double x_max, double y_max) {
+  return {{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}};
+}
+
+/// A polygon of many corners with the area of a circle.
+inline std::vector<mpm_domain::Vector> circle(const mpm_domain::Vector& centre, double radius,
+                                              int corners = 64) {
+  const double angle = 2.0 * std::acos(-1.0) / corners;
+  const double reach = radius * std::sqrt(angle / std::sin(angle));
+  std::vector<mpm_domain::Vector> polygon;
+  for (int k = 0; k < corners; ++k)
+    polygon.push_back({centre.x + reach * std::cos(angle * k), centre.y + reach * std::sin(angle * k)});
+  return polygon;
+}
+
+inline std::vector<mpm_domain::Vector> turned(std::vector<mpm_domain::Vector> polygon,
+                                              const mpm_domain::Vector& about, double angle) {
+  for (mpm_domain::Vector& p : polygon) {
+    const mpm_domain::Vector d{p.x - about.x, p.y - about.y};
+    p = {about.x + std::cos(angle) * d.x - std::sin(angle) * d.y,
+         about.y + std::sin(angle) * d.x + std::cos(angle) * d.y};
+  }
+  return polygon;
+}
+
+/// A structure against one soil.
+inline mpm_domain::Structure structure(std::vector<mpm_domain::Vector> outline, double density,
+                                       double friction) {
+  return {.name = "block",
+          .outline = std::move(outline),
+          .density = density,
+          .friction = {friction},
+          .adhesion = {0.0},
+          .friction_between = friction};
+}
+
+/// Flat ground of one elastic soil with its surface at y = 0.
+inline mpm_domain::Spec flat_ground(double width, double depth, double h, const materials::Elasticity& soil) {
+  mpm_domain::Spec spec;
+  spec.box = {-0.5 * width, -depth, 0.5 * width, 0.0};
+  spec.cell_size = h;
+  spec.gravity = 9.81;
+  spec.soils = {{"soil", materials::LinearElastic{soil}}};
+  spec.regions = {{0, rectangle(-0.5 * width, -depth, 0.5 * width, 0.0)}};
+  spec.threads = 2;
+  return spec;
+}
+
+/// A domain at rest under gravity whose shaking begins.
+class StandingScene {
+public:
+  explicit StandingScene(const mpm_domain::Spec& spec, mpm_domain::FreeFieldSource source = quiet_ground())
+      : domain(spec),
+        reactions(mpm_domain::relax_under_gravity(domain, {.residual = 1e-9}, [](long, double) {})),
+        stepper(start(), 0.0, std::move(source)) {}
+
+  void run(double duration) {
+    const double end = stepper.time() + duration;
+    while (stepper.time() < end)
+      stepper.step();
+  }
+  const mpm_domain::RigidBody& body(std::size_t which = 0) const { return domain.contact.bodies()[which]; }
+
+  mpm_domain::Domain domain;
+  mpm_domain::Reactions reactions;
+  mpm_domain::Stepper stepper;
+
+private:
+  mpm_domain::Domain& start() {
+    mpm_domain::replace_constraints(domain, reactions);
+    return domain;
+  }
+};
+
+} // namespace tremolo::test_support
