@@ -126,6 +126,10 @@ def report(columns, rows):
         yield f"| {factor:g} | {100 * settled:.2g} % | {pressed:.2g} | {of_factor[0]['cpu']:.3g} s |"
 
 
+def short(name):
+    return name.removeprefix("mpm, ").replace("K_f", "$K_f$")
+
+
 def picture(columns, rows, path):
     figure, axes = style.plt.subplots(2, 2, figsize=(9.0, 7.0), layout="constrained")
     for name in ["mpm, h = 2 m", "mpm, h = 1 m", "mpm, h = 0.5 m", "mpm, h = 0.25 m", "fe", "mpm, undrained"]:
@@ -133,7 +137,7 @@ def picture(columns, rows, path):
     axes[0, 0].set(xlabel="t (s)", ylabel="$r_u$, 5 m deep", xlim=(0.0, 8.0))
     axes[0, 0].legend(fontsize=7)
     for name in ["mpm, h = 0.5 m", *WATERS]:
-        label = "mpm, K_f = 2.2 GPa" if name not in WATERS else name
+        label = "$K_f$ = 2.2 GPa" if name not in WATERS else short(name)
         axes[0, 1].plot(columns[name].time, columns[name].ratio[1], linewidth=0.7, label=label)
     axes[0, 1].set(xlabel="t (s)", ylabel="$r_u$, 5 m deep", xlim=(0.0, 8.0))
     axes[0, 1].legend(fontsize=7)
@@ -141,9 +145,12 @@ def picture(columns, rows, path):
         reference = columns["mpm, h = 0.25 m" if name in CELLS else "mpm, h = 0.5 m"]
         error = columns[name].differences(reference)[0]
         axes[1, 0].plot(columns[name].cpu, error, "o", markersize=4)
-        axes[1, 0].annotate(name.removeprefix("mpm, "), (columns[name].cpu, error), fontsize=7, xytext=(3, 3),
+        axes[1, 0].annotate(short(name), (columns[name].cpu, error), fontsize=7, xytext=(3, 3),
                             textcoords="offset points")
-    axes[1, 0].set(xscale="log", yscale="log", xlabel="CPU time (s)", ylabel="largest difference of $r_u$ to 3 s")
+    axes[1, 0].set(xscale="log", yscale="log", xlim=(2.0, 40.0), xlabel="CPU time (s)",
+                   ylabel="largest difference of $r_u$ to 3 s")
+    axes[1, 0].set_xticks([2, 5, 10, 20, 40], ["2", "5", "10", "20", "40"])
+    axes[1, 0].minorticks_off()
     for factor, of_factor in rows.items():
         axes[1, 1].plot([row["time"] for row in of_factor], [1e3 * row["settlement"] for row in of_factor],
                         "k" if factor == 1.0 else "--", label=f"k times {factor:g}, {of_factor[0]['cpu']:.2g} s CPU")
