@@ -127,7 +127,7 @@ double Contact::solve_body(std::size_t body, const RigidMotion& trial, bool bond
   const ContactSolution found = solve_contact(b.mass(), b.inertia(), trial, points, bonded);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     static_cast<ContactPoint&>(nodes[n]) = points[n];
-    nodes[n].find_changes(found.motion);
+    nodes[n].find_changes();
   }
   const RigidMotion last = motions_[body];
   motions_[body] = found.motion;

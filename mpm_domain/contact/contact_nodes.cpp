@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tremolo::mpm_domain {
 
@@ -16,15 +15,15 @@ namespace {
 constexpr double least_share = 0.02;
 /// A gap of less than this, in cells, is closed: places of nodes and particles tell it no better.
 constexpr double closed_gap = 0.05;
-/// The body's gradient decides once it is larger than the soil's by this factor.
-constexpr double much_larger = 1.25;
+/// Normals of soil and body whose cosine is below this are far apart.
+constexpr double far_apart = 0.85;
 
 double length(const Vector& v) {
   return std::hypot(v.x, v.y);
 }
 
-Vector unit(const Vector& v, double sense) {
-  const double scale = sense / length(v);
+Vector unit(const Vector& v) {
+  const double scale = 1.0 / length(v);
   return {scale * v.x, scale * v.y};
 }
 
@@ -42,21 +41,26 @@ void ContactNodes::follow_sort(const Domain& domain, const RigidBody& body, doub
   }
 }
 
-void ContactNodes::measure_gaps(Domain& domain, const RigidBody& body) {
-  gaps_.resize(near_.size());
-  const double reach = 2.0 * domain.finest_lattice().h;
+void ContactNodes::find_touches(Domain& domain, const RigidBody& body) {
+  touches_.assign(near_.size(), {});
+  const double h = domain.finest_lattice().h;
+  const double reach = 2.0 * h;
   const mesh::Rectangle box = body.bounds();
   constexpr std::size_t part = 256;
   domain.workers.run((near_.size() + part - 1) / part, [&](std::size_t task) {
     for (std::size_t n = task * part; n < std::min(near_.size(), (task + 1) * part); ++n) {
       const Particles& p = domain.sets[near_[n].set];
       const Vector place{p.x[near_[n].index], p.y[near_[n].index]};
-      gaps_[n] = std::numeric_limits<double>::infinity();
       if (place.x < box.x_min - reach || place.x > box.x_max + reach || place.y < box.y_min - reach ||
           place.y > box.y_max + reach)
         continue;
       const RigidBody::Nearest nearest = body.nearest(place);
-      gaps_[n] = nearest.distance - p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
+      const double reaches = nearest.corner
+                                 ? p.half_size
+                                 : p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
+      touches_[n] = {nearest.distance <= reaches + closed_gap * h,
+                     nearest.corner,
+                     {-nearest.normal.x, -nearest.normal.y}};
     }
   });
 }
@@ -66,10 +70,8 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
   const Grid& grid = domain.grid;
   window_ = nodes_around(lattice, body.bounds());
   find_wall(body, lattice, window_, wall_);
-  measure_gaps(domain, body);
+  find_touches(domain, body);
   sums_.assign(window_.count(), {});
-  for (Sums& sums : sums_)
-    sums.gap = std::numeric_limits<double>::infinity();
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   for (std::size_t n = 0; n < near_.size(); ++n) {
@@ -95,7 +97,11 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
         sums.volume += vs;
         sums.friction += vs * structure.friction[p.soil_index];
         sums.adhesion += vs * structure.adhesion[p.soil_index];
-        sums.gap = std::min(sums.gap, gaps_[n]);
+        if (const Touch& touch = touches_[n]; touch.touches) {
+          sums.touched = true;
+          if (!touch.corner)
+            sums.touching = {sums.touching.x + vs * touch.normal.x, sums.touching.y + vs * touch.normal.y};
+        }
         if (!p.traits.wet)
           continue;
         sums.wet += vs;
@@ -115,18 +121,15 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
   for (int j = window_.j0; j < window_.j0 + window_.rows; ++j)
     for (int i = window_.i0; i < window_.i0 + window_.columns; ++i) {
       const Sums& sums = sums_[window_.place(i, j)];
-      const WallShare& wall = wall_[window_.place(i, j)];
       const std::size_t node = lattice.index(i, j);
       if (grid.mass[node] <= empty || sums.volume <= 0.0)
         continue;
       const Vector place{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
-      if (wall.length <= least_share * lattice.h && !body.contains(place))
+      if (wall_[window_.place(i, j)] <= least_share * lattice.h && !body.contains(place))
         continue;
-      const double of_soil = length(sums.gradient);
-      const double of_body = length(wall.gradient);
-      const bool by_body = of_body > 0.0 && (domain.spec.normals == ContactNormals::polygon ||
-                                             of_body > much_larger * of_soil);
-      if (!by_body && of_soil <= 0.0)
+      const bool at_edge = length(sums.touching) > 0.0;
+      const bool of_soil = length(sums.gradient) > 0.0;
+      if (!at_edge && !of_soil)
         continue;
       // The search for the sets begins with those of the last step.
       while (known != before.end() && known->node < node)
@@ -139,10 +142,14 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
       found.node = node;
       found.place = place;
       found.arm = body.arm(place);
-      found.normal = by_body ? unit(wall.gradient, -1.0) : unit(sums.gradient, 1.0);
-      found.area = by_body ? of_body : of_soil;
+      const bool by_gradient = domain.spec.normals == ContactNormals::gradient ||
+                               (domain.spec.normals == ContactNormals::automatic && sums.wet > 0.0);
+      found.normal = unit(at_edge ? sums.touching : sums.gradient);
+      if (by_gradient && of_soil && dot(found.normal, unit(sums.gradient)) > far_apart)
+        found.normal = unit(sums.gradient);
+      found.area = std::max(0.0, dot(found.normal, sums.gradient));
       found.friction = sums.friction / sums.volume;
-      found.closed = sums.gap <= closed_gap * lattice.h;
+      found.closed = sums.touched;
       of_nodes_.push_back(sums);
     }
 }
@@ -158,16 +165,16 @@ void ContactNode::set_trial(const Vector& solid_by_others, const Vector& water_b
       free_impulse + full_water * dot(normal, water_mass > 0.0 ? water_by_others : solid_by_others);
 }
 
-void ContactNode::find_changes(const RigidMotion& u) {
+void ContactNode::find_changes() {
   solid_change = water_change = {};
   if (!tied)
     return;
   const Vector t = tangent();
-  const double wall = pull_normal(u);
+  const double common = normal_speed - normal_impulse / mass; // along n, of grains and water
   const double along = -tangential_impulse / tangential;
-  const double drift = solid_mass > 0.0 ? tangential_impulse / solid_mass / drag : 0.0;
-  const double solid_n = wall - solid_normal;
-  const double water_n = wall - water_normal;
+  const double drift = tangential_impulse / solid_mass / drag;
+  const double solid_n = common - solid_normal;
+  const double water_n = common - water_normal;
   solid_change = {solid_n * normal.x + along * t.x, solid_n * normal.y + along * t.y};
   water_change = {water_n * normal.x + (along + drift) * t.x, water_n * normal.y + (along + drift) * t.y};
 }

@@ -6,13 +6,17 @@
 //
 //     g = sum V grad S,      volume = sum V S,      friction = sum V S mu / volume.
 //
-// The normal from soil to body. g points out of the soil, so n = g/|g|: the pressure of pore water then has
-// no tangential rest at a node, since its force is p g. Where the soil ends at a node for another reason, at
-// the ground surface beside a wall, its gradient points elsewhere; there the body's own (wall_nodes.hpp) is
-// the larger of the two by far, and n = -g_body/|g_body|.
+// A particle touches the body while its place is no farther from the surface than its box reaches along the
+// normal, l (|n_x| + |n_y|), or from a corner than l; a node is closed while a particle that touches reaches
+// it.
 //
-// A node is closed while some particle that reaches it is next to the body: the distance of its place from
-// the surface is no more than what its box reaches along the normal, l (|n_x| + |n_y|).
+// The normal n from soil to body may come from either side. That of the body is the mean of the normals of
+// its surface next to the particles that touch, weighted by V S; corners have none. That of the soil, n =
+// g/|g|, leaves the pressure of pore water without a tangential rest at any node, since its force there is p
+// g. So it is taken where soil has a pore pressure, and where corners alone touch. Soil ends at a node for
+// other reasons than the body, too, at the ground surface beside a wall, say: where both normals are far
+// apart, the body's holds. Dry soil takes the body's at every edge: its surface is smooth where that of soil
+// made of squares is not.
 
 #include "mpm_domain/contact/rigid_contact.hpp"
 #include "mpm_domain/contact/wall_nodes.hpp"
@@ -41,8 +45,8 @@ struct ContactNode : ContactPoint {
 
   /// Takes trial velocities that differ from those of the update by what other bodies have changed.
   void set_trial(const Vector& solid_by_others, const Vector& water_by_others);
-  /// The changes of both velocities by the present impulses, for a body that moves by u.
-  void find_changes(const RigidMotion& u);
+  /// Finds the changes of both velocities by the present impulses.
+  void find_changes();
 };
 
 /// A particle near a body.
@@ -83,15 +87,23 @@ private:
     Vector sealed_force;   ///< sum V p_e grad S of it
     double wet = 0.0;      ///< sum V S of soil with a pore pressure
     double suction = 0.0;  ///< sum V S (p_cav - hydrostatic) of it
-    double gap = 0.0;      ///< the least of its particles
+    Vector touching;       ///< sum V S n of particles that touch an edge of the body
+    bool touched = false;  ///< by an edge or a corner
   };
 
-  void measure_gaps(Domain& domain, const RigidBody& body);
+  /// How a near particle touches the body: the normal of its surface, from soil to body.
+  struct Touch {
+    bool touches = false;
+    bool corner = false;
+    Vector normal;
+  };
+
+  void find_touches(Domain& domain, const RigidBody& body);
 
   std::vector<NearParticle> near_;
-  std::vector<double> gaps_; ///< by near particle
+  std::vector<Touch> touches_; ///< by near particle
   NodeWindow window_;
-  std::vector<WallShare> wall_;
+  std::vector<double> wall_; ///< L_I
   std::vector<Sums> sums_;
   std::vector<Sums> of_nodes_; ///< of nodes_, in their order
   std::vector<ContactNode> nodes_;

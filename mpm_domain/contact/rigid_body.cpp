@@ -92,29 +92,31 @@ RigidLoad RigidBody::load(double gravity, const std::optional<WaterAtRest>& wate
 
 RigidBody::Nearest RigidBody::nearest(const Vector& place) const {
   double least = std::numeric_limits<double>::infinity();
-  Vector to{};
-  Vector edge_normal{};
+  Vector away{};        // from the surface to the place
+  Vector edge_normal{}; // of the edge that it belongs to
+  bool corner = false;
   for (std::size_t i = 0, j = outline_.size() - 1; i < outline_.size(); j = i++) {
     const Vector a = outline_[j];
     const Vector edge{outline_[i].x - a.x, outline_[i].y - a.y};
     const Vector from_a{place.x - a.x, place.y - a.y};
     const double length2 = dot(edge, edge);
-    const double t = std::clamp(dot(from_a, edge) / length2, 0.0, 1.0);
-    const Vector away{from_a.x - t * edge.x, from_a.y - t * edge.y};
-    const double distance2 = dot(away, away);
+    const double along = dot(from_a, edge) / length2;
+    const double t = std::clamp(along, 0.0, 1.0);
+    const Vector to{from_a.x - t * edge.x, from_a.y - t * edge.y};
+    const double distance2 = dot(to, to);
     if (distance2 < least) {
       least = distance2;
-      to = away;
+      away = to;
+      corner = t != along;
       const double per_length = 1.0 / std::sqrt(length2);
       edge_normal = {edge.y * per_length, -edge.x * per_length};
     }
   }
   const double distance = std::sqrt(least);
   const double sense = contains(place) ? -1.0 : 1.0;
-  const double span = std::abs(outline_.front().x - centre_.x) + std::abs(outline_.front().y - centre_.y);
-  if (distance < 1e-12 * span)
-    return {sense * distance, edge_normal};
-  return {sense * distance, {sense * to.x / distance, sense * to.y / distance}};
+  if (!corner || distance == 0.0)
+    return {sense * distance, edge_normal, corner};
+  return {sense * distance, {sense * away.x / distance, sense * away.y / distance}, true};
 }
 
 bool RigidBody::contains(const Vector& place) const {

@@ -67,11 +67,12 @@ public:
   /// Weight and, with water around it, buoyancy.
   RigidLoad load(double gravity, const std::optional<WaterAtRest>& water) const;
 
-  /// The point of the outline next to a place, how far that lies outside (m; negative inside), and the normal
-  /// there, out of the body.
+  /// The point of the outline next to a place, how far that lies outside (m; negative inside), the normal
+  /// there, out of the body, and whether it is a corner.
   struct Nearest {
     double distance;
     Vector normal;
+    bool corner;
   };
   Nearest nearest(const Vector& place) const;
   bool contains(const Vector& place) const;

@@ -33,8 +33,8 @@ NodeWindow nodes_around(const Lattice& lattice, const mesh::Rectangle& box) {
 }
 
 void find_wall(const RigidBody& body, const Lattice& lattice, const NodeWindow& window,
-               std::vector<WallShare>& shares) {
-  shares.assign(window.count(), {});
+               std::vector<double>& lengths) {
+  lengths.assign(window.count(), 0.0);
   const std::vector<Vector>& outline = body.outline();
   std::vector<double> cuts;
   for (std::size_t k = 0, before = outline.size() - 1; k < outline.size(); before = k++) {
@@ -45,7 +45,6 @@ void find_wall(const RigidBody& body, const Lattice& lattice, const NodeWindow& 
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     if (length == 0.0)
       continue;
-    const Vector normal{(b.y - a.y) / length, -(b.x - a.x) / length}; // out of a counter-clockwise outline
     cuts.assign({0.0, 1.0});
     add_crossings(a.x, b.x, cuts);
     add_crossings(a.y, b.y, cuts);
@@ -66,11 +65,7 @@ void find_wall(const RigidBody& body, const Lattice& lattice, const NodeWindow& 
             return std::max(0.0, 1.0 - std::abs(p.x - (i + di))) *
                    std::max(0.0, 1.0 - std::abs(p.y - (j + dj)));
           };
-          const double share = piece * (hat(from) + 4.0 * hat(middle) + hat(to)) / 6.0;
-          WallShare& node = shares[window.place(i + di, j + dj)];
-          node.gradient.x += share * normal.x;
-          node.gradient.y += share * normal.y;
-          node.length += share;
+          lengths[window.place(i + di, j + dj)] += piece * (hat(from) + 4.0 * hat(middle) + hat(to)) / 6.0;
         }
     }
   }

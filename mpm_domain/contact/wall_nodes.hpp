@@ -1,12 +1,11 @@
 #pragma once
 
-// The surface of a body as the nodes of a lattice see it. With N_I the bilinear hat of node I and n the
-// normal out of the body,
+// The surface of a body as the nodes of a lattice see it: with N_I the bilinear hat of node I,
 //
-//     g_I = int_body grad N_I dA = surface integral of N_I n,      L_I = surface integral of N_I,
+//     L_I = surface integral of N_I,
 //
-// integrals that are exact: the surface is cut where it crosses the lattice, and along each piece N_I is a
-// polynomial of second degree, for which Simpson's rule holds.
+// which is exact: the surface is cut where it crosses the lattice, and along each piece N_I is a polynomial
+// of second degree, for which Simpson's rule holds.
 
 #include "mpm_domain/contact/rigid_body.hpp"
 #include "mpm_domain/spec/lattice.hpp"
@@ -33,14 +32,8 @@ struct NodeWindow {
 /// The nodes of a lattice within two cells of a rectangle, as far as there are any.
 NodeWindow nodes_around(const Lattice& lattice, const mesh::Rectangle& box);
 
-/// What a node has of a body's surface.
-struct WallShare {
-  Vector gradient;     ///< g_I, m
-  double length = 0.0; ///< L_I, m
-};
-
-/// One share for each node of a window.
+/// L_I of the nodes of a window, m.
 void find_wall(const RigidBody& body, const Lattice& lattice, const NodeWindow& window,
-               std::vector<WallShare>& shares);
+               std::vector<double>& lengths);
 
 } // namespace tremolo::mpm_domain

@@ -225,7 +225,8 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                     rest.residual, settings.max_time, settings.residual));
   if (domain.contact.any())
     reactions.slipping = !release(domain, [&] {
-      const double time = std::max(settings.max_time, 2.0 * static_cast<double>(rest.step) * dt);
+      constexpr long least = 1000; // steps that friction may take to find its share, and as often those of the bonds
+      const double time = static_cast<double>(std::max(least, 4 * rest.step)) * dt;
       return relax(false, rest.step, time).residual < settings.residual;
     });
 

@@ -1,7 +1,6 @@
 #include "mpm_domain/particles/fill.hpp"
 
 #include "mesh/polygon.hpp"
-#include "mesh/polygon_measures.hpp"
 
 #include <fmt/format.h>
 
@@ -22,30 +21,76 @@ int count_along(double length, double size) {
   return static_cast<int>(std::lround(n));
 }
 
-/// The part of a particle's square that no structure takes.
+/// The part of a particle's square that is soil.
 struct Plot {
   double x, y; ///< of its centroid, m
   double area; ///< m2
 };
 
-/// Squares that structures leave less of than this share carry no particle.
+/// Squares with less soil than this share carry no particle.
 constexpr double least_plot = 0.01;
 
-Plot plot_outside(const std::vector<Structure>& structures, double x, double y, double size) {
-  const double l = 0.5 * size;
-  double area = size * size;
-  double first_x = 0.0; // moments about (x, y)
-  double first_y = 0.0;
-  for (const Structure& structure : structures) {
-    const mesh::PolygonMeasures taken =
-        mesh::measures(mesh::part_in(structure.outline, {x - l, y - l, x + l, y + l}));
-    area -= taken.area;
-    first_x -= taken.area * (taken.x - x);
-    first_y -= taken.area * (taken.y - y);
+/// Whether an edge of a polygon runs through a square.
+template <typename Polygon>
+bool cuts(const Polygon& polygon, const mesh::Rectangle& square) {
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    double first = 0.0; // of the part of the edge within, as shares of it
+    double last = 1.0;
+    const auto clip = [&](double from, double to, double low, double high) {
+      const double way = to - from;
+      if (way == 0.0) {
+        if (from <= low || from >= high)
+          last = -1.0;
+        return;
+      }
+      const double a = (low - from) / way;
+      const double b = (high - from) / way;
+      first = std::max(first, std::min(a, b));
+      last = std::min(last, std::max(a, b));
+    };
+    clip(polygon[j].x, polygon[i].x, square.x_min, square.x_max);
+    clip(polygon[j].y, polygon[i].y, square.y_min, square.y_max);
+    if (first < last)
+      return true;
   }
-  if (area < least_plot * size * size)
+  return false;
+}
+
+/// What of a square lies in regions and in no structure. Without structures it is all of the square or
+/// nothing, by its centre: the surface of the soil is then a staircase of squares, which waves do not mind,
+/// but bodies do. Squares that edges run through are sampled.
+Plot plot_of(const Spec& spec, double x, double y, double size) {
+  const auto is_soil = [&](double px, double py) {
+    return std::ranges::any_of(spec.regions,
+                               [&](const Region& r) { return mesh::inside(r.polygon, px, py); }) &&
+           std::ranges::none_of(spec.structures,
+                                [&](const Structure& s) { return mesh::inside(s.outline, px, py); });
+  };
+  const mesh::Rectangle square{x - 0.5 * size, y - 0.5 * size, x + 0.5 * size, y + 0.5 * size};
+  const bool cut =
+      !spec.structures.empty() &&
+      (std::ranges::any_of(spec.regions, [&](const Region& r) { return cuts(r.polygon, square); }) ||
+       std::ranges::any_of(spec.structures, [&](const Structure& s) { return cuts(s.outline, square); }));
+  if (!cut)
+    return {x, y, is_soil(x, y) ? size * size : 0.0};
+  constexpr int samples = 32; // a direction
+  Plot plot{0.0, 0.0, 0.0};
+  int hits = 0;
+  for (int j = 0; j < samples; ++j)
+    for (int i = 0; i < samples; ++i) {
+      const double px = square.x_min + (i + 0.5) * size / samples;
+      const double py = square.y_min + (j + 0.5) * size / samples;
+      if (is_soil(px, py)) {
+        plot.x += px;
+        plot.y += py;
+        ++hits;
+      }
+    }
+  if (hits == samples * samples)
+    return {x, y, size * size};
+  if (hits < least_plot * samples * samples)
     return {x, y, 0.0};
-  return {x + first_x / area, y + first_y / area, area};
+  return {plot.x / hits, plot.y / hits, size * size * hits / (samples * samples)};
 }
 
 void add_particle(Particles& set, std::uint32_t id, const Plot& plot) {
@@ -149,17 +194,18 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
   std::vector<Particles> sets = empty_sets(spec, tree ? tree->finest() : 0);
   const std::vector<Kind> kinds = kinds_of(spec);
   const auto add = [&](int level, double x, double y) {
-    const auto region = std::find_if(spec.regions.rbegin(), spec.regions.rend(),
-                                     [&](const Region& r) { return mesh::inside(r.polygon, x, y); });
+    const Plot plot = plot_of(spec, x, y, particle_size(spec, level));
+    if (plot.area == 0.0)
+      return;
+    const auto region = std::find_if(spec.regions.rbegin(), spec.regions.rend(), [&](const Region& r) {
+      return mesh::inside(r.polygon, x, y) || (plot.x != x && mesh::inside(r.polygon, plot.x, plot.y));
+    });
     if (region == spec.regions.rend())
       return;
     const bool under_water = spec.water && spec.soils[region->soil].pores && y < spec.water->level;
     const auto kind = std::ranges::find_if(kinds, [&](const Kind& candidate) {
       return candidate.soil == region->soil && candidate.under_water == under_water;
     });
-    const Plot plot = plot_outside(spec.structures, x, y, particle_size(spec, level));
-    if (plot.area == 0.0)
-      return;
     Particles& set =
         sets[static_cast<std::size_t>(level) * kinds.size() + static_cast<std::size_t>(kind - kinds.begin())];
     add_particle(set, static_cast<std::uint32_t>(set.size()), plot);

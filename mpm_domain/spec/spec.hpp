@@ -52,7 +52,7 @@ struct Spec {
   std::vector<Soil> soils;
   std::vector<Region> regions;
   std::vector<Structure> structures = {};
-  ContactNormals normals = ContactNormals::gradient;
+  ContactNormals normals = ContactNormals::automatic;
   Scheme scheme;
   Sides sides = Sides::free_field;
   /// Sides whose scattered waves a matched layer takes up instead of dashpots, and its depth in cells.

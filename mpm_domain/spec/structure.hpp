@@ -10,12 +10,14 @@ namespace tremolo::mpm_domain {
 
 /// Where the normal at a node between soil and a structure comes from (contact/contact_nodes.hpp).
 enum class ContactNormals {
-  gradient, ///< the gradient of the soil's volume, or of the structure's where that is much the larger
-  polygon,  ///< always that of the structure
+  automatic, ///< `gradient` where the soil has a pore pressure, `polygon` elsewhere
+  gradient,  ///< the gradient of the soil's volume, as far as it is not far from the next
+  polygon,   ///< the structure's surface
 };
 constexpr auto words(ContactNormals) {
-  return word_table<ContactNormals>(
-      {{ContactNormals::gradient, "gradient"}, {ContactNormals::polygon, "polygon"}});
+  return word_table<ContactNormals>({{ContactNormals::automatic, "automatic"},
+                                     {ContactNormals::gradient, "gradient"},
+                                     {ContactNormals::polygon, "polygon"}});
 }
 
 /// A rigid body that stands in or on the soil.
