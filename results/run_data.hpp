@@ -15,6 +15,12 @@ namespace tremolo::results {
 using AttributeValue =
     std::variant<std::string, double, std::int64_t, std::vector<double>, std::vector<std::string>>;
 
+/// An attribute of an object in the file.
+struct Attribute {
+  std::string name;
+  AttributeValue value;
+};
+
 /// A quantity of all particles of a frame, particle after particle.
 struct Field {
   std::string_view name;

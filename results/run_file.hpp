@@ -72,10 +72,11 @@ public:
   /// Sets an attribute of the file's root, e.g. mesh_size. Before the first frame.
   void attribute(std::string_view name, const AttributeValue& value);
 
-  /// Adds a series, e.g. "/monitors/toe" or "/energy". The reference stays valid as long as the writer.
-  /// Before the first frame.
+  /// Adds a series, e.g. "/monitors/toe" or "/energy", and the group that it stands in. The reference stays
+  /// valid as long as the writer. Before the first frame.
+  /// @param attributes  besides `columns` and `units`
   TimeSeries& add_series(std::string_view path, std::span<const std::string> columns,
-                         std::span<const std::string> units);
+                         std::span<const std::string> units, std::span<const Attribute> attributes = {});
 
   /// Declares the boundary faces of /boundary. Once, before the first frame.
   void set_boundary(const BoundaryFaces& faces);

@@ -19,7 +19,8 @@
 namespace tremolo::results {
 namespace {
 
-/// Room for links in /frames and /monitors; more are possible, but no longer added by a single write.
+/// Room for links in /frames, and in /monitors and other groups of series; more are possible, but no longer
+/// added by a single write.
 constexpr std::size_t expected_frames = 4096;
 constexpr std::size_t expected_monitors = 64;
 
@@ -135,6 +136,14 @@ public:
     }
   }
 
+  /// Creates the group in which a path ends, where it is not there yet.
+  void require_group_of(std::string_view path) const {
+    const std::string group(path.substr(0, path.rfind('/')));
+    if (!group.empty() && H5Lexists(file_.get(), group.c_str(), H5P_DEFAULT) <= 0) {
+      create_group(root(), group, expected_monitors);
+    }
+  }
+
   void attribute(std::string_view name, const AttributeValue& value) {
     if (H5Aexists(file_.get(), std::string(name).c_str()) > 0) {
       throw std::invalid_argument(fmt::format("attribute {} is in the run already", name));
@@ -149,17 +158,22 @@ public:
   }
 
   TimeSeries& add_series(std::string_view path, std::span<const std::string> columns,
-                         std::span<const std::string> units, std::unique_ptr<TimeSeries> series) {
+                         std::span<const std::string> units, std::span<const Attribute> attributes,
+                         std::unique_ptr<TimeSeries> series) {
     if (columns.empty() || columns.size() != units.size()) {
       throw std::invalid_argument(
           fmt::format("series {} has {} columns and {} units", path, columns.size(), units.size()));
     }
+    require_group_of(path);
     require_new(path);
     const hsize_t width = columns.size();
     GrowingDataset dataset(root(), path, {&width, 1});
     const Place place{dataset.id(), path_};
     write_attribute(place, "columns", std::vector<std::string>(columns.begin(), columns.end()));
     write_attribute(place, "units", std::vector<std::string>(units.begin(), units.end()));
+    for (const Attribute& attribute : attributes) {
+      write_attribute(place, attribute.name, attribute.value);
+    }
     series_.push_back({std::move(series), std::move(dataset)});
     return *series_.back().buffer;
   }
@@ -310,12 +324,12 @@ void RunWriter::attribute(std::string_view name, const AttributeValue& value) {
 }
 
 TimeSeries& RunWriter::add_series(std::string_view path, std::span<const std::string> columns,
-                                  std::span<const std::string> units) {
+                                  std::span<const std::string> units, std::span<const Attribute> attributes) {
   implementation_->require_no_frame("a series");
   std::unique_ptr<TimeSeries> series(new TimeSeries(std::string(path), columns.size()));
   TimeSeries* added = nullptr;
   implementation_->guarded(
-      [&] { added = &implementation_->add_series(path, columns, units, std::move(series)); });
+      [&] { added = &implementation_->add_series(path, columns, units, attributes, std::move(series)); });
   return *added;
 }
 

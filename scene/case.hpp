@@ -76,6 +76,28 @@ struct Region {
   Polygon polygon;
 };
 
+/// A closed line of [[structure]].
+struct Outline {
+  std::string_view key; ///< of its table that gives it, "polygon" or "circle"
+  Polygon corners;
+};
+
+/// What a structure's surface does against a soil.
+struct SoilContact {
+  double friction = 0.0; ///< mu
+  double adhesion = 0.0; ///< Pa
+};
+
+/// [[structure]]: a rigid body that stands in or on the soil.
+struct Structure {
+  std::string name;
+  Outline outline;
+  std::optional<Outline> hole;      ///< its empty inside
+  double density = 0.0;             ///< of what lies between both, kg/m3
+  double friction = 0.0;            ///< against other structures; of two the smaller counts
+  std::vector<SoilContact> against; ///< each of Case::soils
+};
+
 /// A layer of a free-field profile.
 struct Layer {
   double thickness = 0.0;          ///< m
@@ -136,6 +158,7 @@ struct Mesh {
   std::vector<Refinement> refine;
   ParticleBoxes particle_boxes = ParticleBoxes::fixed;
   Dilatation dilatation = Dilatation::cell;
+  ContactNormals contact_normals = ContactNormals::gradient;
 };
 
 struct TimeStepping {
@@ -259,6 +282,7 @@ struct Case {
   std::optional<GroundWater> water;
   std::vector<Soil> soils;
   std::vector<Region> regions;
+  std::vector<Structure> structures;
   double halfspace_damping = 0.0; ///< ratio, of critical
   std::vector<Layer> profile;     ///< from the surface down; empty: the half-space reaches the surface
   Damping damping;

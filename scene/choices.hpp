@@ -5,10 +5,12 @@
 
 #include "base/words.hpp"
 #include "mpm_domain/spec/numerics.hpp"
+#include "mpm_domain/spec/structure.hpp"
 
 namespace tremolo::scene {
 
 // The domain's own choices, under their own names.
+using mpm_domain::ContactNormals;
 using mpm_domain::Dilatation;
 using mpm_domain::ParticleBoxes;
 using mpm_domain::Side;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace tremolo::scene {
 
@@ -52,10 +53,6 @@ bool on_outline(const Polygon& polygon, Point p) {
     if (on_segment(p, edge(polygon, i)))
       return true;
   return false;
-}
-
-bool strictly_inside(const Polygon& polygon, Point p) {
-  return !on_outline(polygon, p) && mesh::inside(polygon, p.x, p.y);
 }
 
 /// Parameters in [0, 1] along s where it meets the segment other, for segments that are not parallel.
@@ -131,6 +128,17 @@ bool Box::contains(Point p) const {
   return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max;
 }
 
+// n triangles of two sides R and an angle a between them: n/2 R^2 sin a = pi r^2.
+Polygon circle(Point centre, double radius) {
+  constexpr int corners = 64;
+  constexpr double angle = 2.0 * std::numbers::pi / corners;
+  const double reach = radius * std::sqrt(angle / std::sin(angle));
+  Polygon polygon;
+  for (int k = 0; k < corners; ++k)
+    polygon.push_back({centre.x + reach * std::cos(angle * k), centre.y + reach * std::sin(angle * k)});
+  return polygon;
+}
+
 double area(const Polygon& polygon) {
   double twice = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -138,8 +146,29 @@ double area(const Polygon& polygon) {
   return 0.5 * std::abs(twice);
 }
 
+void for_pieces(const Polygon& polygon, double level, double longest,
+                const std::function<void(Point from, Point to)>& visit) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto [a, b] = edge(polygon, i);
+    if (a.y > level && b.y > level)
+      continue;
+    const auto at = [a = a, b = b](double t) { return Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; };
+    const double crossing = a.y > level || b.y > level ? (level - a.y) / (b.y - a.y) : 0.0;
+    const double begin = a.y > level ? crossing : 0.0;
+    const double end = b.y > level ? crossing : 1.0;
+    const double parts = std::max(1.0, std::ceil(length(minus(at(end), at(begin))) / longest));
+    const auto part = [=](double n) { return at(begin + n / parts * (end - begin)); };
+    for (double n = 0.0; n < parts; ++n)
+      visit(part(n), part(n + 1.0));
+  }
+}
+
 bool contains(const Polygon& polygon, Point p) {
   return on_outline(polygon, p) || mesh::inside(polygon, p.x, p.y);
+}
+
+bool strictly_inside(const Polygon& polygon, Point p) {
+  return !on_outline(polygon, p) && mesh::inside(polygon, p.x, p.y);
 }
 
 bool intersects_itself(const Polygon& polygon) {
@@ -157,6 +186,14 @@ bool intersects_itself(const Polygon& polygon) {
     const bool neighbours = j == i + 1 || (i == 0 && j == n - 1);
     return !neighbours && segments_meet(edge(polygon, i), edge(polygon, j));
   });
+}
+
+bool encloses(const Polygon& outer, const Polygon& inner) {
+  for (std::size_t i = 0; i < inner.size(); ++i)
+    for (std::size_t j = 0; j < outer.size(); ++j)
+      if (segments_meet(edge(inner, i), edge(outer, j)))
+        return false;
+  return strictly_inside(outer, inner.front());
 }
 
 // If no edge of either runs inside the other, the interiors are equal or disjoint; one inner point tells

@@ -56,6 +56,12 @@ std::optional<std::string> heterogeneous(const scene::Case& scene) {
   return std::nullopt;
 }
 
+std::optional<std::string> built_on(const scene::Case& scene) {
+  if (scene.structures.empty())
+    return std::nullopt;
+  return fmt::format("structure '{}' scatters the waves", scene.structures.front().name);
+}
+
 /// Regions lie in the box and do not overlap: they fill it up to the surface where their areas do.
 std::optional<std::string> uneven(const scene::Case& scene) {
   const double level = scene.surface_level;
@@ -78,7 +84,7 @@ std::optional<std::string> uneven(const scene::Case& scene) {
 } // namespace
 
 std::optional<std::string> why_not_exact(const scene::Case& scene) {
-  for (const auto reason : {surfaces_differ, layered, heterogeneous, uneven})
+  for (const auto reason : {surfaces_differ, layered, heterogeneous, built_on, uneven})
     if (auto why = reason(scene))
       return why;
   return std::nullopt;

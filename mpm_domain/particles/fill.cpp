@@ -1,11 +1,13 @@
 #include "mpm_domain/particles/fill.hpp"
 
 #include "mesh/polygon.hpp"
+#include "mpm_domain/spec/plot.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -19,78 +21,6 @@ int count_along(double length, double size) {
         fmt::format("the model box is {:.6g} m long, which is not a multiple of the particle size {:.6g} m",
                     length, size));
   return static_cast<int>(std::lround(n));
-}
-
-/// The part of a particle's square that is soil.
-struct Plot {
-  double x, y; ///< of its centroid, m
-  double area; ///< m2
-};
-
-/// Squares with less soil than this share carry no particle.
-constexpr double least_plot = 0.01;
-
-/// Whether an edge of a polygon runs through a square.
-template <typename Polygon>
-bool cuts(const Polygon& polygon, const mesh::Rectangle& square) {
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    double first = 0.0; // of the part of the edge within, as shares of it
-    double last = 1.0;
-    const auto clip = [&](double from, double to, double low, double high) {
-      const double way = to - from;
-      if (way == 0.0) {
-        if (from <= low || from >= high)
-          last = -1.0;
-        return;
-      }
-      const double a = (low - from) / way;
-      const double b = (high - from) / way;
-      first = std::max(first, std::min(a, b));
-      last = std::min(last, std::max(a, b));
-    };
-    clip(polygon[j].x, polygon[i].x, square.x_min, square.x_max);
-    clip(polygon[j].y, polygon[i].y, square.y_min, square.y_max);
-    if (first < last)
-      return true;
-  }
-  return false;
-}
-
-/// What of a square lies in regions and in no structure. Without structures it is all of the square or
-/// nothing, by its centre: the surface of the soil is then a staircase of squares, which waves do not mind,
-/// but bodies do. Squares that edges run through are sampled.
-Plot plot_of(const Spec& spec, double x, double y, double size) {
-  const auto is_soil = [&](double px, double py) {
-    return std::ranges::any_of(spec.regions,
-                               [&](const Region& r) { return mesh::inside(r.polygon, px, py); }) &&
-           std::ranges::none_of(spec.structures,
-                                [&](const Structure& s) { return mesh::inside(s.outline, px, py); });
-  };
-  const mesh::Rectangle square{x - 0.5 * size, y - 0.5 * size, x + 0.5 * size, y + 0.5 * size};
-  const bool cut =
-      !spec.structures.empty() &&
-      (std::ranges::any_of(spec.regions, [&](const Region& r) { return cuts(r.polygon, square); }) ||
-       std::ranges::any_of(spec.structures, [&](const Structure& s) { return cuts(s.outline, square); }));
-  if (!cut)
-    return {x, y, is_soil(x, y) ? size * size : 0.0};
-  constexpr int samples = 32; // a direction
-  Plot plot{0.0, 0.0, 0.0};
-  int hits = 0;
-  for (int j = 0; j < samples; ++j)
-    for (int i = 0; i < samples; ++i) {
-      const double px = square.x_min + (i + 0.5) * size / samples;
-      const double py = square.y_min + (j + 0.5) * size / samples;
-      if (is_soil(px, py)) {
-        plot.x += px;
-        plot.y += py;
-        ++hits;
-      }
-    }
-  if (hits == samples * samples)
-    return {x, y, size * size};
-  if (hits < least_plot * samples * samples)
-    return {x, y, 0.0};
-  return {plot.x / hits, plot.y / hits, size * size * hits / (samples * samples)};
 }
 
 void add_particle(Particles& set, std::uint32_t id, const Plot& plot) {
@@ -193,8 +123,10 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
 
   std::vector<Particles> sets = empty_sets(spec, tree ? tree->finest() : 0);
   const std::vector<Kind> kinds = kinds_of(spec);
+  const auto regions = std::views::transform(spec.regions, &Region::polygon);
+  const auto structures = std::views::transform(spec.structures, &Structure::outline);
   const auto add = [&](int level, double x, double y) {
-    const Plot plot = plot_of(spec, x, y, particle_size(spec, level));
+    const Plot plot = plot_of(regions, structures, x, y, particle_size(spec, level));
     if (plot.area == 0.0)
       return;
     const auto region = std::find_if(spec.regions.rbegin(), spec.regions.rend(), [&](const Region& r) {

@@ -37,6 +37,7 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   spec.box.y_max = source.surface;
   spec.soils.clear();
   spec.regions.clear();
+  spec.structures.clear();
   spec.matched_sides.clear();
   const double half_space = scene::base_level(source.surface, scene::layers(scene, source));
   spec.box.y_min -=

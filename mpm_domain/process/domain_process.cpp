@@ -19,10 +19,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace tremolo::mpm_domain {
 
 namespace {
+
+/// "structure 'block'", "one of the structures 'block', 'wall'"
+std::string names_of_bodies(const Domain& domain) {
+  std::string names;
+  for (const RigidBody& body : domain.contact.bodies())
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", body.name());
+  return fmt::format("{} {}", domain.contact.bodies().size() == 1 ? "structure" : "one of the structures",
+                     names);
+}
 
 /// Brings the domain to rest and returns the wall time it took, s.
 double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::DomainClient& client) {
@@ -38,6 +48,10 @@ double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::
                "it: the soil "
                "there is not at rest; a gentler slope or stronger soil would be\n",
                reactions.unheld, domain.particle_count());
+  if (reactions.slipping)
+    fmt::print("warning: soil and friction cannot hold {} under gravity: it stays in place until the shaking "
+               "starts, and moves from then on; more friction or a gentler slope would hold it\n",
+               names_of_bodies(domain));
   replace_constraints(domain, reactions);
   watch.stop();
   return watch.seconds();

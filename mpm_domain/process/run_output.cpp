@@ -70,6 +70,36 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> monitored
      {"pore_pressure", "Pa"},
      {"pore_pressure_ratio", "1"}}};
 
+/// What is written of a body; forces are those of BodyForces.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> body_columns{
+    {{"time", "s"},
+     {"x", "m"},
+     {"y", "m"},
+     {"tilt", "rad"},
+     {"vx", "m/s"},
+     {"vy", "m/s"},
+     {"spin", "rad/s"},
+     {"normal_x", "N/m"},
+     {"normal_y", "N/m"},
+     {"normal_moment", "N"},
+     {"friction_x", "N/m"},
+     {"friction_y", "N/m"},
+     {"friction_moment", "N"},
+     {"water_x", "N/m"},
+     {"water_y", "N/m"},
+     {"water_moment", "N"},
+     {"weight_x", "N/m"},
+     {"weight_y", "N/m"},
+     {"weight_moment", "N"}}};
+
+/// x and y of one corner after the other.
+std::vector<double> flat(const std::vector<Vector>& corners) {
+  std::vector<double> values;
+  for (const Vector& corner : corners)
+    values.insert(values.end(), {corner.x, corner.y});
+  return values;
+}
+
 void add_water(WaterFrame& frame, const Particles& set, std::size_t k) {
   double pressure = 0.0;
   double excess = 0.0;
@@ -208,6 +238,7 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
   }
   energy_ = &writer_.add_series("/energy", columns, units);
   add_monitors();
+  add_bodies();
   writer_.set_boundary(boundary_faces(domain, face_sources));
 }
 
@@ -236,6 +267,22 @@ void RunOutput::add_monitors() {
     keep_whole(domain_, follower.set, follower.id);
     follower.series = &writer_.add_series("/monitors/" + monitor.name, columns, units);
     followers_.push_back(follower);
+  }
+}
+
+void RunOutput::add_bodies() {
+  std::vector<std::string> columns;
+  std::vector<std::string> units;
+  for (const auto& [name, unit] : body_columns) {
+    columns.emplace_back(name);
+    units.emplace_back(unit);
+  }
+  for (const RigidBody& body : domain_.contact.bodies()) {
+    std::vector<results::Attribute> attributes{
+        {"outline", flat(body.outline())}, {"mass", body.mass()}, {"inertia", body.inertia()}};
+    if (const std::vector<Vector> hole = body.hole(); !hole.empty())
+      attributes.push_back({"hole", flat(hole)});
+    bodies_.push_back(&writer_.add_series("/bodies/" + body.name(), columns, units, attributes));
   }
 }
 
@@ -282,8 +329,28 @@ void RunOutput::write_history(const Stepper& stepper) {
     }
     follower.series->append(values);
   }
+  write_bodies(stepper);
   write_boundary(stepper);
   writer_.flush_if_large();
+}
+
+void RunOutput::write_bodies(const Stepper& stepper) {
+  const double back = 0.5 * stepper.dt();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const RigidBody& body = domain_.contact.bodies()[b];
+    const RigidMotion& u = body.motion();
+    const BodyForces forces = domain_.contact.forces(b);
+    std::vector<double> row{stepper.velocity_time(),
+                            body.centre().x - back * u.velocity.x,
+                            body.centre().y - back * u.velocity.y,
+                            body.tilt() - back * u.spin,
+                            u.velocity.x,
+                            u.velocity.y,
+                            u.spin};
+    for (const RigidLoad& load : {forces.normal, forces.friction, forces.water, forces.weight})
+      row.insert(row.end(), {load.force.x, load.force.y, load.moment});
+    bodies_[b]->append(row);
+  }
 }
 
 void RunOutput::write_frame(const Stepper& stepper) {
@@ -354,6 +421,8 @@ void RunOutput::take_over_histories(const results::RunReader& before, std::size_
   append("/energy", *energy_);
   for (std::size_t m = 0; m < followers_.size(); ++m)
     append("/monitors/" + scene_.monitors[m].name, *followers_[m].series);
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    append("/bodies/" + domain_.contact.bodies()[b].name(), *bodies_[b]);
   const results::BoundaryHistory boundary = before.boundary();
   const std::size_t width = 2 * domain_.boundary.faces().size();
   const auto row_of = [&](const std::vector<double>& values, std::size_t row) {

@@ -46,9 +46,11 @@ private:
   };
 
   void add_monitors();
+  void add_bodies();
   void take_over_histories(const results::RunReader& before, std::size_t rows);
   void take_over_frame(const results::RunReader& before, std::size_t frame);
   void write_history(const Stepper& stepper);
+  void write_bodies(const Stepper& stepper);
   void write_frame(const Stepper& stepper);
   void write_boundary(const Stepper& stepper);
 
@@ -57,6 +59,7 @@ private:
   results::RunWriter writer_;
   results::TimeSeries* energy_ = nullptr;
   std::vector<Follower> followers_;
+  std::vector<results::TimeSeries*> bodies_; ///< in the order of Contact::bodies()
   double next_history_ = 0.0;
   double next_frame_ = 0.0;
   double last_history_ = 0.0; ///< times of what was written last

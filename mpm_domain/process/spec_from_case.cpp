@@ -20,6 +20,26 @@ std::vector<materials::Law> finer_laws(const scene::Soil& soil, const scene::Mes
   return laws;
 }
 
+std::vector<Vector> corners_of(const scene::Polygon& polygon) {
+  std::vector<Vector> corners;
+  for (const scene::Point& point : polygon)
+    corners.push_back({point.x, point.y});
+  return corners;
+}
+
+Structure structure_of(const scene::Structure& structure) {
+  Structure copy{.name = structure.name,
+                 .outline = corners_of(structure.outline.corners),
+                 .hole = structure.hole ? corners_of(structure.hole->corners) : std::vector<Vector>{},
+                 .density = structure.density,
+                 .friction_between = structure.friction};
+  for (const scene::SoilContact& against : structure.against) {
+    copy.friction.push_back(against.friction);
+    copy.adhesion.push_back(against.adhesion);
+  }
+  return copy;
+}
+
 } // namespace
 
 Spec spec_from_case(const scene::Case& scene, int threads) {
@@ -37,12 +57,11 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                           scene::damping_time(scene.damping, soil.damping), soil.pores});
   if (scene.water)
     spec.water = {scene.water->level, scene.water->fluid};
-  for (const scene::Region& region : scene.regions) {
-    Region& copy = spec.regions.emplace_back();
-    copy.soil = region.soil;
-    for (const scene::Point& point : region.polygon)
-      copy.polygon.push_back({point.x, point.y});
-  }
+  for (const scene::Region& region : scene.regions)
+    spec.regions.push_back({region.soil, corners_of(region.polygon)});
+  for (const scene::Structure& structure : scene.structures)
+    spec.structures.push_back(structure_of(structure));
+  spec.normals = scene.mesh.contact_normals;
   spec.scheme = {.transfer = scene.time.transfer,
                  .order = scene.time.order,
                  .fraction = scene.time.fraction,

@@ -4,7 +4,10 @@
 #include "scene/choices.hpp"
 #include "scene/keys/keys_elastic.hpp"
 #include "scene/keys/keys_soil.hpp"
+#include "scene/keys/keys_structure.hpp"
 #include "scene/keys/keys_water.hpp"
+
+#include <algorithm>
 
 namespace tremolo::scene {
 
@@ -130,7 +133,7 @@ std::vector<Key> soil_keys_of_a_case() {
 } // namespace
 
 std::vector<Table> model_keys() {
-  return {
+  std::vector<Table> tables = {
       {.name = "soil",
        .kind = Kind::named,
        .required = true,
@@ -181,6 +184,15 @@ std::vector<Table> model_keys() {
                 "their own, cheaper and far too strong where soil is nearly incompressible. See "
                 "docs/theory.md.",
                 Dilatation::cell),
+            choice<ContactNormals>(
+                "contact_normals",
+                "Where the normal at a node between soil and a `[[structure]]` comes from. `gradient`: from "
+                "the "
+                "soil's volume around the node, so that pressure of pore water has no part along the "
+                "surface; "
+                "from the structure where the ground ends beside it. `polygon`: always from the structure's "
+                "surface. See docs/structures.md.",
+                ContactNormals::gradient),
             {.name = "layer_cells",
              .type = Type::integer,
              .unit = "cells",
@@ -191,6 +203,10 @@ std::vector<Table> model_keys() {
       time(),
       stage(),
   };
+  const auto structures = structure_keys();
+  const auto mesh = std::ranges::find(tables, "mesh", &Table::name);
+  tables.insert(mesh, structures.begin(), structures.end());
+  return tables;
 }
 
 } // namespace tremolo::scene

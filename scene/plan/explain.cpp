@@ -122,6 +122,8 @@ std::string explain(const Case& scene, const Plan& plan) {
   text += soils_text(scene);
   if (scene.water)
     text += "\nWater\n  " + water_text(scene);
+  if (!plan.structures.empty())
+    text += "\nStructures\n" + structures_text(scene, plan.structures);
   text += "\nRemarks\n";
   return text + remarks_text(scene);
 }
@@ -163,6 +165,14 @@ std::string to_json(const Case& scene, const Plan& plan) {
                               {"particles", level.particles},
                               {"critical_dt_s", level.critical_dt},
                               {"dt_s", level.dt}});
+  for (const PlannedStructure& structure : plan.structures)
+    json["structures"].push_back({{"name", structure.name},
+                                  {"area_m2", structure.area},
+                                  {"mass_kg_per_m", structure.mass},
+                                  {"weight_N_per_m", structure.weight},
+                                  {"buoyancy_N_per_m", structure.buoyancy},
+                                  {"contact_nodes", structure.contact_nodes},
+                                  {"bytes", structure.bytes}});
   json["particles"] = plan.particles;
   json["cells"] = plan.cells;
   json["critical_dt_s"] = plan.critical_dt;

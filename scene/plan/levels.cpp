@@ -2,9 +2,12 @@
 
 #include "mpm_domain/spec/grid_shape.hpp"
 #include "mpm_domain/spec/limits.hpp"
+#include "mpm_domain/spec/plot.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/structures.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/soils/viscous_damping.hpp"
+#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -104,6 +107,32 @@ std::vector<CriticalStep> critical_steps(const Case& scene) {
   return steps;
 }
 
+bool in_region(const Case& scene, Point at) {
+  return std::ranges::any_of(scene.regions,
+                             [at](const Region& region) { return contains(region.polygon, at); });
+}
+
+/// Particles of a uniform mesh for which structures leave no room.
+double squares_taken(const Case& scene, double spacing) {
+  const std::vector<Polygon> all = outlines(scene);
+  const std::vector<Polygon> regions = region_polygons(scene);
+  const Box& box = scene.mesh.box;
+  double count = 0.0;
+  for (const Polygon& outline : all) {
+    const Box part = box_of(outline);
+    const double first_x = std::floor((std::max(part.x_min, box.x_min) - box.x_min) / spacing);
+    const double first_y = std::floor((std::max(part.y_min, box.y_min) - box.y_min) / spacing);
+    for (double y = box.y_min + (first_y + 0.5) * spacing; y < std::min(part.y_max, box.y_max); y += spacing)
+      for (double x = box.x_min + (first_x + 0.5) * spacing; x < std::min(part.x_max, box.x_max);
+           x += spacing)
+        // Two structures may share a square; that in which its middle lies counts it.
+        if (contains(outline, {x, y}) && mpm_domain::plot_of(regions, all, x, y, spacing).area == 0.0 &&
+            in_region(scene, {x, y}))
+          ++count;
+  }
+  return count;
+}
+
 Level uniform_level(const Case& scene) {
   const Mesh& mesh = scene.mesh;
   double soil_area = 0.0;
@@ -117,20 +146,24 @@ Level uniform_level(const Case& scene) {
   return {.cell_size = mesh.size,
           .particle_size = spacing,
           .cells = static_cast<double>(grid.nx - 1) * static_cast<double>(grid.ny - 1),
-          .particles = std::round(soil_area / (spacing * spacing)),
+          .particles = std::round(soil_area / (spacing * spacing)) - squares_taken(scene, spacing),
           .nodes = static_cast<double>(grid.count()),
           .critical_dt = critical};
 }
 
 /// Calls act(region) for every particle of a leaf that lies in one.
 template <typename Act>
-void for_particles(const Case& scene, const mesh::Rectangle& leaf, double spacing, const Act& act) {
+void for_particles(const Case& scene, const std::vector<Polygon>& structures, const mesh::Rectangle& leaf,
+                   double spacing, const Act& act) {
+  const std::vector<Polygon> regions = region_polygons(scene);
   for (int j = 0; j < scene.mesh.particles_per_cell; ++j)
     for (int i = 0; i < scene.mesh.particles_per_cell; ++i) {
       const Point at{leaf.x_min + (i + 0.5) * spacing, leaf.y_min + (j + 0.5) * spacing};
-      const auto region =
-          std::ranges::find_if(scene.regions, [&](const Region& one) { return contains(one.polygon, at); });
-      if (region != scene.regions.end())
+      const mpm_domain::Plot plot = mpm_domain::plot_of(regions, structures, at.x, at.y, spacing);
+      const auto region = std::ranges::find_if(scene.regions, [&](const Region& one) {
+        return contains(one.polygon, at) || contains(one.polygon, {plot.x, plot.y});
+      });
+      if (region != scene.regions.end() && plot.area > 0.0)
         act(static_cast<std::size_t>(region - scene.regions.begin()));
     }
 }
@@ -158,6 +191,7 @@ std::vector<Level> levels(const Case& scene) {
                    .critical_dt = std::numeric_limits<double>::infinity()});
   const mesh::Rectangle box = rectangle(scene.mesh.box);
   const double near = 1e-3 * all.back().cell_size;
+  const std::vector<Polygon> structures = outlines(scene);
   for (const mesh::Cell& leaf : tree.leaves()) {
     const auto level = static_cast<std::size_t>(leaf.level);
     const mesh::Rectangle cell = tree.rectangle(leaf);
@@ -168,7 +202,7 @@ std::vector<Level> levels(const Case& scene) {
     // Particles at the edge of their cell take the step of finer cells beside it.
     const auto finest = static_cast<std::size_t>(
         tree.finest_in({cell.x_min - near, cell.y_min - near, cell.x_max + near, cell.y_max + near}));
-    for_particles(scene, cell, all[level].particle_size, [&](std::size_t region) {
+    for_particles(scene, structures, cell, all[level].particle_size, [&](std::size_t region) {
       ++all[level].particles;
       all[finest].critical_dt = std::min(all[finest].critical_dt, steps[region].on(all[finest].cell_size));
     });

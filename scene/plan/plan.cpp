@@ -121,7 +121,8 @@ std::string periodic_text(Sides sides) {
   return "[boundary] sides = \"free_field\"";
 }
 
-std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources) {
+std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources,
+                                 const std::vector<PlannedStructure>& structures) {
   const bool apic = scene.time.transfer == Transfer::apic;
   const bool deforming = scene.mesh.particle_boxes == ParticleBoxes::deforming;
   const std::string plastic_soils = soils_that_are(scene, materials::Response::plastic);
@@ -190,6 +191,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"flow of pore water", flows,
        flows ? flowing_soils + ": water has a velocity of its own" : "no soil of the domain lets water flow",
        flows ? flow_bytes : 0.0, flows ? flow_cost_ns : 0.0},
+      {"contact", !structures.empty(), contact_text(structures)},
       {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
@@ -246,7 +248,8 @@ double node_bytes(const Case& scene) {
 Plan plan(const Case& scene) {
   Plan result;
   result.sources = plan_sources(scene);
-  result.effects = plan_effects(scene, result.sources);
+  result.structures = plan_structures(scene);
+  result.effects = plan_effects(scene, result.sources, result.structures);
   result.base = describe_base(scene, result.sources);
   result.levels = levels(scene);
   result.critical_dt = critical_time_step(scene, result.levels);
@@ -277,12 +280,18 @@ Plan plan(const Case& scene) {
     ns += effect.ns_per_particle_step;
   }
   result.memory_bytes = particles * bytes + nodes * node_bytes(scene);
-  result.estimated_time = static_cast<double>(result.steps) * updates * ns * 1e-9;
+  double step_ns = updates * ns;
+  for (const PlannedStructure& structure : result.structures) {
+    result.memory_bytes += structure.bytes;
+    step_ns += structure.contact_nodes * contact_node_cost_ns;
+  }
+  result.estimated_time = static_cast<double>(result.steps) * step_ns * 1e-9;
   result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
   const double rows = scene.shaking.duration / scene.output.history_every;
   result.output_bytes =
       8.0 * (static_cast<double>(result.frames) * particles * output_doubles_per_particle(scene) +
-             rows * (static_cast<double>(scene.monitors.size()) * 6.0 + 11.0));
+             rows * (static_cast<double>(scene.monitors.size()) * 6.0 +
+                     static_cast<double>(scene.structures.size()) * 19.0 + 11.0));
   return result;
 }
 

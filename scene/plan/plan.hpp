@@ -5,6 +5,7 @@
 
 #include "scene/case.hpp"
 #include "scene/plan/levels.hpp"
+#include "scene/plan/structures.hpp"
 
 #include <cstdint>
 #include <string>
@@ -43,6 +44,7 @@ struct Plan {
   std::vector<SourceProcess> sources;
   std::string base; ///< in words: what the base uses
 
+  std::vector<PlannedStructure> structures;
   std::vector<Level> levels; ///< of the mesh, coarse to fine
   std::size_t particles = 0;
   std::size_t cells = 0;       ///< of all levels, see Level

@@ -27,7 +27,9 @@ void read_mesh(Document& document, Case& scene);
 void read_time(Document& document, Findings& findings, Case& scene);
 /// Stages: gravity and shaking.
 void read_stages(Document& document, Findings& findings, Case& scene);
-/// Regions, time stepping and stages; after read_free_field.
+/// Structures; after read_soils.
+void read_structures(Document& document, Findings& findings, Case& scene);
+/// Regions, structures, time stepping and stages; after read_free_field.
 void read_model(Document& document, Findings& findings, Case& scene);
 /// Which processes run on other machines.
 void read_hosts(Document& document, Case& scene);

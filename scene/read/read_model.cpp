@@ -56,7 +56,8 @@ void read_mesh(Document& document, Case& scene) {
                 table.integer("layer_cells"),
                 {},
                 table.choice<ParticleBoxes>("particle_boxes"),
-                table.choice<Dilatation>("dilatation")};
+                table.choice<Dilatation>("dilatation"),
+                table.choice<ContactNormals>("contact_normals")};
   for (const auto& refine : document.array("refine"))
     scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});
 }
@@ -64,6 +65,7 @@ void read_mesh(Document& document, Case& scene) {
 void read_model(Document& document, Findings& findings, Case& scene) {
   for (const auto& table : document.array("region"))
     scene.regions.push_back(read_region(table, scene.soils, findings));
+  read_structures(document, findings, scene);
   read_time(document, findings, scene);
   read_stages(document, findings, scene);
 }

@@ -72,6 +72,12 @@ public:
   Polygon polygon(std::string_view key) const;
   std::vector<std::string> choices(std::string_view key) const;
 
+  /// The table below this one, where the file has it: `circle` of [[structure]] by the spec
+  /// "structure.circle".
+  std::optional<TableReader> table(std::string_view key) const;
+  /// Likewise those of an array of tables.
+  std::vector<TableReader> tables(std::string_view key) const;
+
 private:
   using Value = std::variant<double, std::string, std::vector<double>, Polygon, std::vector<std::string>>;
 

@@ -1,5 +1,8 @@
 #include "scene/rules/particle_places.hpp"
 
+#include "mpm_domain/spec/plot.hpp"
+#include "scene/plan/structures.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +14,14 @@ struct Search {
   const mesh::Quadtree& tree;
   const mesh::Rectangle& box;
   int per_direction; ///< particles of a cell
-  const std::function<bool(Point)>& found;
+  std::vector<Polygon> regions;
+  std::vector<Polygon> structures;
+  const std::function<bool(const ParticlePlace&)>& found;
+
+  bool at(Point middle, double size_of_square) const {
+    const auto plot = mpm_domain::plot_of(regions, structures, middle.x, middle.y, size_of_square);
+    return plot.area > 0.0 && found({middle, {plot.x, plot.y}});
+  }
 
   bool in(const mesh::Cell& cell) const {
     const mesh::Rectangle place = tree.rectangle(cell);
@@ -23,7 +33,7 @@ struct Search {
     for (int j = 0; j < parts; ++j)
       for (int i = 0; i < parts; ++i)
         if (tree.is_cut(cell) ? in({cell.level + 1, 2 * cell.i + i, 2 * cell.j + j})
-                              : found({place.x_min + (i + 0.5) * size, place.y_min + (j + 0.5) * size}))
+                              : at({place.x_min + (i + 0.5) * size, place.y_min + (j + 0.5) * size}, size))
           return true;
     return false;
   }
@@ -37,9 +47,10 @@ int root_at(double distance, double size, int count) {
 } // namespace
 
 bool find_particle_place(const Case& scene, const mesh::Quadtree& tree, const mesh::Rectangle& box,
-                         const std::function<bool(Point)>& found) {
+                         const std::function<bool(const ParticlePlace&)>& found) {
   const mesh::Roots& roots = tree.roots();
-  const Search search{tree, box, scene.mesh.particles_per_cell, found};
+  const Search search{tree, box, scene.mesh.particles_per_cell, region_polygons(scene), outlines(scene),
+                      found};
   const int last_i = root_at(box.x_max - roots.x0, roots.h, roots.nx);
   const int last_j = root_at(box.y_max - roots.y0, roots.h, roots.ny);
   for (int j = root_at(box.y_min - roots.y0, roots.h, roots.ny); j <= last_j; ++j)

@@ -8,10 +8,17 @@
 
 namespace tremolo::scene {
 
-/// Visits the places where the domain would put particles if soil filled all leaves that overlap a box, until
-/// `found` says so. Only cells of the box are looked at: a mesh may have 1e9 particles.
+/// A square that soil would fill with a particle.
+struct ParticlePlace {
+  Point middle;
+  Point particle; ///< the centroid of what structures leave of it
+};
+
+/// Visits the places where the domain would put particles if soil filled all leaves that overlap a box and
+/// structures took what is theirs, until `found` says so. Only cells of the box are looked at: a mesh may
+/// have 1e9 particles.
 /// @returns whether it was found
 bool find_particle_place(const Case& scene, const mesh::Quadtree& tree, const mesh::Rectangle& box,
-                         const std::function<bool(Point)>& found);
+                         const std::function<bool(const ParticlePlace&)>& found);
 
 } // namespace tremolo::scene

@@ -66,6 +66,24 @@ void wet_soil_has_pores(const Case& scene, Findings& findings);
 void water_has_weight(const Case& scene, Findings& findings);
 /// Finite-element columns with pore water are marched by central differences.
 void water_is_marched_explicitly(const Case& scene, Findings& findings);
+/// Names of structures can be those of results, and are different.
+void structures_have_names(const Case& scene, Findings& findings);
+/// Outlines and holes have an area and do not cross themselves, and holes lie inside.
+void structures_are_simple(const Case& scene, Findings& findings);
+/// Structures lie two cells inside the sides and the base of the mesh.
+void structures_lie_in_mesh(const Case& scene, Findings& findings);
+/// Structures do not overlap.
+void structures_are_apart(const Case& scene, Findings& findings);
+/// Structures are two cells thick.
+void structures_are_wide(const Case& scene, Findings& findings);
+/// Cells within two cells of a structure's surface are of the finest level.
+void structures_lie_on_finest_level(const Case& scene, Findings& findings);
+/// Structures have soil next to them.
+void structures_touch_soil(const Case& scene, Findings& findings);
+/// Structures have weight: a gravity stage.
+void structures_have_weight(const Case& scene, Findings& findings);
+/// The transfer and the time stepping are those that structures are made for.
+void structures_suit_time_stepping(const Case& scene, Findings& findings);
 /// Monitors have different names and lie in soil.
 void monitors_lie_in_soil(const Case& scene, Findings& findings);
 /// [hosts] places sides, one host for a process, at an endpoint that other machines can be told.
@@ -104,6 +122,10 @@ void permeability_is_that_of_soil(const Case& scene, Findings& findings);
 void cavitation_is_in_pascals(const Case& scene, Findings& findings);
 /// The pores that are given are those that the law of sand has.
 void sand_has_one_void_ratio(const Case& scene, Findings& findings);
+/// Densities of structures are in kg/m3.
+void structures_weigh_what_they_can(const Case& scene, Findings& findings);
+/// Friction is the tangent of an angle.
+void structures_slip(const Case& scene, Findings& findings);
 /// Densities are those of soil or rock in kg/m3.
 void densities_are_in_kilograms(const Case& scene, Findings& findings);
 

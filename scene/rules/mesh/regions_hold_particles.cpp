@@ -19,8 +19,9 @@ void regions_hold_particles(const Case& scene, Findings& findings) {
       continue;
     const auto [left, right] = std::ranges::minmax(polygon, {}, &Point::x);
     const auto [low, high] = std::ranges::minmax(polygon, {}, &Point::y);
-    if (!find_particle_place(scene, tree, {left.x, low.y, right.x, high.y},
-                             [&polygon](Point place) { return contains(polygon, place); }))
+    if (!find_particle_place(
+            scene, tree, {left.x, low.y, right.x, high.y},
+            [&polygon](const ParticlePlace& place) { return contains(polygon, place.middle); }))
       findings.add(
           path, fmt::format("'polygon' holds no particle, so its soil would not be there: particles lie in "
                             "the middle of squares of {} m, or less where the mesh is refined; take smaller "

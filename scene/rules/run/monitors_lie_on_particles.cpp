@@ -23,14 +23,17 @@ Nearest nearest_particle(const Case& scene, const mesh::Quadtree& tree, Point po
   const double all = std::hypot(box.x_max - box.x_min, box.y_max - box.y_min);
   Nearest best;
   for (double reach = scene.mesh.size; best.distance > 0.5 * reach && reach < 4.0 * all; reach *= 2.0)
-    find_particle_place(
-        scene, tree, {point.x - reach, point.y - reach, point.x + reach, point.y + reach}, [&](Point place) {
-          const double distance = std::hypot(place.x - point.x, place.y - point.y);
-          if (distance < best.distance &&
-              std::ranges::any_of(scene.regions, [&](const Region& r) { return contains(r.polygon, place); }))
-            best = {place, distance};
-          return false; // look at all
-        });
+    find_particle_place(scene, tree, {point.x - reach, point.y - reach, point.x + reach, point.y + reach},
+                        [&](const ParticlePlace& place) {
+                          const Point at = place.particle;
+                          const double distance = std::hypot(at.x - point.x, at.y - point.y);
+                          if (distance < best.distance &&
+                              std::ranges::any_of(scene.regions, [&](const Region& r) {
+                                return contains(r.polygon, place.middle);
+                              }))
+                            best = {at, distance};
+                          return false; // look at all
+                        });
   return best;
 }
 

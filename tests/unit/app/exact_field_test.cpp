@@ -51,6 +51,14 @@ TEST(ExactField, IsUnknownOfASoilThatYields) {
               Optional(Eq("soil 'sand' is not linear elastic but mohr_coulomb")));
 }
 
+TEST(ExactField, IsUnknownAroundAStructure) {
+  EXPECT_THAT(reason(exact_case_with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]") +
+                     "[[structure]]\nname = \"block\"\n"
+                     "polygon = [[8.0, 0.0], [12.0, 0.0], [12.0, 4.0], [8.0, 4.0]]\n"
+                     "density = 1000.0\nrigid = true\nfriction = 0.5\n"),
+              Optional(Eq("structure 'block' scatters the waves")));
+}
+
 TEST(ExactField, IsUnknownOfAHill) {
   EXPECT_THAT(reason(exact_case_with("[20.0, 0.0], [0.0, 0.0]]", "[20.0, 0.0], [12.0, 0.0], [10.0, -1.0], "
                                                                  "[8.0, 0.0], [0.0, 0.0]]")),

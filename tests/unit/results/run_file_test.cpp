@@ -205,6 +205,35 @@ TEST(RunFile, ALinkThatCannotBeDecodedIsRefused) {
                   AllOf(HasSubstr("run.h5: cannot list /frames: "), HasSubstr("bad version number"))));
 }
 
+TEST(RunFile, SeriesMayHaveAttributesAndAGroupOfTheirOwn) {
+  const Folder folder;
+  const std::array<std::string, 2> columns{"time", "x"};
+  const std::array<std::string, 2> units{"s", "m"};
+  {
+    RunWriter run(folder / "run.h5", description);
+    const std::vector<Attribute> attributes{{"outline", std::vector<double>{0.0, 1.0, 2.0}}, {"mass", 5.0}};
+    TimeSeries& block = run.add_series("/bodies/block", columns, units, attributes);
+    run.add_series("/bodies/wall", columns, units).append(std::array{0.0, 2.0});
+    block.append(std::array{0.0, 1.0});
+    run.finish();
+  }
+  EXPECT_THAT(RunReader(folder / "run.h5").series("/bodies/block").values, ElementsAre(0.0, 1.0));
+  EXPECT_THAT(RunReader(folder / "run.h5").series("/bodies/wall").values, ElementsAre(0.0, 2.0));
+  const hid_t file = H5Fopen((folder / "run.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t outline = H5Aopen_by_name(file, "/bodies/block", "outline", H5P_DEFAULT, H5P_DEFAULT);
+  std::array<double, 3> corners{};
+  H5Aread(outline, H5T_NATIVE_DOUBLE, corners.data());
+  H5Aclose(outline);
+  const hid_t mass = H5Aopen_by_name(file, "/bodies/block", "mass", H5P_DEFAULT, H5P_DEFAULT);
+  double kilograms = 0.0;
+  H5Aread(mass, H5T_NATIVE_DOUBLE, &kilograms);
+  H5Aclose(mass);
+  EXPECT_LE(H5Aexists_by_name(file, "/bodies/wall", "outline", H5P_DEFAULT), 0);
+  H5Fclose(file);
+  EXPECT_THAT(corners, ElementsAre(0.0, 1.0, 2.0));
+  EXPECT_EQ(kilograms, 5.0);
+}
+
 TEST(RunFile, RefusesAnotherMajorSchema) {
   const Folder folder;
   write_full_run(folder / "run.h5", 1);

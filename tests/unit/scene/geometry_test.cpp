@@ -90,6 +90,40 @@ TEST(Geometry, ManyCornersAreSimpleOrNot) {
   EXPECT_TRUE(intersects_itself(polygon));
 }
 
+TEST(Geometry, CirclesHaveTheirArea) {
+  const Polygon polygon = circle({3.0, -4.0}, 2.5);
+  EXPECT_EQ(polygon.size(), 64U);
+  EXPECT_NEAR(area(polygon), std::numbers::pi * 6.25, 1e-13);
+  EXPECT_TRUE(contains(polygon, {3.0, -1.51}));
+  EXPECT_FALSE(contains(polygon, {3.0, -1.49}));
+}
+
+TEST(Geometry, EnclosesWhatLiesInsideAndTouchesNoEdge) {
+  EXPECT_TRUE(encloses(moved(square, -1.0, -1.0), {{-0.5, -0.5}, {0.5, -0.5}, {0.0, 0.5}}));
+  EXPECT_FALSE(encloses(square, square));
+  EXPECT_FALSE(encloses(square, {{0.5, 0.0}, {1.5, 0.5}, {0.5, 0.5}})); // a corner on the edge
+  EXPECT_FALSE(encloses({{0.5, 0.5}, {1.5, 0.5}, {1.0, 1.5}}, square));
+  EXPECT_FALSE(encloses(square, moved(square, 5.0, 0.0)));
+  // Both ends inside, but the edge between them crosses the notch.
+  EXPECT_FALSE(encloses(notched, {{0.5, 2.0}, {0.5, 0.5}, {3.5, 0.5}, {3.5, 2.0}}));
+  EXPECT_TRUE(encloses(notched, {{0.5, 0.5}, {3.5, 0.5}, {2.0, 0.9}}));
+}
+
+TEST(Geometry, PiecesOfEdgesBelowALevel) {
+  double way = 0.0;
+  std::size_t pieces = 0;
+  for (const Polygon& polygon : {square, reversed(square)})
+    for_pieces(polygon, 0.5, 0.3, [&](Point from, Point to) {
+      const double length = std::hypot(to.x - from.x, to.y - from.y);
+      EXPECT_LE(length, 0.3 + 1e-12);
+      EXPECT_LE(std::max(from.y, to.y), 0.5);
+      way += length;
+      ++pieces;
+    });
+  EXPECT_NEAR(way, 2.0 * (2.0 + 0.5 + 0.5), 1e-12);
+  EXPECT_EQ(pieces, 2U * (7U + 2U + 2U));
+}
+
 TEST(Geometry, OverlapsAmongManyPolygons) {
   // 40 x 40 stars side by side, touching at most; then one more upon the one in the middle.
   std::vector<Polygon> polygons;

@@ -1,0 +1,162 @@
+#include "scene/plan/structures.hpp"
+
+#include "mesh/polygon_measures.hpp"
+#include "scene/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace tremolo::scene {
+
+namespace {
+
+/// A gap of this, in cells, is closed: the domain takes it so.
+constexpr double closed_gap = 0.05;
+
+// What the domain keeps: of a contact node its state, a copy and the sums over particles; of every node in a
+// window two cells wider than the body the sums and what there is of the body's surface.
+constexpr double bytes_of_contact_node = 850.0;
+constexpr double bytes_of_window_node = 112.0;
+constexpr double window_margin = 5.0; // nodes of the window beyond the body's own cells
+
+bool in_soil_outside(const Case& scene, const std::vector<Polygon>& structures, Point p) {
+  return std::ranges::any_of(scene.regions,
+                             [p](const Region& region) { return contains(region.polygon, p); }) &&
+         std::ranges::none_of(structures, [p](const Polygon& outline) { return contains(outline, p); });
+}
+
+/// Nodes of the contact cells whose bilinear hats reach some points.
+std::size_t nodes_at(const Case& scene, const std::vector<Point>& points) {
+  constexpr double least = 0.02; // of a hat
+  const double h = contact_cell_size(scene);
+  std::set<std::pair<long, long>> nodes;
+  for (const Point p : points) {
+    const double x = (p.x - scene.mesh.box.x_min) / h;
+    const double y = (p.y - scene.mesh.box.y_min) / h;
+    for (const double i : {std::floor(x), std::floor(x) + 1.0})
+      for (const double j : {std::floor(y), std::floor(y) + 1.0})
+        if ((1.0 - std::abs(x - i)) * (1.0 - std::abs(y - j)) > least)
+          nodes.emplace(std::lround(i), std::lround(j));
+  }
+  return nodes.size();
+}
+
+/// "57.8 kN/m, net 135 kN/m upwards in water"
+std::string weight_text(const PlannedStructure& structure) {
+  std::string text = fmt::format("{:.4g} kN/m", structure.weight / 1e3);
+  const double net = (structure.weight - structure.buoyancy) / 1e3;
+  if (structure.buoyancy > 0.0)
+    text += fmt::format(", net {:.4g} kN/m {} in water", std::abs(net), net < 0.0 ? "upwards" : "downwards");
+  return text;
+}
+
+std::string surface_text(const Case& scene, const Structure& structure) {
+  std::string text;
+  for (std::size_t s = 0; s < scene.soils.size(); ++s) {
+    const auto& [friction, adhesion] = structure.against[s];
+    text += fmt::format("{}'{}' friction {:g}", text.empty() ? "" : ", ", scene.soils[s].name, friction);
+    if (adhesion > 0.0)
+      text += fmt::format(" and adhesion {:g} Pa", adhesion);
+  }
+  return text;
+}
+
+} // namespace
+
+std::vector<Polygon> outlines(const Case& scene) {
+  std::vector<Polygon> all;
+  for (const Structure& structure : scene.structures)
+    if (!structure.outline.corners.empty())
+      all.push_back(structure.outline.corners);
+  return all;
+}
+
+std::vector<Polygon> region_polygons(const Case& scene) {
+  std::vector<Polygon> polygons;
+  for (const Region& region : scene.regions)
+    polygons.push_back(region.polygon);
+  return polygons;
+}
+
+double contact_cell_size(const Case& scene) {
+  int finest = 0;
+  for (const Refinement& refine : scene.mesh.refine)
+    finest = std::max(finest, refine.level);
+  return scene.mesh.size / static_cast<double>(1 << finest);
+}
+
+std::vector<Point> points_on_soil(const Case& scene, std::size_t structure) {
+  const double h = contact_cell_size(scene);
+  const std::vector<Polygon> all = outlines(scene);
+  const Polygon& outline = scene.structures[structure].outline.corners;
+  const double outward = mesh::signed_double_area(outline) > 0.0 ? 1.0 : -1.0;
+  std::vector<Point> points;
+  const double gap = closed_gap * h;
+  for_pieces(outline, scene.mesh.box.y_max + gap, 0.25 * h, [&](Point from, Point to) {
+    const Point middle{0.5 * (from.x + to.x), 0.5 * (from.y + to.y)};
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const double off = length > 0.0 ? outward * gap / length : 0.0;
+    if (in_soil_outside(scene, all, {middle.x + off * (to.y - from.y), middle.y - off * (to.x - from.x)}))
+      points.push_back(middle);
+  });
+  return points;
+}
+
+std::vector<PlannedStructure> plan_structures(const Case& scene) {
+  std::vector<PlannedStructure> all;
+  for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+    const Structure& structure = scene.structures[i];
+    const Polygon& outline = structure.outline.corners;
+    const double solid = area(outline) - (structure.hole ? area(structure.hole->corners) : 0.0);
+    PlannedStructure& planned = all.emplace_back();
+    planned = {.name = structure.name, .area = solid, .mass = structure.density * solid};
+    planned.weight = planned.mass * scene.gravity->acceleration;
+    if (scene.water)
+      planned.buoyancy = mesh::measures(mesh::part_below(outline, scene.water->level)).area *
+                         scene.water->fluid.density * scene.gravity->acceleration;
+    planned.contact_nodes = static_cast<double>(nodes_at(scene, points_on_soil(scene, i)));
+    const Box box = box_of(outline);
+    const double h = contact_cell_size(scene);
+    const double height = std::min(box.y_max, scene.mesh.box.y_max) - box.y_min;
+    planned.bytes = bytes_of_contact_node * planned.contact_nodes +
+                    bytes_of_window_node * (box.width() / h + window_margin) *
+                        (std::max(0.0, height) / h + window_margin);
+  }
+  return all;
+}
+
+std::string contact_text(std::span<const PlannedStructure> structures) {
+  if (structures.empty())
+    return "no [[structure]]";
+  std::string text = fmt::format("{} structure{}: ", structures.size(), structures.size() == 1 ? "" : "s");
+  double nodes = 0.0;
+  double bytes = 0.0;
+  for (const PlannedStructure& structure : structures) {
+    text += fmt::format("'{}' {:.6g} kg/m, {}; ", structure.name, structure.mass, weight_text(structure));
+    nodes += structure.contact_nodes;
+    bytes += structure.bytes;
+  }
+  return text +
+         fmt::format("about {:.0f} contact nodes ({:.0f} kB, about {:.0f} us a step); soil elsewhere pays "
+                     "nothing",
+                     nodes, bytes / 1e3, nodes * contact_node_cost_ns / 1e3);
+}
+
+std::string structures_text(const Case& scene, std::span<const PlannedStructure> structures) {
+  std::string text;
+  for (std::size_t i = 0; i < structures.size(); ++i) {
+    const PlannedStructure& planned = structures[i];
+    text +=
+        fmt::format("  {:<18}rigid, {:.4g} m2 of {:g} kg/m3: {:.6g} kg/m, {}; about {:.0f} contact nodes\n"
+                    "    surface    {}\n",
+                    planned.name, planned.area, scene.structures[i].density, planned.mass,
+                    weight_text(planned), planned.contact_nodes, surface_text(scene, scene.structures[i]));
+  }
+  return text;
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,71 @@
+#include "scene/read/read.hpp"
+
+#include <fmt/format.h>
+
+namespace tremolo::scene {
+
+namespace {
+
+/// A closed line that stands as a polygon, or else as a table with centre and radius.
+std::optional<Outline> read_outline(const TableReader& table, std::string_view polygon,
+                                    std::string_view circle_key, Findings& findings) {
+  const auto round = table.table(circle_key);
+  if (round && table.given(polygon)) {
+    findings.add(table.path(circle_key),
+                 fmt::format("'{}' and '{}' exclude each other: remove one", polygon, circle_key));
+    return std::nullopt;
+  }
+  if (round) {
+    const bool sound = findings.sound(round->path("centre")) && findings.sound(round->path("radius"));
+    return Outline{circle_key, sound ? circle(round->point("centre"), round->number("radius")) : Polygon{}};
+  }
+  if (!table.given(polygon))
+    return std::nullopt;
+  return Outline{polygon, table.polygon(polygon)};
+}
+
+/// Friction and adhesion against each soil: the structure's own, where no table of `against` names the soil.
+std::vector<SoilContact> read_against(const TableReader& table, const std::vector<Soil>& soils,
+                                      Findings& findings) {
+  const SoilContact own{table.number("friction"), table.number("adhesion")};
+  std::vector<SoilContact> against(soils.size(), own);
+  std::vector<bool> named(soils.size(), false);
+  for (const TableReader& one : table.tables("against")) {
+    const auto soil = soil_index(one, soils, findings);
+    if (!soil)
+      continue;
+    if (named[*soil])
+      findings.add(one.path("soil"), fmt::format("soil '{}' stands twice in 'against'", soils[*soil].name));
+    if (!one.given("friction") && !one.given("adhesion"))
+      findings.add(one.path(), fmt::format("neither 'friction' nor 'adhesion' against soil '{}': give one, "
+                                           "or remove the table",
+                                           soils[*soil].name));
+    named[*soil] = true;
+    against[*soil] = {one.optional_number("friction").value_or(own.friction),
+                      one.optional_number("adhesion").value_or(own.adhesion)};
+  }
+  return against;
+}
+
+Structure read_structure(const TableReader& table, const std::vector<Soil>& soils, Findings& findings) {
+  const auto outline = read_outline(table, "polygon", "circle", findings);
+  if (!table.given("polygon") && !table.given("circle") && findings.sound(table.path()))
+    findings.add(table.path("polygon"), "missing 'polygon' or 'circle': the outline of the structure");
+  if (table.given("rigid") && findings.sound(table.path("rigid")) && !table.boolean("rigid"))
+    findings.add(table.path("rigid"), "'rigid' = false: structures are rigid, must be true");
+  return {.name = table.text("name"),
+          .outline = outline.value_or(Outline{}),
+          .hole = read_outline(table, "hole", "hole_circle", findings),
+          .density = table.number("density"),
+          .friction = table.number("friction"),
+          .against = read_against(table, soils, findings)};
+}
+
+} // namespace
+
+void read_structures(Document& document, Findings& findings, Case& scene) {
+  for (const auto& table : document.array("structure"))
+    scene.structures.push_back(read_structure(table, scene.soils, findings));
+}
+
+} // namespace tremolo::scene
