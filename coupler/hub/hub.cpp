@@ -170,7 +170,10 @@ bool Hub::has_left(const std::string& participant) const {
 }
 
 void Hub::tick() {
-  if (failure_)
+  // Nobody is waited for after the sources' dismissal, and a dismissed source is told nothing more: it closes
+  // its connection behind its BYE. A BEAT that came to its machine later would be answered with a reset
+  // there, and a BYE that the line had lost would not be sent again.
+  if (failure_ || routing_.has_dismissed())
     return;
   if (!welcomed_) {
     fail(watch_.absent());

@@ -66,6 +66,8 @@ public:
   [[nodiscard]] bool finished() const;
   /// Whether a participant has said BYE: its process may end.
   [[nodiscard]] bool has_left(const std::string& participant) const;
+  /// Whether the sources have been sent BYE: the run has all it needs of them.
+  [[nodiscard]] bool has_dismissed_sources() const { return routing_.has_dismissed(); }
   [[nodiscard]] const Progress& progress() const { return watch_.progress(); }
   [[nodiscard]] const std::map<std::string, ParticipantReport>& reports() const { return reports_; }
 

@@ -129,14 +129,17 @@ private:
   /// Whether all that have ended, and well, have been heard to their end: a BYE may still be on its way.
   bool all_heard() {
     return std::all_of(children_.begin(), children_.end(), [&](auto& child) {
-      return child->killed() || !child->succeeded() || hub_.has_left(child->name());
+      return child->killed() || !child->succeeded() || hub_.has_left(child->name()) ||
+             (given_up_ && hub_.has_dismissed_sources());
     });
   }
 
-  /// A process may end only after its BYE, and then well, unless we have ended it as a straggler.
+  /// A process may end only after its BYE, or after its dismissal, and then well, unless we have ended it as
+  /// a straggler.
   void watch_children() {
     for (auto& child : children_) {
-      if (!child->ended() || child->killed() || (hub_.has_left(child->name()) && child->succeeded()))
+      const bool may_end = hub_.has_left(child->name()) || hub_.has_dismissed_sources();
+      if (!child->ended() || child->killed() || (may_end && child->succeeded()))
         continue;
       // Its last words, BYE or the reason, may still be on their way through the sockets.
       const double patience = child->succeeded() ? options_.deadlines.shutdown : last_words_s;
@@ -146,7 +149,7 @@ private:
   }
 
   /// When the domain is done the results are written: whoever stays longer than the shutdown deadline is
-  /// ended.
+  /// ended, and a BYE that has not come by then is not waited for.
   void end_stragglers() {
     if (!hub_.has_left(domain_process().name()))
       return;
@@ -159,6 +162,10 @@ private:
         options_.note(fmt::format("killed '{}', which was still there {} s after the domain had finished",
                                   child->name(), options_.deadlines.shutdown));
         child->kill();
+      } else if (child->succeeded() && !hub_.has_left(child->name()) && hub_.has_dismissed_sources()) {
+        options_.note(fmt::format("no BYE of '{}', which ended well, came within {} s after the domain had "
+                                  "finished: its times are not known",
+                                  child->name(), options_.deadlines.shutdown));
       }
     for (const auto& process : options_.processes)
       if (is_awaited(process) && !hub_.has_left(process.name))
@@ -251,7 +258,7 @@ private:
   Hub hub_;
   std::vector<std::unique_ptr<ChildProcess>> children_;
   std::optional<Clock::time_point> domain_left_;
-  bool given_up_ = false; ///< waiting for those that the user starts
+  bool given_up_ = false; ///< waiting for those that the user starts, and for a BYE
   Clock::time_point start_ = Clock::now();
 };
 

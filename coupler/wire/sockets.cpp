@@ -105,7 +105,8 @@ zmq::socket_t connected_dealer(zmq::context_t& context, const std::string& endpo
   // Bounded by this participant's own credit.
   socket.set(zmq::sockopt::rcvhwm, 0);
   if (keys) {
-    // A BYE that a slow network loses once or twice still arrives.
+    // The time that a slow network has to take a BYE; the kernel sends it again where it is lost, also when
+    // this process has ended, as long as nothing more comes from the hub (Hub::tick).
     socket.set(zmq::sockopt::linger, 2000);
     socket.set(zmq::sockopt::curve_serverkey, keys->hub_public);
     socket.set(zmq::sockopt::curve_publickey, keys->own_public);

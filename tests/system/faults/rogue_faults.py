@@ -63,6 +63,14 @@ def deaf_at_the_end(faults):
     return "killed after 2 s; the same bits"
 
 
+@fault("a source that ends with status 0 and without a BYE when it is dismissed", "said after the shutdown deadline; the results are complete")
+def mute_at_the_end(faults):
+    with faults.rogue("mute") as run:
+        run.must_succeed(faults.box())
+        require("no BYE of 'left', which ended well, came within 2 s after the domain had finished" in run.output(), run.output())
+    return "said after 2 s; the same bits"
+
+
 @fault("a source that closes its connection and stays silent, step deadline 2 s", "ends at the deadline, the source named")
 def closed_connection(faults):
     with faults.rogue("close", step_deadline=DEADLINE) as run:

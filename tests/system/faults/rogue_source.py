@@ -189,6 +189,8 @@ while True:
     elif message["type"] == "BYE":
         if MISDEED == "deaf":
             time.sleep(1000.0)
+        if MISDEED == "mute":
+            break
         hub.send_json({"type": "BYE", "passes": [], "waiting": 0.0})
         break
     elif message["type"] in ("REFUSE", "ABORT"):

@@ -6,11 +6,13 @@
 #include "coupler/wire/messages.hpp"
 #include "coupler/wire/sockets.hpp"
 
+#include <chrono>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <zmq.hpp>
 
@@ -29,12 +31,13 @@ protected:
   HubByHand() { open(); }
 
   /// Another hub in its place.
-  void open() {
+  /// @param elsewhere whether 'left' comes from another machine
+  void open(bool elsewhere = false) {
     hub_.reset();
     hub_.emplace(context_, endpoint_.address(),
                  HubOptions{.session = session,
                             .case_text = "case",
-                            .participants = {{"left", Role::source}, {"domain", Role::domain}},
+                            .participants = {{"left", Role::source, elsewhere}, {"domain", Role::domain}},
                             .deadlines = {},
                             .note = [this](const std::string& note) { notes_ += note + "\n"; }});
   }
@@ -66,6 +69,8 @@ protected:
     return message;
   }
 
+  static json bye() { return {{"type", "BYE"}, {"passes", json::array()}, {"waiting", 0.0}}; }
+
   static void send(zmq::socket_t& socket, const json& message) {
     const std::string text = message.dump();
     socket.send(zmq::buffer(text), zmq::send_flags::none);
@@ -90,6 +95,26 @@ protected:
     const json said = answer(socket);
     EXPECT_EQ(said.value("type", ""), "REFUSE") << said;
     return said.value("reason", "");
+  }
+
+  void tick_for(double seconds) {
+    for (const auto start = Clock::now(); seconds_since(start) < seconds;) {
+      hub_->take_messages();
+      hub_->tick();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+
+  /// Brings the run of 'left' from another machine and of the domain to its first step.
+  std::pair<zmq::socket_t, zmq::socket_t> left_and_domain() {
+    open(true);
+    auto left = connected();
+    auto domain = connected();
+    send(left, hello("left"));
+    send(domain, hello("domain"));
+    EXPECT_EQ(answer(left).value("type", ""), "WELCOME");
+    EXPECT_EQ(answer(domain).value("type", ""), "WELCOME");
+    return {std::move(left), std::move(domain)};
   }
 
   RunEndpoint endpoint_{Transport::ipc};
@@ -163,6 +188,42 @@ TEST_F(HubByHand, ReasonsOfOthersAreMadePrintable) {
   }
   ASSERT_TRUE(hub_->failure());
   EXPECT_EQ(hub_->failure()->text, "\\x1b[31mno\\x1b[0m");
+}
+
+TEST_F(HubByHand, SourceWhoseConnectionIsGoneInTheMidstHasFailed) {
+  auto [left, domain] = left_and_domain();
+  left.close();
+  tick_for(1.6);
+  ASSERT_TRUE(hub_->failure());
+  EXPECT_EQ(hub_->failure()->participant, "left");
+  EXPECT_THAT(hub_->failure()->text, HasSubstr("the connection to 'left' on another machine is gone"));
+}
+
+TEST_F(HubByHand, SourceWhoseConnectionIsGoneAfterItsDismissalHasNotFailed) {
+  auto [left, domain] = left_and_domain();
+  send(domain, bye());
+  ASSERT_EQ(answer(left).value("type", ""), "BYE");
+  left.close(); // its own BYE is lost on the way
+  tick_for(1.6);
+  EXPECT_FALSE(hub_->failure()) << hub_->failure()->text;
+  EXPECT_FALSE(hub_->has_left("left"));
+  EXPECT_TRUE(hub_->has_dismissed_sources());
+}
+
+// What came to its machine after its process has ended would make the kernel there drop a BYE on its way.
+TEST_F(HubByHand, SaysNothingToASourceThatIsDismissed) {
+  auto [left, domain] = left_and_domain();
+  tick_for(0.3);
+  ASSERT_EQ(answer(left).value("type", ""), "BEAT");
+  send(domain, bye());
+  json said;
+  do
+    said = answer(left);
+  while (said.value("type", "") == "BEAT");
+  ASSERT_EQ(said.value("type", ""), "BYE");
+  tick_for(0.8);
+  zmq::message_t more;
+  EXPECT_FALSE(left.recv(more, zmq::recv_flags::dontwait)) << more.to_string();
 }
 
 } // namespace
