@@ -255,6 +255,8 @@ struct Checkpoints {
 struct Monitor {
   std::string name;
   Point point;
+  /// Index into Case::structures of the one that it moves with; otherwise it follows soil.
+  std::optional<std::size_t> structure = std::nullopt;
 };
 
 struct Output {
