@@ -35,8 +35,8 @@ std::string crash_words(const std::string& command, int signal) {
   if (std::ranges::find(crashes, signal) == crashes.end())
     return fmt::format("tremolo: {} was ended ({})\n", command, ::strsignal(signal));
   return fmt::format(
-      "tremolo: {} crashed ({}). A damaged file can do that, for libhdf5 crashes over some; if "
-      "all files are whole, this is a mistake in tremolo\n",
+      "tremolo: {} crashed ({}). A damaged file can do that, for libhdf5 crashes over some, and too little "
+      "memory, for libzmq aborts then; if files are whole and memory is left, this is a mistake in tremolo\n",
       command, ::strsignal(signal));
 }
 

@@ -1,9 +1,7 @@
+#include "motion/gsl_calls.hpp"
 #include "motion/record.hpp"
 
 #include <gsl/gsl_spline.h>
-
-#include <memory>
-#include <new>
 
 namespace tremolo::motion {
 
@@ -23,13 +21,9 @@ std::vector<double> differentiate(std::span<const double> samples, double dt) {
   std::vector<double> steps(samples.size());
   for (std::size_t i = 0; i < steps.size(); ++i)
     steps[i] = static_cast<double>(i);
-  const std::unique_ptr<gsl_spline, decltype(&gsl_spline_free)> spline(
-      gsl_spline_alloc(gsl_interp_cspline, samples.size()), gsl_spline_free);
-  const std::unique_ptr<gsl_interp_accel, decltype(&gsl_interp_accel_free)> place(gsl_interp_accel_alloc(),
-                                                                                  gsl_interp_accel_free);
-  if (!spline || !place)
-    throw std::bad_alloc();
-  gsl_spline_init(spline.get(), steps.data(), samples.data(), samples.size());
+  const auto spline = owned(gsl_spline_alloc, gsl_spline_free, gsl_interp_cspline, samples.size());
+  const auto place = owned(gsl_interp_accel_alloc, gsl_interp_accel_free);
+  check(gsl_spline_init(spline.get(), steps.data(), samples.data(), samples.size()));
   std::vector<double> slope(samples.size());
   for (std::size_t i = 0; i < slope.size(); ++i)
     slope[i] = gsl_spline_eval_deriv(spline.get(), steps[i], place.get()) / dt;

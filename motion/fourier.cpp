@@ -1,23 +1,11 @@
 #include "motion/fourier.hpp"
 
+#include "motion/gsl_calls.hpp"
+
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
 
-#include <memory>
-#include <new>
-
 namespace tremolo::motion {
-
-namespace {
-
-template <class T>
-std::unique_ptr<T, void (*)(T*)> owned(T* pointer, void (*release)(T*)) {
-  if (pointer == nullptr)
-    throw std::bad_alloc();
-  return {pointer, release};
-}
-
-} // namespace
 
 std::size_t fast_length(std::size_t n) {
   const auto is_fast = [](std::size_t length) {
@@ -35,9 +23,9 @@ std::size_t fast_length(std::size_t n) {
 std::vector<std::complex<double>> transform(std::span<const double> samples) {
   const std::size_t n = samples.size();
   std::vector<double> packed(samples.begin(), samples.end());
-  const auto table = owned(gsl_fft_real_wavetable_alloc(n), gsl_fft_real_wavetable_free);
-  const auto space = owned(gsl_fft_real_workspace_alloc(n), gsl_fft_real_workspace_free);
-  gsl_fft_real_transform(packed.data(), 1, n, table.get(), space.get());
+  const auto table = owned(gsl_fft_real_wavetable_alloc, gsl_fft_real_wavetable_free, n);
+  const auto space = owned(gsl_fft_real_workspace_alloc, gsl_fft_real_workspace_free, n);
+  check(gsl_fft_real_transform(packed.data(), 1, n, table.get(), space.get()));
   std::vector<std::complex<double>> bins(n / 2 + 1);
   bins[0] = packed[0];
   for (std::size_t j = 1; j < bins.size(); ++j)
@@ -53,9 +41,9 @@ std::vector<double> inverse_transform(std::span<const std::complex<double>> bins
     if (2 * j < n)
       packed[2 * j] = bins[j].imag();
   }
-  const auto table = owned(gsl_fft_halfcomplex_wavetable_alloc(n), gsl_fft_halfcomplex_wavetable_free);
-  const auto space = owned(gsl_fft_real_workspace_alloc(n), gsl_fft_real_workspace_free);
-  gsl_fft_halfcomplex_inverse(packed.data(), 1, n, table.get(), space.get());
+  const auto table = owned(gsl_fft_halfcomplex_wavetable_alloc, gsl_fft_halfcomplex_wavetable_free, n);
+  const auto space = owned(gsl_fft_real_workspace_alloc, gsl_fft_real_workspace_free, n);
+  check(gsl_fft_halfcomplex_inverse(packed.data(), 1, n, table.get(), space.get()));
   return packed;
 }
 

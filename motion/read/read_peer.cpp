@@ -16,11 +16,11 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Whether a comma stands between digits, and no number of the line has a point: "DT= 0,02".
+/// Whether a comma stands in front of a digit, and no number of the line has a point: "DT= 0,02", "DT= ,02".
 bool splits_a_number(std::string_view header) {
   bool found = false;
-  for (std::size_t i = 1; i + 1 < header.size(); ++i)
-    found = found || (header[i] == ',' && is_digit(header[i - 1]) && is_digit(header[i + 1]));
+  for (std::size_t i = 0; i + 1 < header.size(); ++i)
+    found = found || (header[i] == ',' && is_digit(header[i + 1]));
   return found && header.find('.') == std::string_view::npos;
 }
 
@@ -45,7 +45,7 @@ void add(Stated& known, const Stated& more) {
     known.strange_unit = more.strange_unit;
 }
 
-/// Whether digits stand on both sides of each comma, and no number has a point: "0,123 -0,045".
+/// Whether each comma stands in front of a digit, and no number has a point: "0,123 -,045".
 bool has_decimal_commas(std::string_view line) {
   bool found = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -53,7 +53,7 @@ bool has_decimal_commas(std::string_view line) {
       return false;
     if (line[i] != ',')
       continue;
-    if (i == 0 || i + 1 == line.size() || !is_digit(line[i - 1]) || !is_digit(line[i + 1]))
+    if (i + 1 == line.size() || !is_digit(line[i + 1]))
       return false;
     found = true;
   }

@@ -382,17 +382,21 @@ void Contact::end_rest() {
 std::vector<double> Contact::node_state(std::size_t body) const {
   std::vector<double> state;
   for (const ContactNode& c : nodes(body))
-    state.insert(state.end(), {static_cast<double>(c.node), c.tied ? 1.0 : 0.0, static_cast<double>(c.slip)});
+    state.insert(state.end(), {static_cast<double>(c.node), c.closed ? 1.0 : 0.0, c.tied ? 1.0 : 0.0,
+                               static_cast<double>(c.slip)});
   return state;
 }
 
 void Contact::set_node_state(std::size_t body, const std::vector<double>& state) {
   std::vector<ContactNode>& nodes = nodes_[body].nodes();
-  nodes.assign(state.size() / 3, {});
+  constexpr std::size_t numbers = 4; // of a node
+  nodes.assign(state.size() / numbers, {});
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    nodes[n].node = static_cast<std::size_t>(state[3 * n]);
-    nodes[n].tied = state[3 * n + 1] != 0.0;
-    nodes[n].slip = static_cast<int>(state[3 * n + 2]);
+    const double* const of_node = state.data() + n * numbers;
+    nodes[n].node = static_cast<std::size_t>(of_node[0]);
+    nodes[n].closed = of_node[1] != 0.0;
+    nodes[n].tied = of_node[2] != 0.0;
+    nodes[n].slip = static_cast<int>(of_node[3]);
   }
 }
 

@@ -13,8 +13,9 @@ namespace {
 /// A node belongs to the surface if its share of it, in cells, is more than this. Surfaces often lie on lines
 /// of the grid, and the next line is not to join with every tremor.
 constexpr double least_share = 0.02;
-/// A gap of less than this, in cells, is closed: places of nodes and particles tell it no better.
-constexpr double closed_gap = 0.05;
+/// Gaps, in cells: a node opens at the larger one and closes again at the smaller.
+constexpr double opening_gap = 0.02;
+constexpr double closing_gap = 0.002;
 /// Normals of soil and body whose cosine is below this are far apart.
 constexpr double far_apart = 0.85;
 
@@ -58,9 +59,7 @@ void ContactNodes::find_touches(Domain& domain, const RigidBody& body) {
       const double reaches = nearest.corner
                                  ? p.half_size
                                  : p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
-      touches_[n] = {nearest.distance <= reaches + closed_gap * h,
-                     nearest.corner,
-                     {-nearest.normal.x, -nearest.normal.y}};
+      touches_[n] = {nearest.distance - reaches, nearest.corner, {-nearest.normal.x, -nearest.normal.y}};
     }
   });
 }
@@ -97,8 +96,8 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
         sums.volume += vs;
         sums.friction += vs * structure.friction[p.soil_index];
         sums.adhesion += vs * structure.adhesion[p.soil_index];
-        if (const Touch& touch = touches_[n]; touch.touches) {
-          sums.touched = true;
+        if (const Touch& touch = touches_[n]; touch.gap <= opening_gap * lattice.h) {
+          sums.gap = std::min(sums.gap, touch.gap);
           if (!touch.corner)
             sums.touching = {sums.touching.x + vs * touch.normal.x, sums.touching.y + vs * touch.normal.y};
         }
@@ -135,9 +134,11 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
       while (known != before.end() && known->node < node)
         ++known;
       ContactNode& found = nodes_.emplace_back();
+      bool was_closed = before.empty(); // where structures are wished in place
       if (known != before.end() && known->node == node) {
         found.tied = known->tied;
         found.slip = known->slip;
+        was_closed = known->closed;
       }
       found.node = node;
       found.place = place;
@@ -149,7 +150,7 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
         found.normal = unit(sums.gradient);
       found.area = std::max(0.0, dot(found.normal, sums.gradient));
       found.friction = sums.friction / sums.volume;
-      found.closed = sums.touched;
+      found.closed = sums.gap <= (was_closed ? opening_gap : closing_gap) * lattice.h;
       of_nodes_.push_back(sums);
     }
 }

@@ -7,8 +7,9 @@
 //     g = sum V grad S,      volume = sum V S,      friction = sum V S mu / volume.
 //
 // A particle touches the body while its place is no farther from the surface than its box reaches along the
-// normal, l (|n_x| + |n_y|), or from a corner than l; a node is closed while a particle that touches reaches
-// it.
+// normal, l (|n_x| + |n_y|), or from a corner than l; what is missing is its gap. A node is closed while a
+// particle that touches reaches it. It opens only at a gap that shows, and then closes at none, so that
+// neither tremors open it nor a body that comes back meets it early.
 //
 // The normal n from soil to body may come from either side. That of the body is the mean of the normals of
 // its surface next to the particles that touch, weighted by V S; corners have none. That of the soil, n =
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -88,12 +90,12 @@ private:
     double wet = 0.0;      ///< sum V S of soil with a pore pressure
     double suction = 0.0;  ///< sum V S (p_cav - hydrostatic) of it
     Vector touching;       ///< sum V S n of particles that touch an edge of the body
-    bool touched = false;  ///< by an edge or a corner
+    double gap = std::numeric_limits<double>::infinity(); ///< the least of its particles, m
   };
 
   /// How a near particle touches the body: the normal of its surface, from soil to body.
   struct Touch {
-    bool touches = false;
+    double gap = std::numeric_limits<double>::infinity(); ///< m
     bool corner = false;
     Vector normal;
   };

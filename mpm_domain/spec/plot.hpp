@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace tremolo::mpm_domain {
 
@@ -46,9 +47,24 @@ bool cuts(const Polygon& polygon, const mesh::Rectangle& square) {
   return false;
 }
 
+/// Adds the places where a polygon's edges cross a level in a square.
+template <typename Polygon>
+void add_crossings(const Polygon& polygon, double level, const mesh::Rectangle& square,
+                   std::vector<double>& places) {
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const auto& a = polygon[j];
+    const auto& b = polygon[i];
+    if ((a.y > level) == (b.y > level))
+      continue;
+    const double place = a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x);
+    if (place > square.x_min && place < square.x_max)
+      places.push_back(place);
+  }
+}
+
 /// What of the square around (x, y) lies in one of the regions and in none of the structures. Without
 /// structures it is all of the square or nothing, by its centre: the surface of the soil is then a staircase
-/// of squares, which waves do not mind, but bodies do. Squares that edges run through are sampled.
+/// of squares, which waves do not mind, but bodies do. Squares that edges run through are cut.
 /// @param regions, structures  polygons
 /// @param size                 of the square, m
 template <class Regions, class Structures>
@@ -65,24 +81,46 @@ Plot plot_of(const Regions& regions, const Structures& structures, double x, dou
   };
   if (structures.empty() || !(cut_by(regions) || cut_by(structures)))
     return {x, y, is_soil(x, y) ? size * size : 0.0};
-  constexpr int samples = 32; // a direction
+  // Strips between the corners' levels, four to each; along the middle of a strip soil begins and ends where
+  // edges cross it. So the area is exact unless edges cross each other.
+  constexpr int parts = 4;
+  std::vector<double> levels{square.y_min, square.y_max};
+  const auto over_corners = [&](const auto& act) {
+    for (const auto& polygon : regions)
+      act(polygon);
+    for (const auto& polygon : structures)
+      act(polygon);
+  };
+  over_corners([&](const auto& polygon) {
+    for (const auto& corner : polygon)
+      if (corner.y > square.y_min && corner.y < square.y_max)
+        levels.push_back(corner.y);
+  });
+  std::ranges::sort(levels);
   Plot plot{0.0, 0.0, 0.0};
-  int hits = 0;
-  for (int j = 0; j < samples; ++j)
-    for (int i = 0; i < samples; ++i) {
-      const double px = square.x_min + (i + 0.5) * size / samples;
-      const double py = square.y_min + (j + 0.5) * size / samples;
-      if (is_soil(px, py)) {
-        plot.x += px;
-        plot.y += py;
-        ++hits;
+  std::vector<double> ends;
+  for (std::size_t k = 0; k + 1 < levels.size(); ++k)
+    for (int part = 0; part < parts; ++part) {
+      const double width = (levels[k + 1] - levels[k]) / parts;
+      const double py = levels[k] + (part + 0.5) * width;
+      ends.assign({square.x_min, square.x_max});
+      over_corners([&](const auto& polygon) { add_crossings(polygon, py, square, ends); });
+      std::ranges::sort(ends);
+      for (std::size_t e = 0; e + 1 < ends.size(); ++e) {
+        const double px = 0.5 * (ends[e] + ends[e + 1]);
+        const double area = width * (ends[e + 1] - ends[e]);
+        if (!is_soil(px, py))
+          continue;
+        plot.area += area;
+        plot.x += area * px;
+        plot.y += area * py;
       }
     }
-  if (hits == samples * samples)
-    return {x, y, size * size};
-  if (hits < least_plot * samples * samples)
+  if (plot.area < least_plot * size * size)
     return {x, y, 0.0};
-  return {plot.x / hits, plot.y / hits, size * size * hits / (samples * samples)};
+  if (plot.area > (1.0 - 1e-12) * size * size)
+    return {x, y, size * size};
+  return {plot.x / plot.area, plot.y / plot.area, plot.area};
 }
 
 } // namespace tremolo::mpm_domain

@@ -5,9 +5,10 @@ import numpy as np
 QUANTITIES = (("a", "m/s²"), ("v", "m/s"), ("u", "m"))
 
 
-def peak(series, quantity):
-    """Largest magnitude of a vector quantity of a monitor."""
-    return float(np.max(np.hypot(series[quantity + "x"], series[quantity + "y"])))
+def peak(series, quantity, end):
+    """Largest magnitude of a vector quantity of a monitor, up to the time `end`."""
+    rows = series["time"] <= end
+    return float(np.max(np.hypot(series[quantity + "x"][rows], series[quantity + "y"][rows])))
 
 
 def difference(one, other, quantity):
@@ -20,15 +21,20 @@ def difference(one, other, quantity):
 
 
 def lines(first, second):
-    """A line a monitor and quantity: the peak of both runs, their ratio, and the difference of the histories."""
+    """A line a monitor and quantity: the peak of both runs over the time that both cover, their ratio, and the difference
+    of the histories. Where one run is shorter, a line before them says when it ends."""
     common = [name for name in first.monitors if name in second.monitors]
     if not common:
         yield "no monitor is common to both runs: only pictures are compared"
         return
+    ends = [run.monitor(common[0])["time"][-1] for run in (first, second)]
+    end = min(ends)
+    if max(ends) - end > 0.01 * end:
+        yield f"until {end:.4g} s, where the shorter run ends:"
     yield f"{'monitor':<16}{'peak of':<12}{str(first.path.parent)[-20:]:>22}{str(second.path.parent)[-20:]:>22}{'ratio':>9}{'difference':>12}"
     for name in common:
         one, other = first.monitor(name), second.monitor(name)
         for quantity, unit in QUANTITIES:
-            a, b = peak(one, quantity), peak(other, quantity)
+            a, b = (peak(series, quantity, end) for series in (one, other))
             ratio = f"{b / a:.3f}" if a > 0.0 else "-"
             yield f"{name:<16}{quantity + ', ' + unit:<12}{a:>22.4g}{b:>22.4g}{ratio:>9}{100.0 * difference(one, other, quantity):>10.2f} %"

@@ -22,8 +22,8 @@ struct SynthesisOptions {
   /// Valid for causal fields only, and refused elsewhere.
   bool exponential_window = false;
   /// Velocity that the window's error is relative to, m/s, where the surface moves less: that of a motion of
-  /// which this one is a part.
-  double velocity_scale = 0.0;
+  /// which this one is a part. Without it, the largest velocity of the incident motion.
+  std::optional<double> velocity_scale;
 };
 
 /// Largest change of each kind of quantity when the window is doubled, relative to its peak.
@@ -44,7 +44,7 @@ struct WrapAroundError {
 /// refused if displacement is asked for.
 ///
 /// Accuracy: 1e-9 of the peak below critical and without constant damping, else 1e-6, for signals within
-/// their band limit.
+/// their band limit; of the incident motion's peak where the surface moves less in the times asked for.
 class LayeredField {
 public:
   /// @throws std::invalid_argument for values outside their range, and for an exponential window where the

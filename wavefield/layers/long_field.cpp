@@ -82,14 +82,6 @@ Signal cut(const Signal& signal, const Interval& kept) {
   return part;
 }
 
-double largest(const Signal& signal) {
-  const double dt = 0.25 / signal.highest_frequency;
-  double most = 0.0;
-  for (double t = signal.begin; t <= signal.end; t += dt)
-    most = std::max(most, std::abs(signal.velocity(t)));
-  return most;
-}
-
 /// Adds values on a coarse grid with their rates to values on a fine one.
 void add_interpolated(const History& coarse, const TimeGrid& from, History& fine, const TimeGrid& to) {
   for (const auto& [value, rate] : series) {
@@ -151,7 +143,7 @@ LongField::LongField(const LayeredField& field, std::span<const Point> points, c
   if (!reach)
     return;
   reach_ = *reach;
-  scale_ = largest(motion);
+  scale_ = peak_velocity(motion);
   if (field.has_tails(part)) {
     const Signal slow = low_passed(motion, corner_);
     slow_ = field.with_signal(slow, scale_);

@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -19,6 +20,14 @@ Signal ricker(double frequency_hz, double time_s, double peak_velocity) {
     return std::abs(t - time_s) < half_width ? peak_velocity * (1.0 - 2.0 * z * z) * std::exp(-z * z) : 0.0;
   };
   return {velocity, time_s - half_width, time_s + half_width, 8.0 * frequency_hz};
+}
+
+double peak_velocity(const Signal& signal) {
+  const double dt = 0.25 / signal.highest_frequency;
+  double most = 0.0;
+  for (double t = signal.begin; t <= signal.end; t += dt)
+    most = std::max(most, std::abs(signal.velocity(t)));
+  return most;
 }
 
 void validate(const Signal& signal) {

@@ -17,6 +17,9 @@ struct Signal {
 /// @throws std::invalid_argument if the frequency is not positive or a value is not finite
 Signal ricker(double frequency_hz, double time_s, double peak_velocity);
 
+/// Largest velocity of the signal, m/s, at four times in its shortest period.
+double peak_velocity(const Signal& signal);
+
 /// @throws std::invalid_argument naming the quantity, its value and the allowed range
 void validate(const Signal& signal);
 

@@ -114,14 +114,15 @@ Window choose_window(const FieldSetup& setup, std::span<const Point> points, con
 
   const bool tails = has_tails(setup);
   const double tolerance = tolerance_of(setup, options);
+  const double scale = options.velocity_scale ? *options.velocity_scale : peak_velocity(setup.signal);
   Window chosen = window(tails ? first_padding_with_tails : first_padding);
   std::vector<History> with_chosen = motion(chosen);
   for (double padding = tails ? first_padding_with_tails : first_padding;;) {
     padding *= 2.0;
     const Window doubled = window(padding);
     std::vector<History> with_doubled = motion(doubled);
-    const double still = relative_change(with_chosen, with_doubled, std::array{&History::vx, &History::vy},
-                                         options.velocity_scale);
+    const double still =
+        relative_change(with_chosen, with_doubled, std::array{&History::vx, &History::vy}, scale);
     if (still <= tolerance)
       return chosen;
     if (doubled.length > largest_chosen_window) {

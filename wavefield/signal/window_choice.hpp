@@ -24,8 +24,9 @@ double relative_change(const std::vector<History>& a, const std::vector<History>
                        std::span<std::vector<double> History::*const> kind, double least = 0.0);
 
 /// The window that the options ask for. Without a padding it is doubled until the velocities of the surface,
-/// at both ends along x, change by less than 1e-10 of their peak; where the field has algebraic tails 1e-9,
-/// and 1e-7 if they are those of Kjartansson damping; with an exponential window 1e-8.
+/// at both ends along x, change by less than 1e-10 of their peak, or of the velocity scale where that is
+/// larger; where the field has algebraic tails 1e-9, and 1e-7 if they are those of Kjartansson damping; with
+/// an exponential window 1e-8.
 /// @throws std::runtime_error if the largest window does not hold the reverberation
 Window choose_window(const FieldSetup& setup, std::span<const Point> points, const TimeGrid& grid,
                      const SynthesisOptions& options);

@@ -123,27 +123,27 @@ TEST_F(CoupledRun, SourceThatNeverStartsIsNamedAtTheConnectDeadline) {
 TEST_F(CoupledRun, StuckSourceIsNamedAtTheStepDeadline) {
   for (const Mode mode : {Mode::window, Mode::lockstep}) {
     auto what = options("right stuck 100\n", mode);
-    what.deadlines.step = 1.0;
+    what.deadlines.step = toy::brief;
     EXPECT_THAT(failure(what), HasSubstr("domain 'domain' waits for source 'right', field 'total', step 64"));
   }
 }
 
 TEST_F(CoupledRun, SourceThatRunsInCirclesIsNamedAtTheStepDeadlineThoughItBeats) {
   auto what = options("right circles 100\n");
-  what.deadlines.step = 1.0;
+  what.deadlines.step = toy::brief;
   EXPECT_THAT(failure(what), HasSubstr("domain 'domain' waits for source 'right', field 'total', step 64"));
 }
 
 TEST_F(CoupledRun, SourceThatReportsWorkMayTakeLongerThanTheStepDeadline) {
-  auto what = options("right works 100\n"); // for 2 s
-  what.deadlines.step = 1.0;
+  auto what = options("right works 100\n"); // for twice as long
+  what.deadlines.step = toy::brief;
   launch(what);
   EXPECT_THAT(notes_, HasSubstr("domain 'domain' waits for source 'right', field 'total', step 64"));
 }
 
 TEST_F(CoupledRun, StuckDomainIsNamedAtTheStepDeadline) {
   auto what = options("domain stuck 100\n");
-  what.deadlines.step = 1.0;
+  what.deadlines.step = toy::brief;
   EXPECT_THAT(failure(what),
               AllOf(HasSubstr("the hub waits for the velocities of step 64 of domain 'domain'"),
                     HasSubstr("its last sign of life")));

@@ -11,6 +11,13 @@
 
 namespace tremolo::coupler::toy {
 
+/// A step deadline that is waited for, s. Instrumented processes take longer over their first steps.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr double brief = 5.0;
+#else
+inline constexpr double brief = 1.0;
+#endif
+
 inline constexpr double omega = 9.0;   // rad/s
 inline constexpr double speed = 100.0; // vertical phase velocity, m/s
 inline constexpr double impedance = 1e5;

@@ -94,7 +94,7 @@ void serve(const ParticipantOptions& options, const Misdeed& misdeed) {
     if (step == misdeed.step && (circles || misdeed.what == "works"))
       for (int done = 1; circles || done <= 20; ++done) {
         client.beat(circles ? 1.0 : done);
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        std::this_thread::sleep_for(std::chrono::duration<double>(0.1 * toy::brief));
       }
     toy::fill(fields[field], step, values);
     if (misdeed.what == "nan" && step == misdeed.step)

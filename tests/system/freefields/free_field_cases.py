@@ -5,6 +5,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "runs"))
 
+import numpy as np
 import small_case
 from tremolo import column
 
@@ -151,3 +152,22 @@ class ColumnWorkspace(small_case.Workspace):
         result = self.command("column", self.case, "--model", name, "--out", out, *arguments)
         assert result.returncode == 0, result.stdout + result.stderr
         return column.read(out)[1]
+
+
+def with_frames(work):
+    """The workspace, with 20 frames of particles a second."""
+    work.case.write_text(work.case.read_text().replace("every_s = 1.0", "every_s = 0.05"))
+    return work
+
+
+def unevenness(run):
+    """Largest difference of velocities at one level, over all frames, relative to the largest velocity."""
+    level = np.round(run.field(0, "position")[:, 1] - run.field(0, "displacement")[:, 1], 6)
+    largest = difference = 0.0
+    for index in range(len(run.times)):
+        velocity = run.field(index, "velocity")
+        largest = max(largest, abs(velocity).max())
+        for y in np.unique(level):
+            row = velocity[level == y]
+            difference = max(difference, (row.max(axis=0) - row.min(axis=0)).max())
+    return difference / largest

@@ -10,25 +10,12 @@ TREMOLO, PACKAGE, _ = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 sys.path.insert(0, PACKAGE)
 
 import numpy as np
-from free_field_cases import FLAT, STIFF, BoxWorkspace, model
+from free_field_cases import FLAT, STIFF, BoxWorkspace, model, unevenness, with_frames
 from tremolo import Run, column
 
 PROFILE = '\n[[profile]]\nthickness = 10.0\nsoil = "box"\n\n[fe]\nelement_size = 0.25\n'
 DAMPING = '\n[damping]\nmodel = "kelvin_voigt"\nratio = 0.05\nreference_hz = 3.0\n'
 MODELS = ("wave", "fe", "mpm")
-
-
-def unevenness(run):
-    """Largest difference of velocities at one level, over all frames, relative to the largest velocity."""
-    level = np.round(run.field(0, "position")[:, 1] - run.field(0, "displacement")[:, 1], 6)
-    largest = difference = 0.0
-    for index in range(len(run.times)):
-        velocity = run.field(index, "velocity")
-        largest = max(largest, abs(velocity).max())
-        for y in np.unique(level):
-            row = velocity[level == y]
-            difference = max(difference, (row.max(axis=0) - row.min(axis=0)).max())
-    return difference / largest
 
 
 def to_column(monitor, history):
@@ -49,8 +36,7 @@ class Damping(unittest.TestCase):
         everywhere = {side: model(name) for side in ("left", "right", "base")}
         ground = FLAT + PROFILE + (DAMPING if damped else "")
         with BoxWorkspace(TREMOLO, ground=ground, halfspace=STIFF, duration=2.0, **everywhere) as work:
-            work.case.write_text(work.case.read_text().replace("every_s = 1.0", "every_s = 0.05"))
-            run = Run(work.run("run"))
+            run = Run(with_frames(work).run("run"))
             assert run.status == "complete"
             exact = work.path / "exact.h5"
             done = work.command("column", work.case, "--model", "wave", "--out", exact, "--depths", "0.125,7")

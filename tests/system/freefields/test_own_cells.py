@@ -10,34 +10,16 @@ TREMOLO, PACKAGE, _ = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 sys.path.insert(0, PACKAGE)
 
 import numpy as np
-from free_field_cases import LAYERED, STIFF, BoxWorkspace, model
+from free_field_cases import LAYERED, STIFF, BoxWorkspace, model, unevenness, with_frames
 from tremolo import Run
 
 EVERYWHERE = {"left": model("mpm"), "right": model("mpm"), "base": model("mpm")}
-
-
-def unevenness(run):
-    """Largest difference of velocities at one level, over all frames, relative to the largest velocity."""
-    level = np.round(run.field(0, "position")[:, 1] - run.field(0, "displacement")[:, 1], 6)
-    largest = difference = 0.0
-    for index in range(len(run.times)):
-        velocity = run.field(index, "velocity")
-        largest = max(largest, abs(velocity).max())
-        for y in np.unique(level):
-            row = velocity[level == y]
-            difference = max(difference, (row.max(axis=0) - row.min(axis=0)).max())
-    return difference / largest
 
 
 def difference(run, reference):
     """Of all monitors, relative L2."""
     velocities = [np.concatenate([r.monitor(name)[c] for name in r.monitors for c in ("vx", "vy")]) for r in (run, reference)]
     return np.linalg.norm(velocities[0] - velocities[1]) / np.linalg.norm(velocities[1])
-
-
-def with_frames(work):
-    work.case.write_text(work.case.read_text().replace("every_s = 1.0", "every_s = 0.05"))
-    return work
 
 
 class OwnCells(unittest.TestCase):

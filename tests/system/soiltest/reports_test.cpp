@@ -90,6 +90,22 @@ TEST(SoilTestReport, StressesThatWereMissedAreReported) {
   EXPECT_THAT(monotonic("triaxial_compression"), Not(HasSubstr("missed")));
 }
 
+/// Loose sand of PDMY03 under drained simple shear at 200 kPa has no strain near at gamma = 0.00133.
+TEST(SoilTestReport, SaysWhereTheStrainLeapsAndHowFar) {
+  const auto leaping = [](double vertical_stress) {
+    auto one = file("model = \"pdmy03\"\nrelative_density = 0.33\n",
+                    "k0 = 1.0\nkind = \"direct_simple_shear\"\ndrainage = \"drained\"\n",
+                    "kind = \"monotonic\"\nstrain = 0.005\n");
+    one.test.initial.vertical_stress = vertical_stress;
+    return printed(one);
+  };
+  EXPECT_THAT(leaping(200e3), AllOf(HasSubstr("note: monotonic: the law is not unique. "),
+                                    HasSubstr("first at gamma = 0.00133 (eps_yy = "),
+                                    HasSubstr("no strain near the last increments holds the vertical stress; "
+                                              "the strain leaps by up to 1.5e-05 (1.5 increments)")));
+  EXPECT_THAT(leaping(50e3), Not(HasSubstr("not unique")));
+}
+
 TEST(SoilTestReport, LeavesOutWhatHasNoMeaning) {
   const auto clay = file("model = \"multi_yield_clay\"\ndensity = 1700.0\nvs = 150.0\n"
                          "vp = 300.0\nundrained_strength = 40e3\n",

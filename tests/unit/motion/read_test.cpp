@@ -180,6 +180,14 @@ TEST(Peer, DecimalCommasAreNamed) {
             "x.AT2:2: decimal commas: numbers are written with a point, 0.123 instead of 0,123");
   EXPECT_EQ(refusal_of("NPTS= 3, DT= 1,02 SEC\n0.001 -0.102 1.5E-2\n", "x.AT2"),
             "x.AT2:1: decimal commas: numbers are written with a point, 0.123 instead of 0,123");
+  // A comma in front of digits and behind nothing: read past it, ,005 s are 5 s.
+  for (const char* header : {"NPTS= 3, DT= ,005 SEC", "NPTS= 3, DT=,005 SEC", "3 ,005 NPTS, DT"})
+    EXPECT_EQ(refusal_of(fmt::format("{}\n0.001 -0.102 1.5E-2\n", header), "x.AT2"),
+              "x.AT2:1: decimal commas: numbers are written with a point, 0.123 instead of 0,123")
+        << header;
+  EXPECT_EQ(refusal_of("NPTS= 3, DT= .01 SEC\n,001 -,102 1,5E-2\n", "x.AT2"),
+            "x.AT2:2: decimal commas: numbers are written with a point, 0.123 instead of 0,123");
+  EXPECT_EQ(refusal_of("NPTS= 3,DT= .01 SEC\n0.001 -0.102 1.5E-2\n", "x.AT2"), "");
   EXPECT_EQ(refusal_of("NPTS= 3, DT= .01 SEC\n0.001,-0.102,1.5E-2\n", "x.AT2"), "");
 }
 

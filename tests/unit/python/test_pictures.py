@@ -102,6 +102,17 @@ class Pictures(unittest.TestCase):
         self.assertEqual({row[-2] for row in rows}, {"0.00"})
         self.assertEqual({row[-3] for row in rows} - {"-"}, {"1.000"})
 
+    def test_of_runs_of_different_length_the_common_time_counts(self):
+        (self.folder / "short").mkdir(exist_ok=True)
+        synthetic_run.write(self.folder / "short" / "run.h5", angle_deg=15.0, size=2.0, frames=40)  # before the wave's peak
+        with Run(self.folder / "15") as run, Run(self.folder / "short") as short:
+            for pair in ((run, short), (short, run)):
+                told, _, *lines = comparison.lines(*pair)
+                self.assertRegex(told, r"^until 0\.795 s, where the shorter run ends")
+                rows = [line.split() for line in lines if " a, " not in line]  # a is a one-sided slope at the end
+                self.assertEqual({row[-2] for row in rows}, {"0.00"})
+                self.assertEqual({row[-3] for row in rows} - {"-"}, {"1.000"})
+
     def test_time_outside_the_run_is_refused(self):
         status, _, error = run_command("plot", self.folder / "15", "--time", 99)
         self.assertEqual(status, 1)

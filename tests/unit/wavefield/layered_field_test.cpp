@@ -177,6 +177,23 @@ TEST(LayeredField, TopOfTheHalfSpaceHasAnIncidentWave) {
   EXPECT_LT(largest_difference(histories[0].vx, histories[2].vx), 1e-4);
 }
 
+/// Before the pulse of 0.8 s arrives the surface moves by rounding alone, which no window makes smaller.
+TEST(LayeredField, IsServedBeforeItsPulseArrives) {
+  for (const WaveType wave : {WaveType::SV, WaveType::P}) {
+    const auto under_test = field(layered3({}), wave, 15.0);
+    const std::array<Point, 2> points{{{2.0, 0.0}, {2.0, -25.0}}};
+    const auto early = under_test.sample(points, {0.0, 0.01, 10});
+    const auto whole = under_test.sample(points, {0.0, 0.01, 200});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_LT(largest(early[i].vx), 0.01 * largest(whole[i].vx));
+      for (std::size_t k = 0; k < early[i].vx.size(); ++k) {
+        EXPECT_NEAR(early[i].vx[k], whole[i].vx[k], 1e-9 * 0.1);
+        EXPECT_NEAR(early[i].vy[k], whole[i].vy[k], 1e-9 * 0.1);
+      }
+    }
+  }
+}
+
 TEST(LayeredField, GivesOnlyWhatIsAskedFor) {
   const Point point{0.0, -3.0};
   const TimeGrid grid{0.0, 0.01, 100};

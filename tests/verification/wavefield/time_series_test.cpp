@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <string>
 
 namespace {
@@ -25,6 +26,11 @@ struct ReferenceCase {
   double y_reference;
   double tolerance; ///< of the peak of the quantity's kind
 };
+
+/// The name of a case in the list of tests.
+void PrintTo(const ReferenceCase& reference, std::ostream* stream) {
+  *stream << reference.file;
+}
 
 LayeredHalfSpace table_1_soil() {
   const double density = 1700.0;
