@@ -158,7 +158,7 @@ struct Mesh {
   std::vector<Refinement> refine;
   ParticleBoxes particle_boxes = ParticleBoxes::fixed;
   Dilatation dilatation = Dilatation::cell;
-  ContactNormals contact_normals = ContactNormals::gradient;
+  ContactNormals contact_normals = ContactNormals::automatic;
 };
 
 struct TimeStepping {

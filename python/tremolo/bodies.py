@@ -43,6 +43,11 @@ def _millimetres(values):
     return (1e3, "mm") if np.max(np.abs(values)) < 0.1 else (1.0, "m")
 
 
+def _legend_above(ax):
+    """On the right above the axes, where it hides no line."""
+    ax.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(FORCES), borderaxespad=0.2)
+
+
 def _motion(axes, body):
     time = body["time"]
     moved = {"horizontal": body["x"] - body["x"][0], "vertical": body["y"] - body["y"][0]}
@@ -50,7 +55,7 @@ def _motion(axes, body):
     for text, values in moved.items():
         axes["moved"].plot(time, factor * values, label=text)
     axes["moved"].set_ylabel(f"displacement ({unit})")
-    axes["moved"].legend(loc="best", ncols=2)
+    _legend_above(axes["moved"])
     axes["tilt"].plot(time, np.degrees(body["tilt"]), color=style.COLOURS[2])
     axes["tilt"].set_ylabel("tilt (°)")
 
@@ -69,7 +74,7 @@ def _forces(axes, body, wet):
             ax.plot(body["time"], force / 1e3, label=text, color=style.COLOURS[number], linewidth=0.8)
     axes["y"].set_ylabel("vertical force (kN/m)")
     axes["x"].set_ylabel("horizontal force (kN/m)")
-    axes["y"].legend(loc="best", ncols=2)
+    _legend_above(axes["y"])
 
 
 def histories(run, folder):

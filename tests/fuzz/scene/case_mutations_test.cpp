@@ -8,21 +8,26 @@
 #include "scene/plan/plan.hpp"
 
 #include <cmath>
+#include <filesystem>
 
 namespace tremolo::scene {
 namespace {
 
+/// A file, from the root of the source.
 class CaseFuzz : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CaseFuzz, MutationsAreReadOrRefused) {
-  const std::string folder = std::string(TREMOLO_SOURCE_DIR "/cases/") + GetParam();
-  testing::expect_read_or_refused(folder + "/case.toml", 20240119, 2000, [&](const std::string& text) {
-    const auto planned = plan(parse(text, "case.toml", folder));
+  const std::filesystem::path file = std::filesystem::path(TREMOLO_SOURCE_DIR) / GetParam();
+  testing::expect_read_or_refused(file, 20240119, 2000, [&](const std::string& text) {
+    const auto planned = plan(parse(text, "case.toml", file.parent_path()));
     EXPECT_TRUE(std::isfinite(planned.dt) && planned.dt > 0.0) << text;
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, CaseFuzz, ::testing::Values("halfspace_box", "slope_oblique"));
+INSTANTIATE_TEST_SUITE_P(Cases, CaseFuzz,
+                         ::testing::Values("cases/halfspace_box/case.toml", "cases/slope_oblique/case.toml",
+                                           "cases/strip_footing/case.toml",
+                                           "tests/fuzz/scene/structures.toml"));
 
 } // namespace
 } // namespace tremolo::scene
