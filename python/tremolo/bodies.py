@@ -31,11 +31,10 @@ def draw(ax, run, index):
 
 
 def label(ax, run):
-    """Names of the structures, above them at the start."""
+    """Names of the structures in their middle at the start."""
     for name in run.bodies:
         outline = run.body(name).outline
-        top = 0.5 * (outline[:, 0].min() + outline[:, 0].max()), outline[:, 1].max()
-        ax.annotate(name, top, xytext=(0, 3), textcoords="offset points", ha="center", va="bottom", fontsize=8)
+        ax.text(*(0.5 * (outline.min(axis=0) + outline.max(axis=0))), name, ha="center", va="center", fontsize=8)
 
 
 def _millimetres(values):

@@ -69,6 +69,11 @@ name = "roof"
 point = [2.0, 1.0]
 structure = "block"
 
+[[monitor]]
+name = "centre"
+point = [0.0, 0.5]
+structure = "block"
+
 [output]
 every_s = 0.1
 history_every_s = 0.005
