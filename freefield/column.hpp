@@ -26,7 +26,7 @@ using InputVelocity = std::function<Velocity(double time)>;
 /// The column at one depth and the present time. Stresses are the dynamic part, tension positive, total where
 /// there is pore water.
 struct ColumnSample {
-  double vx = 0.0, vy = 0.0;                             ///< particle velocity, m/s
+  double vx = 0.0, vy = 0.0;                             ///< velocity of grains and water, m/s
   double sxx = 0.0, syy = 0.0, sxy = 0.0;                ///< stress, Pa
   double vx_rate = 0.0, vy_rate = 0.0;                   ///< time derivatives of velocity, m/s2
   double sxx_rate = 0.0, syy_rate = 0.0, sxy_rate = 0.0; ///< and of stress, Pa/s

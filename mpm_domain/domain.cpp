@@ -80,10 +80,10 @@ const Spec& checked(const Spec& spec) {
   return spec;
 }
 
-/// Rows of tied nodes that are one other node, a period away.
-std::vector<std::size_t> rows_of_images(const Prolongation& ties) {
+/// Those of the rows whose tied nodes are one other node, a period away.
+std::vector<std::size_t> rows_of_images(const Prolongation& ties, std::span<const std::size_t> of) {
   std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < ties.tied_count(); ++row)
+  for (const std::size_t row : of)
     if (const auto shares = ties.row(row); shares.size() == 1 && shares.front().dx != 0.0)
       rows.push_back(row);
   return rows;
@@ -105,7 +105,6 @@ void rebuild_mesh(Domain& domain) {
       domain.clocks = ClockMap(domain.mesh->tree(), buffer_layers);
     resize_fields(domain.grid, domain.mesh->node_count());
   }
-  domain.image_rows = rows_of_images(domain.ties());
 }
 
 void keep_whole(Domain& domain, std::size_t set, std::uint32_t id) {
@@ -168,6 +167,8 @@ void find_reach(Domain& domain) {
     domain.clock_tiles.push_back({TileSums(domain.tiles, filled_tiles(domain, clock)),
                                   domain.mesh ? find_across(domain, clock) : std::vector<AcrossTile>{}});
   domain.soil_rows = find_soil_rows(domain);
+  domain.soil_ties = find_soil_ties(domain);
+  domain.image_rows = rows_of_images(domain.ties(), domain.soil_ties);
   domain.contact.follow_sort(domain);
   weigh_across(domain);
 }
@@ -239,7 +240,7 @@ double Domain::fastest_wave() {
   double fastest = 0.0;
   for (Particles& set : sets)
     if (set.size() > 0)
-      fastest = std::max(fastest, mpm_domain::fastest_wave(set, {0, set.size()}));
+      fastest = std::max(fastest, fastest_waves(set, {0, set.size()}).in_soil);
   return fastest;
 }
 

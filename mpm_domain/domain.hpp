@@ -68,11 +68,12 @@ struct Domain {
 
   Spec spec;
   Grid grid;
-  std::optional<GradedMesh> mesh;      ///< where the spec refines; without it the grid is one lattice
-  Prolongation images;                 ///< of periodic sides without a mesh: ties()
-  std::vector<std::size_t> image_rows; ///< rows of ties() that are images of a period and follow one node
-  ClockMap clocks;                     ///< one clock unless the spec sub-cycles
-  std::vector<Particles> sets;         ///< one per soil
+  std::optional<GradedMesh> mesh; ///< where the spec refines; without it the grid is one lattice
+  Prolongation images;            ///< of periodic sides without a mesh: ties()
+  std::vector<std::size_t>
+      image_rows;              ///< rows of ties() at which cells with soil may begin: images of a period
+  ClockMap clocks;             ///< one clock unless the spec sub-cycles
+  std::vector<Particles> sets; ///< one per soil
   std::vector<WaitingStrains> waiting_strains;     ///< by set, within a gather
   std::vector<WaitingPressures> waiting_pressures; ///< by set, while pore pressures are found
   Boundary boundary;
@@ -82,6 +83,7 @@ struct Domain {
   TileMap tiles;
   std::vector<ClockTiles> clock_tiles; ///< by clock
   std::vector<NodeRange> soil_rows;    ///< see find_soil_rows
+  std::vector<std::size_t> soil_ties;  ///< see find_soil_ties
   WorkerPool workers;
   WindowPool windows;
 

@@ -274,7 +274,7 @@ void TwoPhaseColumn::sample(std::span<const double> y, std::span<ColumnSample> s
     const auto rate = [&](double WetStress::*component) {
       return scale * (3.0 * then[0].*component - 4.0 * then[1].*component + then[2].*component);
     };
-    samples[i] = motion_at(snapshots_[0], mesh_, place);
+    samples[i] = motion_at(snapshots_[0], mesh_, grid_, place);
     samples[i].sxx = then[0].sxx;
     samples[i].syy = then[0].syy;
     samples[i].sxy = then[0].sxy;

@@ -3,6 +3,7 @@
 //     p = p_e - (y - y_c) (rho_f a_f + (rho_f g/k) n_I w_I)    where water flows; a_f = a_s at a sealed node
 //     p = p_e - Q/(M + Q) (syy - syy_e), total stress,         where it does not
 //     sxy, syy (total) = those of the centre + (y - y_c) [(1-n) rho_s a_s + n rho_f a_f + alpha rho v_s]
+//     velocity of grains and water together = v_s + rho_f n w/rho
 //     sxx = lambda/M of the effective syy, and what yield adds to it at the centres, interpolated, less p
 
 #include "freefield/twophase/wet_snapshot.hpp"
@@ -45,15 +46,17 @@ WetStress stress_at(const WetSnapshot& snapshot, const ColumnMesh& mesh, const W
   return stress;
 }
 
-ColumnSample motion_at(const WetSnapshot& snapshot, const ColumnMesh& mesh, const ColumnMesh::Place& place) {
+ColumnSample motion_at(const WetSnapshot& snapshot, const ColumnMesh& mesh, const WetGrid& grid,
+                       const ColumnMesh::Place& place) {
   const std::size_t e = place.element;
+  const WetElement& element = grid.elements[e];
   const auto at = [&](const std::vector<WetSnapshot::Vector>& nodal, double WetSnapshot::Vector::*component) {
     return std::lerp(nodal[e].*component, nodal[e + 1].*component, place.fraction);
   };
   const ColumnMesh::Centres centres = mesh.centres(place);
   const auto strain = [&](double WetSnapshot::Vector::*component) {
-    const auto of = [&](std::size_t element) {
-      return (snapshot.u[element + 1].*component - snapshot.u[element].*component) / mesh.length(element);
+    const auto of = [&](std::size_t i) {
+      return (snapshot.u[i + 1].*component - snapshot.u[i].*component) / mesh.length(i);
     };
     return (1.0 - centres.weight) * of(centres.lower) + centres.weight * of(centres.upper);
   };
@@ -63,6 +66,12 @@ ColumnSample motion_at(const WetSnapshot& snapshot, const ColumnMesh& mesh, cons
   sample.vy = at(snapshot.v, &Vector::y);
   sample.vx_rate = at(snapshot.a, &Vector::x);
   sample.vy_rate = at(snapshot.a, &Vector::y);
+  if (element.flows()) {
+    const double mass = element.solid_share + element.fluid_share;
+    sample.vy +=
+        element.fluid_density / mass * std::lerp(snapshot.flux[e], snapshot.flux[e + 1], place.fraction);
+    sample.vy_rate += element.fluid_share / mass * (at(snapshot.a_fluid, &Vector::y) - sample.vy_rate);
+  }
   sample.ux = at(snapshot.u, &Vector::x);
   sample.uy = at(snapshot.u, &Vector::y);
   sample.gxy = strain(&Vector::x);

@@ -40,6 +40,7 @@ WetStress stress_at(const WetSnapshot& snapshot, const ColumnMesh& mesh, const W
                     const ColumnMesh::Place& place);
 
 /// Motion and strain at a place, without stress and rates.
-ColumnSample motion_at(const WetSnapshot& snapshot, const ColumnMesh& mesh, const ColumnMesh::Place& place);
+ColumnSample motion_at(const WetSnapshot& snapshot, const ColumnMesh& mesh, const WetGrid& grid,
+                       const ColumnMesh::Place& place);
 
 } // namespace tremolo::freefield

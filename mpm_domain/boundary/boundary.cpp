@@ -33,27 +33,26 @@ void for_faces(WorkerPool& workers, std::size_t count, const Act& act) {
   });
 }
 
-/// Velocity that a node's dashpots see, m/s. Where water flows it is that of grains and water together, which
-/// the implicit half of the dashpots acts on too (water/mixture_kick.hpp): a dashpot that saw the grains
-/// alone could bring in energy.
-Vector seen_by_dashpots(const Grid& grid, std::size_t node) {
-  const Vector v = grid.velocity_before(node);
-  const double water = grid.traits.flowing ? grid.water_mass[node] : 0.0;
-  if (!(water > 0.0))
-    return v;
-  const double share = water / (grid.mass[node] + water);
-  return {v.x + share * (grid.wx_before[node] - v.x), v.y + share * (grid.wy_before[node] - v.y)};
+/// v_f = sum_i W_if v_i, m/s.
+template <typename OfNode>
+Vector sum_over(const FaceWeights& weights, const OfNode& of_node) {
+  Vector sum;
+  for (const auto& [node, w] : weights) {
+    const Vector v = of_node(node);
+    sum.x += w * v.x;
+    sum.y += w * v.y;
+  }
+  return sum;
 }
 
-/// v_f = sum_i W_if v_i, m/s.
+/// Where water flows, dashpots see grains and water together, which the implicit half of the dashpots acts on
+/// too (water/mixture_kick.hpp): a dashpot that saw the grains alone could bring in energy.
 Vector velocity_at(const Grid& grid, const FaceWeights& weights) {
-  Vector v;
-  for (const auto& [node, w] : weights) {
-    const Vector of_node = seen_by_dashpots(grid, node);
-    v.x += w * of_node.x;
-    v.y += w * of_node.y;
-  }
-  return v;
+  return sum_over(weights, [&](std::size_t node) { return grid.mixture_before(node); });
+}
+
+Vector velocity_after_at(const Grid& grid, const FaceWeights& weights) {
+  return sum_over(weights, [&](std::size_t node) { return grid.mixture_after(node); });
 }
 
 /// Impulses of a clock given to a node of a faster one within one of its steps: the factor on the force.
@@ -85,6 +84,7 @@ void Boundary::resize() {
     field->assign(count, {});
   traction_.assign(count, {});
   layer_sums_.assign(3 * count, 0.0);
+  v_kicked_.clear();
 }
 
 std::vector<double> Boundary::rest_state() const {
@@ -120,6 +120,22 @@ void Boundary::set_layer_sums(const std::vector<double>& sums) {
     throw std::invalid_argument(
         fmt::format("{} sums of velocities do not go with {} faces", sums.size(), faces_.size()));
   layer_sums_ = sums;
+}
+
+std::vector<double> Boundary::kicked() const {
+  std::vector<double> numbers;
+  for (const Vector& v : v_kicked_)
+    numbers.insert(numbers.end(), {v.x, v.y});
+  return numbers;
+}
+
+void Boundary::set_kicked(const std::vector<double>& numbers) {
+  if (!numbers.empty() && numbers.size() != 2 * faces_.size())
+    throw std::invalid_argument(
+        fmt::format("{} numbers of velocities do not go with {} faces", numbers.size(), faces_.size()));
+  v_kicked_.clear();
+  for (std::size_t i = 0; i < numbers.size(); i += 2)
+    v_kicked_.push_back({numbers[i], numbers[i + 1]});
 }
 
 void Boundary::build_supports(const Domain& domain) {
@@ -179,6 +195,8 @@ void Boundary::exchange(Domain& domain, const ClockNodes& nodes, const FreeField
   for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
     weigh(domain, nodes, f, true);
     v_exchange_[f] = velocity_at(domain.grid, weights_[f]);
+    if (!v_kicked_.empty())
+      v_exchange_[f] = without_residual(v_exchange_[f], v_kicked_[f]);
   });
   v_ = v_exchange_;
   source(step, time, v_exchange_, free_field_);
@@ -313,6 +331,11 @@ void Boundary::correct_dashpots(Domain& domain, const Ticks& ticks, const ClockN
 void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
   const int first_due = ticks.first_due();
   const Grid& grid = domain.grid;
+  if (domain.has_water()) {
+    v_kicked_.resize(faces_.size());
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      v_kicked_[f] = velocity_after_at(grid, weights_[f]);
+  }
   EnergyLedger& energy = domain.energy;
   std::vector<FaceWork> works((faces_.size() + faces_per_task - 1) / faces_per_task);
   domain.workers.run(works.size(), [&](std::size_t task) {

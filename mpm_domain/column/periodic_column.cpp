@@ -3,8 +3,9 @@
 //     v(t_n) = v- + dt/2 a,      d sigma/dt (t_n) = (sigma(t_n+1) - sigma(t_n-1))/(t_n+1 - t_n-1).
 //
 // At the base the stress is that of Eq. (6) with this velocity, which is what the base's nodes have felt. The
-// base has no particle: its displacement is the sum of dt v-. Strains are slopes of the displacement over the
-// levels of the start.
+// base has no particle: its displacement is the sum of dt v-. Where water flows, v is that of grains and
+// water together and without the residual that dashpots do not see (boundary.hpp). Strains are slopes of the
+// displacement over the levels of the start.
 
 #include "mpm_domain/column/periodic_column.hpp"
 
@@ -76,7 +77,8 @@ PeriodicColumn::PeriodicColumn(PeriodicColumnSpec spec)
     spec_.time_step = domain_.spec.scheme.fraction * critical_time_step(domain_, 0.0);
   cut_interval();
   stepper_ = std::make_unique<Stepper>(domain_, spec_.start_time, [this](long, double t, auto, auto field) {
-    sample_velocities(velocity_before_, false);
+    const Grid& grid = domain_.grid;
+    sample_nodes(velocity_before_, [&grid](std::size_t n) { return grid.mixture_before(n); });
     base_displacement_.x += previous_dt_ * velocity_before_.front().x;
     base_displacement_.y += previous_dt_ * velocity_before_.front().y;
     std::ranges::fill(field, spec_.incident(t));
@@ -141,6 +143,8 @@ void PeriodicColumn::advance() {
       record(after);
       record_deformation();
     }
+    if (domain_.has_water())
+      sample_nodes(velocity_kicked_, [this](std::size_t n) { return domain_.grid.mixture_after(n); });
     before_ = std::exchange(now_, after);
     previous_dt_ = stepper_->dt();
   }
@@ -148,14 +152,7 @@ void PeriodicColumn::advance() {
 
 void PeriodicColumn::record(const std::vector<Row>& after) {
   const double dt = stepper_->dt();
-  std::vector<Vector> acceleration(levels_.size());
-  sample_velocities(acceleration, true);
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Vector v = velocity_before_[i];
-    const Vector a = acceleration[i];
-    points_[i].velocity = {v.x + 0.5 * dt * a.x, v.y + 0.5 * dt * a.y};
-    points_[i].acceleration = a;
-  }
+  find_velocities();
   for (std::size_t r = 0; r < ids_.size(); ++r) {
     points_[r + 1].stress = now_[r].stress - at_rest_[r].stress;
     points_[r + 1].stress_rate = 1.0 / (dt + previous_dt_) * (after[r].stress - before_[r].stress);
@@ -174,6 +171,29 @@ void PeriodicColumn::record(const std::vector<Row>& after) {
   points_.front().stress_rate.xx = points_[1].stress_rate.xx;
   points_.back().stress = {points_[ids_.size()].stress.xx, 0.0, 0.0};
   points_.back().stress_rate = {points_[ids_.size()].stress_rate.xx, 0.0, 0.0};
+}
+
+void PeriodicColumn::find_velocities() {
+  const Grid& grid = domain_.grid;
+  const double dt = stepper_->dt();
+  std::vector<Vector> acceleration(levels_.size());
+  sample_nodes(acceleration, [&grid](std::size_t n) { return grid.acceleration(n); });
+  std::vector<Vector> kicked;
+  if (domain_.has_water()) {
+    kicked.resize(levels_.size());
+    sample_nodes(kicked, [&grid](std::size_t n) { return grid.mixture_after(n); });
+  }
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Vector v = velocity_before_[i];
+    const Vector a = acceleration[i];
+    points_[i].acceleration = a;
+    if (!domain_.has_water()) {
+      points_[i].velocity = {v.x + 0.5 * dt * a.x, v.y + 0.5 * dt * a.y};
+      continue;
+    }
+    const Vector seen = velocity_kicked_.empty() ? v : without_residual(v, velocity_kicked_[i]);
+    points_[i].velocity = {seen.x + 0.5 * (kicked[i].x - v.x), seen.y + 0.5 * (kicked[i].y - v.y)};
+  }
 }
 
 void PeriodicColumn::record_deformation() {
@@ -212,19 +232,19 @@ void PeriodicColumn::record_deformation() {
 }
 
 /// At the faces of the base, at the particles' rows, and at the surface, as side faces of a domain would.
-void PeriodicColumn::sample_velocities(std::vector<Vector>& v, bool accelerations) const {
+template <typename OfNode>
+void PeriodicColumn::sample_nodes(std::vector<Vector>& v, const OfNode& of_node) const {
   const Grid& grid = domain_.grid;
-  const auto node = [&](std::size_t n) {
-    return accelerations ? grid.acceleration(n) : grid.velocity_before(n);
-  };
+  v.resize(levels_.size());
   const auto column = static_cast<int>(std::lround((spec_.domain.box.x_min - grid.x0) / grid.h));
   const BoundaryFace& base = domain_.boundary.faces().front();
   v.front() = {};
   FaceWeights weights_of_base;
   face_weights(domain_, base, weights_of_base);
   for (const auto& [n, w] : weights_of_base) {
-    v.front().x += w * node(n).x;
-    v.front().y += w * node(n).y;
+    const Vector at = of_node(n);
+    v.front().x += w * at.x;
+    v.front().y += w * at.y;
   }
   for (std::size_t r = 0; r < ids_.size(); ++r) {
     const Particles& set = domain_.sets[sets_[r]];
@@ -232,7 +252,7 @@ void PeriodicColumn::sample_velocities(std::vector<Vector>& v, bool acceleration
     const Weights weights = cell_weights(set.y[k], domain_.y_axis(), half_sides(set, k).y);
     Vector& sum = v[r + 1] = {};
     for (int a = 0; a < 4; ++a) {
-      const Vector at = node(grid.index(column, weights.base + a));
+      const Vector at = of_node(grid.index(column, weights.base + a));
       sum.x += weights.s[a] * at.x;
       sum.y += weights.s[a] * at.y;
     }

@@ -30,7 +30,7 @@ struct PeriodicColumnSpec {
 
 /// Motion at one level: the state at the column's present time and its time derivative.
 struct ColumnPoint {
-  Vector velocity;         ///< m/s
+  Vector velocity;         ///< m/s, of grains and water together: what dashpots beside it see
   Vector acceleration;     ///< m/s2
   eq6::Stress stress;      ///< dynamic part, total where there is pore water, Pa
   eq6::Stress stress_rate; ///< Pa/s
@@ -87,7 +87,11 @@ private:
   void record_deformation();
   /// Cuts the interval so that its parts are stable; returns their number.
   int cut_interval();
-  void sample_velocities(std::vector<Vector>& v, bool accelerations) const;
+  /// Numbers of nodes, of_node(node), at the levels.
+  template <typename OfNode>
+  void sample_nodes(std::vector<Vector>& v, const OfNode& of_node) const;
+  /// The velocities at the present time, from those before and after the update.
+  void find_velocities();
   std::vector<Row> rows() const;
 
   PeriodicColumnSpec spec_;
@@ -100,7 +104,9 @@ private:
   std::vector<WetCell> wet_cells_; ///< upwards
   std::vector<Row> at_rest_, before_, now_;
   std::vector<Vector> velocity_before_; ///< of the grid before the update, one a level
-  Vector base_displacement_;            ///< at the present time, m
+  std::vector<Vector>
+      velocity_kicked_;      ///< after the last update where there is water; empty before the first
+  Vector base_displacement_; ///< at the present time, m
   long intervals_ = 0;
   double time_ = 0.0;
   double previous_dt_ = 0.0; ///< of the step before the present time, s

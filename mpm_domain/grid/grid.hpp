@@ -24,6 +24,22 @@ struct Grid : GridShape, NodeFields {
   eq6::Vector velocity_before(std::size_t n) const { return {vx_before[n], vy_before[n]}; }
   eq6::Vector velocity_after(std::size_t n) const { return {vx_after[n], vy_after[n]}; }
   eq6::Vector acceleration(std::size_t n) const { return {ax[n], ay[n]}; }
+  /// Of grains and water together, m/s.
+  eq6::Vector mixture_before(std::size_t n) const {
+    return traits.flowing ? together(n, velocity_before(n), {wx_before[n], wy_before[n]})
+                          : velocity_before(n);
+  }
+  eq6::Vector mixture_after(std::size_t n) const {
+    return traits.flowing ? together(n, velocity_after(n), {wx_after[n], wy_after[n]}) : velocity_after(n);
+  }
+
+private:
+  eq6::Vector together(std::size_t n, eq6::Vector grains, eq6::Vector water) const {
+    if (!(water_mass[n] > 0.0))
+      return grains;
+    const double share = water_mass[n] / (mass[n] + water_mass[n]);
+    return {grains.x + share * (water.x - grains.x), grains.y + share * (water.y - grains.y)};
+  }
 };
 
 } // namespace tremolo::mpm_domain

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace tremolo::mpm_domain {
 
@@ -21,11 +22,11 @@ public:
     }
   }
 
-  /// Nodes that a box touches on a lattice, whole rows of a periodic grid: images are nodes of it too.
-  void touch(int level, const mesh::Rectangle& box) {
+  /// Nodes that a box touches on a lattice.
+  /// @param whole  take whole rows
+  void touch(int level, const mesh::Rectangle& box, bool whole) {
     const Lattice& lattice = domain_.lattice(level);
     const auto cell = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
-    const bool whole = !domain_.mesh && domain_.spec.periodic();
     const int first = whole ? 0 : cell(box.x_min, lattice.x0);
     const int last = whole ? lattice.nx - 1 : cell(box.x_max, lattice.x0) + 1;
     for (int j = std::max(0, cell(box.y_min, lattice.y0));
@@ -92,11 +93,12 @@ private:
 
 std::vector<NodeRange> find_soil_rows(const Domain& domain) {
   Rows rows(domain);
+  const bool whole = !domain.mesh && domain.spec.periodic(); // images are nodes of soil too
   for (const Particles& set : domain.sets)
     for (std::size_t block = 0; block < domain.block_count(); ++block) {
       const int level = domain.level_of_block(block);
       for (std::size_t k = set.block_start[block]; k < set.block_start[block + 1]; ++k)
-        rows.touch(level, reach_of(set, k, domain.sort_distance()));
+        rows.touch(level, reach_of(set, k, domain.sort_distance()), whole);
     }
   for (const ClockTiles& clock : domain.clock_tiles)
     for (const AcrossTile& tile : clock.across)
@@ -111,6 +113,21 @@ std::vector<NodeRange> find_soil_rows(const Domain& domain) {
           rows.touch(share.node);
   }
   return rows.ranges();
+}
+
+std::vector<std::size_t> find_soil_ties(const Domain& domain) {
+  const Prolongation& ties = domain.ties();
+  std::vector<std::size_t> found(ties.tied_count());
+  std::iota(found.begin(), found.end(), std::size_t{0});
+  if (domain.mesh || found.empty())
+    return found;
+  Rows rows(domain);
+  const double way = domain.grid.h; // as in TileMap::window: no particle moves by more than a cell
+  for (const Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      rows.touch(0, reach_of(set, k, way), false);
+  std::erase_if(found, [&](std::size_t r) { return !rows.holds(ties.tied(r)); });
+  return found;
 }
 
 } // namespace tremolo::mpm_domain

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/spec/lattice.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -13,5 +14,9 @@ struct Domain;
 /// empty. Parts begin a multiple of four nodes after their row and end at another or with it, so that sums in
 /// lanes have the same bits however far particles have moved since the sort.
 std::vector<NodeRange> find_soil_rows(const Domain& domain);
+
+/// The rows of Domain::ties() whose tied nodes particles may touch until the next sort, in rising order; all
+/// of a graded mesh. A narrow periodic grid has many images that no particle comes near.
+std::vector<std::size_t> find_soil_ties(const Domain& domain);
 
 } // namespace tremolo::mpm_domain

@@ -18,17 +18,13 @@ double p_modulus(const Particles& set, double speed) {
 
 } // namespace
 
-double fastest_wave(Particles& set, const ParticleRange& range) {
+FastestWaves fastest_waves(Particles& set, const ParticleRange& range) {
+  const double speed = law_speed(set, range);
+  const double skeleton = speed * std::sqrt(materials::elasticity(set.law).density / set.density);
   if (!set.traits.wet)
-    return fastest_skeleton_wave(set, range);
-  const double m = p_modulus(set, law_speed(set, range));
-  const auto speeds = materials::saturated_speeds(m, set.water->pores, set.water->fluid);
-  return set.traits.flowing ? speeds.fast : speeds.undrained;
-}
-
-double fastest_skeleton_wave(Particles& set, const ParticleRange& range) {
-  const double law_density = materials::elasticity(set.law).density;
-  return law_speed(set, range) * std::sqrt(law_density / set.density);
+    return {skeleton, skeleton};
+  const auto speeds = materials::saturated_speeds(p_modulus(set, speed), set.water->pores, set.water->fluid);
+  return {set.traits.flowing ? speeds.fast : speeds.undrained, skeleton};
 }
 
 Impedances impedances(Particles& set, std::size_t k) {

@@ -9,12 +9,15 @@
 
 namespace tremolo::mpm_domain {
 
-/// The largest speed that bounds the step of particles of a range, m/s: below the water table that of grains
-/// and water without drag where water flows, and that of both together where it does not.
-double fastest_wave(Particles& particles, const ParticleRange& range);
-
-/// Likewise where pore pressures stay as they are: the skeleton alone, with the particles' mass.
-double fastest_skeleton_wave(Particles& particles, const ParticleRange& range);
+/// The largest speeds that bound the step of particles of a range, m/s.
+struct FastestWaves {
+  /// Below the water table that of grains and water without drag where water flows, and that of both together
+  /// where it does not.
+  double in_soil = 0.0;
+  /// Where pore pressures stay as they are: the skeleton alone, with the particles' mass.
+  double in_skeleton = 0.0;
+};
+FastestWaves fastest_waves(Particles& particles, const ParticleRange& range);
 
 /// What the ground at a particle opposes to slow waves, which water follows, Pa s/m: rho c_p and rho c_s.
 struct Impedances {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -96,8 +95,7 @@ ClockNodes::ClockNodes(const Domain& domain) : ties_(static_cast<std::size_t>(do
   if (domain.clocks.count() == 1) {
     of_ = from_ = {domain.soil_rows};
     shared_.resize(1);
-    ties_.front().resize(domain.ties().tied_count());
-    std::iota(ties_.front().begin(), ties_.front().end(), std::size_t{0});
+    ties_.front() = domain.soil_ties;
     return;
   }
   clock_.assign(domain.grid.size(), 0);

@@ -329,7 +329,7 @@ void Stepper::gather_accelerations() {
   if (ticks_.first_ending() > 0)
     return;
   shared_.mean_accelerations();
-  prolong(domain_, NodeGroup::acceleration);
+  prolong(domain_, NodeGroup::acceleration, domain_.soil_ties);
 }
 
 void Stepper::book(const GatherSums& sums) {

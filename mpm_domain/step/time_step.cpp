@@ -16,18 +16,18 @@ namespace {
 
 /// beta of the fastest motion, s: viscous damping acts on the stiffness of the skeleton, of which water adds
 /// its own.
-double damping_of_fastest(Particles& set, const ParticleRange& range, double speed) {
+double damping_of_fastest(const Particles& set, double in_skeleton, double speed) {
   if (!set.traits.wet || set.damping_time == 0.0)
     return set.damping_time;
-  const double share = fastest_skeleton_wave(set, range) / speed;
+  const double share = in_skeleton / speed;
   return set.damping_time * share * share;
 }
 
 /// The least of steps_of(clock) times the critical step over all particles, where h is the size of the finest
 /// cells that a particle touches.
-/// @param speed_of  of waves, from a set and a range of it, m/s
-template <typename StepsOf, typename SpeedOf>
-double least_step(Domain& domain, double max_speed, const StepsOf& steps_of, const SpeedOf& speed_of) {
+/// @param speed  the waves that count
+template <typename StepsOf>
+double least_step(Domain& domain, double max_speed, const StepsOf& steps_of, double FastestWaves::*speed) {
   const double share = share_of(domain.spec.scheme.order);
   std::vector<double> least(domain.block_count(), std::numeric_limits<double>::infinity());
   domain.workers.run(least.size(), [&](std::size_t block) {
@@ -36,9 +36,10 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of, con
     const auto see = [&](Particles& set, const ParticleRange& range) {
       if (range.begin == range.end)
         return;
-      const double c = speed_of(set, range);
+      const FastestWaves waves = fastest_waves(set, range);
+      const double c = waves.*speed;
       const double undamped = largest_courant_number * h / (c + max_speed);
-      const double damping = damping_of_fastest(set, range, c);
+      const double damping = damping_of_fastest(set, waves.in_skeleton, c);
       least[block] = std::min(least[block], steps * damped_step(undamped, damping, share));
     };
     for (Particles& set : domain.sets) {
@@ -84,18 +85,19 @@ double layer_step(const Spec& spec) {
 } // namespace
 
 double critical_time_step(Domain& domain, double max_speed) {
-  return std::min(least_step(domain, max_speed, one_step, fastest_wave), layer_step(domain.spec));
+  return std::min(least_step(domain, max_speed, one_step, &FastestWaves::in_soil), layer_step(domain.spec));
 }
 
 double critical_skeleton_step(Domain& domain) {
-  return std::min(least_step(domain, 0.0, one_step, fastest_skeleton_wave), layer_step(domain.spec));
+  return std::min(least_step(domain, 0.0, one_step, &FastestWaves::in_skeleton), layer_step(domain.spec));
 }
 
 double critical_subcycled_step(Domain& domain, double max_speed) {
-  const double stable = std::min(
-      least_step(
-          domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); }, fastest_wave),
-      layer_step(domain.spec));
+  const double stable =
+      std::min(least_step(
+                   domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); },
+                   &FastestWaves::in_soil),
+               layer_step(domain.spec));
   return max_speed > 0.0 ? std::min(stable, 0.5 * domain.sort_distance() / max_speed) : stable;
 }
 

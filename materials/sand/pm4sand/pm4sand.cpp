@@ -85,7 +85,7 @@ void update(const Pm4Sand& law, const Points& points) {
 double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {
   double p = law.p_A / 200.0;
   for (std::size_t i = 0; i < points.count; ++i) {
-    const pm4::Initial start = pm4::load(points.state + i * pm4::state_size).start;
+    const pm4::Initial start = pm4::load_start(points.state + i * pm4::state_size);
     p = std::max({p, start.p_min, -0.5 * (points.sxx[i] + points.syy[i]) - start.offset.p});
   }
   const double G = law.G_o * std::sqrt(law.p_A * p);

@@ -74,6 +74,13 @@ inline State load(const double* block) {
   return std::bit_cast<State>(values);
 }
 
+/// The part of a block that the initial stress decides.
+inline Initial load_start(const double* block) {
+  std::array<double, sizeof(Initial) / sizeof(double)> values;
+  std::memcpy(values.data(), block + offsetof(State, start) / sizeof(double), sizeof(Initial));
+  return std::bit_cast<Initial>(values);
+}
+
 inline void store(const State& state, double* block) {
   std::memcpy(block, &state, sizeof(State));
 }

@@ -182,9 +182,9 @@ TEST(HardCase27, ConsolidationAfterShaking) {
   bounded("excess pressure left over that at the start", before, 2e-3);
   bounded("rise of pressure on the way", rise, 1e-6);
   bounded("settlement against the water that left",
-          std::abs(settlement / ((pores - volume_of_pores()) / 0.5) - 1.0), 0.02);
-  // Nothing but dashpots holds the base up against a change of its reaction.
-  bounded("sinking of the base in ten minutes", -5.0 - bottom(), 0.035, "m");
+          std::abs(settlement / ((pores - volume_of_pores()) / 0.5) - 1.0), 5e-3);
+  // Nothing but dashpots holds the base. The bound is hard case 14's, 1e-4 m in a minute.
+  bounded("sinking of the base in ten minutes", std::abs(-5.0 - bottom()), 1e-3, "m");
   bounded("energy", ledger_error(domain->energy), 0.02);
 }
 

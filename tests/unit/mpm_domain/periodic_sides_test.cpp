@@ -2,6 +2,7 @@
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/grid/periodic_sides.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
 
@@ -119,6 +120,34 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Seam,
                                          std::pair{Transfer::apic, StepOrder::usl},
                                          std::pair{Transfer::flip, StepOrder::musl},
                                          std::pair{Transfer::flip, StepOrder::usl}));
+
+/// A narrow grid has room for images on both sides. Only those that particles may touch until the next sort
+/// are passed over, and these are all that they touch, wherever they move by less than a cell.
+TEST(PeriodicColumn, PassesOverTheImagesThatParticlesTouch) {
+  for (const double move : {-0.95 * h, 0.0, 0.95 * h}) {
+    Domain domain = periodic_box(h, Transfer::apic, StepOrder::musl);
+    Particles& p = domain.sets.front();
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      p.x[k] += move;
+      p.y[k] += move;
+    }
+    std::vector<char> passed(domain.grid.size(), 0);
+    for (const std::size_t row : domain.soil_ties)
+      passed[domain.ties().tied(row)] = 1;
+    clear(domain, ScatterPart::motion, domain.soil_rows);
+    add_particles(domain, ScatterPart::motion, 0);
+    std::size_t touched = 0;
+    for (std::size_t row = 0; row < domain.ties().tied_count(); ++row) {
+      const std::size_t node = domain.ties().tied(row);
+      if (domain.grid.mass[node] == 0.0)
+        continue;
+      ++touched;
+      EXPECT_TRUE(passed[node]) << "node " << node << ", particles moved by " << move << " m";
+    }
+    EXPECT_GT(touched, 0u);
+    EXPECT_LT(domain.soil_ties.size(), domain.ties().tied_count() / 2);
+  }
+}
 
 /// One cell wide or eight: a wave that does not vary along x is the same.
 TEST(PeriodicColumn, IsAsGoodAsAWideDomain) {

@@ -1,0 +1,110 @@
+// Saturated flat ground between free fields of its own discretisation: it moves as they do, everywhere. A
+// wave of compression makes the water flow, so that grains and water have velocities of their own.
+
+#include "mpm_domain/boundary/static_traction.hpp"
+#include "mpm_domain/column/periodic_column.hpp"
+#include "tests/support/box_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace tremolo::mpm_domain {
+namespace {
+
+constexpr double depth = 10.0; // m
+constexpr double h = 0.5;      // m
+constexpr double peak = 1e-4;  // m/s
+const materials::Elasticity rock = {2200.0, 3e9, 0.25};
+
+Spec wet_box(double permeability) {
+  Spec spec = test_support::elastic_box(4.0, depth, h);
+  spec.gravity = 9.81;
+  spec.water = {0.0, {}};
+  Soil& soil = spec.soils.front();
+  soil.pores = {.porosity = 0.4, .grain_density = 2650.0, .permeability = permeability};
+  soil.law = materials::LinearElastic{{materials::saturated_density(*soil.pores, {}), 40e6, 0.28}};
+  const double m = materials::elasticity(soil.law).p_modulus();
+  spec.scheme.dt = 0.5 * 0.65 * h / materials::saturated_speeds(m, *soil.pores, {}).fast;
+  return spec;
+}
+
+/// A Ricker pulse of 5 Hz that comes up vertically.
+eq6::FreeField incident(double t) {
+  const double a = std::pow(std::numbers::pi * 5.0 * (t - 0.3), 2);
+  const double v = peak * (1.0 - 2.0 * a) * std::exp(-a);
+  const double syy = -rock.density * rock.p_wave_speed() * v;
+  return {{0.0, v}, {rock.lame() / rock.p_modulus() * syy, syy, 0.0}};
+}
+
+/// Largest differences at one level, over the largest value: of velocities, and of settlements.
+struct Unevenness {
+  double velocity, settlement;
+};
+
+Unevenness beside_own_column(double permeability) {
+  const Spec spec = wet_box(permeability);
+  PeriodicColumnSpec of_column{spec, rock, incident, 0.0, *spec.scheme.dt};
+  of_column.domain.box.x_max = of_column.domain.box.x_min + h;
+  PeriodicColumn column(std::move(of_column));
+  Domain domain(spec);
+  replace_constraints(domain, relax_under_gravity(domain, {}, [](long, double) {}));
+  for (BoundaryFace& face : domain.boundary.faces())
+    if (face.side == Side::base) {
+      face.ground.impedance_p = rock.density * rock.p_wave_speed();
+      face.ground.impedance_s = rock.density * rock.s_wave_speed();
+    }
+  Stepper stepper(domain, 0.0, [&](long step, double, auto, std::span<eq6::FreeField> field) {
+    if (step > 0)
+      column.step();
+    for (std::size_t f = 0; f < field.size(); ++f) {
+      const BoundaryFace& face = domain.boundary.faces()[f];
+      const double y = face.side == Side::base ? -depth : face.position.y;
+      const auto level = std::ranges::lower_bound(column.levels(), y - 1e-6) - column.levels().begin();
+      const ColumnPoint& point = column.points()[static_cast<std::size_t>(level)];
+      field[f] = {point.velocity, point.stress};
+    }
+  });
+  struct Range {
+    double low = 1e9, high = -1e9;
+    void add(double v) { low = std::min(low, v), high = std::max(high, v); }
+  };
+  double fastest = 0.0, farthest = 0.0;
+  Unevenness largest{};
+  while (stepper.time() < 1.0) {
+    stepper.step();
+    std::map<long, Range> velocities, settlements;
+    for (const Particles& set : domain.sets)
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        const long row = std::lround(1e3 * set.y_initial[k]);
+        const double moved = set.y[k] - set.y_initial[k];
+        velocities[row].add(set.vy[k]);
+        settlements[row].add(moved);
+        fastest = std::max(fastest, std::abs(set.vy[k]));
+        farthest = std::max(farthest, std::abs(moved));
+      }
+    for (const auto& [row, range] : velocities)
+      largest.velocity = std::max(largest.velocity, range.high - range.low);
+    for (const auto& [row, range] : settlements)
+      largest.settlement = std::max(largest.settlement, range.high - range.low);
+  }
+  EXPECT_GT(fastest, peak);
+  return {largest.velocity / fastest, largest.settlement / farthest};
+}
+
+/// The sides feel the dashpots' mean of grains and water, and a free field serves this mean. One that served
+/// the grains alone would hold the sides back by the momentum of the water.
+TEST(SaturatedOwnFreeField, IsWhatAFlatDomainDoesEverywhere) {
+  for (const double permeability : {1e-1, 1e-2, 1e-4}) {
+    SCOPED_TRACE(permeability);
+    const Unevenness measured = beside_own_column(permeability);
+    EXPECT_LT(measured.velocity, 1e-5);
+    EXPECT_LT(measured.settlement, 1e-5);
+  }
+}
+
+} // namespace
+} // namespace tremolo::mpm_domain
