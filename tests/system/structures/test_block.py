@@ -16,6 +16,15 @@ from structure_cases import BlockWorkspace, checkpoints, differences, killed, re
 from tremolo import Run
 
 
+SLOPE = SOURCE / "cases" / "block_on_slope" / "case.toml"
+
+
+def on_slope(along):
+    """A block of 2 m by 1 m on the slope of 20 degrees, so many m up from the origin."""
+    c, s = np.cos(np.radians(20.0)), np.sin(np.radians(20.0))
+    return [[(along + x) * c - y * s, (along + x) * s + y * c] for x, y in ((-1, 0), (1, 0), (1, 1), (-1, 1))]
+
+
 class Block(unittest.TestCase):
     def test_bears_on_the_ground_with_its_weight(self):
         with BlockWorkspace(TREMOLO, velocity=1e-6) as work, Run(work.run("run")) as run:
@@ -24,6 +33,26 @@ class Block(unittest.TestCase):
             np.testing.assert_allclose(block["normal_y"] + block["friction_y"], work.weight, rtol=5e-3)
             np.testing.assert_allclose(block["normal_x"] + block["friction_x"], 0.0, atol=5e-3 * work.weight)
             self.assertFalse(block["water_y"].any())
+
+    def test_of_blocks_on_a_slope_those_that_slide_are_named(self):
+        holds = f'''
+[[structure]]
+name = "rough"
+polygon = {[[float(x), float(y)] for x, y in on_slope(2.7)]}
+density = 2000.0
+rigid = true
+friction = 0.6
+'''
+        with BlockWorkspace(TREMOLO) as work:
+            work.case.write_text(SLOPE.read_text().replace("duration_s = 0.8", "duration_s = 0.1") + holds)
+            done = work.command("run", work.case, "--out", work.path / "run")
+            self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+            self.assertIn("cannot hold structure 'block' under gravity: it stays in place until", done.stdout + done.stderr)
+            with Run(work.path / "run") as run:
+                self.assertEqual(["block", "rough"], run.bodies)
+                self.assertEqual({0, 1}, set(run.contact(0)["body"]))
+                block, rough = (np.ptp(run.body(name)["x"]) for name in run.bodies)
+                self.assertLess(rough, 0.01 * block)  # the rock under both springs back by some micrometres
 
     def test_contact_nodes_add_up_to_the_forces(self):
         with BlockWorkspace(TREMOLO) as work, Run(work.run("run")) as run:
