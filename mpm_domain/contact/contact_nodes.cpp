@@ -222,7 +222,10 @@ void ContactNodes::take_trial(const Domain& domain, double dt) {
       c.water_before = {grid.wx_before[c.node], grid.wy_before[c.node]};
       c.water_trial = {grid.wx_after[c.node], grid.wy_after[c.node]};
       c.full_water += full;
-      c.free_impulse += full * dot(c.normal, c.water_before) +
+      // Water at a wall has the wall's normal velocity, but reads some of its neighbourhood's flow from the
+      // particles: this is stopped anew in every step, and no stress between grains.
+      const Vector flow{c.water_before.x - c.solid_before.x, c.water_before.y - c.solid_before.y};
+      c.free_impulse += full * dot(c.normal, c.solid_before) + c.water_mass * dot(c.normal, flow) +
                         dt * dot(c.normal, {grid.water_force_x[c.node], grid.water_force_y[c.node]});
       const double ratio = c.water_mass / c.solid_mass;
       c.drag += dt * (1.0 + ratio) * c.water_mass / (full * full) * grid.resistance[c.node];
