@@ -35,8 +35,8 @@ struct Domain;
 struct ContactNode : ContactPoint {
   std::size_t node = 0;
   Vector place;
-  double area = 0.0;       ///< A, of the interface per metre out of plane, m
-  double gap = 0.0;        ///< m; negative: they overlap
+  double area = 0.0;                ///< A, of the interface per metre out of plane, m
+  double gap = 0.0;                 ///< m; negative: they overlap
   double solid_mass = 0.0;          ///< m_s, kg/m
   double water_mass = 0.0;          ///< m_f, of water that moves by itself, kg/m
   double drag = 1.0;                ///< 1 + lambda dt

@@ -240,7 +240,8 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                     rest.residual, settings.max_time, settings.residual));
   if (domain.contact.any())
     reactions.slipping_bodies = release(domain, [&] {
-      constexpr long least = 1000; // steps that friction may take to find its share, and as often those of the bonds
+      constexpr long least =
+          1000; // steps that friction may take to find its share, and as often those of the bonds
       const double time = static_cast<double>(std::max(least, 4 * rest.step)) * dt;
       return relax(false, rest.step, time).residual < settings.residual;
     });
