@@ -86,7 +86,9 @@ public:
 
   /// Writes the particles at `time` (s) as /frames/NNNN, flushes the file and then renews the XDMF. The
   /// number of particles may differ from frame to frame. `fields` must hold "position" with 2 components.
-  void write_frame(double time, std::span<const Field> fields);
+  /// @param contact  fields of the contact nodes, which may be no nodes, written as /contact/NNNN; no field:
+  ///                 the run has no structures
+  void write_frame(double time, std::span<const Field> fields, std::span<const Field> contact = {});
 
   /// Makes everything written so far durable against the end of this process.
   void flush();
@@ -157,6 +159,10 @@ public:
   std::vector<std::string> frame_fields(std::size_t frame) const;
   /// One field of one frame; integers are returned as doubles.
   FieldData frame_field(std::size_t frame, std::string_view name) const;
+  /// Names of the fields of a frame's contact nodes; none in a run without structures.
+  std::vector<std::string> contact_fields(std::size_t frame) const;
+  /// One field of a frame's contact nodes.
+  FieldData contact_field(std::size_t frame, std::string_view name) const;
 
   /// Names of the monitors, in alphabetical order.
   std::vector<std::string> monitors() const;

@@ -20,12 +20,24 @@ public:
     }
   }
 
-  std::string frame_path(std::size_t frame) const {
+  /// @param group  of frames, "/frames" or "/contact"
+  std::string frame_path(std::size_t frame, std::string_view group = "/frames") const {
     if (frame >= frame_names.size()) {
       throw std::runtime_error(fmt::format("{}: no frame {}, the run holds {}", source.path().string(), frame,
                                            frame_names.size()));
     }
-    return "/frames/" + frame_names[frame];
+    return fmt::format("{}/{}", group, frame_names[frame]);
+  }
+
+  FieldData field(const std::string& path) const {
+    const Handle data = source.dataset(path);
+    const Handle space(H5Dget_space(data.get()), H5Sclose);
+    const Handle type(H5Dget_type(data.get()), H5Tclose);
+    const auto shape = source.shape(space.get());
+    return {source.attribute_as<std::string>(path, "unit"),
+            shape.size() > 1 ? static_cast<std::size_t>(shape[1]) : 1,
+            source.numbers<double>(data.get(), H5T_NATIVE_DOUBLE, path),
+            H5Tget_class(type.get()) == H5T_INTEGER};
   }
 
   FileReader source;
@@ -66,16 +78,18 @@ std::vector<std::string> RunReader::frame_fields(std::size_t frame) const {
 }
 
 FieldData RunReader::frame_field(std::size_t frame, std::string_view name) const {
-  const FileReader& source = implementation_->source;
-  const std::string path = fmt::format("{}/{}", implementation_->frame_path(frame), name);
-  const Handle data = source.dataset(path);
-  const Handle space(H5Dget_space(data.get()), H5Sclose);
-  const Handle type(H5Dget_type(data.get()), H5Tclose);
-  const auto shape = source.shape(space.get());
-  return {source.attribute_as<std::string>(path, "unit"),
-          shape.size() > 1 ? static_cast<std::size_t>(shape[1]) : 1,
-          source.numbers<double>(data.get(), H5T_NATIVE_DOUBLE, path),
-          H5Tget_class(type.get()) == H5T_INTEGER};
+  return implementation_->field(fmt::format("{}/{}", implementation_->frame_path(frame), name));
+}
+
+std::vector<std::string> RunReader::contact_fields(std::size_t frame) const {
+  if (!implementation_->source.exists("/contact")) {
+    return {};
+  }
+  return implementation_->source.children(implementation_->frame_path(frame, "/contact"));
+}
+
+FieldData RunReader::contact_field(std::size_t frame, std::string_view name) const {
+  return implementation_->field(fmt::format("{}/{}", implementation_->frame_path(frame, "/contact"), name));
 }
 
 BoundaryHistory RunReader::boundary() const {

@@ -19,8 +19,8 @@
 namespace tremolo::results {
 namespace {
 
-/// Room for links in /frames, and in /monitors and other groups of series; more are possible, but no longer
-/// added by a single write.
+/// Room for links in /frames and /contact, and in /monitors and other groups of series; more are possible,
+/// but no longer added by a single write.
 constexpr std::size_t expected_frames = 4096;
 constexpr std::size_t expected_monitors = 64;
 
@@ -38,22 +38,24 @@ std::size_t value_count(const Field& field) {
   return std::visit([](auto span) { return span.size(); }, field.values);
 }
 
-/// The number of particles of a frame, after checking that all fields agree on it.
-std::size_t particle_count(std::span<const Field> fields) {
+/// The number of particles or contact nodes, after checking that all fields agree on it.
+/// @param what   "particle"
+/// @param least  number of them that there must be
+std::size_t point_count(std::span<const Field> fields, std::string_view what, std::size_t least) {
   const auto position = std::ranges::find(fields, "position", &Field::name);
-  if (position == fields.end() || position->components != 2 || value_count(*position) == 0) {
+  if (position == fields.end() || position->components != 2 || value_count(*position) < 2 * least) {
     throw std::invalid_argument(
-        "a frame needs the field position with 2 components and at least one particle");
+        fmt::format("a frame needs the field position with 2 components and at least {} {}", least, what));
   }
-  const std::size_t particles = value_count(*position) / 2;
+  const std::size_t points = value_count(*position) / 2;
   for (const Field& field : fields) {
-    if (value_count(field) != particles * field.components) {
+    if (value_count(field) != points * field.components) {
       throw std::invalid_argument(
-          fmt::format("field {} has {} values where {} particles with {} components need {}", field.name,
-                      value_count(field), particles, field.components, particles * field.components));
+          fmt::format("field {} has {} values where {} {}s with {} components need {}", field.name,
+                      value_count(field), points, what, field.components, points * field.components));
     }
   }
-  return particles;
+  return points;
 }
 
 /// The four growing arrays of /boundary.
@@ -222,27 +224,24 @@ public:
   }
 
   /// The frame is written and flushed before anything refers to it; then one link makes it part of the run.
-  void write_frame(double time, std::span<const Field> fields) {
-    const std::size_t particles = particle_count(fields);
+  /// Its contact nodes are there before it is.
+  void write_frame(double time, std::span<const Field> fields, std::span<const Field> contact) {
+    const std::size_t particles = point_count(fields, "particle", 1);
+    const std::size_t nodes = contact.empty() ? 0 : point_count(contact, "contact node", 0);
     const std::string name = fmt::format("{:04}", frame_count_);
-    const Handle group(
-        checked(H5Gcreate_anon(file_.get(), group_properties(fields.size()).get(), H5P_DEFAULT), path_,
-                "create frame " + name),
-        H5Gclose);
-    const Place place{group.get(), path_};
-    write_attribute(place, "time", time);
+    if (!contact.empty()) {
+      if (!contact_) {
+        contact_.emplace(create_group(root(), "contact", expected_frames));
+      }
+      publish(unlinked_frame(time, contact, nodes), *contact_, name);
+    }
+    publish(unlinked_frame(time, fields, particles), frames_, name);
+    ++frame_count_;
     std::vector<XdmfField> xdmf_fields;
     for (const Field& field : fields) {
-      std::vector<hsize_t> shape{particles};
-      if (field.components > 1) {
-        shape.push_back(field.components);
-      }
-      write_array(place, field.name, shape, field.values, field.unit, true);
       xdmf_fields.push_back({std::string(field.name), field.components,
                              std::holds_alternative<std::span<const double>>(field.values)});
     }
-    publish(group, frames_, name);
-    ++frame_count_;
     xdmf_.add_frame(time, "/frames/" + name, particles, xdmf_fields);
   }
 
@@ -287,6 +286,23 @@ private:
     GrowingDataset dataset;
   };
 
+  /// A group of fields at a time that belongs to no other group yet.
+  Handle unlinked_frame(double time, std::span<const Field> fields, std::size_t points) const {
+    Handle group(checked(H5Gcreate_anon(file_.get(), group_properties(fields.size()).get(), H5P_DEFAULT),
+                         path_, fmt::format("create frame {:04}", frame_count_)),
+                 H5Gclose);
+    const Place place{group.get(), path_};
+    write_attribute(place, "time", time);
+    for (const Field& field : fields) {
+      std::vector<hsize_t> shape{points};
+      if (field.components > 1) {
+        shape.push_back(field.components);
+      }
+      write_array(place, field.name, shape, field.values, field.unit, true);
+    }
+    return group;
+  }
+
   void publish(const Handle& object, const Handle& parent, const std::string& name) {
     flush();
     checked(H5Olink(object.get(), parent.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), path_,
@@ -298,6 +314,7 @@ private:
     boundary_.reset();
     series_.clear();
     monitors_ = Handle();
+    contact_.reset();
     frames_ = Handle();
     file_ = Handle();
   }
@@ -306,6 +323,7 @@ private:
   Handle file_;
   WriteGuard guard_;
   Handle frames_;
+  std::optional<Handle> contact_;
   Handle monitors_;
   std::vector<Series> series_;
   std::optional<BoundaryDatasets> boundary_;
@@ -342,8 +360,8 @@ void RunWriter::append_boundary(double time, const BoundarySample& exchange) {
   implementation_->append_boundary(time, exchange);
 }
 
-void RunWriter::write_frame(double time, std::span<const Field> fields) {
-  implementation_->guarded([&] { implementation_->write_frame(time, fields); });
+void RunWriter::write_frame(double time, std::span<const Field> fields, std::span<const Field> contact) {
+  implementation_->guarded([&] { implementation_->write_frame(time, fields, contact); });
 }
 
 void RunWriter::flush() {

@@ -158,7 +158,7 @@ struct Mesh {
   std::vector<Refinement> refine;
   ParticleBoxes particle_boxes = ParticleBoxes::fixed;
   Dilatation dilatation = Dilatation::cell;
-  ContactNormals contact_normals = ContactNormals::gradient;
+  ContactNormals contact_normals = ContactNormals::automatic;
 };
 
 struct TimeStepping {
@@ -255,6 +255,8 @@ struct Checkpoints {
 struct Monitor {
   std::string name;
   Point point;
+  /// Index into Case::structures of the one that it moves with; otherwise it follows soil.
+  std::optional<std::size_t> structure = std::nullopt;
 };
 
 struct Output {

@@ -16,8 +16,8 @@
 // Particles do not follow all of a kick of the nodes: at rest on nodes that hardly touch soil they keep
 // still, while forces that they do not feel kick the nodes by dt a in every step. What the next transfer
 // takes away of v+ at a face, v+ - v-, is that residual. The implicit half of the dashpots, -C dt a/2, would
-// carry it, and ground that settles for minutes would sink at dt a/2. Where there is water, dashpots therefore
-// see
+// carry it, and ground that settles for minutes would sink at dt a/2. Where there is water, dashpots
+// therefore see
 //
 //     v- - (v+ of the last step - v-)/2,
 //

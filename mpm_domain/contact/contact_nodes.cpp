@@ -12,10 +12,13 @@ namespace {
 
 /// A node belongs to the surface if its share of it, in cells, is more than this. Surfaces often lie on lines
 /// of the grid, and the next line is not to join with every tremor.
-constexpr double least_share = 0.02;
-/// Gaps, in cells: a node opens at the larger one and closes again at the smaller.
-constexpr double opening_gap = 0.02;
+constexpr double least_share = 0.1;
+/// Gaps, in cells: a tied node opens at the larger one, others close at the smaller.
+constexpr double opening_gap = 0.1;
 constexpr double closing_gap = 0.002;
+/// Particles belong to the surface of the soil if they are not farther from the body than the nearest by this
+/// share of their size.
+constexpr double surface_layer = 0.8;
 /// Normals of soil and body whose cosine is below this are far apart.
 constexpr double far_apart = 0.85;
 
@@ -64,54 +67,70 @@ void ContactNodes::find_touches(Domain& domain, const RigidBody& body) {
   });
 }
 
+/// act(n, place in the window, V S, V grad S) for near particle n and each node of the window that it
+/// reaches.
+template <typename Act>
+void ContactNodes::over_particles(const Domain& domain, const Act& act) const {
+  const Lattice& lattice = domain.finest_lattice();
+  const Axis x_axis(lattice.x0, lattice.h);
+  const Axis y_axis(lattice.y0, lattice.h);
+  for (std::size_t n = 0; n < near_.size(); ++n) {
+    const Particles& p = domain.sets[near_[n].set];
+    const std::size_t k = near_[n].index;
+    const double l = std::min(p.half_size, lattice.h);
+    const Weights wx = cell_weights(p.x[k], x_axis, l);
+    const Weights wy = cell_weights(p.y[k], y_axis, l);
+    for (std::size_t b = 0; b < 4; ++b)
+      for (std::size_t a = 0; a < 4; ++a) {
+        const int i = wx.base + static_cast<int>(a);
+        const int j = wy.base + static_cast<int>(b);
+        const double vs = p.volume[k] * wx.s[a] * wy.s[b];
+        if (vs > 0.0 && window_.has(i, j))
+          act(n, window_.place(i, j), vs,
+              Vector{p.volume[k] * wx.g[a] * wy.s[b], p.volume[k] * wx.s[a] * wy.g[b]});
+      }
+  }
+}
+
+void ContactNodes::sum_particles(const Domain& domain, const Structure& structure) {
+  sums_.assign(window_.count(), {});
+  over_particles(domain, [&](std::size_t n, std::size_t place, double, const Vector&) {
+    sums_[place].least_gap = std::min(sums_[place].least_gap, touches_[n].gap);
+  });
+  over_particles(domain, [&](std::size_t n, std::size_t place, double vs, const Vector& gradient) {
+    const Particles& p = domain.sets[near_[n].set];
+    const std::size_t k = near_[n].index;
+    Sums& sums = sums_[place];
+    sums.gradient = {sums.gradient.x + gradient.x, sums.gradient.y + gradient.y};
+    sums.volume += vs;
+    sums.friction += vs * structure.friction[p.soil_index];
+    sums.adhesion += vs * structure.adhesion[p.soil_index];
+    if (const Touch& touch = touches_[n]; std::isfinite(touch.gap) && !touch.corner &&
+                                          touch.gap <= sums.least_gap + surface_layer * 2.0 * p.half_size) {
+      sums.surface += vs;
+      sums.gap += vs * touch.gap;
+      sums.facing = {sums.facing.x + vs * touch.normal.x, sums.facing.y + vs * touch.normal.y};
+    }
+    if (!p.traits.wet)
+      return;
+    sums.wet += vs;
+    sums.suction += vs * (p.water->fluid.cavitation_pressure - p.water->hydrostatic(p.y[k]));
+    if (p.traits.flowing)
+      return;
+    const double excess = p.water->excess(p.pore_pressure[k], p.y[k]);
+    sums.sealed += vs;
+    sums.sealed_force = {sums.sealed_force.x + excess * gradient.x,
+                         sums.sealed_force.y + excess * gradient.y};
+  });
+}
+
 void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& structure) {
   const Lattice& lattice = domain.finest_lattice();
   const Grid& grid = domain.grid;
   window_ = nodes_around(lattice, body.bounds());
   find_wall(body, lattice, window_, wall_);
   find_touches(domain, body);
-  sums_.assign(window_.count(), {});
-  const Axis x_axis(lattice.x0, lattice.h);
-  const Axis y_axis(lattice.y0, lattice.h);
-  for (std::size_t n = 0; n < near_.size(); ++n) {
-    const Particles& p = domain.sets[near_[n].set];
-    const std::size_t k = near_[n].index;
-    const Weights wx = cell_weights(p.x[k], x_axis, std::min(p.half_size, lattice.h));
-    const Weights wy = cell_weights(p.y[k], y_axis, std::min(p.half_size, lattice.h));
-    const double volume = p.volume[k];
-    const bool sealed = p.traits.wet && !p.traits.flowing;
-    const double excess = sealed ? p.water->excess(p.pore_pressure[k], p.y[k]) : 0.0;
-    const double suction =
-        p.traits.wet ? p.water->fluid.cavitation_pressure - p.water->hydrostatic(p.y[k]) : 0.0;
-    for (std::size_t b = 0; b < 4; ++b)
-      for (std::size_t a = 0; a < 4; ++a) {
-        const int i = wx.base + static_cast<int>(a);
-        const int j = wy.base + static_cast<int>(b);
-        const double vs = volume * wx.s[a] * wy.s[b];
-        if (vs <= 0.0 || !window_.has(i, j))
-          continue;
-        const Vector gradient{volume * wx.g[a] * wy.s[b], volume * wx.s[a] * wy.g[b]};
-        Sums& sums = sums_[window_.place(i, j)];
-        sums.gradient = {sums.gradient.x + gradient.x, sums.gradient.y + gradient.y};
-        sums.volume += vs;
-        sums.friction += vs * structure.friction[p.soil_index];
-        sums.adhesion += vs * structure.adhesion[p.soil_index];
-        if (const Touch& touch = touches_[n]; touch.gap <= opening_gap * lattice.h) {
-          sums.gap = std::min(sums.gap, touch.gap);
-          if (!touch.corner)
-            sums.touching = {sums.touching.x + vs * touch.normal.x, sums.touching.y + vs * touch.normal.y};
-        }
-        if (!p.traits.wet)
-          continue;
-        sums.wet += vs;
-        sums.suction += vs * suction;
-        if (sealed) {
-          sums.sealed += vs;
-          sums.sealed_force = {sums.sealed_force.x + excess * gradient.x,
-                               sums.sealed_force.y + excess * gradient.y};
-        }
-      }
-  }
+  sum_particles(domain, structure);
   const double empty = empty_mass(domain);
   std::vector<ContactNode> before = std::move(nodes_);
   nodes_.clear();
@@ -126,7 +145,7 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
       const Vector place{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
       if (wall_[window_.place(i, j)] <= least_share * lattice.h && !body.contains(place))
         continue;
-      const bool at_edge = length(sums.touching) > 0.0;
+      const bool at_edge = sums.surface > 0.0;
       const bool of_soil = length(sums.gradient) > 0.0;
       if (!at_edge && !of_soil)
         continue;
@@ -134,23 +153,25 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
       while (known != before.end() && known->node < node)
         ++known;
       ContactNode& found = nodes_.emplace_back();
-      bool was_closed = before.empty(); // where structures are wished in place
+      bool was_tied = before.empty(); // where structures are wished in place
       if (known != before.end() && known->node == node) {
         found.tied = known->tied;
         found.slip = known->slip;
-        was_closed = known->closed;
+        was_tied = known->tied;
       }
       found.node = node;
       found.place = place;
       found.arm = body.arm(place);
       const bool by_gradient = domain.spec.normals == ContactNormals::gradient ||
                                (domain.spec.normals == ContactNormals::automatic && sums.wet > 0.0);
-      found.normal = unit(at_edge ? sums.touching : sums.gradient);
+      found.normal = unit(at_edge ? sums.facing : sums.gradient);
       if (by_gradient && of_soil && dot(found.normal, unit(sums.gradient)) > far_apart)
         found.normal = unit(sums.gradient);
       found.area = std::max(0.0, dot(found.normal, sums.gradient));
       found.friction = sums.friction / sums.volume;
-      found.closed = sums.gap <= (was_closed ? opening_gap : closing_gap) * lattice.h;
+      const double gap = at_edge ? sums.gap / sums.surface : sums.least_gap;
+      found.gap = gap;
+      found.closed = gap <= (was_tied ? opening_gap : closing_gap) * lattice.h;
       of_nodes_.push_back(sums);
     }
 }
@@ -201,7 +222,10 @@ void ContactNodes::take_trial(const Domain& domain, double dt) {
       c.water_before = {grid.wx_before[c.node], grid.wy_before[c.node]};
       c.water_trial = {grid.wx_after[c.node], grid.wy_after[c.node]};
       c.full_water += full;
-      c.free_impulse += full * dot(c.normal, c.water_before) +
+      // Water at a wall has the wall's normal velocity, but reads some of its neighbourhood's flow from the
+      // particles: this is stopped anew in every step, and no stress between grains.
+      const Vector flow{c.water_before.x - c.solid_before.x, c.water_before.y - c.solid_before.y};
+      c.free_impulse += full * dot(c.normal, c.solid_before) + c.water_mass * dot(c.normal, flow) +
                         dt * dot(c.normal, {grid.water_force_x[c.node], grid.water_force_y[c.node]});
       const double ratio = c.water_mass / c.solid_mass;
       c.drag += dt * (1.0 + ratio) * c.water_mass / (full * full) * grid.resistance[c.node];

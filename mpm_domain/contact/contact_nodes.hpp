@@ -6,18 +6,19 @@
 //
 //     g = sum V grad S,      volume = sum V S,      friction = sum V S mu / volume.
 //
-// A particle touches the body while its place is no farther from the surface than its box reaches along the
-// normal, l (|n_x| + |n_y|), or from a corner than l; what is missing is its gap. A node is closed while a
-// particle that touches reaches it. It opens only at a gap that shows, and then closes at none, so that
-// neither tremors open it nor a body that comes back meets it early.
+// The gap of a particle is the distance of its place from the surface of the body, less what its box reaches
+// along the normal, l (|n_x| + |n_y|), or, at a corner, l. That of a node is the mean, weighted by V S, over
+// the particles of the soil's surface that reach it and face an edge of the body; for a plane surface this is
+// the gap at the node. Where corners alone face the soil it is the least. A node that is not tied closes when
+// its gap does, and so does not meet a body early that comes back; a tied one is released by its impulse, and
+// by a gap only where that shows beyond doubt.
 //
 // The normal n from soil to body may come from either side. That of the body is the mean of the normals of
-// its surface next to the particles that touch, weighted by V S; corners have none. That of the soil, n =
-// g/|g|, leaves the pressure of pore water without a tangential rest at any node, since its force there is p
-// g. So it is taken where soil has a pore pressure, and where corners alone touch. Soil ends at a node for
-// other reasons than the body, too, at the ground surface beside a wall, say: where both normals are far
-// apart, the body's holds. Dry soil takes the body's at every edge: its surface is smooth where that of soil
-// made of squares is not.
+// its edges next to these particles; corners have none. That of the soil, n = g/|g|, leaves the pressure of
+// pore water without a tangential rest at any node, since its force there is p g. So it is taken where soil
+// has a pore pressure, and where corners alone touch. Soil ends at a node for other reasons than the body,
+// too, at the ground surface beside a wall, say: where both normals are far apart, the body's holds. Dry soil
+// takes the body's at every edge: its surface is smooth where that of soil made of squares is not.
 
 #include "mpm_domain/contact/rigid_contact.hpp"
 #include "mpm_domain/contact/wall_nodes.hpp"
@@ -35,6 +36,7 @@ struct ContactNode : ContactPoint {
   std::size_t node = 0;
   Vector place;
   double area = 0.0;                ///< A, of the interface per metre out of plane, m
+  double gap = 0.0;                 ///< m; negative: they overlap
   double solid_mass = 0.0;          ///< m_s, kg/m
   double water_mass = 0.0;          ///< m_f, of water that moves by itself, kg/m
   double drag = 1.0;                ///< 1 + lambda dt
@@ -89,8 +91,10 @@ private:
     Vector sealed_force;   ///< sum V p_e grad S of it
     double wet = 0.0;      ///< sum V S of soil with a pore pressure
     double suction = 0.0;  ///< sum V S (p_cav - hydrostatic) of it
-    Vector touching;       ///< sum V S n of particles that touch an edge of the body
-    double gap = std::numeric_limits<double>::infinity(); ///< the least of its particles, m
+    Vector facing;         ///< sum V S n of them
+    double least_gap = std::numeric_limits<double>::infinity(); ///< of its particles, m
+    double surface = 0.0; ///< sum V S of surface particles that face an edge
+    double gap = 0.0;     ///< sum V S gap of them
   };
 
   /// How a near particle touches the body: the normal of its surface, from soil to body.
@@ -101,6 +105,9 @@ private:
   };
 
   void find_touches(Domain& domain, const RigidBody& body);
+  void sum_particles(const Domain& domain, const Structure& structure);
+  template <typename Act>
+  void over_particles(const Domain& domain, const Act& act) const;
 
   std::vector<NearParticle> near_;
   std::vector<Touch> touches_; ///< by near particle

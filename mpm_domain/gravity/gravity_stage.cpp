@@ -157,19 +157,34 @@ struct Relaxed {
   double residual;
 };
 
+/// Bodies that move at least a hundredth as fast as the fastest: one that slides goes on under the damping,
+/// while others only answer to what it does to the soil.
+std::vector<std::size_t> moving_bodies(const Contact& contact) {
+  std::vector<double> speeds;
+  for (const RigidBody& body : contact.bodies())
+    speeds.push_back(std::sqrt(2.0 * body.kinetic_energy() / body.mass()));
+  const double fastest = std::ranges::max(speeds);
+  std::vector<std::size_t> moving;
+  for (std::size_t b = 0; b < speeds.size(); ++b)
+    if (speeds[b] >= 0.01 * fastest)
+      moving.push_back(b);
+  return moving;
+}
+
 /// Relaxes once more with structures that may slide and part from the soil, so that the shaking begins
 /// without a kick. If that finds no rest, the bonded state stays.
-/// @returns whether it did
+/// @returns the bodies that move on
 template <typename Relax>
-bool release(Domain& domain, const Relax& relax) {
+std::vector<std::size_t> release(Domain& domain, const Relax& relax) {
   const std::vector<Particles> bonded = domain.sets;
-  const bool rests = relax();
-  if (!rests) {
+  std::vector<std::size_t> moving;
+  if (!relax()) {
+    moving = moving_bodies(domain.contact);
     domain.sets = bonded;
     scatter(domain, ScatterPart::force);
   }
   domain.contact.end_rest();
-  return rests;
+  return moving;
 }
 
 } // namespace
@@ -224,12 +239,14 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                     "relaxation, wanted {:.3g}; the slope may not be stable under its weight",
                     rest.residual, settings.max_time, settings.residual));
   if (domain.contact.any())
-    reactions.slipping = !release(domain, [&] {
-      constexpr long least = 1000; // steps that friction may take to find its share, and as often those of the bonds
+    reactions.slipping_bodies = release(domain, [&] {
+      constexpr long least =
+          1000; // steps that friction may take to find its share, and as often those of the bonds
       const double time = static_cast<double>(std::max(least, 4 * rest.step)) * dt;
       return relax(false, rest.step, time).residual < settings.residual;
     });
 
+  reactions.slipping = !reactions.slipping_bodies.empty();
   reactions.force.assign(domain.grid.size(), Vector{});
   for (const std::size_t n : reactions.base)
     reactions.force[n] = {-domain.grid.force_x[n], -domain.grid.force_y[n]};

@@ -26,7 +26,8 @@ struct Reactions {
   std::vector<std::size_t> base;  ///< nodes fixed in x and y
   std::vector<std::size_t> sides; ///< nodes fixed in x only
   std::vector<Vector> force;      ///< one per node of the grid; zero where free
-  bool slipping = false;  ///< structures do not rest on their friction: they begin to move when bonds end
+  bool slipping = false; ///< structures do not rest on their friction: they begin to move when bonds end
+  std::vector<std::size_t> slipping_bodies; ///< those that do, as places in Contact::bodies()
   std::size_t unheld = 0; ///< particles whose stress was more than their law can hold and has been cut
 };
 

@@ -25,13 +25,17 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// "structure 'block'", "one of the structures 'block', 'wall'"
-std::string names_of_bodies(const Domain& domain) {
+/// What a user should know of bodies that do not rest on their friction.
+std::string told_of_slipping(const Domain& domain, const std::vector<std::size_t>& bodies) {
   std::string names;
-  for (const RigidBody& body : domain.contact.bodies())
-    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", body.name());
-  return fmt::format("{} {}", domain.contact.bodies().size() == 1 ? "structure" : "one of the structures",
-                     names);
+  for (const std::size_t b : bodies)
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", domain.contact.bodies()[b].name());
+  const bool one = bodies.size() == 1;
+  return fmt::format(
+      "soil and friction cannot hold {} {} under gravity: {} in place until the shaking starts, "
+      "and {} from then on; more friction or a gentler slope would hold {}",
+      one ? "structure" : "structures", names, one ? "it stays" : "they stay", one ? "moves" : "move",
+      one ? "it" : "them");
 }
 
 /// Brings the domain to rest and returns the wall time it took, s.
@@ -49,9 +53,7 @@ double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::
                "there is not at rest; a gentler slope or stronger soil would be\n",
                reactions.unheld, domain.particle_count());
   if (reactions.slipping)
-    fmt::print("warning: soil and friction cannot hold {} under gravity: it stays in place until the shaking "
-               "starts, and moves from then on; more friction or a gentler slope would hold it\n",
-               names_of_bodies(domain));
+    fmt::print("warning: {}\n", told_of_slipping(domain, reactions.slipping_bodies));
   replace_constraints(domain, reactions);
   watch.stop();
   return watch.seconds();

@@ -70,36 +70,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> monitored
      {"pore_pressure", "Pa"},
      {"pore_pressure_ratio", "1"}}};
 
-/// What is written of a body; forces are those of BodyForces.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 19> body_columns{
-    {{"time", "s"},
-     {"x", "m"},
-     {"y", "m"},
-     {"tilt", "rad"},
-     {"vx", "m/s"},
-     {"vy", "m/s"},
-     {"spin", "rad/s"},
-     {"normal_x", "N/m"},
-     {"normal_y", "N/m"},
-     {"normal_moment", "N"},
-     {"friction_x", "N/m"},
-     {"friction_y", "N/m"},
-     {"friction_moment", "N"},
-     {"water_x", "N/m"},
-     {"water_y", "N/m"},
-     {"water_moment", "N"},
-     {"weight_x", "N/m"},
-     {"weight_y", "N/m"},
-     {"weight_moment", "N"}}};
-
-/// x and y of one corner after the other.
-std::vector<double> flat(const std::vector<Vector>& corners) {
-  std::vector<double> values;
-  for (const Vector& corner : corners)
-    values.insert(values.end(), {corner.x, corner.y});
-  return values;
-}
-
 void add_water(WaterFrame& frame, const Particles& set, std::size_t k) {
   double pressure = 0.0;
   double excess = 0.0;
@@ -200,6 +170,39 @@ Frame collect(const Domain& domain, double dt) {
   return frame;
 }
 
+/// Fields as they are read, to be written again.
+class StoredFields {
+public:
+  /// @param read  a field by its name
+  template <typename Read>
+  StoredFields(const std::vector<std::string>& names, const Read& read) : names_(names) {
+    data_.reserve(names.size());
+    integers_.resize(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      data_.push_back(read(names[i]));
+      if (data_[i].integers)
+        for (const double value : data_[i].values)
+          integers_[i].push_back(static_cast<std::int32_t>(value));
+    }
+  }
+
+  std::vector<results::Field> fields() const {
+    std::vector<results::Field> fields;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      fields.push_back(
+          {names_[i], data_[i].unit, data_[i].components, std::span<const double>(data_[i].values)});
+      if (data_[i].integers)
+        fields.back().values = std::span<const std::int32_t>(integers_[i]);
+    }
+    return fields;
+  }
+
+private:
+  std::vector<std::string> names_;
+  std::vector<results::FieldData> data_;
+  std::vector<std::vector<std::int32_t>> integers_;
+};
+
 results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std::string> sources) {
   results::BoundaryFaces faces;
   for (std::size_t f = 0; f < domain.boundary.faces().size(); ++f) {
@@ -216,7 +219,8 @@ results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std:
 
 RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& scene,
                      const std::string& plan, Domain& domain, std::span<const std::string> face_sources)
-    : scene_(scene), domain_(domain), writer_(directory / "run.h5", description(scene, plan)) {
+    : scene_(scene), domain_(domain), writer_(directory / "run.h5", description(scene, plan)),
+      bodies_(scene, domain, writer_) {
   const scene::Box& box = scene.mesh.box;
   writer_.attribute("mesh_size", scene.mesh.size);
   writer_.attribute("particle_size", 2.0 * domain.half_size());
@@ -238,7 +242,6 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
   }
   energy_ = &writer_.add_series("/energy", columns, units);
   add_monitors();
-  add_bodies();
   writer_.set_boundary(boundary_faces(domain, face_sources));
 }
 
@@ -251,6 +254,8 @@ void RunOutput::add_monitors() {
       units.emplace_back(unit);
     }
   for (const scene::Monitor& monitor : scene_.monitors) {
+    if (monitor.structure)
+      continue;
     Follower follower;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
@@ -265,29 +270,15 @@ void RunOutput::add_monitors() {
       }
     }
     keep_whole(domain_, follower.set, follower.id);
-    follower.series = &writer_.add_series("/monitors/" + monitor.name, columns, units);
+    follower.path = "/monitors/" + monitor.name;
+    follower.series = &writer_.add_series(follower.path, columns, units);
     followers_.push_back(follower);
-  }
-}
-
-void RunOutput::add_bodies() {
-  std::vector<std::string> columns;
-  std::vector<std::string> units;
-  for (const auto& [name, unit] : body_columns) {
-    columns.emplace_back(name);
-    units.emplace_back(unit);
-  }
-  for (const RigidBody& body : domain_.contact.bodies()) {
-    std::vector<results::Attribute> attributes{
-        {"outline", flat(body.outline())}, {"mass", body.mass()}, {"inertia", body.inertia()}};
-    if (const std::vector<Vector> hole = body.hole(); !hole.empty())
-      attributes.push_back({"hole", flat(hole)});
-    bodies_.push_back(&writer_.add_series("/bodies/" + body.name(), columns, units, attributes));
   }
 }
 
 void RunOutput::after_step(const Stepper& stepper) {
   const double time = stepper.velocity_time();
+  bodies_.after_step(stepper);
   if (time >= next_history_) {
     write_history(stepper);
     next_history_ += scene_.output.history_every *
@@ -329,28 +320,9 @@ void RunOutput::write_history(const Stepper& stepper) {
     }
     follower.series->append(values);
   }
-  write_bodies(stepper);
+  bodies_.write_history(stepper);
   write_boundary(stepper);
   writer_.flush_if_large();
-}
-
-void RunOutput::write_bodies(const Stepper& stepper) {
-  const double back = 0.5 * stepper.dt();
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const RigidBody& body = domain_.contact.bodies()[b];
-    const RigidMotion& u = body.motion();
-    const BodyForces forces = domain_.contact.forces(b);
-    std::vector<double> row{stepper.velocity_time(),
-                            body.centre().x - back * u.velocity.x,
-                            body.centre().y - back * u.velocity.y,
-                            body.tilt() - back * u.spin,
-                            u.velocity.x,
-                            u.velocity.y,
-                            u.spin};
-    for (const RigidLoad& load : {forces.normal, forces.friction, forces.water, forces.weight})
-      row.insert(row.end(), {load.force.x, load.force.y, load.moment});
-    bodies_[b]->append(row);
-  }
 }
 
 void RunOutput::write_frame(const Stepper& stepper) {
@@ -376,7 +348,8 @@ void RunOutput::write_frame(const Stepper& stepper) {
     if (wants(scene_, field))
       fields.push_back({scene::name(field), unit, components, values});
   last_frame_ = stepper.velocity_time();
-  writer_.write_frame(last_frame_, fields);
+  const ContactFrame contact = bodies_.contact(stepper);
+  writer_.write_frame(last_frame_, fields, bodies_.any() ? contact.fields() : std::vector<results::Field>{});
 }
 
 void RunOutput::write_boundary(const Stepper& stepper) {
@@ -395,6 +368,7 @@ void RunOutput::save(results::CheckpointWriter& checkpoint) {
   writer_.sync();
   checkpoint.write("output.rows", std::array<std::uint64_t, 2>{history_rows_, writer_.frame_count()});
   checkpoint.write("output.times", std::array{next_history_, next_frame_, last_history_, last_frame_});
+  bodies_.save(checkpoint);
 }
 
 void RunOutput::take_over(const std::filesystem::path& before, const results::CheckpointReader& checkpoint) {
@@ -409,6 +383,7 @@ void RunOutput::take_over(const std::filesystem::path& before, const results::Ch
   next_frame_ = times.at(1);
   last_history_ = times.at(2);
   last_frame_ = times.at(3);
+  bodies_.restore(checkpoint);
 }
 
 void RunOutput::take_over_histories(const results::RunReader& before, std::size_t rows) {
@@ -419,10 +394,10 @@ void RunOutput::take_over_histories(const results::RunReader& before, std::size_
       series.append(std::span(data.values).subspan(row * width, width));
   };
   append("/energy", *energy_);
-  for (std::size_t m = 0; m < followers_.size(); ++m)
-    append("/monitors/" + scene_.monitors[m].name, *followers_[m].series);
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    append("/bodies/" + domain_.contact.bodies()[b].name(), *bodies_[b]);
+  for (const Follower& follower : followers_)
+    append(follower.path, *follower.series);
+  for (const auto& [path, series] : bodies_.series())
+    append(path, *series);
   const results::BoundaryHistory boundary = before.boundary();
   const std::size_t width = 2 * domain_.boundary.faces().size();
   const auto row_of = [&](const std::vector<double>& values, std::size_t row) {
@@ -440,22 +415,11 @@ void RunOutput::take_over_frame(const results::RunReader& before, std::size_t fr
   std::ranges::stable_sort(names, {}, [](const std::string& name) {
     return std::ranges::find(field_order, name) - field_order.begin();
   });
-  std::vector<results::FieldData> data;
-  std::vector<std::vector<std::int32_t>> integers(names.size());
-  std::vector<results::Field> fields;
-  data.reserve(names.size());
-  for (const std::string& name : names)
-    data.push_back(before.frame_field(frame, name));
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    results::Field field{names[i], data[i].unit, data[i].components, std::span<const double>(data[i].values)};
-    if (data[i].integers) {
-      for (const double value : data[i].values)
-        integers[i].push_back(static_cast<std::int32_t>(value));
-      field.values = std::span<const std::int32_t>(integers[i]);
-    }
-    fields.push_back(field);
-  }
-  writer_.write_frame(before.frame_times().at(frame), fields);
+  const StoredFields particles(names,
+                               [&](const std::string& name) { return before.frame_field(frame, name); });
+  const StoredFields contact(before.contact_fields(frame),
+                             [&](const std::string& name) { return before.contact_field(frame, name); });
+  writer_.write_frame(before.frame_times().at(frame), particles.fields(), contact.fields());
 }
 
 void RunOutput::finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm_domain/process/body_output.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
 #include "results/run_file.hpp"
@@ -38,28 +39,27 @@ public:
   void abort(const std::string& reason) { writer_.abort(reason); }
 
 private:
-  /// A monitor and the particle nearest to it at the start, which it follows.
+  /// A monitor in soil and the particle nearest to it at the start, which it follows.
   struct Follower {
     std::size_t set = 0;
     std::uint32_t id = 0;
+    std::string path; ///< of its series
     results::TimeSeries* series = nullptr;
   };
 
   void add_monitors();
-  void add_bodies();
   void take_over_histories(const results::RunReader& before, std::size_t rows);
   void take_over_frame(const results::RunReader& before, std::size_t frame);
   void write_history(const Stepper& stepper);
-  void write_bodies(const Stepper& stepper);
   void write_frame(const Stepper& stepper);
   void write_boundary(const Stepper& stepper);
 
   const scene::Case& scene_;
   Domain& domain_;
   results::RunWriter writer_;
+  BodyOutput bodies_;
   results::TimeSeries* energy_ = nullptr;
   std::vector<Follower> followers_;
-  std::vector<results::TimeSeries*> bodies_; ///< in the order of Contact::bodies()
   double next_history_ = 0.0;
   double next_frame_ = 0.0;
   double last_history_ = 0.0; ///< times of what was written last

@@ -23,12 +23,12 @@ constexpr auto words(ContactNormals) {
 /// A rigid body that stands in or on the soil.
 struct Structure {
   std::string name;
-  std::vector<Vector> outline; ///< corners, m; the last is joined to the first
-  std::vector<Vector> hole;    ///< an empty inside; none: solid
-  double density = 0.0;             ///< of what lies between both, kg/m3
-  std::vector<double> friction;     ///< mu against each soil of the spec
-  std::vector<double> adhesion;     ///< against each soil, Pa
-  double friction_between = 0.0;    ///< mu against other structures; of two the smaller counts
+  std::vector<Vector> outline;   ///< corners, m; the last is joined to the first
+  std::vector<Vector> hole;      ///< an empty inside; none: solid
+  double density = 0.0;          ///< of what lies between both, kg/m3
+  std::vector<double> friction;  ///< mu against each soil of the spec
+  std::vector<double> adhesion;  ///< against each soil, Pa
+  double friction_between = 0.0; ///< mu against other structures; of two the smaller counts
 };
 
 } // namespace tremolo::mpm_domain

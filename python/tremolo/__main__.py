@@ -5,7 +5,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from tremolo import column, comparison, cost, failure, fronts, histories, maps, motion, pore_pressure, preview, soil_record, soiltest, swap, timeline, verification
+from tremolo import bodies, column, comparison, cost, failure, fronts, histories, maps, motion, pore_pressure, preview, soil_record, soiltest, swap, timeline, verification
 from tremolo.run import Run
 
 
@@ -42,6 +42,8 @@ def plot(arguments):
         yield maps.pore_pressure_ratio([run], _times(arguments, run), folder)
     if wet := pore_pressure.monitors(run, folder):
         yield wet
+    if moved := bodies.histories(run, folder):
+        yield moved
     for name in run.monitors:
         if len(run.monitor(name)) > 1:
             yield histories.monitor(run, name, folder)

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from tremolo import style
+from tremolo import bodies, style
 
 
 def telling_times(run, count=4):
@@ -56,6 +56,7 @@ def _panels(runs, frames, name, component, colouring, label, colour_extend):
             values = run.field(index, name)
             values = values[:, component] if values.ndim > 1 else values
             style.fill_particles(ax, run.field(index, "position"), values, style.sizes(run, index), **colouring)
+            bodies.draw(ax, run, index)
     return figure
 
 

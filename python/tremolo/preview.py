@@ -5,14 +5,15 @@ from matplotlib.colors import ListedColormap
 from matplotlib.lines import Line2D
 from matplotlib.patches import Arc, Patch
 
-from tremolo import style
+from tremolo import bodies, style
 
 
 def preview(run, folder):
     position = run.field(0, "position")
     low, high = position.min(axis=0), position.max(axis=0)
     width, height = high - low
-    bounds = (low[0] - 0.12 * width, low[1] - 0.27 * width, high[0] + 0.12 * width, high[1] + 0.05 * width)
+    top = max([high[1], *(run.body(name).outline[:, 1].max() for name in run.bodies)])
+    bounds = (low[0] - 0.12 * width, low[1] - 0.27 * width, high[0] + 0.12 * width, top + 0.05 * width)
     figure, axes = style.map_axes(bounds, 1, 1)
     ax = axes[0, 0]
     for side in ("left", "bottom"):
@@ -21,6 +22,8 @@ def preview(run, folder):
     figure.suptitle(run.title, fontsize=10)
     style.fix_layout(figure)
     _soils(ax, run, position)
+    bodies.draw(ax, run, 0)
+    bodies.label(ax, run)
     tops = [position[beside, 1].max() for beside in _edges(position, low, high)]
     _boundaries(ax, low, high, tops)
     _dimensions(ax, low, high, tops)

@@ -4,6 +4,7 @@
     run.times                             # s, of the particle frames
     run.frame(10)["velocity"]             # [particles, 2], m/s
     run.monitor("toe")["ax"]              # m/s2 at run.monitor("toe")["time"]
+    run.body("tunnel")["water_y"]         # N/m at run.body("tunnel")["time"]
 
 All values are SI units; tension is positive; x points right, y up.
 """
@@ -49,6 +50,39 @@ class Series:
 
     def __len__(self):
         return len(self._rows)
+
+
+class Body(Series):
+    """What became of a [[structure]]: motion of its centre of mass and the forces on it, and its outline at any time.
+
+    The attributes: `outline` and `hole` [corners, 2] at the start (m; `hole` is None where there is none), `mass` (kg/m),
+    `inertia` (kg m).
+    """
+
+    def __init__(self, dataset):
+        super().__init__(dataset)
+        self.outline = np.reshape(dataset.attrs["outline"], (-1, 2))
+        self.hole = np.reshape(dataset.attrs["hole"], (-1, 2)) if "hole" in dataset.attrs else None
+        self.mass = float(dataset.attrs["mass"])
+        self.inertia = float(dataset.attrs["inertia"])
+
+    def place(self, time):
+        """x, y (m) of the centre of mass and tilt (rad, counter-clockwise) at a time (s)."""
+        return tuple(float(np.interp(time, self["time"], self[column])) for column in ("x", "y", "tilt"))
+
+    def corners(self, time):
+        """Outline and hole at a time (s)."""
+        if len(self) == 0:
+            return self.outline, self.hole
+        x, y, tilt = self.place(time)
+        # Before the first row it has not moved by more than rounding shows.
+        start = np.array([self["x"][0], self["y"][0]])
+        turn = np.array([[np.cos(tilt), np.sin(tilt)], [-np.sin(tilt), np.cos(tilt)]])
+
+        def moved(polygon):
+            return None if polygon is None else (polygon - start) @ turn + [x, y]
+
+        return moved(self.outline), moved(self.hole)
 
 
 class Run:
@@ -140,6 +174,32 @@ class Run:
             raise KeyError(f"{self.path}: no monitor '{name}'; it has {', '.join(self.monitors) or 'none'}")
         with self._reading(f"the monitor {name}"):
             return Series(self._file["monitors"][name])
+
+    @property
+    def bodies(self):
+        """Names of the structures, in the order of the case; those of `body` in contact()."""
+        with self._reading("the bodies"):
+            return list(self.attribute("structure_names", []))
+
+    def body(self, name):
+        """Motion, forces and outline of a structure."""
+        if name not in self.bodies:
+            raise KeyError(f"{self.path}: no body '{name}'; it has {', '.join(self.bodies) or 'none'}")
+        with self._reading(f"the body {name}"):
+            return Body(self._file["bodies"][name])
+
+    def contact(self, index):
+        """Contact nodes of one frame: name -> array; None where the run has no structures.
+
+        position [nodes, 2] (m), normal [nodes, 2] from soil to body, body (index into `bodies`), area (m), and the forces on
+        the body in N/m: normal_force (of effective stress) and water_force (of excess pore pressure) along the normal n,
+        friction_force along (-n_y, n_x).
+        """
+        with self._reading(f"the contact nodes of frame {index}"):
+            if "contact" not in self._file:
+                return None
+            nodes = self._file["contact"][self._frames[index]]
+            return {name: nodes[name][()] for name in links.names(nodes)}
 
     @property
     def energy(self):

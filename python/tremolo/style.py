@@ -42,9 +42,11 @@ def sizes(run, index):
 
 
 def extent(run, indices):
-    """(xmin, ymin, xmax, ymax) of the particles of some frames, with a margin, m."""
-    low = np.min([run.field(i, "position").min(axis=0) for i in indices], axis=0)
-    high = np.max([run.field(i, "position").max(axis=0) for i in indices], axis=0)
+    """(xmin, ymin, xmax, ymax) of the particles and structures of some frames, with a margin, m."""
+    points = [run.field(i, "position") for i in indices]
+    points += [run.body(name).corners(run.times[i])[0] for name in run.bodies for i in indices]
+    low = np.min([p.min(axis=0) for p in points], axis=0)
+    high = np.max([p.max(axis=0) for p in points], axis=0)
     margin = 0.02 * (high[0] - low[0])
     return low[0] - margin, low[1] - margin, high[0] + margin, high[1] + margin
 

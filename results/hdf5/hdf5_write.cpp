@@ -198,7 +198,7 @@ void write_array(Place place, std::string_view name, std::span<const hsize_t> sh
   const int rank = static_cast<int>(shape.size());
   const Handle space(H5Screate_simple(rank, shape.data(), nullptr), H5Sclose);
   const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  if (compress) {
+  if (compress && shape[0] > 0) {
     std::vector<hsize_t> chunk(shape.begin(), shape.end());
     chunk[0] = std::min(chunk[0], chunk_rows);
     H5Pset_chunk(properties.get(), rank, chunk.data());

@@ -37,7 +37,8 @@ Handle group_properties(std::size_t expected_links);
 /// Creates a group under `place`.
 Handle create_group(Place place, std::string_view name, std::size_t expected_links);
 
-/// Writes an array of `shape`; `compress` shuffles and deflates it in chunks.
+/// Writes an array of `shape`; `compress` shuffles and deflates it in chunks, where it has
+/// rows.
 void write_array(Place place, std::string_view name, std::span<const hsize_t> shape,
                  const std::variant<std::span<const double>, std::span<const std::int32_t>>& values,
                  std::string_view unit, bool compress);

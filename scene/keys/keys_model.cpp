@@ -186,13 +186,15 @@ std::vector<Table> model_keys() {
                 Dilatation::cell),
             choice<ContactNormals>(
                 "contact_normals",
-                "Where the normal at a node between soil and a `[[structure]]` comes from. `gradient`: from "
+                "Where the normal at a node between soil and a `[[structure]]` comes from. `polygon`: from "
                 "the "
-                "soil's volume around the node, so that pressure of pore water has no part along the "
-                "surface; "
-                "from the structure where the ground ends beside it. `polygon`: always from the structure's "
-                "surface. See docs/structures.md.",
-                ContactNormals::gradient),
+                "structure's surface. `gradient`: from the soil's volume around the node, so that pressure "
+                "of "
+                "pore water has no part along the surface; from the structure where the ground ends beside "
+                "it. "
+                "`automatic`: `gradient` where soil has a pore pressure, `polygon` elsewhere. See "
+                "docs/structures.md.",
+                ContactNormals::automatic),
             {.name = "layer_cells",
              .type = Type::integer,
              .unit = "cells",

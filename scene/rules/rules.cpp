@@ -49,6 +49,7 @@ constexpr std::array rules = {
     Rule{Severity::error, structures_have_weight},
     Rule{Severity::error, structures_suit_time_stepping},
     Rule{Severity::error, monitors_lie_in_soil},
+    Rule{Severity::error, monitors_lie_on_structures},
     Rule{Severity::error, hosts_can_meet},
 
     Rule{Severity::warning, mesh_resolves_pulse},

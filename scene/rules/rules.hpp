@@ -84,8 +84,10 @@ void structures_touch_soil(const Case& scene, Findings& findings);
 void structures_have_weight(const Case& scene, Findings& findings);
 /// The transfer and the time stepping are those that structures are made for.
 void structures_suit_time_stepping(const Case& scene, Findings& findings);
-/// Monitors have different names and lie in soil.
+/// Monitors have different names, and those that follow soil lie in it.
 void monitors_lie_in_soil(const Case& scene, Findings& findings);
+/// Monitors that move with a structure lie in or on it.
+void monitors_lie_on_structures(const Case& scene, Findings& findings);
 /// [hosts] places sides, one host for a process, at an endpoint that other machines can be told.
 void hosts_can_meet(const Case& scene, Findings& findings);
 

@@ -44,7 +44,9 @@ void monitors_lie_on_particles(const Case& scene, Findings& findings) {
     return;
   const mesh::Quadtree tree = quadtree(scene);
   for (std::size_t i = 0; i < scene.monitors.size(); ++i) {
-    const auto& [name, point] = scene.monitors[i];
+    const auto& [name, point, structure] = scene.monitors[i];
+    if (structure)
+      continue;
     const Nearest best = nearest_particle(scene, tree, point);
     constexpr double rounding = 1e-9;
     if (best.distance > rounding * scene.mesh.size && std::isfinite(best.distance))

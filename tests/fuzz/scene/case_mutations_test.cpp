@@ -8,21 +8,33 @@
 #include "scene/plan/plan.hpp"
 
 #include <cmath>
+#include <filesystem>
 
 namespace tremolo::scene {
 namespace {
 
+void expect_cases_or_errors(const std::filesystem::path& file, double least) {
+  testing::expect_read_or_refused(
+      file, 20240119, 2000,
+      [&](const std::string& text) {
+        const auto planned = plan(parse(text, "case.toml", file.parent_path()));
+        EXPECT_TRUE(std::isfinite(planned.dt) && planned.dt > 0.0) << text;
+      },
+      least);
+}
+
 class CaseFuzz : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CaseFuzz, MutationsAreReadOrRefused) {
-  const std::string folder = std::string(TREMOLO_SOURCE_DIR "/cases/") + GetParam();
-  testing::expect_read_or_refused(folder + "/case.toml", 20240119, 2000, [&](const std::string& text) {
-    const auto planned = plan(parse(text, "case.toml", folder));
-    EXPECT_TRUE(std::isfinite(planned.dt) && planned.dt > 0.0) << text;
-  });
+  expect_cases_or_errors(std::string(TREMOLO_SOURCE_DIR "/cases/") + GetParam() + "/case.toml", 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, CaseFuzz, ::testing::Values("halfspace_box", "slope_oblique"));
+
+/// All keys of structures, and nothing that may change without harm.
+TEST(StructureFuzz, MutationsAreReadOrRefused) {
+  expect_cases_or_errors(TREMOLO_SOURCE_DIR "/tests/fuzz/scene/structures.toml", 0.005);
+}
 
 } // namespace
 } // namespace tremolo::scene

@@ -50,6 +50,7 @@ inline constexpr std::array tokens = {"nan"sv,
                                       "\""sv,
                                       "[mesh]\n"sv,
                                       "[[region]]\n"sv,
+                                      "[[structure]]\n"sv,
                                       "[soil.sand]\n"sv,
                                       "polygon"sv,
                                       "\xff"sv,
@@ -58,9 +59,12 @@ inline constexpr std::array tokens = {"nan"sv,
                                       "[[1,2],[3,4],[1,2]]"sv};
 
 /// Damages a file's text again and again: each is read, or refused with located errors, and both come about.
-/// @param read reads a text and uses what came of it
+/// @param read  reads a text and uses what came of it
+/// @param least  share of texts that must be read: what is left of comments is harmless, dense text hardly
+/// ever
 template <class Read>
-void expect_read_or_refused(const std::string& path, unsigned seed, std::size_t rounds, Read&& read) {
+void expect_read_or_refused(const std::string& path, unsigned seed, std::size_t rounds, Read&& read,
+                            double least = 0.05) {
   std::ifstream stream(path);
   std::ostringstream original;
   original << stream.rdbuf();
@@ -80,7 +84,7 @@ void expect_read_or_refused(const std::string& path, unsigned seed, std::size_t 
       FAIL() << error.what() << "\n" << text;
     }
   }
-  EXPECT_GT(good, rounds / 20);
+  EXPECT_GT(static_cast<double>(good), least * static_cast<double>(rounds));
   EXPECT_GT(rounds - good, rounds / 20);
 }
 

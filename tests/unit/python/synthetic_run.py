@@ -27,9 +27,10 @@ def pore_pressure_ratio(t):
 
 
 def write(path, angle_deg=15.0, amplitude=0.1, frame_interval=0.02, frames=100, size=1.0, damaged=False, water=False,
-          width=70.0):
+          width=70.0, structures=False):
     """An SV wave v = amplitude * ricker(t - (x sin + y cos)/c_s) along (cos, -sin), nothing else; with `water` a pore
-    pressure that rises by itself. Only soil at x < `width` is there."""
+    pressure that rises by itself; with `structures` a tunnel that rises and turns, and a block. Only soil at x < `width`
+    is there."""
     position = slope_particles(size)
     position = position[position[:, 0] < width]
     particles = len(position)
@@ -72,6 +73,8 @@ def write(path, angle_deg=15.0, amplitude=0.1, frame_interval=0.02, frames=100, 
                 frame.create_dataset(name, data=values).attrs["unit"] = np.bytes_(unit)
         _write_series(file, "monitors/crest", frame_interval * frames, velocity, np.array([[45.0, 10.0]]), damaged, water)
         _write_boundary(file, velocity, frame_interval, frames)
+        if structures:
+            _write_structures(file, frame_interval, frames)
         times = np.arange(frames) * frame_interval
         ledger = np.column_stack([times, 1e3 * times**2, 1e3 * times, -2e3 * times])
         energy = file.create_dataset("energy", data=ledger)
@@ -96,6 +99,48 @@ def _write_boundary(file, velocity, interval, count):
     motion = np.array([velocity(position, t) for t in times])
     group["domain_velocity"] = group["free_field_velocity"] = motion
     group["traction"] = np.zeros_like(motion)
+
+
+RISE, TURN = 0.05, 0.02  # of the tunnel, m/s and rad/s
+TUNNEL = np.array([52.0, -4.0])
+BLOCK = np.array([[60.0, 10.0], [64.0, 10.0], [64.0, 12.0], [60.0, 12.0]])
+BODY_COLUMNS = ["time", "x", "y", "tilt", "vx", "vy", "spin"] + [
+    f"{force}_{part}" for force in ("normal", "friction", "water", "weight") for part in ("x", "y", "moment")]
+
+
+def ring(radius):
+    """A circle around the tunnel's centre, counter-clockwise."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 48, endpoint=False)
+    return TUNNEL + radius * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def _write_structures(file, interval, count):
+    file.attrs["structure_names"] = np.array([b"tunnel", b"block"])
+    times = np.arange(0.0, interval * count, 0.005)
+    contact = file.create_group("contact")
+    for number in range(count):
+        frame = contact.create_group(f"{number:04}")
+        frame.attrs["time"] = number * interval
+        nodes = {"position": [[61.0, 10.0], [62.0, 10.0]], "normal": [[0.0, 1.0], [0.0, 1.0]],
+                 "body": np.array([1, 1], dtype=np.int32), "area": [1.0, 1.0], "normal_force": [5e4, 3e4],
+                 "friction_force": [1e3, -1e3], "water_force": [0.0, 0.0]}
+        for name, values in nodes.items():
+            frame[name] = np.array(values)
+    group = file.create_group("bodies")
+    for name, centre, outline, hole in (("tunnel", TUNNEL, ring(2.5), ring(2.2)), ("block", BLOCK.mean(axis=0), BLOCK, None)):
+        moves = name == "tunnel"
+        rows = np.zeros((len(times), len(BODY_COLUMNS)))
+        columns = {"time": times, "x": centre[0], "y": centre[1] + RISE * times * moves, "tilt": TURN * times * moves,
+                   "vy": RISE * moves, "spin": TURN * moves, "normal_y": 8e4 - 16e4 * moves, "weight_y": -8e4 + 16e4 * moves}
+        for column, values in columns.items():
+            rows[:, BODY_COLUMNS.index(column)] = values
+        series = group.create_dataset(name, data=rows)
+        series.attrs["columns"] = np.array([c.encode() for c in BODY_COLUMNS])
+        series.attrs["units"] = np.array([b"1"] * len(BODY_COLUMNS))
+        series.attrs["outline"] = outline.ravel()
+        if hole is not None:
+            series.attrs["hole"] = hole.ravel()
+        series.attrs["mass"], series.attrs["inertia"] = 8e3, 1e4
 
 
 def _write_series(file, path, duration, velocity, point, damaged, water):

@@ -12,7 +12,7 @@ import matplotlib.image
 import numpy as np
 
 import synthetic_run
-from tremolo import Run, comparison, fronts, histories, maps, pore_pressure
+from tremolo import Run, bodies, comparison, fronts, histories, maps, pore_pressure, style
 from tremolo.__main__ import main
 
 
@@ -61,6 +61,33 @@ class Pictures(unittest.TestCase):
         status, lines, error = run_command("compare", self.folder / "wet", self.folder / "wet", "--out", self.folder / "w")
         self.assertEqual((status, error), (0, ""))
         self.assertIn(str(self.folder / "w" / "compare_pore_pressure_ratio.png"), lines)
+
+    def test_plot_of_structures(self):
+        (self.folder / "built").mkdir()
+        synthetic_run.write(self.folder / "built" / "run.h5", size=2.0, structures=True)
+        status, paths, error = run_command("plot", self.folder / "built", "--time", 0.8)
+        self.assertEqual((status, error), (0, ""))
+        names = ["model.png", "acceleration.png", "shear_bands.png", "bodies.png", "monitor_crest.png", "energy.png", "fronts.png"]
+        self.expect_pictures(paths, names)
+
+    def test_structures_are_filled_where_they_are_and_their_holes_open(self):
+        synthetic_run.write(self.folder / "tunnel.h5", size=2.0, structures=True)
+        with Run(self.folder / "tunnel.h5") as run:
+            figure, ax = style.plt.subplots()
+            bodies.draw(ax, run, len(run.times) - 1)
+            tunnel, block = ax.patches
+            risen = synthetic_run.TUNNEL + [0.0, synthetic_run.RISE * run.times[-1]]
+            inner, outer = tunnel.get_path().to_polygons(closed_only=True)[::-1]
+            np.testing.assert_allclose(outer.mean(axis=0), risen, atol=0.06)
+
+            def area(ring):
+                x, y = ring.T
+                return 0.5 * np.sum(x[:-1] * y[1:] - x[1:] * y[:-1])
+
+            self.assertAlmostEqual(np.pi * 2.5**2, area(outer), delta=0.1)
+            self.assertAlmostEqual(-np.pi * 2.2**2, area(inner), delta=0.1)  # against its outline: not filled
+            self.assertAlmostEqual(8.0, area(block.get_path().to_polygons()[0]))
+            style.plt.close(figure)
 
     def test_a_monitor_follows_the_effective_stress(self):
         synthetic_run.write(self.folder / "traced.h5", size=2.0, water=True)

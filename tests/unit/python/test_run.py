@@ -58,6 +58,45 @@ class ReadsARun(unittest.TestCase):
             self.assertEqual(run.boundary["traction"].shape, (len(run.boundary["time"]), len(run.boundary["length"]), 2))
 
 
+class ReadsStructures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        synthetic_run.write(Path(cls.folder.name) / "run.h5", frames=4, size=4.0, structures=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_bodies_stand_where_they_are_at_a_time(self):
+        with Run(self.folder.name) as run:
+            self.assertEqual(["tunnel", "block"], run.bodies)
+            tunnel, block = run.body("tunnel"), run.body("block")
+            self.assertEqual((8e3, 1e4), (tunnel.mass, tunnel.inertia))
+            outline, hole = tunnel.corners(0.05)
+            turned = synthetic_run.TURN * 0.05
+            first = synthetic_run.TUNNEL + [0.0, synthetic_run.RISE * 0.05]
+            np.testing.assert_allclose(outline[0], first + 2.5 * np.array([np.cos(turned), np.sin(turned)]))
+            np.testing.assert_allclose(hole[0], first + 2.2 * np.array([np.cos(turned), np.sin(turned)]))
+            self.assertIsNone(block.hole)
+            np.testing.assert_allclose(block.corners(0.05)[0], synthetic_run.BLOCK)
+            with self.assertRaisesRegex(KeyError, "no body 'house'; it has tunnel, block"):
+                run.body("house")
+
+    def test_contact_nodes_of_a_frame(self):
+        with Run(self.folder.name) as run:
+            nodes = run.contact(3)
+            self.assertEqual("block", run.bodies[nodes["body"][0]])
+            self.assertEqual(8e4, nodes["normal_force"].sum())
+
+    def test_a_run_without_structures_has_neither(self):
+        with tempfile.TemporaryDirectory() as folder:
+            synthetic_run.write(Path(folder) / "run.h5", frames=2, size=4.0)
+            with Run(folder) as run:
+                self.assertEqual([], run.bodies)
+                self.assertIsNone(run.contact(0))
+
+
 class RefusesWhatIsNoRun(unittest.TestCase):
     def test_absent_foreign_and_newer_files(self):
         with tempfile.TemporaryDirectory() as folder:

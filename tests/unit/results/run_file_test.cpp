@@ -83,6 +83,46 @@ TEST(RunFile, ReturnsWhatWasWritten) {
   EXPECT_EQ(run.series("/monitors/crest").rows(), 0U);
 }
 
+TEST(RunFile, KeepsContactNodesBesideFramesAndHowManyThereAre) {
+  const Folder folder;
+  const std::vector<double> position{1.0, 2.0, 3.0, 4.0};
+  {
+    RunWriter run(folder / "run.h5", description);
+    for (const std::size_t nodes : {2U, 0U}) { // a body that hovers has none
+      const std::vector<double> place(position.begin(), position.begin() + static_cast<long>(2 * nodes));
+      const std::vector<double> force(nodes, 5.0);
+      const std::vector<std::int32_t> body(nodes, 1);
+      const std::vector<Field> contact{
+          {"position", "m", 2, place}, {"normal_force", "N/m", 1, force}, {"body", "1", 1, body}};
+      run.write_frame(0.1, std::vector<Field>{{"position", "m", 2, position}}, contact);
+    }
+    const std::vector<Field> wrong{{"position", "m", 2, position}, {"area", "m", 1, std::span(position)}};
+    EXPECT_THAT(
+        [&] {
+          run.write_frame(0.2, std::vector<Field>{{"position", "m", 2, position}}, wrong);
+        },
+        ThrowsMessage<std::invalid_argument>(
+            HasSubstr("field area has 4 values where 2 contact nodes with 1 components need 2")));
+    run.finish();
+  }
+  const RunReader run(folder / "run.h5");
+  ASSERT_EQ(run.frame_times().size(), 2U);
+  EXPECT_THAT(run.frame_fields(0), ElementsAre("position"));
+  EXPECT_THAT(run.contact_fields(0), ElementsAre("body", "normal_force", "position"));
+  EXPECT_EQ(run.contact_field(0, "position").values, position);
+  EXPECT_EQ(run.contact_field(0, "normal_force").unit, "N/m");
+  EXPECT_THAT(run.contact_field(0, "body").values, ElementsAre(1, 1));
+  EXPECT_TRUE(run.contact_field(0, "body").integers);
+  EXPECT_THAT(run.contact_field(1, "position").values, ElementsAre());
+  EXPECT_EQ(run.contact_field(1, "position").components, 2U);
+}
+
+TEST(RunFile, HasNoContactNodesWithoutStructures) {
+  const Folder folder;
+  write_full_run(folder / "run.h5", 1);
+  EXPECT_THAT(RunReader(folder / "run.h5").contact_fields(0), ElementsAre());
+}
+
 TEST(RunFile, KeepsTablesOfTextNumbersAndCounts) {
   const Folder folder;
   write_full_run(folder / "run.h5", 1);

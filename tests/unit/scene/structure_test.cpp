@@ -40,7 +40,7 @@ TEST(Structure, IsRead) {
   ASSERT_EQ(block.against.size(), 1U);
   EXPECT_EQ(block.against[0].friction, 0.5);
   EXPECT_EQ(block.against[0].adhesion, 0.0);
-  EXPECT_EQ(scene.mesh.contact_normals, ContactNormals::gradient);
+  EXPECT_EQ(scene.mesh.contact_normals, ContactNormals::automatic);
   EXPECT_EQ(parse_case(with("size = 1.0", "size = 1.0\ncontact_normals = \"polygon\"", with_block()))
                 .mesh.contact_normals,
             ContactNormals::polygon);

@@ -35,7 +35,8 @@ TEST(Plot, IsCutByStructuresAndRegions) {
   EXPECT_NEAR(plot.x, (0.14 * 0.95 + 0.025 * 1.2) / 0.165, 1e-14);
   EXPECT_NEAR(plot.y, (0.14 * 0.925 + 0.025 * 0.875) / 0.165, 1e-14);
   // What stands above the ground takes nothing of it.
-  EXPECT_NEAR(plot_of(ground, Polygons{rectangle(0.0, 1.1, 4.0, 3.0)}, 1.0, 1.0, 0.5).area, 0.5 * 0.35, 1e-15);
+  EXPECT_NEAR(plot_of(ground, Polygons{rectangle(0.0, 1.1, 4.0, 3.0)}, 1.0, 1.0, 0.5).area, 0.5 * 0.35,
+              1e-15);
 }
 
 TEST(Plot, SlopesAreCutExactly) {

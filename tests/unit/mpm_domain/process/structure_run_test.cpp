@@ -14,6 +14,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -24,10 +25,12 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// A row in every step.
+/// A row and a frame in every step, and a monitor at a corner.
 scene::Case block_case() {
-  return scene::testing::parse_case(scene::testing::with_block() +
-                                    "[output]\nevery_s = 1.0\nhistory_every_s = 1e-4\n");
+  return scene::testing::parse_case(
+      scene::testing::with_block() +
+      "[[monitor]]\nname = \"corner\"\npoint = [12.0, 4.0]\nstructure = \"block\"\n"
+      "[output]\nevery_s = 1e-4\nhistory_every_s = 1e-4\n");
 }
 
 TEST(SpecFromCase, HandsStructuresOn) {
@@ -143,6 +146,92 @@ TEST(RunOutput, FollowsBodiesAndTheirForces) {
   EXPECT_EQ(last(block, "friction_moment"), run.domain().contact.forces(0).friction.moment);
 }
 
+/// Sums over the contact nodes of a frame, body after body alike.
+struct ContactSums {
+  Vector normal, friction, water;
+  double area = 0.0;
+};
+
+ContactSums contact_sums(const results::RunReader& run, std::size_t frame) {
+  const auto field = [&](const char* name) { return run.contact_field(frame, name).values; };
+  const auto n = field("normal");
+  const auto normal = field("normal_force");
+  const auto friction = field("friction_force");
+  const auto water = field("water_force");
+  const auto area = field("area");
+  ContactSums sums;
+  for (std::size_t k = 0; k < area.size(); ++k) {
+    const Vector out{n.at(2 * k), n.at(2 * k + 1)};
+    EXPECT_NEAR(std::hypot(out.x, out.y), 1.0, 1e-12);
+    sums.normal = {sums.normal.x + normal.at(k) * out.x, sums.normal.y + normal.at(k) * out.y};
+    sums.friction = {sums.friction.x - friction.at(k) * out.y, sums.friction.y + friction.at(k) * out.x};
+    sums.water = {sums.water.x + water.at(k) * out.x, sums.water.y + water.at(k) * out.y};
+    sums.area += area.at(k);
+  }
+  return sums;
+}
+
+TEST(RunOutput, ContactNodesAddUpToTheForcesOnTheBody) {
+  const testing::TemporaryFolder folder;
+  BlockRun run(folder / "");
+  push(run.domain().contact);
+  run.step(3);
+  const BodyForces forces = run.domain().contact.forces(0);
+  run.output().finish(run.stepper(), 0.0, 0.0);
+
+  const results::RunReader file(folder / "run.h5");
+  EXPECT_THAT(std::get<std::vector<std::string>>(file.attribute("structure_names")), ElementsAre("block"));
+  ASSERT_EQ(file.frame_times().size(), 3U);
+  EXPECT_THAT(file.contact_fields(2), ElementsAre("area", "body", "friction_force", "normal", "normal_force",
+                                                  "position", "water_force"));
+  EXPECT_EQ(file.contact_field(2, "normal_force").unit, "N/m");
+  EXPECT_TRUE(file.contact_field(2, "body").integers);
+  const ContactSums sums = contact_sums(file, 2);
+  const double weight = 16000.0 * 9.81;
+  EXPECT_NEAR(sums.normal.x, forces.normal.force.x, 1e-9 * weight);
+  EXPECT_NEAR(sums.normal.y, forces.normal.force.y, 1e-9 * weight);
+  EXPECT_NEAR(sums.friction.x, forces.friction.force.x, 1e-9 * weight);
+  EXPECT_NE(sums.friction.x, 0.0);
+  EXPECT_EQ(sums.water.y, 0.0);
+  EXPECT_NEAR(sums.area, 4.0, 1.0); // of a foot of 4 m; nodes reach a cell beyond
+  const auto position = file.contact_field(2, "position").values;
+  for (std::size_t k = 0; k < position.size(); k += 2) {
+    EXPECT_NEAR(position[k], 10.0, 3.01);
+    EXPECT_NEAR(position[k + 1], 0.0, 1.01);
+  }
+}
+
+/// V + omega x r of the corner and its change, from the body's own numbers.
+TEST(RunOutput, MonitorsMoveWithTheirBody) {
+  const testing::TemporaryFolder folder;
+  BlockRun run(folder / "");
+  push(run.domain().contact);
+  run.step(3);
+  run.output().finish(run.stepper(), 0.0, 0.0);
+
+  const results::RunReader file(folder / "run.h5");
+  const results::SeriesData body = file.series("/bodies/block");
+  const results::SeriesData corner = file.series("/monitors/corner");
+  EXPECT_THAT(corner.columns, ElementsAre("time", "x", "y", "ux", "uy", "vx", "vy", "ax", "ay"));
+  ASSERT_EQ(corner.rows(), 3U);
+  const double tilt = last(body, "tilt");
+  ASSERT_NE(tilt, 0.0);
+  // From the centre of mass: (2, 2) m.
+  const Vector arm{2.0 * std::cos(tilt) - 2.0 * std::sin(tilt), 2.0 * std::sin(tilt) + 2.0 * std::cos(tilt)};
+  EXPECT_DOUBLE_EQ(last(corner, "x"), last(body, "x") + arm.x);
+  EXPECT_DOUBLE_EQ(last(corner, "y"), last(body, "y") + arm.y);
+  EXPECT_NEAR(last(corner, "ux"), last(corner, "x") - 12.0, 1e-14);
+  EXPECT_NEAR(last(corner, "uy"), last(corner, "y") - 4.0, 1e-14);
+  EXPECT_DOUBLE_EQ(last(corner, "vx"), last(body, "vx") - last(body, "spin") * arm.y);
+  EXPECT_DOUBLE_EQ(last(corner, "vy"), last(body, "vy") + last(body, "spin") * arm.x);
+  const auto value = [&](std::size_t row, std::size_t column) {
+    return corner.values.at(row * corner.columns.size() + column);
+  };
+  const double interval = value(2, 0) - value(1, 0);
+  EXPECT_NEAR(value(2, 7), (value(2, 5) - value(1, 5)) / interval, 1e-9 * std::abs(value(2, 7)));
+  EXPECT_NEAR(value(2, 8), (value(2, 6) - value(1, 6)) / interval, 1e-9 * std::abs(value(2, 8)));
+}
+
 TEST(RunOutput, GoesOnWithBodiesWhereACheckpointWas) {
   const testing::TemporaryFolder folder;
   const results::CheckpointIdentity identity{"domain", "00000000", 2};
@@ -157,15 +246,24 @@ TEST(RunOutput, GoesOnWithBodiesWhereACheckpointWas) {
     whole.step(2);
     whole.output().finish(whole.stepper(), 0.0, 0.0);
   }
-  const auto all = results::RunReader(folder / "run.h5").series("/bodies/block");
-  ASSERT_EQ(all.rows(), 4U);
+  const auto contents = [&] {
+    const results::RunReader run(folder / "run.h5");
+    std::vector<std::vector<double>> all{run.series("/bodies/block").values,
+                                         run.series("/monitors/corner").values};
+    for (std::size_t frame = 0; frame < run.frame_times().size(); ++frame)
+      for (const std::string& name : run.contact_fields(frame))
+        all.push_back(run.contact_field(frame, name).values);
+    return all;
+  };
+  const auto all = contents();
+  ASSERT_EQ(all.size(), 2U + 4U * 7U);
   const std::filesystem::path before = results::set_aside(folder / "run.h5");
   BlockRun resumed(folder / "");
   test_support::restore_state(state, resumed.domain(), resumed.stepper());
   resumed.output().take_over(before, results::CheckpointReader(folder / "domain.h5", identity));
   resumed.step(2);
   resumed.output().finish(resumed.stepper(), 0.0, 0.0);
-  EXPECT_EQ(results::RunReader(folder / "run.h5").series("/bodies/block").values, all.values);
+  EXPECT_EQ(contents(), all);
 }
 
 } // namespace

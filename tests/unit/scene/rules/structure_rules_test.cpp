@@ -188,7 +188,7 @@ TEST(Rules, MonitorsLieInNoStructure) {
   EXPECT_THAT(
       errors_of(buried + monitor("[10.0, -1.0]")),
       ElementsAre("case.toml:41:9: [[monitor]] 'point' [10, -1] lies in structure 'block', where no soil "
-                  "is"));
+                  "is; with structure = \"block\" the monitor moves with it"));
   // At its foot: the particle of the square beside it.
   EXPECT_THAT(remarks_of(buried + monitor("[12.0, -1.9]")),
               Contains(HasSubstr("follows the particle that starts at [12.25, -1.75], 0.292 m")));
@@ -196,6 +196,25 @@ TEST(Rules, MonitorsLieInNoStructure) {
   const std::string cut = outline("[[8.0, -2.0], [12.1, -2.0], [12.1, 4.0], [8.0, 4.0]]");
   EXPECT_THAT(remarks_of(cut + monitor("[12.2, -1.25]")),
               Contains(HasSubstr("follows the particle that starts at [12.3, -1.25], 0.1 m")));
+}
+
+TEST(Rules, MonitorsOnStructuresLieOnThem) {
+  const auto monitor = [](const char* point, const char* structure) {
+    return with_block() + "[[monitor]]\nname = \"m\"\npoint = " + point + "\nstructure = \"" + structure +
+           "\"\n";
+  };
+  EXPECT_THAT(errors_of(monitor("[10.0, 2.0]", "block")), IsEmpty());
+  EXPECT_THAT(errors_of(monitor("[12.0, 4.0]", "block")), IsEmpty()); // a corner
+  EXPECT_THAT(remarks_of(monitor("[10.0, 2.0]", "block")), Not(Contains(HasSubstr("follows the particle"))));
+  EXPECT_THAT(
+      errors_of(monitor("[12.1, 2.0]", "block")),
+      ElementsAre("case.toml:41:9: [[monitor]] 'point' [12.1, 2] lies outside structure 'block', with "
+                  "which the monitor moves"));
+  EXPECT_THAT(
+      errors_of(monitor("[10.0, 2.0]", "blok")),
+      ElementsAre("case.toml:42:13: [[monitor]] structure 'blok' is not defined, did you mean 'block'?"));
+  EXPECT_THAT(errors_of(plus("[[monitor]]\nname = \"m\"\npoint = [10.0, -1.0]\nstructure = \"block\"\n")),
+              ElementsAre(HasSubstr("structure 'block' is not defined, none is known here")));
 }
 
 } // namespace

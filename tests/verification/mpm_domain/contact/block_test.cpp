@@ -65,10 +65,10 @@ Spec block_on(const Incline& incline) {
   const double top = std::ceil(4.0 * slope / h) * h;
   Spec spec = flat_ground(16.0, 10.0, h, rock);
   spec.box.y_max = 8.0;
-  spec.regions.front().polygon = {{-8.0, -10.0}, {8.0, -10.0},        {8.0, top},
+  spec.regions.front().polygon = {{-8.0, -10.0},      {8.0, -10.0},         {8.0, top},
                                   {top / slope, top}, {-top / slope, -top}, {-8.0, -top}};
-  spec.structures = {
-      structure(turned(rectangle(-1.0, 0.0, 1.0, 1.0), {0.0, 0.0}, incline.angle()), 2000.0, incline.friction())};
+  spec.structures = {structure(turned(rectangle(-1.0, 0.0, 1.0, 1.0), {0.0, 0.0}, incline.angle()), 2000.0,
+                               incline.friction())};
   return spec;
 }
 
@@ -98,7 +98,7 @@ using Slides = OnAnIncline;
 TEST_P(Slides, AboveTheAngleOfFriction) {
   StandingScene scene(block_on(GetParam()));
   EXPECT_TRUE(scene.reactions.slipping); // bonds held it through the gravity stage
-  scene.run(0.1); // the soil springs back from the bonds
+  scene.run(0.1);                        // the soil springs back from the bonds
   const double t = scene.stepper.velocity_time();
   const double v = speed(scene);
   scene.run(0.3);
@@ -139,8 +139,8 @@ TEST(ShakenBlock, SlidesAsNewmarkSays) {
     return std::inner_product(soil.mass.begin(), soil.mass.end(), soil.vx.begin(), 0.0) /
            std::accumulate(soil.mass.begin(), soil.mass.end(), 0.0);
   };
-  double block = 0.0;  // Newmark's velocity, m/s
-  double slid = 0.0;   // and way of the block on the ground, m
+  double block = 0.0; // Newmark's velocity, m/s
+  double slid = 0.0;  // and way of the block on the ground, m
   double most = 0.0;
   double way = 0.0; // of the ground
   double before = 0.0;

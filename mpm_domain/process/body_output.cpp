@@ -1,0 +1,198 @@
+#include "mpm_domain/process/body_output.hpp"
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// What is written of a body; forces are those of BodyForces.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> body_columns{
+    {{"time", "s"},
+     {"x", "m"},
+     {"y", "m"},
+     {"tilt", "rad"},
+     {"vx", "m/s"},
+     {"vy", "m/s"},
+     {"spin", "rad/s"},
+     {"normal_x", "N/m"},
+     {"normal_y", "N/m"},
+     {"normal_moment", "N"},
+     {"friction_x", "N/m"},
+     {"friction_y", "N/m"},
+     {"friction_moment", "N"},
+     {"water_x", "N/m"},
+     {"water_y", "N/m"},
+     {"water_moment", "N"},
+     {"weight_x", "N/m"},
+     {"weight_y", "N/m"},
+     {"weight_moment", "N"}}};
+
+/// What is written of a monitor that moves with a body.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> follower_columns{{{"time", "s"},
+                                                                                         {"x", "m"},
+                                                                                         {"y", "m"},
+                                                                                         {"ux", "m"},
+                                                                                         {"uy", "m"},
+                                                                                         {"vx", "m/s"},
+                                                                                         {"vy", "m/s"},
+                                                                                         {"ax", "m/s2"},
+                                                                                         {"ay", "m/s2"}}};
+
+results::TimeSeries& add(results::RunWriter& writer, const std::string& path,
+                         std::span<const std::pair<std::string_view, std::string_view>> table,
+                         std::span<const results::Attribute> attributes) {
+  std::vector<std::string> columns;
+  std::vector<std::string> units;
+  for (const auto& [name, unit] : table) {
+    columns.emplace_back(name);
+    units.emplace_back(unit);
+  }
+  return writer.add_series(path, columns, units, attributes);
+}
+
+/// x and y of one corner after the other.
+std::vector<double> flat(const std::vector<Vector>& corners) {
+  std::vector<double> values;
+  for (const Vector& corner : corners)
+    values.insert(values.end(), {corner.x, corner.y});
+  return values;
+}
+
+/// Where a body was at the time of its velocity, half a step before the present.
+struct BodyPlace {
+  Vector centre;
+  double tilt;
+
+  BodyPlace(const RigidBody& body, double dt)
+      : centre{body.centre().x - 0.5 * dt * body.motion().velocity.x,
+               body.centre().y - 0.5 * dt * body.motion().velocity.y},
+        tilt(body.tilt() - 0.5 * dt * body.motion().spin) {}
+
+  Vector turned(const Vector& arm) const {
+    const double c = std::cos(tilt);
+    const double s = std::sin(tilt);
+    return {c * arm.x - s * arm.y, s * arm.x + c * arm.y};
+  }
+};
+
+} // namespace
+
+std::vector<results::Field> ContactFrame::fields() const {
+  return {{"position", "m", 2, position},
+          {"normal", "1", 2, normal},
+          {"body", "1", 1, body},
+          {"area", "m", 1, area},
+          {"normal_force", "N/m", 1, normal_force},
+          {"friction_force", "N/m", 1, friction_force},
+          {"water_force", "N/m", 1, water_force}};
+}
+
+BodyOutput::BodyOutput(const scene::Case& scene, const Domain& domain, results::RunWriter& writer)
+    : domain_(domain) {
+  const std::span<const RigidBody> bodies = domain.contact.bodies();
+  std::vector<std::string> names;
+  for (const RigidBody& body : bodies) {
+    std::vector<results::Attribute> attributes{
+        {"outline", flat(body.outline())}, {"mass", body.mass()}, {"inertia", body.inertia()}};
+    if (const std::vector<Vector> hole = body.hole(); !hole.empty())
+      attributes.push_back({"hole", flat(hole)});
+    const std::string path = "/bodies/" + body.name();
+    bodies_.push_back(&add(writer, path, body_columns, attributes));
+    series_.emplace_back(path, bodies_.back());
+    names.push_back(body.name());
+  }
+  if (!names.empty())
+    writer.attribute("structure_names", names);
+  for (const scene::Monitor& monitor : scene.monitors) {
+    if (!monitor.structure)
+      continue;
+    const std::string path = "/monitors/" + monitor.name;
+    results::TimeSeries& series = add(writer, path, follower_columns,
+                                      std::array{results::Attribute{"structure", names[*monitor.structure]}});
+    const Vector& start = bodies[*monitor.structure].start();
+    followers_.push_back(
+        {*monitor.structure, {monitor.point.x - start.x, monitor.point.y - start.y}, {}, {}, &series});
+    series_.emplace_back(path, &series);
+  }
+}
+
+void BodyOutput::write_history(const Stepper& stepper) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    write_body(b, stepper);
+  for (const Follower& follower : followers_)
+    write_follower(follower, stepper);
+}
+
+void BodyOutput::write_body(std::size_t b, const Stepper& stepper) {
+  const RigidBody& body = domain_.contact.bodies()[b];
+  const RigidMotion& u = body.motion();
+  const BodyPlace place(body, stepper.dt());
+  const BodyForces forces = domain_.contact.forces(b);
+  std::vector<double> row{stepper.velocity_time(),
+                          place.centre.x,
+                          place.centre.y,
+                          place.tilt,
+                          u.velocity.x,
+                          u.velocity.y,
+                          u.spin};
+  for (const RigidLoad& load : {forces.normal, forces.friction, forces.water, forces.weight})
+    row.insert(row.end(), {load.force.x, load.force.y, load.moment});
+  bodies_[b]->append(row);
+}
+
+void BodyOutput::write_follower(const Follower& follower, const Stepper& stepper) {
+  const RigidBody& body = domain_.contact.bodies()[follower.body];
+  const BodyPlace place(body, stepper.dt());
+  const Vector arm = place.turned(follower.arm);
+  // The centre's displacement and the arm's, so that rounding of large coordinates stays out of it.
+  const Vector u{place.centre.x - body.start().x + (arm.x - follower.arm.x),
+                 place.centre.y - body.start().y + (arm.y - follower.arm.y)};
+  follower.series->append(std::array{stepper.velocity_time(), place.centre.x + arm.x, place.centre.y + arm.y,
+                                     u.x, u.y, follower.velocity.x, follower.velocity.y,
+                                     follower.acceleration.x, follower.acceleration.y});
+}
+
+void BodyOutput::after_step(const Stepper& stepper) {
+  for (Follower& follower : followers_) {
+    const RigidBody& body = domain_.contact.bodies()[follower.body];
+    const Vector v = body.motion().at(BodyPlace(body, stepper.dt()).turned(follower.arm));
+    follower.acceleration = {(v.x - follower.velocity.x) / stepper.kick(),
+                             (v.y - follower.velocity.y) / stepper.kick()};
+    follower.velocity = v;
+  }
+}
+
+ContactFrame BodyOutput::contact(const Stepper& stepper) const {
+  const double dt = stepper.kick();
+  ContactFrame frame;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (const ContactNode& node : domain_.contact.nodes(b)) {
+      frame.position.insert(frame.position.end(), {node.place.x, node.place.y});
+      frame.normal.insert(frame.normal.end(), {node.normal.x, node.normal.y});
+      frame.body.push_back(static_cast<std::int32_t>(b));
+      frame.area.push_back(node.area);
+      frame.normal_force.push_back(node.effective_impulse / dt);
+      frame.friction_force.push_back(node.tangential_impulse / dt);
+      frame.water_force.push_back((node.normal_impulse - node.effective_impulse) / dt);
+    }
+  return frame;
+}
+
+void BodyOutput::save(results::CheckpointWriter& checkpoint) const {
+  std::vector<double> values;
+  for (const Follower& follower : followers_)
+    values.insert(values.end(), {follower.velocity.x, follower.velocity.y});
+  checkpoint.write("output.followers", values);
+}
+
+void BodyOutput::restore(const results::CheckpointReader& checkpoint) {
+  const auto values = checkpoint.numbers("output.followers");
+  for (std::size_t f = 0; f < followers_.size(); ++f)
+    followers_[f].velocity = {values.at(2 * f), values.at(2 * f + 1)};
+}
+
+} // namespace tremolo::mpm_domain

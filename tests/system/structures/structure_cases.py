@@ -1,0 +1,159 @@
+"""Small cases with a structure: a block on flat ground, and a light tunnel below a water table."""
+
+import sys
+from pathlib import Path
+
+sys.path[:0] = [str(Path(__file__).parents[1] / "resume")]
+
+from broken_run import checkpoints, differences, killed, resumed, whole_run, with_checkpoints
+from small_case import Workspace
+
+__all__ = ["BlockWorkspace", "TunnelWorkspace", "checkpoints", "differences", "killed", "resumed", "whole_run", "with_checkpoints"]
+
+BLOCK = """
+title = "block"
+
+[motion]
+pulse = {{ shape = "ricker", frequency = 3.0, time = 0.5, velocity = {velocity} }}
+wave = "SV"
+angle_deg = {angle}
+reference = [0.0, -4.0]
+
+[surface]
+level = 0.0
+
+[halfspace]
+density = 1900.0
+young = 200e6
+poisson = 0.3
+
+[soil.ground]
+model = "linear_elastic"
+density = 1900.0
+young = 200e6
+poisson = 0.3
+
+[[region]]
+soil = "ground"
+polygon = [[-8.0, -4.0], [8.0, -4.0], [8.0, 0.0], [-8.0, 0.0]]
+
+[[structure]]
+name = "block"
+polygon = [[-2.0, 0.0], [2.0, 0.0], [2.0, 1.0], [-2.0, 1.0]]
+density = 2000.0
+rigid = true
+friction = 0.5
+
+[mesh]
+size = 0.5
+box = [-8.0, -4.0, 8.0, 0.0]
+
+[boundary]
+left = {{ model = "wave" }}
+right = {{ model = "wave" }}
+base = {{ model = "wave" }}
+
+[[stage]]
+kind = "gravity"
+
+[[stage]]
+kind = "shaking"
+duration_s = {duration}
+
+[[monitor]]
+name = "ground"
+point = [5.75, -0.25]
+
+[[monitor]]
+name = "roof"
+point = [2.0, 1.0]
+structure = "block"
+
+[[monitor]]
+name = "centre"
+point = [0.0, 0.5]
+structure = "block"
+
+[output]
+every_s = 0.1
+history_every_s = 0.005
+"""
+
+
+class BlockWorkspace(Workspace):
+    """4 m by 1 m of concrete on flat elastic ground: 78.48 kN/m."""
+
+    template, defaults = BLOCK, {"velocity": 0.2, "angle": 15.0, "duration": 1.0}
+    weight = 8000.0 * 9.81  # N/m
+
+
+TUNNEL = """
+title = "tunnel"
+
+[motion]
+pulse = {{ shape = "ricker", frequency = 2.0, time = 0.7, velocity = 0.1 }}
+wave = "SV"
+angle_deg = 0.0
+reference = [0.0, -12.0]
+
+[surface]
+level = 0.0
+
+[water]
+level = 0.0
+
+[halfspace]
+density = 2000.0
+young = 100e6
+poisson = 0.45
+
+[soil.sand]
+model = "linear_elastic"
+porosity = 0.4
+permeability = 1e-3
+drainage = "{drainage}"
+young = 60e6
+poisson = 0.3
+
+[[region]]
+soil = "sand"
+polygon = [[-10.0, -12.0], [10.0, -12.0], [10.0, 0.0], [-10.0, 0.0]]
+
+[[structure]]
+name = "tunnel"
+circle = {{ centre = [0.0, -6.0], radius = 2.5 }}
+hole_circle = {{ centre = [0.0, -6.0], radius = 2.2 }}
+density = 1800.0
+rigid = true
+friction = 0.4
+
+[mesh]
+size = 1.0
+box = [-10.0, -12.0, 10.0, 0.0]
+
+[boundary]
+sides = "periodic"
+base = {{ model = "wave" }}
+
+[[stage]]
+kind = "gravity"
+
+[[stage]]
+kind = "shaking"
+duration_s = {duration}
+
+[[monitor]]
+name = "crown"
+point = [0.0, -3.6]
+structure = "tunnel"
+
+[output]
+every_s = 0.2
+history_every_s = 0.01
+"""
+
+
+class TunnelWorkspace(Workspace):
+    """A tunnel of 5 m across that weighs less than the water that it displaces."""
+
+    template, defaults = TUNNEL, {"drainage": "undrained", "duration": 2.0}

@@ -1,0 +1,156 @@
+// Bodies in liquefied soil, a heavy fluid of grains and water without effective stress: the force on a
+// tunnel, the depth at which a block floats, and what friction must not do there.
+
+#include "mpm_domain/contact/contact_nodes.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
+#include "tests/support/structure_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+namespace {
+
+using test_support::circle;
+using test_support::flat_ground;
+using test_support::rectangle;
+using test_support::StandingScene;
+using test_support::structure;
+
+constexpr double gravity = 9.81;   // m/s2
+constexpr double porosity = 0.437; // the sand of spec sheets for a tunnel 5 m wide
+constexpr double grains = 2650.0;  // kg/m3
+constexpr double water = 1000.0;   // kg/m3
+constexpr double saturated = (1.0 - porosity) * grains + porosity * water;
+
+Spec wet_ground(double width, double depth, double h, materials::Drainage drainage, double young) {
+  Spec spec = flat_ground(width, depth, h, {saturated, young, 0.3});
+  spec.water = GroundWater{0.0, {.density = water}};
+  spec.soils.front().pores = materials::PoreSpace{
+      .porosity = porosity, .grain_density = grains, .permeability = 1e-4, .drainage = drainage};
+  return spec;
+}
+
+/// Takes the effective stress away; the excess pressure bears all of the buoyant weight.
+void liquefy(Domain& domain) {
+  for (Particles& p : domain.sets)
+    for (std::size_t k = 0; p.traits.wet && k < p.size(); ++k) {
+      p.sxx[k] = p.syy[k] = p.szz[k] = p.sxy[k] = 0.0;
+      p.pore_pressure[k] = p.water->hydrostatic(p.y[k]) - (saturated - water) * gravity * p.y[k];
+    }
+}
+
+struct Tunnel {
+  double cell_size; ///< m
+  double offset;    ///< of the axis from a node, m
+
+  friend void PrintTo(const Tunnel& tunnel, std::ostream* out) {
+    *out << "cells of " << tunnel.cell_size << " m, axis off a node by " << tunnel.offset << " m";
+  }
+};
+
+class TunnelInLiquefiedSoil : public testing::TestWithParam<Tunnel> {};
+
+TEST_P(TunnelInLiquefiedSoil, IsLiftedByTheWeightOfTheHeavyFluid) {
+  constexpr double diameter = 5.0, dt = 1e-5;
+  Spec spec = wet_ground(20.0, 12.0, GetParam().cell_size, materials::Drainage::undrained, 1e7);
+  spec.structures = {
+      structure(circle({GetParam().offset, -5.5 - GetParam().offset}, 0.5 * diameter), 300.0, 0.4)};
+  Domain domain(spec);
+  liquefy(domain);
+  scatter(domain, ScatterPart::both);
+  for (std::size_t n = 0; n < domain.grid.size(); ++n)
+    if (domain.grid.mass[n] > empty_mass(domain)) {
+      domain.grid.vx_after[n] = dt * domain.grid.force_x[n] / domain.grid.mass[n];
+      domain.grid.vy_after[n] = dt * domain.grid.force_y[n] / domain.grid.mass[n];
+    }
+  const RigidBody& body = domain.contact.bodies().front();
+  ContactNodes contact;
+  contact.follow_sort(domain, body, 4.0);
+  contact.find(domain, body, spec.structures.front());
+  contact.take_trial(domain, dt);
+  std::vector<ContactPoint> points(contact.nodes().begin(), contact.nodes().end());
+  solve_contact(1e30, 1e30, {}, points); // held fast
+  double lift = 0.0, aside = 0.0, friction = 0.0, pressed = 0.0;
+  for (const ContactPoint& p : points) {
+    lift += p.normal_impulse / dt * p.normal.y;
+    aside += p.normal_impulse / dt * p.normal.x;
+    friction += std::abs(p.tangential_impulse) / dt;
+    pressed += p.normal_impulse / dt;
+  }
+  const double area = 0.25 * std::numbers::pi * diameter * diameter;
+  const RigidLoad at_rest = body.load(gravity, WaterAtRest{0.0, water * gravity});
+  EXPECT_NEAR(at_rest.force.y + 300.0 * area * gravity, 192.6e3, 0.001 * 192.6e3); // water alone
+  const double total = lift + at_rest.force.y;
+  EXPECT_NEAR(total + 300.0 * area * gravity, 371.6e3, 0.02 * 371.6e3);
+  EXPECT_NEAR(total, 313.8e3, 0.02 * 313.8e3);
+  RecordProperty("lift_over_heavy_fluid", std::to_string((total + 300.0 * area * gravity) / 371.6e3));
+  EXPECT_LT(std::abs(aside), 0.02 * lift);
+  EXPECT_LT(friction, 0.01 * 0.4 * pressed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, TunnelInLiquefiedSoil,
+                         testing::Values(Tunnel{0.5, 0.0}, Tunnel{0.5, 0.13}, Tunnel{0.25, 0.0},
+                                         Tunnel{0.25, 0.13}));
+
+class WetGround : public testing::TestWithParam<materials::Drainage> {};
+
+TEST_P(WetGround, BearsABlockByEffectiveStressAlone) {
+  Spec spec = wet_ground(12.0, 5.0, 0.5, GetParam(), 2e7);
+  spec.water->fluid.bulk_modulus = 2e8;
+  spec.structures = {structure(rectangle(-1.5, -1.0, 1.5, 2.0), 2000.0, 0.4)};
+  StandingScene scene(spec);
+  scene.run(0.5);
+  const BodyForces forces = scene.domain.contact.forces(0);
+  const double weight = 9.0 * 2000.0 * gravity - 3.0 * water * gravity; // less that of the water in its place
+  EXPECT_NEAR(-forces.weight.force.y, weight, 1e-9 * weight);
+  EXPECT_NEAR(forces.normal.force.y + forces.friction.force.y, weight, 1e-6 * weight);
+  EXPECT_NEAR(forces.water.force.y, 0.0, 1e-6 * weight);
+  EXPECT_NEAR(scene.body().centre().y, scene.body().start().y, 1e-8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Soils, WetGround,
+                         testing::Values(materials::Drainage::drained, materials::Drainage::undrained,
+                                         materials::Drainage::coupled));
+
+class FloatingBlock : public testing::TestWithParam<materials::Drainage> {};
+
+TEST_P(FloatingBlock, ComesToRestAtItsDraught) {
+  constexpr double height = 2.0, density = 1000.0, h = 0.5;
+  Spec spec = wet_ground(12.0, 5.0, h, GetParam(), 5e6);
+  materials::MohrCoulomb sand; // that bears no tension
+  sand.elastic = {saturated, 5e6, 0.3};
+  sand.friction_peak = sand.friction_residual = 0.5;
+  spec.soils.front().law = sand;
+  spec.water->fluid.bulk_modulus = 2e7; // stiff beside what floats, and cheap
+  spec.soils.front().damping_time = 5e-4;
+  // Faces would go on pressing with what they held at rest, and give way.
+  spec.sides = Sides::periodic;
+  spec.below_base = materials::Elasticity{2600.0, 1e13, 0.2};
+  spec.structures = {structure(rectangle(-1.5, -1.5, 1.5, height - 1.5), density, 0.4)};
+  StandingScene scene(spec);
+  liquefy(scene.domain);
+  scene.run(3.0);
+  double top = -1e9; // of the soil beside the block
+  for (const Particles& p : scene.domain.sets)
+    for (std::size_t k = 0; k < p.size(); ++k)
+      if (std::abs(p.x[k]) > 4.0)
+        top = std::max(top, p.y[k] + p.half_size);
+  const double draught = top - (scene.body().centre().y - 0.5 * height);
+  EXPECT_NEAR(draught, height * density / saturated, 0.25 * h);
+  EXPECT_LT(std::abs(scene.body().motion().velocity.y), 0.01);
+  EXPECT_LT(std::abs(scene.body().tilt()), 1e-3);
+  const BodyForces forces = scene.domain.contact.forces(0);
+  EXPECT_LT(std::abs(forces.friction.force.y), 0.02 * std::abs(forces.water.force.y));
+  RecordProperty("draught", std::to_string(draught));
+}
+
+INSTANTIATE_TEST_SUITE_P(Soils, FloatingBlock,
+                         testing::Values(materials::Drainage::undrained, materials::Drainage::coupled));
+
+} // namespace
+} // namespace tremolo::mpm_domain
