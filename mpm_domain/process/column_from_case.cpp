@@ -147,7 +147,8 @@ PeriodicColumnSpec periodic_column_spec(const scene::Case& scene, const scene::S
                     scene.file.string()));
   const Spec spec = column_spec(scene, source);
   const auto input = freefield::incident_input(scene, source, x_line, spec.box.y_min);
-  return {spec, scene.halfspace, incident_wave(scene.halfspace, input.velocity), input.begin, scene.time.dt};
+  auto incident = incident_wave(scene.halfspace, input.velocity);
+  return {spec, scene.halfspace, std::move(incident), input.begin, scene.time.dt};
 }
 
 std::unique_ptr<freefield::Column> column_from_case(const scene::Case& scene,

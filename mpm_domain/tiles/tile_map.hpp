@@ -13,7 +13,7 @@ namespace tremolo::mpm_domain {
 
 inline constexpr int tile_columns = 32;
 inline constexpr int tile_rows = 8;
-inline constexpr std::size_t cells_per_tile = static_cast<std::size_t>(tile_columns * tile_rows);
+inline constexpr std::size_t cells_per_tile = std::size_t{tile_columns} * tile_rows;
 
 /// A block of `columns` by `rows` nodes whose first node is (column, row). It may reach beyond the lattice.
 struct NodeBlock {
@@ -75,6 +75,6 @@ private:
 /// Every window has the same size, also at the edge of a lattice.
 inline constexpr int window_columns = tile_columns + 5;
 inline constexpr int window_rows = tile_rows + 5;
-inline constexpr std::size_t window_nodes = static_cast<std::size_t>(window_columns * window_rows);
+inline constexpr std::size_t window_nodes = std::size_t{window_columns} * window_rows;
 
 } // namespace tremolo::mpm_domain
