@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <ranges>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -90,7 +89,7 @@ scene::Side side_from(const std::string& text) {
 void require_same_free_field(const results::ExchangeReader& exchange, const scene::Case& scene,
                              const scene::SourceProcess& source, const std::string& side,
                              const std::string& file) {
-  constexpr std::ptrdiff_t most_shown = 5;
+  constexpr std::size_t most_shown = 5;
   std::vector<std::string> differences;
   for (const scene::Served& served : source.serves)
     for (auto& difference : coupler::free_field_differences(exchange.description().case_values,
@@ -100,10 +99,10 @@ void require_same_free_field(const results::ExchangeReader& exchange, const scen
   if (differences.empty())
     return;
   std::string text = fmt::format("{}: the free field of its case is not that of this case", file);
-  for (const auto& difference : differences | std::views::take(most_shown))
+  for (const auto& difference : std::span(differences).first(std::min(differences.size(), most_shown)))
     text += "\n    " + difference;
-  if (std::ssize(differences) > most_shown)
-    text += fmt::format("\n    and {} more", std::ssize(differences) - most_shown);
+  if (differences.size() > most_shown)
+    text += fmt::format("\n    and {} more", differences.size() - most_shown);
   throw std::invalid_argument(text);
 }
 

@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <iterator>
 #include <stdexcept>
+#include <vector>
 
 namespace tremolo::mpm_domain {
 
@@ -114,6 +115,14 @@ void fill_leaf(const Spec& spec, int level, const Box& leaf, const Add& add) {
     }
 }
 
+template <typename Owner>
+std::vector<std::vector<Vector>> polygons_of(const std::vector<Owner>& owners,
+                                             std::vector<Vector> Owner::*polygon) {
+  std::vector<std::vector<Vector>> polygons;
+  std::ranges::transform(owners, std::back_inserter(polygons), polygon);
+  return polygons;
+}
+
 } // namespace
 
 std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
@@ -123,8 +132,8 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
 
   std::vector<Particles> sets = empty_sets(spec, tree ? tree->finest() : 0);
   const std::vector<Kind> kinds = kinds_of(spec);
-  const auto regions = std::views::transform(spec.regions, &Region::polygon);
-  const auto structures = std::views::transform(spec.structures, &Structure::outline);
+  const auto regions = polygons_of(spec.regions, &Region::polygon);
+  const auto structures = polygons_of(spec.structures, &Structure::outline);
   const auto add = [&](int level, double x, double y) {
     const Plot plot = plot_of(regions, structures, x, y, particle_size(spec, level));
     if (plot.area == 0.0)

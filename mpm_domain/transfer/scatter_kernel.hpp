@@ -280,7 +280,7 @@ void add_across_tile(AcrossTile& tile, SumRange fields, const AddTo& add_to) {
   for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k)
     for (const FourWeights& w : tile.weights.of(k))
       add_to(k, w, [&](std::size_t sum, const Lanes& values) {
-        double* to = &tile.sums[sum * field + 4 * w.place];
+        double* to = &tile.sums[sum * field + std::size_t{4} * w.place];
         store(to, load(to) + values);
       });
 }

@@ -112,6 +112,17 @@ bool in_region(const Case& scene, Point at) {
                              [at](const Region& region) { return contains(region.polygon, at); });
 }
 
+/// Middles of the squares that fill [begin, end] side by side, from the square that holds `low` on, below
+/// `high`.
+std::vector<double> middles(double low, double high, double begin, double end, double spacing) {
+  std::vector<double> list;
+  const double before = std::floor((std::max(low, begin) - begin) / spacing);
+  const auto middle = [&] { return begin + (before + static_cast<double>(list.size()) + 0.5) * spacing; };
+  while (middle() < std::min(high, end))
+    list.push_back(middle());
+  return list;
+}
+
 /// Particles of a uniform mesh for which structures leave no room.
 double squares_taken(const Case& scene, double spacing) {
   const std::vector<Polygon> all = outlines(scene);
@@ -120,11 +131,9 @@ double squares_taken(const Case& scene, double spacing) {
   double count = 0.0;
   for (const Polygon& outline : all) {
     const Box part = box_of(outline);
-    const double first_x = std::floor((std::max(part.x_min, box.x_min) - box.x_min) / spacing);
-    const double first_y = std::floor((std::max(part.y_min, box.y_min) - box.y_min) / spacing);
-    for (double y = box.y_min + (first_y + 0.5) * spacing; y < std::min(part.y_max, box.y_max); y += spacing)
-      for (double x = box.x_min + (first_x + 0.5) * spacing; x < std::min(part.x_max, box.x_max);
-           x += spacing)
+    const auto rows = middles(part.y_min, part.y_max, box.y_min, box.y_max, spacing);
+    for (const double x : middles(part.x_min, part.x_max, box.x_min, box.x_max, spacing))
+      for (const double y : rows)
         // Two structures may share a square; that in which its middle lies counts it.
         if (contains(outline, {x, y}) && mpm_domain::plot_of(regions, all, x, y, spacing).area == 0.0 &&
             in_region(scene, {x, y}))

@@ -134,7 +134,7 @@ LongField::LongField(const LayeredField& field, std::span<const Point> points, c
     : field_(field), times_(times), part_(part), pieces_{times} {
   if (times.count <= most_steps_at_once)
     return;
-  const Signal motion = field.signal();
+  const Signal& motion = field.signal();
   corner_ = motion.highest_frequency / slow_ratio;
   Signal pulse = gaussian(motion.highest_frequency);
   if (field.has_tails(part))
