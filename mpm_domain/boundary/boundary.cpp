@@ -331,7 +331,7 @@ void Boundary::correct_dashpots(Domain& domain, const Ticks& ticks, const ClockN
 void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
   const int first_due = ticks.first_due();
   const Grid& grid = domain.grid;
-  if (domain.has_water()) {
+  if (domain.has_pore_pressure()) {
     v_kicked_.resize(faces_.size());
     for (std::size_t f = 0; f < faces_.size(); ++f)
       v_kicked_[f] = velocity_after_at(grid, weights_[f]);

@@ -100,9 +100,7 @@ public:
 
   Response response() const {
     Response r;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        r[static_cast<std::size_t>(3 * i + j)] = inverse_(i, j);
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.data()) = inverse_;
     return r;
   }
 

@@ -9,9 +9,8 @@ namespace {
 
 /// Where a coordinate that goes from a to b, in cells, crosses lines of the lattice, as shares of the way.
 void add_crossings(double a, double b, std::vector<double>& shares) {
-  const double low = std::min(a, b);
-  const double high = std::max(a, b);
-  for (double line = std::floor(low) + 1.0; line < high; line += 1.0)
+  const auto first = static_cast<int>(std::floor(std::min(a, b))) + 1;
+  for (int line = first; line < std::max(a, b); ++line)
     shares.push_back((line - a) / (b - a));
 }
 
