@@ -1,4 +1,4 @@
-"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | failure RUN ... | column OUT.h5 | soiltest OUT.h5
+"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | failure RUN ... | column OUT.h5 | soiltest OUT.h5
 | verify-picture PATH | motion-picture FOLDER OUT."""
 
 import argparse
@@ -74,6 +74,12 @@ def compare(arguments):
         yield maps.pore_pressure_ratio(runs, times, folder, "compare_pore_pressure_ratio.png")
 
 
+def report(arguments):
+    from tremolo.report import page
+
+    yield page.write(arguments.runs, arguments.out)
+
+
 def failure_times(arguments):
     """Yields a line a run: when its slope failed."""
     for path in arguments.runs:
@@ -132,6 +138,9 @@ def _parser():
     pair.add_argument("run")
     pair.add_argument("other")
     add_picture_options(pair)
+    told = add("report", report, "One HTML file of a run, or of several side by side: frames that play, charts that zoom.")
+    told.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5")
+    told.add_argument("--out", metavar="FILE", help="the page (default: report.html beside the run; of several, comparison.html beside the first)")
     failed = add("failure", failure_times, "When a shear band first connects the toe of a slope with its crest.")
     failed.add_argument("runs", nargs="+", metavar="RUN")
     failed.add_argument("--strain", type=float, default=0.1, help="equivalent plastic strain of the band (default 0.1)")

@@ -143,6 +143,12 @@ class Run:
         with self._reading("the case"):
             return _text(self._file["case"][()])
 
+    @property
+    def plan(self):
+        """The plan of effects in words, as `tremolo explain` tells it; empty where the run holds none."""
+        with self._reading("the plan"):
+            return _text(self._file["plan"][()]) if "plan" in self._file else ""
+
     def frame(self, index):
         """Fields of one frame: name -> array [particles] or [particles, components]."""
         with self._reading(f"frame {index}"):
