@@ -1,11 +1,12 @@
-"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | failure RUN ... | column OUT.h5 | soiltest OUT.h5
-| verify-picture PATH | motion-picture FOLDER OUT."""
+"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | failure RUN ... | column OUT.h5
+| soiltest OUT.h5 | verify-picture PATH | motion-picture FOLDER OUT."""
 
 import argparse
 import sys
 from pathlib import Path
 
 from tremolo import bodies, column, comparison, cost, failure, fronts, histories, maps, motion, pore_pressure, preview, soil_record, soiltest, swap, timeline, verification
+from tremolo.report import page
 from tremolo.run import Run
 
 
@@ -75,8 +76,6 @@ def compare(arguments):
 
 
 def report(arguments):
-    from tremolo.report import page
-
     yield page.write(arguments.runs, arguments.out)
 
 

@@ -13,6 +13,7 @@ from tremolo.report import spectra
 from tremolo.response_spectrum import response_spectrum
 
 MOST_POINTS = 1500
+TICKS = [0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20]  # s or Hz
 DASHES = ["solid", "dash", "dot", "dashdot", "longdash", "longdashdot"]
 DIRECTIONS = (("x", "horizontal"), ("y", "vertical"))
 QUANTITIES = (("a", "acceleration (m/s²)"), ("v", "velocity (m/s)"), ("u", "displacement (m)"))
@@ -97,7 +98,7 @@ def history(runs, titles, name):
 
 
 def _logarithmic(figure, x, y, values):
-    figure.update_xaxes(type="log", title_text=x, range=[float(np.log10(values[0])), float(np.log10(values[-1]))])
+    figure.update_xaxes(type="log", title_text=x, range=[float(np.log10(values[0])), float(np.log10(values[-1]))], tickvals=TICKS)
     figure.update_yaxes(title_text=y, rangemode="tozero")
     figure.update_layout(height=400)
 
@@ -224,9 +225,10 @@ def activities(run, key):
         return None
     lines = timeline.timelines(run)
     colours = timeline.activity_colours(lines)
-    figure = make_subplots(len(lines), 1, shared_xaxes=True, vertical_spacing=0.06, subplot_titles=list(lines))
+    figure = make_subplots(len(lines), 1, shared_xaxes=True, vertical_spacing=0.06)
     shown = set()
-    for row, line in enumerate(lines.values(), 1):
+    for row, (name, line) in enumerate(lines.items(), 1):
+        figure.update_yaxes(range=[0, 100], title_text=f"{name} (%)", row=row)
         for activity, colour in colours.items():
             seconds = line.activities.get(activity)
             if seconds is None:
@@ -238,7 +240,6 @@ def activities(run, key):
                 row=row, col=1,
             )
             shown.add(activity)
-    figure.update_yaxes(range=[0, 100], title_text="share (%)")
     figure.update_xaxes(title_text="wall time (s)", row=len(lines))
     figure.update_layout(barmode="stack", bargap=0, height=120 + 130 * len(lines))
     return Chart(f"activities-{key}", "Who did what when", "Share of computing, mapping and waiting of each process over wall time", figure)

@@ -50,28 +50,40 @@ def model(run):
     return Table(["what", "value"], rows, "The model")
 
 
+def _bytes(number):
+    return f"{number / 1e6:,.3g} MB"
+
+
 def plan(run):
-    """The plan of effects as (heading, table of effects or None, text) a section; nothing where the run holds none."""
-    sections = []
-    for line in run.plan.splitlines():
-        if line and not line[0].isspace():
-            sections.append((line.strip(), []))
-        elif line.strip() and sections:
-            sections[-1][1].append(line)
-    told = []
-    for heading, lines in sections:
-        if heading == "Effects":
-            told.append((heading, Table(["", "effect", "why"], [_effect(line) for line in lines]), ""))
-        else:
-            told.append((heading, None, "\n".join(lines)))
-    return told
-
-
-def _effect(line):
-    """'  on  gravity    [[stage]] gravity' in three parts."""
-    state, rest = line.split(maxsplit=1)
-    name, _, why = rest.partition("  ")
-    return [state, name, why.strip()]
+    """The plan of effects as tables; nothing where the run holds none."""
+    content = run.plan
+    if not content:
+        return []
+    effects = [["on" if effect["on"] else "off", effect["name"], effect["why"]] for effect in content["effects"]]
+    served = [
+        [source["name"], source["program"], source["model"], ", ".join(f"{side} ({what})" for side, what in source["serves"].items())]
+        for source in content["sources"]
+    ]
+    levels = [
+        [f"{level['cell_size_m']:g}", f"{level['particle_size_m']:g}", f"{level['cells']:,.0f}", f"{level['particles']:,.0f}",
+         f"{level['dt_s']:.4g}", f"{level['critical_dt_s']:.4g}"]
+        for level in content["levels"]
+    ]
+    size = [
+        ["time steps", f"{content['steps']:,.0f} of {content['dt_s']:.4g} s"],
+        ["arrays in the domain", _bytes(content["memory_bytes"])],
+        ["results, at most", _bytes(content["output_bytes"])],
+        ["time on one thread, of the order of magnitude", f"{content['estimated_time_s']:.3g} s"],
+    ]
+    tables = [
+        Table(["", "effect", "why"], effects, "Effects"),
+        Table(["source", "program", "model", "serves"], served, f"Free fields; base: {content['base']}" if content.get("base") else "Free fields"),
+        Table(["cell size (m)", "particle size (m)", "cells", "particles", "time step (s)", "critical time step (s)"], levels, "Levels of the mesh"),
+        Table(["what", "value"], size, "Size"),
+    ]
+    if content.get("notes"):
+        tables.append(Table(["", "remark"], [[str(i), note] for i, note in enumerate(content["notes"], 1)], "Remarks"))
+    return tables
 
 
 def _duration(acceleration, dt):
@@ -155,8 +167,8 @@ def origin(run):
 
 
 def warnings(run):
-    """What the plan warns of, and the processes in their logs beside the run."""
-    found = [line.strip() for line in run.plan.splitlines() if "warning: " in line]
+    """What the processes warn of in their logs beside the run."""
+    found = []
     for log in sorted((run.path.parent / "log").glob("*.log")):
         lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
         found += [f"{log.stem}: {line.strip()}" for line in lines if "warning: " in line]

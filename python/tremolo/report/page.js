@@ -18,7 +18,8 @@
   const axes = (layout) => Object.keys(layout).filter((key) => /^[xy]axis\d*$/.test(key));
 
   function themed(layout) {
-    const look = { "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)", "font.color": colour("--text") };
+    const look = { "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)", "font.color": colour("--text"),
+      "modebar.color": colour("--soft"), "hoverlabel.bgcolor": colour("--card"), "hoverlabel.font.color": colour("--text") };
     for (const axis of axes(layout)) {
       look[`${axis}.gridcolor`] = colour("--grid");
       look[`${axis}.linecolor`] = colour("--soft");
@@ -35,6 +36,7 @@
     full.hovermode = layout.hovermode ?? "x unified";
     full.hoverlabel = { bgcolor: colour("--card"), font: { color: colour("--text") } };
     full.autosize = true;
+    full.modebar = { bgcolor: "rgba(0,0,0,0)", color: colour("--soft"), activecolor: colour("--text") };
     for (const axis of axes(full))
       full[axis] = { showline: true, ticks: "outside", automargin: true, ...full[axis] };
     full.paper_bgcolor = full.plot_bgcolor = "rgba(0,0,0,0)";
@@ -43,7 +45,8 @@
     return full;
   }
 
-  const settings = { responsive: true, displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
+  // On a narrow page its buttons would hide the legend; drag, wheel and keys do what they do.
+  const settings = { responsive: true, displaylogo: false, displayModeBar: innerWidth < 700 ? false : "hover", modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
 
   async function draw(element, data, layout, more = {}) {
     await Plotly.react(element, data, prepared(layout), { ...settings, ...more });
@@ -84,6 +87,24 @@
       source: panel.images[frame], xref: "x", yref: "y", x: xmin, y: ymax, sizex: xmax - xmin, sizey: ymax - ymin,
       sizing: "stretch", layer: "below",
     });
+    function colourBar(panel, text) {
+      const bar = document.createElement("div");
+      const strip = document.createElement("div");
+      const ticks = document.createElement("div");
+      bar.className = "bar";
+      strip.className = "strip";
+      strip.style.background = `linear-gradient(to right, ${panel.scale.map((step) => step[1]).join(",")})`;
+      ticks.className = "ticks";
+      ticks.append(...[0, 0.25, 0.5, 0.75, 1].map((part) => {
+        const tick = document.createElement("span");
+        tick.textContent = String(Number((panel.low + part * (panel.high - panel.low)).toPrecision(3)));
+        return tick;
+      }));
+      bar.setAttribute("role", "img");
+      bar.setAttribute("aria-label", `Colours of ${text} from ${panel.low} to ${panel.high}`);
+      bar.append(strip, ticks);
+      return bar;
+    }
     const told = () => `t = ${times[frame].toFixed(2)} s`;
     const words = (panel) => `${fields[field].label} of ${panel.title} at ${times[frame].toFixed(2)} s, from ${panel.low} to ${panel.high} ${fields[field].unit}`;
 
@@ -104,18 +125,16 @@
         chart.className = "chart frame";
         chart.tabIndex = 0;
         chart.setAttribute("role", "img");
-        figure.append(caption, chart);
+        figure.append(caption, colourBar(panel, `${label} (${unit})`), chart);
         return figure;
       }));
       for (const [i, panel] of fields[field].panels.entries()) {
         const chart = panels.children[i].lastChild;
-        const height = Math.min(0.9 * chart.clientWidth * (ymax - ymin) / (xmax - xmin), 0.75 * innerHeight) + 150;
-        const bar = { orientation: "h", x: 0.5, y: 1.02, yanchor: "bottom", thickness: 12, len: 0.9, ticks: "outside", outlinewidth: 0,
-          title: { text: `${label} (${unit})`, side: "top" } };
-        const scale = { type: "scatter", mode: "markers", x: [null], y: [null], showlegend: false, hoverinfo: "skip",
-          marker: { color: [panel.low], cmin: panel.low, cmax: panel.high, colorscale: panel.scale, showscale: true, colorbar: bar } };
+        const height = Math.min(0.9 * chart.clientWidth * (ymax - ymin) / (xmax - xmin), 0.75 * innerHeight) + 90;
+        // Axes without a trace are not drawn.
+        const scale = { type: "scatter", mode: "markers", x: [null], y: [null], showlegend: false, hoverinfo: "skip" };
         await draw(chart, [scale], {
-          height, hovermode: false, dragmode: "zoom", images: [image(panel)], margin: { t: 78 },
+          height, hovermode: false, dragmode: "zoom", images: [image(panel)],
           xaxis: { title: { text: "x (m)" }, range: [xmin, xmax], showgrid: false, zeroline: false, constrain: "domain" },
           yaxis: { title: { text: "y (m)" }, range: [ymin, ymax], showgrid: false, zeroline: false, scaleanchor: "x", constrain: "domain" },
         }, { scrollZoom: true });
@@ -203,7 +222,8 @@
               name: content.ratios.length > 1 ? `${name}, ${run.title}` : name,
               line: { width: 1.3, dash: run.dash, color: colours[names.indexOf(name) % colours.length] } });
       }
-      return draw(byId("ratio"), data, { height: 400, xaxis: { type: "log", title: { text: "frequency (Hz)" } },
+      return draw(byId("ratio"), data, { height: 400, 
+        xaxis: { type: "log", title: { text: "frequency (Hz)" }, tickvals: [0.1, 0.2, 0.5, 1, 2, 5, 10, 20] },
         yaxis: { title: { text: `amplitude over that of ${reference.value} (1)` }, rangemode: "tozero" } });
     };
     reference.addEventListener("change", show);

@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 from tremolo import preview
-from tremolo.report import facts, kinds
+from tremolo.report import facts, frames, kinds
 from tremolo.run import Run
 
 HERE = Path(__file__).parent
@@ -37,7 +37,7 @@ def _model_picture(run):
 
 def _charts(runs, titles):
     """Charts by section."""
-    from tremolo.report import charts
+    from tremolo.report import charts  # needs Plotly, which write() asks for first
 
     names = charts.monitors(runs)
     structures = list(dict.fromkeys(name for run in runs for name in run.bodies if len(run.body(name)) > 1))
@@ -96,8 +96,6 @@ def write(paths, out=None):
     Raises ValueError for what is not a run, for a run without frames, and where Jinja2 or Plotly is missing.
     """
     jinja2, offline = _libraries()
-    from tremolo.report import frames
-
     for path in paths:
         kinds.require_run(path)
     runs = [Run(path) for path in paths]
