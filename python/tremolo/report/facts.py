@@ -60,14 +60,15 @@ def plan(run):
     if not content:
         return []
     effects = [["on" if effect["on"] else "off", effect["name"], effect["why"]] for effect in content["effects"]]
+    free_fields = f"Free fields; base: {content['base']}" if content.get("base") else "Free fields"
     served = [
         [source["name"], source["program"], source["model"], ", ".join(f"{side} ({what})" for side, what in source["serves"].items())]
-        for source in content["sources"]
+        for source in content.get("sources", [])
     ]
     levels = [
         [f"{level['cell_size_m']:g}", f"{level['particle_size_m']:g}", f"{level['cells']:,.0f}", f"{level['particles']:,.0f}",
          f"{level['dt_s']:.4g}", f"{level['critical_dt_s']:.4g}"]
-        for level in content["levels"]
+        for level in content.get("levels", [])
     ]
     size = [
         ["time steps", f"{content['steps']:,.0f} of {content['dt_s']:.4g} s"],
@@ -77,8 +78,9 @@ def plan(run):
     ]
     tables = [
         Table(["", "effect", "why"], effects, "Effects"),
-        Table(["source", "program", "model", "serves"], served, f"Free fields; base: {content['base']}" if content.get("base") else "Free fields"),
-        Table(["cell size (m)", "particle size (m)", "cells", "particles", "time step (s)", "critical time step (s)"], levels, "Levels of the mesh"),
+        Table(["source", "program", "model", "serves"], served, free_fields),
+        Table(["cell size (m)", "particle size (m)", "cells", "particles", "time step (s)", "critical time step (s)"], levels,
+              "Levels of the mesh"),
         Table(["what", "value"], size, "Size"),
     ]
     if content.get("notes"):

@@ -18,7 +18,8 @@ def _libraries():
         import jinja2
         import plotly.offline
     except ImportError as error:
-        raise ValueError(f"a report needs the Debian packages python3-jinja2 and python3-plotly (scripts/setup.sh installs them): {error}") from error
+        packages = "the Debian packages python3-jinja2 and python3-plotly (scripts/setup.sh installs them)"
+        raise ValueError(f"a report needs {packages}: {error}") from error
     return jinja2, plotly.offline
 
 

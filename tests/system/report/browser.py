@@ -14,9 +14,9 @@ if not MISSING and not (shutil.which("chromium") and shutil.which("chromedriver"
 
 
 class Browser:
-    """Opens one page at a width in pixels; dark or light."""
+    """Opens pages, one after the other."""
 
-    def __init__(self, page, width=1400, height=900, dark=False):
+    def __init__(self):
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")
         for argument in ("headless=new", "no-sandbox", "disable-gpu", "disable-dev-shm-usage", "host-resolver-rules=MAP * ~NOTFOUND"):
@@ -24,23 +24,22 @@ class Browser:
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
         self.driver.set_page_load_timeout(50)
+
+    def close(self):
+        self.driver.quit()
+
+    def open(self, page, width=1400, height=900, scheme="light"):
+        """Until its charts are drawn, or it says why not. Width and height are in pixels."""
         # A window has a least width; a telephone is narrower.
         self.command("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
-        self.scheme("dark" if dark else "light")
+        # Without smooth scrolling: what is clicked stays where it was found.
+        features = {"prefers-color-scheme": scheme, "prefers-reduced-motion": "reduce"}
+        self.command("Emulation.setEmulatedMedia", features=[{"name": name, "value": value} for name, value in features.items()])
         self.driver.get(page.resolve().as_uri())
         self.wait("return document.documentElement.dataset.ready === 'yes' || !document.getElementById('trouble').hidden")
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.driver.quit()
-
     def command(self, name, **parameters):
         return self.driver.execute_cdp_cmd(name, parameters)
-
-    def scheme(self, name):
-        self.command("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": name}])
 
     def run(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)
@@ -52,6 +51,12 @@ class Browser:
     def find(self, selector):
         return self.driver.find_element("css selector", selector)
 
+    def show(self, selector):
+        """The element, in the middle of the window."""
+        element = self.find(selector)
+        self.run("arguments[0].scrollIntoView({ block: 'center', behavior: 'instant' })", element)
+        return element
+
     def complaints(self):
-        """What the console says of warnings and errors."""
+        """Warnings and errors in the console since the last call."""
         return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] in ("WARNING", "SEVERE")]

@@ -114,6 +114,15 @@ class Refused(unittest.TestCase):
         kinds.require_run(path)
 
 
+    def test_without_its_libraries_it_says_which_packages_bring_them(self):
+        path = self.folder / "run.h5"
+        synthetic_run.write(path, size=2.0, frames=2)
+        with mock.patch.dict("sys.modules", {"jinja2": None}):
+            status, error = refusal("report", path)
+        self.assertEqual(1, status)
+        self.assertIn("needs the Debian packages python3-jinja2 and python3-plotly", error)
+
+
 class Measures(unittest.TestCase):
     def test_arias_intensity_and_duration_of_a_steady_motion(self):
         # a = 2 m/s2 for 10 s: pi/(2 g) a^2 T, and 90 % of it in 9 s.
@@ -140,6 +149,26 @@ class Lines(unittest.TestCase):
         self.assertTrue({0, 777, 12345, 20000} <= set(chosen.tolist()))
         self.assertTrue(np.all(np.diff(chosen) > 0))
         np.testing.assert_array_equal(np.arange(900), charts.kept(values[:900]))
+
+
+@unittest.skipIf(charts is None, "python3-plotly is missing (scripts/setup.sh installs it)")
+class OfARunThatIsNotComplete(unittest.TestCase):
+    def test_has_what_there_is(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "run.h5"
+            synthetic_run.write(path, size=2.0, frames=5, water=True, structures=True)
+            with h5py.File(path, "a") as file:
+                file.attrs["status"] = np.bytes_("aborted: <b>killed</b> & gone")
+                for name in ("energy", "timings", "processes", "timeline", "plan"):
+                    file.pop(name, None)
+            self.assertEqual((0, ""), refusal("report", path))
+            text = (Path(folder) / "report.html").read_text(encoding="utf-8")
+        # What a run says of itself is text, never markup.
+        self.assertIn("run aborted: &lt;b&gt;killed&lt;/b&gt; &amp; gone", text)
+        self.assertIn("Told when a run has ended well.", text)
+        for section in ("frames", "monitors", "structures", "water"):
+            self.assertIn(f'<section id="{section}">', text)
+        self.assertNotIn('<section id="energy">', text)
 
 
 if __name__ == "__main__":
