@@ -80,7 +80,7 @@ const Spec& checked(const Spec& spec) {
   return spec;
 }
 
-/// Those of the rows whose tied nodes are one other node, a period away.
+/// The rows among these whose tied nodes are one other node, a period away.
 std::vector<std::size_t> rows_of_images(const Prolongation& ties, std::span<const std::size_t> of) {
   std::vector<std::size_t> rows;
   for (const std::size_t row : of)

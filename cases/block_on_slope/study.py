@@ -5,7 +5,6 @@ slide.png.
     cases/block_on_slope/study.py [TREMOLO]      default: build/release/bin/tremolo; results go to runs/block_on_slope
 """
 
-import subprocess
 import sys
 from pathlib import Path
 
@@ -14,25 +13,13 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 
-from tremolo import Run, style
+from tremolo import style
+from tremolo.variants import run_variant
 
 CASE = Path(__file__).resolve().parent / "case.toml"
 ANGLE = np.radians(20.0)
 SHARES = [0.0, 0.25, 0.5, 0.75, 0.95, 1.05, 1.25]  # of tan(20 degrees)
 GRAVITY = 9.81  # m/s2
-
-
-def run_with(tremolo, folder, friction):
-    text = CASE.read_text()
-    old = "friction = 0.3\n"
-    if text.count(old) != 1:
-        raise SystemExit(f"{CASE}: expected exactly one '{old.strip()}'")
-    out = folder / f"{friction:.4f}"
-    if not (out / "run.h5").exists():
-        case = folder / f"{friction:.4f}.toml"
-        case.write_text(text.replace(old, f"friction = {friction!r}\n"))
-        subprocess.run([tremolo, "run", case, "--out", out], check=True, stdout=subprocess.DEVNULL)
-    return Run(out)
 
 
 def slide(run):
@@ -55,7 +42,8 @@ def main():
     print("| friction over tan 20° | a, m/s² | g (sin − μ cos) | slid in 0.8 s, m |\n| --- | --- | --- | --- |")
     for share in SHARES:
         friction = share * float(np.tan(ANGLE))
-        with run_with(tremolo, folder, friction) as run:
+        changes = {"friction = 0.3\n": f"friction = {friction!r}\n"}
+        with run_variant(tremolo, CASE, changes, folder, f"{friction:.4f}") as run:
             a = acceleration(run)
             exact = GRAVITY * max(0.0, np.sin(ANGLE) - friction * np.cos(ANGLE))
             block = run.body("block")

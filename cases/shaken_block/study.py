@@ -5,7 +5,6 @@ Markdown table and slide.png.
     cases/shaken_block/study.py [TREMOLO]      default: build/release/bin/tremolo; results go to runs/shaken_block
 """
 
-import subprocess
 import sys
 from pathlib import Path
 
@@ -14,7 +13,8 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 
-from tremolo import Run, style
+from tremolo import style
+from tremolo.variants import run_variant
 
 CASE = Path(__file__).resolve().parent / "case.toml"
 FRICTIONS = [0.1, 0.2, 0.3, 0.8]
@@ -43,19 +43,6 @@ def newmark(time, friction):
     return np.interp(time, fine, way)
 
 
-def run_with(tremolo, folder, friction):
-    text = CASE.read_text()
-    old = "friction = 0.3\n"
-    if text.count(old) != 1:
-        raise SystemExit(f"{CASE}: expected exactly one '{old.strip()}'")
-    out = folder / f"{friction:g}"
-    if not (out / "run.h5").exists():
-        case = folder / f"{friction:g}.toml"
-        case.write_text(text.replace(old, f"friction = {friction!r}\n"))
-        subprocess.run([tremolo, "run", case, "--out", out], check=True, stdout=subprocess.DEVNULL)
-    return Run(out)
-
-
 def main():
     tremolo = sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/bin/tremolo"
     folder = Path("runs/shaken_block")
@@ -64,7 +51,8 @@ def main():
     print("| friction | most, Newmark, mm | most, mm | left, Newmark, mm | left, mm | largest difference, of the most |")
     print("| --- | --- | --- | --- | --- | --- |")
     for number, friction in enumerate(FRICTIONS):
-        with run_with(tremolo, folder, friction) as run:
+        changes = {"friction = 0.3\n": f"friction = {friction!r}\n"}
+        with run_variant(tremolo, CASE, changes, folder, f"{friction:g}") as run:
             block = run.monitor("foot")
             time = block["time"]
             # Displacement of the free field: the integral of its velocity.

@@ -24,7 +24,7 @@ struct Grid : GridShape, NodeFields {
   eq6::Vector velocity_before(std::size_t n) const { return {vx_before[n], vy_before[n]}; }
   eq6::Vector velocity_after(std::size_t n) const { return {vx_after[n], vy_after[n]}; }
   eq6::Vector acceleration(std::size_t n) const { return {ax[n], ay[n]}; }
-  /// Of grains and water together, m/s.
+  /// Velocity of grains and water together, m/s.
   eq6::Vector mixture_before(std::size_t n) const {
     return traits.flowing ? together(n, velocity_before(n), {wx_before[n], wy_before[n]})
                           : velocity_before(n);

@@ -9,7 +9,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// What is written of a body; forces are those of BodyForces.
+/// Columns of a body's history; forces are those of BodyForces.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 19> body_columns{
     {{"time", "s"},
      {"x", "m"},
@@ -31,7 +31,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> body_col
      {"weight_y", "N/m"},
      {"weight_moment", "N"}}};
 
-/// What is written of a monitor that moves with a body.
+/// Columns of a monitor that moves with a body.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> follower_columns{{{"time", "s"},
                                                                                          {"x", "m"},
                                                                                          {"y", "m"},

@@ -112,7 +112,7 @@ class Run:
         try:
             yield
         except (OSError, RuntimeError, LookupError, ValueError, TypeError, AttributeError, MemoryError) as error:
-            raise DamagedRun(f"{self.path}: cannot read {what}, the file is damaged: {error}") from error
+            raise DamagedRun(f"{self.path}: cannot read {what}, the file is damaged or is being written: {error}") from error
 
     def close(self):
         self._file.close()

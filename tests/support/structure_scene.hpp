@@ -8,7 +8,9 @@
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/quiet_ground.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,6 +50,40 @@ inline mpm_domain::Structure structure(std::vector<mpm_domain::Vector> outline, 
           .friction = {friction},
           .adhesion = {0.0},
           .friction_between = friction};
+}
+
+/// Gives the bodies places and motions, as a checkpoint does: x, y, tilt, velocities along x and y, spin.
+inline void set_bodies(mpm_domain::Domain& domain, const std::vector<std::vector<double>>& states) {
+  struct {
+    const std::vector<std::vector<double>>& states;
+    std::vector<double> numbers(const std::string& name) const {
+      for (std::size_t b = 0; b < states.size(); ++b)
+        if (name == "body" + std::to_string(b))
+          return states[b];
+      return {};
+    }
+  } const checkpoint{states};
+  domain.contact.restore(checkpoint);
+}
+
+/// How deep a corner of one body lies in the other, m.
+inline double overlap(const mpm_domain::RigidBody& a, const mpm_domain::RigidBody& b) {
+  double deepest = 0.0;
+  for (const auto& [owner, other] : {std::pair{&a, &b}, std::pair{&b, &a}})
+    for (const mpm_domain::Vector& corner : owner->outline())
+      deepest = std::max(deepest, -other->nearest(corner).distance);
+  return deepest;
+}
+
+/// Takes the effective stress of wet soil away; the excess pressure bears all of its buoyant weight. The
+/// ground surface lies at y = 0.
+inline void liquefy(mpm_domain::Domain& domain) {
+  for (mpm_domain::Particles& p : domain.sets)
+    for (std::size_t k = 0; p.traits.wet && k < p.size(); ++k) {
+      const double buoyant_weight = p.weight_share * p.density * domain.spec.gravity;
+      p.sxx[k] = p.syy[k] = p.szz[k] = p.sxy[k] = 0.0;
+      p.pore_pressure[k] = p.water->hydrostatic(p.y[k]) - buoyant_weight * p.y[k];
+    }
 }
 
 /// Flat ground of one elastic soil with its surface at y = 0.

@@ -68,7 +68,7 @@ public:
   /// Horizontal slowness, s/m: the field at x is the field at x_0 delayed by slowness_x() (x - x_0).
   double slowness_x() const { return tremolo::wavefield::slowness_x(profile_.half_space, incidence_); }
 
-  /// The same waves of a part of the incident motion.
+  /// The field that a part of the incident motion alone makes.
   /// @param velocity_scale  of the whole motion, m/s (SynthesisOptions)
   LayeredField with_signal(Signal signal, double velocity_scale) const;
   const Signal& signal() const { return signal_; }

@@ -36,8 +36,8 @@ constexpr double flank_frequency = 1.5; ///< times d
 
 /// Highest frequency of the motion over the corner of its slow part.
 constexpr double slow_ratio = 200.0;
-/// Of the slow part, a period of its highest frequency, 88 a period of its corner: there cubic interpolation
-/// errs by (2 pi/88)^4/384 = 7e-8.
+/// Samples of the slow part in a period of its highest frequency. A period of its corner has 88 of them:
+/// there cubic interpolation errs by (2 pi/88)^4/384 = 7e-8.
 constexpr double slow_samples = 40.0;
 
 constexpr Quantities served{.displacement = false, .strain = false};

@@ -1,4 +1,4 @@
-// What it costs to let liquefied ground settle, and what a permeability that is scaled up for it changes.
+// A permeability that is scaled up lets liquefied ground settle sooner: what that saves and what it changes.
 // Prints
 //
 //     factor, time, settlement, pressure, cpu

@@ -5,7 +5,6 @@
 #include "tests/support/structure_scene.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -42,15 +41,6 @@ Spec sand(double width, double depth, materials::Drainage drainage, bool wet) {
 
 double upward(const BodyForces& forces) {
   return forces.normal.force.y + forces.friction.force.y + forces.water.force.y;
-}
-
-/// Takes the effective stress away; the excess pressure bears all of the buoyant weight.
-void liquefy(Domain& domain) {
-  for (Particles& p : domain.sets)
-    for (std::size_t k = 0; p.traits.wet && k < p.size(); ++k) {
-      p.sxx[k] = p.syy[k] = p.szz[k] = p.sxy[k] = 0.0;
-      p.pore_pressure[k] = p.water->hydrostatic(p.y[k]) - p.weight_share * p.density * gravity * p.y[k];
-    }
 }
 
 /// How deep the places of particles lie in a body, at most, over half the half side.
@@ -109,14 +99,8 @@ TEST_P(HardCase29, ABlockOfAnotherDensity) {
   spec.structures = {structure(rectangle(-1.0, -0.25, 1.0, 1.0), 2000.0 * GetParam(), 0.5)};
   Domain domain(spec);
   Stepper stepper(domain, 0.0, quiet_ground());
-  struct Restart { // thrown into the soil, aslant and spinning
-    std::vector<double> state;
-    std::vector<double> numbers(const std::string& name) const {
-      return name == "body0" ? state : std::vector<double>{};
-    }
-  };
   const Vector place = domain.contact.bodies().front().centre();
-  domain.contact.restore(Restart{{place.x, place.y, 0.0, 0.5, -0.5, 0.2}});
+  set_bodies(domain, {{place.x, place.y, 0.0, 0.5, -0.5, 0.2}}); // thrown into the soil, aslant and spinning
   const RigidBody& body = domain.contact.bodies().front();
   const double given = body.kinetic_energy();
   // Impulses are booked on the mean of the velocities before and after the step, not on that of the trial
@@ -144,14 +128,8 @@ TEST(HardCase30, ACornerCutsIn) {
   spec.structures = {structure(rectangle(-1.0, 0.0, 1.0, 6.0), 800.0, 0.5)};
   StandingScene scene(spec);
   const double lean = 15.0 * std::acos(-1.0) / 180.0;
-  struct Restart { // on its left toe
-    std::vector<double> state;
-    std::vector<double> numbers(const std::string& name) const {
-      return name == "body0" ? state : std::vector<double>{};
-    }
-  };
-  scene.domain.contact.restore(Restart{{-1.0 + std::cos(lean) - 3.0 * std::sin(lean),
-                                        std::sin(lean) + 3.0 * std::cos(lean), lean, 0.0, 0.0, 0.0}});
+  set_bodies(scene.domain, {{-1.0 + std::cos(lean) - 3.0 * std::sin(lean), // on its left toe
+                             std::sin(lean) + 3.0 * std::cos(lean), lean, 0.0, 0.0, 0.0}});
   const double weight = scene.body().mass() * gravity;
   double spike = 0.0;
   double inside = 0.0;
@@ -171,32 +149,20 @@ TEST(HardCase31, TwoBuildingsCollide) {
   spec.structures = {structure(rectangle(-4.0, -0.5, -0.75, 8.0), 500.0, 0.4),
                      structure(rectangle(0.75, -0.5, 4.0, 4.0), 500.0, 0.4)};
   StandingScene scene(spec);
-  struct Restart { // the tall one topples towards the low one
-    std::array<std::vector<double>, 2> states;
-    std::vector<double> numbers(const std::string& name) const {
-      for (std::size_t b = 0; b < states.size(); ++b)
-        if (name == "body" + std::to_string(b))
-          return states[b];
-      return {};
-    }
-  };
   const Vector tall = scene.body(0).centre();
   const Vector low = scene.body(1).centre();
-  const double spin = -1.2; // about its right toe
-  scene.domain.contact.restore(
-      Restart{{{{tall.x, tall.y, 0.0, -spin * (tall.y + 0.5), spin * (tall.x + 0.75), spin},
-                {low.x, low.y, 0.0, 0.0, 0.0, 0.0}}}});
-  double overlap = 0.0;
+  const double spin = -1.2; // the tall one topples towards the low one about its right toe
+  set_bodies(scene.domain, {{tall.x, tall.y, 0.0, -spin * (tall.y + 0.5), spin * (tall.x + 0.75), spin},
+                            {low.x, low.y, 0.0, 0.0, 0.0, 0.0}});
+  double deepest_corner = 0.0;
   double met = 0.0;
   while (scene.stepper.time() < 2.0) {
     scene.stepper.step();
-    for (const auto& [one, other] : {std::pair{0, 1}, std::pair{1, 0}})
-      for (const Vector& corner : scene.body(static_cast<std::size_t>(one)).outline())
-        overlap = std::max(overlap, -scene.body(static_cast<std::size_t>(other)).nearest(corner).distance);
+    deepest_corner = std::max(deepest_corner, overlap(scene.body(0), scene.body(1)));
     met = std::max(met, std::abs(scene.body(1).motion().spin));
   }
   reaches("spin of the low building", met, 1e-3, "rad/s");
-  bounded("overlap of the buildings, in cells", overlap / h, 0.2);
+  bounded("overlap of the buildings, in cells", deepest_corner / h, 0.2);
   bounded("speed of particles", fastest(scene.domain), 5.0, "m/s");
 }
 

@@ -4,6 +4,7 @@ import time
 
 import h5py
 from tremolo import Run
+from tremolo.run import DamagedRun
 
 
 def arrays(path):
@@ -26,7 +27,7 @@ def wait_for_frames(work, count=3):
         try:
             if len(Run(work.path / "run").times) >= count:
                 return
-        except (OSError, KeyError):
-            pass
+        except (OSError, DamagedRun):
+            pass  # it is being written
         time.sleep(0.05)
     raise AssertionError("the run wrote no frames within 60 s")

@@ -20,7 +20,7 @@ double value(std::size_t step, std::size_t level, std::size_t quantity) {
   return static_cast<double>(step) + 1e-2 * static_cast<double>(level) + 1e-4 * static_cast<double>(quantity);
 }
 
-/// Of the steps of a piece.
+/// A level's history over the steps of a piece.
 History level(std::size_t number, std::size_t piece) {
   const std::size_t first = std::accumulate(pieces.begin(), pieces.begin() + piece, 0UL);
   History h;

@@ -1,4 +1,4 @@
-// What is left of particles' squares at the edges of regions and structures.
+// Particles' squares are cut at the edges of regions and structures.
 
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/spec/plot.hpp"

@@ -17,6 +17,7 @@ namespace {
 
 using test_support::circle;
 using test_support::flat_ground;
+using test_support::liquefy;
 using test_support::rectangle;
 using test_support::StandingScene;
 using test_support::structure;
@@ -33,15 +34,6 @@ Spec wet_ground(double width, double depth, double h, materials::Drainage draina
   spec.soils.front().pores = materials::PoreSpace{
       .porosity = porosity, .grain_density = grains, .permeability = 1e-4, .drainage = drainage};
   return spec;
-}
-
-/// Takes the effective stress away; the excess pressure bears all of the buoyant weight.
-void liquefy(Domain& domain) {
-  for (Particles& p : domain.sets)
-    for (std::size_t k = 0; p.traits.wet && k < p.size(); ++k) {
-      p.sxx[k] = p.syy[k] = p.szz[k] = p.sxy[k] = 0.0;
-      p.pore_pressure[k] = p.water->hydrostatic(p.y[k]) - (saturated - water) * gravity * p.y[k];
-    }
 }
 
 struct Tunnel {

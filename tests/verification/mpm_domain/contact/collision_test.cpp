@@ -5,29 +5,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tremolo::mpm_domain {
 namespace {
 
 using test_support::flat_ground;
+using test_support::overlap;
 using test_support::quiet_ground;
 using test_support::rectangle;
+using test_support::set_bodies;
 using test_support::structure;
 using test_support::turned;
-
-struct Restart {
-  std::vector<std::vector<double>> states;
-  std::vector<double> numbers(const std::string& name) const {
-    for (std::size_t b = 0; b < states.size(); ++b)
-      if (name == "body" + std::to_string(b))
-        return states[b];
-    return {};
-  }
-};
 
 struct Totals {
   double x = 0.0, y = 0.0, turn = 0.0, energy = 0.0, size = 0.0;
@@ -46,15 +36,6 @@ Totals totals(const Domain& domain) {
   return t;
 }
 
-/// How deep a corner of one body lies in the other, m.
-double overlap(const RigidBody& a, const RigidBody& b) {
-  double deepest = 0.0;
-  for (const auto& [owner, other] : {std::pair{&a, &b}, std::pair{&b, &a}})
-    for (const Vector& corner : owner->outline())
-      deepest = std::max(deepest, -other->nearest(corner).distance);
-  return deepest;
-}
-
 TEST(Collision, KeepsMomentumGainsNoEnergyAndLetsNothingOverlap) {
   for (const double friction : {0.0, 0.6})
     for (const double lean : {0.0, 0.2, 0.7}) {
@@ -65,8 +46,8 @@ TEST(Collision, KeepsMomentumGainsNoEnergyAndLetsNothingOverlap) {
       Domain domain(spec);
       Stepper stepper(domain, 0.0, quiet_ground());
       const auto place = [&](std::size_t b) { return domain.contact.bodies()[b].centre(); };
-      domain.contact.restore(Restart{
-          {{place(0).x, place(0).y, 0.0, 2.0, 0.1, 0.05}, {place(1).x, place(1).y, 0.0, -1.0, 0.0, -0.2}}});
+      set_bodies(domain, {{place(0).x, place(0).y, 0.0, 2.0, 0.1, 0.05},
+                          {place(1).x, place(1).y, 0.0, -1.0, 0.0, -0.2}});
       const Totals start = totals(domain);
       double energy = start.energy;
       double deepest = 0.0;

@@ -15,6 +15,7 @@ namespace {
 
 using test_support::flat_ground;
 using test_support::rectangle;
+using test_support::set_bodies;
 using test_support::StandingScene;
 using test_support::structure;
 
@@ -34,22 +35,13 @@ double lift(double tilt) {
   return std::cos(alpha - tilt) - std::cos(alpha);
 }
 
-/// Sets a body in motion as a checkpoint does.
-struct Restart {
-  std::vector<double> state;
-  std::vector<double> numbers(const std::string& name) const {
-    return name == "body0" ? state : std::vector<double>{};
-  }
-};
-
 TEST(RockingBlock, HasHousnersPeriodAndRestitution) {
   Spec spec = flat_ground(6.0, 1.5, 0.25, {2000.0, 2e9, 0.2});
   spec.structures = {structure(rectangle(-0.5 * width, 0.0, 0.5 * width, height), 2000.0, 1.0)};
   StandingScene scene(spec);
   // A spin about the left toe that lifts the block to half its angle of overturning.
   const double spin = std::sqrt(1.5 * gravity / radius * lift(0.5 * alpha));
-  scene.domain.contact.restore(
-      Restart{{0.0, 0.5 * height, 0.0, -spin * 0.5 * height, spin * 0.5 * width, spin}});
+  set_bodies(scene.domain, {{0.0, 0.5 * height, 0.0, -spin * 0.5 * height, spin * 0.5 * width, spin}});
   struct Peak {
     double time, tilt;
   };
