@@ -14,7 +14,7 @@ namespace {
 /// of the grid, and the next line is not to join with every tremor.
 constexpr double least_share = 0.1;
 /// Gaps, in cells: a tied node opens at the larger one, others close at the smaller.
-constexpr double opening_gap = 0.1;
+constexpr double opening_gap = 0.25;
 constexpr double closing_gap = 0.002;
 /// Particles belong to the surface of the soil if they are not farther from the body than the nearest by this
 /// share of their size.

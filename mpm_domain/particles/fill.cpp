@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -36,6 +37,34 @@ void add_particle(Particles& set, std::uint32_t id, const Plot& plot) {
     set.box_xx.back() = set.box_yy.back() = set.half_size * set.half_size;
   if (set.traits.wet)
     set.pore_pressure.back() = set.pressure_at_rest.back() = set.water->hydrostatic(y);
+}
+
+/// What soil of a square too small for a particle leaves to the nearest one of a set.
+struct Sliver {
+  Particles* set;
+  Plot plot;
+};
+
+/// The particle that takes a sliver moves to the centroid of both.
+void join(const Sliver& sliver) {
+  const auto& [set, plot] = sliver;
+  const auto [x, y, area] = plot;
+  if (set->size() == 0)
+    return add_particle(*set, 0, plot);
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < set->size(); ++k)
+    if (const double distance = std::hypot(set->x[k] - x, set->y[k] - y); distance < least) {
+      least = distance;
+      nearest = k;
+    }
+  const double share = area / (set->volume[nearest] + area);
+  for (std::vector<double>* place : {&set->x, &set->x_initial})
+    (*place)[nearest] += share * (x - (*place)[nearest]);
+  for (std::vector<double>* place : {&set->y, &set->y_initial})
+    (*place)[nearest] += share * (y - (*place)[nearest]);
+  set->volume[nearest] += area;
+  set->mass[nearest] += set->density * area;
 }
 
 /// What soil of a region becomes: particles above the water table, or below it.
@@ -134,6 +163,7 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
   const std::vector<Kind> kinds = kinds_of(spec);
   const auto regions = polygons_of(spec.regions, &Region::polygon);
   const auto structures = polygons_of(spec.structures, &Structure::outline);
+  std::vector<Sliver> slivers;
   const auto add = [&](int level, double x, double y) {
     const Plot plot = plot_of(regions, structures, x, y, particle_size(spec, level));
     if (plot.area == 0.0)
@@ -149,7 +179,10 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
     });
     Particles& set =
         sets[static_cast<std::size_t>(level) * kinds.size() + static_cast<std::size_t>(kind - kinds.begin())];
-    add_particle(set, static_cast<std::uint32_t>(set.size()), plot);
+    if (is_particle(plot, particle_size(spec, level)))
+      add_particle(set, static_cast<std::uint32_t>(set.size()), plot);
+    else
+      slivers.push_back({&set, plot});
   };
   if (tree)
     for (const mesh::Cell& leaf : tree->leaves())
@@ -158,6 +191,7 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i < columns; ++i)
         add(0, spec.box.x_min + (i + 0.5) * size, spec.box.y_min + (j + 0.5) * size);
+  std::ranges::for_each(slivers, join);
   if (std::all_of(sets.begin(), sets.end(), [](const Particles& set) { return set.size() == 0; }))
     throw std::invalid_argument("no particle lies in any region: the domain is empty");
   for (Particles& set : sets) {

@@ -15,11 +15,15 @@ namespace tremolo::mpm_domain {
 /// The part of a particle's square that is soil.
 struct Plot {
   double x, y; ///< of its centroid, m
-  double area; ///< m2; 0: too little for a particle
+  double area; ///< m2
 };
 
-/// Squares with less soil than this share carry no particle.
-inline constexpr double least_plot = 0.01;
+/// Whether the soil of a square becomes a particle. Slivers give theirs to the nearest particle: no node
+/// would feel their stress, so nothing would hold it back from growing without bounds.
+inline bool is_particle(const Plot& plot, double size) {
+  constexpr double least_share = 0.1;
+  return plot.area >= least_share * size * size;
+}
 
 /// Whether an edge of a polygon runs through a square.
 template <typename Polygon>
@@ -116,7 +120,7 @@ Plot plot_of(const Regions& regions, const Structures& structures, double x, dou
         plot.y += area * py;
       }
     }
-  if (plot.area < least_plot * size * size)
+  if (plot.area < 1e-12 * size * size)
     return {x, y, 0.0};
   if (plot.area > (1.0 - 1e-12) * size * size)
     return {x, y, size * size};

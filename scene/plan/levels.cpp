@@ -135,7 +135,8 @@ double squares_taken(const Case& scene, double spacing) {
     for (const double x : middles(part.x_min, part.x_max, box.x_min, box.x_max, spacing))
       for (const double y : rows)
         // Two structures may share a square; that in which its middle lies counts it.
-        if (contains(outline, {x, y}) && mpm_domain::plot_of(regions, all, x, y, spacing).area == 0.0 &&
+        if (contains(outline, {x, y}) &&
+            !is_particle(mpm_domain::plot_of(regions, all, x, y, spacing), spacing) &&
             in_region(scene, {x, y}))
           ++count;
   }
@@ -172,7 +173,7 @@ void for_particles(const Case& scene, const std::vector<Polygon>& structures, co
       const auto region = std::ranges::find_if(scene.regions, [&](const Region& one) {
         return contains(one.polygon, at) || contains(one.polygon, {plot.x, plot.y});
       });
-      if (region != scene.regions.end() && plot.area > 0.0)
+      if (region != scene.regions.end() && is_particle(plot, spacing))
         act(static_cast<std::size_t>(region - scene.regions.begin()));
     }
 }
