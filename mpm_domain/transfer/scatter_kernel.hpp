@@ -170,23 +170,20 @@ enum class Company {
 };
 
 /// Motion and force of one phase in a chunk.
-template <typename Phase, Motion motion, bool force, bool affine, std::size_t rows>
-[[gnu::always_inline]] inline void scatter_phase(const Particles& p, std::size_t k, std::size_t count,
-                                                 const ChunkWeights<rows>& w, double h, double gravity,
-                                                 double* window, ChunkStore& store) {
+template <Pull pull, Motion motion, bool force, bool affine, std::size_t rows>
+[[gnu::always_inline]] inline void scatter_phase(const Arrays& arrays, std::size_t count,
+                                                 const ChunkWeights<rows>& w, double h,
+                                                 const Lanes& gravity) {
   using Moving = MotionSums<motion, rows>;
-  using Pulling = ForceSums<Phase::pull, rows>;
-  const Arrays arrays = Phase::template arrays<force>(p, k, count, window, store);
+  using Pulling = ForceSums<pull, rows>;
   if constexpr (motion != Motion::none)
     stream<Moving>(w, count, arrays, [&](Moving& sums, std::size_t c, auto is_first) {
       sums.template add<affine, is_first>(arrays, w, c, h);
     });
-  if constexpr (force) {
-    const Lanes g = all(gravity);
+  if constexpr (force)
     stream<Pulling>(w, count, arrays, [&](Pulling& sums, std::size_t c, auto is_first) {
-      sums.template add<is_first>(arrays, w, c, g);
+      sums.template add<is_first>(arrays, w, c, gravity);
     });
-  }
 }
 
 /// Numbers in a chunk.
@@ -217,6 +214,7 @@ template <Company company, Motion motion, bool force, bool affine, typename Boxe
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const Boxes boxes(p, lattice, x_axis);
+  const Lanes g = all(p.weight_share * gravity);
   ChunkWeights<rows> w;
   FirstRows seen;
   ChunkStore store;
@@ -226,10 +224,12 @@ template <Company company, Motion motion, bool force, bool affine, typename Boxe
       take_weights<force, motion != Motion::none && affine>(p, k + c, c, group, nodes, x_axis, y_axis, boxes,
                                                             w, seen);
     });
-    scatter_phase<SoilPhase, motion, force, affine>(p, k, count, w, lattice.h, p.weight_share * gravity,
-                                                    window, store);
-    if constexpr (company == Company::flow)
-      scatter_phase<WaterPhase, motion, force, affine>(p, k, count, w, lattice.h, 0.0, window, store);
+    const Arrays soil = SoilPhase::arrays<force>(p, k, count, window, store);
+    scatter_phase<SoilPhase::pull, motion, force, affine>(soil, count, w, lattice.h, g);
+    if constexpr (company == Company::flow) {
+      const Arrays water = WaterPhase::arrays<force>(p, k, count, window, store);
+      scatter_phase<WaterPhase::pull, motion, force, affine>(water, count, w, lattice.h, g);
+    }
     if constexpr (force && company == Company::flow)
       scatter_numbers<4>(k, count, w, window + WaterPhase::first_scalar * window_nodes,
                          [&](std::size_t of, auto group) {
