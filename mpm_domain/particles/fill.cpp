@@ -45,7 +45,7 @@ struct Sliver {
   Plot plot;
 };
 
-/// The particle that takes a sliver moves to the centroid of both.
+/// A particle that takes a sliver stays where it is: its box reaches no farther into the structure.
 void join(const Sliver& sliver) {
   const auto& [set, plot] = sliver;
   const auto [x, y, area] = plot;
@@ -58,11 +58,6 @@ void join(const Sliver& sliver) {
       least = distance;
       nearest = k;
     }
-  const double share = area / (set->volume[nearest] + area);
-  for (std::vector<double>* place : {&set->x, &set->x_initial})
-    (*place)[nearest] += share * (x - (*place)[nearest]);
-  for (std::vector<double>* place : {&set->y, &set->y_initial})
-    (*place)[nearest] += share * (y - (*place)[nearest]);
   set->volume[nearest] += area;
   set->mass[nearest] += set->density * area;
 }
