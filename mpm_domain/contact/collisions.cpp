@@ -47,12 +47,12 @@ void find_corners(std::span<const RigidBody> bodies, std::size_t owner, std::siz
 
 } // namespace
 
-std::vector<CornerContact> find_corners(std::span<const RigidBody> bodies, std::span<const double> friction,
-                                        double distance) {
+std::vector<CornerContact> find_corners(std::span<const RigidBody> bodies,
+                                        std::span<const Structure> structures, double distance) {
   std::vector<CornerContact> corners;
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (std::size_t b = a + 1; b < bodies.size(); ++b) {
-      const double of_both = std::min(friction[a], friction[b]);
+      const double of_both = std::min(structures[a].friction_between, structures[b].friction_between);
       find_corners(bodies, a, b, of_both, distance, corners);
       find_corners(bodies, b, a, of_both, distance, corners);
     }

@@ -2,11 +2,8 @@
 
 #include "mpm_domain/domain.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace tremolo::mpm_domain {
 
@@ -59,10 +56,7 @@ std::optional<WaterAtRest> water_at_rest(const Spec& spec) {
 
 Contact::Contact(const Spec& spec)
     : structures_(spec.structures), bodies_(structures_.begin(), structures_.end()), nodes_(bodies_.size()),
-      shared_(bodies_.size()), motions_(bodies_.size()), responses_(bodies_.size()), loads_(bodies_.size()) {
-  for (const Structure& structure : structures_)
-    between_.push_back(structure.friction_between);
-}
+      shared_(bodies_.size()), motions_(bodies_.size()), responses_(bodies_.size()), loads_(bodies_.size()) {}
 
 double Contact::kinetic_energy() const {
   double energy = 0.0;
@@ -92,6 +86,26 @@ void Contact::follow_sort(const Domain& domain) {
   const double margin = 4.0 * domain.finest_lattice().h + 2.0 * domain.sort_distance();
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     nodes_[b].follow_sort(domain, bodies_[b], margin);
+}
+
+void Contact::find_nodes(Domain& domain) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    nodes_[b].find(domain, bodies_[b], structures_[b]);
+    loads_[b] = bodies_[b].load(domain.spec.gravity, water_at_rest(domain.spec));
+  }
+  find_shared();
+}
+
+std::vector<RigidMotion> Contact::trial_motions(double keep, double dt) const {
+  std::vector<RigidMotion> trial;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const RigidBody& body = bodies_[b];
+    const RigidMotion& u = body.motion();
+    trial.push_back({{keep * u.velocity.x + dt * loads_[b].force.x / body.mass(),
+                      keep * u.velocity.y + dt * loads_[b].force.y / body.mass()},
+                     keep * u.spin + dt * loads_[b].moment / body.inertia()});
+  }
+  return trial;
 }
 
 void Contact::find_shared() {
@@ -180,21 +194,14 @@ void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) 
 ContactWork Contact::meet(Domain& domain, double dt) {
   ContactWork work;
   const double h = domain.finest_lattice().h;
-  std::vector<RigidMotion> trial;
   std::vector<RigidMotion> before;
+  find_nodes(domain);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const RigidBody& body = bodies_[b];
-    nodes_[b].find(domain, body, structures_[b]);
     nodes_[b].take_trial(domain, dt);
-    loads_[b] = body.load(domain.spec.gravity, water_at_rest(domain.spec));
-    before.push_back(body.motion());
-    trial.push_back({{body.motion().velocity.x + dt * loads_[b].force.x / body.mass(),
-                      body.motion().velocity.y + dt * loads_[b].force.y / body.mass()},
-                     body.motion().spin + dt * loads_[b].moment / body.inertia()});
+    before.push_back(bodies_[b].motion());
   }
-  corners_ = find_corners(bodies_, between_, 0.5 * h);
-  find_shared();
-  solve(trial, dt, false);
+  corners_ = find_corners(bodies_, structures_, 0.5 * h);
+  solve(trial_motions(1.0, dt), dt, false);
   dt_ = dt;
 
   work = add_changes(domain, dt);
@@ -280,7 +287,7 @@ double Contact::meet_remapped(Domain& domain) {
       const double effective = c.effective_impulse + (c.mass - c.full_water) / c.mass * normal;
       const double slip = dot(t, u) - dot(t, wall);
       const bool sticks = c.tied && c.slip == 0;
-      const double rest = c.friction * std::max(0.0, effective) + c.adhesion - std::abs(c.tangential_impulse);
+      const double rest = c.bound(effective) - std::abs(c.tangential_impulse);
       const bool touches = c.tied || normal > 0.0;
       const double limit = sticks ? std::abs(c.tangential * slip) : (touches ? std::max(0.0, rest) : 0.0);
       const double tangential = std::clamp(c.tangential * slip, -limit, limit);
@@ -326,26 +333,15 @@ void Contact::move(Domain& domain, double dt) {
 }
 
 void Contact::begin_rest(Domain& domain) {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    nodes_[b].find(domain, bodies_[b], structures_[b]);
-    loads_[b] = bodies_[b].load(domain.spec.gravity, water_at_rest(domain.spec));
-  }
+  find_nodes(domain);
   corners_.clear(); // bodies at rest hold on to the soil alone
-  find_shared();
 }
 
 double Contact::relax(Domain& domain, double keep, double gain, bool bonded) {
   Grid& grid = domain.grid;
-  std::vector<RigidMotion> trial;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const RigidBody& body = bodies_[b];
-    const RigidMotion& u = body.motion();
-    nodes_[b].take_relaxing(domain, gain);
-    trial.push_back({{keep * u.velocity.x + gain * loads_[b].force.x / body.mass(),
-                      keep * u.velocity.y + gain * loads_[b].force.y / body.mass()},
-                     keep * u.spin + gain * loads_[b].moment / body.inertia()});
-  }
-  solve(trial, gain, bonded);
+  for (ContactNodes& nodes : nodes_)
+    nodes.take_relaxing(domain, gain);
+  solve(trial_motions(keep, gain), gain, bonded);
   double unbalanced = 0.0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     RigidBody& body = bodies_[b];
@@ -382,21 +378,19 @@ void Contact::end_rest() {
 std::vector<double> Contact::node_state(std::size_t body) const {
   std::vector<double> state;
   for (const ContactNode& c : nodes(body))
-    state.insert(state.end(), {static_cast<double>(c.node), c.closed ? 1.0 : 0.0, c.tied ? 1.0 : 0.0,
-                               static_cast<double>(c.slip)});
+    state.insert(state.end(), {static_cast<double>(c.node), c.tied ? 1.0 : 0.0, static_cast<double>(c.slip)});
   return state;
 }
 
 void Contact::set_node_state(std::size_t body, const std::vector<double>& state) {
   std::vector<ContactNode>& nodes = nodes_[body].nodes();
-  constexpr std::size_t numbers = 4; // of a node
+  constexpr std::size_t numbers = 3; // of a node
   nodes.assign(state.size() / numbers, {});
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const double* const of_node = state.data() + n * numbers;
     nodes[n].node = static_cast<std::size_t>(of_node[0]);
-    nodes[n].closed = of_node[1] != 0.0;
-    nodes[n].tied = of_node[2] != 0.0;
-    nodes[n].slip = static_cast<int>(of_node[3]);
+    nodes[n].tied = of_node[1] != 0.0;
+    nodes[n].slip = static_cast<int>(of_node[2]);
   }
 }
 

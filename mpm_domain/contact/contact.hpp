@@ -99,7 +99,11 @@ private:
     std::size_t there; ///< its place among that body's nodes
   };
 
+  /// Finds the contact nodes of all bodies, and their loads.
+  void find_nodes(Domain& domain);
   void find_shared();
+  /// Motions of the bodies after dt (s) without contact: v+ = keep v + dt f/m.
+  std::vector<RigidMotion> trial_motions(double keep, double dt) const;
   /// Finds impulses and changes of motion at all nodes, and the bodies' motions, from their trial motions.
   void solve(std::span<const RigidMotion> trial, double dt, bool bonded);
   double solve_body(std::size_t body, const RigidMotion& trial, bool bonded);
@@ -109,7 +113,6 @@ private:
 
   std::vector<Structure> structures_;
   std::vector<RigidBody> bodies_;
-  std::vector<double> between_; ///< friction of each body against others
   std::vector<ContactNodes> nodes_;
   std::vector<std::vector<SharedNode>> shared_; ///< by body
   std::vector<CornerContact> corners_;

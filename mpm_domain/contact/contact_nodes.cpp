@@ -10,12 +10,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// A node belongs to the surface if its share of it, in cells, is more than this. Surfaces often lie on lines
-/// of the grid, and the next line is not to join with every tremor.
-constexpr double least_share = 0.1;
-/// Gaps, in cells: a tied node opens at the larger one, others close at the smaller.
-constexpr double opening_gap = 0.1;
-constexpr double closing_gap = 0.002;
 /// Particles belong to the surface of the soil if they are not farther from the body than the nearest by this
 /// share of their size.
 constexpr double surface_layer = 0.8;
@@ -67,10 +61,8 @@ void ContactNodes::find_touches(Domain& domain, const RigidBody& body) {
   });
 }
 
-/// act(n, place in the window, V S, V grad S) for near particle n and each node of the window that it
-/// reaches.
-template <typename Act>
-void ContactNodes::over_particles(const Domain& domain, const Act& act) const {
+void ContactNodes::weigh_particles(const Domain& domain) {
+  entries_.clear();
   const Lattice& lattice = domain.finest_lattice();
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
@@ -86,18 +78,19 @@ void ContactNodes::over_particles(const Domain& domain, const Act& act) const {
         const int j = wy.base + static_cast<int>(b);
         const double vs = p.volume[k] * wx.s[a] * wy.s[b];
         if (vs > 0.0 && window_.has(i, j))
-          act(n, window_.place(i, j), vs,
-              Vector{p.volume[k] * wx.g[a] * wy.s[b], p.volume[k] * wx.s[a] * wy.g[b]});
+          entries_.push_back({n,
+                              window_.place(i, j),
+                              vs,
+                              {p.volume[k] * wx.g[a] * wy.s[b], p.volume[k] * wx.s[a] * wy.g[b]}});
       }
   }
 }
 
 void ContactNodes::sum_particles(const Domain& domain, const Structure& structure) {
   sums_.assign(window_.count(), {});
-  over_particles(domain, [&](std::size_t n, std::size_t place, double, const Vector&) {
-    sums_[place].least_gap = std::min(sums_[place].least_gap, touches_[n].gap);
-  });
-  over_particles(domain, [&](std::size_t n, std::size_t place, double vs, const Vector& gradient) {
+  for (const Entry& entry : entries_)
+    sums_[entry.place].least_gap = std::min(sums_[entry.place].least_gap, touches_[entry.near].gap);
+  for (const auto& [n, place, vs, gradient] : entries_) {
     const Particles& p = domain.sets[near_[n].set];
     const std::size_t k = near_[n].index;
     Sums& sums = sums_[place];
@@ -112,16 +105,16 @@ void ContactNodes::sum_particles(const Domain& domain, const Structure& structur
       sums.facing = {sums.facing.x + vs * touch.normal.x, sums.facing.y + vs * touch.normal.y};
     }
     if (!p.traits.wet)
-      return;
+      continue;
     sums.wet += vs;
     sums.suction += vs * (p.water->fluid.cavitation_pressure - p.water->hydrostatic(p.y[k]));
     if (p.traits.flowing)
-      return;
+      continue;
     const double excess = p.water->excess(p.pore_pressure[k], p.y[k]);
     sums.sealed += vs;
     sums.sealed_force = {sums.sealed_force.x + excess * gradient.x,
                          sums.sealed_force.y + excess * gradient.y};
-  });
+  }
 }
 
 void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& structure) {
@@ -130,6 +123,7 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
   window_ = nodes_around(lattice, body.bounds());
   find_wall(body, lattice, window_, wall_);
   find_touches(domain, body);
+  weigh_particles(domain);
   sum_particles(domain, structure);
   const double empty = empty_mass(domain);
   std::vector<ContactNode> before = std::move(nodes_);
@@ -143,7 +137,7 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
       if (grid.mass[node] <= empty || sums.volume <= 0.0)
         continue;
       const Vector place{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
-      if (wall_[window_.place(i, j)] <= least_share * lattice.h && !body.contains(place))
+      if (wall_[window_.place(i, j)] <= least_wall_share * lattice.h && !body.contains(place))
         continue;
       const bool at_edge = sums.surface > 0.0;
       const bool of_soil = length(sums.gradient) > 0.0;
@@ -169,9 +163,8 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
         found.normal = unit(sums.gradient);
       found.area = std::max(0.0, dot(found.normal, sums.gradient));
       found.friction = sums.friction / sums.volume;
-      const double gap = at_edge ? sums.gap / sums.surface : sums.least_gap;
-      found.gap = gap;
-      found.closed = gap <= (was_tied ? opening_gap : closing_gap) * lattice.h;
+      found.gap = at_edge ? sums.gap / sums.surface : sums.least_gap;
+      found.closed = found.gap <= (was_tied ? opening_gap : closing_gap) * lattice.h;
       of_nodes_.push_back(sums);
     }
 }

@@ -104,13 +104,21 @@ private:
     Vector normal;
   };
 
+  /// What a near particle gives to a node of the window that it reaches.
+  struct Entry {
+    std::size_t near;
+    std::size_t place;
+    double volume;   ///< V S, m2
+    Vector gradient; ///< V grad S, m
+  };
+
   void find_touches(Domain& domain, const RigidBody& body);
+  void weigh_particles(const Domain& domain);
   void sum_particles(const Domain& domain, const Structure& structure);
-  template <typename Act>
-  void over_particles(const Domain& domain, const Act& act) const;
 
   std::vector<NearParticle> near_;
   std::vector<Touch> touches_; ///< by near particle
+  std::vector<Entry> entries_; ///< by near particle
   NodeWindow window_;
   std::vector<double> wall_; ///< L_I
   std::vector<Sums> sums_;

@@ -20,6 +20,14 @@ constexpr auto words(ContactNormals) {
                                      {ContactNormals::polygon, "polygon"}});
 }
 
+/// A node belongs to a structure's surface if its share of it, in cells, is more than this. Surfaces often
+/// lie on lines of the grid, and the next line is not to join with every tremor.
+inline constexpr double least_wall_share = 0.1;
+/// Gaps between soil and structure, in cells: a tied node opens at the larger one, others close at the
+/// smaller. At the start all nodes are tied, since structures are wished in place.
+inline constexpr double opening_gap = 0.1;
+inline constexpr double closing_gap = 0.002;
+
 /// A rigid body that stands in or on the soil.
 struct Structure {
   std::string name;

@@ -162,9 +162,9 @@ Level uniform_level(const Case& scene) {
 
 /// Calls act(region) for every particle of a leaf that lies in one.
 template <typename Act>
-void for_particles(const Case& scene, const std::vector<Polygon>& structures, const mesh::Rectangle& leaf,
-                   double spacing, const Act& act) {
-  const std::vector<Polygon> regions = region_polygons(scene);
+void for_particles(const Case& scene, const std::vector<Polygon>& regions,
+                   const std::vector<Polygon>& structures, const mesh::Rectangle& leaf, double spacing,
+                   const Act& act) {
   for (int j = 0; j < scene.mesh.particles_per_cell; ++j)
     for (int i = 0; i < scene.mesh.particles_per_cell; ++i) {
       const Point at{leaf.x_min + (i + 0.5) * spacing, leaf.y_min + (j + 0.5) * spacing};
@@ -200,6 +200,7 @@ std::vector<Level> levels(const Case& scene) {
                    .critical_dt = std::numeric_limits<double>::infinity()});
   const mesh::Rectangle box = rectangle(scene.mesh.box);
   const double near = 1e-3 * all.back().cell_size;
+  const std::vector<Polygon> regions = region_polygons(scene);
   const std::vector<Polygon> structures = outlines(scene);
   for (const mesh::Cell& leaf : tree.leaves()) {
     const auto level = static_cast<std::size_t>(leaf.level);
@@ -211,7 +212,7 @@ std::vector<Level> levels(const Case& scene) {
     // Particles at the edge of their cell take the step of finer cells beside it.
     const auto finest = static_cast<std::size_t>(
         tree.finest_in({cell.x_min - near, cell.y_min - near, cell.x_max + near, cell.y_max + near}));
-    for_particles(scene, structures, cell, all[level].particle_size, [&](std::size_t region) {
+    for_particles(scene, regions, structures, cell, all[level].particle_size, [&](std::size_t region) {
       ++all[level].particles;
       all[finest].critical_dt = std::min(all[finest].critical_dt, steps[region].on(all[finest].cell_size));
     });
