@@ -26,12 +26,12 @@ void add(RigidMotion& to, const RigidMotion& change, double factor) {
 
 void find_corners(std::span<const RigidBody> bodies, std::size_t owner, std::size_t other, double friction,
                   double distance, std::vector<CornerContact>& corners) {
-  const mesh::Rectangle box = bodies[other].bounds();
+  const mesh::Rectangle box = bodies[other].surface().bounds();
   for (const Vector& corner : bodies[owner].outline()) {
     if (corner.x < box.x_min - distance || corner.x > box.x_max + distance ||
         corner.y < box.y_min - distance || corner.y > box.y_max + distance)
       continue;
-    const RigidBody::Nearest nearest = bodies[other].nearest(corner);
+    const BodySurface::Nearest nearest = bodies[other].surface().nearest(corner);
     if (nearest.distance >= distance)
       continue;
     CornerContact& found = corners.emplace_back();

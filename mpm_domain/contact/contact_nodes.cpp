@@ -27,10 +27,10 @@ Vector unit(const Vector& v) {
 
 } // namespace
 
-void ContactNodes::follow_sort(const Domain& domain, const RigidBody& body, double margin) {
+void ContactNodes::follow_sort(const Domain& domain, const BodySurface& surface, double margin) {
   near_.clear();
-  const mesh::Rectangle box = body.bounds();
-  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+  const mesh::Rectangle box = surface.bounds();
+  for (std::size_t s = 0; s < domain.soil_sets; ++s) {
     const Particles& p = domain.sets[s];
     for (std::size_t k = 0; k < p.size(); ++k)
       if (p.x[k] > box.x_min - margin && p.x[k] < box.x_max + margin && p.y[k] > box.y_min - margin &&
@@ -39,11 +39,11 @@ void ContactNodes::follow_sort(const Domain& domain, const RigidBody& body, doub
   }
 }
 
-void ContactNodes::find_touches(Domain& domain, const RigidBody& body) {
+void ContactNodes::find_touches(Domain& domain, const BodySurface& surface) {
   touches_.assign(near_.size(), {});
   const double h = domain.finest_lattice().h;
   const double reach = 2.0 * h;
-  const mesh::Rectangle box = body.bounds();
+  const mesh::Rectangle box = surface.bounds();
   constexpr std::size_t part = 256;
   domain.workers.run((near_.size() + part - 1) / part, [&](std::size_t task) {
     for (std::size_t n = task * part; n < std::min(near_.size(), (task + 1) * part); ++n) {
@@ -52,7 +52,7 @@ void ContactNodes::find_touches(Domain& domain, const RigidBody& body) {
       if (place.x < box.x_min - reach || place.x > box.x_max + reach || place.y < box.y_min - reach ||
           place.y > box.y_max + reach)
         continue;
-      const RigidBody::Nearest nearest = body.nearest(place);
+      const BodySurface::Nearest nearest = surface.nearest(place);
       const double reaches = nearest.corner
                                  ? p.half_size
                                  : p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
@@ -117,12 +117,13 @@ void ContactNodes::sum_particles(const Domain& domain, const Structure& structur
   }
 }
 
-void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& structure) {
+void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector& centre,
+                        const Structure& structure, const BodyLattice* own) {
   const Lattice& lattice = domain.finest_lattice();
   const Grid& grid = domain.grid;
-  window_ = nodes_around(lattice, body.bounds());
-  find_wall(body, lattice, window_, wall_);
-  find_touches(domain, body);
+  window_ = nodes_around(lattice, surface.bounds());
+  find_wall(surface, lattice, window_, wall_);
+  find_touches(domain, surface);
   weigh_particles(domain);
   sum_particles(domain, structure);
   const double empty = empty_mass(domain);
@@ -137,11 +138,14 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
       if (grid.mass[node] <= empty || sums.volume <= 0.0)
         continue;
       const Vector place{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
-      if (wall_[window_.place(i, j)] <= least_wall_share * lattice.h && !body.contains(place))
+      if (wall_[window_.place(i, j)] <= least_wall_share * lattice.h && !surface.contains(place))
         continue;
       const bool at_edge = sums.surface > 0.0;
       const bool of_soil = length(sums.gradient) > 0.0;
       if (!at_edge && !of_soil)
+        continue;
+      const std::optional<std::size_t> body_node = own != nullptr ? own->node_at(i, j) : std::nullopt;
+      if (own != nullptr && !(body_node && grid.mass[*body_node] > empty))
         continue;
       // The search for the sets begins with those of the last step.
       while (known != before.end() && known->node < node)
@@ -155,7 +159,11 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
       }
       found.node = node;
       found.place = place;
-      found.arm = body.arm(place);
+      found.arm = {place.x - centre.x, place.y - centre.y};
+      if (body_node) {
+        found.body_node = *body_node;
+        found.body_mass = grid.mass[*body_node];
+      }
       const bool by_gradient = domain.spec.normals == ContactNormals::gradient ||
                                (domain.spec.normals == ContactNormals::automatic && sums.wet > 0.0);
       found.normal = unit(at_edge ? sums.facing : sums.gradient);
@@ -180,8 +188,17 @@ void ContactNode::set_trial(const Vector& solid_by_others, const Vector& water_b
       free_impulse + full_water * dot(normal, water_mass > 0.0 ? water_by_others : solid_by_others);
 }
 
+void ContactNode::solve_alone(bool bonded) {
+  ContactPoint point = *this;
+  point.arm = {};
+  solve_contact(body_mass, body_mass, {body_trial, 0.0}, std::span(&point, 1), bonded);
+  point.arm = arm;
+  static_cast<ContactPoint&>(*this) = point;
+  find_changes();
+}
+
 void ContactNode::find_changes() {
-  solid_change = water_change = {};
+  solid_change = water_change = body_change = {};
   if (!tied)
     return;
   const Vector t = tangent();
@@ -192,6 +209,9 @@ void ContactNode::find_changes() {
   const double water_n = common - water_normal;
   solid_change = {solid_n * normal.x + along * t.x, solid_n * normal.y + along * t.y};
   water_change = {water_n * normal.x + (along + drift) * t.x, water_n * normal.y + (along + drift) * t.y};
+  if (body_mass > 0.0)
+    body_change = {(normal_impulse * normal.x + tangential_impulse * t.x) / body_mass,
+                   (normal_impulse * normal.y + tangential_impulse * t.y) / body_mass};
 }
 
 void ContactNodes::take_trial(const Domain& domain, double dt) {
@@ -203,6 +223,10 @@ void ContactNodes::take_trial(const Domain& domain, double dt) {
     c.solid_mass = grid.mass[c.node];
     c.solid_before = grid.velocity_before(c.node);
     c.solid_trial = grid.velocity_after(c.node);
+    if (c.body_mass > 0.0) {
+      c.body_before = grid.velocity_before(c.body_node);
+      c.body_trial = grid.velocity_after(c.body_node);
+    }
     c.water_mass = 0.0;
     c.water_before = c.solid_before;
     c.water_trial = c.solid_trial;
@@ -237,6 +261,8 @@ void ContactNodes::take_relaxing(const Domain& domain, double dt) {
     ContactNode& c = nodes_[n];
     c.mass = c.tangential = c.solid_mass = grid.mass[c.node];
     c.solid_trial = c.water_trial = grid.velocity_after(c.node);
+    if (c.body_mass > 0.0)
+      c.body_trial = grid.velocity_after(c.body_node);
     c.adhesion = of_nodes_[n].adhesion / of_nodes_[n].volume * c.area * dt;
     c.set_trial({}, {});
   }

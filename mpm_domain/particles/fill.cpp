@@ -24,6 +24,8 @@ int count_along(double length, double size) {
   return static_cast<int>(std::lround(n));
 }
 
+} // namespace
+
 void add_particle(Particles& set, std::uint32_t id, const Plot& plot) {
   set.id.push_back(id);
   set.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.push_back(0.0); });
@@ -37,6 +39,8 @@ void add_particle(Particles& set, std::uint32_t id, const Plot& plot) {
   if (set.traits.wet)
     set.pore_pressure.back() = set.pressure_at_rest.back() = set.water->hydrostatic(y);
 }
+
+namespace {
 
 /// What soil of a region becomes: particles above the water table, or below it.
 struct Kind {
@@ -169,7 +173,7 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
 
 /// Every particle stands in all columns, as wide as the smallest particles, that it covers, and takes the
 /// mean of their overburdens.
-void set_rest_stress(std::vector<Particles>& sets, const Spec& spec) {
+void set_rest_stress(std::span<Particles> sets, const Spec& spec) {
   const int finest = std::ranges::max(sets, {}, &Particles::level).level;
   const double width = particle_size(spec, finest);
   struct Place {

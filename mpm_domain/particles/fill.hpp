@@ -1,8 +1,10 @@
 #pragma once
 
 #include "mpm_domain/particles/particles.hpp"
+#include "mpm_domain/spec/plot.hpp"
 #include "mpm_domain/spec/spec.hpp"
 
+#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -11,6 +13,9 @@ namespace tremolo::mpm_domain {
 inline double particle_size(const Spec& spec, int level = 0) {
   return spec.cell_size / static_cast<double>(1 << level) / spec.particles_per_cell;
 }
+
+/// Adds a particle without stress, with the density of its set.
+void add_particle(Particles& set, std::uint32_t id, const Plot& plot);
 
 /// Lays particles on a square lattice aligned with the model box, particles_per_cell per cell and direction,
 /// wherever the lattice point lies in a region. One set per soil, in the order of Spec::soils.
@@ -25,6 +30,6 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree = nullp
 
 /// Gives every particle the stress of level layers at rest: s_yy = -overburden of the particles above it,
 /// s_xx = s_zz = K0 s_yy with the soil's nu/(1-nu). A start for the gravity stage, exact for level ground.
-void set_rest_stress(std::vector<Particles>& sets, const Spec& spec);
+void set_rest_stress(std::span<Particles> sets, const Spec& spec);
 
 } // namespace tremolo::mpm_domain

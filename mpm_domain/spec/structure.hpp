@@ -3,6 +3,7 @@
 #include "base/words.hpp"
 #include "mpm_domain/spec/vector.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,15 +29,22 @@ inline constexpr double least_wall_share = 0.1;
 inline constexpr double opening_gap = 0.1;
 inline constexpr double closing_gap = 0.002;
 
-/// A rigid body that stands in or on the soil.
+/// Of an elastic body.
+struct Stiffness {
+  double young = 0.0;   ///< Pa
+  double poisson = 0.0; ///< in [0, 0.5)
+};
+
+/// A body that stands in or on the soil.
 struct Structure {
   std::string name;
-  std::vector<Vector> outline;   ///< corners, m; the last is joined to the first
-  std::vector<Vector> hole;      ///< an empty inside; none: solid
-  double density = 0.0;          ///< of what lies between both, kg/m3
-  std::vector<double> friction;  ///< mu against each soil of the spec
-  std::vector<double> adhesion;  ///< against each soil, Pa
-  double friction_between = 0.0; ///< mu against other structures; of two the smaller counts
+  std::vector<Vector> outline;             ///< corners, m; the last is joined to the first
+  std::vector<Vector> hole;                ///< an empty inside; none: solid
+  double density = 0.0;                    ///< of what lies between both, kg/m3
+  std::optional<Stiffness> stiffness = {}; ///< none: rigid
+  std::vector<double> friction;            ///< mu against each soil of the spec
+  std::vector<double> adhesion;            ///< against each soil, Pa
+  double friction_between = 0.0;           ///< mu against other structures; of two the smaller counts
 };
 
 } // namespace tremolo::mpm_domain

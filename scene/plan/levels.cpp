@@ -160,6 +160,22 @@ Level uniform_level(const Case& scene) {
           .critical_dt = critical};
 }
 
+/// Elastic structures bring particles and nodes of their own, on cells of the finest level.
+void add_structures(const Case& scene, Level& finest) {
+  constexpr double margin = 8.0; // nodes of a structure's lattice beyond its own cells
+  const double h = finest.cell_size;
+  for (const Structure& structure : scene.structures) {
+    const Polygon& outline = structure.outline.corners;
+    if (!structure.stiffness || outline.empty())
+      continue;
+    const double solid = area(outline) - (structure.hole ? area(structure.hole->corners) : 0.0);
+    const Box box = box_of(outline);
+    finest.particles += std::round(solid / (finest.particle_size * finest.particle_size));
+    finest.nodes += std::round((box.width() / h + margin) * (box.height() / h + margin));
+    finest.critical_dt = std::min(finest.critical_dt, critical_step(structure, h));
+  }
+}
+
 /// Calls act(region) for every particle of a leaf that lies in one.
 template <typename Act>
 void for_particles(const Case& scene, const std::vector<Polygon>& regions,
@@ -189,8 +205,11 @@ mesh::Quadtree quadtree(const Case& scene) {
 }
 
 std::vector<Level> levels(const Case& scene) {
-  if (scene.mesh.refine.empty())
-    return {uniform_level(scene)};
+  if (scene.mesh.refine.empty()) {
+    Level level = uniform_level(scene);
+    add_structures(scene, level);
+    return {level};
+  }
   const mesh::Quadtree tree = quadtree(scene);
   const std::vector<CriticalStep> steps = critical_steps(scene);
   std::vector<Level> all;
@@ -220,7 +239,16 @@ std::vector<Level> levels(const Case& scene) {
   const std::vector<mpm_domain::LevelLattice> lattices = mpm_domain::lattices_of(tree);
   for (std::size_t level = 0; level < all.size(); ++level)
     all[level].nodes = static_cast<double>(lattices[level].lattice.count());
+  add_structures(scene, all.back());
   return all;
+}
+
+double critical_step(const Structure& structure, double cell_size) {
+  const materials::Elasticity elastic{structure.density, structure.stiffness->young,
+                                      structure.stiffness->poisson};
+  if (!(elastic.density > 0.0) || !(elastic.young > 0.0))
+    return std::numeric_limits<double>::infinity();
+  return mpm_domain::largest_courant_number * cell_size / elastic.p_wave_speed();
 }
 
 double critical_time_step(const Case& scene, std::span<const Level> levels) {

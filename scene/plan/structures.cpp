@@ -70,6 +70,12 @@ std::string weight_text(const PlannedStructure& structure) {
   return text;
 }
 
+std::string kind_text(const Structure& structure) {
+  return structure.stiffness ? fmt::format("elastic, young {:g} Pa, poisson {:g}", structure.stiffness->young,
+                                           structure.stiffness->poisson)
+                             : "rigid";
+}
+
 std::string surface_text(const Case& scene, const Structure& structure) {
   std::string text;
   for (std::size_t s = 0; s < scene.soils.size(); ++s) {
@@ -155,11 +161,11 @@ std::string structures_text(const Case& scene, std::span<const PlannedStructure>
   std::string text;
   for (std::size_t i = 0; i < structures.size(); ++i) {
     const PlannedStructure& planned = structures[i];
-    text +=
-        fmt::format("  {:<18}rigid, {:.4g} m2 of {:g} kg/m3: {:.6g} kg/m, {}; about {:.0f} contact nodes\n"
-                    "    surface    {}\n",
-                    planned.name, planned.area, scene.structures[i].density, planned.mass,
-                    weight_text(planned), planned.contact_nodes, surface_text(scene, scene.structures[i]));
+    text += fmt::format("  {:<18}{}, {:.4g} m2 of {:g} kg/m3: {:.6g} kg/m, {}; about {:.0f} contact nodes\n"
+                        "    surface    {}\n",
+                        planned.name, kind_text(scene.structures[i]), planned.area,
+                        scene.structures[i].density, planned.mass, weight_text(planned),
+                        planned.contact_nodes, surface_text(scene, scene.structures[i]));
   }
   return text;
 }

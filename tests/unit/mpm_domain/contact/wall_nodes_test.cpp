@@ -1,6 +1,7 @@
 // Integrals over a body's surface at nodes against closed forms.
 
 #include "mesh/polygon_measures.hpp"
+#include "mpm_domain/contact/rigid_body.hpp"
 #include "mpm_domain/contact/wall_nodes.hpp"
 #include "tests/support/structure_scene.hpp"
 
@@ -23,8 +24,8 @@ struct Wall {
   NodeWindow window;
   std::vector<double> shares;
 
-  explicit Wall(const RigidBody& body) : window(nodes_around(lattice, body.bounds())) {
-    find_wall(body, lattice, window, shares);
+  explicit Wall(const RigidBody& body) : window(nodes_around(lattice, body.surface().bounds())) {
+    find_wall(body.surface(), lattice, window, shares);
   }
 };
 
