@@ -89,13 +89,13 @@ Plot plot_of(const Regions& regions, const Structures& structures, double x, dou
   // edges cross it. So the area is exact unless edges cross each other.
   constexpr int parts = 4;
   std::vector<double> levels{square.y_min, square.y_max};
-  const auto over_corners = [&](const auto& act) {
+  const auto over_polygons = [&](const auto& act) {
     for (const auto& polygon : regions)
       act(polygon);
     for (const auto& polygon : structures)
       act(polygon);
   };
-  over_corners([&](const auto& polygon) {
+  over_polygons([&](const auto& polygon) {
     for (const auto& corner : polygon)
       if (corner.y > square.y_min && corner.y < square.y_max)
         levels.push_back(corner.y);
@@ -108,7 +108,7 @@ Plot plot_of(const Regions& regions, const Structures& structures, double x, dou
       const double width = (levels[k + 1] - levels[k]) / parts;
       const double py = levels[k] + (part + 0.5) * width;
       ends.assign({square.x_min, square.x_max});
-      over_corners([&](const auto& polygon) { add_crossings(polygon, py, square, ends); });
+      over_polygons([&](const auto& polygon) { add_crossings(polygon, py, square, ends); });
       std::ranges::sort(ends);
       for (std::size_t e = 0; e + 1 < ends.size(); ++e) {
         const double px = 0.5 * (ends[e] + ends[e + 1]);

@@ -127,7 +127,7 @@ void Stepper::sort() {
     return;
   }
   if (domain_.spec.periodic())
-    for (Particles& set : domain_.sets)
+    for (Particles& set : domain_.sets_of_soil())
       wrap(set, domain_.spec.box);
   make_room(domain_, time_, steps_);
   split_particles(domain_);

@@ -21,7 +21,7 @@ constexpr SumRange numbers = sums_between(Sum::lift, Sum::pore_volume);
 constexpr double sealed = 1e30; // Pa s/m2
 
 bool is_sealed(const Domain& domain, const Particles& p) {
-  return !p.traits.flowing && (p.traits.wet || !domain.spec.soils[p.soil_index].pores);
+  return !p.body && !p.traits.flowing && (p.traits.wet || !domain.spec.soils[p.soil_index].pores);
 }
 
 template <typename Group>
