@@ -13,6 +13,8 @@ packages=(
   libhdf5-dev                                                        # results
   libtomlplusplus-dev libcli11-dev libfmt-dev                        # case file, command line, messages
   python3 python3-numpy python3-h5py python3-matplotlib python3-zmq  # plots, free fields in Python
+  python3-jinja2 python3-plotly                                      # reports
+  chromium chromium-driver python3-selenium                          # tests of reports
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev python3-vtk9 iproute2 valgrind   # tests
 )
 case "${1:-}" in

@@ -22,6 +22,9 @@ void add_plot(Command& app) {
   add_python_command(app, "timeline",
                      "What the processes of a run did when, drawn and in words: who waited for whom");
   add_python_command(app, "compare", "Pictures of two runs side by side");
+  add_python_command(
+      app, "report",
+      "One HTML file of a run, or of several side by side: frames that play, charts that zoom");
   add_python_command(app, "failure", "When a shear band first connects the toe of a slope with its crest");
 }
 

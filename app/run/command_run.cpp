@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "app/free_field/motion_levels.hpp"
 #include "app/output_place.hpp"
+#include "app/python.hpp"
 #include "app/recording/recording_name.hpp"
 #include "app/run/case_run.hpp"
 #include "app/run/local_options.hpp"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -37,6 +39,7 @@ struct RunArguments {
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
   std::vector<std::string> replays;
+  bool report = false;
   LocalOptions local;
 };
 
@@ -110,6 +113,8 @@ void run(const RunArguments& arguments) {
       run_case(scene, {folder, arguments.mode, arguments.local.transport, arguments.local.threads,
                        arguments.local.keys, arguments.local.local});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
+  if (arguments.report && run_python("report", {folder.string()}) != 0)
+    throw Exit{EXIT_FAILURE};
 }
 
 } // namespace
@@ -130,6 +135,7 @@ void add_run(Command& app) {
   command->add_option("--replay", arguments->replays,
                       "RUN:left, RUN:right or RUN:base: this side is served from the recorded exchange of an "
                       "earlier run instead of its model; RUN alone: all sides. Several are allowed");
+  command->add_flag("--report", arguments->report, "Write report.html beside the results at the end");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -1,11 +1,12 @@
-"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | failure RUN ... | column OUT.h5 | soiltest OUT.h5
-| verify-picture PATH | motion-picture FOLDER OUT."""
+"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | failure RUN ... | column OUT.h5
+| soiltest OUT.h5 | verify-picture PATH | motion-picture FOLDER OUT."""
 
 import argparse
 import sys
 from pathlib import Path
 
 from tremolo import bodies, column, comparison, cost, failure, fronts, histories, maps, motion, pore_pressure, preview, soil_record, soiltest, swap, timeline, verification
+from tremolo.report import page
 from tremolo.run import Run
 
 
@@ -74,6 +75,10 @@ def compare(arguments):
         yield maps.pore_pressure_ratio(runs, times, folder, "compare_pore_pressure_ratio.png")
 
 
+def report(arguments):
+    yield page.write(arguments.runs, arguments.out)
+
+
 def failure_times(arguments):
     """Yields a line a run: when its slope failed."""
     for path in arguments.runs:
@@ -132,6 +137,9 @@ def _parser():
     pair.add_argument("run")
     pair.add_argument("other")
     add_picture_options(pair)
+    told = add("report", report, "One HTML file of a run, or of several side by side: frames that play, charts that zoom.")
+    told.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5")
+    told.add_argument("--out", metavar="FILE", help="the page (default: report.html beside the run; of several, comparison.html beside the first)")
     failed = add("failure", failure_times, "When a shear band first connects the toe of a slope with its crest.")
     failed.add_argument("runs", nargs="+", metavar="RUN")
     failed.add_argument("--strain", type=float, default=0.1, help="equivalent plastic strain of the band (default 0.1)")

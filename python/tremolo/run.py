@@ -10,6 +10,7 @@ All values are SI units; tension is positive; x points right, y up.
 """
 
 import contextlib
+import json
 from pathlib import Path
 
 import h5py
@@ -142,6 +143,12 @@ class Run:
         """The text of the case file."""
         with self._reading("the case"):
             return _text(self._file["case"][()])
+
+    @property
+    def plan(self):
+        """The plan of effects: what `tremolo explain --json` calls `plan`; empty where the run holds none."""
+        with self._reading("the plan"):
+            return json.loads(_text(self._file["plan"][()])) if "plan" in self._file else {}
 
     def frame(self, index):
         """Fields of one frame: name -> array [particles] or [particles, components]."""

@@ -87,7 +87,7 @@ def sentences(lines, domain="domain"):
         yield f"{domain} sets the pace: faster free fields would shorten the run by {sum(waits.values()):.2f} s at most"
 
 
-def _colours(lines):
+def activity_colours(lines):
     """Activity -> colour, the same in all rows."""
     awaited = dict.fromkeys(whom for line in lines.values() for whom in line.waits())
     colours = {"computing": style.COLOURS[0], "mapping": style.COLOURS[2]}
@@ -104,7 +104,7 @@ def _colours(lines):
 def picture(run, folder):
     """A row a process: the share of each activity in each slice of wall time."""
     lines = timelines(run)
-    colours = _colours(lines)
+    colours = activity_colours(lines)
     figure, axes = style.plt.subplots(
         len(lines), 1, figsize=(7.2, 0.8 + 0.75 * len(lines)), squeeze=False, sharex=True, layout="constrained"
     )

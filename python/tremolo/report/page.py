@@ -1,0 +1,133 @@
+"""Puts a report together: one HTML file with its pictures, charts and Plotly's own script in it."""
+
+import base64
+import gzip
+import json
+import tempfile
+from pathlib import Path
+
+from tremolo import preview
+from tremolo.report import facts, frames, kinds
+from tremolo.run import Run
+
+HERE = Path(__file__).parent
+
+
+def _libraries():
+    try:
+        import jinja2
+        import plotly.offline
+    except ImportError as error:
+        packages = "the Debian packages python3-jinja2 and python3-plotly (scripts/setup.sh installs them)"
+        raise ValueError(f"a report needs {packages}: {error}") from error
+    return jinja2, plotly.offline
+
+
+def _titles(runs):
+    """The folders' names, and whole paths where these are alike."""
+    names = [run.path.resolve().parent.name for run in runs]
+    return names if len(set(names)) == len(names) else [str(run.path.parent) for run in runs]
+
+
+def _model_picture(run):
+    """The picture of the model, as `tremolo plot` draws it."""
+    with tempfile.TemporaryDirectory(prefix="tremolo_report_") as folder:
+        content = preview.preview(run, Path(folder)).read_bytes()
+    return "data:image/png;base64," + base64.b64encode(content).decode("ascii")
+
+
+def _charts(runs, titles):
+    """Charts by section."""
+    from tremolo.report import charts  # needs Plotly, which write() asks for first
+
+    names = charts.monitors(runs)
+    structures = list(dict.fromkeys(name for run in runs for name in run.bodies if len(run.body(name)) > 1))
+    verified = {}
+    for run, title in zip(runs, titles):
+        if found := facts.verified(run):
+            verified[title] = (found[0], [charts.exact(found[1], point) for point in found[1]["points"]["name"]])
+    return {
+        "monitors": [
+            (name, [charts.history(runs, titles, name), charts.response(runs, titles, name), charts.fourier(runs, titles, name)])
+            for name in names
+        ],
+        "structures": [charts.structure(runs, titles, name) for name in structures],
+        "water": charts.water(runs, titles),
+        "energy": charts.energy(runs, titles),
+        "verified": verified,
+        "activities": {title: charts.activities(run, i) for i, (run, title) in enumerate(zip(runs, titles))},
+        "passes": charts.passes(runs, titles),
+        "ratios": charts.ratios(runs, titles),
+    }
+
+
+def _figures(sections):
+    """Key -> data and layout of every chart of the page."""
+    found = [chart for _, own in sections["monitors"] for chart in own] + sections["structures"]
+    found += [chart for _, own in sections["verified"].values() for chart in own]
+    found += [sections["water"], sections["energy"], sections["passes"], *sections["activities"].values()]
+    return {chart.key: _plain(chart.figure) for chart in found if chart is not None}
+
+
+def _plain(figure):
+    """A figure without Plotly's own template: the page has its colours."""
+    figure.update_layout(template="none")
+    return json.loads(figure.to_json())
+
+
+def _json(content):
+    """JSON that may stand in a script element."""
+    return json.dumps(content, separators=(",", ":"), allow_nan=False).replace("</", "<\\/")
+
+
+def _finite(content):
+    """Gaps of a line are null; JSON has no NaN."""
+    if isinstance(content, dict):
+        return {key: _finite(value) for key, value in content.items()}
+    if isinstance(content, list):
+        return [_finite(value) for value in content]
+    return None if isinstance(content, float) and content != content else content
+
+
+def write(paths, out=None):
+    """Writes the report of one run, or of several side by side, and returns its path.
+
+    paths: folders of runs, or their run.h5; out: the file (default: report.html beside the only run, comparison.html beside the
+    first of several).
+    Raises ValueError for what is not a run, for a run without frames, and where Jinja2 or Plotly is missing.
+    """
+    jinja2, offline = _libraries()
+    for path in paths:
+        kinds.require_run(path)
+    runs = [Run(path) for path in paths]
+    for run in runs:
+        if len(run.times) == 0:
+            raise ValueError(f"{run.path}: holds no particle frame yet")
+    titles = _titles(runs)
+    out = Path(out) if out else runs[0].path.parent / ("report.html" if len(runs) == 1 else "comparison.html")
+    player = frames.Player(runs, titles)
+    sections = _charts(runs, titles)
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined
+    )
+    page = environment.get_template("page.html.jinja").render(
+        title=runs[0].title if len(runs) == 1 else " | ".join(titles),
+        runs=[
+            {
+                "title": title, "name": run.title, "status": run.status, "case": run.case, "model": facts.model(run),
+                "picture": _model_picture(run), "plan": facts.plan(run), "measures": facts.measures(run), "waits": facts.waits(run),
+                "processes": facts.processes(run), "origin": facts.origin(run), "warnings": facts.warnings(run),
+            }
+            for run, title in zip(runs, titles)
+        ],
+        differences=[facts.differences(runs[0], run, [titles[0], title]) for run, title in zip(runs[1:], titles[1:])],
+        sections=sections,
+        player={"fields": [field.label for field, _ in player.fields], "frames": len(player.times), "of": len(runs[0].times)},
+        style=(HERE / "page.css").read_text(encoding="utf-8"),
+        script=(HERE / "page.js").read_text(encoding="utf-8"),
+        content=_json(_finite({"player": player.content(), "charts": _figures(sections), "ratios": sections["ratios"]})),
+        plotly=base64.b64encode(gzip.compress(offline.get_plotlyjs().encode("utf-8"), 9, mtime=0)).decode("ascii"),
+    )
+    out.parent.mkdir(parents=True, exist_ok=True)
+    out.write_text(page, encoding="utf-8")
+    return out

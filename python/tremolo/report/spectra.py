@@ -1,0 +1,33 @@
+"""Fourier amplitude spectra, smoothed so that their ratios can be read.
+
+With acceleration a(t) sampled every dt, the amplitude is |A(f)| = |integral of a(t) exp(-2 pi i f t) dt|, in m/s. The smoothed
+spectrum at f_c is the mean of |A| under the window of Konno & Ohmachi (1998, Bull. Seism. Soc. Am. 88, 228-241, Eq. 4),
+
+    W(f, f_c) = (sin(b log10(f/f_c)) / (b log10(f/f_c)))^4,      b = 40.
+"""
+
+import numpy as np
+
+BANDWIDTH = 40.0
+LOWEST, HIGHEST = 0.1, 25.0  # Hz
+PADDING = 4  # times the record, so that the window finds enough lines at low frequencies
+
+
+def frequencies(duration, dt, count=160):
+    """Frequencies (Hz), even on a logarithmic axis, that a record of this length and step (s) says something about."""
+    return np.geomspace(max(LOWEST, 1.0 / duration), min(HIGHEST, 0.4 / dt), count)
+
+
+def smoothed(lines, amplitude, centres):
+    """Mean of amplitudes at `lines` (Hz, > 0) under the window around each of the centres (Hz)."""
+    position = BANDWIDTH * np.log10(lines[None, :] / centres[:, None])
+    weight = np.sinc(position / np.pi) ** 4
+    return weight @ amplitude / weight.sum(axis=1)
+
+
+def fourier_amplitude(acceleration, dt, centres):
+    """Smoothed |A(f)| in m/s at the centres (Hz) of an acceleration (m/s2) every dt (s)."""
+    samples = PADDING * len(acceleration)
+    amplitude = dt * np.abs(np.fft.rfft(acceleration, samples))
+    lines = np.fft.rfftfreq(samples, dt)
+    return smoothed(lines[1:], amplitude[1:], centres)
