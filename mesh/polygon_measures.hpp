@@ -1,14 +1,12 @@
 #pragma once
 
-// Area, centroid and second moment of polygons, and their parts in rectangles. With corners (x_i, y_i) and
+// Area, centroid and second moment of polygons, and their parts beside lines. With corners (x_i, y_i) and
 // c_i = x_i y_{i+1} - x_{i+1} y_i, Green's theorem gives
 //
 //     A = 1/2 sum c_i,      A x_c = 1/6 sum c_i (x_i + x_{i+1}),
 //     I_0 = 1/12 sum c_i (x_i^2 + x_i x_{i+1} + x_{i+1}^2 + the same in y),      I_c = I_0 - A |x_c|^2.
 //
 // Polygons are vectors of corners with members x and y; the last is joined to the first.
-
-#include "mesh/quadtree.hpp"
 
 #include <cstddef>
 #include <utility>
@@ -85,16 +83,6 @@ Polygon clipped(const Polygon& polygon, const Side& side) {
 template <class Polygon>
 Polygon part_below(const Polygon& polygon, double level) {
   return clipped(polygon, [&](const auto& corner) { return level - corner.y; });
-}
-
-/// The part of a polygon in a rectangle.
-template <class Polygon>
-Polygon part_in(const Polygon& polygon, const Rectangle& box) {
-  Polygon part = polygon;
-  part = clipped(part, [&](const auto& corner) { return corner.x - box.x_min; });
-  part = clipped(part, [&](const auto& corner) { return box.x_max - corner.x; });
-  part = clipped(part, [&](const auto& corner) { return corner.y - box.y_min; });
-  return clipped(part, [&](const auto& corner) { return box.y_max - corner.y; });
 }
 
 } // namespace tremolo::mesh

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill_bodies.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/spec/limits.hpp"
@@ -33,6 +34,13 @@ void check_structures(const Spec& spec) {
       throw std::invalid_argument(
           fmt::format("structure '{}' needs friction and adhesion for each of {} soils", structure.name,
                       spec.soils.size()));
+  for (const Structure& structure : spec.structures)
+    if (structure.stiffness && spec.water && std::ranges::any_of(structure.hole, [&](const Vector& corner) {
+          return corner.y < spec.water->level;
+        }))
+      throw std::invalid_argument(
+          fmt::format("the hole of structure '{}' reaches below the water table: it must be rigid there",
+                      structure.name));
 }
 
 const Spec& checked(const Spec& spec) {
@@ -95,16 +103,14 @@ void rebuild_mesh(Domain& domain) {
   const Spec& spec = domain.spec;
   if (spec.refine.empty()) {
     domain.images = images_of(domain.grid);
-    domain.tiles = TileMap({domain.grid});
   } else {
     domain.mesh.emplace(roots_of(domain.grid),
                         refinements_of(spec.refine, spec.box, spec.cell_size, spec.sides));
-    domain.tiles = TileMap({domain.mesh->lattices().begin(), domain.mesh->lattices().end()});
     domain.basis_cells = {};
     if (spec.scheme.subcycle)
       domain.clocks = ClockMap(domain.mesh->tree(), buffer_layers);
-    resize_fields(domain.grid, domain.mesh->node_count());
   }
+  lay_out_lattices(domain);
 }
 
 void keep_whole(Domain& domain, std::size_t set, std::uint32_t id) {
@@ -115,11 +121,15 @@ void keep_whole(Domain& domain, std::size_t set, std::uint32_t id) {
 }
 
 void sort_particles(Domain& domain) {
-  for (std::size_t s = 0; s < domain.sets.size(); ++s)
-    if (domain.mesh)
-      sort_by_lattice(domain.sets[s], *domain.mesh, domain.tiles, domain.clocks, domain.sort_distance());
+  follow_bodies(domain);
+  const std::size_t blocks = domain.block_count() + domain.across_block_count();
+  for (Particles& set : domain.sets)
+    if (set.body)
+      sort_by_cell(set, domain.tiles, domain.soil_lattice_count() + static_cast<int>(*set.body), blocks);
+    else if (domain.mesh)
+      sort_by_lattice(set, *domain.mesh, domain.tiles, domain.clocks, domain.sort_distance());
     else
-      sort_by_cell(domain.sets[s], domain.grid, domain.tiles);
+      sort_by_cell(set, domain.tiles, 0, blocks);
   resize_fields(domain.grid, domain.grid.size());
   domain.boundary.follow_sort(domain);
   find_reach(domain);
@@ -190,6 +200,12 @@ Domain::Domain(const Spec& specification)
     : spec(checked(specification)), grid(make_grid(spec)), contact(spec), workers(spec.threads) {
   rebuild_mesh(*this);
   sets = fill(spec, mesh ? &mesh->tree() : nullptr);
+  soil_sets = sets.size();
+  for (Particles& set : fill_bodies(spec, soil_lattice_count() - 1)) {
+    bodies.resize(*set.body + 1);
+    sets.push_back(std::move(set));
+  }
+  contact.take_bodies(*this);
   for (const Particles& set : sets) {
     grid.traits.wet |= set.water && set.size() > 0;
     grid.traits.flowing |= set.traits.flowing && set.size() > 0;
@@ -200,6 +216,11 @@ Domain::Domain(const Spec& specification)
   for (const BoundaryFace& face : boundary.faces())
     keep_whole(*this, face.set, face.id);
   sort_particles(*this);
+}
+
+std::span<const Particles> Domain::sets_of_body(std::size_t body) const {
+  const auto found = std::ranges::equal_range(body_sets(), std::optional(body), {}, &Particles::body);
+  return {found.begin(), found.end()};
 }
 
 bool Domain::has_pore_pressure() const {

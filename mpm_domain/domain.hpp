@@ -3,6 +3,7 @@
 #include "mpm_domain/boundary/boundary.hpp"
 #include "mpm_domain/contact/contact.hpp"
 #include "mpm_domain/grid/across_weights.hpp"
+#include "mpm_domain/grid/body_lattices.hpp"
 #include "mpm_domain/grid/graded_mesh.hpp"
 #include "mpm_domain/grid/grid.hpp"
 #include "mpm_domain/grid/soil_rows.hpp"
@@ -15,6 +16,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -71,9 +73,11 @@ struct Domain {
   std::optional<GradedMesh> mesh; ///< where the spec refines; without it the grid is one lattice
   Prolongation images;            ///< of periodic sides without a mesh: ties()
   std::vector<std::size_t>
-      image_rows;              ///< rows of ties() at which cells with soil may begin: images of a period
-  ClockMap clocks;             ///< one clock unless the spec sub-cycles
-  std::vector<Particles> sets; ///< one per soil
+      image_rows;                  ///< rows of ties() at which cells with soil may begin: images of a period
+  ClockMap clocks;                 ///< one clock unless the spec sub-cycles
+  std::vector<Particles> sets;     ///< one per soil, level by level, then those of elastic bodies
+  std::size_t soil_sets = 0;       ///< how many of them are of soil
+  std::vector<BodyLattice> bodies; ///< of elastic bodies
   std::vector<WaitingStrains> waiting_strains;     ///< by set, within a gather
   std::vector<WaitingPressures> waiting_pressures; ///< by set, while pore pressures are found
   Boundary boundary;
@@ -90,11 +94,21 @@ struct Domain {
   bool has_water() const { return grid.traits.wet; }
   bool has_flow() const { return grid.traits.flowing; }
   bool has_pore_pressure() const;
-  int lattice_count() const { return mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
+  std::span<Particles> sets_of_soil() { return std::span(sets).first(soil_sets); }
+  std::span<const Particles> sets_of_soil() const { return std::span(sets).first(soil_sets); }
+  /// Those of one elastic body.
+  std::span<const Particles> sets_of_body(std::size_t body) const;
+  std::span<const Particles> body_sets() const { return std::span(sets).subspan(soil_sets); }
+  /// Lattices of the soil are numbered by level; those of elastic bodies follow.
+  int soil_lattice_count() const { return mesh ? static_cast<int>(mesh->lattices().size()) : 1; }
+  int lattice_count() const { return soil_lattice_count() + static_cast<int>(bodies.size()); }
   const Lattice& lattice(int level) const {
+    if (level >= soil_lattice_count())
+      return bodies[static_cast<std::size_t>(level - soil_lattice_count())].lattice;
     return level == 0 ? grid : mesh->lattices()[static_cast<std::size_t>(level)];
   }
-  const Lattice& finest_lattice() const { return lattice(lattice_count() - 1); }
+  /// That of the soil.
+  const Lattice& finest_lattice() const { return lattice(soil_lattice_count() - 1); }
   /// l of the box of particles that belong to the cells of a level, at the start, m
   double half_size(int level = 0) const;
   Axis x_axis(int level = 0) const { return {lattice(level).x0, lattice(level).h}; }
@@ -109,7 +123,7 @@ struct Domain {
   std::size_t across_block(int clock, std::size_t tile) const { return block_count() + block(clock, tile); }
   std::size_t block_count() const { return static_cast<std::size_t>(clocks.count()) * tiles.count(); }
   std::size_t across_block_count() const { return mesh ? block_count() : 0; }
-  /// Level of the lattice that the tile of a block belongs to.
+  /// Number of the lattice that the tile of a block belongs to.
   int level_of_block(std::size_t block) const { return tiles.level_of(block % tiles.count()); }
   int clock_of_block(std::size_t block) const {
     return static_cast<int>(block % block_count() / tiles.count());

@@ -86,6 +86,7 @@ void save(const Domain& domain, Writer& to) {
   const Grid& grid = domain.grid;
   to.write("grid",
            std::vector<double>{grid.x0, grid.y0, static_cast<double>(grid.nx), static_cast<double>(grid.ny)});
+  to.write("body_lattices", lattice_state(domain.bodies));
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     save(domain.sets[s], "soil" + std::to_string(s), to);
   domain.boundary.save(to);
@@ -99,6 +100,7 @@ void restore(Domain& domain, const Reader& from) {
   domain.grid.x0 = grid[0];
   domain.grid.y0 = grid[1];
   resize(domain.grid, static_cast<int>(grid[2]), static_cast<int>(grid[3]));
+  set_lattice_state(domain.bodies, from.numbers("body_lattices"));
   rebuild_mesh(domain);
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     const std::string name = "soil" + std::to_string(s);

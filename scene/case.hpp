@@ -88,14 +88,15 @@ struct SoilContact {
   double adhesion = 0.0; ///< Pa
 };
 
-/// [[structure]]: a rigid body that stands in or on the soil.
+/// [[structure]]: a body that stands in or on the soil.
 struct Structure {
   std::string name;
   Outline outline;
-  std::optional<Outline> hole;      ///< its empty inside
-  double density = 0.0;             ///< of what lies between both, kg/m3
-  double friction = 0.0;            ///< against other structures; of two the smaller counts
-  std::vector<SoilContact> against; ///< each of Case::soils
+  std::optional<Outline> hole;                    ///< its empty inside
+  double density = 0.0;                           ///< of what lies between both, kg/m3
+  std::optional<mpm_domain::Stiffness> stiffness; ///< of an elastic one; none: rigid
+  double friction = 0.0;                          ///< against other structures; of two the smaller counts
+  std::vector<SoilContact> against;               ///< each of Case::soils
 };
 
 /// A layer of a free-field profile.

@@ -1,5 +1,7 @@
 #include "materials/law/finite_input.hpp"
 
+#include "base/lanes.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,10 +12,11 @@ namespace tremolo::materials {
 namespace {
 
 bool finite(const double* values, std::size_t count) {
-  bool good = true;
-  for (std::size_t i = 0; i < count; ++i)
-    good &= std::abs(values[i]) <= std::numeric_limits<double>::max();
-  return good;
+  LaneMask wrong{};
+  by_fours(0, count, [&](std::size_t i, auto group) {
+    wrong |= ~(magnitude(group.load(values + i)) <= std::numeric_limits<double>::max());
+  });
+  return !any(wrong);
 }
 
 /// @param size  values of a point

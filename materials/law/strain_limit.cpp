@@ -1,5 +1,7 @@
 #include "materials/law/strain_limit.hpp"
 
+#include "base/lanes.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,10 +14,10 @@ constexpr double largest_rotation = 1.0; // rad
 
 /// Whether |values[i]| <= limit for all of them; a value that is not a number is outside.
 bool within(const double* values, std::size_t count, double limit) {
-  bool good = true;
-  for (std::size_t i = 0; i < count; ++i)
-    good &= std::abs(values[i]) <= limit;
-  return good;
+  LaneMask outside{};
+  by_fours(0, count,
+           [&](std::size_t i, auto group) { outside |= ~(magnitude(group.load(values + i)) <= limit); });
+  return !any(outside);
 }
 
 void check(std::string_view law, std::string_view component, const double* values, std::size_t count,

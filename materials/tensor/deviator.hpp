@@ -4,34 +4,43 @@
 // in-plane mean and such a tensor:
 //
 //     t = [[d, s], [s, -d]],    t:u = 2 (t_d u_d + t_s u_s).
+//
+// Real is double for one point, or Lanes for four.
 
-#include <cmath>
+#include "base/lanes.hpp"
 
 namespace tremolo::materials {
 
 /// A traceless symmetric tensor of the plane.
-struct Deviator {
-  double d = 0.0; ///< the xx component, and minus the yy component
-  double s = 0.0; ///< the xy component
+template <typename Real>
+struct DeviatorOf {
+  Real d{}; ///< the xx component, and minus the yy component
+  Real s{}; ///< the xy component
 };
+using Deviator = DeviatorOf<double>;
 
-inline Deviator operator+(Deviator a, Deviator b) {
+template <typename Real>
+DeviatorOf<Real> operator+(const DeviatorOf<Real>& a, const DeviatorOf<Real>& b) {
   return {a.d + b.d, a.s + b.s};
 }
-inline Deviator operator-(Deviator a, Deviator b) {
+template <typename Real>
+DeviatorOf<Real> operator-(const DeviatorOf<Real>& a, const DeviatorOf<Real>& b) {
   return {a.d - b.d, a.s - b.s};
 }
-inline Deviator operator*(double factor, Deviator a) {
+template <typename Factor, typename Real>
+DeviatorOf<Real> operator*(const Factor& factor, const DeviatorOf<Real>& a) {
   return {factor * a.d, factor * a.s};
 }
 
 /// a:b
-inline double contract(Deviator a, Deviator b) {
+template <typename Real>
+Real contract(const DeviatorOf<Real>& a, const DeviatorOf<Real>& b) {
   return 2.0 * (a.d * b.d + a.s * b.s);
 }
 /// sqrt(a:a)
-inline double norm(Deviator a) {
-  return std::sqrt(contract(a, a));
+template <typename Real>
+Real norm(const DeviatorOf<Real>& a) {
+  return sqrt(contract(a, a));
 }
 
 } // namespace tremolo::materials

@@ -10,29 +10,35 @@
 // whose w is taken in the mid-step configuration and a second-order integration of the Jaumann rate
 // otherwise: an error of w^3/12 rad a step. No trigonometric functions, so a loop over points vectorises.
 // What remains of the Jaumann rate is known: shear stress in simple shear of a hypoelastic solid oscillates
-// beyond a shear strain of about 0.7.
+// beyond a shear strain of about 0.7. Real is double, or Lanes for four points.
 
 namespace tremolo::materials {
 
 /// In-plane components of the Cauchy stress, Pa.
-struct InPlaneStress {
-  double xx = 0.0;
-  double yy = 0.0;
-  double xy = 0.0;
+template <typename Real>
+struct InPlaneStressOf {
+  Real xx{};
+  Real yy{};
+  Real xy{};
 };
+using InPlaneStress = InPlaneStressOf<double>;
 
 /// Q sigma Q^T for the rotation increment w (rad, counter-clockwise positive).
-inline InPlaneStress rotated(const InPlaneStress& stress, double w) {
-  const double a = 0.5 * w;
-  const double scale = 1.0 / (1.0 + a * a);
-  const double cosine = (1.0 - a * a) * scale;
-  const double sine = 2.0 * a * scale;
-  const double cosine2 = cosine * cosine - sine * sine;
-  const double sine2 = 2.0 * sine * cosine;
-  const double mean = 0.5 * (stress.xx + stress.yy);
-  const double half = 0.5 * (stress.xx - stress.yy);
-  const double half_rotated = half * cosine2 - stress.xy * sine2;
+template <typename Real>
+InPlaneStressOf<Real> rotated(const InPlaneStressOf<Real>& stress, const Real& w) {
+  const Real a = 0.5 * w;
+  const Real scale = 1.0 / (1.0 + a * a);
+  const Real cosine = (1.0 - a * a) * scale;
+  const Real sine = 2.0 * a * scale;
+  const Real cosine2 = cosine * cosine - sine * sine;
+  const Real sine2 = 2.0 * sine * cosine;
+  const Real mean = 0.5 * (stress.xx + stress.yy);
+  const Real half = 0.5 * (stress.xx - stress.yy);
+  const Real half_rotated = half * cosine2 - stress.xy * sine2;
   return {mean + half_rotated, mean - half_rotated, half * sine2 + stress.xy * cosine2};
+}
+inline InPlaneStress rotated(const InPlaneStress& stress, double w) {
+  return rotated<double>(stress, w);
 }
 
 } // namespace tremolo::materials

@@ -26,12 +26,12 @@ void add(RigidMotion& to, const RigidMotion& change, double factor) {
 
 void find_corners(std::span<const RigidBody> bodies, std::size_t owner, std::size_t other, double friction,
                   double distance, std::vector<CornerContact>& corners) {
-  const mesh::Rectangle box = bodies[other].bounds();
+  const mesh::Rectangle box = bodies[other].surface().bounds();
   for (const Vector& corner : bodies[owner].outline()) {
     if (corner.x < box.x_min - distance || corner.x > box.x_max + distance ||
         corner.y < box.y_min - distance || corner.y > box.y_max + distance)
       continue;
-    const RigidBody::Nearest nearest = bodies[other].nearest(corner);
+    const BodySurface::Nearest nearest = bodies[other].surface().nearest(corner);
     if (nearest.distance >= distance)
       continue;
     CornerContact& found = corners.emplace_back();
@@ -47,12 +47,12 @@ void find_corners(std::span<const RigidBody> bodies, std::size_t owner, std::siz
 
 } // namespace
 
-std::vector<CornerContact> find_corners(std::span<const RigidBody> bodies, std::span<const double> friction,
-                                        double distance) {
+std::vector<CornerContact> find_corners(std::span<const RigidBody> bodies,
+                                        std::span<const Structure> structures, double distance) {
   std::vector<CornerContact> corners;
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (std::size_t b = a + 1; b < bodies.size(); ++b) {
-      const double of_both = std::min(friction[a], friction[b]);
+      const double of_both = std::min(structures[a].friction_between, structures[b].friction_between);
       find_corners(bodies, a, b, of_both, distance, corners);
       find_corners(bodies, b, a, of_both, distance, corners);
     }

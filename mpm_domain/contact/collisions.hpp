@@ -33,9 +33,9 @@ struct CornerContact {
 };
 
 /// The corners of all pairs of bodies that are closer to the other body than a distance (m).
-/// @param friction  of each body against others; of two the smaller counts
-std::vector<CornerContact> find_corners(std::span<const RigidBody> bodies, std::span<const double> friction,
-                                        double distance);
+/// @param structures  of the bodies; of the frictions of two the smaller counts
+std::vector<CornerContact> find_corners(std::span<const RigidBody> bodies,
+                                        std::span<const Structure> structures, double distance);
 
 /// Finds impulses for bodies that move by `motions`, whose parts from earlier impulses are included, and
 /// changes both.

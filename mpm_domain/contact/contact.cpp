@@ -49,6 +49,24 @@ ContactWork add_to_water(Grid& grid, const ContactNode& c, double density, doubl
               0.5 * dot(drag, {c.water_change.x - c.solid_change.x, c.water_change.y - c.solid_change.y})};
 }
 
+/// Gives the node of an elastic body its change of motion.
+ContactWork push_body(Domain& domain, const ContactNode& c, double dt) {
+  Grid& grid = domain.grid;
+  const std::size_t n = c.body_node;
+  const Vector before = grid.velocity_after(n);
+  const Vector after = sum(before, c.body_change);
+  grid.vx_after[n] = after.x;
+  grid.vy_after[n] = after.y;
+  grid.ax[n] += c.body_change.x / dt;
+  grid.ay[n] += c.body_change.y / dt;
+  if (domain.has_flow()) {
+    grid.wx_after[n] = after.x;
+    grid.wy_after[n] = after.y;
+  }
+  return {.kinetic = 0.5 * c.body_mass * (square(after) - square(before)),
+          .gravity = -0.5 * dt * domain.spec.gravity * c.body_mass * c.body_change.y};
+}
+
 std::optional<WaterAtRest> water_at_rest(const Spec& spec) {
   if (!spec.water)
     return std::nullopt;
@@ -58,16 +76,15 @@ std::optional<WaterAtRest> water_at_rest(const Spec& spec) {
 } // namespace
 
 Contact::Contact(const Spec& spec)
-    : structures_(spec.structures), bodies_(structures_.begin(), structures_.end()), nodes_(bodies_.size()),
-      shared_(bodies_.size()), motions_(bodies_.size()), responses_(bodies_.size()), loads_(bodies_.size()) {
-  for (const Structure& structure : structures_)
-    between_.push_back(structure.friction_between);
-}
+    : structures_(spec.structures), bodies_(structures_.begin(), structures_.end()), elastic_(bodies_.size()),
+      nodes_(bodies_.size()), shared_(bodies_.size()), motions_(bodies_.size()), responses_(bodies_.size()),
+      loads_(bodies_.size()) {}
 
 double Contact::kinetic_energy() const {
   double energy = 0.0;
-  for (const RigidBody& body : bodies_)
-    energy += body.kinetic_energy();
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (!elastic_[b])
+      energy += bodies_[b].kinetic_energy();
   return energy;
 }
 
@@ -87,11 +104,54 @@ BodyForces Contact::forces(std::size_t body) const {
   return forces;
 }
 
+void Contact::take_bodies(const Domain& domain) {
+  std::size_t number = 0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (structures_[b].stiffness) {
+      elastic_[b].emplace(structures_[b], number, domain.sets_of_body(number), domain.finest_lattice().h);
+      ++number;
+    }
+}
+
+std::size_t Contact::structure_of(std::size_t elastic) const {
+  const auto found = std::ranges::find_if(
+      elastic_, [&](const std::optional<ElasticBody>& body) { return body && body->number() == elastic; });
+  return static_cast<std::size_t>(found - elastic_.begin());
+}
+
+void Contact::follow_particles(const Domain& domain) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (elastic_[b])
+      elastic_[b]->follow(domain.sets_of_body(elastic_[b]->number()), bodies_[b]);
+}
+
 void Contact::follow_sort(const Domain& domain) {
+  follow_particles(domain);
   // Particles reach two cells; both they and the body move until the next sort.
   const double margin = 4.0 * domain.finest_lattice().h + 2.0 * domain.sort_distance();
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    nodes_[b].follow_sort(domain, bodies_[b], margin);
+    nodes_[b].follow_sort(domain, surface(b), margin);
+}
+
+void Contact::find_nodes(Domain& domain) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    nodes_[b].find(domain, surface(b), bodies_[b].centre(), structures_[b],
+                   elastic_[b] ? &domain.bodies[elastic_[b]->number()] : nullptr);
+    loads_[b] = bodies_[b].load(domain.spec.gravity, water_at_rest(domain.spec));
+  }
+  find_shared();
+}
+
+std::vector<RigidMotion> Contact::trial_motions(double keep, double dt) const {
+  std::vector<RigidMotion> trial;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const RigidBody& body = bodies_[b];
+    const RigidMotion& u = body.motion();
+    trial.push_back({{keep * u.velocity.x + dt * loads_[b].force.x / body.mass(),
+                      keep * u.velocity.y + dt * loads_[b].force.y / body.mass()},
+                     keep * u.spin + dt * loads_[b].moment / body.inertia()});
+  }
+  return trial;
 }
 
 void Contact::find_shared() {
@@ -113,7 +173,6 @@ void Contact::find_shared() {
 
 /// One body with the impulses of the others; returns by how much its motion has changed, m/s.
 double Contact::solve_body(std::size_t body, const RigidMotion& trial, bool bonded) {
-  const RigidBody& b = bodies_[body];
   std::vector<ContactNode>& nodes = nodes_[body].nodes();
   std::vector<std::pair<Vector, Vector>> by_others(shared_[body].empty() ? 0 : nodes.size());
   for (const SharedNode& shared : shared_[body]) {
@@ -123,6 +182,12 @@ double Contact::solve_body(std::size_t body, const RigidMotion& trial, bool bond
   }
   for (std::size_t n = 0; n < by_others.size(); ++n)
     nodes[n].set_trial(by_others[n].first, by_others[n].second);
+  return elastic_[body] ? solve_elastic(body, bonded) : solve_rigid(body, trial, bonded);
+}
+
+double Contact::solve_rigid(std::size_t body, const RigidMotion& trial, bool bonded) {
+  const RigidBody& b = bodies_[body];
+  std::vector<ContactNode>& nodes = nodes_[body].nodes();
   std::vector<ContactPoint> points(nodes.begin(), nodes.end());
   const ContactSolution found = solve_contact(b.mass(), b.inertia(), trial, points, bonded);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -138,6 +203,25 @@ double Contact::solve_body(std::size_t body, const RigidMotion& trial, bool bond
                    size * std::abs(found.motion.spin - last.spin)});
 }
 
+double Contact::solve_elastic(std::size_t body, bool bonded) {
+  double most = 0.0;
+  for (ContactNode& c : nodes_[body].nodes()) {
+    const Vector last = c.body_change;
+    c.solve_alone(bonded);
+    most = std::max(most, std::hypot(c.body_change.x - last.x, c.body_change.y - last.y));
+  }
+  return most;
+}
+
+void Contact::refuse_elastic_corners() const {
+  for (const CornerContact& c : corners_)
+    if (elastic_[c.a] || elastic_[c.b])
+      throw std::runtime_error(fmt::format(
+          "structures '{}' and '{}' have come within half a cell of each other: elastic structures "
+          "touch soil alone; two that may meet must be rigid",
+          bodies_[std::min(c.a, c.b)].name(), bodies_[std::max(c.a, c.b)].name()));
+}
+
 void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) {
   constexpr int sweeps = 50;
   constexpr double tolerance = 1e-12; // of the largest speed
@@ -145,7 +229,7 @@ void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) 
       corners_.empty() && std::ranges::all_of(shared_, [](const auto& of_body) { return of_body.empty(); });
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (ContactNode& c : nodes_[b].nodes())
-      c.solid_change = c.water_change = {};
+      c.solid_change = c.water_change = c.body_change = {};
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     double change = 0.0;
     double speed = 0.0;
@@ -180,32 +264,29 @@ void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) 
 ContactWork Contact::meet(Domain& domain, double dt) {
   ContactWork work;
   const double h = domain.finest_lattice().h;
-  std::vector<RigidMotion> trial;
   std::vector<RigidMotion> before;
+  find_nodes(domain);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const RigidBody& body = bodies_[b];
-    nodes_[b].find(domain, body, structures_[b]);
     nodes_[b].take_trial(domain, dt);
-    loads_[b] = body.load(domain.spec.gravity, water_at_rest(domain.spec));
-    before.push_back(body.motion());
-    trial.push_back({{body.motion().velocity.x + dt * loads_[b].force.x / body.mass(),
-                      body.motion().velocity.y + dt * loads_[b].force.y / body.mass()},
-                     body.motion().spin + dt * loads_[b].moment / body.inertia()});
+    before.push_back(bodies_[b].motion());
   }
-  corners_ = find_corners(bodies_, between_, 0.5 * h);
-  find_shared();
-  solve(trial, dt, false);
+  corners_ = find_corners(bodies_, structures_, 0.5 * h);
+  refuse_elastic_corners();
+  solve(trial_motions(1.0, dt), dt, false);
   dt_ = dt;
 
   work = add_changes(domain, dt);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     RigidBody& body = bodies_[b];
-    body.set_motion(motions_[b]);
+    if (!elastic_[b])
+      body.set_motion(motions_[b]);
     const RigidMotion middle{mean(before[b].velocity, motions_[b].velocity),
                              0.5 * (before[b].spin + motions_[b].spin)};
-    work.gravity += dt * (dot(loads_[b].force, middle.velocity) + loads_[b].moment * middle.spin);
+    if (!elastic_[b])
+      work.gravity += dt * (dot(loads_[b].force, middle.velocity) + loads_[b].moment * middle.spin);
     for (const ContactNode& c : nodes(b)) {
-      const Vector body_speed = middle.at(c.arm);
+      const Vector body_speed =
+          elastic_[b] ? mean(c.body_before, domain.grid.velocity_after(c.body_node)) : middle.at(c.arm);
       const Vector on_body{c.normal_impulse * c.normal.x + c.tangential_impulse * c.tangent().x,
                            c.normal_impulse * c.normal.y + c.tangential_impulse * c.tangent().y};
       work.impact -= dot(on_body, body_speed);
@@ -226,7 +307,7 @@ ContactWork Contact::meet(Domain& domain, double dt) {
   return work;
 }
 
-/// Gives the soil its changes of motion; what they dissipate, the bodies' share aside, stands as impact.
+/// Gives the nodes their changes of motion; what they dissipate, the bodies' share aside, stands as impact.
 ContactWork Contact::add_changes(Domain& domain, double dt) {
   ContactWork work;
   Grid& grid = domain.grid;
@@ -247,6 +328,8 @@ ContactWork Contact::add_changes(Domain& domain, double dt) {
         grid.wx_after[n] = solid.x;
         grid.wy_after[n] = solid.y;
       }
+      if (c.body_mass > 0.0)
+        work = sum(work, push_body(domain, c, dt));
     }
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (const ContactNode& c : nodes(b)) {
@@ -270,26 +353,42 @@ double Contact::meet_remapped(Domain& domain) {
         continue;
       const std::size_t n = c.node;
       const Vector u{grid.vx_strain[n], grid.vy_strain[n]};
-      const Vector wall = bodies_[b].motion().at(c.arm);
+      const bool elastic = c.body_mass > 0.0;
+      const double per_wall = elastic ? 1.0 / c.body_mass : 0.0; // a rigid body stays as it is
+      const Vector wall = elastic ? Vector{grid.vx_strain[c.body_node], grid.vy_strain[c.body_node]}
+                                  : bodies_[b].motion().at(c.arm);
       const Vector t = c.tangent();
       const double toward = dot(c.normal, u) - dot(c.normal, wall);
       // N of both together may not become tension, unless water bears it.
-      double normal = c.mass * toward;
+      double normal = c.mass * toward / (1.0 + c.mass * per_wall);
       if (!c.wet() || !c.tied)
         normal = std::max(normal, -c.normal_impulse);
       const double effective = c.effective_impulse + (c.mass - c.full_water) / c.mass * normal;
       const double slip = dot(t, u) - dot(t, wall);
       const bool sticks = c.tied && c.slip == 0;
-      const double rest = c.friction * std::max(0.0, effective) + c.adhesion - std::abs(c.tangential_impulse);
+      const double rest = c.bound(effective) - std::abs(c.tangential_impulse);
       const bool touches = c.tied || normal > 0.0;
-      const double limit = sticks ? std::abs(c.tangential * slip) : (touches ? std::max(0.0, rest) : 0.0);
-      const double tangential = std::clamp(c.tangential * slip, -limit, limit);
+      const double stick = c.tangential * slip / (1.0 + c.tangential * per_wall);
+      const double limit = sticks ? std::abs(stick) : (touches ? std::max(0.0, rest) : 0.0);
+      const double tangential = std::clamp(stick, -limit, limit);
       const double un = normal / c.mass;
       const double ut = tangential / c.tangential;
       const Vector taken{un * c.normal.x + ut * t.x, un * c.normal.y + ut * t.y};
       grid.vx_strain[n] -= taken.x;
       grid.vy_strain[n] -= taken.y;
       power += grid.force_x[n] * taken.x + (grid.force_y[n] + grid.mass[n] * domain.spec.gravity) * taken.y;
+      if (elastic) {
+        const std::size_t m = c.body_node;
+        const Vector given{per_wall * (normal * c.normal.x + tangential * t.x),
+                           per_wall * (normal * c.normal.y + tangential * t.y)};
+        grid.vx_strain[m] += given.x;
+        grid.vy_strain[m] += given.y;
+        power -= grid.force_x[m] * given.x + (grid.force_y[m] + grid.mass[m] * domain.spec.gravity) * given.y;
+        if (domain.has_flow()) {
+          grid.flux_x[m] = grid.vx_strain[m];
+          grid.flux_y[m] = grid.vy_strain[m];
+        }
+      }
       if (!domain.has_flow())
         continue;
       // n w, without its part through the wall.
@@ -306,15 +405,17 @@ double Contact::meet_remapped(Domain& domain) {
 }
 
 void Contact::move(Domain& domain, double dt) {
+  follow_particles(domain);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    bodies_[b].move(dt);
-    const mesh::Rectangle box = bodies_[b].bounds();
+    if (!elastic_[b])
+      bodies_[b].move(dt);
+    const mesh::Rectangle box = surface(b).bounds();
     for (const NearParticle& near : nodes_[b].near()) {
       Particles& p = domain.sets[near.set];
       const std::size_t k = near.index;
       if (p.x[k] < box.x_min || p.x[k] > box.x_max || p.y[k] < box.y_min || p.y[k] > box.y_max)
         continue;
-      const RigidBody::Nearest nearest = bodies_[b].nearest({p.x[k], p.y[k]});
+      const BodySurface::Nearest nearest = surface(b).nearest({p.x[k], p.y[k]});
       const double out = -nearest.distance - 0.5 * p.half_size;
       if (out <= 0.0)
         continue;
@@ -325,78 +426,22 @@ void Contact::move(Domain& domain, double dt) {
   }
 }
 
-void Contact::begin_rest(Domain& domain) {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    nodes_[b].find(domain, bodies_[b], structures_[b]);
-    loads_[b] = bodies_[b].load(domain.spec.gravity, water_at_rest(domain.spec));
-  }
-  corners_.clear(); // bodies at rest hold on to the soil alone
-  find_shared();
-}
-
-double Contact::relax(Domain& domain, double keep, double gain, bool bonded) {
-  Grid& grid = domain.grid;
-  std::vector<RigidMotion> trial;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const RigidBody& body = bodies_[b];
-    const RigidMotion& u = body.motion();
-    nodes_[b].take_relaxing(domain, gain);
-    trial.push_back({{keep * u.velocity.x + gain * loads_[b].force.x / body.mass(),
-                      keep * u.velocity.y + gain * loads_[b].force.y / body.mass()},
-                     keep * u.spin + gain * loads_[b].moment / body.inertia()});
-  }
-  solve(trial, gain, bonded);
-  double unbalanced = 0.0;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    RigidBody& body = bodies_[b];
-    const RigidMotion last = body.motion();
-    const RigidMotion& u = motions_[b];
-    const double per_gain = body.mass() / gain;
-    const double radius2 = body.inertia() / body.mass();
-    unbalanced += per_gain * per_gain *
-                  (square({u.velocity.x - keep * last.velocity.x, u.velocity.y - keep * last.velocity.y}) +
-                   radius2 * (u.spin - keep * last.spin) * (u.spin - keep * last.spin));
-    body.set_motion(u);
-    for (const ContactNode& c : nodes(b)) {
-      grid.vx_after[c.node] += c.solid_change.x;
-      grid.vy_after[c.node] += c.solid_change.y;
-    }
-  }
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    for (const ContactNode& c : nodes(b)) {
-      if (std::ranges::any_of(std::span(nodes_).first(b),
-                              [&](const ContactNodes& earlier) { return earlier.has(c.node); }))
-        continue; // counted already
-      const double inertia = c.mass / gain;
-      unbalanced += square({grid.force_x[c.node] + inertia * (grid.vx_after[c.node] - c.solid_trial.x),
-                            grid.force_y[c.node] + inertia * (grid.vy_after[c.node] - c.solid_trial.y)});
-    }
-  return unbalanced;
-}
-
-void Contact::end_rest() {
-  for (RigidBody& body : bodies_)
-    body.set_motion({});
-}
-
 std::vector<double> Contact::node_state(std::size_t body) const {
   std::vector<double> state;
   for (const ContactNode& c : nodes(body))
-    state.insert(state.end(), {static_cast<double>(c.node), c.closed ? 1.0 : 0.0, c.tied ? 1.0 : 0.0,
-                               static_cast<double>(c.slip)});
+    state.insert(state.end(), {static_cast<double>(c.node), c.tied ? 1.0 : 0.0, static_cast<double>(c.slip)});
   return state;
 }
 
 void Contact::set_node_state(std::size_t body, const std::vector<double>& state) {
   std::vector<ContactNode>& nodes = nodes_[body].nodes();
-  constexpr std::size_t numbers = 4; // of a node
+  constexpr std::size_t numbers = 3; // of a node
   nodes.assign(state.size() / numbers, {});
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const double* const of_node = state.data() + n * numbers;
     nodes[n].node = static_cast<std::size_t>(of_node[0]);
-    nodes[n].closed = of_node[1] != 0.0;
-    nodes[n].tied = of_node[2] != 0.0;
-    nodes[n].slip = static_cast<int>(of_node[3]);
+    nodes[n].tied = of_node[1] != 0.0;
+    nodes[n].slip = static_cast<int>(of_node[2]);
   }
 }
 

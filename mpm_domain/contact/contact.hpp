@@ -1,8 +1,10 @@
 #pragma once
 
 // The structures of a domain and what passes between them and the soil in a step: contact/contact_nodes.hpp
-// finds the nodes, contact/rigid_contact.hpp the impulses at all nodes of a body, contact/collisions.hpp
-// those between bodies. Nodes that touch several bodies and bodies that touch each other are solved in turn,
+// finds the nodes, contact/rigid_contact.hpp the impulses at all nodes of a rigid body,
+// contact/collisions.hpp those between rigid bodies. Every node of an elastic body (contact/elastic_body.hpp)
+// is solved by itself, as a rigid body of one node that cannot turn: with m_b the mass of the body's node, W
+// = m_b and x = 0 there. Nodes that touch several bodies and bodies that touch each other are solved in turn,
 // each with the impulses of the others, until nothing changes; every solution conserves momentum.
 //
 // Contact acts after the grid update, and once more on the remapped velocities that strain the soil (musl):
@@ -10,7 +12,9 @@
 
 #include "mpm_domain/contact/collisions.hpp"
 #include "mpm_domain/contact/contact_nodes.hpp"
+#include "mpm_domain/contact/elastic_body.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,17 +46,26 @@ public:
   explicit Contact(const Spec& spec);
 
   bool any() const { return !bodies_.empty(); }
+  /// By structure: place and motion, of elastic bodies as a whole.
   std::span<const RigidBody> bodies() const { return bodies_; }
+  bool is_elastic(std::size_t body) const { return elastic_[body].has_value(); }
+  /// The structure that is the n-th of the elastic ones.
+  std::size_t structure_of(std::size_t elastic) const;
   const std::vector<ContactNode>& nodes(std::size_t body) const { return nodes_[body].nodes(); }
   BodyForces forces(std::size_t body) const;
-  double kinetic_energy() const; ///< of the bodies, J/m
+  double kinetic_energy() const; ///< of the rigid bodies, J/m
+  /// Root of the mean square of a body's speed in the gravity stage, m/s.
+  double speed(const Domain& domain, std::size_t body) const;
   /// Particles that had to be brought back out of bodies, over all steps.
   long pushed_out() const { return pushed_out_; }
+
+  /// Takes the particles of elastic bodies, at the start.
+  void take_bodies(const Domain& domain);
 
   /// Takes the particles near bodies until the next sort.
   void follow_sort(const Domain& domain);
 
-  /// Contact of the soil's motion after the grid update.
+  /// Contact of the grid's motion after the grid update.
   /// @param dt time that the forces of the step act for, s
   ContactWork meet(Domain& domain, double dt);
 
@@ -60,7 +73,8 @@ public:
   /// @returns power of nodal forces on what it has taken off these velocities, W/m
   double meet_remapped(Domain& domain);
 
-  /// Moves the bodies for dt (s), and back to their surface particles that lie in them by more than half of
+  /// Moves the rigid bodies for dt (s), lets the elastic ones follow their particles, and brings back
+  /// to their surface particles that lie in them by more than half of
   /// their half side.
   void move(Domain& domain, double dt);
 
@@ -99,17 +113,28 @@ private:
     std::size_t there; ///< its place among that body's nodes
   };
 
+  /// Finds the contact nodes of all bodies, and their loads.
+  void find_nodes(Domain& domain);
   void find_shared();
+  const BodySurface& surface(std::size_t body) const {
+    return elastic_[body] ? elastic_[body]->surface() : bodies_[body].surface();
+  }
+  void follow_particles(const Domain& domain);
+  /// Motions of the bodies after dt (s) without contact: v+ = keep v + dt f/m.
+  std::vector<RigidMotion> trial_motions(double keep, double dt) const;
   /// Finds impulses and changes of motion at all nodes, and the bodies' motions, from their trial motions.
   void solve(std::span<const RigidMotion> trial, double dt, bool bonded);
   double solve_body(std::size_t body, const RigidMotion& trial, bool bonded);
+  double solve_rigid(std::size_t body, const RigidMotion& trial, bool bonded);
+  double solve_elastic(std::size_t body, bool bonded);
+  void refuse_elastic_corners() const;
   ContactWork add_changes(Domain& domain, double dt);
   std::vector<double> node_state(std::size_t body) const;
   void set_node_state(std::size_t body, const std::vector<double>& state);
 
   std::vector<Structure> structures_;
   std::vector<RigidBody> bodies_;
-  std::vector<double> between_; ///< friction of each body against others
+  std::vector<std::optional<ElasticBody>> elastic_; ///< by body
   std::vector<ContactNodes> nodes_;
   std::vector<std::vector<SharedNode>> shared_; ///< by body
   std::vector<CornerContact> corners_;

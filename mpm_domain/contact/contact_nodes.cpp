@@ -10,12 +10,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// A node belongs to the surface if its share of it, in cells, is more than this. Surfaces often lie on lines
-/// of the grid, and the next line is not to join with every tremor.
-constexpr double least_share = 0.1;
-/// Gaps, in cells: a tied node opens at the larger one, others close at the smaller.
-constexpr double opening_gap = 0.1;
-constexpr double closing_gap = 0.002;
 /// Particles belong to the surface of the soil if they are not farther from the body than the nearest by this
 /// share of their size.
 constexpr double surface_layer = 0.8;
@@ -33,10 +27,10 @@ Vector unit(const Vector& v) {
 
 } // namespace
 
-void ContactNodes::follow_sort(const Domain& domain, const RigidBody& body, double margin) {
+void ContactNodes::follow_sort(const Domain& domain, const BodySurface& surface, double margin) {
   near_.clear();
-  const mesh::Rectangle box = body.bounds();
-  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+  const mesh::Rectangle box = surface.bounds();
+  for (std::size_t s = 0; s < domain.soil_sets; ++s) {
     const Particles& p = domain.sets[s];
     for (std::size_t k = 0; k < p.size(); ++k)
       if (p.x[k] > box.x_min - margin && p.x[k] < box.x_max + margin && p.y[k] > box.y_min - margin &&
@@ -45,11 +39,11 @@ void ContactNodes::follow_sort(const Domain& domain, const RigidBody& body, doub
   }
 }
 
-void ContactNodes::find_touches(Domain& domain, const RigidBody& body) {
+void ContactNodes::find_touches(Domain& domain, const BodySurface& surface) {
   touches_.assign(near_.size(), {});
   const double h = domain.finest_lattice().h;
   const double reach = 2.0 * h;
-  const mesh::Rectangle box = body.bounds();
+  const mesh::Rectangle box = surface.bounds();
   constexpr std::size_t part = 256;
   domain.workers.run((near_.size() + part - 1) / part, [&](std::size_t task) {
     for (std::size_t n = task * part; n < std::min(near_.size(), (task + 1) * part); ++n) {
@@ -58,7 +52,7 @@ void ContactNodes::find_touches(Domain& domain, const RigidBody& body) {
       if (place.x < box.x_min - reach || place.x > box.x_max + reach || place.y < box.y_min - reach ||
           place.y > box.y_max + reach)
         continue;
-      const RigidBody::Nearest nearest = body.nearest(place);
+      const BodySurface::Nearest nearest = surface.nearest(place);
       const double reaches = nearest.corner
                                  ? p.half_size
                                  : p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
@@ -67,10 +61,8 @@ void ContactNodes::find_touches(Domain& domain, const RigidBody& body) {
   });
 }
 
-/// act(n, place in the window, V S, V grad S) for near particle n and each node of the window that it
-/// reaches.
-template <typename Act>
-void ContactNodes::over_particles(const Domain& domain, const Act& act) const {
+void ContactNodes::weigh_particles(const Domain& domain) {
+  entries_.clear();
   const Lattice& lattice = domain.finest_lattice();
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
@@ -86,18 +78,19 @@ void ContactNodes::over_particles(const Domain& domain, const Act& act) const {
         const int j = wy.base + static_cast<int>(b);
         const double vs = p.volume[k] * wx.s[a] * wy.s[b];
         if (vs > 0.0 && window_.has(i, j))
-          act(n, window_.place(i, j), vs,
-              Vector{p.volume[k] * wx.g[a] * wy.s[b], p.volume[k] * wx.s[a] * wy.g[b]});
+          entries_.push_back({n,
+                              window_.place(i, j),
+                              vs,
+                              {p.volume[k] * wx.g[a] * wy.s[b], p.volume[k] * wx.s[a] * wy.g[b]}});
       }
   }
 }
 
 void ContactNodes::sum_particles(const Domain& domain, const Structure& structure) {
   sums_.assign(window_.count(), {});
-  over_particles(domain, [&](std::size_t n, std::size_t place, double, const Vector&) {
-    sums_[place].least_gap = std::min(sums_[place].least_gap, touches_[n].gap);
-  });
-  over_particles(domain, [&](std::size_t n, std::size_t place, double vs, const Vector& gradient) {
+  for (const Entry& entry : entries_)
+    sums_[entry.place].least_gap = std::min(sums_[entry.place].least_gap, touches_[entry.near].gap);
+  for (const auto& [n, place, vs, gradient] : entries_) {
     const Particles& p = domain.sets[near_[n].set];
     const std::size_t k = near_[n].index;
     Sums& sums = sums_[place];
@@ -112,24 +105,26 @@ void ContactNodes::sum_particles(const Domain& domain, const Structure& structur
       sums.facing = {sums.facing.x + vs * touch.normal.x, sums.facing.y + vs * touch.normal.y};
     }
     if (!p.traits.wet)
-      return;
+      continue;
     sums.wet += vs;
     sums.suction += vs * (p.water->fluid.cavitation_pressure - p.water->hydrostatic(p.y[k]));
     if (p.traits.flowing)
-      return;
+      continue;
     const double excess = p.water->excess(p.pore_pressure[k], p.y[k]);
     sums.sealed += vs;
     sums.sealed_force = {sums.sealed_force.x + excess * gradient.x,
                          sums.sealed_force.y + excess * gradient.y};
-  });
+  }
 }
 
-void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& structure) {
+void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector& centre,
+                        const Structure& structure, const BodyLattice* own) {
   const Lattice& lattice = domain.finest_lattice();
   const Grid& grid = domain.grid;
-  window_ = nodes_around(lattice, body.bounds());
-  find_wall(body, lattice, window_, wall_);
-  find_touches(domain, body);
+  window_ = nodes_around(lattice, surface.bounds());
+  find_wall(surface, lattice, window_, wall_);
+  find_touches(domain, surface);
+  weigh_particles(domain);
   sum_particles(domain, structure);
   const double empty = empty_mass(domain);
   std::vector<ContactNode> before = std::move(nodes_);
@@ -143,11 +138,14 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
       if (grid.mass[node] <= empty || sums.volume <= 0.0)
         continue;
       const Vector place{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
-      if (wall_[window_.place(i, j)] <= least_share * lattice.h && !body.contains(place))
+      if (wall_[window_.place(i, j)] <= least_wall_share * lattice.h && !surface.contains(place))
         continue;
       const bool at_edge = sums.surface > 0.0;
       const bool of_soil = length(sums.gradient) > 0.0;
       if (!at_edge && !of_soil)
+        continue;
+      const std::optional<std::size_t> body_node = own != nullptr ? own->node_at(i, j) : std::nullopt;
+      if (own != nullptr && !(body_node && grid.mass[*body_node] > empty))
         continue;
       // The search for the sets begins with those of the last step.
       while (known != before.end() && known->node < node)
@@ -161,7 +159,11 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
       }
       found.node = node;
       found.place = place;
-      found.arm = body.arm(place);
+      found.arm = {place.x - centre.x, place.y - centre.y};
+      if (body_node) {
+        found.body_node = *body_node;
+        found.body_mass = grid.mass[*body_node];
+      }
       const bool by_gradient = domain.spec.normals == ContactNormals::gradient ||
                                (domain.spec.normals == ContactNormals::automatic && sums.wet > 0.0);
       found.normal = unit(at_edge ? sums.facing : sums.gradient);
@@ -169,9 +171,8 @@ void ContactNodes::find(Domain& domain, const RigidBody& body, const Structure& 
         found.normal = unit(sums.gradient);
       found.area = std::max(0.0, dot(found.normal, sums.gradient));
       found.friction = sums.friction / sums.volume;
-      const double gap = at_edge ? sums.gap / sums.surface : sums.least_gap;
-      found.gap = gap;
-      found.closed = gap <= (was_tied ? opening_gap : closing_gap) * lattice.h;
+      found.gap = at_edge ? sums.gap / sums.surface : sums.least_gap;
+      found.closed = found.gap <= (was_tied ? opening_gap : closing_gap) * lattice.h;
       of_nodes_.push_back(sums);
     }
 }
@@ -187,8 +188,17 @@ void ContactNode::set_trial(const Vector& solid_by_others, const Vector& water_b
       free_impulse + full_water * dot(normal, water_mass > 0.0 ? water_by_others : solid_by_others);
 }
 
+void ContactNode::solve_alone(bool bonded) {
+  ContactPoint point = *this;
+  point.arm = {};
+  solve_contact(body_mass, body_mass, {body_trial, 0.0}, std::span(&point, 1), bonded);
+  point.arm = arm;
+  static_cast<ContactPoint&>(*this) = point;
+  find_changes();
+}
+
 void ContactNode::find_changes() {
-  solid_change = water_change = {};
+  solid_change = water_change = body_change = {};
   if (!tied)
     return;
   const Vector t = tangent();
@@ -199,6 +209,9 @@ void ContactNode::find_changes() {
   const double water_n = common - water_normal;
   solid_change = {solid_n * normal.x + along * t.x, solid_n * normal.y + along * t.y};
   water_change = {water_n * normal.x + (along + drift) * t.x, water_n * normal.y + (along + drift) * t.y};
+  if (body_mass > 0.0)
+    body_change = {(normal_impulse * normal.x + tangential_impulse * t.x) / body_mass,
+                   (normal_impulse * normal.y + tangential_impulse * t.y) / body_mass};
 }
 
 void ContactNodes::take_trial(const Domain& domain, double dt) {
@@ -210,6 +223,10 @@ void ContactNodes::take_trial(const Domain& domain, double dt) {
     c.solid_mass = grid.mass[c.node];
     c.solid_before = grid.velocity_before(c.node);
     c.solid_trial = grid.velocity_after(c.node);
+    if (c.body_mass > 0.0) {
+      c.body_before = grid.velocity_before(c.body_node);
+      c.body_trial = grid.velocity_after(c.body_node);
+    }
     c.water_mass = 0.0;
     c.water_before = c.solid_before;
     c.water_trial = c.solid_trial;
@@ -244,6 +261,8 @@ void ContactNodes::take_relaxing(const Domain& domain, double dt) {
     ContactNode& c = nodes_[n];
     c.mass = c.tangential = c.solid_mass = grid.mass[c.node];
     c.solid_trial = c.water_trial = grid.velocity_after(c.node);
+    if (c.body_mass > 0.0)
+      c.body_trial = grid.velocity_after(c.body_node);
     c.adhesion = of_nodes_[n].adhesion / of_nodes_[n].volume * c.area * dt;
     c.set_trial({}, {});
   }

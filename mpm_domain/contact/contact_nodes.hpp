@@ -1,7 +1,8 @@
 #pragma once
 
 // The nodes at which soil and a body meet: those that soil has given mass and that the body's surface
-// touches, and those with soil inside the body. What contact asks of the soil there is summed over the
+// touches, and those with soil inside the body; where the body is elastic, as far as its own node at that
+// place has mass. What contact asks of the soil there is summed over the
 // particles near the body,
 //
 //     g = sum V grad S,      volume = sum V S,      friction = sum V S mu / volume.
@@ -30,6 +31,7 @@
 
 namespace tremolo::mpm_domain {
 
+struct BodyLattice;
 struct Domain;
 
 struct ContactNode : ContactPoint {
@@ -46,10 +48,17 @@ struct ContactNode : ContactPoint {
   double solid_normal = 0.0;        ///< v_s.n and v_f.n that the impulses start from, m/s
   double water_normal = 0.0;
   Vector solid_change, water_change; ///< of both by the impulses found
+  std::size_t body_node = 0;         ///< that of an elastic body
+  double body_mass = 0.0;            ///< m_b there, kg/m; 0: the body is rigid
+  Vector body_before, body_trial;    ///< its velocity before the update and after it, m/s
+  Vector body_change;                ///< by the impulses found
 
   /// Takes trial velocities that differ from those of the update by what other bodies have changed.
   void set_trial(const Vector& solid_by_others, const Vector& water_by_others);
-  /// Finds the changes of both velocities by the present impulses.
+  /// Finds the impulses between soil and the body's node, where the body is elastic.
+  /// @param bonded  the node sticks if it is closed, whatever it would bear
+  void solve_alone(bool bonded);
+  /// Finds the changes of all velocities by the present impulses.
   void find_changes();
 };
 
@@ -63,10 +72,13 @@ struct NearParticle {
 class ContactNodes {
 public:
   /// Takes the particles near the body until the next sort.
-  void follow_sort(const Domain& domain, const RigidBody& body, double margin);
+  void follow_sort(const Domain& domain, const BodySurface& surface, double margin);
 
   /// Finds the nodes and what does not depend on their motion.
-  void find(Domain& domain, const RigidBody& body, const Structure& structure);
+  /// @param centre  of mass of the body, m
+  /// @param own     lattice of the body; null: it is rigid
+  void find(Domain& domain, const BodySurface& surface, const Vector& centre, const Structure& structure,
+            const BodyLattice* own);
 
   /// Takes the motion of the soil after an update over dt (s), before contact.
   void take_trial(const Domain& domain, double dt);
@@ -104,13 +116,21 @@ private:
     Vector normal;
   };
 
-  void find_touches(Domain& domain, const RigidBody& body);
+  /// What a near particle gives to a node of the window that it reaches.
+  struct Entry {
+    std::size_t near;
+    std::size_t place;
+    double volume;   ///< V S, m2
+    Vector gradient; ///< V grad S, m
+  };
+
+  void find_touches(Domain& domain, const BodySurface& surface);
+  void weigh_particles(const Domain& domain);
   void sum_particles(const Domain& domain, const Structure& structure);
-  template <typename Act>
-  void over_particles(const Domain& domain, const Act& act) const;
 
   std::vector<NearParticle> near_;
   std::vector<Touch> touches_; ///< by near particle
+  std::vector<Entry> entries_; ///< by near particle
   NodeWindow window_;
   std::vector<double> wall_; ///< L_I
   std::vector<Sums> sums_;

@@ -1,13 +1,11 @@
 #include "mpm_domain/contact/rigid_body.hpp"
 
-#include "mesh/polygon.hpp"
 #include "mesh/polygon_measures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -50,7 +48,7 @@ RigidBody::RigidBody(const Structure& structure) : name_(structure.name) {
   inertia_ = structure.density * (about_centre(whole) - (hole.empty() ? 0.0 : about_centre(empty)));
   corners_ = from(centre_, outline);
   hole_ = from(centre_, hole);
-  outline_ = outline;
+  surface_ = BodySurface(outline, std::vector<bool>(outline.size(), true));
 }
 
 double RigidBody::kinetic_energy() const {
@@ -71,62 +69,21 @@ std::vector<Vector> RigidBody::hole() const {
   return turned(hole_);
 }
 
-mesh::Rectangle RigidBody::bounds() const {
-  mesh::Rectangle box{outline_.front().x, outline_.front().y, outline_.front().x, outline_.front().y};
-  for (const Vector& corner : outline_)
-    box = {std::min(box.x_min, corner.x), std::min(box.y_min, corner.y), std::max(box.x_max, corner.x),
-           std::max(box.y_max, corner.y)};
-  return box;
-}
-
 RigidLoad RigidBody::load(double gravity, const std::optional<WaterAtRest>& water) const {
   RigidLoad load{{0.0, -mass_ * gravity}, 0.0};
   if (!water)
     return load;
-  const mesh::PolygonMeasures below = mesh::measures(mesh::part_below(outline_, water->level));
+  const mesh::PolygonMeasures below = mesh::measures(mesh::part_below(outline(), water->level));
   const double lift = water->unit_weight * below.area;
   load.force.y += lift;
   load.moment += lift * (below.x - centre_.x);
   return load;
 }
 
-RigidBody::Nearest RigidBody::nearest(const Vector& place) const {
-  double least = std::numeric_limits<double>::infinity();
-  Vector away{};        // from the surface to the place
-  Vector edge_normal{}; // of the edge that it belongs to
-  bool corner = false;
-  for (std::size_t i = 0, j = outline_.size() - 1; i < outline_.size(); j = i++) {
-    const Vector a = outline_[j];
-    const Vector edge{outline_[i].x - a.x, outline_[i].y - a.y};
-    const Vector from_a{place.x - a.x, place.y - a.y};
-    const double length2 = dot(edge, edge);
-    const double along = dot(from_a, edge) / length2;
-    const double t = std::clamp(along, 0.0, 1.0);
-    const Vector to{from_a.x - t * edge.x, from_a.y - t * edge.y};
-    const double distance2 = dot(to, to);
-    if (distance2 < least) {
-      least = distance2;
-      away = to;
-      corner = t != along;
-      const double per_length = 1.0 / std::sqrt(length2);
-      edge_normal = {edge.y * per_length, -edge.x * per_length};
-    }
-  }
-  const double distance = std::sqrt(least);
-  const double sense = contains(place) ? -1.0 : 1.0;
-  if (!corner || distance == 0.0)
-    return {sense * distance, edge_normal, corner};
-  return {sense * distance, {sense * away.x / distance, sense * away.y / distance}, true};
-}
-
-bool RigidBody::contains(const Vector& place) const {
-  return mesh::inside(outline_, place.x, place.y);
-}
-
 void RigidBody::move(double dt) {
   centre_ = {centre_.x + dt * motion_.velocity.x, centre_.y + dt * motion_.velocity.y};
   tilt_ += dt * motion_.spin;
-  outline_ = turned(corners_);
+  surface_.place(turned(corners_));
 }
 
 std::vector<double> RigidBody::state() const {
@@ -137,7 +94,7 @@ void RigidBody::set_state(const std::vector<double>& state) {
   centre_ = {state.at(0), state.at(1)};
   tilt_ = state.at(2);
   motion_ = {{state.at(3), state.at(4)}, state.at(5)};
-  outline_ = turned(corners_);
+  surface_.place(turned(corners_));
 }
 
 } // namespace tremolo::mpm_domain

@@ -10,7 +10,7 @@
 // contact (rigid_contact.hpp). V and omega belong to the same times as velocities of particles, X and theta
 // to those of their places.
 
-#include "mesh/quadtree.hpp"
+#include "mpm_domain/contact/body_surface.hpp"
 #include "mpm_domain/spec/structure.hpp"
 
 #include <optional>
@@ -57,25 +57,15 @@ public:
   void set_motion(const RigidMotion& motion) { motion_ = motion; }
   double kinetic_energy() const; ///< J/m
 
+  const BodySurface& surface() const { return surface_; }
   /// Its corners now, counter-clockwise, m.
-  const std::vector<Vector>& outline() const { return outline_; }
+  const std::vector<Vector>& outline() const { return surface_.points(); }
   /// Corners of its hole now.
   std::vector<Vector> hole() const;
-  mesh::Rectangle bounds() const;
   Vector arm(const Vector& place) const { return {place.x - centre_.x, place.y - centre_.y}; }
 
   /// Weight and, with water around it, buoyancy.
   RigidLoad load(double gravity, const std::optional<WaterAtRest>& water) const;
-
-  /// The point of the outline next to a place, how far that lies outside (m; negative inside), the normal
-  /// there, out of the body, and whether it is a corner.
-  struct Nearest {
-    double distance;
-    Vector normal;
-    bool corner;
-  };
-  Nearest nearest(const Vector& place) const;
-  bool contains(const Vector& place) const;
 
   /// Moves by its velocity for dt (s).
   void move(double dt);
@@ -94,7 +84,7 @@ private:
   Vector start_, centre_;
   double tilt_ = 0.0;
   RigidMotion motion_;
-  std::vector<Vector> outline_;
+  BodySurface surface_;
 };
 
 } // namespace tremolo::mpm_domain

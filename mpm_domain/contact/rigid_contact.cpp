@@ -17,11 +17,6 @@ Row row(const Vector& direction, const Vector& arm) {
   return {direction.x, direction.y, cross(arm, direction)};
 }
 
-/// The bound of friction, kg/s; what of it goes with N' counts while N' > 0.
-double bound(const ContactPoint& p, double effective) {
-  return p.friction * std::max(0.0, effective) + p.adhesion;
-}
-
 /// The search for the sets. All speeds are those relative to the body's trial motion, and what is sought is
 /// the change of that, so that nothing cancels where all move together.
 class ActiveSets {
@@ -73,7 +68,7 @@ public:
       const auto [normal, effective, stick] = impulses(k, change);
       const bool tied = p.closed && (normal > 0.0 || (p.wet() && normal - effective > p.least_water));
       const bool rubs = effective > 0.0;
-      const double limit = bound(p, effective);
+      const double limit = p.bound(effective);
       int slip = p.slip;
       if (slip == 0 && std::abs(stick) > limit)
         slip = stick > 0.0 ? 1 : -1;
@@ -94,7 +89,7 @@ public:
       const auto [normal, effective, stick] = impulses(k, change);
       p.normal_impulse = p.tied ? normal : 0.0;
       p.effective_impulse = p.tied ? effective : 0.0;
-      p.tangential_impulse = !p.tied ? 0.0 : (p.slip == 0 ? stick : p.slip * bound(p, effective));
+      p.tangential_impulse = !p.tied ? 0.0 : (p.slip == 0 ? stick : p.slip * p.bound(effective));
     }
   }
 
@@ -161,7 +156,7 @@ void sweep(double mass, double inertia, const RigidMotion& trial, std::span<Cont
       give(n, p.tied ? normal : 0.0, p.normal_impulse);
       const double wall = n * u;
       p.effective_impulse = p.tied ? p.normal_impulse - (p.water_impulse - p.full_water * wall) : 0.0;
-      const double limit = p.tied ? bound(p, p.effective_impulse) : 0.0;
+      const double limit = p.tied ? p.bound(p.effective_impulse) : 0.0;
       const double soft_t = 1.0 / p.tangential + t.cwiseProduct(per_weight.transpose()).dot(t);
       const double stick =
           p.tangential_impulse + (p.slip_speed - p.tangential_impulse / p.tangential - t * u) / soft_t;

@@ -26,6 +26,7 @@
 
 #include "mpm_domain/contact/rigid_body.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -54,6 +55,8 @@ struct ContactPoint {
   double effective_impulse = 0.0;  ///< N', kg/s
   double tangential_impulse = 0.0; ///< T, kg/s
 
+  /// The bound of friction, kg/s; what of it goes with N' counts while N' > 0.
+  double bound(double effective) const { return friction * std::max(0.0, effective) + adhesion; }
   bool wet() const { return full_water > 0.0; }
   double pull_normal(const RigidMotion& u) const { return dot(normal, u.at(arm)); }
   double pull_tangential(const RigidMotion& u) const { return dot(tangent(), u.at(arm)); }

@@ -31,10 +31,10 @@ NodeWindow nodes_around(const Lattice& lattice, const mesh::Rectangle& box) {
   return {i0, j0, std::max(0, i1 - i0 + 1), std::max(0, j1 - j0 + 1)};
 }
 
-void find_wall(const RigidBody& body, const Lattice& lattice, const NodeWindow& window,
+void find_wall(const BodySurface& surface, const Lattice& lattice, const NodeWindow& window,
                std::vector<double>& lengths) {
   lengths.assign(window.count(), 0.0);
-  const std::vector<Vector>& outline = body.outline();
+  const std::vector<Vector>& outline = surface.points();
   std::vector<double> cuts;
   for (std::size_t k = 0, before = outline.size() - 1; k < outline.size(); before = k++) {
     // In cells from node (0, 0).

@@ -7,7 +7,7 @@
 // which is exact: the surface is cut where it crosses the lattice, and along each piece N_I is a polynomial
 // of second degree, for which Simpson's rule holds.
 
-#include "mpm_domain/contact/rigid_body.hpp"
+#include "mpm_domain/contact/body_surface.hpp"
 #include "mpm_domain/spec/lattice.hpp"
 
 #include <vector>
@@ -33,7 +33,7 @@ struct NodeWindow {
 NodeWindow nodes_around(const Lattice& lattice, const mesh::Rectangle& box);
 
 /// L_I of the nodes of a window, m.
-void find_wall(const RigidBody& body, const Lattice& lattice, const NodeWindow& window,
+void find_wall(const BodySurface& surface, const Lattice& lattice, const NodeWindow& window,
                std::vector<double>& lengths);
 
 } // namespace tremolo::mpm_domain

@@ -139,8 +139,6 @@ enum class Sum : std::size_t {
   force_y,
   cell_weight,
   cell_change,
-  lift,
-  pore_volume,
   compression,
   water_mass,
   water_momentum_x,
@@ -149,6 +147,8 @@ enum class Sum : std::size_t {
   water_force_y,
   wet_volume,
   resistance,
+  lift,
+  pore_volume,
 };
 inline constexpr std::array particle_sums{&NodeFields::mass,
                                           &NodeFields::momentum_x,
@@ -157,8 +157,6 @@ inline constexpr std::array particle_sums{&NodeFields::mass,
                                           &NodeFields::force_y,
                                           &NodeFields::cell_weight,
                                           &NodeFields::cell_change,
-                                          &NodeFields::lift,
-                                          &NodeFields::pore_volume,
                                           &NodeFields::compression,
                                           &NodeFields::water_mass,
                                           &NodeFields::water_momentum_x,
@@ -166,7 +164,9 @@ inline constexpr std::array particle_sums{&NodeFields::mass,
                                           &NodeFields::water_force_x,
                                           &NodeFields::water_force_y,
                                           &NodeFields::wet_volume,
-                                          &NodeFields::resistance};
+                                          &NodeFields::resistance,
+                                          &NodeFields::lift,
+                                          &NodeFields::pore_volume};
 
 /// Fields [first, end) of particle_sums.
 struct SumRange {

@@ -59,8 +59,11 @@ Supports find_supports(const Domain& domain, Reactions& reactions) {
   Supports supports{std::vector<unsigned char>(nodes, 0), std::vector<unsigned char>(nodes, 0),
                     std::vector<unsigned char>(nodes, 0), std::vector<unsigned char>(nodes, 0)};
   for (std::size_t b = 0; b < domain.contact.bodies().size(); ++b)
-    for (const ContactNode& contact : domain.contact.nodes(b))
+    for (const ContactNode& contact : domain.contact.nodes(b)) {
       supports.met[contact.node] = 1;
+      if (contact.body_mass > 0.0)
+        supports.met[contact.body_node] = 1;
+    }
   for (int level = 0; level < domain.lattice_count(); ++level)
     find_supports(domain, domain.lattice(level), supports, reactions);
   return supports;
@@ -159,10 +162,10 @@ struct Relaxed {
 
 /// Bodies that move at least a hundredth as fast as the fastest: one that slides goes on under the damping,
 /// while others only answer to what it does to the soil.
-std::vector<std::size_t> moving_bodies(const Contact& contact) {
+std::vector<std::size_t> moving_bodies(const Domain& domain) {
   std::vector<double> speeds;
-  for (const RigidBody& body : contact.bodies())
-    speeds.push_back(std::sqrt(2.0 * body.kinetic_energy() / body.mass()));
+  for (std::size_t b = 0; b < domain.contact.bodies().size(); ++b)
+    speeds.push_back(domain.contact.speed(domain, b));
   const double fastest = std::ranges::max(speeds);
   std::vector<std::size_t> moving;
   for (std::size_t b = 0; b < speeds.size(); ++b)
@@ -179,7 +182,7 @@ std::vector<std::size_t> release(Domain& domain, const Relax& relax) {
   const std::vector<Particles> bonded = domain.sets;
   std::vector<std::size_t> moving;
   if (!relax()) {
-    moving = moving_bodies(domain.contact);
+    moving = moving_bodies(domain);
     domain.sets = bonded;
     scatter(domain, ScatterPart::force);
   }
@@ -194,7 +197,7 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   if (!(domain.spec.gravity > 0.0))
     throw std::invalid_argument(
         fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", domain.spec.gravity));
-  set_rest_stress(domain.sets, domain.spec);
+  set_rest_stress(domain.sets_of_soil(), domain.spec);
   std::vector<materials::Law> laws;
   for (Particles& set : domain.sets) {
     laws.push_back(set.law);
@@ -255,7 +258,8 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     Particles& set = domain.sets[s];
     set.law = laws[s];
-    set.damping_time = domain.spec.soils[set.soil_index].damping_time;
+    if (!set.body)
+      set.damping_time = domain.spec.soils[set.soil_index].damping_time;
   }
   reactions.unheld = begin_history(domain);
   return reactions;

@@ -123,7 +123,7 @@ std::vector<std::size_t> find_soil_ties(const Domain& domain) {
     return found;
   Rows rows(domain);
   const double way = domain.grid.h; // as in TileMap::window: no particle moves by more than a cell
-  for (const Particles& set : domain.sets)
+  for (const Particles& set : domain.sets_of_soil())
     for (std::size_t k = 0; k < set.size(); ++k)
       rows.touch(0, reach_of(set, k, way), false);
   std::erase_if(found, [&](std::size_t r) { return !rows.holds(ties.tied(r)); });

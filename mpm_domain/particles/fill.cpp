@@ -1,6 +1,7 @@
 #include "mpm_domain/particles/fill.hpp"
 
 #include "mesh/polygon.hpp"
+#include "mpm_domain/particles/plots.hpp"
 #include "mpm_domain/spec/plot.hpp"
 
 #include <fmt/format.h>
@@ -22,20 +23,6 @@ int count_along(double length, double size) {
         fmt::format("the model box is {:.6g} m long, which is not a multiple of the particle size {:.6g} m",
                     length, size));
   return static_cast<int>(std::lround(n));
-}
-
-void add_particle(Particles& set, std::uint32_t id, const Plot& plot) {
-  set.id.push_back(id);
-  set.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.push_back(0.0); });
-  const auto [x, y, area] = plot;
-  set.x.back() = set.x_initial.back() = x;
-  set.y.back() = set.y_initial.back() = y;
-  set.volume.back() = area;
-  set.mass.back() = set.density * area;
-  if (set.traits.own_boxes)
-    set.box_xx.back() = set.box_yy.back() = set.half_size * set.half_size;
-  if (set.traits.wet)
-    set.pore_pressure.back() = set.pressure_at_rest.back() = set.water->hydrostatic(y);
 }
 
 /// What soil of a region becomes: particles above the water table, or below it.
@@ -134,6 +121,7 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
   const std::vector<Kind> kinds = kinds_of(spec);
   const auto regions = polygons_of(spec.regions, &Region::polygon);
   const auto structures = polygons_of(spec.structures, &Structure::outline);
+  Plots plots;
   const auto add = [&](int level, double x, double y) {
     const Plot plot = plot_of(regions, structures, x, y, particle_size(spec, level));
     if (plot.area == 0.0)
@@ -149,7 +137,7 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
     });
     Particles& set =
         sets[static_cast<std::size_t>(level) * kinds.size() + static_cast<std::size_t>(kind - kinds.begin())];
-    add_particle(set, static_cast<std::uint32_t>(set.size()), plot);
+    plots.add(set, plot, particle_size(spec, level));
   };
   if (tree)
     for (const mesh::Cell& leaf : tree->leaves())
@@ -158,6 +146,7 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i < columns; ++i)
         add(0, spec.box.x_min + (i + 0.5) * size, spec.box.y_min + (j + 0.5) * size);
+  plots.join_slivers();
   if (std::all_of(sets.begin(), sets.end(), [](const Particles& set) { return set.size() == 0; }))
     throw std::invalid_argument("no particle lies in any region: the domain is empty");
   for (Particles& set : sets) {
@@ -169,7 +158,7 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
 
 /// Every particle stands in all columns, as wide as the smallest particles, that it covers, and takes the
 /// mean of their overburdens.
-void set_rest_stress(std::vector<Particles>& sets, const Spec& spec) {
+void set_rest_stress(std::span<Particles> sets, const Spec& spec) {
   const int finest = std::ranges::max(sets, {}, &Particles::level).level;
   const double width = particle_size(spec, finest);
   struct Place {

@@ -3,6 +3,7 @@
 #include "mpm_domain/particles/particles.hpp"
 #include "mpm_domain/spec/spec.hpp"
 
+#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -25,6 +26,6 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree = nullp
 
 /// Gives every particle the stress of level layers at rest: s_yy = -overburden of the particles above it,
 /// s_xx = s_zz = K0 s_yy with the soil's nu/(1-nu). A start for the gravity stage, exact for level ground.
-void set_rest_stress(std::vector<Particles>& sets, const Spec& spec);
+void set_rest_stress(std::span<Particles> sets, const Spec& spec);
 
 } // namespace tremolo::mpm_domain

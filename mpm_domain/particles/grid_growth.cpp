@@ -125,7 +125,7 @@ void make_room(Domain& domain, double time, long step) {
   const Box usual{std::max(room.x_min, limits.x_min), std::max(room.y_min, limits.y_min),
                   std::min(room.x_max, limits.x_max), std::min(room.y_max, limits.y_max)};
   Box needed = room;
-  for (const Particles& p : domain.sets)
+  for (const Particles& p : domain.sets_of_soil()) // lattices of bodies follow these
     for (std::size_t k = 0; k < p.size(); ++k) {
       if (contains(usual, p.x[k], p.y[k]))
         continue;

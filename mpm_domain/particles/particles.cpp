@@ -82,7 +82,8 @@ void order_by(Particles& particles, std::span<const std::size_t> key, std::size_
 
 } // namespace
 
-void sort_by_cell(Particles& particles, const Grid& grid, const TileMap& tiles) {
+void sort_by_cell(Particles& particles, const TileMap& tiles, int level, std::size_t blocks) {
+  const Lattice& grid = tiles.lattice(level);
   // The margin is there because a particle may move by one cell before the next sort. NaN fails every
   // comparison.
   const mesh::Rectangle allowed{grid.x0 + 2 * grid.h, grid.y0 + 2 * grid.h, grid.x0 + (grid.nx - 3) * grid.h,
@@ -93,9 +94,9 @@ void sort_by_cell(Particles& particles, const Grid& grid, const TileMap& tiles) 
     const double y = particles.y[k];
     if (!(x >= allowed.x_min && x < allowed.x_max && y >= allowed.y_min && y < allowed.y_max))
       refuse_outside(particles, k, allowed);
-    key[k] = key_of(particles, k, tiles, 0, 0);
+    key[k] = key_of(particles, k, tiles, level, 0);
   }
-  order_by(particles, key, tiles.count());
+  order_by(particles, key, blocks);
 }
 
 void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const TileMap& tiles,

@@ -24,13 +24,17 @@ struct ParticleRange {
   std::size_t end;
 };
 
-/// All particles of one soil and of one size, one array a quantity, ordered by tile and cell.
+/// All particles of one soil, or of an elastic body, and of one size, one array a quantity, ordered by tile
+/// and cell.
 struct Particles : ParticleFields {
   std::string soil;
   std::size_t soil_index = 0; ///< into Spec::soils
-  int level = 0;              ///< of the cells that they belong to by their size
-  double cell_size = 0.0;     ///< h of these, m
-  double half_size = 0.0;     ///< l of their boxes, at the start where these follow the soil, m
+  /// Of particles of an elastic body: its place in Domain::bodies. They have no soil_index; `soil` is the
+  /// name of the structure.
+  std::optional<std::size_t> body = {};
+  int level = 0;          ///< of the cells that they belong to by their size
+  double cell_size = 0.0; ///< h of these, m
+  double half_size = 0.0; ///< l of their boxes, at the start where these follow the soil, m
   materials::Law law;
   double damping_time = 0.0;      ///< beta of the viscous stress, s; only with trait damped
   double density = 0.0;           ///< of what `mass` is, at the start, kg/m3
@@ -81,10 +85,12 @@ private:
   }
 };
 
-/// Orders the particles by tile and within a tile by cell, row after row. Particles that share a cell keep
-/// their order.
-/// @throws std::runtime_error if a particle has left the grid, naming its place
-void sort_by_cell(Particles& particles, const Grid& grid, const TileMap& tiles);
+/// Orders the particles on one lattice by tile and within a tile by cell, row after row. Particles that share
+/// a cell keep their order.
+/// @param level   of the lattice
+/// @param blocks  of the domain; those of the lattice are its tiles
+/// @throws std::runtime_error if a particle has left the lattice, naming its place
+void sort_by_cell(Particles& particles, const TileMap& tiles, int level, std::size_t blocks);
 
 /// Half sides of a particle's box, m.
 inline Vector half_sides(const Particles& p, std::size_t k) {

@@ -69,10 +69,10 @@ void add_quarters(const Particles& whole, std::size_t k, Particles& to, const Gr
 std::size_t split_particles(Domain& domain) {
   if (!domain.mesh)
     return 0;
-  const std::size_t kinds = domain.sets.size() / static_cast<std::size_t>(domain.lattice_count());
+  const std::size_t kinds = domain.soil_sets / static_cast<std::size_t>(domain.soil_lattice_count());
   std::size_t count = 0;
   // From coarse to fine, so that a particle that has passed two levels is cut twice.
-  for (std::size_t s = 0; s + kinds < domain.sets.size(); ++s) {
+  for (std::size_t s = 0; s + kinds < domain.soil_sets; ++s) {
     Particles& set = domain.sets[s];
     std::vector<std::size_t> gone;
     for (std::size_t k = 0; k < set.size(); ++k)

@@ -108,7 +108,7 @@ BodyOutput::BodyOutput(const scene::Case& scene, const Domain& domain, results::
   if (!names.empty())
     writer.attribute("structure_names", names);
   for (const scene::Monitor& monitor : scene.monitors) {
-    if (!monitor.structure)
+    if (!monitor.structure || domain.contact.is_elastic(*monitor.structure))
       continue;
     const std::string path = "/monitors/" + monitor.name;
     results::TimeSeries& series = add(writer, path, follower_columns,

@@ -24,8 +24,8 @@ struct ContactFrame {
   std::vector<results::Field> fields() const;
 };
 
-/// The part of a run's file that tells of structures: a series a body, one a monitor that moves with a body,
-/// and the contact nodes of frames. Everything belongs to the times that RunOutput tells.
+/// The part of a run's file that tells of structures: a series a body, one a monitor that moves with a rigid
+/// one, and the contact nodes of frames. Everything belongs to the times that RunOutput tells.
 class BodyOutput {
 public:
   /// Adds the series to the file.
@@ -49,7 +49,7 @@ public:
   const std::vector<std::pair<std::string, results::TimeSeries*>>& series() const { return series_; }
 
 private:
-  /// A monitor that moves with a body.
+  /// A monitor that moves with a rigid body.
   struct Follower {
     std::size_t body = 0;
     Vector arm;          ///< from the centre of mass before any tilt, m

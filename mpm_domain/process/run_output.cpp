@@ -102,7 +102,7 @@ struct Frame {
 
 std::vector<materials::StateVariable> all_state_variables(const Domain& domain) {
   std::vector<materials::StateVariable> all;
-  for (const Particles& set : domain.sets)
+  for (const Particles& set : domain.sets_of_soil())
     for (const materials::StateVariable& variable : materials::state_variables(set.law))
       if (!variable.internal && std::none_of(all.begin(), all.end(),
                                              [&](const auto& known) { return known.name == variable.name; }))
@@ -143,8 +143,7 @@ Frame collect(const Domain& domain, double dt) {
   frame.carried = carried_fields(domain);
   frame.variables = all_state_variables(domain);
   frame.states.resize(frame.variables.size());
-  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-    const Particles& set = domain.sets[s];
+  for (const Particles& set : domain.sets_of_soil()) {
     std::map<std::string_view, const std::vector<double>*> columns;
     set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
       columns[line.name] = &values;
@@ -254,12 +253,18 @@ void RunOutput::add_monitors() {
       units.emplace_back(unit);
     }
   for (const scene::Monitor& monitor : scene_.monitors) {
-    if (monitor.structure)
+    if (monitor.structure && !domain_.contact.is_elastic(*monitor.structure))
       continue;
     Follower follower;
+    std::vector<results::Attribute> attributes;
+    if (monitor.structure)
+      attributes.push_back({"structure", scene_.structures[*monitor.structure].name});
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
       const Particles& set = domain_.sets[s];
+      const auto structure = set.body ? std::optional(domain_.contact.structure_of(*set.body)) : std::nullopt;
+      if (structure != monitor.structure)
+        continue;
       for (std::size_t k = 0; k < set.size(); ++k) {
         const double distance = std::hypot(set.x[k] - monitor.point.x, set.y[k] - monitor.point.y);
         if (distance < nearest) {
@@ -271,7 +276,7 @@ void RunOutput::add_monitors() {
     }
     keep_whole(domain_, follower.set, follower.id);
     follower.path = "/monitors/" + monitor.name;
-    follower.series = &writer_.add_series(follower.path, columns, units);
+    follower.series = &writer_.add_series(follower.path, columns, units, attributes);
     followers_.push_back(follower);
   }
 }

@@ -39,7 +39,8 @@ public:
   void abort(const std::string& reason) { writer_.abort(reason); }
 
 private:
-  /// A monitor in soil and the particle nearest to it at the start, which it follows.
+  /// A monitor in soil, or in an elastic structure, and the particle of it nearest to the point at the start,
+  /// which it follows.
   struct Follower {
     std::size_t set = 0;
     std::uint32_t id = 0;

@@ -32,6 +32,7 @@ Structure structure_of(const scene::Structure& structure) {
                  .outline = corners_of(structure.outline.corners),
                  .hole = structure.hole ? corners_of(structure.hole->corners) : std::vector<Vector>{},
                  .density = structure.density,
+                 .stiffness = structure.stiffness,
                  .friction_between = structure.friction};
   for (const scene::SoilContact& against : structure.against) {
     copy.friction.push_back(against.friction);

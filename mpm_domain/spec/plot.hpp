@@ -15,11 +15,15 @@ namespace tremolo::mpm_domain {
 /// The part of a particle's square that is soil.
 struct Plot {
   double x, y; ///< of its centroid, m
-  double area; ///< m2; 0: too little for a particle
+  double area; ///< m2
 };
 
-/// Squares with less soil than this share carry no particle.
-inline constexpr double least_plot = 0.01;
+/// Whether the soil of a square becomes a particle. Slivers give theirs to the nearest particle: no node
+/// would feel their stress, so nothing would hold it back from growing without bounds.
+inline bool is_particle(const Plot& plot, double size) {
+  constexpr double least_share = 0.1;
+  return plot.area >= least_share * size * size;
+}
 
 /// Whether an edge of a polygon runs through a square.
 template <typename Polygon>
@@ -85,13 +89,13 @@ Plot plot_of(const Regions& regions, const Structures& structures, double x, dou
   // edges cross it. So the area is exact unless edges cross each other.
   constexpr int parts = 4;
   std::vector<double> levels{square.y_min, square.y_max};
-  const auto over_corners = [&](const auto& act) {
+  const auto over_polygons = [&](const auto& act) {
     for (const auto& polygon : regions)
       act(polygon);
     for (const auto& polygon : structures)
       act(polygon);
   };
-  over_corners([&](const auto& polygon) {
+  over_polygons([&](const auto& polygon) {
     for (const auto& corner : polygon)
       if (corner.y > square.y_min && corner.y < square.y_max)
         levels.push_back(corner.y);
@@ -104,7 +108,7 @@ Plot plot_of(const Regions& regions, const Structures& structures, double x, dou
       const double width = (levels[k + 1] - levels[k]) / parts;
       const double py = levels[k] + (part + 0.5) * width;
       ends.assign({square.x_min, square.x_max});
-      over_corners([&](const auto& polygon) { add_crossings(polygon, py, square, ends); });
+      over_polygons([&](const auto& polygon) { add_crossings(polygon, py, square, ends); });
       std::ranges::sort(ends);
       for (std::size_t e = 0; e + 1 < ends.size(); ++e) {
         const double px = 0.5 * (ends[e] + ends[e + 1]);
@@ -116,7 +120,7 @@ Plot plot_of(const Regions& regions, const Structures& structures, double x, dou
         plot.y += area * py;
       }
     }
-  if (plot.area < least_plot * size * size)
+  if (plot.area < 1e-12 * size * size)
     return {x, y, 0.0};
   if (plot.area > (1.0 - 1e-12) * size * size)
     return {x, y, size * size};

@@ -3,6 +3,7 @@
 #include "base/words.hpp"
 #include "mpm_domain/spec/vector.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,15 +21,30 @@ constexpr auto words(ContactNormals) {
                                      {ContactNormals::polygon, "polygon"}});
 }
 
-/// A rigid body that stands in or on the soil.
+/// A node belongs to a structure's surface if its share of it, in cells, is more than this. Surfaces often
+/// lie on lines of the grid, and the next line is not to join with every tremor.
+inline constexpr double least_wall_share = 0.1;
+/// Gaps between soil and structure, in cells: a tied node opens at the larger one, others close at the
+/// smaller. At the start all nodes are tied, since structures are wished in place.
+inline constexpr double opening_gap = 0.25;
+inline constexpr double closing_gap = 0.002;
+
+/// Of an elastic body.
+struct Stiffness {
+  double young = 0.0;   ///< Pa
+  double poisson = 0.0; ///< in [0, 0.5)
+};
+
+/// A body that stands in or on the soil.
 struct Structure {
   std::string name;
-  std::vector<Vector> outline;   ///< corners, m; the last is joined to the first
-  std::vector<Vector> hole;      ///< an empty inside; none: solid
-  double density = 0.0;          ///< of what lies between both, kg/m3
-  std::vector<double> friction;  ///< mu against each soil of the spec
-  std::vector<double> adhesion;  ///< against each soil, Pa
-  double friction_between = 0.0; ///< mu against other structures; of two the smaller counts
+  std::vector<Vector> outline;             ///< corners, m; the last is joined to the first
+  std::vector<Vector> hole;                ///< an empty inside; none: solid
+  double density = 0.0;                    ///< of what lies between both, kg/m3
+  std::optional<Stiffness> stiffness = {}; ///< none: rigid
+  std::vector<double> friction;            ///< mu against each soil of the spec
+  std::vector<double> adhesion;            ///< against each soil, Pa
+  double friction_between = 0.0;           ///< mu against other structures; of two the smaller counts
 };
 
 } // namespace tremolo::mpm_domain

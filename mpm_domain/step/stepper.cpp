@@ -53,9 +53,8 @@ std::vector<Pass> Stepper::recipe() {
   };
   add("time step", &Stepper::choose_step);
   add("sort", &Stepper::sort);
-  add("particles to grid", &Stepper::scatter_particles);
-  if (domain_.has_flow())
-    add("water to grid", &Stepper::scatter_pores);
+  add("particles to grid",
+      domain_.has_water() ? &Stepper::scatter_wet_particles : &Stepper::scatter_particles);
   add("grid velocities", &Stepper::find_velocities);
   add("boundary exchange", &Stepper::exchange);
   if (domain_.boundary.has_layers())
@@ -71,8 +70,12 @@ std::vector<Pass> Stepper::recipe() {
       add("weight under water", &Stepper::book_lift);
     add("grid to particles, stress", &Stepper::gather_all);
   } else {
-    add("grid to particles", &Stepper::gather_velocities);
-    add("velocities to grid again", &Stepper::scatter_momenta);
+    if (domain_.has_flow()) {
+      add("grid to particles and back", &Stepper::exchange_velocities);
+    } else {
+      add("grid to particles", &Stepper::gather_velocities);
+      add("velocities to grid again", &Stepper::scatter_momenta);
+    }
     add("remapped velocities", &Stepper::remap);
     if (domain_.has_pore_pressure())
       add("pore pressure", &Stepper::find_pressures);
@@ -124,7 +127,7 @@ void Stepper::sort() {
     return;
   }
   if (domain_.spec.periodic())
-    for (Particles& set : domain_.sets)
+    for (Particles& set : domain_.sets_of_soil())
       wrap(set, domain_.spec.box);
   make_room(domain_, time_, steps_);
   split_particles(domain_);
@@ -148,8 +151,8 @@ void Stepper::scatter_particles() {
   shared_.add_steady();
 }
 
-void Stepper::scatter_pores() {
-  scatter_water(domain_, nodes_.of(0), nodes_.ties_of(0));
+void Stepper::scatter_wet_particles() {
+  scatter_mixture(domain_, nodes_.of(0), nodes_.ties_of(0));
 }
 
 void Stepper::find_velocities() {
@@ -230,8 +233,10 @@ void Stepper::finish_update() {
 
 void Stepper::gather_all() {
   prolong(domain_, NodeGroup::velocity, nodes_.ties_of(0));
-  if (domain_.has_flow())
-    read_water();
+  if (domain_.has_flow()) {
+    prolong(domain_, NodeGroup::water_velocity, nodes_.ties_of(0));
+    gather_water(domain_);
+  }
   book(gather(domain_, dt_, {.velocity = true, .position = true, .strain = true}, 0));
 }
 
@@ -242,13 +247,13 @@ void Stepper::gather_velocities() {
     prolong(domain_, NodeGroup::velocity, nodes_.ties_of(clock));
     gather(domain_, ticks_.dt_of(clock), {.velocity = true}, clock);
   }
-  if (domain_.has_flow())
-    read_water();
 }
 
-void Stepper::read_water() {
+/// Both passes for grains and water that flows.
+void Stepper::exchange_velocities() {
+  prolong(domain_, NodeGroup::velocity, nodes_.ties_of(0));
   prolong(domain_, NodeGroup::water_velocity, nodes_.ties_of(0));
-  gather_water(domain_);
+  exchange_mixture_velocities(domain_, nodes_.of(0), nodes_.ties_of(0));
 }
 
 void Stepper::scatter_momenta() {
@@ -259,8 +264,6 @@ void Stepper::scatter_momenta() {
     add_particles(domain_, ScatterPart::momentum, clock);
     fold(domain_, ScatterPart::momentum, nodes_.ties_of(clock));
   }
-  if (domain_.has_flow())
-    scatter_water_momenta(domain_, nodes_.of(0), nodes_.ties_of(0));
 }
 
 // With the trapezoidal rule, the work of the stresses is booked on the mean of this step's remapped velocity
@@ -280,8 +283,6 @@ void Stepper::remap() {
 
 /// The update and the remap have booked all of the weight.
 void Stepper::book_lift() {
-  if (!domain_.has_pore_pressure())
-    scatter_lift(domain_, nodes_.of(0), nodes_.ties_of(0));
   domain_.energy.gravity += kicks_.front() * lift_power(domain_, nodes_.of(0));
   if (domain_.spec.scheme.order == StepOrder::musl)
     domain_.energy.transfer -= 0.5 * kicks_.front() * lift_remap_power(domain_, nodes_.of(0));

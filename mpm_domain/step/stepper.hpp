@@ -29,8 +29,9 @@ struct Pass {
 ///   musl:  scatter | velocities | boundary | update | gather velocity | scatter momentum | remap | gather
 ///   rest
 ///
-/// Soil below the water table adds passes of its own: water to grid and back, and pore pressures before the
-/// particles move (water/). Structures add contact after the update, and their own motion (contact/).
+/// Soil below the water table adds passes of its own: pore pressures before the particles move, and, where
+/// water flows, its own transfers within those of the soil (water/). Structures add contact after the update,
+/// and their own motion (contact/).
 ///
 /// It runs on a list of clocks (ticks.hpp): passes after the sort run at every tick for the clocks that begin
 /// or end a step of theirs with it. Where all particles take the same step there is one clock and one tick.
@@ -91,7 +92,7 @@ private:
   void choose_step();
   void sort();
   void scatter_particles();
-  void scatter_pores();
+  void scatter_wet_particles();
   void find_velocities();
   void exchange();
   void react();
@@ -99,9 +100,9 @@ private:
   void update_with_flow();
   void meet_bodies();
   void finish_update();
-  void read_water();
   void gather_all();
   void gather_velocities();
+  void exchange_velocities();
   void scatter_momenta();
   void remap();
   void find_pressures();

@@ -93,8 +93,8 @@ TileSums::TileSums(const TileMap& tiles, std::vector<std::size_t> filled)
   to_fill_ = std::vector<std::atomic<int>>(owners_.size());
 }
 
-void TileSums::add_to(NodeFields& nodes, SumRange fields, const TileMap& tiles, WorkerPool& workers,
-                      WindowPool& windows, const Fill& fill) {
+void TileSums::add_to(NodeFields& nodes, std::span<const SumRange> fields, const TileMap& tiles,
+                      WorkerPool& workers, WindowPool& windows, const Fill& fill) {
   for (std::size_t o = 0; o < owners_.size(); ++o)
     to_fill_[o] = static_cast<int>(owners_[o].from.size());
   for (std::size_t n = 0; n < filled_.size(); ++n)
@@ -116,7 +116,8 @@ void TileSums::add_to(NodeFields& nodes, SumRange fields, const TileMap& tiles, 
   });
 }
 
-void TileSums::take_sums(const Owner& owner, NodeFields& nodes, SumRange fields, const TileMap& tiles) {
+void TileSums::take_sums(const Owner& owner, NodeFields& nodes, std::span<const SumRange> fields,
+                         const TileMap& tiles) {
   const Lattice& lattice = tiles.lattice(tiles.level_of(owner.tile));
   const NodeBlock owned = tiles.owned(owner.tile);
   for (const std::size_t n : owner.from) {
@@ -125,12 +126,15 @@ void TileSums::take_sums(const Owner& owner, NodeFields& nodes, SumRange fields,
       continue;
     const int first = (part.row - places_[n].row) * window_columns + part.column - places_[n].column;
     const std::size_t first_node = lattice.index(part.column, part.row);
-    for (std::size_t f = fields.first; f < fields.end; ++f) {
+    const auto move = [&](std::size_t f) {
       double* from = window_[n] + f * window_nodes + first;
       double* to = (nodes.*particle_sums[f]).data() + first_node;
       for (int j = 0; j < part.rows; ++j, from += window_columns, to += lattice.nx)
         part.columns == tile_columns ? move_tile_row(from, to) : move_row(from, to, part.columns);
-    }
+    };
+    for (const SumRange& range : fields)
+      for (std::size_t f = range.first; f < range.end; ++f)
+        move(f);
   }
 }
 

@@ -63,8 +63,12 @@ public:
   /// returns the rows of the lattice that they touch.
   using Fill = std::function<RowRange(std::size_t n, double* window)>;
   /// Calls `fill` for every filled tile and adds the sums of the given fields to the nodes.
-  void add_to(NodeFields& nodes, SumRange fields, const TileMap& tiles, WorkerPool& workers,
+  void add_to(NodeFields& nodes, std::span<const SumRange> fields, const TileMap& tiles, WorkerPool& workers,
               WindowPool& windows, const Fill& fill);
+  void add_to(NodeFields& nodes, SumRange fields, const TileMap& tiles, WorkerPool& workers,
+              WindowPool& windows, const Fill& fill) {
+    add_to(nodes, std::span(&fields, 1), tiles, workers, windows, fill);
+  }
 
 private:
   /// A tile that owns nodes of some window, and the filled tiles (by n, rising) whose windows may hold them.
@@ -73,7 +77,8 @@ private:
     std::vector<std::size_t> from;
   };
 
-  void take_sums(const Owner& owner, NodeFields& nodes, SumRange fields, const TileMap& tiles);
+  void take_sums(const Owner& owner, NodeFields& nodes, std::span<const SumRange> fields,
+                 const TileMap& tiles);
 
   std::vector<std::size_t> filled_;
   std::vector<Owner> owners_;

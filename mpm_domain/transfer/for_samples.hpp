@@ -15,29 +15,12 @@ void for_readers(const Domain& domain, const Particles& p, const ParticleRange& 
   const Axis y_axis(lattice.y0, lattice.h);
   for_boxes(p, [&]<typename Boxes>() {
     const Boxes boxes(p, lattice, x_axis);
-    by_fours(range.begin, range.end, [&](std::size_t k, auto group) {
-      const auto& own = boxes.of(k, group);
-      const Stencils at(group.load(&p.x[k]), group.load(&p.y[k]), x_axis, y_axis, own);
-      act(k, group, Reader<Boxes::rows>(at, group.count, lattice, x_axis, y_axis, own));
-    });
-  });
-}
-
-/// act(k, group, samples) for the particles of a set in a tile that touch its lattice alone.
-template <Wanted wanted, typename Act>
-void for_samples(const Domain& domain, const Particles& p, const ParticleRange& range, std::size_t tile,
-                 const VelocityFields& velocities, const Act& act) {
-  for_readers(domain, p, range, tile, [&](std::size_t k, auto group, const auto& reader) {
-    act(k, group, samples_at<wanted>(reader, velocities));
-  });
-}
-
-/// Likewise for particles that touch several lattices.
-template <Wanted wanted, typename Act>
-void for_samples(const Domain& domain, const Particles& p, const AcrossTile& tile,
-                 const VelocityFields& velocities, const Act& act) {
-  by_fours(tile.weights.first(), tile.weights.end(), [&](std::size_t k, auto group) {
-    act(k, group, sample_across<wanted>(velocities, tile.weights, domain.basis_cells, p, k, group.count));
+    by_fours(
+        range.begin, range.end, [&](std::size_t k, auto group) __attribute__((always_inline)) {
+          const auto& own = boxes.of(k, group);
+          const Stencils at(group.load(&p.x[k]), group.load(&p.y[k]), x_axis, y_axis, own);
+          act(k, group, Reader<Boxes::rows>(at, group.count, lattice, x_axis, y_axis, own));
+        });
   });
 }
 

@@ -224,7 +224,7 @@ Vector particle_acceleration(const Domain& domain, const Particles& particles, s
     a.x += s * domain.grid.ax[n];
     a.y += s * domain.grid.ay[n];
   };
-  if (domain.mesh) {
+  if (domain.mesh && !particles.body) {
     std::vector<BoxWeight> weights;
     box_average(*domain.mesh, box_of(particles, k), weights);
     for (const BoxWeight& w : weights)
@@ -232,11 +232,12 @@ Vector particle_acceleration(const Domain& domain, const Particles& particles, s
     return a;
   }
   const Vector half = half_sides(particles, k);
-  const Weights wx = cell_weights(particles.x[k], domain.x_axis(), half.x);
-  const Weights wy = cell_weights(particles.y[k], domain.y_axis(), half.y);
+  const Lattice& lattice = particles.body ? domain.bodies[*particles.body].lattice : domain.grid;
+  const Weights wx = cell_weights(particles.x[k], {lattice.x0, lattice.h}, half.x);
+  const Weights wy = cell_weights(particles.y[k], {lattice.y0, lattice.h}, half.y);
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i)
-      add(domain.grid.index(wx.base + i, wy.base + j), wx.s[i] * wy.s[j]);
+      add(lattice.index(wx.base + i, wy.base + j), wx.s[i] * wy.s[j]);
   return a;
 }
 

@@ -5,6 +5,7 @@
 
 #include "mpm_domain/transfer/chunk_weights.hpp"
 #include "mpm_domain/transfer/total_stress.hpp"
+#include "mpm_domain/water/pore_volume.hpp"
 
 #include <array>
 #include <vector>
@@ -30,6 +31,9 @@ inline const double* column_from(const std::vector<double>& column, std::size_t 
   return column.empty() ? nullptr : &column[first];
 }
 
+/// What acts on a phase: all of its stress and its weight, or a pressure alone.
+enum class Pull { stress_and_weight, pressure };
+
 /// The numbers of one particle.
 struct ParticleValues {
   double mass, vx, vy, bxx, bxy, byx, byy;
@@ -40,7 +44,7 @@ struct ParticleValues {
 /// Sum::mass. The forces are those on soil and water together.
 struct SoilPhase {
   static constexpr Sum first_sum = Sum::mass;
-  static constexpr double weighs = 1.0;
+  static constexpr Pull pull = Pull::stress_and_weight;
   static constexpr std::size_t scalars = 0; ///< numbers that are summed up beside the forces
 
   /// @param store  takes the stress of forces where it is not that of the law alone
@@ -91,7 +95,7 @@ struct SoilPhase {
 /// since the pressure is that beyond the hydrostatic one.
 struct WaterPhase {
   static constexpr Sum first_sum = Sum::water_mass;
-  static constexpr double weighs = 0.0;
+  static constexpr Pull pull = Pull::pressure;
   static constexpr std::size_t scalars = 2; ///< the volume of the soil, and that times rho_f g/k
   static constexpr auto first_scalar = static_cast<std::size_t>(Sum::wet_volume);
 
@@ -150,5 +154,13 @@ struct WaterPhase {
     return v;
   }
 };
+
+/// What water takes off the weight of a group of particles of a set under water from k on, N/m, and their
+/// pore volume V n where there is a pore pressure, m2.
+template <typename Group>
+std::array<Lanes, 2> numbers_of_water(const Particles& p, std::size_t k, Group group, double gravity) {
+  const Lanes lift = (1.0 - p.weight_share) * gravity * group.load(&p.mass[k]);
+  return {lift, p.traits.wet ? pore_volume(p, k, group) : Lanes{}};
+}
 
 } // namespace tremolo::mpm_domain

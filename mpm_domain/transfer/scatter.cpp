@@ -5,6 +5,7 @@
 #include "mpm_domain/transfer/scatter_kernel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -15,9 +16,9 @@ template <Motion motion, bool force>
 void add_clock(Domain& domain, int clock) {
   constexpr SumRange fields = fields_of<SoilPhase>(motion, force);
   add_sums(
-      domain, clock, fields,
+      domain, clock, std::array{fields},
       [&](const Particles& p, std::size_t tile, double* window) {
-        return scatter_set<SoilPhase, motion, force>(domain, p, clock, tile, window);
+        return scatter_set<Company::none, motion, force>(domain, p, clock, tile, window);
       },
       [&](AcrossTile& tile) { scatter_across_set<SoilPhase, motion, force>(domain, tile); });
 }

@@ -84,7 +84,7 @@ struct MotionSums {
   }
 };
 
-template <std::size_t rows>
+template <Pull pull, std::size_t rows>
 struct ForceSums {
   Rows<rows> force_x, force_y;
 
@@ -94,6 +94,15 @@ struct ForceSums {
                                   const Lanes& gravity) {
     const Lanes vs = a.volume[c] * w.xs[c];
     const Lanes vg = a.volume[c] * w.xg[c];
+    if constexpr (pull == Pull::pressure) {
+      const Lanes along = a.sxx[c] * vg;
+      const Lanes up = a.syy[c] * vs;
+      for (std::size_t j = 0; j < rows; ++j) {
+        add_to_row<first>(force_x[j], -(w.ys[j][c] * along));
+        add_to_row<first>(force_y[j], -(w.yg[j][c] * up));
+      }
+      return;
+    }
     const Lanes fx_s = a.sxx[c] * vg;
     const Lanes fx_g = a.sxy[c] * vs;
     const Lanes fy_s = a.sxy[c] * vg + gravity * (a.mass[c] * w.xs[c]);
@@ -153,19 +162,60 @@ template <typename Sums, std::size_t rows, typename To, typename Add>
   }
 }
 
+/// What water adds to what the soil brings to the nodes.
+enum class Company {
+  none,
+  numbers, ///< what it takes off the weight, and pore volumes
+  flow,    ///< these, and water that flows with its mass, momentum, force, drag
+};
+
+/// Motion and force of one phase in a chunk.
+template <Pull pull, Motion motion, bool force, bool affine, std::size_t rows>
+[[gnu::always_inline]] inline void scatter_phase(const Arrays& arrays, std::size_t count,
+                                                 const ChunkWeights<rows>& w, double h,
+                                                 const Lanes& gravity) {
+  using Moving = MotionSums<motion, rows>;
+  using Pulling = ForceSums<pull, rows>;
+  if constexpr (motion != Motion::none)
+    stream<Moving>(w, count, arrays, [&](Moving& sums, std::size_t c, auto is_first) {
+      sums.template add<affine, is_first>(arrays, w, c, h);
+    });
+  if constexpr (force)
+    stream<Pulling>(w, count, arrays, [&](Pulling& sums, std::size_t c, auto is_first) {
+      sums.template add<is_first>(arrays, w, c, gravity);
+    });
+}
+
+/// Numbers in a chunk.
+/// @param window    where the sums of the first number stand
+/// @param values_of  (k, group) -> the numbers of a group of particles from k on
+template <std::size_t count, std::size_t rows, typename ValuesOf>
+[[gnu::always_inline]] inline void scatter_numbers(std::size_t k, std::size_t part,
+                                                   const ChunkWeights<rows>& w, double* window,
+                                                   const ValuesOf& values_of) {
+  using Sums = ScalarSums<count, rows>;
+  ChunkScalars<count> values;
+  by_fours(0, part, [&](std::size_t c, auto group) {
+    const std::array<Lanes, count> of_group = values_of(k + c, group);
+    for (std::size_t f = 0; f < count; ++f)
+      group.store(&values[f][c], of_group[f]);
+  });
+  stream<Sums>(w, part, window,
+               [&](Sums& sums, std::size_t c, auto is_first) { sums.template add<is_first>(values, w, c); });
+}
+
 /// All calls in this function are inlined (`flatten`): a call would push the sums out of the registers.
 /// @returns the rows of the lattice that the particles touch
-template <typename Phase, Motion motion, bool force, bool affine, typename Boxes>
+template <Company company, Motion motion, bool force, bool affine, typename Boxes>
 [[gnu::flatten]] RowRange scatter_range(const Particles& p, const ParticleRange& range,
                                         const Lattice& lattice, const NodeArray& nodes, double* window,
                                         double gravity) {
-  using Moving = MotionSums<motion, Boxes::rows>;
-  using Pulling = ForceSums<Boxes::rows>;
+  constexpr std::size_t rows = Boxes::rows;
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const Boxes boxes(p, lattice, x_axis);
-  const Lanes g = all(gravity);
-  ChunkWeights<Boxes::rows> w;
+  const Lanes g = all(p.weight_share * gravity);
+  ChunkWeights<rows> w;
   FirstRows seen;
   ChunkStore store;
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
@@ -174,29 +224,24 @@ template <typename Phase, Motion motion, bool force, bool affine, typename Boxes
       take_weights<force, motion != Motion::none && affine>(p, k + c, c, group, nodes, x_axis, y_axis, boxes,
                                                             w, seen);
     });
-    const Arrays arrays = Phase::template arrays<force>(p, k, count, window, store);
-    if constexpr (motion != Motion::none)
-      stream<Moving>(w, count, arrays, [&](Moving& sums, std::size_t c, auto is_first) {
-        sums.template add<affine, is_first>(arrays, w, c, lattice.h);
-      });
-    if constexpr (force)
-      stream<Pulling>(w, count, arrays, [&](Pulling& sums, std::size_t c, auto is_first) {
-        sums.template add<is_first>(arrays, w, c, g);
-      });
-    if constexpr (force && Phase::scalars > 0) {
-      using Sums = ScalarSums<Phase::scalars, Boxes::rows>;
-      ChunkScalars<Phase::scalars> values;
-      by_fours(0, count, [&](std::size_t c, auto group) {
-        const std::array<Lanes, Phase::scalars> of_group = Phase::scalars_of(p, k + c, group);
-        for (std::size_t f = 0; f < Phase::scalars; ++f)
-          group.store(&values[f][c], of_group[f]);
-      });
-      stream<Sums>(
-          w, count, window + Phase::first_scalar * window_nodes,
-          [&](Sums& sums, std::size_t c, auto is_first) { sums.template add<is_first>(values, w, c); });
+    const Arrays soil = SoilPhase::arrays<force>(p, k, count, window, store);
+    scatter_phase<SoilPhase::pull, motion, force, affine>(soil, count, w, lattice.h, g);
+    if constexpr (company == Company::flow) {
+      const Arrays water = WaterPhase::arrays<force>(p, k, count, window, store);
+      scatter_phase<WaterPhase::pull, motion, force, affine>(water, count, w, lattice.h, g);
     }
+    if constexpr (force && company == Company::flow)
+      scatter_numbers<4>(k, count, w, window + WaterPhase::first_scalar * window_nodes,
+                         [&](std::size_t of, auto group) {
+                           const auto [volume, resistance] = WaterPhase::scalars_of(p, of, group);
+                           const auto [lift, pores] = numbers_of_water(p, of, group, gravity);
+                           return std::array{volume, resistance, lift, pores};
+                         });
+    if constexpr (force && company == Company::numbers)
+      scatter_numbers<2>(k, count, w, window + static_cast<std::size_t>(Sum::lift) * window_nodes,
+                         [&](std::size_t of, auto group) { return numbers_of_water(p, of, group, gravity); });
   }
-  return seen.stencils(Boxes::rows);
+  return seen.stencils(rows);
 }
 
 /// Scatters numbers of the particles of a range.
@@ -207,42 +252,36 @@ template <std::size_t count, typename Boxes, typename ValuesOf>
 [[gnu::flatten]] RowRange scatter_scalars(const Particles& p, const ParticleRange& range,
                                           const Lattice& lattice, const NodeArray& nodes, double* window,
                                           const ValuesOf& values_of) {
-  using Sums = ScalarSums<count, Boxes::rows>;
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const Boxes boxes(p, lattice, x_axis);
   ChunkWeights<Boxes::rows> w;
-  ChunkScalars<count> values;
   FirstRows seen;
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t part = std::min(chunk, range.end - k);
     by_fours(0, part, [&](std::size_t c, auto group) {
       take_weights<false, false>(p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
-      const std::array<Lanes, count> of_group = values_of(k + c, group);
-      for (std::size_t f = 0; f < count; ++f)
-        group.store(&values[f][c], of_group[f]);
     });
-    stream<Sums>(w, part, window, [&](Sums& sums, std::size_t c, auto is_first) {
-      sums.template add<is_first>(values, w, c);
-    });
+    scatter_numbers<count>(k, part, w, window, values_of);
   }
   return seen.stencils(Boxes::rows);
 }
 
 /// Scatters the particles of a set in a tile, by the boxes and affine velocities that the set has.
 /// @returns the rows of the lattice that they touch
-template <typename Phase, Motion motion, bool force>
+template <Company company, Motion motion, bool force>
 RowRange scatter_set(const Domain& domain, const Particles& p, int clock, std::size_t tile, double* window) {
   const ParticleRange range = p.in_block(domain.block(clock, tile));
   if (range.begin == range.end)
     return {};
   const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
   const NodeArray nodes(domain.tiles.window(tile));
-  const double gravity = Phase::weighs * p.weight_share * domain.spec.gravity;
+  const double gravity = domain.spec.gravity;
   return for_boxes(p, [&]<typename Boxes>() {
     return p.traits.affine
-               ? scatter_range<Phase, motion, force, true, Boxes>(p, range, lattice, nodes, window, gravity)
-               : scatter_range<Phase, motion, force, false, Boxes>(p, range, lattice, nodes, window, gravity);
+               ? scatter_range<company, motion, force, true, Boxes>(p, range, lattice, nodes, window, gravity)
+               : scatter_range<company, motion, force, false, Boxes>(p, range, lattice, nodes, window,
+                                                                     gravity);
   });
 }
 
@@ -326,7 +365,7 @@ void scatter_across(const Particles& p, AcrossTile& tile, const BasisCells& cell
 template <typename Phase, Motion motion, bool force>
 void scatter_across_set(Domain& domain, AcrossTile& tile) {
   const Particles& p = domain.sets[tile.set];
-  const double gravity = Phase::weighs * p.weight_share * domain.spec.gravity;
+  const double gravity = Phase::pull == Pull::stress_and_weight ? p.weight_share * domain.spec.gravity : 0.0;
   p.traits.affine ? scatter_across<Phase, motion, force, true>(p, tile, domain.basis_cells, gravity)
                   : scatter_across<Phase, motion, force, false>(p, tile, domain.basis_cells, gravity);
 }

@@ -7,6 +7,7 @@
 #include "mpm_domain/transfer/scatter_kernel.hpp"
 #include "mpm_domain/water/pore_volume.hpp"
 
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -102,47 +103,39 @@ void compress(Domain& domain, double dt, const NodeField& flux_x, const NodeFiel
       [&](std::size_t s, std::size_t k) { return domain.waiting_pressures[s].compression[k]; });
 }
 
-/// Numbers that particles add to the nodes: what water takes off their weight, W, and W e.
+/// W e of a group of wet particles.
 template <typename Group>
-std::array<Lanes, 3> numbers_of(Domain& domain, const Particles& p, std::size_t k, Group group) {
-  const Lanes lift = (1.0 - p.weight_share) * domain.spec.gravity * group.load(&p.mass[k]);
-  if (!is_wet(p))
-    return {lift, Lanes{}, Lanes{}};
+Lanes compression_of(Domain& domain, const Particles& p, std::size_t k, Group group) {
   const std::size_t* const cell = waiting_of(domain, p).cell.data() + k;
   Lanes mean{};
   for (std::size_t lane = 0; lane < group.count; ++lane)
     mean[lane] = domain.grid.cell_change[cell[lane]];
-  const Lanes volume = pore_volume(p, k, group);
-  return {lift, volume, volume * mean};
+  return pore_volume(p, k, group) * mean;
 }
 
 /// The mean at nodes, which A takes of the means of cells.
 void average_at_nodes(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
   Grid& grid = domain.grid;
-  constexpr SumRange fields = sums_between(Sum::lift, Sum::compression);
-  clear(domain, NodeGroup::pores, nodes);
+  constexpr std::array fields{sums_between(Sum::compression, Sum::compression)};
   clear(domain, NodeGroup::compression, nodes);
   for (const std::size_t row : ties)
     grid.compression[domain.ties().tied(row)] = 0.0; // they hold the last means
   add_sums(
       domain, 0, fields,
       [&](const Particles& p, std::size_t tile, double* window) {
-        if (!p.water)
+        if (!is_wet(p))
           return RowRange{};
-        return scatter_scalars<3>(domain, p, 0, tile, window, Sum::lift,
-                                  [&](std::size_t k, auto group) { return numbers_of(domain, p, k, group); });
+        return scatter_scalars<1>(
+            domain, p, 0, tile, window, Sum::compression,
+            [&](std::size_t k, auto group) { return std::array{compression_of(domain, p, k, group)}; });
       },
       [&](AcrossTile& tile) {
         const Particles& p = domain.sets[tile.set];
-        add_across_tile(tile, fields, [&](std::size_t k, const FourWeights& w, const auto& add) {
-          if (!p.water)
-            return;
-          const std::array<Lanes, 3> numbers = numbers_of(domain, p, k, FewerThanFour(1));
-          for (std::size_t f = 0; f < numbers.size(); ++f)
-            add(fields.first + f, numbers[f][0] * w.s);
+        add_across_tile(tile, fields.front(), [&](std::size_t k, const FourWeights& w, const auto& add) {
+          if (is_wet(p))
+            add(fields.front().first, compression_of(domain, p, k, FewerThanFour(1))[0] * w.s);
         });
       });
-  fold(domain, NodeGroup::pores, ties);
   fold(domain, NodeGroup::compression, ties);
   domain.workers.run(nodes.size(), [&](std::size_t row) {
     by_fours(nodes[row].begin, nodes[row].end, [&](std::size_t n, auto group) {

@@ -25,8 +25,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// Brings the pore pressures of all wet particles over a step of dt (s), before they move. The nodes have
-/// what water takes off the weight of particles then, NodeFields::lift, wherever there is a pore pressure.
+/// Brings the pore pressures of all wet particles over a step of dt (s), before they move. The nodes have the
+/// sums of scatter_mixture().
 /// @param flux_x,flux_y  v_s + n w at the nodes, tied ones too, m/s
 /// @param ties           rows of the prolongation whose tied nodes particles touch
 /// @returns the work that the pressures take up, J/m

@@ -7,46 +7,93 @@ namespace tremolo::mpm_domain {
 namespace {
 
 template <bool affine>
-constexpr Wanted wanted_of{.v_before = !affine, .v_after = true, .affine = affine};
+constexpr Wanted wanted{.v_before = !affine, .v_after = true, .affine = affine};
+
+/// The columns of the particles' motion.
+struct MotionColumns {
+  std::vector<double>&x, &y, &bxx, &bxy, &byx, &byy;
+};
+MotionColumns motion_of_soil(Particles& p) {
+  return {p.vx, p.vy, p.bxx, p.bxy, p.byx, p.byy};
+}
+MotionColumns motion_of_water(Particles& p) {
+  return {p.wx, p.wy, p.wbxx, p.wbxy, p.wbyx, p.wbyy};
+}
 
 template <bool affine, typename Group>
-void take(Particles& p, std::size_t k, Group group, const Samples& q) {
+[[gnu::always_inline]] inline void take(const MotionColumns& to, std::size_t k, Group group,
+                                        const Samples& q) {
   if constexpr (affine) {
-    group.store(&p.wx[k], q.v_after.x);
-    group.store(&p.wy[k], q.v_after.y);
-    group.store(&p.wbxx[k], q.bxx);
-    group.store(&p.wbxy[k], q.bxy);
-    group.store(&p.wbyx[k], q.byx);
-    group.store(&p.wbyy[k], q.byy);
+    group.store(&to.x[k], q.v_after.x);
+    group.store(&to.y[k], q.v_after.y);
+    group.store(&to.bxx[k], q.bxx);
+    group.store(&to.bxy[k], q.bxy);
+    group.store(&to.byx[k], q.byx);
+    group.store(&to.byy[k], q.byy);
   } else {
-    group.store(&p.wx[k], group.load(&p.wx[k]) + q.v_after.x - q.v_before.x);
-    group.store(&p.wy[k], group.load(&p.wy[k]) + q.v_after.y - q.v_before.y);
+    group.store(&to.x[k], group.load(&to.x[k]) + q.v_after.x - q.v_before.x);
+    group.store(&to.y[k], group.load(&to.y[k]) + q.v_after.y - q.v_before.y);
   }
 }
 
 template <bool affine>
-void gather_as(Domain& domain) {
-  const VelocityFields velocities = of_water(domain.grid);
-  for_tiles(
-      domain, 0,
-      [&](Particles& p, const ParticleRange& range, std::size_t tile) {
+void gather_tile(Domain& domain, Particles& p, std::size_t tile, bool soil) {
+  const VelocityFields of_grains = of_soil(domain.grid);
+  const VelocityFields of_pores = of_water(domain.grid);
+  for_readers(
+      domain, p, p.in_block(domain.block(0, tile)),
+      tile, [&](std::size_t k, auto group, const auto& reader) __attribute__((always_inline)) {
+        if (soil)
+          take<affine>(motion_of_soil(p), k, group, samples_at<wanted<affine>>(reader, of_grains));
         if (p.traits.flowing)
-          for_samples<wanted_of<affine>>(
-              domain, p, range, tile, velocities,
-              [&](std::size_t k, auto group, const Samples& q) { take<affine>(p, k, group, q); });
-      },
-      [&](Particles& p, const AcrossTile& tile) {
-        if (p.traits.flowing)
-          for_samples<wanted_of<affine>>(
-              domain, p, tile, velocities,
-              [&](std::size_t k, auto group, const Samples& q) { take<affine>(p, k, group, q); });
+          take<affine>(motion_of_water(p), k, group, samples_at<wanted<affine>>(reader, of_pores));
       });
+}
+
+template <bool affine>
+void gather_across(Domain& domain, const AcrossTile& tile, bool soil) {
+  Particles& p = domain.sets[tile.set];
+  by_fours(tile.weights.first(), tile.weights.end(), [&](std::size_t k, auto group) {
+    const auto sample = [&](const VelocityFields& v) {
+      return sample_across<wanted<affine>>(v, tile.weights, domain.basis_cells, p, k, group.count);
+    };
+    if (soil)
+      take<affine>(motion_of_soil(p), k, group, sample(of_soil(domain.grid)));
+    if (p.traits.flowing)
+      take<affine>(motion_of_water(p), k, group, sample(of_water(domain.grid)));
+  });
+}
+
+bool is_affine(const Domain& domain) {
+  return domain.spec.scheme.transfer == Transfer::apic;
+}
+
+void gather(Domain& domain, Particles& p, std::size_t tile, bool soil) {
+  is_affine(domain) ? gather_tile<true>(domain, p, tile, soil) : gather_tile<false>(domain, p, tile, soil);
+}
+
+void gather(Domain& domain, const AcrossTile& tile, bool soil) {
+  is_affine(domain) ? gather_across<true>(domain, tile, soil) : gather_across<false>(domain, tile, soil);
 }
 
 } // namespace
 
 void gather_water(Domain& domain) {
-  domain.spec.scheme.transfer == Transfer::apic ? gather_as<true>(domain) : gather_as<false>(domain);
+  for_tiles(
+      domain, 0,
+      [&](Particles& p, const ParticleRange&, std::size_t tile) {
+        if (p.traits.flowing)
+          gather(domain, p, tile, false);
+      },
+      [&](Particles&, const AcrossTile& tile) { gather(domain, tile, false); });
+}
+
+void gather_mixture(Domain& domain, Particles& p, std::size_t tile) {
+  gather(domain, p, tile, true);
+}
+
+void gather_mixture(Domain& domain, const AcrossTile& tile) {
+  gather(domain, tile, true);
 }
 
 } // namespace tremolo::mpm_domain

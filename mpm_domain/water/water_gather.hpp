@@ -9,4 +9,10 @@ namespace tremolo::mpm_domain {
 /// these.
 void gather_water(Domain& domain);
 
+/// Velocities of grains and of water that flows, of the particles of a set in a tile that touch its lattice
+/// alone.
+void gather_mixture(Domain& domain, Particles& particles, std::size_t tile);
+/// Likewise of particles that touch several lattices.
+void gather_mixture(Domain& domain, const AcrossTile& tile);
+
 } // namespace tremolo::mpm_domain

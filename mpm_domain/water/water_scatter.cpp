@@ -3,21 +3,25 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/transfer/add_sums.hpp"
 #include "mpm_domain/transfer/scatter_kernel.hpp"
+#include "mpm_domain/water/water_gather.hpp"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace tremolo::mpm_domain {
 
 namespace {
 
-constexpr std::array water_sums{NodeGroup::water_mass, NodeGroup::water_momentum, NodeGroup::water_force};
+/// What all soil under water brings.
+constexpr SumRange numbers = sums_between(Sum::lift, Sum::pore_volume);
 
 /// Soil without pores, or whose water does not flow, lets none enter: a resistance beyond all drag of soil
 /// takes the relative velocity of the nodes that it touches. Above the table soil without pores is open.
 constexpr double sealed = 1e30; // Pa s/m2
 
 bool is_sealed(const Domain& domain, const Particles& p) {
-  return !p.traits.flowing && (p.traits.wet || !domain.spec.soils[p.soil_index].pores);
+  return !p.body && !p.traits.flowing && (p.traits.wet || !domain.spec.soils[p.soil_index].pores);
 }
 
 template <typename Group>
@@ -43,61 +47,80 @@ void seal_across(const Domain& domain, AcrossTile& tile, SumRange fields) {
   });
 }
 
+/// Adds up what soil and its water bring, which with momenta alone take their velocities from the grid
+/// before.
 template <Motion motion, bool force>
-void add_water(Domain& domain) {
-  constexpr SumRange fields = fields_of<WaterPhase>(motion, force);
+void add_mixture(Domain& domain, std::span<const SumRange> fields) {
+  constexpr bool takes_velocities = motion == Motion::momentum;
   add_sums(
       domain, 0, fields,
-      [&](const Particles& p, std::size_t tile, double* window) {
+      [&](Particles& p, std::size_t tile, double* window) {
+        if constexpr (takes_velocities)
+          gather_mixture(domain, p, tile);
         if (p.traits.flowing)
-          return scatter_set<WaterPhase, motion, force>(domain, p, 0, tile, window);
-        return force && is_sealed(domain, p) ? seal_tile(domain, p, tile, window) : RowRange{};
+          return scatter_set<Company::flow, motion, force>(domain, p, 0, tile, window);
+        RowRange rows = p.water ? scatter_set<Company::numbers, motion, force>(domain, p, 0, tile, window)
+                                : scatter_set<Company::none, motion, force>(domain, p, 0, tile, window);
+        if (force && domain.has_flow() && is_sealed(domain, p))
+          rows.add(seal_tile(domain, p, tile, window));
+        return rows;
       },
       [&](AcrossTile& tile) {
-        if (domain.sets[tile.set].traits.flowing)
+        if constexpr (takes_velocities)
+          gather_mixture(domain, tile);
+        const Particles& p = domain.sets[tile.set];
+        scatter_across_set<SoilPhase, motion, force>(domain, tile);
+        if (p.traits.flowing)
           scatter_across_set<WaterPhase, motion, force>(domain, tile);
-        else
-          seal_across(domain, tile, fields);
+        else if (domain.has_flow())
+          seal_across(domain, tile, fields_of<WaterPhase>(motion, force));
+        if (force)
+          add_across_tile(tile, numbers, [&](std::size_t k, const FourWeights& w, const auto& add) {
+            if (!p.water)
+              return;
+            const auto [lift, pores] = numbers_of_water(p, k, FewerThanFour(1), domain.spec.gravity);
+            add(static_cast<std::size_t>(Sum::lift), lift[0] * w.s);
+            add(static_cast<std::size_t>(Sum::pore_volume), pores[0] * w.s);
+          });
       });
 }
+
+void clear_groups(Domain& domain, std::span<const NodeGroup> groups, std::span<const NodeRange> nodes) {
+  std::vector<NodeField*> fields;
+  for (const NodeGroup group : groups)
+    for_group(domain.grid, group, [&](NodeField& field) { fields.push_back(&field); });
+  domain.workers.run(nodes.size(), [&](std::size_t row) {
+    for (NodeField* field : fields)
+      std::fill(field->data() + nodes[row].begin, field->data() + nodes[row].end, 0.0);
+  });
+}
+
+constexpr std::array of_mixture{NodeGroup::mass,       NodeGroup::momentum,   NodeGroup::force,
+                                NodeGroup::pores,      NodeGroup::water_mass, NodeGroup::water_momentum,
+                                NodeGroup::water_force};
+constexpr std::size_t without_flow = 4; // of them
+constexpr std::array momenta{NodeGroup::momentum, NodeGroup::water_momentum};
 
 } // namespace
 
-void scatter_water(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
-  for (const NodeGroup group : water_sums)
-    clear(domain, group, nodes);
-  add_water<Motion::mass_and_momentum, true>(domain);
-  for (const NodeGroup group : water_sums)
+void scatter_mixture(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
+  const std::span groups = std::span(of_mixture).first(domain.has_flow() ? of_mixture.size() : without_flow);
+  clear_groups(domain, groups, nodes);
+  const std::array fields{dry_sums,
+                          domain.has_flow() ? sums_between(Sum::water_mass, Sum::pore_volume) : numbers};
+  add_mixture<Motion::mass_and_momentum, true>(domain, fields);
+  for (const NodeGroup group : groups)
     fold(domain, group, ties);
 }
 
-void scatter_water_momenta(Domain& domain, std::span<const NodeRange> nodes,
-                           std::span<const std::size_t> ties) {
-  clear(domain, NodeGroup::water_momentum, nodes);
-  add_water<Motion::momentum, false>(domain);
-  fold(domain, NodeGroup::water_momentum, ties);
-}
-
-void scatter_lift(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
-  constexpr SumRange fields = sums_between(Sum::lift, Sum::lift);
-  const auto lift_of = [&](const Particles& p) { return (1.0 - p.weight_share) * domain.spec.gravity; };
-  clear(domain, NodeGroup::pores, nodes);
-  add_sums(
-      domain, 0, fields,
-      [&](const Particles& p, std::size_t tile, double* window) {
-        if (!p.water)
-          return RowRange{};
-        return scatter_scalars<1>(domain, p, 0, tile, window, Sum::lift, [&](std::size_t k, auto group) {
-          return std::array{lift_of(p) * group.load(&p.mass[k])};
-        });
-      },
-      [&](AcrossTile& tile) {
-        const Particles& p = domain.sets[tile.set];
-        add_across_tile(tile, fields, [&](std::size_t k, const FourWeights& w, const auto& add) {
-          add(fields.first, lift_of(p) * p.mass[k] * w.s);
-        });
-      });
-  fold(domain, NodeGroup::pores, ties);
+void exchange_mixture_velocities(Domain& domain, std::span<const NodeRange> nodes,
+                                 std::span<const std::size_t> ties) {
+  clear_groups(domain, momenta, nodes);
+  add_mixture<Motion::momentum, false>(
+      domain, std::array{sums_between(Sum::momentum_x, Sum::momentum_y),
+                         sums_between(Sum::water_momentum_x, Sum::water_momentum_y)});
+  for (const NodeGroup group : momenta)
+    fold(domain, group, ties);
 }
 
 } // namespace tremolo::mpm_domain

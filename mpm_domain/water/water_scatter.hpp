@@ -1,12 +1,13 @@
 #pragma once
 
-// What particles whose water flows add up at the nodes beside mass, momentum and force
-// (transfer/scatter.hpp):
+// What particles under water add up at the nodes beside what all soil does (transfer/scatter.hpp): where
+// water flows
 //
 //     m_f,i = sum S n rho_f V,      p_f,i = sum S n rho_f V (v_f + C_f (x_i - x)),
-//     V_i = sum S V,                R_i = sum S V rho_f g/k,      f_i = sum V p_e grad S.
+//     V_i = sum S V,                R_i = sum S V rho_f g/k,      f_i = sum V p_e grad S,
 //
-// Soil that lets no water enter adds to the resistance alone.
+// and everywhere what water takes off the weight, NodeFields::lift, and pore volumes, sum S n V. Soil that
+// lets no water enter adds to the resistance. Soil and water go in one pass with the same weights.
 
 #include "mpm_domain/domain.hpp"
 
@@ -14,16 +15,14 @@
 
 namespace tremolo::mpm_domain {
 
-/// Sets these sums to those of all particles, tied nodes folded.
+/// Sets the sums of soil and water to those of all particles, tied nodes folded.
 /// @param nodes  that particles may touch
 /// @param ties   rows of the prolongation whose tied nodes they touch
-void scatter_water(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties);
+void scatter_mixture(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties);
 
-/// The momentum of the water alone.
-void scatter_water_momenta(Domain& domain, std::span<const NodeRange> nodes,
-                           std::span<const std::size_t> ties);
-
-/// Sums up what water takes off the weight, in a domain without pore pressure.
-void scatter_lift(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties);
+/// Gives particles the velocities of grains and water that flows (water_gather.hpp) and sums up their new
+/// momenta alone, tile by tile.
+void exchange_mixture_velocities(Domain& domain, std::span<const NodeRange> nodes,
+                                 std::span<const std::size_t> ties);
 
 } // namespace tremolo::mpm_domain

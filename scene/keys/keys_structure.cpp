@@ -68,9 +68,19 @@ std::vector<Table> structure_keys() {
                  .range = positive},
                 {.name = "rigid",
                  .type = Type::boolean,
-                 .meaning =
-                     "Whether it keeps its shape, and moves by three degrees of freedom. Must be true.",
-                 .required = true},
+                 .meaning = "`true`: it keeps its shape, and moves by three degrees of freedom.",
+                 .otherwise = "`young` and `poisson`"},
+                {.name = "young",
+                 .unit = "Pa",
+                 .meaning = "Young's modulus of an elastic structure; together with `poisson`. Of a building "
+                            "with rooms, that of a solid block with the building's natural period.",
+                 .otherwise = "`rigid`",
+                 .range = positive},
+                {.name = "poisson",
+                 .unit = "1",
+                 .meaning = "Poisson's ratio of an elastic structure; together with `young`.",
+                 .otherwise = "`rigid`",
+                 .range = {.low = -1.0, .high = 0.5, .low_open = true, .high_open = true}},
                 {.name = "friction",
                  .unit = "1",
                  .meaning =

@@ -135,7 +135,8 @@ double squares_taken(const Case& scene, double spacing) {
     for (const double x : middles(part.x_min, part.x_max, box.x_min, box.x_max, spacing))
       for (const double y : rows)
         // Two structures may share a square; that in which its middle lies counts it.
-        if (contains(outline, {x, y}) && mpm_domain::plot_of(regions, all, x, y, spacing).area == 0.0 &&
+        if (contains(outline, {x, y}) &&
+            !is_particle(mpm_domain::plot_of(regions, all, x, y, spacing), spacing) &&
             in_region(scene, {x, y}))
           ++count;
   }
@@ -160,11 +161,27 @@ Level uniform_level(const Case& scene) {
           .critical_dt = critical};
 }
 
+/// Elastic structures bring particles and nodes of their own, on cells of the finest level.
+void add_structures(const Case& scene, Level& finest) {
+  constexpr double margin = 8.0; // nodes of a structure's lattice beyond its own cells
+  const double h = finest.cell_size;
+  for (const Structure& structure : scene.structures) {
+    const Polygon& outline = structure.outline.corners;
+    if (!structure.stiffness || outline.empty())
+      continue;
+    const double solid = area(outline) - (structure.hole ? area(structure.hole->corners) : 0.0);
+    const Box box = box_of(outline);
+    finest.particles += std::round(solid / (finest.particle_size * finest.particle_size));
+    finest.nodes += std::round((box.width() / h + margin) * (box.height() / h + margin));
+    finest.critical_dt = std::min(finest.critical_dt, critical_step(structure, h));
+  }
+}
+
 /// Calls act(region) for every particle of a leaf that lies in one.
 template <typename Act>
-void for_particles(const Case& scene, const std::vector<Polygon>& structures, const mesh::Rectangle& leaf,
-                   double spacing, const Act& act) {
-  const std::vector<Polygon> regions = region_polygons(scene);
+void for_particles(const Case& scene, const std::vector<Polygon>& regions,
+                   const std::vector<Polygon>& structures, const mesh::Rectangle& leaf, double spacing,
+                   const Act& act) {
   for (int j = 0; j < scene.mesh.particles_per_cell; ++j)
     for (int i = 0; i < scene.mesh.particles_per_cell; ++i) {
       const Point at{leaf.x_min + (i + 0.5) * spacing, leaf.y_min + (j + 0.5) * spacing};
@@ -172,7 +189,7 @@ void for_particles(const Case& scene, const std::vector<Polygon>& structures, co
       const auto region = std::ranges::find_if(scene.regions, [&](const Region& one) {
         return contains(one.polygon, at) || contains(one.polygon, {plot.x, plot.y});
       });
-      if (region != scene.regions.end() && plot.area > 0.0)
+      if (region != scene.regions.end() && is_particle(plot, spacing))
         act(static_cast<std::size_t>(region - scene.regions.begin()));
     }
 }
@@ -189,8 +206,11 @@ mesh::Quadtree quadtree(const Case& scene) {
 }
 
 std::vector<Level> levels(const Case& scene) {
-  if (scene.mesh.refine.empty())
-    return {uniform_level(scene)};
+  if (scene.mesh.refine.empty()) {
+    Level level = uniform_level(scene);
+    add_structures(scene, level);
+    return {level};
+  }
   const mesh::Quadtree tree = quadtree(scene);
   const std::vector<CriticalStep> steps = critical_steps(scene);
   std::vector<Level> all;
@@ -200,6 +220,7 @@ std::vector<Level> levels(const Case& scene) {
                    .critical_dt = std::numeric_limits<double>::infinity()});
   const mesh::Rectangle box = rectangle(scene.mesh.box);
   const double near = 1e-3 * all.back().cell_size;
+  const std::vector<Polygon> regions = region_polygons(scene);
   const std::vector<Polygon> structures = outlines(scene);
   for (const mesh::Cell& leaf : tree.leaves()) {
     const auto level = static_cast<std::size_t>(leaf.level);
@@ -211,7 +232,7 @@ std::vector<Level> levels(const Case& scene) {
     // Particles at the edge of their cell take the step of finer cells beside it.
     const auto finest = static_cast<std::size_t>(
         tree.finest_in({cell.x_min - near, cell.y_min - near, cell.x_max + near, cell.y_max + near}));
-    for_particles(scene, structures, cell, all[level].particle_size, [&](std::size_t region) {
+    for_particles(scene, regions, structures, cell, all[level].particle_size, [&](std::size_t region) {
       ++all[level].particles;
       all[finest].critical_dt = std::min(all[finest].critical_dt, steps[region].on(all[finest].cell_size));
     });
@@ -219,7 +240,16 @@ std::vector<Level> levels(const Case& scene) {
   const std::vector<mpm_domain::LevelLattice> lattices = mpm_domain::lattices_of(tree);
   for (std::size_t level = 0; level < all.size(); ++level)
     all[level].nodes = static_cast<double>(lattices[level].lattice.count());
+  add_structures(scene, all.back());
   return all;
+}
+
+double critical_step(const Structure& structure, double cell_size) {
+  const materials::Elasticity elastic{structure.density, structure.stiffness->young,
+                                      structure.stiffness->poisson};
+  if (!(elastic.density > 0.0) || !(elastic.young > 0.0))
+    return std::numeric_limits<double>::infinity();
+  return mpm_domain::largest_courant_number * cell_size / elastic.p_wave_speed();
 }
 
 double critical_time_step(const Case& scene, std::span<const Level> levels) {

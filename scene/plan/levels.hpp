@@ -19,8 +19,8 @@ struct Level {
   double cells = 0.0;         ///< of one level: of the padded grid; of several: those in the model's box
   double particles = 0.0;
   double nodes = 0.0;
-  /// The least of 0.65 h/c_p over the soils whose particles touch cells of this level, shortened by viscous
-  /// damping (mpm_domain/spec/limits.hpp), s; infinite where none does.
+  /// The least of 0.65 h/c_p over the soils, and elastic structures, whose particles touch cells of this
+  /// level, shortened by viscous damping (mpm_domain/spec/limits.hpp), s; infinite where none does.
   double critical_dt = 0.0;
   double dt = 0.0; ///< that they take, s; set by the plan
 };
@@ -30,6 +30,9 @@ mesh::Quadtree quadtree(const Case& scene);
 
 /// For a mesh with a size, a box and soils.
 std::vector<Level> levels(const Case& scene);
+
+/// 0.65 h/c_p of an elastic structure on cells of a size (m), s.
+double critical_step(const Structure& structure, double cell_size);
 
 /// The critical time step of the domain at rest: the least of its levels, s. Where each has a step of its
 /// own, half of the next coarser one's, it is that of the coarsest.

@@ -1,21 +1,19 @@
 #include "scene/plan/structures.hpp"
 
 #include "mesh/polygon_measures.hpp"
+#include "mpm_domain/spec/structure.hpp"
 #include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace tremolo::scene {
 
 namespace {
-
-/// A gap of this, in cells, is closed: the domain takes it so.
-constexpr double closed_gap = 0.05;
 
 // What the domain keeps: of a contact node its state, a copy and the sums over particles; of every node in a
 // window two cells wider than the body the sums and what there is of the body's surface.
@@ -29,20 +27,38 @@ bool in_soil_outside(const Case& scene, const std::vector<Polygon>& structures, 
          std::ranges::none_of(structures, [p](const Polygon& outline) { return contains(outline, p); });
 }
 
-/// Nodes of the contact cells whose bilinear hats reach some points.
-std::size_t nodes_at(const Case& scene, const std::vector<Point>& points) {
-  constexpr double least = 0.02; // of a hat
+/// Calls act(middle, length) for pieces of a structure's outline, a quarter of a cell long at most, that have
+/// soil next to them. What is as near as the gap at which the domain's contact opens touches at the start.
+template <class Act>
+void for_pieces_on_soil(const Case& scene, std::size_t structure, const Act& act) {
   const double h = contact_cell_size(scene);
-  std::set<std::pair<long, long>> nodes;
-  for (const Point p : points) {
-    const double x = (p.x - scene.mesh.box.x_min) / h;
-    const double y = (p.y - scene.mesh.box.y_min) / h;
+  const std::vector<Polygon> all = outlines(scene);
+  const Polygon& outline = scene.structures[structure].outline.corners;
+  const double outward = mesh::signed_double_area(outline) > 0.0 ? 1.0 : -1.0;
+  const double gap = mpm_domain::opening_gap * h;
+  for_pieces(outline, scene.mesh.box.y_max + gap, 0.25 * h, [&](Point from, Point to) {
+    const Point middle{0.5 * (from.x + to.x), 0.5 * (from.y + to.y)};
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const double off = length > 0.0 ? outward * gap / length : 0.0;
+    if (in_soil_outside(scene, all, {middle.x + off * (to.y - from.y), middle.y - off * (to.x - from.x)}))
+      act(middle, length);
+  });
+}
+
+/// Nodes of the contact cells that have enough of a structure's surface on soil.
+std::size_t contact_nodes(const Case& scene, std::size_t structure) {
+  const double h = contact_cell_size(scene);
+  std::map<std::pair<long, long>, double> shares; // of the surface, in cells
+  for_pieces_on_soil(scene, structure, [&](Point middle, double length) {
+    const double x = (middle.x - scene.mesh.box.x_min) / h;
+    const double y = (middle.y - scene.mesh.box.y_min) / h;
     for (const double i : {std::floor(x), std::floor(x) + 1.0})
       for (const double j : {std::floor(y), std::floor(y) + 1.0})
-        if ((1.0 - std::abs(x - i)) * (1.0 - std::abs(y - j)) > least)
-          nodes.emplace(std::lround(i), std::lround(j));
-  }
-  return nodes.size();
+        shares[{std::lround(i), std::lround(j)}] +=
+            length / h * (1.0 - std::abs(x - i)) * (1.0 - std::abs(y - j));
+  });
+  return static_cast<std::size_t>(std::ranges::count_if(
+      shares, [](const auto& node) { return node.second > mpm_domain::least_wall_share; }));
 }
 
 /// "57.8 kN/m, net 135 kN/m upwards in water"
@@ -52,6 +68,12 @@ std::string weight_text(const PlannedStructure& structure) {
   if (structure.buoyancy > 0.0)
     text += fmt::format(", net {:.4g} kN/m {} in water", std::abs(net), net < 0.0 ? "upwards" : "downwards");
   return text;
+}
+
+std::string kind_text(const Structure& structure) {
+  return structure.stiffness ? fmt::format("elastic, young {:g} Pa, poisson {:g}", structure.stiffness->young,
+                                           structure.stiffness->poisson)
+                             : "rigid";
 }
 
 std::string surface_text(const Case& scene, const Structure& structure) {
@@ -90,19 +112,8 @@ double contact_cell_size(const Case& scene) {
 }
 
 std::vector<Point> points_on_soil(const Case& scene, std::size_t structure) {
-  const double h = contact_cell_size(scene);
-  const std::vector<Polygon> all = outlines(scene);
-  const Polygon& outline = scene.structures[structure].outline.corners;
-  const double outward = mesh::signed_double_area(outline) > 0.0 ? 1.0 : -1.0;
   std::vector<Point> points;
-  const double gap = closed_gap * h;
-  for_pieces(outline, scene.mesh.box.y_max + gap, 0.25 * h, [&](Point from, Point to) {
-    const Point middle{0.5 * (from.x + to.x), 0.5 * (from.y + to.y)};
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
-    const double off = length > 0.0 ? outward * gap / length : 0.0;
-    if (in_soil_outside(scene, all, {middle.x + off * (to.y - from.y), middle.y - off * (to.x - from.x)}))
-      points.push_back(middle);
-  });
+  for_pieces_on_soil(scene, structure, [&](Point middle, double) { points.push_back(middle); });
   return points;
 }
 
@@ -118,7 +129,7 @@ std::vector<PlannedStructure> plan_structures(const Case& scene) {
     if (scene.water)
       planned.buoyancy = mesh::measures(mesh::part_below(outline, scene.water->level)).area *
                          scene.water->fluid.density * scene.gravity->acceleration;
-    planned.contact_nodes = static_cast<double>(nodes_at(scene, points_on_soil(scene, i)));
+    planned.contact_nodes = static_cast<double>(contact_nodes(scene, i));
     const Box box = box_of(outline);
     const double h = contact_cell_size(scene);
     const double height = std::min(box.y_max, scene.mesh.box.y_max) - box.y_min;
@@ -150,11 +161,11 @@ std::string structures_text(const Case& scene, std::span<const PlannedStructure>
   std::string text;
   for (std::size_t i = 0; i < structures.size(); ++i) {
     const PlannedStructure& planned = structures[i];
-    text +=
-        fmt::format("  {:<18}rigid, {:.4g} m2 of {:g} kg/m3: {:.6g} kg/m, {}; about {:.0f} contact nodes\n"
-                    "    surface    {}\n",
-                    planned.name, planned.area, scene.structures[i].density, planned.mass,
-                    weight_text(planned), planned.contact_nodes, surface_text(scene, scene.structures[i]));
+    text += fmt::format("  {:<18}{}, {:.4g} m2 of {:g} kg/m3: {:.6g} kg/m, {}; about {:.0f} contact nodes\n"
+                        "    surface    {}\n",
+                        planned.name, kind_text(scene.structures[i]), planned.area,
+                        scene.structures[i].density, planned.mass, weight_text(planned),
+                        planned.contact_nodes, surface_text(scene, scene.structures[i]));
   }
   return text;
 }

@@ -36,6 +36,9 @@ void read_hosts(Document& document, Case& scene);
 /// Coupling, monitors, output and verification.
 void read_run(Document& document, Findings& findings, Case& scene);
 
+/// Whether both of a pair of keys are there; reports the one that is missing.
+bool complete(const TableReader& table, Findings& findings, const char* first, const char* second);
+
 /// density and young + poisson or vs + vp of a table; zeros where they are missing.
 materials::Elasticity read_elasticity(const TableReader& table, Findings& findings);
 

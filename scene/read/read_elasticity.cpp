@@ -6,9 +6,6 @@
 
 namespace tremolo::scene {
 
-namespace {
-
-/// Whether both of a pair are there; reports the one that is missing.
 bool complete(const TableReader& table, Findings& findings, const char* first, const char* second) {
   for (const auto& [have, need] : {std::pair(first, second), std::pair(second, first)})
     if (!table.given(need)) {
@@ -17,8 +14,6 @@ bool complete(const TableReader& table, Findings& findings, const char* first, c
     }
   return findings.sound(table.path(first)) && findings.sound(table.path(second));
 }
-
-} // namespace
 
 materials::Elasticity read_elasticity(const TableReader& table, Findings& findings) {
   const double density = table.number("density");

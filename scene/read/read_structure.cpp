@@ -47,16 +47,36 @@ std::vector<SoilContact> read_against(const TableReader& table, const std::vecto
   return against;
 }
 
+/// Nothing for a rigid structure.
+std::optional<mpm_domain::Stiffness> read_stiffness(const TableReader& table, Findings& findings) {
+  const bool elastic = table.given("young") || table.given("poisson");
+  if (table.given("rigid") && findings.sound(table.path("rigid"))) {
+    if (elastic)
+      findings.add(table.path("rigid"), "'rigid' and 'young' exclude each other: remove one");
+    else if (!table.boolean("rigid"))
+      findings.add(table.path("rigid"), "'rigid' = false: give 'young' and 'poisson' in its place");
+    return std::nullopt;
+  }
+  if (!elastic) {
+    if (findings.sound(table.path()) && findings.sound(table.path("rigid")))
+      findings.add(table.path("rigid"), "missing 'rigid' = true, or 'young' and 'poisson' of an elastic "
+                                        "structure");
+    return std::nullopt;
+  }
+  if (!complete(table, findings, "young", "poisson"))
+    return std::nullopt;
+  return mpm_domain::Stiffness{table.number("young"), table.number("poisson")};
+}
+
 Structure read_structure(const TableReader& table, const std::vector<Soil>& soils, Findings& findings) {
   const auto outline = read_outline(table, "polygon", "circle", findings);
   if (!table.given("polygon") && !table.given("circle") && findings.sound(table.path()))
     findings.add(table.path("polygon"), "missing 'polygon' or 'circle': the outline of the structure");
-  if (table.given("rigid") && findings.sound(table.path("rigid")) && !table.boolean("rigid"))
-    findings.add(table.path("rigid"), "'rigid' = false: structures are rigid, must be true");
   return {.name = table.text("name"),
           .outline = outline.value_or(Outline{}),
           .hole = read_outline(table, "hole", "hole_circle", findings),
           .density = table.number("density"),
+          .stiffness = read_stiffness(table, findings),
           .friction = table.number("friction"),
           .against = read_against(table, soils, findings)};
 }

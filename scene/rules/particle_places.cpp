@@ -20,7 +20,7 @@ struct Search {
 
   bool at(Point middle, double size_of_square) const {
     const auto plot = mpm_domain::plot_of(regions, structures, middle.x, middle.y, size_of_square);
-    return plot.area > 0.0 && found({middle, {plot.x, plot.y}});
+    return is_particle(plot, size_of_square) && found({middle, {plot.x, plot.y}});
   }
 
   bool in(const mesh::Cell& cell) const {

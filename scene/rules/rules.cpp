@@ -47,6 +47,8 @@ constexpr std::array rules = {
     Rule{Severity::error, structures_lie_on_finest_level},
     Rule{Severity::error, structures_touch_soil},
     Rule{Severity::error, structures_have_weight},
+    Rule{Severity::error, elastic_structures_are_alone},
+    Rule{Severity::error, elastic_structures_suit_water},
     Rule{Severity::error, structures_suit_time_stepping},
     Rule{Severity::error, monitors_lie_in_soil},
     Rule{Severity::error, monitors_lie_on_structures},
@@ -71,6 +73,7 @@ constexpr std::array rules = {
     Rule{Severity::warning, densities_are_in_kilograms},
     Rule{Severity::warning, structures_weigh_what_they_can},
     Rule{Severity::warning, structures_slip},
+    Rule{Severity::warning, structures_leave_the_step},
 
     Rule{Severity::note, mesh_resolves_frequencies},
     Rule{Severity::note, softening_goes_with_cells},

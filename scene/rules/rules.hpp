@@ -82,6 +82,10 @@ void structures_lie_on_finest_level(const Case& scene, Findings& findings);
 void structures_touch_soil(const Case& scene, Findings& findings);
 /// Structures have weight: a gravity stage.
 void structures_have_weight(const Case& scene, Findings& findings);
+/// No structure stands next to an elastic one.
+void elastic_structures_are_alone(const Case& scene, Findings& findings);
+/// Holes of elastic structures lie above the water table.
+void elastic_structures_suit_water(const Case& scene, Findings& findings);
 /// The transfer and the time stepping are those that structures are made for.
 void structures_suit_time_stepping(const Case& scene, Findings& findings);
 /// Monitors have different names, and those that follow soil lie in it.
@@ -126,6 +130,8 @@ void cavitation_is_in_pascals(const Case& scene, Findings& findings);
 void sand_has_one_void_ratio(const Case& scene, Findings& findings);
 /// Densities of structures are in kg/m3.
 void structures_weigh_what_they_can(const Case& scene, Findings& findings);
+/// Elastic structures need no shorter steps than the soil.
+void structures_leave_the_step(const Case& scene, Findings& findings);
 /// Friction is the tangent of an angle.
 void structures_slip(const Case& scene, Findings& findings);
 /// Densities are those of soil or rock in kg/m3.

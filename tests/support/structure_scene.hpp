@@ -71,7 +71,7 @@ inline double overlap(const mpm_domain::RigidBody& a, const mpm_domain::RigidBod
   double deepest = 0.0;
   for (const auto& [owner, other] : {std::pair{&a, &b}, std::pair{&b, &a}})
     for (const mpm_domain::Vector& corner : owner->outline())
-      deepest = std::max(deepest, -other->nearest(corner).distance);
+      deepest = std::max(deepest, -other->surface().nearest(corner).distance);
   return deepest;
 }
 

@@ -20,49 +20,49 @@ namespace {
 constexpr double largest_increment = 0.02;
 
 /// In-plane stress, tension positive, as p and s, compression positive.
-pm4::Stress compression(const InPlaneStress& stress) {
+template <typename Real>
+pm4::StressOf<Real> compression(const InPlaneStressOf<Real>& stress) {
   return {-0.5 * (stress.xx + stress.yy), {-0.5 * (stress.xx - stress.yy), -stress.xy}};
 }
 
-pm4::Strain compression_strain(const InPlaneStress& strain) {
+pm4::Strains compression_strain(const InPlaneStressOf<Lanes>& strain) {
   return {-(strain.xx + strain.yy), {-0.5 * (strain.xx - strain.yy), -strain.xy}};
 }
 
-InPlaneStress tension(const pm4::Stress& stress) {
+InPlaneStressOf<Lanes> tension(const pm4::Stresses& stress) {
   return {-stress.p - stress.s.d, -stress.p + stress.s.d, -stress.s.s};
 }
 
-void report(const Pm4Sand& law, const Points& points, std::size_t i, const InPlaneStress& stress) {
-  points.sxx[i] = stress.xx;
-  points.syy[i] = stress.yy;
-  points.sxy[i] = stress.xy;
-  points.szz[i] = law.elastic.poisson * (stress.xx + stress.yy);
-}
+/// Advances one to four points from i on.
+template <typename Group>
+void advance(const Pm4Sand& law, const Points& points, std::size_t i, Group group) {
+  double* const blocks = points.state + i * pm4::state_size;
+  pm4::States states = pm4::load_four(blocks, group.count);
+  const Lanes w = group.load(points.dwxy + i);
+  states.angle = MaterialAxesOf<Lanes>::turned(states.angle, w);
+  const MaterialAxesOf<Lanes> axes(states.angle);
+  const InPlaneStressOf<Lanes> carried =
+      rotated<Lanes>({group.load(points.sxx + i), group.load(points.syy + i), group.load(points.sxy + i)}, w);
+  const pm4::Stresses reported = compression(axes.to_material(carried));
+  const pm4::Strains strain = compression_strain(axes.to_material(
+      {group.load(points.dexx + i), group.load(points.deyy + i), 0.5 * group.load(points.dgxy + i)}));
 
-void advance(const Pm4Sand& law, const Points& points, std::size_t i) {
-  double* const block = points.state + i * pm4::state_size;
-  pm4::State state = pm4::load(block);
-  const double w = points.dwxy[i];
-  state.angle = MaterialAxes::turned(state.angle, w);
-  const MaterialAxes axes(state.angle);
-  const InPlaneStress carried = rotated({points.sxx[i], points.syy[i], points.sxy[i]}, w);
-  const pm4::Stress reported = compression(axes.to_material(carried));
-  const pm4::Strain strain =
-      compression_strain(axes.to_material({points.dexx[i], points.deyy[i], 0.5 * points.dgxy[i]}));
-
-  pm4::Stress stress = {reported.p - state.start.offset.p, reported.s - state.start.offset.s};
-  if (strain.volumetric != 0.0 || strain.e.d != 0.0 || strain.e.s != 0.0) {
-    const double work = pm4::integrate(law, state, stress, strain);
-    if (!std::isfinite(work)) {
+  const pm4::Stresses& offset = states.start.offset;
+  pm4::Stresses stress{reported.p - offset.p, reported.s - offset.s};
+  const Lanes size = magnitude(strain.volumetric) + magnitude(strain.e.d) + magnitude(strain.e.s);
+  const Lanes work = pm4::integrate(law, states, stress, strain, size > 0.0);
+  for (std::size_t lane = 0; lane < group.count; ++lane)
+    if (!std::isfinite(work[lane]))
       throw std::domain_error(fmt::format("pm4sand: no finite stress of point {} follows from its strain "
                                           "increment",
-                                          i));
-    }
-    points.plastic_work[i] += work;
-  }
-  report(law, points, i,
-         axes.to_space(tension({stress.p + state.start.offset.p, stress.s + state.start.offset.s})));
-  pm4::store(state, block);
+                                          i + lane));
+  group.store(points.plastic_work + i, group.load(points.plastic_work + i) + work);
+  const InPlaneStressOf<Lanes> after = axes.to_space(tension({stress.p + offset.p, stress.s + offset.s}));
+  group.store(points.sxx + i, after.xx);
+  group.store(points.syy + i, after.yy);
+  group.store(points.sxy + i, after.xy);
+  group.store(points.szz + i, law.elastic.poisson * (after.xx + after.yy));
+  pm4::store_four(states, blocks, group.count);
 }
 
 } // namespace
@@ -71,15 +71,14 @@ void initialise(const Pm4Sand& law, const Points& points) {
   for (std::size_t i = 0; i < points.count; ++i) {
     const InPlaneStress stress = {points.sxx[i], points.syy[i], points.sxy[i]};
     pm4::store(pm4::initial_state(law, compression(stress)), points.state + i * pm4::state_size);
-    report(law, points, i, stress);
+    points.szz[i] = law.elastic.poisson * (stress.xx + stress.yy);
   }
 }
 
 void update(const Pm4Sand& law, const Points& points) {
   check_increments("pm4sand", points, largest_increment);
   check_finite("pm4sand", points, pm4::state_size);
-  for (std::size_t i = 0; i < points.count; ++i)
-    advance(law, points, i);
+  by_fours(0, points.count, [&](std::size_t i, auto group) { advance(law, points, i, group); });
 }
 
 double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {

@@ -3,176 +3,203 @@
 #include "materials/sand/pm4sand/pm4sand_low_pressure.hpp"
 #include "materials/sand/pm4sand/pm4sand_memory.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace tremolo::materials::pm4 {
 namespace {
 
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+LaneMask is_finite(const Lanes& a) {
+  return magnitude(a) <= std::numeric_limits<double>::max();
+}
+
 /// The largest component of a strain increment: |eps_xx|, |eps_yy| or |gamma_xy|.
-double largest_component(const Strain& strain) {
-  return std::max(0.5 * std::abs(strain.volumetric) + std::abs(strain.e.d), 2.0 * std::abs(strain.e.s));
+Lanes largest_component(const Strains& strain) {
+  return larger(2.0 * magnitude(strain.e.s), 0.5 * magnitude(strain.volumetric) + magnitude(strain.e.d));
 }
 
 /// The part of an elastic change of stress up to the yield surface |s - p alpha| = m p/sqrt2; 0 if it is
 /// reached and loading goes on, 1 or more if it is not reached.
 /// @param x  s - p alpha
-double elastic_part(const Site& at, Deviator x, const Stress& elastic) {
+Lanes elastic_part(const Sites& at, const Deviators& x, const Stresses& elastic) {
   constexpr double reached = 0.99; // of the radius: within 1 per cent of m
-  constexpr double never = 2.0;
-  const double p = at.stress.p;
-  const Deviator dx = elastic.s - elastic.p * at.now.alpha;
+  const Lanes never = all(2.0);
+  const Lanes p = at.stress.p;
+  const Deviators dx = elastic.s - elastic.p * at.now.alpha;
   const double m2 = 0.5 * at.law.m * at.law.m;
-  const double b = contract(x, dx) - m2 * p * elastic.p;
-  const double radius2 = m2 * p * p;
-  const double x2 = contract(x, x);
-  if (x2 >= reached * reached * radius2 && b >= 0.0)
-    return 0.0;
-  const double a = contract(dx, dx) - m2 * elastic.p * elastic.p;
-  const double c = std::min(x2 - radius2, 0.0);
-  const double discriminant = b * b - a * c;
-  if (discriminant < 0.0)
-    return never;
-  const double root = std::sqrt(discriminant);
-  if (b > 0.0)
-    return -c / (b + root);
-  return a > 0.0 ? (root - b) / a : never;
+  const Lanes b = contract(x, dx) - m2 * p * elastic.p;
+  const Lanes radius2 = m2 * p * p;
+  const Lanes x2 = contract(x, x);
+  const LaneMask loads = (x2 >= reached * reached * radius2) & (b >= 0.0);
+  if (!any(~loads))
+    return Lanes{};
+  const Lanes a = contract(dx, dx) - m2 * elastic.p * elastic.p;
+  const Lanes c = smaller(Lanes{}, x2 - radius2);
+  const Lanes discriminant = b * b - a * c;
+  const Lanes root = sqrt(discriminant);
+  const Lanes inward = choose(a > 0.0, (root - b) / a, never);
+  const Lanes part = choose(b > 0.0, -c / (b + root), inward);
+  return choose(loads, Lanes{}, choose(discriminant < 0.0, never, part));
 }
 
 /// The motion after a change of it.
-Motion after(const Motion& now, const Change& step, double volumetric_strain) {
-  Motion next = now;
+Motions after(const Motions& now, const Changes& step, const Lanes& volumetric_strain) {
+  Motions next = now;
   next.alpha = now.alpha + step.alpha;
   next.volumetric_strain += volumetric_strain;
-  if (step.z.d != 0.0 || step.z.s != 0.0) {
+  const LaneMask changes = (step.z.d != 0.0) | (step.z.s != 0.0);
+  if (any(changes)) {
     next.z = now.z + step.z;
     next.z_cum += norm(step.z) / sqrt2;
-    next.z_peak = std::max(now.z_peak, norm(next.z) / sqrt2);
+    next.z_peak = choose(changes, larger(norm(next.z) / sqrt2, now.z_peak), now.z_peak);
   }
   return next;
 }
 
-Stress after(const Stress& stress, const Change& step) {
+Stresses after(const Stresses& stress, const Changes& step) {
   return {stress.p + step.stress.p, stress.s + step.stress.s};
 }
 
-Change mean(const Change& a, const Change& b) {
+Changes mean(const Changes& a, const Changes& b) {
   return {{0.5 * (a.stress.p + b.stress.p), 0.5 * (a.stress.s + b.stress.s)},
           0.5 * (a.alpha + b.alpha),
           0.5 * (a.z + b.z),
           0.5 * (a.plastic_work + b.plastic_work)};
 }
 
-/// Square of the relative error of the mean of two changes.
-double error2_between(const Site& at, const Change& a, const Change& b) {
-  const double dp = b.stress.p - a.stress.p;
-  const Deviator ds = b.stress.s - a.stress.s;
+/// Square of the relative error of the mean of two changes; not a number where that of the stress is not.
+Lanes error2_between(const Sites& at, const Changes& a, const Changes& b) {
+  const Lanes dp = b.stress.p - a.stress.p;
+  const Deviators ds = b.stress.s - a.stress.s;
   const double least = at.law.p_A / 200.0; // stresses below this need not be known to the same digits
-  const double size2 = 2.0 * at.stress.p * at.stress.p + contract(at.stress.s, at.stress.s);
-  const double in_stress = (2.0 * dp * dp + contract(ds, ds)) / std::max(size2, least * least);
-  const Deviator dalpha = b.alpha - a.alpha;
-  const Deviator dz = b.z - a.z;
-  const double in_fabric = contract(dz, dz) / (at.start.z_max * at.start.z_max);
-  return 0.25 * std::max(std::max(in_stress, contract(dalpha, dalpha)), in_fabric);
+  const Lanes size2 = 2.0 * at.stress.p * at.stress.p + contract(at.stress.s, at.stress.s);
+  const Lanes in_stress = (2.0 * dp * dp + contract(ds, ds)) / larger(all(least * least), size2);
+  const Deviators dalpha = b.alpha - a.alpha;
+  const Deviators dz = b.z - a.z;
+  const Lanes in_fabric = contract(dz, dz) / (at.start.z_max * at.start.z_max);
+  return 0.25 * larger(in_fabric, larger(contract(dalpha, dalpha), in_stress));
 }
 
 /// How far a stress lies outside the yield surface, Pa.
-double outside_yield(const Pm4Sand& law, Deviator alpha, const Stress& stress) {
+Lanes outside_yield(const Pm4Sand& law, const Deviators& alpha, const Stresses& stress) {
   return norm(stress.s - stress.p * alpha) - law.m * stress.p / sqrt2;
 }
 
 /// Puts alpha where the stress lies on the yield surface if it lies outside.
-void correct_drift(const Pm4Sand& law, Motion& now, const Stress& stress) {
-  const Deviator x = stress.s - stress.p * now.alpha;
-  const double radius = law.m * stress.p / sqrt2;
-  const double x2 = contract(x, x);
-  if (x2 > radius * radius)
-    now.alpha = (1.0 / stress.p) * (stress.s - (radius / std::sqrt(x2)) * x);
+/// @param drifts  the points to look at
+void correct_drift(const Pm4Sand& law, Motions& now, const Stresses& stress, const LaneMask& drifts) {
+  const Deviators x = stress.s - stress.p * now.alpha;
+  const Lanes radius = law.m * stress.p / sqrt2;
+  const Lanes x2 = contract(x, x);
+  const LaneMask outside = drifts & (x2 > radius * radius);
+  if (any(outside))
+    now.alpha = choose(outside, (1.0 / stress.p) * (stress.s - (radius / sqrt(x2)) * x), now.alpha);
 }
 
 /// M_b of the present pressure and density.
-double bound_of(const Pm4Sand& law, const Initial& start, const Motion& now, const Stress& stress) {
-  return surfaces(law, std::max(stress.p, start.p_min), now.volumetric_strain).M_b;
+Lanes bound_of(const Pm4Sand& law, const Initials& start, const Motions& now, const Stresses& stress) {
+  return surfaces(law, larger(start.p_min, stress.p), now.volumetric_strain).M_b;
 }
 
-/// Brings a stress outside the bounding surface |s| = M_b p/sqrt2 back to it: what is drift from the yield
+/// Brings stresses outside the bounding surface |s| = M_b p/sqrt2 back to it: what is drift from the yield
 /// surface, which alpha can no longer follow, along the normal; what the surface itself has shrunk, at
 /// constant p. Soil that is pulled apart keeps its pressure.
-void return_to_bound(const Pm4Sand& law, const Initial& start, Motion& now, Stress& stress, double M_b) {
-  const double length = norm(stress.s);
-  if (now.gap == 0.0) {
-    const double slope = M_b / sqrt2;
-    const double drift = std::max(outside_yield(law, now.alpha, stress), 0.0);
-    const double along_normal = std::min(drift, length - slope * stress.p);
-    stress.p += 0.5 * slope * along_normal / (1.0 + 0.5 * slope * slope);
-    M_b = bound_of(law, start, now, stress);
+/// @param outside  the points to bring back
+void return_to_bound(const Pm4Sand& law, const Initials& start, Motions& now, Stresses& stress, Lanes M_b,
+                     const LaneMask& outside) {
+  const Lanes length = norm(stress.s);
+  const LaneMask together = now.gap == 0.0;
+  Stresses held = stress;
+  if (any(outside & together)) {
+    const Lanes slope = M_b / sqrt2;
+    const Lanes drift = positive(outside_yield(law, now.alpha, stress));
+    const Lanes along_normal = smaller(length - slope * stress.p, drift);
+    const Lanes shift = 0.5 * slope * along_normal / (1.0 + 0.5 * slope * slope);
+    held.p = choose(together, stress.p + shift, stress.p);
+    M_b = choose(together, bound_of(law, start, now, held), M_b);
   }
-  stress.s = (M_b / sqrt2 * stress.p / length) * stress.s;
-  now.alpha = ((M_b - law.m) / (M_b * stress.p)) * stress.s;
+  held.s = (M_b / sqrt2 * held.p / length) * stress.s;
+  now.alpha = choose(outside, ((M_b - law.m) / (M_b * held.p)) * held.s, now.alpha);
+  stress = choose(outside, held, stress);
 }
 
 /// Takes out what has drifted off the yield surface and what lies outside the bounding surface.
 /// @param near  the surfaces close by
-void correct(const Pm4Sand& law, const Initial& start, Motion& now, Stress& stress, const Surfaces& near) {
+void correct(const Pm4Sand& law, const Initials& start, Motions& now, Stresses& stress,
+             const SurfacesOf<Lanes>& near) {
   constexpr double moves = 0.99; // the bounding surface moves by less in a sub-step
-  const double M_cur2 = stress_ratio2(stress);
-  if (M_cur2 >= moves * moves * near.M_b * near.M_b) {
-    const double M_b = bound_of(law, start, now, stress);
-    if (M_cur2 > M_b * M_b) {
-      return_to_bound(law, start, now, stress, M_b);
-      return;
-    }
+  const Lanes M_cur2 = stress_ratio2(stress);
+  LaneMask outside = M_cur2 >= moves * moves * near.M_b * near.M_b;
+  if (any(outside)) {
+    const Lanes M_b = bound_of(law, start, now, stress);
+    outside &= M_cur2 > M_b * M_b;
+    if (any(outside))
+      return_to_bound(law, start, now, stress, M_b, outside);
   }
-  correct_drift(law, now, stress);
+  correct_drift(law, now, stress, ~outside);
 }
 
 /// One attempt at a sub-step.
 struct Attempt {
-  Motion now;
-  Stress stress;
-  double plastic_work = 0.0;
-  double part = 1.0;     ///< of the strain that was asked for: up to the yield surface, where that is reached
-  double error2 = 0.0;   ///< square of the relative error
-  bool reverses = false; ///< the memory has changed, to:
-  Memory memory;
+  Motions now;
+  Stresses stress;
+  Lanes plastic_work;
+  Lanes part;        ///< of the strain that was asked for: up to the yield surface, where that is reached
+  Lanes error2;      ///< square of the relative error
+  LaneMask reverses; ///< where the memory changes, to:
+  Memories memory;
 };
 
-void attempt(const Pm4Sand& law, const State& from, const Stress& stress, const Strain& asked,
+/// The memories after the reversals of some points, one by one: reversals are rare.
+void remember_reversals(Attempt& result, const States& from, const Deviators& heading, const Lanes& p) {
+  result.memory = from.memory;
+  const Motions& now = from.now;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    if (result.reverses[lane] == 0)
+      continue;
+    Memory memory = memory_of(from.memory, lane);
+    remember_reversal(memory,
+                      {.alpha = {now.alpha.d[lane], now.alpha.s[lane]}, .z = {now.z.d[lane], now.z.s[lane]}},
+                      {heading.d[lane], heading.s[lane]}, p[lane]);
+    set_memory(memory, lane, result.memory);
+  }
+}
+
+void attempt(const Pm4Sand& law, const States& from, const Stresses& stress, const Strains& asked,
              Attempt& result) {
-  const Initial& start = from.start;
-  double gap = from.now.gap;
-  Strain strain = skeleton_strain(start, stress, asked, gap);
-  Site first = site(law, start, from.memory, from.now, stress);
-  const Change trial = elastic_change(first, strain);
-  const double trial_p = std::max(stress.p + trial.stress.p, floor_pressure(start));
-  const Deviator heading = stress.s + trial.stress.s - trial_p * from.now.alpha;
+  const Initials& start = from.start;
+  Lanes gap = from.now.gap;
+  Strains strain = skeleton_strain(start, stress, asked, gap);
+  Sites first = site(law, start, from.memory, from.now, stress);
+  const Changes trial = elastic_change(first, strain);
+  const Lanes trial_p = larger(floor_pressure(start), stress.p + trial.stress.p);
+  const Deviators heading = stress.s + trial.stress.s - trial_p * from.now.alpha;
   result.reverses = contract(from.now.alpha - from.memory.alpha_in_true, heading) < 0.0;
-  if (result.reverses) {
-    result.memory = from.memory;
-    remember_reversal(result.memory, from.now, heading, first.p);
+  if (any(result.reverses)) {
+    remember_reversals(result, from, heading, first.p);
     first.memory = &result.memory;
   }
 
-  const Deviator x = first.stress.s - first.stress.p * from.now.alpha;
-  const double elastic = elastic_part(first, x, trial.stress);
-  const bool plastic = elastic == 0.0;
-  result.part = plastic ? 1.0 : std::min(elastic, 1.0);
-  if (result.part < 1.0) {
+  const Deviators x = first.stress.s - first.stress.p * from.now.alpha;
+  const Lanes elastic = elastic_part(first, x, trial.stress);
+  const LaneMask plastic = elastic == 0.0;
+  result.part = choose(plastic, all(1.0), smaller(all(1.0), elastic));
+  if (any(result.part < 1.0)) {
     gap = from.now.gap;
     strain = skeleton_strain(start, stress, result.part * asked, gap);
   }
-  const Deviator n = plastic ? (1.0 / norm(x)) * x : Deviator{};
-  const Change one = plastic ? change(first, n, strain) : elastic_change(first, strain);
+  const Deviators n = choose(plastic, (1.0 / norm(x)) * x, {});
+  const Changes one = change(first, n, strain);
 
-  const Motion ahead = after(from.now, one, strain.volumetric);
-  const Site second = site(law, start, *first.memory, ahead, after(stress, one));
-  const Deviator y = second.stress.s - second.stress.p * ahead.alpha;
-  const double length = norm(y);
-  const Deviator n_ahead = length > 0.0 ? (1.0 / length) * y : n;
-  const Change two = plastic ? change(second, n_ahead, strain) : elastic_change(second, strain);
+  const Motions ahead = after(from.now, one, strain.volumetric);
+  const Sites second = site(law, start, *first.memory, ahead, after(stress, one));
+  const Deviators y = second.stress.s - second.stress.p * ahead.alpha;
+  const Lanes length = norm(y);
+  const Deviators n_ahead = choose(plastic, choose(length > 0.0, (1.0 / length) * y, n), {});
+  const Changes two = change(second, n_ahead, strain);
 
-  const Change step = mean(one, two);
+  const Changes step = mean(one, two);
   result.now = after(from.now, step, strain.volumetric);
   result.stress = after(stress, step);
   result.plastic_work = step.plastic_work;
@@ -184,47 +211,50 @@ void attempt(const Pm4Sand& law, const State& from, const Stress& stress, const 
 
 } // namespace
 
-double integrate(const Pm4Sand& law, State& state, Stress& stress, const Strain& increment) {
+Lanes integrate(const Pm4Sand& law, States& states, Stresses& stress, const Strains& increment,
+                const LaneMask& strained) {
   constexpr double safety = 0.9;
   // A sub-step this much smaller than the largest is taken whatever its error: where loading slides along the
   // bounding surface the plastic modulus has no smallest scale.
   constexpr double smallest_part = 0.01;
-  const double size = largest_component(increment);
-  const double largest = law.integration.largest_strain / size;
-  const double smallest = smallest_part * largest;
+  const Lanes one = all(1.0);
+  const Lanes size = largest_component(increment);
+  const Lanes largest = law.integration.largest_strain / size;
+  const Lanes smallest = smallest_part * largest;
   const double tolerance2 = law.integration.tolerance * law.integration.tolerance;
-  double work = 0.0;
-  double done = 0.0;
-  double length = std::min(largest, 1.0);
-  bool rejected = false;
+  Lanes work{};
+  Lanes done{};
+  Lanes length = smaller(largest, one);
+  LaneMask rejected{};
+  LaneMask going = strained;
   Attempt next;
-  while (done < 1.0) {
-    const bool last = done + length * (1.0 + 1e-9) >= 1.0;
-    const double taken = last ? 1.0 - done : length;
-    attempt(law, state, stress, taken * increment, next);
-    const bool finite = std::isfinite(next.error2) && std::isfinite(next.plastic_work);
-    if (!(finite && next.error2 <= tolerance2) && taken > smallest) {
-      const double wanted = finite ? safety * std::sqrt(std::sqrt(tolerance2 / next.error2)) : 0.0;
-      length = taken * std::max(wanted, 0.1);
-      rejected = true;
-      continue;
-    }
-    if (!finite)
-      return std::numeric_limits<double>::quiet_NaN();
-    state.now = next.now;
-    if (next.reverses)
-      state.memory = next.memory;
-    stress = next.stress;
-    work += next.plastic_work;
-    if (next.part == 1.0 && last)
-      break;
-    done += next.part * taken;
-    if (next.part == 1.0) {
-      const double wanted = safety * std::sqrt(std::sqrt(tolerance2 / std::max(next.error2, 1e-300)));
-      length = taken * std::min(wanted, rejected ? 1.0 : 2.0);
-      length = std::min(std::max(length, smallest), largest);
-    }
-    rejected = false;
+  while (any(going)) {
+    const LaneMask last = done + length * (1.0 + 1e-9) >= 1.0;
+    const Lanes taken = choose(last, 1.0 - done, length);
+    attempt(law, states, stress, taken * increment, next);
+    const LaneMask finite = is_finite(next.error2) & is_finite(next.plastic_work);
+    const LaneMask refused = ~(finite & (next.error2 <= tolerance2)) & (taken > smallest);
+    const Lanes fitting = safety * sqrt(sqrt(tolerance2 / larger(all(1e-300), next.error2)));
+    const LaneMask accepted = going & finite & ~refused;
+    const LaneMask lost = going & ~finite & ~refused;
+    work = choose(lost, all(not_a_number), work);
+    states.now = choose(accepted, next.now, states.now);
+    if (const LaneMask reverses = accepted & next.reverses; any(reverses))
+      for (std::size_t lane = 0; lane < 4; ++lane)
+        if (reverses[lane] != 0)
+          set_memory(memory_of(next.memory, lane), lane, states.memory);
+    stress = choose(accepted, next.stress, stress);
+    work = choose(accepted, work + next.plastic_work, work);
+
+    const LaneMask whole = next.part == 1.0;
+    const LaneMask ends = whole & last;
+    done = choose(accepted, choose(ends, one, done + next.part * taken), done);
+    const Lanes grown = taken * smaller(choose(rejected, one, all(2.0)), fitting);
+    const Lanes shrunk = taken * larger(all(0.1), choose(finite, fitting, Lanes{}));
+    const Lanes limited = smaller(largest, larger(smallest, grown));
+    length = choose(refused, shrunk, choose(accepted & whole, limited, length));
+    rejected = refused;
+    going &= ~lost & (done < 1.0);
   }
   return work;
 }

@@ -9,16 +9,18 @@
 // measured on stress, back stress ratio and fabric. Moduli, surfaces and dilatancy are evaluated anew for
 // both. A sub-step that begins inside the yield surface is elastic up to it. Drift off the yield surface is
 // taken out of alpha, not out of the stress, unless that would take alpha outside the bounding surface: then
-// the stress goes back to that surface.
+// the stress goes back to that surface. Four points go side by side, each with sub-steps of its own, until
+// the last of them is done.
 
 #include "materials/sand/pm4sand/pm4sand_rates.hpp"
-#include "materials/sand/pm4sand/pm4sand_state.hpp"
 
 namespace tremolo::materials::pm4 {
 
-/// Takes stress and state over a strain increment.
+/// Takes stresses and states of four points over their strain increments.
 /// @param stress  what the surfaces hold, in the axes of the material, compression positive
+/// @param strained  the points to take; the others stay as they are
 /// @return plastic work, J/m3; NaN where no finite stress follows: stress and state then have no meaning
-double integrate(const Pm4Sand& law, State& state, Stress& stress, const Strain& increment);
+Lanes integrate(const Pm4Sand& law, States& states, Stresses& stress, const Strains& increment,
+                const LaneMask& strained);
 
 } // namespace tremolo::materials::pm4

@@ -16,59 +16,62 @@
 namespace tremolo::materials::pm4 {
 
 /// Strain increment, compression positive.
-struct Strain {
-  double volumetric = 0.0;
-  Deviator e; ///< in-plane deviator, with the tensor's shear component
+struct Strains {
+  Lanes volumetric;
+  Deviators e; ///< in-plane deviator, with the tensor's shear component
 };
 
-inline Strain operator*(double factor, const Strain& strain) {
+inline Strains operator*(const Lanes& factor, const Strains& strain) {
   return {factor * strain.volumetric, factor * strain.e};
 }
 
 /// What a (sub-)step changes.
-struct Change {
-  Stress stress;
-  Deviator alpha;
-  Deviator z;
-  double plastic_work = 0.0; ///< L (s:n + p D), J/m3
+struct Changes {
+  Stresses stress;
+  Deviators alpha;
+  Deviators z;
+  Lanes plastic_work; ///< L (s:n + p D), J/m3
 };
 
-inline Change elastic_change(const Site& here, const Strain& strain) {
-  return {{(here.K + here.G / 3.0) * strain.volumetric, (2.0 * here.G) * strain.e}, {}, {}, 0.0};
+inline Changes elastic_change(const Sites& here, const Strains& strain) {
+  return {{(here.K + here.G / 3.0) * strain.volumetric, (2.0 * here.G) * strain.e}, {}, {}, Lanes{}};
 }
 
 /// The denominator of L. Where dilatancy would turn the elastic part of it negative, or softening the whole,
 /// the soil keeps a rest of stiffness instead of running away.
-inline double denominator(double K_p, double G, double coupling) {
-  const double elastic = std::max(2.0 * G - coupling, 0.2 * G);
-  return std::max(K_p + elastic, 0.5 * elastic);
+inline Lanes denominator(const Lanes& K_p, const Lanes& G, const Lanes& coupling) {
+  const Lanes elastic = larger(0.2 * G, 2.0 * G - coupling);
+  return larger(0.5 * elastic, K_p + elastic);
 }
 
-/// The change under a strain increment if loading goes on in direction n (a unit tensor); elastic if L < 0.
-inline Change change(const Site& here, Deviator n, const Strain& strain) {
-  Change step = elastic_change(here, strain);
-  const double n_r = contract(n, here.stress.s) / here.stress.p;
-  const double driving = 2.0 * here.G * contract(n, strain.e) - n_r * here.K * strain.volumetric;
-  if (driving <= 0.0)
-    return step;
-  const Motion& now = here.now;
-  const double z_max = here.start.z_max;
-  const Direction to = direction(here, n);
+/// The change under a strain increment if loading goes on in direction n, a unit tensor, or 0 where the soil
+/// is elastic; elastic if L < 0.
+inline Changes change(const Sites& here, const Deviators& n, const Strains& strain) {
+  const Changes elastic = elastic_change(here, strain);
+  const Lanes n_r = contract(n, here.stress.s) / here.stress.p;
+  const Lanes driving = 2.0 * here.G * contract(n, strain.e) - n_r * here.K * strain.volumetric;
+  const LaneMask loads = ~(driving <= 0.0);
+  if (!any(loads))
+    return elastic;
+  const Motions& now = here.now;
+  const Lanes z_max = here.start.z_max;
+  const Directions to = directions(here, n);
   const Dilatancy flow = dilatancy(here, to);
   const PlasticModulus plastic = plastic_modulus(here, to);
-  const double K_p = flow.contracts ? std::max(plastic.K_p, 0.0) : plastic.K_p;
-  const double L = driving / denominator(K_p, here.G, here.K * flow.D * n_r);
+  const Lanes K_p = choose(flow.contracts, larger(Lanes{}, plastic.K_p), plastic.K_p);
+  const Lanes L = driving / denominator(K_p, here.G, here.K * flow.D * n_r);
 
-  step.stress.p -= L * here.K * flow.D;
-  step.stress.s = step.stress.s - (2.0 * here.G * L) * n;
-  step.alpha =
-      std::min(2.0 / 3.0 * L * plastic.h, 1.0) * (((here.surface.M_b - here.law.m) / sqrt2) * n - now.alpha);
-  if (flow.D < 0.0 && (here.surface.M_d - here.law.m) / sqrt2 < to.alpha_n) {
-    const double slower = std::max(0.5 * now.z_cum / z_max, 1.0);
-    step.z = (-here.law.c_z / slower * L) * (z_max * n + now.z);
+  const Lanes towards = smaller(all(1.0), 2.0 / 3.0 * L * plastic.h);
+  const Deviators alpha = towards * (((here.surface.M_b - here.law.m) / sqrt2) * n - now.alpha);
+  const LaneMask dilates = loads & (flow.D < 0.0) & ((here.surface.M_d - here.law.m) / sqrt2 < to.alpha_n);
+  Deviators z{};
+  if (any(dilates)) {
+    const Lanes slower = larger(all(1.0), 0.5 * now.z_cum / z_max);
+    z = choose(dilates, (-here.law.c_z / slower * L) * (z_max * n + now.z), z);
   }
-  step.plastic_work = L * here.stress.p * (n_r + flow.D);
-  return step;
+  return {choose(loads, {elastic.stress.p - L * here.K * flow.D, elastic.stress.s - (2.0 * here.G * L) * n},
+                 elastic.stress),
+          choose(loads, alpha, {}), z, choose(loads, L * here.stress.p * (n_r + flow.D), Lanes{})};
 }
 
 } // namespace tremolo::materials::pm4

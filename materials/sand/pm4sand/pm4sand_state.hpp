@@ -1,7 +1,8 @@
 #pragma once
 
 // What a point of PM4Sand remembers. Compression positive, in the axes of the material. Back stress ratio and
-// fabric are traceless; the apparent initial back stress is made component by component and need not be.
+// fabric are traceless; the apparent initial back stress is made component by component and need not be. Real
+// is double for one point, or Lanes for four (pm4sand_four.hpp).
 
 #include "materials/tensor/deviator.hpp"
 
@@ -12,58 +13,72 @@
 
 namespace tremolo::materials::pm4 {
 
+using tremolo::choose; // beside those for four points (pm4sand_four.hpp)
+
 /// Components of a tensor that are compared one by one.
-struct Components {
-  double xx = 0.0;
-  double yy = 0.0;
-  double xy = 0.0;
-  Deviator deviator() const { return {0.5 * (xx - yy), xy}; }
-  static Components of(Deviator t) { return {t.d, -t.d, t.s}; }
+template <typename Real>
+struct ComponentsOf {
+  Real xx{};
+  Real yy{};
+  Real xy{};
+  DeviatorOf<Real> deviator() const { return {0.5 * (xx - yy), xy}; }
+  static ComponentsOf of(const DeviatorOf<Real>& t) { return {t.d, -t.d, t.s}; }
 };
+using Components = ComponentsOf<double>;
 
 /// In-plane effective stress, Pa.
-struct Stress {
-  double p = 0.0;
-  Deviator s;
+template <typename Real>
+struct StressOf {
+  Real p{};
+  DeviatorOf<Real> s;
 };
+using Stress = StressOf<double>;
 
 /// What changes at every step.
-struct Motion {
-  Deviator alpha;                 ///< back stress ratio
-  Deviator z;                     ///< fabric
-  double z_cum = 0.0;             ///< cumulated fabric
-  double z_peak = 0.0;            ///< largest fabric so far
-  double volumetric_strain = 0.0; ///< since the start, compression positive
-  double gap = 0.0;               ///< opening since the effective stress vanished, a volumetric strain
+template <typename Real>
+struct MotionOf {
+  DeviatorOf<Real> alpha;   ///< back stress ratio
+  DeviatorOf<Real> z;       ///< fabric
+  Real z_cum{};             ///< cumulated fabric
+  Real z_peak{};            ///< largest fabric so far
+  Real volumetric_strain{}; ///< since the start, compression positive
+  Real gap{};               ///< opening since the effective stress vanished, a volumetric strain
 };
+using Motion = MotionOf<double>;
 
 /// What follows from the initial stress and stays.
-struct Initial {
-  double z_max = 0.0;
-  double A_do = 0.0;
-  double p_min = 0.0; ///< Pa
-  Stress offset;      ///< of the reported stress from the one that the surfaces can hold, Pa
+template <typename Real>
+struct InitialOf {
+  Real z_max{};
+  Real A_do{};
+  Real p_min{};          ///< Pa
+  StressOf<Real> offset; ///< of the reported stress from the one that the surfaces can hold, Pa
 };
+using Initial = InitialOf<double>;
 
 /// What changes at a reversal only.
-struct Memory {
-  double p_zp = 0.0;      ///< p at the reversal with the largest z p, Pa
-  double zp_max = -1.0;   ///< the largest |z| p at a reversal, Pa; negative before the first one
-  Deviator z_in;          ///< fabric at the last reversal
-  Components alpha_in;    ///< apparent back stress ratio at the last reversal
-  Deviator alpha_in_p;    ///< the one before
-  Deviator alpha_in_true; ///< true back stress ratio at the last reversal
-  Components alpha_max;   ///< largest components at reversals on the negative side
-  Components alpha_min;   ///< smallest components at reversals on the positive side
+template <typename Real>
+struct MemoryOf {
+  Real p_zp{};                        ///< p at the reversal with the largest z p, Pa
+  Real zp_max = constant<Real>(-1.0); ///< the largest |z| p at a reversal, Pa; negative before the first one
+  DeviatorOf<Real> z_in;              ///< fabric at the last reversal
+  ComponentsOf<Real> alpha_in;        ///< apparent back stress ratio at the last reversal
+  DeviatorOf<Real> alpha_in_p;        ///< the one before
+  DeviatorOf<Real> alpha_in_true;     ///< true back stress ratio at the last reversal
+  ComponentsOf<Real> alpha_max;       ///< largest components at reversals on the negative side
+  ComponentsOf<Real> alpha_min;       ///< smallest components at reversals on the positive side
 };
+using Memory = MemoryOf<double>;
 
 /// The state block of a point: doubles only, in the order of state_variables(const Pm4Sand&).
-struct State {
-  double angle = 0.0; ///< by which the material has turned, rad
-  Motion now;
-  Initial start;
-  Memory memory;
+template <typename Real>
+struct StateOf {
+  Real angle{}; ///< by which the material has turned, rad
+  MotionOf<Real> now;
+  InitialOf<Real> start;
+  MemoryOf<Real> memory;
 };
+using State = StateOf<double>;
 
 inline constexpr std::size_t state_size = 32;
 static_assert(sizeof(State) == state_size * sizeof(double));
@@ -86,7 +101,8 @@ inline void store(const State& state, double* block) {
 }
 
 /// Stress is kept above this part of p_min.
-inline double floor_pressure(const Initial& start) {
+template <typename Real>
+Real floor_pressure(const InitialOf<Real>& start) {
   return 0.2 * start.p_min;
 }
 

@@ -16,77 +16,87 @@
 #include "materials/sand/pm4sand/pm4sand_state.hpp"
 #include "materials/tensor/elementary.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace tremolo::materials::pm4 {
 
 inline constexpr double sqrt2 = std::numbers::sqrt2;
 
-struct Surfaces {
-  double xi_R = 0.0; ///< relative state parameter index
-  double M_b = 0.0;  ///< bounding
-  double M_d = 0.0;  ///< dilatancy
+template <typename Real>
+struct SurfacesOf {
+  Real xi_R{}; ///< relative state parameter index
+  Real M_b{};  ///< bounding
+  Real M_d{};  ///< dilatancy
 };
+using Surfaces = SurfacesOf<double>;
 
 /// @param p  Pa, at least p_min
 /// @param volumetric_strain  since the start, compression positive
-inline Surfaces surfaces(const Pm4Sand& law, double p, double volumetric_strain) {
-  const double D_R = law.relative_density + law.density_rate * volumetric_strain;
+template <typename Real>
+SurfacesOf<Real> surfaces(const Pm4Sand& law, const Real& p, const Real& volumetric_strain) {
+  const auto of = [](double value) { return constant<Real>(value); };
+  const Real D_R = law.relative_density + law.density_rate * volumetric_strain;
   // Grains crush where the line goes to infinity (10 MPa by default): no sand is looser of critical than 2.
-  const double depth = law.Q - elementary::log((100.0 / law.p_A) * p);
-  const double xi_R = law.R / std::max(depth, 0.5 * law.R) - D_R;
-  const double b = xi_R > 0.0 ? 0.25 : 1.0;
-  const double d = xi_R > 0.0 ? 4.0 : 1.0;
+  const Real depth = law.Q - elementary::log((100.0 / law.p_A) * p);
+  const Real xi_R = law.R / larger(of(0.5 * law.R), depth) - D_R;
+  const Real b = choose(xi_R > 0.0, of(0.25), of(1.0));
+  const Real d = choose(xi_R > 0.0, of(4.0), of(1.0));
   return {xi_R, law.M * elementary::exp(-law.n_b * b * xi_R), law.M * elementary::exp(law.n_d * d * xi_R)};
 }
 
 /// M_cur squared, of a stress.
-inline double stress_ratio2(const Stress& stress) {
+template <typename Real>
+Real stress_ratio2(const StressOf<Real>& stress) {
   return 2.0 * contract(stress.s, stress.s) / (stress.p * stress.p);
 }
 
 /// F_sed, the part of the stiffness that is left after shaking.
-inline double sedimentation(const Pm4Sand& law, double z_cum, double z_max, double p, double M_cur,
-                            double M_d) {
-  const double below = 1.0 - M_cur / M_d;
-  if (below <= 0.0 || z_cum == 0.0)
-    return 1.0;
-  const double p_sed = law.p_sedo * z_cum / (z_cum + z_max) * std::sqrt(std::sqrt(below));
-  return std::min(1.0, law.F_sed_min + (1.0 - law.F_sed_min) * p / (20.0 * p_sed));
+template <typename Real>
+Real sedimentation(const Pm4Sand& law, const Real& z_cum, const Real& z_max, const Real& p, const Real& M_cur,
+                   const Real& M_d) {
+  const Real one = constant<Real>(1.0);
+  const Real below = 1.0 - M_cur / M_d;
+  const Real p_sed = law.p_sedo * z_cum / (z_cum + z_max) * sqrt(sqrt(positive(below)));
+  const Real left = smaller(law.F_sed_min + (1.0 - law.F_sed_min) * p / (20.0 * p_sed), one);
+  return choose((below <= 0.0) | (z_cum == 0.0), one, left);
 }
 
 /// G, Pa.
 /// @param p  Pa, at least p_min
-inline double shear_modulus(const Pm4Sand& law, double z_cum, double z_max, const Surfaces& surface, double p,
-                            double M_cur2) {
-  const double ratio2 = M_cur2 / (surface.M_b * surface.M_b);
-  const double C_SR = 1.0 - 0.5 * std::min(1.0, ratio2 * ratio2);
-  const double fabric = (z_max + z_cum) / (z_max + law.C_GD * z_cum);
-  const double G = law.G_o * std::sqrt(law.p_A * p) * C_SR * fabric;
-  return law.post_shake ? G * sedimentation(law, z_cum, z_max, p, std::sqrt(M_cur2), surface.M_d) : G;
+template <typename Real>
+Real shear_modulus(const Pm4Sand& law, const Real& z_cum, const Real& z_max, const SurfacesOf<Real>& surface,
+                   const Real& p, const Real& M_cur2) {
+  const Real ratio2 = M_cur2 / (surface.M_b * surface.M_b);
+  const Real C_SR = 1.0 - 0.5 * smaller(ratio2 * ratio2, constant<Real>(1.0));
+  const Real fabric = (z_max + z_cum) / (z_max + law.C_GD * z_cum);
+  const Real G = law.G_o * sqrt(law.p_A * p) * C_SR * fabric;
+  if (!law.post_shake)
+    return G;
+  return G * sedimentation<Real>(law, z_cum, z_max, p, sqrt(M_cur2), surface.M_d);
 }
 
 /// A point with its stress and what follows from it.
-struct Site {
+template <typename Real>
+struct SiteOf {
   const Pm4Sand& law;
-  const Initial& start;
-  const Memory* memory = nullptr;
-  const Motion& now;
-  Stress stress;
-  double p = 0.0;      ///< pressure of the state surfaces, at least p_min, Pa
-  double M_cur2 = 0.0; ///< M_cur squared
-  Surfaces surface;
-  double G = 0.0; ///< Pa
-  double K = 0.0; ///< Pa
+  const InitialOf<Real>& start;
+  const MemoryOf<Real>* memory = nullptr;
+  const MotionOf<Real>& now;
+  StressOf<Real> stress;
+  Real p{};      ///< pressure of the state surfaces, at least p_min, Pa
+  Real M_cur2{}; ///< M_cur squared
+  SurfacesOf<Real> surface;
+  Real G{}; ///< Pa
+  Real K{}; ///< Pa
 };
+using Site = SiteOf<double>;
 
-inline Site site(const Pm4Sand& law, const Initial& start, const Memory& memory, const Motion& now,
-                 const Stress& stress) {
-  Site here{law, start, &memory, now};
-  here.stress = {std::max(stress.p, floor_pressure(start)), stress.s};
-  here.p = std::max(stress.p, start.p_min);
+template <typename Real>
+SiteOf<Real> site(const Pm4Sand& law, const InitialOf<Real>& start, const MemoryOf<Real>& memory,
+                  const MotionOf<Real>& now, const StressOf<Real>& stress) {
+  SiteOf<Real> here{law, start, &memory, now};
+  here.stress = {larger(floor_pressure(start), stress.p), stress.s};
+  here.p = larger(start.p_min, stress.p);
   here.M_cur2 = stress_ratio2(here.stress);
   here.surface = surfaces(law, here.p, now.volumetric_strain);
   here.G = shear_modulus(law, now.z_cum, start.z_max, here.surface, here.p, here.M_cur2);

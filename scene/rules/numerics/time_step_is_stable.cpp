@@ -1,5 +1,6 @@
 #include "mpm_domain/spec/limits.hpp"
 #include "scene/plan/levels.hpp"
+#include "scene/plan/structures.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/soils/domain_soils.hpp"
 #include "scene/soils/viscous_damping.hpp"
@@ -48,12 +49,19 @@ void time_step_is_stable(const Case& scene, Findings& findings) {
   const double critical = critical_time_step(scene, levels(scene));
   const bool damped = std::ranges::any_of(
       domain_soils(scene), [&](const Soil& soil) { return damping_time(scene.damping, soil.damping) > 0.0; });
+  const double h = contact_cell_size(scene);
+  const bool by_structure = std::ranges::any_of(scene.structures, [&](const Structure& structure) {
+    return structure.stiffness && critical_step(structure, h) <= critical;
+  });
   if (*scene.time.dt > critical)
-    findings.add("time.dt",
-                 fmt::format("'dt' = {} exceeds the critical step {} = {:.6g} s of this mesh and its {}",
-                             *scene.time.dt,
-                             damped ? "sqrt(t^2 + beta^2) - beta, t = 0.65 h/c_p," : "0.65 h/c_p", critical,
-                             damped ? "soils with their viscous damping" : "fastest soil"));
+    findings.add(
+        "time.dt",
+        fmt::format(
+            "'dt' = {} exceeds the critical step {} = {:.6g} s of this mesh and its {}", *scene.time.dt,
+            damped && !by_structure ? "sqrt(t^2 + beta^2) - beta, t = 0.65 h/c_p," : "0.65 h/c_p", critical,
+            by_structure ? "elastic structures"
+            : damped     ? "soils with their viscous damping"
+                         : "fastest soil"));
   else if (usl && *scene.time.dt > usl_share * critical)
     findings.add("time.dt",
                  fmt::format("'dt' = {} is not stable with order = \"usl\"; allowed: at most {} of "

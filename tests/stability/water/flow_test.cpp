@@ -113,7 +113,7 @@ TEST(HardCase21, ForcesPerVolumeOfSoilDriveWaterAtRest) {
         const double rest = set.water->hydrostatic(set.y[k]);
         set.pore_pressure[k] = rest + (per_soil ? set.water->pores.porosity : 1.0) * rest; // its excess
       }
-    scatter_water(domain, nodes.of(0), nodes.ties_of(0));
+    scatter_mixture(domain, nodes.of(0), nodes.ties_of(0));
     double largest = 0.0; // acceleration over g inside
     const Grid& grid = domain.grid;
     for (int j = 0; j < grid.ny; ++j)

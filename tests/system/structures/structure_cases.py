@@ -41,7 +41,7 @@ polygon = [[-8.0, -4.0], [8.0, -4.0], [8.0, 0.0], [-8.0, 0.0]]
 name = "block"
 polygon = [[-2.0, 0.0], [2.0, 0.0], [2.0, 1.0], [-2.0, 1.0]]
 density = 2000.0
-rigid = true
+{kind}
 friction = 0.5
 
 [mesh]
@@ -83,7 +83,7 @@ history_every_s = 0.005
 class BlockWorkspace(Workspace):
     """4 m by 1 m of concrete on flat elastic ground: 78.48 kN/m."""
 
-    template, defaults = BLOCK, {"velocity": 0.2, "angle": 15.0, "duration": 1.0}
+    template, defaults = BLOCK, {"velocity": 0.2, "angle": 15.0, "duration": 1.0, "kind": "rigid = true"}
     weight = 8000.0 * 9.81  # N/m
 
 

@@ -16,6 +16,7 @@ from structure_cases import BlockWorkspace, checkpoints, differences, killed, re
 from tremolo import Run
 
 
+KINDS = ("rigid = true", "young = 500e6\npoisson = 0.2")
 SLOPE = SOURCE / "cases" / "block_on_slope" / "case.toml"
 
 
@@ -27,12 +28,25 @@ def on_slope(along):
 
 class Block(unittest.TestCase):
     def test_bears_on_the_ground_with_its_weight(self):
-        with BlockWorkspace(TREMOLO, velocity=1e-6) as work, Run(work.run("run")) as run:
-            block = run.body("block")
-            np.testing.assert_allclose(block["weight_y"], -work.weight, rtol=1e-12)
-            np.testing.assert_allclose(block["normal_y"] + block["friction_y"], work.weight, rtol=5e-3)
-            np.testing.assert_allclose(block["normal_x"] + block["friction_x"], 0.0, atol=5e-3 * work.weight)
-            self.assertFalse(block["water_y"].any())
+        for kind in KINDS:
+            with self.subTest(kind), BlockWorkspace(TREMOLO, velocity=1e-6, kind=kind) as work, Run(work.run("run")) as run:
+                block = run.body("block")
+                np.testing.assert_allclose(block["weight_y"], -work.weight, rtol=1e-12)
+                np.testing.assert_allclose(block["normal_y"] + block["friction_y"], work.weight, rtol=5e-3)
+                np.testing.assert_allclose(block["normal_x"] + block["friction_x"], 0.0, atol=5e-3 * work.weight)
+                self.assertFalse(block["water_y"].any())
+
+    def test_a_stiff_block_moves_as_a_rigid_one(self):
+        """Velocities within 2 % of the largest; the elastic one sways a little by itself."""
+        histories = []
+        for kind in ("rigid = true", "young = 5e9\npoisson = 0.2"):
+            with BlockWorkspace(TREMOLO, kind=kind) as work, Run(work.run("run")) as run:
+                histories.append({name: np.array(run.body("block")[name]) for name in ("time", "vx", "vy")})
+        rigid, stiff = histories
+        most = max(np.abs(rigid["vx"]).max(), np.abs(rigid["vy"]).max())
+        for name in ("vx", "vy"):
+            at_once = np.interp(rigid["time"], stiff["time"], stiff[name])
+            np.testing.assert_allclose(at_once, rigid[name], rtol=0, atol=0.02 * most)
 
     def test_of_blocks_on_a_slope_those_that_slide_are_named(self):
         holds = f'''
@@ -86,25 +100,27 @@ friction = 0.6
             self.assertGreater(np.abs(centre["ax"]).max(), 1.0)
 
     def test_resumed_after_a_kill_it_gives_the_same_bits(self):
-        with with_checkpoints(BlockWorkspace(TREMOLO, duration=1.5), every_steps=200) as work:
-            whole = whole_run(work)
-            steps = checkpoints(whole)[-1]
-            folder = work.path / "broken"
-            victim, text = killed(work, folder, ["run", work.case, "--out", folder], steps // 3, victim="domain")
-            self.assertEqual("domain", victim, text)
-            again = resumed(work, folder)
-            self.assertEqual(0, again.returncode, again.stdout + again.stderr)
-            self.assertEqual([], differences(folder, whole))
+        for kind in KINDS:
+            with self.subTest(kind), with_checkpoints(BlockWorkspace(TREMOLO, duration=1.5, kind=kind), every_steps=200) as work:
+                whole = whole_run(work)
+                steps = checkpoints(whole)[-1]
+                folder = work.path / "broken"
+                victim, text = killed(work, folder, ["run", work.case, "--out", folder], steps // 3, victim="domain")
+                self.assertEqual("domain", victim, text)
+                again = resumed(work, folder)
+                self.assertEqual(0, again.returncode, again.stdout + again.stderr)
+                self.assertEqual([], differences(folder, whole))
 
     def test_pictures(self):
-        with BlockWorkspace(TREMOLO) as work:
-            folder = work.run("run")
-            done = work.command("plot", folder)
-            self.assertEqual(0, done.returncode, done.stdout + done.stderr)
-            names = [Path(line).name for line in done.stdout.split()]
-            for name in ("model.png", "acceleration.png", "bodies.png", "monitor_roof.png"):
-                self.assertIn(name, names)
-                self.assertGreater((folder / "pictures" / name).stat().st_size, 10_000)
+        for kind in KINDS:
+            with self.subTest(kind), BlockWorkspace(TREMOLO, kind=kind) as work:
+                folder = work.run("run")
+                done = work.command("plot", folder)
+                self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+                names = [Path(line).name for line in done.stdout.split()]
+                for name in ("model.png", "acceleration.png", "bodies.png", "monitor_roof.png"):
+                    self.assertIn(name, names)
+                    self.assertGreater((folder / "pictures" / name).stat().st_size, 10_000)
 
 
 if __name__ == "__main__":

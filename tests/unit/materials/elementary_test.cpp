@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <random>
 
 namespace tremolo::materials {
@@ -34,6 +35,21 @@ TEST(Elementary, LogIsExactToTheLastDigits) {
     }
   }
   EXPECT_EQ(elementary::log(1.0), 0.0);
+}
+
+/// Four at a time: the bits of one at a time.
+TEST(Elementary, FourAtATimeAreTheSameBits) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> between(-300.0, 300.0);
+  for (int n = 0; n < 5000; ++n) {
+    const Lanes x{between(random), between(random), 0.0, 1e-3 * between(random)};
+    const Lanes e = elementary::exp(x);
+    const Lanes l = elementary::log(e);
+    for (std::size_t i = 0; i < 4; ++i) {
+      ASSERT_EQ(e[i], elementary::exp(x[i])) << x[i];
+      ASSERT_EQ(l[i], elementary::log(e[i])) << e[i];
+    }
+  }
 }
 
 } // namespace

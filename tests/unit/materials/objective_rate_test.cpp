@@ -1,9 +1,11 @@
 #include "materials/law/driver.hpp"
+#include "materials/tensor/material_axes.hpp"
 #include "materials/tensor/objective_rate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace tremolo::materials {
@@ -93,6 +95,28 @@ TEST(ObjectiveRate, ARigidQuarterTurnInTheMiddleChangesNothing) {
   EXPECT_NEAR(turned_point.state()[equivalent_plastic_strain], still.state()[equivalent_plastic_strain],
               1e-8);
   EXPECT_NEAR(turned_point.plastic_work(), still.plastic_work(), 1e-8 * still.plastic_work());
+}
+
+/// Angles of any size and increments up to the largest, against the C library; four at a time alike.
+TEST(ObjectiveRate, AxesOfTheMaterialTurnByAnyAngle) {
+  for (int k = -4000; k <= 4000; ++k) {
+    const double angle = 0.0123 * k;
+    const double w = 2.5e-4 * k;
+    EXPECT_NEAR(MaterialAxes::turned(angle, w), angle + 2.0 * std::atan(0.5 * w),
+                1e-15 * (1.0 + std::abs(angle)));
+    const InPlaneStress s = MaterialAxes(angle).to_material({1.0, -1.0, 0.0});
+    EXPECT_NEAR(s.xx, std::cos(2.0 * angle), 2e-14);
+    EXPECT_NEAR(s.xy, -std::sin(2.0 * angle), 2e-14);
+    const Lanes four{angle, 0.0, -angle, 2.0 * angle};
+    const MaterialAxesOf<Lanes> axes(MaterialAxesOf<Lanes>::turned(four, Lanes{w, 0.0, 0.0, w}));
+    const InPlaneStressOf<Lanes> turned_four = axes.to_space({Lanes{} + 2.0, Lanes{}, Lanes{} + 1.0});
+    for (std::size_t i = 0; i < 4; ++i) {
+      const MaterialAxes one(MaterialAxes::turned(four[i], i == 0 || i == 3 ? w : 0.0));
+      const InPlaneStress turned_one = one.to_space({2.0, 0.0, 1.0});
+      EXPECT_NEAR(turned_four.xx[i], turned_one.xx, 1e-13);
+      EXPECT_NEAR(turned_four.xy[i], turned_one.xy, 1e-13);
+    }
+  }
 }
 
 } // namespace

@@ -48,7 +48,7 @@ struct Shifted {
         set.x[k] += dx;
         set.y[k] += dy;
       }
-      sort_by_cell(set, domain.grid, TileMap({domain.grid}));
+      sort_by_cell(set, domain.tiles, 0, domain.tiles.count());
     }
     for (const BoundaryFace& face : domain.boundary.faces())
       face_weights(domain, face, weights.emplace_back());

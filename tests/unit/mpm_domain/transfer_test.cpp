@@ -65,7 +65,7 @@ void shuffle(Domain& domain) {
       p.byy[k] = 0.05 * speed(random);
     }
   }
-  sort_by_cell(p, domain.grid, TileMap({domain.grid}));
+  sort_by_cell(p, domain.tiles, 0, domain.tiles.count());
 }
 
 /// Velocities of the nodes that no force has changed.
@@ -299,7 +299,7 @@ TEST(Sort, AParticleOutsideTheGridIsNamedWithItsPlace) {
   Domain domain = shuffled_box(Transfer::flip);
   domain.sets.front().x[0] = 1e3;
   try {
-    sort_by_cell(domain.sets.front(), domain.grid, TileMap({domain.grid}));
+    sort_by_cell(domain.sets.front(), domain.tiles, 0, domain.tiles.count());
     FAIL() << "a particle outside the grid was accepted";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("has left the grid: x = 1000 m"), std::string::npos)

@@ -114,12 +114,6 @@ TEST(Structure, WrongKeysAreRefusedWhereTheyStand) {
   EXPECT_THAT(block("friction = 0.5\n", ""),
               ElementsAre(HasSubstr(
                   "case.toml:33:1: [[structure]] missing 'friction', number: Coefficient of friction")));
-  EXPECT_THAT(block("rigid = true\n", ""), ElementsAre(HasSubstr("[[structure]] missing 'rigid', boolean")));
-  EXPECT_THAT(
-      block("rigid = true", "rigid = false"),
-      ElementsAre("case.toml:37:9: [[structure]] 'rigid' = false: structures are rigid, must be true"));
-  EXPECT_THAT(block("rigid = true", "young = 1e9\nrigid = true"),
-              ElementsAre(HasSubstr("case.toml:37:1: [[structure]] unknown key 'young'")));
   EXPECT_THAT(block("density = 1000.0", "density = 0.0"),
               ElementsAre("case.toml:36:11: [[structure]] 'density' = 0 is out of range, must be > 0 kg/m3"));
   EXPECT_THAT(block("friction = 0.5", "friction = -0.5"),

@@ -1,65 +1,26 @@
 // What contact promises at one node and at many, over random states: momentum, common normal velocity, loss
 // of energy, the friction cone, invariance, and the same impulses as an independent iteration.
 
-#include "mpm_domain/contact/contact_nodes.hpp"
+#include "random_nodes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <random>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 namespace {
+
+using test::Draw;
+using test::random_node;
+using test::Totals;
 
 struct Body {
   double mass = 1.0;
   double inertia = 1.0;
   RigidMotion motion;
 };
-
-class Draw {
-public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution(low, high)(engine_); }
-  double decades(double low, double high) {
-    return std::pow(10.0, between(std::log10(low), std::log10(high)));
-  }
-  Vector vector() { return {between(-1.0, 1.0), between(-1.0, 1.0)}; }
-  Vector direction() {
-    const double angle = between(0.0, 2.0 * std::numbers::pi);
-    return {std::cos(angle), std::sin(angle)};
-  }
-
-private:
-  std::mt19937 engine_;
-};
-
-/// A node of saturated soil, or of dry soil.
-ContactNode random_node(Draw& draw, bool wet, double least_mass, double most_mass) {
-  ContactNode c;
-  c.normal = draw.direction();
-  c.arm = draw.vector();
-  c.solid_mass = draw.decades(least_mass, most_mass);
-  c.solid_trial = draw.vector();
-  c.water_trial = c.solid_trial;
-  if (wet) {
-    const double porosity = draw.between(0.3, 0.6);
-    c.water_mass = c.solid_mass * porosity / ((1.0 - porosity) * 2.65);
-    c.water_trial = draw.vector();
-    c.full_water = c.water_mass / porosity;
-    c.free_impulse = c.full_water * dot(c.normal, draw.vector());
-    c.drag = 1.0 + draw.decades(1e-3, 1e6);
-    c.least_water = -1e300; // suction never breaks
-  }
-  c.mass = c.solid_mass + c.water_mass;
-  c.tangential = c.mass / (1.0 + c.water_mass / c.solid_mass / c.drag);
-  c.friction = draw.between(0.0, 1.0);
-  c.set_trial({}, {});
-  return c;
-}
 
 Body random_body(Draw& draw) {
   return {draw.decades(1e-2, 1e3), draw.decades(1e-2, 1e3), {draw.vector(), draw.between(-1.0, 1.0)}};
@@ -83,21 +44,6 @@ Outcome meet(const Body& body, std::vector<ContactNode>& nodes) {
   }
   return outcome;
 }
-
-struct Totals {
-  double x = 0.0, y = 0.0; ///< momentum
-  double turn = 0.0;       ///< angular momentum about the body's centre
-  double energy = 0.0;
-  double mass = 0.0;
-
-  void add(double m, const Vector& v, const Vector& arm) {
-    x += m * v.x;
-    y += m * v.y;
-    turn += m * cross(arm, v);
-    energy += 0.5 * m * dot(v, v);
-    mass += m;
-  }
-};
 
 Totals totals(const Body& body, const std::vector<ContactNode>& nodes, const RigidMotion& motion,
               const std::vector<Vector>& solid, const std::vector<Vector>& water) {

@@ -1,6 +1,7 @@
 // Integrals over a body's surface at nodes against closed forms.
 
 #include "mesh/polygon_measures.hpp"
+#include "mpm_domain/contact/rigid_body.hpp"
 #include "mpm_domain/contact/wall_nodes.hpp"
 #include "tests/support/structure_scene.hpp"
 
@@ -23,8 +24,8 @@ struct Wall {
   NodeWindow window;
   std::vector<double> shares;
 
-  explicit Wall(const RigidBody& body) : window(nodes_around(lattice, body.bounds())) {
-    find_wall(body, lattice, window, shares);
+  explicit Wall(const RigidBody& body) : window(nodes_around(lattice, body.surface().bounds())) {
+    find_wall(body.surface(), lattice, window, shares);
   }
 };
 
@@ -73,7 +74,9 @@ TEST(PolygonMeasures, PartsOfARectangle) {
   const std::vector<Vector> box = rectangle(0.0, 0.0, 2.0, 1.0);
   EXPECT_DOUBLE_EQ(mesh::measures(mesh::part_below(box, 0.25)).area, 0.5);
   EXPECT_DOUBLE_EQ(mesh::measures(mesh::part_below(box, -1.0)).area, 0.0);
-  const auto corner = mesh::measures(mesh::part_in(box, {1.5, 0.5, 9.0, 9.0}));
+  const std::vector<Vector> right = mesh::clipped(box, [](const Vector& corner) { return corner.x - 1.5; });
+  const auto corner =
+      mesh::measures(mesh::clipped(right, [](const Vector& of_right) { return of_right.y - 0.5; }));
   EXPECT_DOUBLE_EQ(corner.area, 0.25);
   EXPECT_DOUBLE_EQ(corner.x, 1.75);
   EXPECT_DOUBLE_EQ(corner.y, 0.75);

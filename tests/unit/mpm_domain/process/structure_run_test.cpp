@@ -5,6 +5,7 @@
 
 #include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/transfer/gather.hpp"
 #include "results/run_file.hpp"
 #include "tests/support/quiet_ground.hpp"
 #include "tests/support/saved_state.hpp"
@@ -25,10 +26,13 @@ namespace {
 
 using ::testing::ElementsAre;
 
+constexpr std::string_view rigid = "rigid = true";
+constexpr std::string_view elastic = "young = 20e6\npoisson = 0.2";
+
 /// A row and a frame in every step, and a monitor at a corner.
-scene::Case block_case() {
+scene::Case block_case(std::string_view kind) {
   return scene::testing::parse_case(
-      scene::testing::with_block() +
+      scene::testing::with(rigid, kind, scene::testing::with_block()) +
       "[[monitor]]\nname = \"corner\"\npoint = [12.0, 4.0]\nstructure = \"block\"\n"
       "[output]\nevery_s = 1e-4\nhistory_every_s = 1e-4\n");
 }
@@ -45,6 +49,7 @@ TEST(SpecFromCase, HandsStructuresOn) {
   ASSERT_EQ(spec.structures.size(), 1U);
   const Structure& block = spec.structures[0];
   EXPECT_EQ(block.name, "block");
+  EXPECT_FALSE(block.stiffness);
   ASSERT_EQ(block.outline.size(), 4U);
   EXPECT_EQ(block.outline[1].x, 12.0);
   EXPECT_EQ(block.outline[3].y, 4.0);
@@ -59,11 +64,18 @@ TEST(SpecFromCase, HandsStructuresOn) {
   }
 }
 
+TEST(SpecFromCase, HandsStiffnessOn) {
+  const Spec spec = spec_from_case(block_case(elastic), 1);
+  ASSERT_TRUE(spec.structures.at(0).stiffness);
+  EXPECT_EQ(spec.structures[0].stiffness->young, 20e6);
+  EXPECT_EQ(spec.structures[0].stiffness->poisson, 0.2);
+}
+
 /// A domain at rest with the block on it, and what is written of it.
 class BlockRun {
 public:
-  explicit BlockRun(const std::filesystem::path& folder)
-      : scene_(block_case()), domain_(spec_from_case(scene_, 1)),
+  explicit BlockRun(const std::filesystem::path& folder, std::string_view kind = rigid)
+      : scene_(block_case(kind)), domain_(spec_from_case(scene_, 1)),
         stepper_(at_rest(), 0.0, test_support::quiet_ground()),
         output_(folder, scene_, "{}", domain_,
                 std::vector<std::string>(domain_.boundary.faces().size(), "wave")) {}
@@ -232,12 +244,49 @@ TEST(RunOutput, MonitorsMoveWithTheirBody) {
   EXPECT_NEAR(value(2, 8), (value(2, 6) - value(1, 6)) / interval, 1e-9 * std::abs(value(2, 8)));
 }
 
-TEST(RunOutput, GoesOnWithBodiesWhereACheckpointWas) {
+TEST(RunOutput, FollowsAPointOfAnElasticBody) {
+  const testing::TemporaryFolder folder;
+  BlockRun run(folder / "", elastic);
+  for (Particles& set : run.domain().sets)
+    for (std::size_t k = 0; set.body && k < set.size(); ++k)
+      set.vx[k] = 0.02;
+  run.domain().spec.gravity *= 0.5;
+  run.step(3);
+  const Particles& set = run.domain().body_sets().front();
+  std::size_t nearest = 0;
+  for (std::size_t k = 0; k < set.size(); ++k)
+    if (set.x_initial[k] + set.y_initial[k] > set.x_initial[nearest] + set.y_initial[nearest])
+      nearest = k;
+  const double vx = set.vx[nearest];
+  const double sxx = set.sxx[nearest];
+  const double acceleration = particle_acceleration(run.domain(), set, nearest).x;
+  run.output().finish(run.stepper(), 0.0, 0.0);
+
+  const results::RunReader file(folder / "run.h5");
+  const results::SeriesData corner = file.series("/monitors/corner");
+  EXPECT_EQ(last(corner, "vx"), vx);
+  EXPECT_NEAR(last(corner, "ux"), 0.02 * last(corner, "time"), 1e-3 * 0.02 * last(corner, "time"));
+  EXPECT_EQ(last(corner, "ax"), acceleration);
+  EXPECT_NEAR(last(corner, "ay"), 0.5 * 9.81, 0.05 * 9.81); // its stress bears the weight that is gone
+  EXPECT_NE(sxx, 0.0);
+  const results::SeriesData block = file.series("/bodies/block");
+  EXPECT_NEAR(last(block, "vx"), 0.02, 4e-3); // friction slows it down
+  EXPECT_DOUBLE_EQ(last(block, "weight_y"), -8000.0 * 9.81);
+  // Frames hold the soil alone.
+  std::size_t of_soil = 0;
+  for (const Particles& soil : run.domain().sets_of_soil())
+    of_soil += soil.size();
+  EXPECT_EQ(file.frame_field(0, "soil").values.size(), of_soil);
+}
+
+class Resumed : public ::testing::TestWithParam<std::string_view> {};
+
+TEST_P(Resumed, GoesOnWithBodiesWhereACheckpointWas) {
   const testing::TemporaryFolder folder;
   const results::CheckpointIdentity identity{"domain", "00000000", 2};
   test_support::SavedState state;
   {
-    BlockRun whole(folder / "");
+    BlockRun whole(folder / "", GetParam());
     whole.step(2);
     results::CheckpointWriter checkpoint(folder / "domain.h5", identity);
     whole.output().save(checkpoint);
@@ -258,13 +307,15 @@ TEST(RunOutput, GoesOnWithBodiesWhereACheckpointWas) {
   const auto all = contents();
   ASSERT_EQ(all.size(), 2U + 4U * 7U);
   const std::filesystem::path before = results::set_aside(folder / "run.h5");
-  BlockRun resumed(folder / "");
+  BlockRun resumed(folder / "", GetParam());
   test_support::restore_state(state, resumed.domain(), resumed.stepper());
   resumed.output().take_over(before, results::CheckpointReader(folder / "domain.h5", identity));
   resumed.step(2);
   resumed.output().finish(resumed.stepper(), 0.0, 0.0);
   EXPECT_EQ(contents(), all);
 }
+
+INSTANTIATE_TEST_SUITE_P(Bodies, Resumed, ::testing::Values(rigid, elastic));
 
 } // namespace
 } // namespace tremolo::mpm_domain

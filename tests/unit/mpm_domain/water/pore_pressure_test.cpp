@@ -12,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace tremolo::mpm_domain {
@@ -76,7 +78,7 @@ protected:
     for (const Particles& set : domain.sets)
       before.push_back(set.pore_pressure);
     const ClockNodes nodes(domain);
-    scatter_water(domain, nodes.of(0), nodes.ties_of(0));
+    scatter_mixture(domain, nodes.of(0), nodes.ties_of(0));
     set_flow(seed);
     update_pressures(domain, dt, domain.grid.flux_x, domain.grid.flux_y, nodes.of(0), nodes.ties_of(0));
     for (std::size_t s = 0; s < domain.sets.size(); ++s)
@@ -131,6 +133,34 @@ TEST_P(PorePressure, LosesNoWater) {
   const auto compressed = sum([&](auto s, auto k) { return domain.waiting_pressures[s].compression[k]; });
   const auto size = sum([&](auto s, auto k) { return std::abs(domain.waiting_pressures[s].compression[k]); });
   EXPECT_NEAR(stored, compressed, 1e-13 * size);
+}
+
+/// One pass brings the sums of soil and water to the nodes: of every kind, as much as the particles have.
+TEST_P(PorePressure, NodesShareOutWhatParticlesBring) {
+  for (Particles& set : domain.sets) {
+    std::ranges::fill(set.wx, 0.3);
+    std::ranges::fill(set.vx, -0.2);
+  }
+  const ClockNodes nodes(domain);
+  scatter_mixture(domain, nodes.of(0), nodes.ties_of(0));
+  const Grid& grid = domain.grid;
+  const auto at_nodes = [](const NodeField& field) {
+    return std::accumulate(field.begin(), field.end(), 0.0);
+  };
+  const double volume = sum([&](auto s, auto k) { return domain.sets[s].volume[k]; });
+  const double pores = sum([&](auto s, auto k) { return pore_volume(domain.sets[s], k); });
+  const double mass = sum([&](auto s, auto k) { return domain.sets[s].mass[k]; });
+  const double lift = sum([&](auto s, auto k) {
+    return (1.0 - domain.sets[s].weight_share) * domain.spec.gravity * domain.sets[s].mass[k];
+  });
+  EXPECT_GT(lift, 0.0);
+  EXPECT_NEAR(at_nodes(grid.mass), mass, 1e-12 * mass);
+  EXPECT_NEAR(at_nodes(grid.momentum_x), -0.2 * mass, 1e-12 * mass);
+  EXPECT_NEAR(at_nodes(grid.lift), lift, 1e-12 * lift);
+  EXPECT_NEAR(at_nodes(grid.pore_volume), pores, 1e-12 * pores);
+  EXPECT_NEAR(at_nodes(grid.wet_volume), volume, 1e-12 * volume);
+  EXPECT_NEAR(at_nodes(grid.water_mass), 1000.0 * pores, 1e-9 * pores);
+  EXPECT_NEAR(at_nodes(grid.water_momentum_x), 300.0 * pores, 1e-9 * pores);
 }
 
 /// With a and b what two flows compress, a . F b = b . F a and a . F a >= 0.

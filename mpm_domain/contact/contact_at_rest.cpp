@@ -1,0 +1,84 @@
+// Contact in the gravity stage.
+
+#include "mpm_domain/contact/contact.hpp"
+#include "mpm_domain/domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+double square(const Vector& a) {
+  return dot(a, a);
+}
+
+} // namespace
+
+void Contact::begin_rest(Domain& domain) {
+  find_nodes(domain);
+  corners_.clear(); // bodies at rest hold on to the soil alone
+}
+
+double Contact::relax(Domain& domain, double keep, double gain, bool bonded) {
+  Grid& grid = domain.grid;
+  for (ContactNodes& nodes : nodes_)
+    nodes.take_relaxing(domain, gain);
+  solve(trial_motions(keep, gain), gain, bonded);
+  double unbalanced = 0.0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    RigidBody& body = bodies_[b];
+    const RigidMotion last = body.motion();
+    const RigidMotion& u = motions_[b];
+    const double per_gain = body.mass() / gain;
+    const double radius2 = body.inertia() / body.mass();
+    if (!elastic_[b]) {
+      unbalanced += per_gain * per_gain *
+                    (square({u.velocity.x - keep * last.velocity.x, u.velocity.y - keep * last.velocity.y}) +
+                     radius2 * (u.spin - keep * last.spin) * (u.spin - keep * last.spin));
+      body.set_motion(u);
+    }
+    for (const ContactNode& c : nodes(b)) {
+      grid.vx_after[c.node] += c.solid_change.x;
+      grid.vy_after[c.node] += c.solid_change.y;
+      if (c.body_mass > 0.0) {
+        const double inertia = c.body_mass / gain;
+        grid.vx_after[c.body_node] += c.body_change.x;
+        grid.vy_after[c.body_node] += c.body_change.y;
+        unbalanced += square({grid.force_x[c.body_node] + inertia * c.body_change.x,
+                              grid.force_y[c.body_node] + inertia * c.body_change.y});
+      }
+    }
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (const ContactNode& c : nodes(b)) {
+      if (std::ranges::any_of(std::span(nodes_).first(b),
+                              [&](const ContactNodes& earlier) { return earlier.has(c.node); }))
+        continue; // counted already
+      const double inertia = c.mass / gain;
+      unbalanced += square({grid.force_x[c.node] + inertia * (grid.vx_after[c.node] - c.solid_trial.x),
+                            grid.force_y[c.node] + inertia * (grid.vy_after[c.node] - c.solid_trial.y)});
+    }
+  return unbalanced;
+}
+
+void Contact::end_rest() {
+  for (RigidBody& body : bodies_)
+    body.set_motion({});
+}
+
+double Contact::speed(const Domain& domain, std::size_t body) const {
+  if (!elastic_[body])
+    return std::sqrt(2.0 * bodies_[body].kinetic_energy() / bodies_[body].mass());
+  const Lattice& own = domain.bodies[elastic_[body]->number()].lattice;
+  double mass = 0.0;
+  double twice_energy = 0.0;
+  for (std::size_t n = own.first; n < own.first + own.count(); ++n) {
+    mass += domain.grid.mass[n];
+    twice_energy += domain.grid.mass[n] * square(domain.grid.velocity_after(n));
+  }
+  return std::sqrt(twice_energy / mass);
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,106 @@
+#include "mpm_domain/contact/elastic_body.hpp"
+
+#include "mpm_domain/particles/particles.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// act(set, particle) for all particles.
+template <class Act>
+void over_particles(std::span<const Particles> sets, const Act& act) {
+  for (const Particles& set : sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      act(set, k);
+}
+
+/// Points along a closed line, no farther apart than a spacing, and which of them are its corners.
+std::pair<std::vector<Vector>, std::vector<bool>> points_along(const std::vector<Vector>& corners,
+                                                               double spacing) {
+  std::vector<Vector> points;
+  std::vector<bool> is_corner;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector from = corners[i];
+    const Vector to = corners[(i + 1) % corners.size()];
+    const int pieces = static_cast<int>(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / spacing));
+    for (int piece = 0; piece < pieces; ++piece) {
+      const double t = static_cast<double>(piece) / pieces;
+      points.push_back({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+      is_corner.push_back(piece == 0);
+    }
+  }
+  return {points, is_corner};
+}
+
+} // namespace
+
+ElasticBody::ElasticBody(const Structure& structure, std::size_t number, std::span<const Particles> sets,
+                         double spacing)
+    : number_(number) {
+  auto [points, corner] = points_along(RigidBody(structure).outline(), spacing);
+  for (const Vector& point : points) {
+    Follower& follower = followers_.emplace_back();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < sets.size(); ++s)
+      for (std::size_t k = 0; k < sets[s].size(); ++k) {
+        const Vector offset{point.x - sets[s].x[k], point.y - sets[s].y[k]};
+        if (dot(offset, offset) < nearest) {
+          nearest = dot(offset, offset);
+          follower = {s, sets[s].id[k], offset};
+        }
+      }
+  }
+  surface_ = BodySurface(std::move(points), std::move(corner));
+  double mass = 0.0;
+  over_particles(sets, [&](const Particles& set, std::size_t k) {
+    mass += set.mass[k];
+    start_ = {start_.x + set.mass[k] * set.x[k], start_.y + set.mass[k] * set.y[k]};
+  });
+  start_ = {start_.x / mass, start_.y / mass};
+}
+
+void ElasticBody::follow(std::span<const Particles> sets, RigidBody& whole) {
+  double mass = 0.0;
+  Vector moved; // sum m (x - X)
+  Vector momentum;
+  over_particles(sets, [&](const Particles& set, std::size_t k) {
+    const double m = set.mass[k];
+    mass += m;
+    moved = {moved.x + m * (set.x[k] - set.x_initial[k]), moved.y + m * (set.y[k] - set.y_initial[k])};
+    momentum = {momentum.x + m * set.vx[k], momentum.y + m * set.vy[k]};
+  });
+  moved = {moved.x / mass, moved.y / mass};
+  const Vector velocity{momentum.x / mass, momentum.y / mass};
+  double sine = 0.0;
+  double cosine = 0.0;
+  double angular_momentum = 0.0;
+  double inertia = 0.0;
+  over_particles(sets, [&](const Particles& set, std::size_t k) {
+    const double m = set.mass[k];
+    const Vector before{set.x_initial[k] - start_.x, set.y_initial[k] - start_.y};
+    const Vector now{set.x[k] - start_.x - moved.x, set.y[k] - start_.y - moved.y};
+    sine += m * cross(before, now);
+    cosine += m * dot(before, now);
+    angular_momentum += m * cross(now, {set.vx[k] - velocity.x, set.vy[k] - velocity.y});
+    inertia += m * dot(now, now);
+  });
+  const double tilt = std::atan2(sine, cosine);
+  whole.set_state({whole.start().x + moved.x, whole.start().y + moved.y, tilt, velocity.x, velocity.y,
+                   angular_momentum / inertia});
+  const double s = std::sin(tilt);
+  const double c = std::cos(tilt);
+  std::vector<Vector> points;
+  for (const Follower& follower : followers_) {
+    const Particles& set = sets[follower.set];
+    const std::size_t k = set.index_of[follower.id];
+    const Vector& offset = follower.offset;
+    points.push_back({set.x[k] + c * offset.x - s * offset.y, set.y[k] + s * offset.x + c * offset.y});
+  }
+  surface_.place(std::move(points));
+}
+
+} // namespace tremolo::mpm_domain
