@@ -164,6 +164,12 @@ class Player:
                 for panel in panels:
                     panel.thin()
 
+    def start(self):
+        """Index of the frame that a reader sees first: one in the middle of the shaking."""
+        run = self.runs[0]
+        times = maps.telling_times(run) if run.has_field("acceleration") else run.times
+        return int(np.argmin(np.abs(self.times - times[len(times) // 2])))
+
     def _bytes(self):
         return sum(len(image) for _, panels in self.fields for panel in panels for image in panel.images)
 
@@ -194,6 +200,7 @@ class Player:
         """What the page's player reads."""
         return {
             "times": [round(float(time), 4) for time in self.times],
+            "start": self.start(),
             "bounds": [float(edge) for edge in self.bounds],
             "fields": [
                 {

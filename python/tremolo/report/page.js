@@ -38,7 +38,7 @@
     full.autosize = true;
     full.modebar = { bgcolor: "rgba(0,0,0,0)", color: colour("--soft"), activecolor: colour("--text") };
     for (const axis of axes(full))
-      full[axis] = { showline: true, ticks: "outside", automargin: true, ...full[axis] };
+      full[axis] = { showline: true, ticks: "outside", automargin: true, exponentformat: "power", ...full[axis] };
     full.paper_bgcolor = full.plot_bgcolor = "rgba(0,0,0,0)";
     for (const axis of axes(full))
       Object.assign(full[axis], { gridcolor: colour("--grid"), linecolor: colour("--soft"), zerolinecolor: colour("--line") });
@@ -81,8 +81,7 @@
     const [xmin, ymin, xmax, ymax] = bounds;
     const panels = byId("panels");
     const scrub = byId("scrub");
-    // The last frame tells most; play begins again at the first.
-    let frame = times.length - 1, field = 0, timer = null, began = 0;
+    let frame = content.player.start, field = 0, timer = null, began = 0;
 
     const image = (panel) => ({
       source: panel.images[frame], xref: "x", yref: "y", x: xmin, y: ymax, sizex: xmax - xmin, sizey: ymax - ymin,
