@@ -131,12 +131,14 @@ def fourier(runs, titles, name):
 
 
 def ratios(runs, titles):
-    """What the page divides: frequencies (Hz) and smoothed amplitudes (m/s) of each run, direction and monitor."""
+    """What the page divides: frequencies (Hz) and smoothed amplitudes (m/s) of each run, direction and monitor, the lowest first:
+    what lies deepest is mostly what one divides by."""
     spectra_of = []
     for run, title, dash in _of_all(runs, titles):
         series = {name: run.monitor(name) for name in run.monitors if len(run.monitor(name)) > 1}
         if len(series) < 2:
             continue
+        series = dict(sorted(series.items(), key=lambda item: item[1]["y"][0]))
         first = next(iter(series.values()))
         _, dt = even_steps(first["time"], first["ax"])
         centres = spectra.frequencies(first["time"][-1] - first["time"][0], dt)

@@ -81,7 +81,8 @@
     const [xmin, ymin, xmax, ymax] = bounds;
     const panels = byId("panels");
     const scrub = byId("scrub");
-    let frame = 0, field = 0, timer = null, began = 0;
+    // The last frame tells most; play begins again at the first.
+    let frame = times.length - 1, field = 0, timer = null, began = 0;
 
     const image = (panel) => ({
       source: panel.images[frame], xref: "x", yref: "y", x: xmin, y: ymax, sizex: xmax - xmin, sizey: ymax - ymin,
@@ -231,8 +232,15 @@
     return show();
   }
 
-  const restyle = () => Promise.all([...drawn.keys()].filter((element) => element.isConnected)
-    .map((element) => Plotly.relayout(element, themed(element._fullLayout))));
+  const relayoutAll = (change) => Promise.all([...drawn.keys()].filter((element) => element.isConnected)
+    .map((element) => Plotly.relayout(element, { ...themed(element._fullLayout), ...change })));
+  const restyle = () => relayoutAll({});
+
+  function print(onPaper) {
+    document.documentElement.classList.toggle("paper", onPaper);
+    // A chart on A4 and on Letter is 660 pixels wide.
+    return relayoutAll(onPaper ? { width: 660 } : { width: null, autosize: true });
+  }
 
   try {
     await loadPlotly();
@@ -245,8 +253,8 @@
     if (content.ratios.length)
       await prepareRatios();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", restyle);
-    addEventListener("beforeprint", restyle);
-    addEventListener("afterprint", restyle);
+    addEventListener("beforeprint", () => print(true));
+    addEventListener("afterprint", () => print(false));
     document.documentElement.dataset.ready = "yes";
   } catch (error) {
     byId("trouble").hidden = false;

@@ -38,6 +38,12 @@ class Install(unittest.TestCase):
             with self.subTest(name):
                 self.assertTrue(run(self.prefix / "bin" / name, "--help").strip())
 
+    def test_the_python_package_is_whole(self):
+        source = CONSUMER.parents[3] / "python"
+        parts = {path.relative_to(source) for path in source.rglob("*") if path.is_file() and "__pycache__" not in path.parts}
+        installed = self.prefix / "share/tremolo/python"
+        self.assertEqual(parts, {path.relative_to(installed) for path in installed.rglob("*") if path.is_file()})
+
     def test_another_project_finds_and_uses_the_libraries(self):
         build = Path(self.folder.name) / "consumer"
         run("cmake", "-S", CONSUMER, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release")

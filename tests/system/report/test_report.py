@@ -61,6 +61,7 @@ def setUpModule():
 class Player(unittest.TestCase):
     def test_plays_to_the_end_and_shows_other_images(self):
         page.open(pages["box"])
+        page.find("#scrub").send_keys(*keys("HOME"))
         first = page.run(SOURCE_OF_FRAME)
         self.assertTrue(first.startswith("data:image/webp;base64,"))
         last = page.run("return Number(document.getElementById('scrub').max);")
@@ -76,7 +77,7 @@ class Player(unittest.TestCase):
     def test_obeys_the_keyboard_and_the_field(self):
         page.open(pages["tunnel"])
         scrub = page.find("#scrub")
-        scrub.send_keys(*keys("ARROW_RIGHT", "ARROW_RIGHT"))
+        scrub.send_keys(*keys("HOME", "ARROW_RIGHT", "ARROW_RIGHT"))
         self.assertEqual("2", page.run("return document.getElementById('scrub').value"))
         scrub.send_keys(*keys("ARROW_LEFT"))
         self.assertEqual("1", page.run("return document.getElementById('scrub').value"))
@@ -163,12 +164,24 @@ class Page(unittest.TestCase):
                                                 "return getComputedStyle(d).color"))
                 self.assertEqual([], page.complaints())
 
+    def test_prints_dark_on_white_as_wide_as_paper(self):
+        page.open(pages["box"], scheme="dark")
+        look = "const l = document.querySelector('[data-chart=energy]')._fullLayout; return [l.width, l.font.color]"
+        screen = page.run(look)
+        page.run("addEventListener('beforeprint', () => { window.printed = (() => { " + look + " })(); })")
+        page.command("Page.printToPDF")
+        self.assertEqual([660, "#000000"], page.wait("return window.printed"))
+        page.wait("return document.querySelector('[data-chart=energy]')._fullLayout.width > 1000")
+        self.assertEqual(screen, page.run(look))
+        self.assertEqual([], page.complaints())
+
     def test_of_two_runs_has_both_and_their_difference(self):
         page.open(pages["two"])
         self.assertEqual(["first", "second", "second less first"],
-                         [text.split(":")[0] for text in page.run("return [...document.querySelectorAll('#panels figcaption')].map((c) => c.textContent)")])
+                         page.run("return [...document.querySelectorAll('#panels figcaption')].map((c) => c.textContent.split(':')[0])"))
         self.assertIn("second against first", page.find("#differences").text)
-        dashes = page.run("return [...new Set(document.querySelector('[data-chart=\"history-surface\"]').data.map((line) => line.line.dash))]")
+        dashes = page.run("const chart = document.querySelector('[data-chart=\"history-surface\"]');"
+                          "return [...new Set(chart.data.map((line) => line.line.dash))]")
         self.assertEqual(["solid", "dash"], dashes)
 
     def test_needs_no_network_and_is_small(self):
