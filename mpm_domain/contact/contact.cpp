@@ -290,7 +290,8 @@ ContactWork Contact::meet(Domain& domain, double dt) {
       const Vector on_body{c.normal_impulse * c.normal.x + c.tangential_impulse * c.tangent().x,
                            c.normal_impulse * c.normal.y + c.tangential_impulse * c.tangent().y};
       work.impact -= dot(on_body, body_speed);
-      work.friction -= c.tangential_impulse * dot(c.tangent(), body_speed);
+      if (c.rubs())
+        work.friction -= c.tangential_impulse * dot(c.tangent(), body_speed);
     }
   }
   const auto middle_at = [&](std::size_t body, const Vector& arm) {
@@ -335,7 +336,8 @@ ContactWork Contact::add_changes(Domain& domain, double dt) {
     for (const ContactNode& c : nodes(b)) {
       const Vector solid = mean(c.solid_before, grid.velocity_after(c.node));
       work.impact -= c.solid_mass * dot(c.solid_change, solid);
-      work.friction += c.tangential_impulse * dot(c.tangent(), solid);
+      if (c.rubs())
+        work.friction += c.tangential_impulse * dot(c.tangent(), solid);
       if (c.water_mass > 0.0)
         work.impact -=
             c.water_mass *
@@ -349,7 +351,7 @@ double Contact::meet_remapped(Domain& domain) {
   double power = 0.0;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (ContactNode& c : nodes_[b].nodes()) {
-      if (!c.closed)
+      if (!c.closed || c.faint)
         continue;
       const std::size_t n = c.node;
       const Vector u{grid.vx_strain[n], grid.vy_strain[n]};

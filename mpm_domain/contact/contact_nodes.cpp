@@ -138,9 +138,11 @@ void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector
       if (grid.mass[node] <= empty || sums.volume <= 0.0)
         continue;
       const Vector place{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
-      if (wall_[window_.place(i, j)] <= least_wall_share * lattice.h && !surface.contains(place))
-        continue;
       const bool at_edge = sums.surface > 0.0;
+      const bool faint =
+          wall_[window_.place(i, j)] <= least_wall_share * lattice.h && !surface.contains(place);
+      if (faint && (own == nullptr || !at_edge))
+        continue;
       const bool of_soil = length(sums.gradient) > 0.0;
       if (!at_edge && !of_soil)
         continue;
@@ -163,6 +165,7 @@ void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector
       if (body_node) {
         found.body_node = *body_node;
         found.body_mass = grid.mass[*body_node];
+        found.faint = faint;
       }
       const bool by_gradient = domain.spec.normals == ContactNormals::gradient ||
                                (domain.spec.normals == ContactNormals::automatic && sums.wet > 0.0);

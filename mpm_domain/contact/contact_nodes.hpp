@@ -1,9 +1,11 @@
 #pragma once
 
 // The nodes at which soil and a body meet: those that soil has given mass and that the body's surface
-// touches, and those with soil inside the body; where the body is elastic, as far as its own node at that
-// place has mass. What contact asks of the soil there is summed over the
-// particles near the body,
+// touches, and those with soil inside the body. An elastic body has mass of its own there. Where soil faces
+// an edge of it, they meet also at faint nodes, to which its surface reaches a little: what these pass on is
+// as little, but left alone they would part from the body. Its strain there is its own, though.
+//
+// What contact asks of the soil is summed over the particles near the body,
 //
 //     g = sum V grad S,      volume = sum V S,      friction = sum V S mu / volume.
 //
@@ -49,12 +51,16 @@ struct ContactNode : ContactPoint {
   double water_normal = 0.0;
   Vector solid_change, water_change; ///< of both by the impulses found
   std::size_t body_node = 0;         ///< that of an elastic body
+  bool faint = false;                ///< the surface of an elastic body reaches it a little
   double body_mass = 0.0;            ///< m_b there, kg/m; 0: the body is rigid
   Vector body_before, body_trial;    ///< its velocity before the update and after it, m/s
   Vector body_change;                ///< by the impulses found
 
   /// Takes trial velocities that differ from those of the update by what other bodies have changed.
   void set_trial(const Vector& solid_by_others, const Vector& water_by_others);
+  /// Whether what its tangential impulse does is sliding. A node of an elastic body that sticks may begin its
+  /// step with a velocity other than the soil's, by the transfer from particles; to end that is impact.
+  bool rubs() const { return body_mass == 0.0 || slip != 0; }
   /// Finds the impulses between soil and the body's node, where the body is elastic.
   /// @param bonded  the node sticks if it is closed, whatever it would bear
   void solve_alone(bool bonded);

@@ -2,6 +2,7 @@
 // slide and settle as rigid ones do where they are stiff, keep momentum where they hit the ground, and go on
 // from a checkpoint with the same bits.
 
+#include "mpm_domain/particles/fill.hpp"
 #include "tests/support/saved_state.hpp"
 #include "tests/support/structure_scene.hpp"
 
@@ -10,9 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -269,6 +272,51 @@ TEST(Elastic, BodiesBearTheirWeightsSideBySide) {
     EXPECT_NEAR(forces.normal.force.y + forces.friction.force.y, weight, 1e-4 * weight) << b;
     EXPECT_NEAR(scene.body(b).centre().y, scene.body(b).start().y, 1e-7) << b;
   }
+}
+
+/// Velocities of all particles by where they were at the start, in quarters of a cell of 0.5 m.
+std::map<std::pair<long, long>, Vector> velocities(const Domain& domain) {
+  std::map<std::pair<long, long>, Vector> found;
+  for (const Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      found[{std::lround(8.0 * set.x_initial[k]), std::lround(8.0 * set.y_initial[k])}] = {set.vx[k],
+                                                                                           set.vy[k]};
+  return found;
+}
+
+/// A buried body of the soil's own density and stiffness, from which nothing can slide off or part, is no
+/// body: both velocity fields together are the one of homogeneous ground.
+TEST(Elastic, BodyOfSoilThatSticksIsSoil) {
+  const materials::Elasticity soil{1900.0, 5e7, 0.3};
+  Spec spec = flat_ground(12.0, 6.0, 0.5, soil);
+  const auto shaking = [](long, double time, std::span<const Vector>, std::span<eq6::FreeField> field) {
+    for (eq6::FreeField& face : field)
+      face = {{1e-3 * std::sin(40.0 * time), 5e-4 * std::sin(50.0 * time)}, {}};
+  };
+  StandingScene ground(spec, shaking);
+  spec.structures = {
+      elastic(structure(rectangle(-1.5, -4.0, 1.0, -2.0), soil.density, 1e6), soil.young, soil.poisson)};
+  // The body begins with the stress of the ground, on the same supports.
+  Domain domain(spec);
+  set_rest_stress(domain.sets, spec);
+  replace_constraints(domain, ground.reactions);
+  Stepper stepper(domain, 0.0, shaking);
+  EXPECT_EQ(domain.particle_count(), ground.domain.particle_count());
+  for (int k = 0; k < 5; ++k) {
+    ground.run(0.05);
+    while (stepper.time() < ground.stepper.time())
+      stepper.step();
+    const auto with = velocities(domain);
+    const auto without = velocities(ground.domain);
+    ASSERT_EQ(with.size(), without.size());
+    for (const auto& [place, v] : without) {
+      EXPECT_NEAR(with.at(place).x, v.x, 5e-9); // 5e-6 of the shaking
+      EXPECT_NEAR(with.at(place).y, v.y, 5e-9);
+    }
+  }
+  EXPECT_NEAR(domain.energy.friction, 0.0, 1e-12);
+  EXPECT_NEAR(domain.energy.elastic, ground.domain.energy.elastic,
+              1e-5 * std::abs(ground.domain.energy.elastic));
 }
 
 TEST(Elastic, GoesOnFromACheckpointWithTheSameBits) {
