@@ -18,7 +18,7 @@
   const axes = (layout) => Object.keys(layout).filter((key) => /^[xy]axis\d*$/.test(key));
 
   function themed(layout) {
-    const look = { "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)", "font.color": colour("--text"),
+    const look = { "font.color": colour("--text"),
       "modebar.color": colour("--soft"), "hoverlabel.bgcolor": colour("--card"), "hoverlabel.font.color": colour("--text") };
     for (const axis of axes(layout)) {
       look[`${axis}.gridcolor`] = colour("--grid");
@@ -39,7 +39,8 @@
     full.modebar = { bgcolor: "rgba(0,0,0,0)", color: colour("--soft"), activecolor: colour("--text") };
     for (const axis of axes(full))
       full[axis] = { showline: true, ticks: "outside", automargin: true, exponentformat: "power", ...full[axis] };
-    full.paper_bgcolor = full.plot_bgcolor = "rgba(0,0,0,0)";
+    full.paper_bgcolor = "rgba(0,0,0,0)";
+    full.plot_bgcolor = layout.plot_bgcolor ?? "rgba(0,0,0,0)";
     for (const axis of axes(full))
       Object.assign(full[axis], { gridcolor: colour("--grid"), linecolor: colour("--soft"), zerolinecolor: colour("--line") });
     return full;
@@ -134,7 +135,8 @@
         // Axes without a trace are not drawn.
         const scale = { type: "scatter", mode: "markers", x: [null], y: [null], showlegend: false, hoverinfo: "skip" };
         await draw(chart, [scale], {
-          height, hovermode: false, dragmode: "zoom", images: [image(panel)],
+          // Darker than the middle of a diverging scale in light, lighter than the page in dark: soil at rest is seen.
+          plot_bgcolor: "rgba(128,136,144,0.35)", height, hovermode: false, dragmode: "zoom", images: [image(panel)],
           xaxis: { title: { text: "x (m)" }, range: [xmin, xmax], showgrid: false, zeroline: false, constrain: "domain" },
           yaxis: { title: { text: "y (m)" }, range: [ymin, ymax], showgrid: false, zeroline: false, scaleanchor: "x", constrain: "domain" },
         }, { scrollZoom: true });
