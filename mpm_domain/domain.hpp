@@ -96,7 +96,7 @@ struct Domain {
   bool has_pore_pressure() const;
   std::span<Particles> sets_of_soil() { return std::span(sets).first(soil_sets); }
   std::span<const Particles> sets_of_soil() const { return std::span(sets).first(soil_sets); }
-  /// Those of one elastic body.
+  /// The sets of one elastic body.
   std::span<const Particles> sets_of_body(std::size_t body) const;
   std::span<const Particles> body_sets() const { return std::span(sets).subspan(soil_sets); }
   /// Lattices of the soil are numbered by level; those of elastic bodies follow.
@@ -107,7 +107,7 @@ struct Domain {
       return bodies[static_cast<std::size_t>(level - soil_lattice_count())].lattice;
     return level == 0 ? grid : mesh->lattices()[static_cast<std::size_t>(level)];
   }
-  /// That of the soil.
+  /// The finest lattice of the soil.
   const Lattice& finest_lattice() const { return lattice(soil_lattice_count() - 1); }
   /// l of the box of particles that belong to the cells of a level, at the start, m
   double half_size(int level = 0) const;

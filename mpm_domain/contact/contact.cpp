@@ -49,22 +49,22 @@ ContactWork add_to_water(Grid& grid, const ContactNode& c, double density, doubl
               0.5 * dot(drag, {c.water_change.x - c.solid_change.x, c.water_change.y - c.solid_change.y})};
 }
 
-/// Gives the node of an elastic body its change of motion.
-ContactWork push_body(Domain& domain, const ContactNode& c, double dt) {
+/// Gives a node its change of motion; water that does not move by itself goes along.
+ContactWork push(Domain& domain, std::size_t n, double mass, const Vector& change, bool with_water,
+                 double dt) {
   Grid& grid = domain.grid;
-  const std::size_t n = c.body_node;
   const Vector before = grid.velocity_after(n);
-  const Vector after = sum(before, c.body_change);
+  const Vector after = sum(before, change);
   grid.vx_after[n] = after.x;
   grid.vy_after[n] = after.y;
-  grid.ax[n] += c.body_change.x / dt;
-  grid.ay[n] += c.body_change.y / dt;
-  if (domain.has_flow()) {
+  grid.ax[n] += change.x / dt;
+  grid.ay[n] += change.y / dt;
+  if (with_water) {
     grid.wx_after[n] = after.x;
     grid.wy_after[n] = after.y;
   }
-  return {.kinetic = 0.5 * c.body_mass * (square(after) - square(before)),
-          .gravity = -0.5 * dt * domain.spec.gravity * c.body_mass * c.body_change.y};
+  return {.kinetic = 0.5 * mass * (square(after) - square(before)),
+          .gravity = -0.5 * dt * domain.spec.gravity * mass * change.y};
 }
 
 std::optional<WaterAtRest> water_at_rest(const Spec& spec) {
@@ -314,23 +314,13 @@ ContactWork Contact::add_changes(Domain& domain, double dt) {
   Grid& grid = domain.grid;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (const ContactNode& c : nodes(b)) {
-      const std::size_t n = c.node;
-      const Vector before = grid.velocity_after(n);
-      const Vector solid = sum(before, c.solid_change);
-      grid.vx_after[n] = solid.x;
-      grid.vy_after[n] = solid.y;
-      grid.ax[n] += c.solid_change.x / dt;
-      grid.ay[n] += c.solid_change.y / dt;
-      work.kinetic += 0.5 * c.solid_mass * (square(solid) - square(before));
-      work.gravity -= 0.5 * dt * domain.spec.gravity * c.solid_mass * c.solid_change.y;
-      if (c.water_mass > 0.0)
+      const bool flows = c.water_mass > 0.0;
+      const bool with_water = domain.has_flow() && !flows;
+      work = sum(work, push(domain, c.node, c.solid_mass, c.solid_change, with_water, dt));
+      if (flows)
         work = sum(work, add_to_water(grid, c, domain.spec.water->fluid.density, dt));
-      else if (domain.has_flow()) {
-        grid.wx_after[n] = solid.x;
-        grid.wy_after[n] = solid.y;
-      }
       if (c.body_mass > 0.0)
-        work = sum(work, push_body(domain, c, dt));
+        work = sum(work, push(domain, c.body_node, c.body_mass, c.body_change, domain.has_flow(), dt));
     }
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (const ContactNode& c : nodes(b)) {

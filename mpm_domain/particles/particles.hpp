@@ -29,8 +29,8 @@ struct ParticleRange {
 struct Particles : ParticleFields {
   std::string soil;
   std::size_t soil_index = 0; ///< into Spec::soils
-  /// Of particles of an elastic body: its place in Domain::bodies. They have no soil_index; `soil` is the
-  /// name of the structure.
+  /// The place in Domain::bodies of the elastic body that the particles are part of. They have no soil_index;
+  /// `soil` is the name of the structure.
   std::optional<std::size_t> body = {};
   int level = 0;          ///< of the cells that they belong to by their size
   double cell_size = 0.0; ///< h of these, m

@@ -29,7 +29,7 @@ inline constexpr double least_wall_share = 0.1;
 inline constexpr double opening_gap = 0.25;
 inline constexpr double closing_gap = 0.002;
 
-/// Of an elastic body.
+/// Elastic constants of a body that is not rigid.
 struct Stiffness {
   double young = 0.0;   ///< Pa
   double poisson = 0.0; ///< in [0, 0.5)

@@ -18,7 +18,7 @@ WIDTH = 960  # pixels
 COLOURS = 64
 BODY, EDGE, NOTHING = COLOURS, COLOURS + 1, COLOURS + 2
 MOST_FRAMES = 81
-# Of the images of all fields and runs; base64 takes a third more. With Plotly and the charts a report stays below 15 MB.
+# Bytes of the images of all fields and runs. base64 takes a third more; with Plotly and charts a report is below 15 MB.
 MOST_BYTES = 7_000_000
 
 

@@ -64,7 +64,7 @@ class Images(unittest.TestCase):
             with Run(path) as run:
                 whole = frames.Player([run], ["a"])
                 self.assertEqual(20, len(whole.times))
-                # Of a pulse that peaks at 0.6 s, the frames up to 0.38 s hold the rise: most of it comes late.
+                # The pulse peaks at 0.6 s; the frames up to 0.38 s hold its rise, most of which comes late.
                 self.assertGreater(whole.times[whole.start()], 0.2)
                 with mock.patch.object(frames, "MOST_BYTES", whole._bytes() // 2):
                     thin = frames.Player([run], ["a"])

@@ -145,8 +145,8 @@ TEST_P(LiquefyingPm4Sand, IsThatOfTheReference) {
   for (std::size_t i = 0; i < depths.size(); ++i) {
     SCOPED_TRACE(depths[i]);
     auto band = bands(run, depths[i]);
-    if (depths[i] > 9.0) { // the reference's own runs differ by seconds
-      // Ours take one of a few ways: h_po of B1 larger by 1e-8 moves this mean from 0.944 to 0.932.
+    if (depths[i] > 9.0) { // the reference's own runs differ by seconds, and by 0.05 in this mean
+      // Ours take one of a few ways: h_po of B1 larger by 1e-8 moves the mean from 0.944 to 0.932.
       expect_within(ours.mean(i, 5.0, 15.0), band["ru_mean_5_15"], 0.03, "mean r_u from 5 to 15 s");
       continue;
     }
