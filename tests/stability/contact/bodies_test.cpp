@@ -48,7 +48,8 @@ double deepest(const StandingScene& scene, std::size_t body = 0) {
   double most = 0.0;
   for (const Particles& p : scene.domain.sets)
     for (std::size_t k = 0; k < p.size(); ++k)
-      most = std::max(most, -scene.body(body).surface().nearest({p.x[k], p.y[k]}).distance / (0.5 * p.half_size));
+      most = std::max(most,
+                      -scene.body(body).surface().nearest({p.x[k], p.y[k]}).distance / (0.5 * p.half_size));
   return most;
 }
 
@@ -179,7 +180,8 @@ TEST(HardCase32, ALightBodySurfaces) {
     scene.run(0.1);
     speed = std::max(speed, fastest(scene.domain));
   }
-  reaches("height of its crown above the ground of the start", scene.body().surface().bounds().y_max, 0.1, "m");
+  reaches("height of its crown above the ground of the start", scene.body().surface().bounds().y_max, 0.1,
+          "m");
   bounded("speed of particles", speed, 5.0, "m/s");
   bounded("depth of particles in the body, over half their half side", deepest(scene), 1.0 + 1e-9);
 }

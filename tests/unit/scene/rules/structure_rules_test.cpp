@@ -125,9 +125,9 @@ TEST(Rules, StructuresLieOnTheFinestLevel) {
 }
 
 TEST(Rules, StructuresTouchSoil) {
-  EXPECT_THAT(errors_of(outline("[[8.0, 0.09], [12.0, 0.09], [12.0, 4.0], [8.0, 4.0]]")), IsEmpty());
+  EXPECT_THAT(errors_of(outline("[[8.0, 0.24], [12.0, 0.24], [12.0, 4.0], [8.0, 4.0]]")), IsEmpty());
   EXPECT_THAT(
-      errors_of(outline("[[8.0, 0.11], [12.0, 0.11], [12.0, 4.0], [8.0, 4.0]]")),
+      errors_of(outline("[[8.0, 0.26], [12.0, 0.26], [12.0, 4.0], [8.0, 4.0]]")),
       ElementsAre("case.toml:35:11: [[structure]] 'polygon' touches no soil: a structure stands on or in "
                   "a [[region]]"));
   // One that stands on another.
