@@ -3,7 +3,6 @@
     usage: test_spreading.py TREMOLO PYTHON_PACKAGE_DIR
 """
 
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -13,7 +12,7 @@ TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path.insert(0, PACKAGE)
 
 import numpy as np
-from tremolo import Run
+from tremolo.variants import run_variant
 
 CASE = Path(__file__).resolve().parents[3] / "cases" / "level_ground"
 PERIOD = 1.0  # s, of the motion
@@ -24,14 +23,9 @@ class Spreading(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory(prefix="tremolo_test_")
         place = Path(cls.folder.name)
-        text = (CASE / "slope.toml").read_text()
-        for old, new in (("size = 1.0", "size = 2.0"), ("duration_s = 25.0", "duration_s = 10.0")):
-            assert old in text, old
-            text = text.replace(old, new)
-        (place / "slope.toml").write_text(text)
         (place / "motion.csv").write_bytes((CASE / "motion.csv").read_bytes())
-        subprocess.run([TREMOLO, "run", place / "slope.toml", "--out", place / "run"], check=True, capture_output=True)
-        cls.run_ = Run(place / "run")
+        changes = {"size = 1.0": "size = 2.0", "duration_s = 25.0": "duration_s = 10.0"}
+        cls.run_ = run_variant(TREMOLO, CASE / "slope.toml", changes, place, "slope")
 
     @classmethod
     def tearDownClass(cls):
