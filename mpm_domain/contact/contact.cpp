@@ -21,12 +21,12 @@ void add(RigidLoad& to, const Vector& force, const Vector& arm) {
   to.moment += cross(arm, force);
 }
 
-double square(const Vector& a) {
-  return dot(a, a);
-}
-
 Vector mean(const Vector& a, const Vector& b) {
   return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+}
+
+RigidMotion mean(const RigidMotion& a, const RigidMotion& b) {
+  return {mean(a.velocity, b.velocity), 0.5 * (a.spin + b.spin)};
 }
 
 ContactWork sum(const ContactWork& a, const ContactWork& b) {
@@ -262,49 +262,49 @@ void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) 
 }
 
 ContactWork Contact::meet(Domain& domain, double dt) {
-  ContactWork work;
   const double h = domain.finest_lattice().h;
-  std::vector<RigidMotion> before;
   find_nodes(domain);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    nodes_[b].take_trial(domain, dt);
-    before.push_back(bodies_[b].motion());
-  }
+  for (ContactNodes& nodes : nodes_)
+    nodes.take_trial(domain, dt);
   corners_ = find_corners(bodies_, structures_, 0.5 * h);
   refuse_elastic_corners();
   solve(trial_motions(1.0, dt), dt, false);
   dt_ = dt;
 
-  work = add_changes(domain, dt);
+  ContactWork work = add_changes(domain, dt);
+  std::vector<RigidMotion> middle; // of the bodies, in the middle of the step
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    RigidBody& body = bodies_[b];
+    middle.push_back(mean(bodies_[b].motion(), motions_[b]));
+    work = sum(work, book_body(domain.grid, b, middle[b], dt));
     if (!elastic_[b])
-      body.set_motion(motions_[b]);
-    const RigidMotion middle{mean(before[b].velocity, motions_[b].velocity),
-                             0.5 * (before[b].spin + motions_[b].spin)};
-    if (!elastic_[b])
-      work.gravity += dt * (dot(loads_[b].force, middle.velocity) + loads_[b].moment * middle.spin);
-    for (const ContactNode& c : nodes(b)) {
-      const Vector body_speed =
-          elastic_[b] ? mean(c.body_before, domain.grid.velocity_after(c.body_node)) : middle.at(c.arm);
-      const Vector on_body{c.normal_impulse * c.normal.x + c.tangential_impulse * c.tangent().x,
-                           c.normal_impulse * c.normal.y + c.tangential_impulse * c.tangent().y};
-      work.impact -= dot(on_body, body_speed);
-      if (c.rubs())
-        work.friction -= c.tangential_impulse * dot(c.tangent(), body_speed);
-    }
+      bodies_[b].set_motion(motions_[b]);
   }
-  const auto middle_at = [&](std::size_t body, const Vector& arm) {
-    return mean(before[body].at(arm), motions_[body].at(arm));
-  };
   for (const CornerContact& c : corners_) {
-    const Vector a = middle_at(c.a, c.arm_a);
-    const Vector b = middle_at(c.b, c.arm_b);
+    const Vector a = middle[c.a].at(c.arm_a);
+    const Vector b = middle[c.b].at(c.arm_b);
     const Vector slip{b.x - a.x, b.y - a.y};
     work.impact -= dot(c.impulse(), slip);
     work.friction -= c.tangential_impulse * dot({-c.normal.y, c.normal.x}, slip);
   }
   work.impact -= work.friction;
+  return work;
+}
+
+/// What impulses and weight do to a body; of an elastic one the grid has booked the weight.
+ContactWork Contact::book_body(const Grid& grid, std::size_t body, const RigidMotion& middle,
+                               double dt) const {
+  ContactWork work;
+  if (!elastic_[body])
+    work.gravity = dt * (dot(loads_[body].force, middle.velocity) + loads_[body].moment * middle.spin);
+  for (const ContactNode& c : nodes(body)) {
+    const Vector speed =
+        elastic_[body] ? mean(c.body_before, grid.velocity_after(c.body_node)) : middle.at(c.arm);
+    const Vector on_body{c.normal_impulse * c.normal.x + c.tangential_impulse * c.tangent().x,
+                         c.normal_impulse * c.normal.y + c.tangential_impulse * c.tangent().y};
+    work.impact -= dot(on_body, speed);
+    if (c.rubs())
+      work.friction -= c.tangential_impulse * dot(c.tangent(), speed);
+  }
   return work;
 }
 

@@ -22,6 +22,7 @@
 namespace tremolo::mpm_domain {
 
 struct Domain;
+struct Grid;
 struct Spec;
 
 /// What contact and the bodies change of the energy in a step, J/m.
@@ -129,6 +130,10 @@ private:
   double solve_elastic(std::size_t body, bool bonded);
   void refuse_elastic_corners() const;
   ContactWork add_changes(Domain& domain, double dt);
+  ContactWork book_body(const Grid& grid, std::size_t body, const RigidMotion& middle, double dt) const;
+  /// A body's own part of relax().
+  double relax_rigid(std::size_t body, double keep, double gain);
+  double relax_elastic(Grid& grid, std::size_t body, double gain) const;
   std::vector<double> node_state(std::size_t body) const;
   void set_node_state(std::size_t body, const std::vector<double>& state);
 

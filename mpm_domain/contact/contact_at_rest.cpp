@@ -8,14 +8,6 @@
 
 namespace tremolo::mpm_domain {
 
-namespace {
-
-double square(const Vector& a) {
-  return dot(a, a);
-}
-
-} // namespace
-
 void Contact::begin_rest(Domain& domain) {
   find_nodes(domain);
   corners_.clear(); // bodies at rest hold on to the soil alone
@@ -28,27 +20,10 @@ double Contact::relax(Domain& domain, double keep, double gain, bool bonded) {
   solve(trial_motions(keep, gain), gain, bonded);
   double unbalanced = 0.0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    RigidBody& body = bodies_[b];
-    const RigidMotion last = body.motion();
-    const RigidMotion& u = motions_[b];
-    const double per_gain = body.mass() / gain;
-    const double radius2 = body.inertia() / body.mass();
-    if (!elastic_[b]) {
-      unbalanced += per_gain * per_gain *
-                    (square({u.velocity.x - keep * last.velocity.x, u.velocity.y - keep * last.velocity.y}) +
-                     radius2 * (u.spin - keep * last.spin) * (u.spin - keep * last.spin));
-      body.set_motion(u);
-    }
+    unbalanced += elastic_[b] ? relax_elastic(grid, b, gain) : relax_rigid(b, keep, gain);
     for (const ContactNode& c : nodes(b)) {
       grid.vx_after[c.node] += c.solid_change.x;
       grid.vy_after[c.node] += c.solid_change.y;
-      if (c.body_mass > 0.0) {
-        const double inertia = c.body_mass / gain;
-        grid.vx_after[c.body_node] += c.body_change.x;
-        grid.vy_after[c.body_node] += c.body_change.y;
-        unbalanced += square({grid.force_x[c.body_node] + inertia * c.body_change.x,
-                              grid.force_y[c.body_node] + inertia * c.body_change.y});
-      }
     }
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b)
@@ -60,6 +35,32 @@ double Contact::relax(Domain& domain, double keep, double gain, bool bonded) {
       unbalanced += square({grid.force_x[c.node] + inertia * (grid.vx_after[c.node] - c.solid_trial.x),
                             grid.force_y[c.node] + inertia * (grid.vy_after[c.node] - c.solid_trial.y)});
     }
+  return unbalanced;
+}
+
+double Contact::relax_rigid(std::size_t body, double keep, double gain) {
+  RigidBody& b = bodies_[body];
+  const RigidMotion last = b.motion();
+  const RigidMotion& u = motions_[body];
+  b.set_motion(u);
+  const double inertia = b.mass() / gain;
+  const double radius2 = b.inertia() / b.mass();
+  const double turn = u.spin - keep * last.spin;
+  return inertia * inertia *
+         (square({u.velocity.x - keep * last.velocity.x, u.velocity.y - keep * last.velocity.y}) +
+          radius2 * turn * turn);
+}
+
+double Contact::relax_elastic(Grid& grid, std::size_t body, double gain) const {
+  double unbalanced = 0.0;
+  for (const ContactNode& c : nodes(body)) {
+    const std::size_t n = c.body_node;
+    const double inertia = c.body_mass / gain;
+    grid.vx_after[n] += c.body_change.x;
+    grid.vy_after[n] += c.body_change.y;
+    unbalanced +=
+        square({grid.force_x[n] + inertia * c.body_change.x, grid.force_y[n] + inertia * c.body_change.y});
+  }
   return unbalanced;
 }
 

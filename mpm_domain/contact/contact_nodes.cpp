@@ -127,6 +127,7 @@ void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector
   weigh_particles(domain);
   sum_particles(domain, structure);
   const double empty = empty_mass(domain);
+  const ContactGaps& gaps = domain.spec.gaps;
   std::vector<ContactNode> before = std::move(nodes_);
   nodes_.clear();
   of_nodes_.clear();
@@ -175,7 +176,7 @@ void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector
       found.area = std::max(0.0, dot(found.normal, sums.gradient));
       found.friction = sums.friction / sums.volume;
       found.gap = at_edge ? sums.gap / sums.surface : sums.least_gap;
-      found.closed = found.gap <= (was_tied ? opening_gap : closing_gap) * lattice.h;
+      found.closed = found.gap <= (was_tied ? gaps.opening : gaps.closing) * lattice.h;
       of_nodes_.push_back(sums);
     }
 }

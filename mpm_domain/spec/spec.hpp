@@ -53,6 +53,7 @@ struct Spec {
   std::vector<Region> regions;
   std::vector<Structure> structures = {};
   ContactNormals normals = ContactNormals::automatic;
+  ContactGaps gaps = {}; ///< no key of a case: tests/cost/structures measures what other values would do
   Scheme scheme;
   Sides sides = Sides::free_field;
   /// Sides whose scattered waves a matched layer takes up instead of dashpots, and its depth in cells.

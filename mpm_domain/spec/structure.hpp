@@ -26,8 +26,10 @@ constexpr auto words(ContactNormals) {
 inline constexpr double least_wall_share = 0.1;
 /// Gaps between soil and structure, in cells: a tied node opens at the larger one, others close at the
 /// smaller. At the start all nodes are tied, since structures are wished in place.
-inline constexpr double opening_gap = 0.25;
-inline constexpr double closing_gap = 0.002;
+struct ContactGaps {
+  double opening = 0.25;
+  double closing = 0.002;
+};
 
 /// Elastic constants of a body that is not rigid.
 struct Stiffness {

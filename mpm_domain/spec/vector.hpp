@@ -10,6 +10,11 @@ inline double dot(const Vector& a, const Vector& b) {
   return a.x * b.x + a.y * b.y;
 }
 
+/// a . a
+inline double square(const Vector& a) {
+  return dot(a, a);
+}
+
 /// The out-of-plane component of a x b.
 inline double cross(const Vector& a, const Vector& b) {
   return a.x * b.y - a.y * b.x;

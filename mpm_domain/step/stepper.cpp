@@ -268,7 +268,9 @@ void Stepper::scatter_momenta() {
 
 // With the trapezoidal rule, the work of the stresses is booked on the mean of this step's remapped velocity
 // u and the last one, which is v-. The kinetic energy grows by their power on (v- + v+)/2. Half of their
-// power on v+ - u is therefore booked as transfer. The work of weight and boundary is booked on v+.
+// power on v+ - u is therefore booked as transfer. The work of weight and boundary is booked on v+. What
+// contact takes off u strains no soil, but the next step begins with it, v- being what the particles have:
+// the other half of the power on it belongs to that step, and is booked here with the stresses of this one.
 void Stepper::remap() {
   for (int clock = ticks_.first_ending(); clock < ticks_.clocks(); ++clock) {
     const double power = remap_velocities(domain_, nodes_.of(clock)) -
@@ -278,7 +280,7 @@ void Stepper::remap() {
   if (domain_.has_flow())
     domain_.energy.transfer += 0.5 * kicks_.front() * remap_flux(domain_, nodes_.of(0));
   if (domain_.contact.any())
-    domain_.energy.transfer += 0.5 * kicks_.front() * domain_.contact.meet_remapped(domain_);
+    domain_.energy.transfer += kicks_.front() * domain_.contact.meet_remapped(domain_);
 }
 
 /// The update and the remap have booked all of the weight.

@@ -35,7 +35,7 @@ void for_pieces_on_soil(const Case& scene, std::size_t structure, const Act& act
   const std::vector<Polygon> all = outlines(scene);
   const Polygon& outline = scene.structures[structure].outline.corners;
   const double outward = mesh::signed_double_area(outline) > 0.0 ? 1.0 : -1.0;
-  const double gap = mpm_domain::opening_gap * h;
+  const double gap = mpm_domain::ContactGaps{}.opening * h;
   for_pieces(outline, scene.mesh.box.y_max + gap, 0.25 * h, [&](Point from, Point to) {
     const Point middle{0.5 * (from.x + to.x), 0.5 * (from.y + to.y)};
     const double length = std::hypot(to.x - from.x, to.y - from.y);
