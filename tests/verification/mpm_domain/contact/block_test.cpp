@@ -2,7 +2,8 @@
 // below the angle of friction and slides above it with a = g (sin - mu cos), at any angle to the grid; under
 // shaking it slides as Newmark's (1965) integral says.
 
-#include "tests/support/structure_scene.hpp"
+#include "standing_block.hpp"
+#include "tests/support/inclined_block.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +16,13 @@
 namespace tremolo::mpm_domain {
 namespace {
 
+using test_support::exact_acceleration;
 using test_support::flat_ground;
-using test_support::quiet_ground;
+using test_support::inclined_block;
+using test_support::measured_acceleration;
 using test_support::rectangle;
 using test_support::StandingScene;
 using test_support::structure;
-using test_support::turned;
 
 constexpr double gravity = 9.81; // m/s2
 const materials::Elasticity rock{2000.0, 2e9, 0.2};
@@ -33,14 +35,7 @@ TEST_P(Depth, BearsOnTheSoilWithItsWeightAndStaysWhereItIs) {
   spec.structures = {structure(rectangle(-1.5, -GetParam(), 1.5, 3.0 - GetParam()), 2000.0, 0.5)};
   StandingScene scene(spec);
   EXPECT_FALSE(scene.reactions.slipping);
-  for (int k = 0; k < 10; ++k) {
-    scene.run(0.05);
-    const BodyForces forces = scene.domain.contact.forces(0);
-    const double weight = -forces.weight.force.y;
-    EXPECT_NEAR(weight, 9.0 * 2000.0 * gravity, 1e-9 * weight);
-    EXPECT_NEAR(forces.normal.force.y + forces.friction.force.y, weight, 1e-8 * weight);
-    EXPECT_NEAR(forces.normal.force.x + forces.friction.force.x, 0.0, 1e-8 * weight);
-  }
+  test::expect_to_bear(scene, 9.0 * 2000.0 * gravity, 0.5, 1e-8);
   EXPECT_NEAR(scene.body().centre().y, scene.body().start().y, 1e-10);
   EXPECT_NEAR(scene.body().tilt(), 0.0, 1e-12);
 }
@@ -58,32 +53,10 @@ struct Incline {
   }
 };
 
-/// A block on an incline between two level shelves.
-Spec block_on(const Incline& incline) {
-  constexpr double h = 0.5;
-  const double slope = std::tan(incline.angle());
-  const double top = std::ceil(4.0 * slope / h) * h;
-  Spec spec = flat_ground(16.0, 10.0, h, rock);
-  spec.box.y_max = 8.0;
-  spec.regions.front().polygon = {{-8.0, -10.0},      {8.0, -10.0},         {8.0, top},
-                                  {top / slope, top}, {-top / slope, -top}, {-8.0, -top}};
-  spec.structures = {structure(turned(rectangle(-1.0, 0.0, 1.0, 1.0), {0.0, 0.0}, incline.angle()), 2000.0,
-                               incline.friction())};
-  return spec;
-}
+class Rests : public testing::TestWithParam<Incline> {};
 
-class OnAnIncline : public testing::TestWithParam<Incline> {
-protected:
-  /// How fast the block goes down, m/s.
-  double speed(const StandingScene& scene) const {
-    const Vector v = scene.body().motion().velocity;
-    return -(v.x * std::cos(GetParam().angle()) + v.y * std::sin(GetParam().angle()));
-  }
-};
-
-using Rests = OnAnIncline;
 TEST_P(Rests, BelowTheAngleOfFriction) {
-  StandingScene scene(block_on(GetParam()));
+  StandingScene scene(inclined_block(GetParam().angle(), GetParam().friction()));
   EXPECT_FALSE(scene.reactions.slipping);
   const Vector start = scene.body().centre();
   scene.run(0.5);
@@ -94,17 +67,14 @@ INSTANTIATE_TEST_SUITE_P(Angles, Rests,
                          testing::Values(Incline{5.0, 1.02}, Incline{10.0, 1.02}, Incline{20.0, 1.02},
                                          Incline{30.0, 1.02}, Incline{45.0, 1.02}));
 
-using Slides = OnAnIncline;
+class Slides : public testing::TestWithParam<Incline> {};
+
 TEST_P(Slides, AboveTheAngleOfFriction) {
-  StandingScene scene(block_on(GetParam()));
-  EXPECT_TRUE(scene.reactions.slipping); // bonds held it through the gravity stage
-  scene.run(0.1);                        // the soil springs back from the bonds
-  const double t = scene.stepper.velocity_time();
-  const double v = speed(scene);
-  scene.run(0.3);
-  const double acceleration = (speed(scene) - v) / (scene.stepper.velocity_time() - t);
   const double angle = GetParam().angle();
-  const double exact = gravity * (std::sin(angle) - GetParam().friction() * std::cos(angle));
+  StandingScene scene(inclined_block(angle, GetParam().friction()));
+  EXPECT_TRUE(scene.reactions.slipping); // bonds held it through the gravity stage
+  const double acceleration = measured_acceleration(scene, angle);
+  const double exact = exact_acceleration(angle, GetParam().friction());
   EXPECT_NEAR(acceleration, exact, 0.01 * gravity * std::sin(angle));
   RecordProperty("acceleration_over_exact", std::to_string(acceleration / exact));
   const EnergyLedger& energy = scene.domain.energy;

@@ -1,40 +1,27 @@
 // Bodies in liquefied soil, a heavy fluid of grains and water without effective stress: the force on a
 // tunnel, the depth at which a block floats, and what friction must not do there.
 
-#include "mpm_domain/contact/contact_nodes.hpp"
-#include "mpm_domain/transfer/scatter.hpp"
-#include "tests/support/structure_scene.hpp"
+#include "tests/support/liquefied_tunnel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <ostream>
-#include <vector>
+#include <string>
 
 namespace tremolo::mpm_domain {
 namespace {
 
-using test_support::circle;
-using test_support::flat_ground;
 using test_support::liquefy;
 using test_support::rectangle;
+using test_support::saturated_flat_ground;
 using test_support::StandingScene;
 using test_support::structure;
-
-constexpr double gravity = 9.81;   // m/s2
-constexpr double porosity = 0.437; // the sand of spec sheets for a tunnel 5 m wide
-constexpr double grains = 2650.0;  // kg/m3
-constexpr double water = 1000.0;   // kg/m3
-constexpr double saturated = (1.0 - porosity) * grains + porosity * water;
-
-Spec wet_ground(double width, double depth, double h, materials::Drainage drainage, double young) {
-  Spec spec = flat_ground(width, depth, h, {saturated, young, 0.3});
-  spec.water = GroundWater{0.0, {.density = water}};
-  spec.soils.front().pores = materials::PoreSpace{
-      .porosity = porosity, .grain_density = grains, .permeability = 1e-4, .drainage = drainage};
-  return spec;
-}
+using test_support::tunnel_forces;
+using test_support::TunnelForces;
+using test_support::heavy_fluid::gravity;
+using test_support::heavy_fluid::saturated;
+using test_support::heavy_fluid::water;
 
 struct Tunnel {
   double cell_size; ///< m
@@ -48,41 +35,15 @@ struct Tunnel {
 class TunnelInLiquefiedSoil : public testing::TestWithParam<Tunnel> {};
 
 TEST_P(TunnelInLiquefiedSoil, IsLiftedByTheWeightOfTheHeavyFluid) {
-  constexpr double diameter = 5.0, dt = 1e-5;
-  Spec spec = wet_ground(20.0, 12.0, GetParam().cell_size, materials::Drainage::undrained, 1e7);
-  spec.structures = {
-      structure(circle({GetParam().offset, -5.5 - GetParam().offset}, 0.5 * diameter), 300.0, 0.4)};
-  Domain domain(spec);
-  liquefy(domain);
-  scatter(domain, ScatterPart::both);
-  for (std::size_t n = 0; n < domain.grid.size(); ++n)
-    if (domain.grid.mass[n] > empty_mass(domain)) {
-      domain.grid.vx_after[n] = dt * domain.grid.force_x[n] / domain.grid.mass[n];
-      domain.grid.vy_after[n] = dt * domain.grid.force_y[n] / domain.grid.mass[n];
-    }
-  const RigidBody& body = domain.contact.bodies().front();
-  ContactNodes contact;
-  contact.follow_sort(domain, body.surface(), 4.0);
-  contact.find(domain, body.surface(), body.centre(), spec.structures.front(), nullptr);
-  contact.take_trial(domain, dt);
-  std::vector<ContactPoint> points(contact.nodes().begin(), contact.nodes().end());
-  solve_contact(1e30, 1e30, {}, points); // held fast
-  double lift = 0.0, aside = 0.0, friction = 0.0, pressed = 0.0;
-  for (const ContactPoint& p : points) {
-    lift += p.normal_impulse / dt * p.normal.y;
-    aside += p.normal_impulse / dt * p.normal.x;
-    friction += std::abs(p.tangential_impulse) / dt;
-    pressed += p.normal_impulse / dt;
-  }
-  const double area = 0.25 * std::numbers::pi * diameter * diameter;
-  const RigidLoad at_rest = body.load(gravity, WaterAtRest{0.0, water * gravity});
-  EXPECT_NEAR(at_rest.force.y + 300.0 * area * gravity, 192.6e3, 0.001 * 192.6e3); // water alone
-  const double total = lift + at_rest.force.y;
-  EXPECT_NEAR(total + 300.0 * area * gravity, 371.6e3, 0.02 * 371.6e3);
-  EXPECT_NEAR(total, 313.8e3, 0.02 * 313.8e3);
-  RecordProperty("lift_over_heavy_fluid", std::to_string((total + 300.0 * area * gravity) / 371.6e3));
-  EXPECT_LT(std::abs(aside), 0.02 * lift);
-  EXPECT_LT(friction, 0.01 * 0.4 * pressed);
+  const TunnelForces forces = tunnel_forces(
+      saturated_flat_ground(20.0, 12.0, GetParam().cell_size, materials::Drainage::undrained, 1e7),
+      GetParam().offset);
+  EXPECT_NEAR(forces.at_rest, 192.6e3, 0.001 * 192.6e3); // water alone
+  EXPECT_NEAR(forces.total_lift(), 371.6e3, 0.02 * 371.6e3);
+  EXPECT_NEAR(forces.total_lift() - TunnelForces::weight, 313.8e3, 0.02 * 313.8e3);
+  RecordProperty("lift_over_heavy_fluid", std::to_string(forces.total_lift() / 371.6e3));
+  EXPECT_LT(std::abs(forces.aside), 0.02 * forces.lift);
+  EXPECT_LT(forces.rubbed, 0.01 * 0.4 * forces.pressed);
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, TunnelInLiquefiedSoil,
@@ -97,7 +58,7 @@ struct Wet {
 class WetGround : public testing::TestWithParam<Wet> {};
 
 TEST_P(WetGround, BearsABlockByEffectiveStressAlone) {
-  Spec spec = wet_ground(12.0, 5.0, 0.5, GetParam().drainage, 2e7);
+  Spec spec = saturated_flat_ground(12.0, 5.0, 0.5, GetParam().drainage, 2e7);
   spec.water->fluid.bulk_modulus = 2e8;
   spec.structures = {structure(rectangle(-1.5, -1.0, 1.5, 2.0), 2000.0, 0.4)};
   if (GetParam().elastic)
@@ -123,7 +84,7 @@ class FloatingBlock : public testing::TestWithParam<materials::Drainage> {};
 
 TEST_P(FloatingBlock, ComesToRestAtItsDraught) {
   constexpr double height = 2.0, density = 1000.0, h = 0.5;
-  Spec spec = wet_ground(12.0, 5.0, h, GetParam(), 5e6);
+  Spec spec = saturated_flat_ground(12.0, 5.0, h, GetParam(), 5e6);
   materials::MohrCoulomb sand; // that bears no tension
   sand.elastic = {saturated, 5e6, 0.3};
   sand.friction_peak = sand.friction_residual = 0.5;

@@ -3,8 +3,9 @@
 // from a checkpoint with the same bits.
 
 #include "mpm_domain/particles/fill.hpp"
+#include "standing_block.hpp"
+#include "tests/support/inclined_block.hpp"
 #include "tests/support/saved_state.hpp"
-#include "tests/support/structure_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,6 @@ using test_support::quiet_ground;
 using test_support::rectangle;
 using test_support::StandingScene;
 using test_support::structure;
-using test_support::turned;
 
 constexpr double gravity = 9.81; // m/s2
 
@@ -51,14 +51,7 @@ TEST_P(Block, BearsOnTheSoilWithItsWeightAndStaysWhereItIs) {
       elastic(structure(rectangle(-1.5, -GetParam(), 1.5, 3.0 - GetParam()), 2000.0, 0.5), 1e9, 0.2)};
   StandingScene scene(spec);
   EXPECT_FALSE(scene.reactions.slipping);
-  for (int k = 0; k < 5; ++k) {
-    scene.run(0.05);
-    const BodyForces forces = scene.domain.contact.forces(0);
-    const double weight = -forces.weight.force.y;
-    EXPECT_NEAR(weight, 9.0 * 2000.0 * gravity, 1e-9 * weight);
-    EXPECT_NEAR(forces.normal.force.y + forces.friction.force.y, weight, 1e-5 * weight);
-    EXPECT_NEAR(forces.normal.force.x + forces.friction.force.x, 0.0, 1e-5 * weight);
-  }
+  test::expect_to_bear(scene, 9.0 * 2000.0 * gravity, 0.25, 1e-5);
   EXPECT_NEAR(scene.body().centre().y, scene.body().start().y, 1e-8);
   EXPECT_NEAR(scene.body().tilt(), 0.0, 1e-8);
 }
@@ -129,35 +122,22 @@ TEST(Column, SwingsAboutItsLengthWithItsPeriod) {
 }
 
 /// Acceleration down an incline, m/s2.
-double acceleration_on_incline(double angle, double friction, double h, bool rigid) {
-  const double slope = std::tan(angle);
-  const double top = std::ceil(4.0 * slope / h) * h;
-  Spec spec = flat_ground(16.0, 10.0, h, {2000.0, 2e9, 0.2});
-  spec.box.y_max = 8.0;
-  spec.regions.front().polygon = {{-8.0, -10.0},      {8.0, -10.0},         {8.0, top},
-                                  {top / slope, top}, {-top / slope, -top}, {-8.0, -top}};
-  spec.structures = {structure(turned(rectangle(-1.0, 0.0, 1.0, 1.0), {0.0, 0.0}, angle), 2000.0, friction)};
+double acceleration_on_incline(double angle, double friction, bool rigid) {
+  Spec spec = test_support::inclined_block(angle, friction);
   if (!rigid)
     spec.structures.front().stiffness = Stiffness{2e9, 0.2};
   StandingScene scene(spec);
-  const auto speed = [&] {
-    const Vector v = scene.body().motion().velocity;
-    return -(v.x * std::cos(angle) + v.y * std::sin(angle));
-  };
-  scene.run(0.1);
-  const double t = scene.stepper.velocity_time();
-  const double v = speed();
-  scene.run(0.3);
+  const double acceleration = test_support::measured_acceleration(scene, angle);
   EXPECT_LT(std::abs(scene.domain.energy.residual()), 2e-3 * scene.domain.energy.gravity);
-  return (speed() - v) / (scene.stepper.velocity_time() - t);
+  return acceleration;
 }
 
 TEST(StiffBlock, SlidesDownAnInclineAsARigidOneDoes) {
   const double angle = 20.0 * std::numbers::pi / 180.0;
   const double friction = 0.5 * std::tan(angle);
-  const double exact = gravity * (std::sin(angle) - friction * std::cos(angle));
-  const double stiff = acceleration_on_incline(angle, friction, 0.5, false);
-  const double rigid = acceleration_on_incline(angle, friction, 0.5, true);
+  const double exact = test_support::exact_acceleration(angle, friction);
+  const double stiff = acceleration_on_incline(angle, friction, false);
+  const double rigid = acceleration_on_incline(angle, friction, true);
   EXPECT_NEAR(stiff, rigid, 0.02 * rigid);
   EXPECT_NEAR(stiff, exact, 0.02 * exact);
   RecordProperty("stiff_over_exact", std::to_string(stiff / exact));
