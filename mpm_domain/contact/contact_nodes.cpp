@@ -25,17 +25,32 @@ Vector unit(const Vector& v) {
   return {scale * v.x, scale * v.y};
 }
 
+/// Whether particles of a block may lie in a box.
+bool may_lie_in(const mesh::Rectangle& box, const Domain& domain, std::size_t block) {
+  const std::size_t tile = block % domain.tiles.count();
+  const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
+  const NodeBlock nodes = domain.tiles.window(tile);
+  return lattice.x0 + nodes.column * lattice.h < box.x_max &&
+         lattice.x0 + nodes.end_column() * lattice.h > box.x_min &&
+         lattice.y0 + nodes.row * lattice.h < box.y_max &&
+         lattice.y0 + nodes.end_row() * lattice.h > box.y_min;
+}
+
 } // namespace
 
 void ContactNodes::follow_sort(const Domain& domain, const BodySurface& surface, double margin) {
   near_.clear();
-  const mesh::Rectangle box = surface.bounds();
+  mesh::Rectangle box = surface.bounds();
+  box = {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
   for (std::size_t s = 0; s < domain.soil_sets; ++s) {
     const Particles& p = domain.sets[s];
-    for (std::size_t k = 0; k < p.size(); ++k)
-      if (p.x[k] > box.x_min - margin && p.x[k] < box.x_max + margin && p.y[k] > box.y_min - margin &&
-          p.y[k] < box.y_max + margin)
-        near_.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
+    for (std::size_t block = 0; block + 1 < p.block_start.size(); ++block) {
+      if (p.block_start[block] == p.block_start[block + 1] || !may_lie_in(box, domain, block))
+        continue;
+      for (std::size_t k = p.block_start[block]; k < p.block_start[block + 1]; ++k)
+        if (p.x[k] > box.x_min && p.x[k] < box.x_max && p.y[k] > box.y_min && p.y[k] < box.y_max)
+          near_.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
+    }
   }
 }
 

@@ -1,15 +1,18 @@
-// Some steps for test_instructions.py and test_serial_share.py to count.
+// Some steps for test_instructions.py, test_serial_share.py and test_contact.py to count.
 //
 //     instructions_steps MODEL
 //
 // MODEL is a dry elastic square by the `domain` or by the `plain` loop, or the slope of cases/slope_oblique
-// with matched layers: `uniform`, `graded` or `subcycled`. Prints how many updates of a particle that is.
+// with matched layers: `uniform`, `graded` or `subcycled`. Prints how many updates of a particle that is. Or
+// it is a block on flat ground, whose width and that of the ground follow the name, in cells: `block:8:40`.
+// Then it prints how many contact nodes it has met.
 
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/cost/mpm_domain/plain_step.hpp"
 #include "tests/support/quiet_ground.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <string_view>
 
@@ -22,6 +25,7 @@ constexpr int cells = 48;         // a side of the square
 constexpr double cell_size = 1.0; // m
 constexpr int square_steps = 10;
 constexpr int slope_steps = 4;
+constexpr int block_steps = 20;
 const materials::Elasticity soil{1700.0, 40e6, 0.28};
 
 /// The scheme of the plain loop: update stress last, FLIP.
@@ -62,6 +66,30 @@ std::size_t step_domain(const Spec& spec, int steps) {
   return domain.particle_count() * steps;
 }
 
+std::size_t step_block(int block, int ground) {
+  const double half = 0.5 * block * cell_size;
+  const double side = 0.5 * ground * cell_size;
+  Spec spec;
+  spec.box = {-side, -0.5 * side, side, 0.0};
+  spec.cell_size = cell_size;
+  spec.gravity = 9.81;
+  spec.soils = {{"soil", materials::LinearElastic{soil}}};
+  spec.regions = {{0, {{-side, -0.5 * side}, {side, -0.5 * side}, {side, 0.0}, {-side, 0.0}}}};
+  spec.structures = {{.name = "block",
+                      .outline = {{-half, 0.0}, {half, 0.0}, {half, 4.0}, {-half, 4.0}},
+                      .density = 2000.0,
+                      .friction = {0.5},
+                      .adhesion = {0.0}}};
+  Domain domain(spec);
+  Stepper stepper(domain, 0.0, test_support::quiet_ground());
+  std::size_t met = 0;
+  for (int step = 0; step < block_steps; ++step) {
+    stepper.step();
+    met += domain.contact.nodes(0).size();
+  }
+  return met;
+}
+
 std::size_t step_plain() {
   cost::PlainStep plain(cells, cell_size, soil.density, soil.young, soil.poisson);
   const double dt = 0.3 * cell_size / soil.p_wave_speed();
@@ -74,6 +102,12 @@ std::size_t step_plain() {
 
 int main(int, char** arguments) {
   const std::string_view model = arguments[1];
+  int block = 0;
+  int ground = 0;
+  if (std::sscanf(arguments[1], "block:%d:%d", &block, &ground) == 2) {
+    std::cout << step_block(block, ground) << '\n';
+    return 0;
+  }
   std::cout << (model == "plain"    ? step_plain()
                 : model == "domain" ? step_domain(dry_elastic_square(), square_steps)
                                     : step_domain(slope(model), slope_steps))

@@ -1,0 +1,32 @@
+"""Contact costs what its nodes do: callgrind counts the instructions of contact in the steps of a block on flat ground, for
+blocks and grounds of several widths. They grow by as much for each contact node, and not with the ground.
+
+    test_contact.py STEPS
+"""
+
+import sys
+
+from callgrind import Counted, require_valgrind
+
+CONTACT = "tremolo::mpm_domain::Contact::*"
+BLOCKS = (8, 16, 32)  # cells across
+GROUNDS = (60, 120)  # cells; the second has four times the particles
+
+
+def main():
+    require_valgrind()
+    taken, met = [], []
+    for block in BLOCKS:
+        small, large = (Counted(sys.argv[1], f"block:{block}:{ground}", CONTACT) for ground in GROUNDS)
+        print(f"block of {block} cells, {small.updates} contact nodes met: {small.instructions} instructions, "
+              f"{large.instructions} on the large ground")
+        assert small.updates == large.updates
+        assert large.instructions <= 1.01 * small.instructions
+        taken.append(small.instructions)
+        met.append(small.updates)
+    each = [(b - a) / (m - n) for a, b, n, m in zip(taken, taken[1:], met, met[1:])]
+    print(f"instructions for one more node: {each[0]:.0f} and {each[1]:.0f}")
+    assert abs(each[1] / each[0] - 1.0) < 0.05
+
+
+main()
