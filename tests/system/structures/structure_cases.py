@@ -10,6 +10,15 @@ from small_case import Workspace
 
 __all__ = ["BlockWorkspace", "TunnelWorkspace", "checkpoints", "differences", "killed", "resumed", "whole_run", "with_checkpoints"]
 
+STAGES = """
+[[stage]]
+kind = "gravity"
+
+[[stage]]
+kind = "shaking"
+duration_s = {duration}
+"""
+
 BLOCK = """
 title = "block"
 
@@ -52,14 +61,7 @@ box = [-8.0, -4.0, 8.0, 0.0]
 left = {{ model = "wave" }}
 right = {{ model = "wave" }}
 base = {{ model = "wave" }}
-
-[[stage]]
-kind = "gravity"
-
-[[stage]]
-kind = "shaking"
-duration_s = {duration}
-
+""" + STAGES + """
 [[monitor]]
 name = "ground"
 point = [5.75, -0.25]
@@ -134,14 +136,7 @@ box = [-10.0, -12.0, 10.0, 0.0]
 [boundary]
 sides = "periodic"
 base = {{ model = "wave" }}
-
-[[stage]]
-kind = "gravity"
-
-[[stage]]
-kind = "shaking"
-duration_s = {duration}
-
+""" + STAGES + """
 [[monitor]]
 name = "crown"
 point = [0.0, -3.6]

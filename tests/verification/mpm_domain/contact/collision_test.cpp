@@ -59,8 +59,8 @@ TEST(Collision, KeepsMomentumGainsNoEnergyAndLetsNothingOverlap) {
         deepest = std::max(deepest, overlap(domain.contact.bodies()[0], domain.contact.bodies()[1]));
       }
       const Totals end = totals(domain);
-      EXPECT_NEAR(end.x, start.x, 1e-12 * start.size);
-      EXPECT_NEAR(end.y, start.y, 1e-12 * start.size);
+      EXPECT_NEAR(end.x, start.x, 1e-14 * start.size);
+      EXPECT_NEAR(end.y, start.y, 1e-14 * start.size);
       EXPECT_NEAR(end.turn, start.turn, 2e-3 * start.size); // places move by explicit steps
       EXPECT_LT(end.energy, 0.99 * start.energy);           // they have met
       EXPECT_LT(deepest, 0.01);
