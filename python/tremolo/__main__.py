@@ -2,6 +2,7 @@
 | soiltest OUT.h5 | verify-picture PATH | motion-picture FOLDER OUT."""
 
 import argparse
+import json
 import sys
 from pathlib import Path
 
@@ -114,6 +115,27 @@ def cost_picture(arguments):
     yield cost.picture(arguments.path)
 
 
+def command_table(arguments):
+    """What each command takes, as JSON: `tremolo` writes its manual from it."""
+    table = {name: [_option(action) for action in command._actions if action.dest != "help"]
+             for name, command in _parser().commands.items()}
+    Path(arguments.path).write_text(json.dumps(table))
+    return []
+
+
+def _option(action):
+    """An argument or an option as a row of the table."""
+    name = action.metavar or action.dest
+    return {
+        "names": action.option_strings or [name.upper()],
+        "value": "" if action.nargs == 0 or not action.option_strings else name.upper(),
+        "description": action.help or "",
+        "choices": [str(choice) for choice in action.choices or []],
+        "has_place": not action.option_strings,
+        "required": action.required,
+    }
+
+
 def _parser():
     parser = argparse.ArgumentParser(prog="python3 -m tremolo", description="Pictures of tremolo runs.")
     commands = parser.add_subparsers(required=True)
@@ -134,14 +156,14 @@ def _parser():
     waited.add_argument("run", help="folder of the run, or its run.h5")
     waited.add_argument("--out", metavar="DIR", help="folder of the picture (default: pictures/ beside the run)")
     pair = add("compare", compare, "Contours of two runs side by side at the same times.")
-    pair.add_argument("run")
-    pair.add_argument("other")
+    pair.add_argument("run", help="folder of a run, or its run.h5")
+    pair.add_argument("other", help="the run to set beside it")
     add_picture_options(pair)
     told = add("report", report, "One HTML file of a run, or of several side by side: frames that play, charts that zoom.")
     told.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5")
     told.add_argument("--out", metavar="FILE", help="the page (default: report.html beside the run; of several, comparison.html beside the first)")
     failed = add("failure", failure_times, "When a shear band first connects the toe of a slope with its crest.")
-    failed.add_argument("runs", nargs="+", metavar="RUN")
+    failed.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5")
     failed.add_argument("--strain", type=float, default=0.1, help="equivalent plastic strain of the band (default 0.1)")
     alone = add("column", column_picture, "Picture of a free field alone: OUT.png beside OUT.h5.")
     alone.add_argument("path", help="the file that `tremolo column` wrote")
@@ -162,6 +184,9 @@ def _parser():
     shaken.add_argument("out", help="the picture")
     shaken.add_argument("--title", default="")
     shaken.add_argument("--damping", type=float, default=0.05, help="of the response spectrum")
+    table = add("command-table", command_table, "What each command takes, as JSON.")
+    table.add_argument("path", help="the file to write")
+    parser.commands = commands.choices
     return parser
 
 
