@@ -153,13 +153,14 @@ private:
                                                now.momentum.y - start_.momentum.y - impulse_.y));
     speed_scale_ = std::max(speed_scale_, now.momentum_size);
     largest_speed_ = std::max(largest_speed_, now.speed);
-    const mpm_domain::Grid& grid = domain_.grid;
     outside_ = 0;
-    for (const mpm_domain::Particles& p : domain_.sets)
+    for (const mpm_domain::Particles& p : domain_.sets) {
+      const mpm_domain::Lattice& grid = p.body ? domain_.bodies[*p.body].lattice : domain_.grid;
       for (std::size_t k = 0; k < p.size(); ++k)
         if (!(p.x[k] > grid.x0 && p.x[k] < grid.x0 + (grid.nx - 1) * grid.h && p.y[k] > grid.y0 &&
               p.y[k] < grid.y0 + (grid.ny - 1) * grid.h))
           ++outside_;
+    }
   }
 
   const mpm_domain::Domain& domain_;

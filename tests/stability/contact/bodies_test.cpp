@@ -72,11 +72,19 @@ double deepest(const Domain& domain) {
 }
 
 /// 28: a block at rest for a minute.
-class HardCase28 : public testing::TestWithParam<std::pair<const char*, bool>> {};
+struct Resting {
+  const char* name;
+  bool wet;
+  bool elastic;
+};
+
+class HardCase28 : public testing::TestWithParam<Resting> {};
 
 TEST_P(HardCase28, ABlockAtRest) {
-  Spec spec = sand(12.0, 4.0, materials::Drainage::undrained, GetParam().second);
+  Spec spec = sand(12.0, 4.0, materials::Drainage::undrained, GetParam().wet);
   spec.structures = {structure(rectangle(-1.5, -0.5, 1.5, 1.5), 2000.0, 0.4)};
+  if (GetParam().elastic)
+    spec.structures.front().stiffness = Stiffness{2e7, 0.2};
   std::vector<double> forces; // once a second
   const Scene scene = run_monitored(resting(spec), {.speed = 1e-3, .energy_floor = 1.0}, at_time(60.0),
                                     [&](const Domain& domain, const Stepper& stepper) {
@@ -98,8 +106,9 @@ TEST_P(HardCase28, ABlockAtRest) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Soils, HardCase28,
-                         testing::Values(std::pair{"dry", false}, std::pair{"saturated", true}),
-                         [](const auto& soil) { return std::string(soil.param.first); });
+                         testing::Values(Resting{"dry", false, false}, Resting{"saturated", true, false},
+                                         Resting{"elastic", false, true}),
+                         [](const auto& block) { return std::string(block.param.name); });
 
 /// 29: blocks from a thousandth of the soil's density to a thousand times that.
 class HardCase29 : public testing::TestWithParam<double> {};
