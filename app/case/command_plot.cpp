@@ -25,6 +25,9 @@ void add_plot(Command& app) {
   add_python_command(
       app, "report",
       "One HTML file of a run, or of several side by side: frames that play, charts that zoom");
+  add_python_command(
+      app, "watch",
+      "The report of a run in a browser of this machine while the run goes on: histories, frames, abort");
   add_python_command(app, "failure", "When a shear band first connects the toe of a slope with its crest");
 }
 
