@@ -90,6 +90,24 @@ def _finite(content):
     return None if isinstance(content, float) and content != content else content
 
 
+def _rendered(template, figures, **parts):
+    """A page of a template, with style, script and Plotly in it.
+
+    figures: what the page's script draws, by the names that it knows.
+    """
+    jinja2, offline = require_libraries()
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined
+    )
+    return environment.get_template(template).render(
+        style=(HERE / "page.css").read_text(encoding="utf-8"),
+        script=(HERE / "page.js").read_text(encoding="utf-8"),
+        content=figures,
+        plotly=base64.b64encode(gzip.compress(offline.get_plotlyjs().encode("utf-8"), 9, mtime=0)).decode("ascii"),
+        **parts,
+    )
+
+
 class Report:
     """The report of one run, or of several side by side.
 
@@ -98,9 +116,7 @@ class Report:
     """
 
     def __init__(self, paths):
-        self._jinja2, self._offline = require_libraries()
-        for path in paths:
-            kinds.require_run(path)
+        require_libraries()
         self.runs = [Run(path) for path in paths]
         for run in self.runs:
             if len(run.times) == 0:
@@ -117,11 +133,9 @@ class Report:
     def html(self, live=None):
         """The page. live: of a run that goes on, what the page needs to follow it (watch.py)."""
         runs, titles = self.runs, self._titles
-        environment = self._jinja2.Environment(
-            loader=self._jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True, lstrip_blocks=True,
-            undefined=self._jinja2.StrictUndefined,
-        )
-        return environment.get_template("page.html.jinja").render(
+        return _rendered(
+            "run.html.jinja",
+            self.content(),
             title=runs[0].title if len(runs) == 1 else " | ".join(titles),
             runs=[
                 {
@@ -135,24 +149,40 @@ class Report:
             sections=self._sections,
             player={"fields": [field.label for field, _ in self._player.fields], "frames": len(self._player.times),
                     "of": len(runs[0].times)},
-            style=(HERE / "page.css").read_text(encoding="utf-8"),
-            script=(HERE / "page.js").read_text(encoding="utf-8"),
-            content=self.content(),
             live=_json(live) if live else None,
-            plotly=base64.b64encode(gzip.compress(self._offline.get_plotlyjs().encode("utf-8"), 9, mtime=0)).decode("ascii"),
         )
 
 
-def write(paths, out=None):
-    """Writes the report of one run, or of several side by side, and returns its path.
-
-    out: the file (default: report.html beside the only run, comparison.html beside the first of several).
-    Raises as Report.
-    """
+def _of_runs(paths):
     report = Report(paths)
-    runs = report.runs
-    out = Path(out) if out else runs[0].path.parent / ("report.html" if len(runs) == 1 else "comparison.html")
-    page = report.html()
+    folder = report.runs[0].path.parent
+    return report.html(), folder / ("report.html" if len(paths) == 1 else "comparison.html")
+
+
+def _of_studies(paths):
+    require_libraries()
+    from tremolo.report import studies  # needs Plotly
+
+    found = [studies.read(path, number) for number, path in enumerate(paths)]
+    charts = {chart.key: _plain(chart.figure) for study in found for chart in study.charts}
+    page = _rendered(
+        "study.html.jinja", _json(_finite({"player": {"fields": []}, "charts": charts, "ratios": []})),
+        title=" | ".join(dict.fromkeys(study.title for study in found)), studies=found,
+    )
+    first = Path(paths[0])
+    return page, first / "report.html" if first.is_dir() else first.with_suffix(".html")
+
+
+def write(paths, out=None):
+    """Writes the report of one run, of several side by side, or of studies one below the other; returns its path.
+
+    paths: folders of runs, or their run.h5; or what `tremolo soiltest`, `column`, `swap` and `cost` wrote.
+    out: the file (default: report.html beside the only run, comparison.html beside the first of several; report.html in the folder
+    of a swap or a ladder, OUT.html beside OUT.h5).
+    Raises OSError and ValueError for what cannot be read, for a run without frames, and where Jinja2 or Plotly is missing.
+    """
+    page, beside = (_of_runs if kinds.alike(paths) else _of_studies)(paths)
+    out = Path(out) if out else beside
     out.parent.mkdir(parents=True, exist_ok=True)
     out.write_text(page, encoding="utf-8")
     return out
