@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -33,6 +35,7 @@ std::runtime_error cannot_start(const std::string& program) {
 }
 
 [[noreturn]] void become_python(const std::string& command, const std::vector<std::string>& arguments) {
+  prctl(PR_SET_PDEATHSIG, SIGTERM); // who ends this command ends what it serves
   std::vector<std::string> words{python(), "-m", "tremolo", command};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;

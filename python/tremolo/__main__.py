@@ -1,4 +1,4 @@
-"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | failure RUN ... | column OUT.h5
+"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | watch RUN | failure RUN ... | column OUT.h5
 | soiltest OUT.h5 | verify-picture PATH | motion-picture FOLDER OUT."""
 
 import argparse
@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from tremolo import bodies, column, comparison, cost, failure, fronts, histories, maps, motion, pore_pressure, preview, soil_record, soiltest, swap, timeline, verification
-from tremolo.report import page
+from tremolo.report import page, watch
 from tremolo.run import Run
 
 
@@ -78,6 +78,10 @@ def compare(arguments):
 
 def report(arguments):
     yield page.write(arguments.runs, arguments.out)
+
+
+def follow(arguments):
+    yield from watch.serve(arguments.run, arguments.port)
 
 
 def failure_times(arguments):
@@ -159,9 +163,12 @@ def _parser():
     pair.add_argument("run", help="folder of a run, or its run.h5")
     pair.add_argument("other", help="the run to set beside it")
     add_picture_options(pair)
-    told = add("report", report, "One HTML file of a run, or of several side by side: frames that play, charts that zoom.")
-    told.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5")
-    told.add_argument("--out", metavar="FILE", help="the page (default: report.html beside the run; of several, comparison.html beside the first)")
+    told = add("report", report, "One HTML file of a run, of several side by side, or of studies: frames that play, charts that zoom.")
+    told.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5; or what soiltest, column, swap or cost wrote")
+    told.add_argument("--out", metavar="FILE", help="the page (default: report.html beside the run or in the study's folder; of several runs, comparison.html; of OUT.h5, OUT.html)")
+    live = add("watch", follow, "The report of a run in a browser of this machine while the run goes on, until Ctrl-C.")
+    live.add_argument("run", help="folder of the run, or its run.h5")
+    live.add_argument("--port", type=int, default=0, help="of the loopback address (default: a free one)")
     failed = add("failure", failure_times, "When a shear band first connects the toe of a slope with its crest.")
     failed.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5")
     failed.add_argument("--strain", type=float, default=0.1, help="equivalent plastic strain of the band (default 0.1)")
@@ -195,6 +202,8 @@ def main(arguments=None):
     try:
         for path in parsed.action(parsed):
             print(path, flush=True)
+    except KeyboardInterrupt:
+        return 130
     except (OSError, ValueError, KeyError) as error:
         print(f"tremolo: {error}", file=sys.stderr)
         return 1

@@ -90,7 +90,7 @@ class Install(unittest.TestCase):
         words = run("/usr/bin/python3", "-I", "-c", program, target).split()
         self.assertEqual(" ".join(words[:2]), run(self.prefix / "bin/tremolo", "--version").strip())
         self.assertEqual(words[2], str(target / "tremolo/__init__.py"))
-        self.assertTrue((target / "tremolo/report/page.html.jinja").is_file())
+        self.assertTrue((target / "tremolo/report/base.html.jinja").is_file())
 
     def test_debian_package_names_what_it_needs_and_holds_what_runs(self):
         made = Path(self.folder.name) / "package"
