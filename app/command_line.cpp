@@ -23,7 +23,8 @@ Option* Option::required() {
 }
 
 Option* Option::one_of(std::vector<std::string> values) {
-  option_.check(CLI::IsMember(std::move(values)));
+  option_.check(CLI::IsMember(values));
+  choices_ = std::move(values);
   return this;
 }
 
@@ -102,6 +103,26 @@ Option* Option::default_str(const std::string& value) {
   return this;
 }
 
+OptionRow Option::row() const {
+  OptionRow row{.description = option_.get_description(),
+                .choices = choices_,
+                .has_place = option_.get_positional(),
+                .required = option_.get_required()};
+  if (row.has_place)
+    row.names.push_back(option_.get_single_name());
+  for (const std::string& name : option_.get_snames())
+    row.names.push_back("-" + name);
+  for (const std::string& name : option_.get_lnames())
+    row.names.push_back("--" + name);
+  if (option_.get_items_expected_max() > 0) {
+    // "TEXT:FILE", "INT:INT in [1 - 1024]": what stands behind the colon says more.
+    const std::string type = option_.get_type_name();
+    const std::size_t colon = type.find(':');
+    row.value = colon == std::string::npos ? type : type.substr(colon + 1);
+  }
+  return row;
+}
+
 Command::Command(CLI::App& app) : app_(app) {}
 Command::~Command() = default;
 
@@ -112,6 +133,7 @@ Command* Command::add_subcommand(const std::string& name, const std::string& des
 void Command::add_relay(const std::string& name, const std::string& description,
                         const std::function<void(const std::vector<std::string>&)>& action) {
   auto* command = app_.add_subcommand(name, description);
+  commands_.emplace_back(std::make_unique<Command>(*command))->relay_ = true;
   command->prefix_command();
   command->set_help_flag();
   command->callback([command, action] { action(command->remaining()); });
@@ -166,6 +188,24 @@ void Command::callback(const std::function<void()>& action) {
   app_.callback(action);
 }
 
+CommandRow Command::row() const {
+  CommandRow row{.name = app_.get_name(),
+                 .description = app_.get_description(),
+                 .footer = app_.get_footer(),
+                 .options = {},
+                 .relay = relay_};
+  for (const auto& option : options_)
+    row.options.push_back(option->row());
+  return row;
+}
+
+CommandTable Command::table() const {
+  CommandTable table{.program = app_.get_name(), .description = app_.get_description(), .commands = {}};
+  for (const auto& command : commands_)
+    table.commands.push_back(command->row());
+  return table;
+}
+
 void throw_required(const std::string& names) {
   throw CLI::RequiredError(names);
 }
@@ -189,14 +229,18 @@ void require_known(const CLI::App& app, std::string_view word) {
 } // namespace
 
 int run_command_line(int argc, char** argv, const std::string& program, const std::string& description,
-                     const std::string& version, const std::function<void(Command&)>& add_commands) {
+                     const std::string& version, const std::string& greeting,
+                     const std::function<void(Command&)>& add_commands) {
+  if (argc <= 1) {
+    std::fputs(greeting.c_str(), stdout);
+    return refused;
+  }
   CLI::App app(description, program);
   app.set_version_flag("--version", version);
   app.require_subcommand(1);
   Command commands(app);
   add_commands(commands);
-  if (argc > 1)
-    require_known(app, argv[1]);
+  require_known(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

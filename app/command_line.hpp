@@ -3,6 +3,8 @@
 // The command line as the commands see it: the parts of CLI11 that they use, under CLI11's own names. CLI11
 // itself takes seconds to compile, so that command_line.cpp alone includes it.
 
+#include "app/manual/command_table.hpp"
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -43,9 +45,11 @@ public:
   Option* capture_default_str();
   /// The value of the option where none follows it.
   Option* default_str(const std::string& value);
+  OptionRow row() const;
 
 private:
   CLI::Option& option_;
+  std::vector<std::string> choices_;
 };
 
 /// The program or one of its commands.
@@ -68,9 +72,14 @@ public:
   void footer(const std::string& text);
   /// Called with all variables set.
   void callback(const std::function<void()>& action);
+  /// The program with its commands; those that a relay serves lack their options.
+  CommandTable table() const;
 
 private:
+  CommandRow row() const;
+
   CLI::App& app_;
+  bool relay_ = false;
   std::vector<std::unique_ptr<Option>> options_;
   std::vector<std::unique_ptr<Command>> commands_;
 };
@@ -79,9 +88,11 @@ private:
 [[noreturn]] void throw_required(const std::string& names);
 
 /// Calls the command that the command line names.
+/// @param greeting      printed where the command line is empty
 /// @param add_commands  adds them to the program
 /// @return the exit status; `refused` after saying why
 int run_command_line(int argc, char** argv, const std::string& program, const std::string& description,
-                     const std::string& version, const std::function<void(Command&)>& add_commands);
+                     const std::string& version, const std::string& greeting,
+                     const std::function<void(Command&)>& add_commands);
 
 } // namespace tremolo::app

@@ -25,6 +25,7 @@ void add_docs(Command& app);
 void add_export(Command& app);
 void add_import(Command& app);
 void add_motion(Command& app);
+void add_new(Command& app);
 void add_plot(Command& app);
 void add_wave(Command& app);
 void add_verify(Command& app);

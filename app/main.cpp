@@ -11,6 +11,17 @@
 
 namespace {
 
+/// What a newcomer needs.
+constexpr const char* greeting =
+    "tremolo: a large-deformation soil domain shaken through its boundaries by free-field models\n\n"
+    "  tremolo new my_slope                a case folder to begin from (--like box, level_ground, tunnel, "
+    "...)\n"
+    "  tremolo explain my_slope/case.toml  what is wrong with it, what it will run and cost\n"
+    "  tremolo run my_slope/case.toml      run it; results go to runs/my_slope\n"
+    "  tremolo report runs/my_slope        one HTML page of the results\n"
+    "  tremolo swap my_slope/case.toml     what another free-field model changes\n\n"
+    "All commands: tremolo --help. One of them: tremolo run --help.\n";
+
 void add_commands(tremolo::app::Command& program) {
   tremolo::app::add_check(program);
   tremolo::app::add_conform(program);
@@ -21,6 +32,7 @@ void add_commands(tremolo::app::Command& program) {
   tremolo::app::add_export(program);
   tremolo::app::add_import(program);
   tremolo::app::add_motion(program);
+  tremolo::app::add_new(program);
   tremolo::app::add_plot(program);
   tremolo::app::add_wave(program);
   tremolo::app::add_verify(program);
@@ -43,7 +55,7 @@ int main(int argc, char** argv) {
     return tremolo::app::run_command_line(
         argc, argv, "tremolo",
         "tremolo: a large-deformation soil domain shaken through its boundaries by free-field models",
-        "tremolo " TREMOLO_VERSION, add_commands);
+        "tremolo " TREMOLO_VERSION, greeting, add_commands);
   } catch (const tremolo::app::Exit& exit) {
     return exit.status;
   } catch (const tremolo::scene::CaseErrors& errors) {

@@ -1,13 +1,16 @@
 #include "app/python.hpp"
 
 #include "app/crash_words.hpp"
+#include "app/shared_files.hpp"
 
 #include <fmt/format.h>
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -19,13 +22,6 @@ namespace tremolo::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The Python package: where it was installed beside this program, otherwise in the source tree it was built
-/// from.
-fs::path python_package() {
-  const fs::path installed = fs::canonical("/proc/self/exe").parent_path() / "../share/tremolo/python";
-  return fs::exists(installed / "tremolo") ? installed.lexically_normal() : fs::path(TREMOLO_PYTHON_SOURCE);
-}
 
 /// Debian's interpreter has the packaged numpy, h5py and matplotlib; another one on the PATH need not.
 std::string python() {
@@ -39,6 +35,7 @@ std::runtime_error cannot_start(const std::string& program) {
 }
 
 [[noreturn]] void become_python(const std::string& command, const std::vector<std::string>& arguments) {
+  prctl(PR_SET_PDEATHSIG, SIGTERM); // who ends this command ends what it serves
   std::vector<std::string> words{python(), "-m", "tremolo", command};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -55,7 +52,7 @@ std::runtime_error cannot_start(const std::string& program) {
 void share_python_package() {
   const char* inherited = std::getenv("PYTHONPATH");
   const std::string path =
-      python_package().string() + (inherited != nullptr ? fmt::format(":{}", inherited) : "");
+      shared_folder("python").string() + (inherited != nullptr ? fmt::format(":{}", inherited) : "");
   setenv("PYTHONPATH", path.c_str(), 1);
 }
 

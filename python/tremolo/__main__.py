@@ -1,12 +1,13 @@
-"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | failure RUN ... | column OUT.h5
+"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | watch RUN | failure RUN ... | column OUT.h5
 | soiltest OUT.h5 | verify-picture PATH | motion-picture FOLDER OUT."""
 
 import argparse
+import json
 import sys
 from pathlib import Path
 
 from tremolo import bodies, column, comparison, cost, failure, fronts, histories, maps, motion, pore_pressure, preview, soil_record, soiltest, swap, timeline, verification
-from tremolo.report import page
+from tremolo.report import page, watch
 from tremolo.run import Run
 
 
@@ -79,6 +80,10 @@ def report(arguments):
     yield page.write(arguments.runs, arguments.out)
 
 
+def follow(arguments):
+    yield from watch.serve(arguments.run, arguments.port)
+
+
 def failure_times(arguments):
     """Yields a line a run: when its slope failed."""
     for path in arguments.runs:
@@ -114,6 +119,27 @@ def cost_picture(arguments):
     yield cost.picture(arguments.path)
 
 
+def command_table(arguments):
+    """What each command takes, as JSON: `tremolo` writes its manual from it."""
+    table = {name: [_option(action) for action in command._actions if action.dest != "help"]
+             for name, command in _parser().commands.items()}
+    Path(arguments.path).write_text(json.dumps(table))
+    return []
+
+
+def _option(action):
+    """An argument or an option as a row of the table."""
+    name = action.metavar or action.dest
+    return {
+        "names": action.option_strings or [name.upper()],
+        "value": "" if action.nargs == 0 or not action.option_strings else name.upper(),
+        "description": action.help or "",
+        "choices": [str(choice) for choice in action.choices or []],
+        "has_place": not action.option_strings,
+        "required": action.required,
+    }
+
+
 def _parser():
     parser = argparse.ArgumentParser(prog="python3 -m tremolo", description="Pictures of tremolo runs.")
     commands = parser.add_subparsers(required=True)
@@ -134,14 +160,17 @@ def _parser():
     waited.add_argument("run", help="folder of the run, or its run.h5")
     waited.add_argument("--out", metavar="DIR", help="folder of the picture (default: pictures/ beside the run)")
     pair = add("compare", compare, "Contours of two runs side by side at the same times.")
-    pair.add_argument("run")
-    pair.add_argument("other")
+    pair.add_argument("run", help="folder of a run, or its run.h5")
+    pair.add_argument("other", help="the run to set beside it")
     add_picture_options(pair)
-    told = add("report", report, "One HTML file of a run, or of several side by side: frames that play, charts that zoom.")
-    told.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5")
-    told.add_argument("--out", metavar="FILE", help="the page (default: report.html beside the run; of several, comparison.html beside the first)")
+    told = add("report", report, "One HTML file of a run, of several side by side, or of studies: frames that play, charts that zoom.")
+    told.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5; or what soiltest, column, swap or cost wrote")
+    told.add_argument("--out", metavar="FILE", help="the page (default: report.html beside the run or in the study's folder; of several runs, comparison.html; of OUT.h5, OUT.html)")
+    live = add("watch", follow, "The report of a run in a browser of this machine while the run goes on, until Ctrl-C.")
+    live.add_argument("run", help="folder of the run, or its run.h5")
+    live.add_argument("--port", type=int, default=0, help="of the loopback address (default: a free one)")
     failed = add("failure", failure_times, "When a shear band first connects the toe of a slope with its crest.")
-    failed.add_argument("runs", nargs="+", metavar="RUN")
+    failed.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5")
     failed.add_argument("--strain", type=float, default=0.1, help="equivalent plastic strain of the band (default 0.1)")
     alone = add("column", column_picture, "Picture of a free field alone: OUT.png beside OUT.h5.")
     alone.add_argument("path", help="the file that `tremolo column` wrote")
@@ -162,6 +191,9 @@ def _parser():
     shaken.add_argument("out", help="the picture")
     shaken.add_argument("--title", default="")
     shaken.add_argument("--damping", type=float, default=0.05, help="of the response spectrum")
+    table = add("command-table", command_table, "What each command takes, as JSON.")
+    table.add_argument("path", help="the file to write")
+    parser.commands = commands.choices
     return parser
 
 
@@ -170,6 +202,8 @@ def main(arguments=None):
     try:
         for path in parsed.action(parsed):
             print(path, flush=True)
+    except KeyboardInterrupt:
+        return 130
     except (OSError, ValueError, KeyError) as error:
         print(f"tremolo: {error}", file=sys.stderr)
         return 1

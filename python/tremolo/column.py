@@ -36,9 +36,8 @@ def draw_profile(ax, profile, column, label, scale=1.0):
     ax.invert_yaxis()
 
 
-def picture(path):
-    """Histories, profiles of peak values, spectra, transfer functions and stress-strain loops; OUT.png beside OUT.h5."""
-    path = Path(path)
+def draw(path):
+    """The figure: histories, profiles of peak values, spectra, transfer functions and stress-strain loops."""
     levels, histories, profile, spectra, transfer = read(path)
     names = components(histories)
     surface = profile["y"].max()
@@ -82,4 +81,10 @@ def picture(path):
     shown = transfer["frequency"][transfer["surface_to_base"] > 0]
     axes["tf"].set_xlim(0, min(shown.max(), 25.0) if len(shown) else 25.0)
     axes["tf"].legend()
-    return style.save(figure, path.parent, path.stem + ".png")
+    return figure
+
+
+def picture(path):
+    """OUT.png beside OUT.h5."""
+    path = Path(path)
+    return style.save(draw(path), path.parent, path.stem + ".png")

@@ -39,10 +39,14 @@ def draw_slope(ax, sizes, errors, order):
     ax.plot(ends, 0.6 * min(errors) * (ends / ends[0]) ** order, ":", color="0.4", label=f"order {order}")
 
 
-def picture(folder):
-    """cost.png in the folder that holds cost.json."""
-    folder = Path(folder)
-    study = json.loads((folder / "cost.json").read_text())
+def read(folder):
+    """What `tremolo cost` measured: cost.json."""
+    return json.loads((Path(folder) / "cost.json").read_text())
+
+
+def draw(folder):
+    """The figure: error against CPU time, and against cell size."""
+    study = read(folder)
     rungs = [rung for rung in study["rungs"] if "error" in rung]
     if not rungs:
         raise ValueError(f"{folder}: no rung has an error")
@@ -70,4 +74,9 @@ def picture(folder):
     names.axis("off")
     names.legend(*time_axes.get_legend_handles_labels(), loc="center left", fontsize=7)
     figure.suptitle(f"{study['title']}\n{study['error_of']}", fontsize=8)
-    return style.save(figure, folder, "cost.png")
+    return figure
+
+
+def picture(folder):
+    """cost.png in the folder that holds cost.json."""
+    return style.save(draw(folder), Path(folder), "cost.png")

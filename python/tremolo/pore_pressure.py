@@ -62,10 +62,9 @@ def over_depth_and_time(water):
     return times, levels, water["pore_pressure_ratio"].reshape(len(times), len(levels)).T
 
 
-def picture(path):
-    """r_u over depth and time, its histories, settlement, and stress paths; OUT_water.png beside OUT.h5. None where there
-    is no pore pressure."""
-    path = Path(path)
+def draw(path):
+    """The figure: r_u over depth and time, its histories, settlement, and stress paths. None where there is no pore
+    pressure."""
     content = read(path)
     if content is None:
         return None
@@ -99,7 +98,14 @@ def picture(path):
     for name in ("depth", "stress"):
         axes[name].set(ylabel="depth (m)")
         axes[name].invert_yaxis()
-    return style.save(figure, path.parent, path.stem + "_water.png")
+    return figure
+
+
+def picture(path):
+    """OUT_water.png beside OUT.h5; None where there is no pore pressure."""
+    path = Path(path)
+    figure = draw(path)
+    return None if figure is None else style.save(figure, path.parent, path.stem + "_water.png")
 
 
 def wet_monitors(run):

@@ -15,11 +15,16 @@ def moving_component(run, monitors):
     return max(("vx", "vy"), key=lambda name: max(np.abs(one[name]).max() for one in series))
 
 
-def picture(folder):
-    """Velocity, and r_u below a water table, at every monitor, one line a model; differences and cost beside them; swap.png
-    in the folder."""
+def read(folder):
+    """What `tremolo swap` found, an entry a model."""
+    return json.loads((Path(folder) / "swap.json").read_text())
+
+
+def draw(folder):
+    """The figure: velocity, and r_u below a water table, at every monitor, one line a model; differences and cost beside
+    them."""
     folder = Path(folder)
-    entries = [entry for entry in json.loads((folder / "swap.json").read_text()) if not entry["refused"]]
+    entries = [entry for entry in read(folder) if not entry["refused"]]
     if not entries:
         raise ValueError(f"{folder}: no model ran")
     runs = [Run(folder / entry["model"]) for entry in entries]
@@ -56,4 +61,9 @@ def picture(folder):
     axes[-1][-1].set_xlabel("%")
     cost = ", ".join(f"{entry['model']} {entry['source_cpu_s']:.2g} s" for entry in entries)
     figure.suptitle(f"CPU time of the free fields: {cost}", fontsize=9)
-    return style.save(figure, folder, "swap.png")
+    return figure
+
+
+def picture(folder):
+    """Writes swap.png in the folder."""
+    return style.save(draw(folder), Path(folder), "swap.png")

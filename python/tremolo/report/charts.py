@@ -37,7 +37,7 @@ def kept(values):
     return np.array(sorted(found))
 
 
-def _numbers(values):
+def numbers(values):
     """Five digits are more than a screen shows, and a third of the bytes."""
     return [float(f"{value:.5g}") for value in np.asarray(values, dtype=float)]
 
@@ -46,7 +46,7 @@ def _add(figure, x, y, name, colour, dash="solid", row=1, group=None, shown=True
     chosen = kept(y) if thin else np.arange(len(y))
     figure.add_trace(
         go.Scatter(
-            x=_numbers(x[chosen]), y=_numbers(y[chosen]), name=name, legendgroup=group or name, showlegend=shown, mode="lines",
+            x=numbers(x[chosen]), y=numbers(y[chosen]), name=name, legendgroup=group or name, showlegend=shown, mode="lines",
             line={"color": colour, "dash": dash, "width": 1.3},
         ),
         row=row, col=1,
@@ -144,12 +144,12 @@ def ratios(runs, titles):
         centres = spectra.frequencies(first["time"][-1] - first["time"][0], dt)
         amplitudes = {
             text: {
-                name: _numbers(spectra.fourier_amplitude(even_steps(one["time"], one["a" + direction])[0], dt, centres))
+                name: numbers(spectra.fourier_amplitude(even_steps(one["time"], one["a" + direction])[0], dt, centres))
                 for name, one in series.items()
             }
             for direction, text in DIRECTIONS
         }
-        spectra_of.append({"title": title, "dash": dash, "frequency": _numbers(centres), "amplitude": amplitudes})
+        spectra_of.append({"title": title, "dash": dash, "frequency": numbers(centres), "amplitude": amplitudes})
     return spectra_of
 
 
@@ -237,7 +237,7 @@ def activities(run, key):
                 continue
             middle = line.slice * (np.arange(len(seconds)) + 0.5)
             figure.add_trace(
-                go.Bar(x=_numbers(middle), y=_numbers(100.0 * seconds / line.slice), width=line.slice, name=activity,
+                go.Bar(x=numbers(middle), y=numbers(100.0 * seconds / line.slice), width=line.slice, name=activity,
                        legendgroup=activity, showlegend=activity not in shown, marker={"color": colour, "line": {"width": 0}}),
                 row=row, col=1,
             )
@@ -255,7 +255,7 @@ def passes(runs, titles):
     figure = make_subplots(1, 1)
     for number, (table, title) in enumerate(tables):
         names, seconds = list(table["pass"])[::-1], np.asarray(table["seconds"])[::-1]
-        figure.add_trace(go.Bar(y=names, x=_numbers(seconds), name=title, orientation="h", showlegend=len(tables) > 1,
+        figure.add_trace(go.Bar(y=names, x=numbers(seconds), name=title, orientation="h", showlegend=len(tables) > 1,
                                 marker={"color": style.COLOURS[number % len(style.COLOURS)]}))
     figure.update_xaxes(title_text="time of the domain (s)")
     figure.update_layout(height=160 + 22 * max(len(table["pass"]) for table, _ in tables) * len(tables), barmode="group")

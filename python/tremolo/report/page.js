@@ -3,7 +3,7 @@
 // follow the light or dark scheme.
 (async () => {
   const byId = (id) => document.getElementById(id);
-  const content = JSON.parse(byId("content").textContent);
+  let content = JSON.parse(byId("content").textContent);
   const drawn = new Map(); // element -> the ranges that show all
 
   async function loadPlotly() {
@@ -78,8 +78,7 @@
 
   // The frames: an image under each pair of axes, and a colour bar.
   function preparePlayer() {
-    const { times, bounds, fields } = content.player;
-    const [xmin, ymin, xmax, ymax] = bounds;
+    let { times, bounds: [xmin, ymin, xmax, ymax], fields } = content.player;
     const panels = byId("panels");
     const scrub = byId("scrub");
     let frame = content.player.start, field = 0, timer = null, began = 0;
@@ -201,7 +200,15 @@
         return;
       event.preventDefault();
     });
-    return showField();
+    // New frames of a run that goes on: who looks at the last one sees the new last one.
+    function renew() {
+      const last = frame === times.length - 1;
+      ({ times, bounds: [xmin, ymin, xmax, ymax], fields } = content.player);
+      scrub.max = times.length - 1;
+      frame = last ? times.length - 1 : Math.min(frame, times.length - 1);
+      return timer === null ? showField() : undefined;
+    }
+    return { showField, renew };
   }
 
   const colours = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"];
@@ -243,20 +250,72 @@
     return relayoutAll(onPaper ? { width: 660 } : { width: null, autosize: true });
   }
 
+  const chartElements = () => [...document.querySelectorAll("[data-chart]")];
+
+  async function drawCharts() {
+    for (const element of chartElements()) {
+      const { data, layout } = content.charts[element.dataset.chart];
+      // A reader's zoom stays; a chart that showed all shows all again.
+      const zoom = drawn.has(element) ? zoomed(element) : {};
+      await draw(element, data, layout);
+      if (Object.keys(zoom).length)
+        await Plotly.relayout(element, zoom);
+    }
+  }
+
+  /** The ranges that a reader has changed. */
+  function zoomed(element) {
+    const now = element._fullLayout, whole = drawn.get(element);
+    return Object.fromEntries(axes(now).map((axis) => [`${axis}.range`, [...now[axis].range]])
+      .filter(([name, range]) => range.some((end, i) => Math.abs(end - whole[name][i]) > 1e-9 * Math.abs(whole[name][1] - whole[name][0]))));
+  }
+
+  // A page that `tremolo watch` serves follows its run: it asks how far the run is, and fetches what is new.
+  async function follow({ token, version, every_s }, player) {
+    const ask = (what, more = {}) => fetch(`${what}?token=${token}`, { cache: "no-store", ...more });
+    byId("abort").addEventListener("click", async () => {
+      if (!confirm("Abort the run? What it has written stays readable."))
+        return;
+      byId("abort").disabled = true;
+      byId("told").textContent = await (await ask("abort", { method: "POST" })).text();
+    });
+    for (;;) {
+      await new Promise((done) => setTimeout(done, 1000 * every_s));
+      try {
+        const state = await (await ask("state")).json();
+        byId("progress").value = state.share;
+        if (!byId("abort").disabled)
+          byId("told").textContent = state.words;
+        if (state.ended)
+          return location.reload(); // tables too are the run's last ones then
+        if (state.version === version)
+          continue;
+        content = await (await ask("content")).json();
+        version = state.version;
+        if (chartElements().length !== Object.keys(content.charts).length)
+          return location.reload(); // a section has begun
+        await player?.renew();
+        await drawCharts();
+      } catch {
+        byId("told").textContent = "tremolo watch has ended; this page shows what it saw last";
+        return;
+      }
+    }
+  }
+
   try {
     await loadPlotly();
-    if (content.player.fields.length)
-      await preparePlayer();
-    for (const element of document.querySelectorAll("[data-chart]")) {
-      const { data, layout } = content.charts[element.dataset.chart];
-      await draw(element, data, layout);
-    }
+    const player = content.player.fields.length ? preparePlayer() : null;
+    await player?.showField();
+    await drawCharts();
     if (content.ratios.length)
       await prepareRatios();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", restyle);
     addEventListener("beforeprint", () => print(true));
     addEventListener("afterprint", () => print(false));
     document.documentElement.dataset.ready = "yes";
+    if (byId("following"))
+      follow(JSON.parse(byId("following").textContent), player);
   } catch (error) {
     byId("trouble").hidden = false;
     byId("trouble").textContent = `The charts cannot be drawn: ${error.message}`;

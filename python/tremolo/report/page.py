@@ -13,7 +13,8 @@ from tremolo.run import Run
 HERE = Path(__file__).parent
 
 
-def _libraries():
+def require_libraries():
+    """Jinja2 and plotly.offline. Raises ValueError where one is missing."""
     try:
         import jinja2
         import plotly.offline
@@ -89,45 +90,99 @@ def _finite(content):
     return None if isinstance(content, float) and content != content else content
 
 
-def write(paths, out=None):
-    """Writes the report of one run, or of several side by side, and returns its path.
+def _rendered(template, figures, **parts):
+    """A page of a template, with style, script and Plotly in it.
 
-    paths: folders of runs, or their run.h5; out: the file (default: report.html beside the only run, comparison.html beside the
-    first of several).
-    Raises ValueError for what is not a run, for a run without frames, and where Jinja2 or Plotly is missing.
+    figures: what the page's script draws, by the names that it knows.
     """
-    jinja2, offline = _libraries()
-    for path in paths:
-        kinds.require_run(path)
-    runs = [Run(path) for path in paths]
-    for run in runs:
-        if len(run.times) == 0:
-            raise ValueError(f"{run.path}: holds no particle frame yet")
-    titles = _titles(runs)
-    out = Path(out) if out else runs[0].path.parent / ("report.html" if len(runs) == 1 else "comparison.html")
-    player = frames.Player(runs, titles)
-    sections = _charts(runs, titles)
+    jinja2, offline = require_libraries()
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined
     )
-    page = environment.get_template("page.html.jinja").render(
-        title=runs[0].title if len(runs) == 1 else " | ".join(titles),
-        runs=[
-            {
-                "title": title, "name": run.title, "status": run.status, "case": run.case, "model": facts.model(run),
-                "picture": _model_picture(run), "plan": facts.plan(run), "measures": facts.measures(run), "waits": facts.waits(run),
-                "processes": facts.processes(run), "origin": facts.origin(run), "warnings": facts.warnings(run),
-            }
-            for run, title in zip(runs, titles)
-        ],
-        differences=[facts.differences(runs[0], run, [titles[0], title]) for run, title in zip(runs[1:], titles[1:])],
-        sections=sections,
-        player={"fields": [field.label for field, _ in player.fields], "frames": len(player.times), "of": len(runs[0].times)},
+    return environment.get_template(template).render(
         style=(HERE / "page.css").read_text(encoding="utf-8"),
         script=(HERE / "page.js").read_text(encoding="utf-8"),
-        content=_json(_finite({"player": player.content(), "charts": _figures(sections), "ratios": sections["ratios"]})),
+        content=figures,
         plotly=base64.b64encode(gzip.compress(offline.get_plotlyjs().encode("utf-8"), 9, mtime=0)).decode("ascii"),
+        **parts,
     )
+
+
+class Report:
+    """The report of one run, or of several side by side.
+
+    paths: folders of runs, or their run.h5.
+    Raises ValueError for what is not a run, for a run without frames, and where Jinja2 or Plotly is missing.
+    """
+
+    def __init__(self, paths):
+        require_libraries()
+        self.runs = [Run(path) for path in paths]
+        for run in self.runs:
+            if len(run.times) == 0:
+                raise ValueError(f"{run.path}: holds no particle frame yet")
+        self._titles = _titles(self.runs)
+        self._player = frames.Player(self.runs, self._titles)
+        self._sections = _charts(self.runs, self._titles)
+
+    def content(self):
+        """JSON of what the page's script draws."""
+        figures, ratios = _figures(self._sections), self._sections["ratios"]
+        return _json(_finite({"player": self._player.content(), "charts": figures, "ratios": ratios}))
+
+    def html(self, live=None):
+        """The page. live: of a run that goes on, what the page needs to follow it (watch.py)."""
+        runs, titles = self.runs, self._titles
+        return _rendered(
+            "run.html.jinja",
+            self.content(),
+            title=runs[0].title if len(runs) == 1 else " | ".join(titles),
+            runs=[
+                {
+                    "title": title, "name": run.title, "status": run.status, "case": run.case, "model": facts.model(run),
+                    "picture": _model_picture(run), "plan": facts.plan(run), "measures": facts.measures(run), "waits": facts.waits(run),
+                    "processes": facts.processes(run), "origin": facts.origin(run), "warnings": facts.warnings(run),
+                }
+                for run, title in zip(runs, titles)
+            ],
+            differences=[facts.differences(runs[0], run, [titles[0], title]) for run, title in zip(runs[1:], titles[1:])],
+            sections=self._sections,
+            player={"fields": [field.label for field, _ in self._player.fields], "frames": len(self._player.times),
+                    "of": len(runs[0].times)},
+            live=_json(live) if live else None,
+        )
+
+
+def _of_runs(paths):
+    report = Report(paths)
+    folder = report.runs[0].path.parent
+    return report.html(), folder / ("report.html" if len(paths) == 1 else "comparison.html")
+
+
+def _of_studies(paths):
+    require_libraries()
+    from tremolo.report import studies  # needs Plotly
+
+    found = [studies.read(path, number) for number, path in enumerate(paths)]
+    charts = {chart.key: _plain(chart.figure) for study in found for chart in study.charts}
+    page = _rendered(
+        "study.html.jinja", _json(_finite({"player": {"fields": []}, "charts": charts, "ratios": []})),
+        title=" | ".join(dict.fromkeys(study.title for study in found)), studies=found,
+    )
+    first = Path(paths[0])
+    return page, first / "report.html" if first.is_dir() else first.with_suffix(".html")
+
+
+def write(paths, out=None):
+    """Writes the report of one run, of several side by side, or of studies one below the other; returns its path.
+
+    paths: folders of runs, or their run.h5; or what `tremolo soiltest`, `column`, `swap` and `cost` wrote.
+    out: the file (default: report.html beside the only run, comparison.html beside the first of several; report.html in the folder
+    of a swap or a ladder, OUT.html beside OUT.h5).
+    Raises OSError and ValueError for what cannot be read, for a run without frames, and where Jinja2 or Plotly is missing.
+    """
+    page, beside = (_of_runs if kinds.alike(paths) else _of_studies)(paths)
+    out = Path(out) if out else beside
     out.parent.mkdir(parents=True, exist_ok=True)
     out.write_text(page, encoding="utf-8")
     return out

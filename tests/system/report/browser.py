@@ -1,4 +1,4 @@
-"""A headless Chromium that opens pages from disk, without a network."""
+"""A headless Chromium that opens pages from disk or from this machine, without a network."""
 
 import shutil
 
@@ -13,13 +13,20 @@ if not MISSING and not (shutil.which("chromium") and shutil.which("chromedriver"
     MISSING = "no browser to test with: chromium or chromedriver is missing (scripts/setup.sh installs them)"
 
 
+def key(name):
+    """A key by Selenium's name, e.g. ARROW_LEFT."""
+    from selenium.webdriver.common.keys import Keys
+
+    return getattr(Keys, name)
+
+
 class Browser:
     """Opens pages, one after the other."""
 
     def __init__(self):
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")
-        for argument in ("headless=new", "no-sandbox", "disable-gpu", "disable-dev-shm-usage", "host-resolver-rules=MAP * ~NOTFOUND"):
+        for argument in ("headless=new", "no-sandbox", "disable-gpu", "disable-dev-shm-usage", "host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"):
             options.add_argument("--" + argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
@@ -29,13 +36,13 @@ class Browser:
         self.driver.quit()
 
     def open(self, page, width=1400, height=900, scheme="light"):
-        """Until its charts are drawn, or it says why not. Width and height are in pixels."""
+        """A file or an address, until its charts are drawn, or it says why not. Width and height are in pixels."""
         # A window has a least width; a telephone is narrower.
         self.command("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
         # Without smooth scrolling: what is clicked stays where it was found.
         features = {"prefers-color-scheme": scheme, "prefers-reduced-motion": "reduce"}
         self.command("Emulation.setEmulatedMedia", features=[{"name": name, "value": value} for name, value in features.items()])
-        self.driver.get(page.resolve().as_uri())
+        self.driver.get(page if isinstance(page, str) else page.resolve().as_uri())
         self.wait("return document.documentElement.dataset.ready === 'yes' || !document.getElementById('trouble').hidden")
 
     def command(self, name, **parameters):

@@ -28,9 +28,7 @@ SOURCE_OF_FRAME = f"return document.querySelector('{FRAME}')._fullLayout.images[
 
 
 def keys(*words):
-    from selenium.webdriver.common.keys import Keys
-
-    return [getattr(Keys, word) if word.isupper() else word for word in words]
+    return [browser.key(word) if word.isupper() else word for word in words]
 
 
 def setUpModule():

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace {
@@ -17,6 +18,11 @@ const std::string box = TREMOLO_SOURCE_DIR "/cases/halfspace_box/case.toml";
 
 std::filesystem::path scratch(const std::string& name) {
   return std::filesystem::path(::testing::TempDir()) / name;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 TEST(Commands, CheckAcceptsAShippedCase) {
@@ -51,6 +57,28 @@ TEST(Commands, WrongCommandLineEndsWithTwo) {
   EXPECT_EQ(run_tremolo("").status, 2);
 }
 
+TEST(Commands, WithoutArgumentsTheFiveCommandsOfANewcomerAreShown) {
+  const std::string output = run_tremolo("").output;
+  for (const char* command :
+       {"tremolo new", "tremolo explain", "tremolo run", "tremolo report", "tremolo swap"})
+    EXPECT_THAT(output, HasSubstr(command));
+}
+
+TEST(Commands, NewWritesCasesThatPassTheCheckAndOverwritesNothing) {
+  const auto folder = scratch("new_cases");
+  std::filesystem::create_directories(folder);
+  for (const char* kind : {"slope", "box", "level_ground", "tunnel", "buildings"}) {
+    const auto made = folder / kind;
+    EXPECT_EQ(run_tremolo("new " + made.string() + " --like " + kind).status, 0) << kind;
+    EXPECT_EQ(run_tremolo("check " + (made / "case.toml").string()).status, 0) << kind;
+    EXPECT_THAT(run_tremolo("new " + made.string()).output,
+                HasSubstr("is there already; nothing was written"));
+  }
+  EXPECT_THAT(run_tremolo("new " + (folder / "x").string() + " --like bridge").output,
+              HasSubstr("bridge not in"));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(Commands, VersionAndHelpEndWithZero) {
   EXPECT_EQ(run_tremolo("--version").status, 0);
   EXPECT_THAT(run_tremolo("--help").output, HasSubstr("explain"));
@@ -76,12 +104,13 @@ TEST(Commands, ExplainNamesProcessesAndOffersValues) {
   EXPECT_THAT(output, HasSubstr("time.fraction = 0.5  # default"));
 }
 
-TEST(Commands, DocsWritesBothFilesOrSaysWhyNot) {
+TEST(Commands, DocsWritesTheReferenceThatIsShippedOrSaysWhyNot) {
   const auto folder = scratch("generated_docs");
   std::filesystem::create_directories(folder);
   EXPECT_EQ(run_tremolo("docs " + folder.string()).status, 0);
-  EXPECT_TRUE(std::filesystem::exists(folder / "case-file.md"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "case.schema.json"));
+  for (const char* page : {"case-file.md", "case.schema.json", "commands.md"})
+    EXPECT_EQ(text_of(folder / page), text_of(std::filesystem::path(TREMOLO_SOURCE_DIR "/docs") / page))
+        << page;
   std::filesystem::remove_all(folder);
   const auto [status, output] = run_tremolo("docs /nowhere");
   EXPECT_EQ(status, 1);

@@ -87,7 +87,7 @@ class Refused(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         self.folder = Path(temporary.name)
 
-    def test_results_that_are_no_runs_are_named_with_the_command_that_draws_them(self):
+    def test_damaged_studies_are_named(self):
         with h5py.File(self.folder / "test.h5", "w") as file:
             file.create_group("tests")
         with h5py.File(self.folder / "column.h5", "w") as file:
@@ -95,10 +95,20 @@ class Refused(unittest.TestCase):
         for name in ("swap", "cost"):
             (self.folder / name).mkdir()
             (self.folder / name / f"{name}.json").write_text(json.dumps([]))
-        for name, kind in (("test.h5", "a soil test"), ("column.h5", "a free field alone"), ("swap", "a swap"), ("cost", "a cost ladder")):
-            status, error = refusal("report", self.folder / name)
-            self.assertEqual(1, status)
-            self.assertIn(f"is {kind}, and a report is of runs; its picture: python3 -m tremolo ", error)
+        for name, kind in (("test.h5", "soiltest"), ("column.h5", "column"), ("swap", "swap"), ("cost", "cost")):
+            with self.subTest(name):
+                self.assertEqual(kind, kinds.kind_of(self.folder / name))
+                status, error = refusal("report", self.folder / name)
+                self.assertEqual(1, status)
+                self.assertIn(f"tremolo: {self.folder / name}: ", error)
+
+    def test_runs_and_studies_are_not_mixed(self):
+        (self.folder / "swap").mkdir()
+        (self.folder / "swap/swap.json").write_text("[]")
+        synthetic_run.write(self.folder / "run.h5", size=2.0, frames=2)
+        status, error = refusal("report", self.folder / "run.h5", self.folder / "swap")
+        self.assertEqual(1, status)
+        self.assertIn("a report is of runs, or of studies", error)
 
     def test_a_run_without_frames(self):
         path = self.folder / "run.h5"
@@ -109,12 +119,6 @@ class Refused(unittest.TestCase):
         status, error = refusal("report", path)
         self.assertEqual(1, status)
         self.assertIn("holds no particle frame yet", error)
-
-    def test_a_run_passes(self):
-        path = self.folder / "run.h5"
-        synthetic_run.write(path, size=2.0, frames=2)
-        kinds.require_run(path)
-
 
     def test_without_its_libraries_it_says_which_packages_bring_them(self):
         path = self.folder / "run.h5"
