@@ -72,7 +72,7 @@ VARIANTS = {
     "width_4.25": ("4.25 m", COARSE | tall(4.25)),
     "width_4.5": ("4.5 m", COARSE | tall(4.5)),
     "width_6": ("6 m", COARSE | tall(6.0)),
-    "gap_1.5": ("gap 1.5 m", COARSE | tall(5.0, 1.5) | low(12.0, 1.5)),
+    "gap_2": ("gap 2 m", COARSE | tall(5.0, 2.0) | low(12.0, 2.0)),
     "gap_4": ("gap 4 m", COARSE | tall(5.0, 4.0) | low(12.0, 4.0)),
     "low_9": ("low one 9 m wide", COARSE | low(9.0)),
     "deep": ("foundations 1 m deep", COARSE | tall(5.0, depth=1.0) | low(12.0, depth=1.0)),
