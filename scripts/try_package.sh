@@ -30,9 +30,20 @@ mount -t tmpfs tmpfs "$root/dev/shm"
 
 cp "$work"/package/*.deb "$root/tmp/tremolo.deb"
 in_root() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"; }
+times=()
+step() { # step WHAT COMMAND ...: does it in the minimal root, and notes how long it took
+  local begin=$SECONDS
+  in_root "${@:2}"
+  times+=("$((SECONDS - begin)) s: $1")
+}
 in_root apt-get update -q
-in_root apt-get install -q -y --no-install-recommends /tmp/tremolo.deb
-in_root sh -c "cd /root && tremolo new trial --like $kind && tremolo run trial/case.toml --threads $(nproc) --report"
+step "install the package and what it needs" apt-get install -q -y --no-install-recommends /tmp/tremolo.deb
+step "tremolo new" sh -c "cd /root && tremolo new trial --like $kind"
+step "tremolo explain" sh -c "cd /root && tremolo explain trial/case.toml"
+step "tremolo run" sh -c "cd /root && tremolo run trial/case.toml --threads $(nproc)"
+step "tremolo plot" sh -c "cd /root && tremolo plot runs/trial"
+step "tremolo report" sh -c "cd /root && tremolo report runs/trial"
 mkdir -p "$out"
 cp "$root/root/runs/trial/report.html" "$out/"
+printf '%s\n' "${times[@]}"
 echo "try_package: installed and run in a bare Debian 12; its report: $out/report.html"

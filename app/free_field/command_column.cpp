@@ -86,8 +86,8 @@ double deepest(const scene::Case& scene, const scene::SourceProcess& source) {
   if (base < source.surface)
     return base;
   throw std::runtime_error(
-      fmt::format("{}: without [[profile]] there are no layers, and no column; layers of a side's own are "
-                  "computed with --side left or --side right",
+      fmt::format("{}: a column needs layers, and this ground is the [halfspace] alone; [[profile]] gives "
+                  "some, or [[boundary.left.profile]] those of a side, which --side left computes",
                   scene.file.string()));
 }
 

@@ -1,0 +1,43 @@
+"""The tutorial's commands, typed in the order of its page, all work, and its numbers are those that they print.
+
+    usage: test_tutorial.py TREMOLO SOURCE_DIR
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+TREMOLO, SOURCE = Path(sys.argv.pop(1)), Path(sys.argv.pop(1))
+
+
+def commands():
+    """The indented lines of the page."""
+    return [line.strip() for line in (SOURCE / "docs/tutorial.md").read_text().splitlines() if line.startswith("    ")]
+
+
+class Tutorial(unittest.TestCase):
+    def test_every_command_works(self):
+        self.assertGreater(len(commands()), 15)
+        environment = {**os.environ, "PATH": f"{TREMOLO.parent}:/usr/bin:/bin"}
+        told = {}
+        with tempfile.TemporaryDirectory(prefix="tremolo_tutorial_") as folder:
+            for command in commands():
+                done = subprocess.run(command, shell=True, cwd=folder, env=environment, capture_output=True, text=True, timeout=200)
+                self.assertEqual(0, done.returncode, f"{command}\n{done.stdout}{done.stderr}")
+                told[command] = done.stdout
+            for made in ("motion.png", "sand_water.png", "slope.html", "choices.html", "runs/box/verify.png"):
+                self.assertTrue((Path(folder) / made).is_file(), made)
+        self.assertAlmostEqual(2.8, float(re.search(r"whole +\d+ +([\d.]+) %", told["tremolo verify runs/box"])[1]), delta=0.05)
+        ladder = next(text for command, text in told.items() if command.startswith("tremolo cost"))
+        errors = [float(found) for found in re.findall(r"^\d +([\d.]+) %", ladder, re.MULTILINE)]
+        self.assertEqual([41, 11, 3], [round(error) for error in errors])
+        failed = next(text for command, text in told.items() if command.startswith("tremolo failure"))
+        self.assertRegex(failed, r"vertical: 0 degrees, has not failed[^\n]*\n[^\n]*oblique: 15 degrees, fails at 1[45]")
+
+
+if __name__ == "__main__":
+    unittest.main()

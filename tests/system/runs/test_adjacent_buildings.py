@@ -1,0 +1,83 @@
+"""The shipped buildings on cells of 1 m, with water ten times softer: liquefied sand lets the tall one lean.
+
+    usage: test_adjacent_buildings.py TREMOLO PYTHON_PACKAGE_DIR
+"""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
+CASE = Path(__file__).resolve().parents[3] / "cases" / "adjacent_buildings"
+sys.path[:0] = [PACKAGE, str(CASE)]
+
+import numpy as np
+from study import COARSE, SHAKEN, overlap, rise, settlement, synthesise, tall, tilt
+from tremolo.variants import run_variant
+
+SHORT = COARSE | {"duration_s = 36.0 ": "duration_s = 21.0 "}
+
+
+class AdjacentBuildings(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="tremolo_test_")
+        cls.place = Path(cls.folder.name)
+        synthesise(TREMOLO, cls.place)
+        cls.run_of_both = run_variant(TREMOLO, CASE / "case.toml", SHORT, cls.place, "both")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.run_of_both.close()
+        cls.folder.cleanup()
+
+    def test_the_tall_one_leans_towards_the_low_one_five_times_as_far(self):
+        self.assertLess(tilt(self.run_of_both, "tall")[-1], -2.0)  # degrees
+        self.assertGreater(abs(tilt(self.run_of_both, "tall")[-1]), 5.0 * abs(tilt(self.run_of_both, "low")[-1]))
+
+    def test_both_settle_and_the_tall_one_more(self):
+        low, high = settlement(self.run_of_both, "low")[-1], settlement(self.run_of_both, "tall")[-1]
+        self.assertGreater(low, 0.1)
+        self.assertGreater(high, 1.5 * low)
+
+    def test_the_soil_between_rises_over_the_foundation_of_the_tall_one(self):
+        _, over = rise(self.run_of_both)
+        self.assertGreater(over[-1], 0.25)
+
+    def test_neither_enters_the_other(self):
+        self.assertLess(overlap(self.run_of_both), 1e-3)
+
+    def test_a_tall_one_that_falls_comes_to_lie_on_the_low_one(self):
+        with run_variant(TREMOLO, CASE / "case.toml", SHORT | tall(3.75), self.place, "slender") as slender:
+            self.assertLess(abs(overlap(slender)), 1e-3)
+            time, spin = slender.body("tall")["time"], np.abs(slender.body("tall")["spin"])
+            self.assertLess(spin[time > SHAKEN + 3.0].max(), 1e-3)  # rad/s
+
+    def test_the_ground_liquefies_beside_the_buildings(self):
+        table = self.run_of_both.monitor("free field")
+        self.assertGreater(table["pore_pressure_ratio"][table["time"] > SHAKEN].min(), 0.8)
+
+    def test_the_stress_under_the_tall_one_stays_within_the_cone(self):
+        table = self.run_of_both.monitor("under the tall one")
+        stress = np.stack([table["sxx"], table["syy"], table["szz"]])
+        mean = stress.mean(axis=0)
+        deviator = np.sqrt(1.5 * (((stress - mean) ** 2).sum(axis=0) + 2.0 * table["sxy"] ** 2))
+        strength = 1.21306 * (2852.28 - mean)  # PDMY03's failure cone for 30.3 degrees and 1.73 kPa at zero pressure
+        self.assertGreater(np.max(deviator / strength), 0.9)  # it is reached
+        self.assertLess(np.max(deviator / strength), 1.0 + 1e-3)
+
+    def test_the_tall_one_stops_leaning_with_the_shaking(self):
+        time, lean = self.run_of_both.body("tall")["time"], tilt(self.run_of_both, "tall")
+        during = abs(np.interp(SHAKEN, time, lean) - np.interp(SHAKEN / 2.0, time, lean)) / (SHAKEN / 2.0)
+        after = abs(lean[-1] - np.interp(SHAKEN + 2.0, time, lean)) / (time[-1] - SHAKEN - 2.0)
+        self.assertLess(after, 0.1 * during)
+
+    def test_energy_is_accounted_for(self):
+        energy = self.run_of_both.energy
+        dissipated = energy["plastic"][-1] + energy["viscous"][-1]
+        self.assertLess(np.abs(energy["residual"]).max(), 0.02 * dissipated)
+
+
+if __name__ == "__main__":
+    unittest.main()
