@@ -1,5 +1,7 @@
 #include "app/manual/command_page.hpp"
 
+#include "base/paragraph.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -42,15 +44,15 @@ std::string command_page(const CommandTable& table) {
                   "`{0} docs` writes this page.\n",
                   table.program);
   for (const CommandRow& command : table.commands) {
-    text +=
-        fmt::format("\n## {}\n\n{}.\n\n    {}\n", command.name, command.description, usage(table, command));
+    text += fmt::format("\n## {}\n\n{}\n\n    {}\n", command.name, wrapped(command.description + "."),
+                        usage(table, command));
     if (!command.options.empty()) {
       text += "\n| argument or option | meaning |\n| --- | --- |\n";
       for (const OptionRow& option : command.options)
         text += row(option);
     }
     if (!command.footer.empty())
-      text += "\n```text\n" + command.footer + "\n```\n";
+      text += "\n" + wrapped(command.footer) + "\n";
   }
   return text;
 }

@@ -1,5 +1,6 @@
 #include "scene/keys/reference.hpp"
 
+#include "base/paragraph.hpp"
 #include "scene/soils/soil_library.hpp"
 
 #include <fmt/format.h>
@@ -71,19 +72,6 @@ std::string meaning(const Key& key) {
     return std::string(key.meaning);
   return fmt::format("Only with `{} = \"{}\"`. {}", key.when.key, fmt::join(key.when.values, "\"` or `\""),
                      key.meaning);
-}
-
-/// Breaks a paragraph into lines of at most 120 characters.
-std::string wrapped(std::string paragraph) {
-  constexpr std::size_t most = 120;
-  for (std::size_t begin = 0; paragraph.size() - begin > most;) {
-    const std::size_t space = paragraph.rfind(' ', begin + most);
-    if (space == std::string::npos || space <= begin)
-      break;
-    paragraph[space] = '\n';
-    begin = space + 1;
-  }
-  return paragraph;
 }
 
 std::string section(const Table& table) {

@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(DryAndWet, ElasticNode, testing::Bool());
 /// dE = -1/2 sum m (v.n - V_n)^2 - T (2 T_st - T)/(2 m_sb), with T_st = m_sb |relative tangential velocity|.
 TEST(DryElasticNode, LosesTheEnergyOfItsClosedForm) {
   Draw draw(12);
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 100000; ++k) {
     const Pair pair(random_pair(draw, false, 1e-4, 1e3));
     const ContactNode& c = pair.node;
     const double ms = c.solid_mass;
@@ -99,7 +99,7 @@ TEST(DryElasticNode, LosesTheEnergyOfItsClosedForm) {
 /// Labels of soil and body change places: the same motion. A second contact changes nothing.
 TEST(DryElasticNode, KnowsNoLabelsAndIsDoneAtOnce) {
   Draw draw(13);
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 100000; ++k) {
     const Pair pair(random_pair(draw, false, 1e-3, 1e3));
     ContactNode other = pair.node;
     other.tied = true;

@@ -146,7 +146,7 @@ TEST_P(OneNode, LosesTheEnergyOfTheNormalRatesAndOfSliding) {
 
 TEST_P(OneNode, DoesNotCareForTheObserverNorForASecondTime) {
   Draw draw(3);
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 100000; ++k) {
     std::vector<ContactNode> nodes{random_node(draw, GetParam(), 1e-4, 1e3)};
     const Body body = random_body(draw);
     std::vector<ContactNode> moved = nodes;
