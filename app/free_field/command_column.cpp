@@ -87,7 +87,8 @@ double deepest(const scene::Case& scene, const scene::SourceProcess& source) {
     return base;
   throw std::runtime_error(
       fmt::format("{}: a column needs layers, and this ground is the [halfspace] alone; [[profile]] gives "
-                  "some, or [[boundary.left.profile]] those of a side, which --side left computes",
+                  "some, or [[boundary.left.profile]] those of a side, which are computed with --side left "
+                  "or --side right",
                   scene.file.string()));
 }
 

@@ -153,7 +153,7 @@ class Columns(unittest.TestCase):
         with workspace(15.0, "wave", "wave") as work:
             result = work.command("column", work.case, "--model", "wave", "--out", "out.h5")
         self.assertNotEqual(0, result.returncode)
-        self.assertRegex(result.stderr, r"without \[\[profile\]\] .* --side left or --side right")
+        self.assertRegex(result.stderr, r"needs layers, .* \[\[profile\]\] .* --side left or --side right")
 
     def test_the_right_side_is_recorded(self):
         with workspace(15.0, "wave", "wave") as work:
