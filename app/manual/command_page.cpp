@@ -52,7 +52,7 @@ std::string command_page(const CommandTable& table) {
         text += row(option);
     }
     if (!command.footer.empty())
-      text += "\n" + wrapped(command.footer) + "\n";
+      text += fmt::format("\n{}\n", wrapped(command.footer));
   }
   return text;
 }

@@ -1,6 +1,7 @@
 """Puts a report together: one HTML file with its pictures, charts and Plotly's own script in it."""
 
 import base64
+import functools
 import gzip
 import json
 import tempfile
@@ -125,6 +126,7 @@ class Report:
         self._player = frames.Player(self.runs, self._titles)
         self._sections = _charts(self.runs, self._titles)
 
+    @functools.cached_property
     def content(self):
         """JSON of what the page's script draws."""
         figures, ratios = _figures(self._sections), self._sections["ratios"]
@@ -135,7 +137,7 @@ class Report:
         runs, titles = self.runs, self._titles
         return _rendered(
             "run.html.jinja",
-            self.content(),
+            self.content,
             title=runs[0].title if len(runs) == 1 else " | ".join(titles),
             runs=[
                 {

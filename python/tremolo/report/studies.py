@@ -57,7 +57,8 @@ def _swap(path, key):
     ]
     headings = ["model", "CPU time of the free fields (s)", "CPU time of the domain (s)",
                 *(f"difference at {monitor} (%)" for monitor in monitors), "refused"]
-    return Study(f"Free-field models of {Path(path).resolve().name}", "swap of free-field models", charts, maps, [Table(headings, rows, "Models")])
+    title = f"Free-field models of {Path(path).resolve().name}"
+    return Study(title, "swap of free-field models", charts, maps, [Table(headings, rows, "Models")])
 
 
 def _cost(path, key):
@@ -78,8 +79,9 @@ def _cost(path, key):
 def _soiltest(path, key):
     test = soil_record.read(path)
     charts, maps = _drawn([soiltest.draw(test)], key)
-    about = Table(["what", "value"], [[name.replace("_", " "), _number(value).replace("_", " ")] for name, value in test.about.items() if name not in ("title", "test_file")],
-                  "Test, SI units")
+    facts = {name: value for name, value in test.about.items() if name not in ("title", "test_file")}
+    rows = [[name.replace("_", " "), _number(value).replace("_", " ")] for name, value in facts.items()]
+    about = Table(["what", "value"], rows, "Test, SI units")
     tables = [about, _columns(test.summary, "Summary, SI units")]
     if test.parameters:
         tables.append(_columns(test.parameters, "Parameters in force"))

@@ -66,20 +66,22 @@ class Watch:
             state = self._told(report.runs[0], version)
             live = None if state["ended"] else {"token": self.token, "version": version, "every_s": EVERY}
             # All of them at once: a page never holds more than its version says.
-            self.page, self.content, self.state = report.html(live), report.content(), state
+            self.page, self.content, self.state = report.html(live), report.content, state
             self._seen = (status.st_size, status.st_mtime_ns)
             report.runs[0].close()
         except (OSError, ValueError, KeyError) as error:
             self.state = {**self.state, "words": f"not read yet: {error}"}
 
-    @staticmethod
-    def _told(run, version):
+    def _told(self, run, version):
         plan = run.plan
         end = plan["steps"] * plan["dt_s"] if plan else run.times[-1]
         energy = run.energy
         now = float(energy["time"][-1]) if energy is not None and len(energy) else float(run.times[-1])
+        ended = run.status != "running"
         words = f"simulated {now:.2f} of {end:.2f} s, {len(run.times)} frames; {run.status}"
-        return {"version": version, "share": min(now / end, 1.0) if end > 0.0 else 1.0, "words": words, "ended": run.status != "running"}
+        if not ended and launcher(self.folder) is None:
+            words += ", but no `tremolo run` on this machine writes into this folder"
+        return {"version": version, "share": min(now / end, 1.0) if end > 0.0 else 1.0, "words": words, "ended": ended}
 
     def follow(self):
         """Looks until the run has ended."""

@@ -9,9 +9,11 @@ namespace tremolo {
 namespace {
 
 TEST(Paragraph, BreaksAtSpacesBeforeTheMargin) {
-  std::string text;
-  for (int word = 0; word < 100; ++word)
-    text += (word == 0 ? "" : " ") + std::string(1 + word % 9, 'x');
+  std::string text = "x";
+  for (std::size_t word = 1; word < 100; ++word) {
+    text += ' ';
+    text.append(1 + word % 9, 'x');
+  }
   const std::string paragraph = wrapped(text);
   std::istringstream lines(paragraph);
   for (std::string line; std::getline(lines, line);) {
