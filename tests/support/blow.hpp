@@ -70,6 +70,20 @@ private:
   std::vector<Particle> watched_;
 };
 
+/// Velocities of the particles around a blow, one sample in twenty steps.
+/// @param duration  of the run, s
+/// @param place  as of StruckGround
+inline std::vector<double> seen_after_a_blow(const mpm_domain::Spec& spec, double duration,
+                                             eq6::Vector place = {0.0, -8.0}) {
+  StruckGround run(spec, place);
+  while (run.stepper.time() < duration) {
+    run.stepper.step();
+    if (run.stepper.steps() % 20 == 0)
+      run.see();
+  }
+  return run.seen;
+}
+
 inline double relative_difference(const std::vector<double>& a, const std::vector<double>& b) {
   EXPECT_EQ(a.size(), b.size());
   double error = 0.0;

@@ -114,20 +114,13 @@ struct Ground {
   eq6::Vector place{0.0, -8.0}; ///< from the middle of the surface, m
 };
 
-/// Velocities of the particles around a blow, one sample in twenty steps.
 std::vector<double> after_a_blow(const Ground& ground) {
   mpm_domain::Spec spec = test_support::elastic_box(ground.width, ground.depth, cell);
   spec.threads = 1;
   spec.scheme.dt = 1e-3;
   if (ground.layers)
     spec.matched_sides = {mpm_domain::Side::left, mpm_domain::Side::right, mpm_domain::Side::base};
-  test_support::StruckGround run(spec, ground.place);
-  while (run.stepper.time() < 0.6) {
-    run.stepper.step();
-    if (run.stepper.steps() % 20 == 0)
-      run.see();
-  }
-  return run.seen;
+  return test_support::seen_after_a_blow(spec, 0.6, ground.place);
 }
 
 // Waves of all angles, corners and the ground's surface: nothing comes back from the wide box within 0.6 s.

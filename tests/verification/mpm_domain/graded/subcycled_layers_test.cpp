@@ -93,21 +93,10 @@ TEST(SubcycledLayers, LeaveNoMoreEnergyThanLayersBehindOneClock) {
   EXPECT_LT(levels.residual, 0.005);
 }
 
-/// Velocities of the particles around a blow, one sample in twenty steps.
-std::vector<double> seen_after_a_blow(const Spec& spec) {
-  StruckGround run(spec);
-  while (run.stepper.time() < 0.6) {
-    run.stepper.step();
-    if (run.stepper.steps() % 20 == 0)
-      run.see();
-  }
-  return run.seen;
-}
-
 /// Nothing comes back from the wide box within 0.6 s. Measured: 0.039 before layers, 0.141 before dashpots.
 TEST(SubcycledLayers, TakeUpABlowInTheGround) {
   const auto after = [](Behind behind, double wider = 0.0) {
-    return seen_after_a_blow(subcycled(fine_inside(box(behind, wider))));
+    return test_support::seen_after_a_blow(subcycled(fine_inside(box(behind, wider))), 0.6);
   };
   const std::vector<double> wide = after(Behind::dashpots, 50.0);
   const double dashpots = test_support::relative_difference(after(Behind::dashpots), wide);

@@ -34,15 +34,8 @@ mpm_domain::Spec saturated_box(const Ground& ground) {
   return spec;
 }
 
-/// Velocities of the grains around a blow, one sample in twenty steps.
 std::vector<double> after_a_blow(const Ground& ground) {
-  test_support::StruckGround run(saturated_box(ground));
-  while (run.stepper.time() < 0.3) {
-    run.stepper.step();
-    if (run.stepper.steps() % 20 == 0)
-      run.see();
-  }
-  return run.seen;
+  return test_support::seen_after_a_blow(saturated_box(ground), 0.3);
 }
 
 // Nothing comes back from the wide box within 0.3 s: its P waves have 125 m to go.
