@@ -3,8 +3,8 @@
 
 #include "coupler/hub/checkpoint_set.hpp"
 #include "coupler/participant.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 #include "coupler/wire/incoming.hpp"
-#include "coupler/wire/messages.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>

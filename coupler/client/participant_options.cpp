@@ -1,7 +1,7 @@
 #include "coupler/client/participant_options.hpp"
 
 #include "coupler/wire/error.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 
 #include <CLI/CLI.hpp>
 #include <exception>

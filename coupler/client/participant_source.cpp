@@ -1,8 +1,8 @@
 #include "coupler/participant.hpp"
 
 #include "coupler/wire/error.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/incoming.hpp"
-#include "coupler/wire/json_keys.hpp"
 
 #include <algorithm>
 #include <cmath>

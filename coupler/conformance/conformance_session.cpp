@@ -2,7 +2,7 @@
 
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/frame.hpp"
-#include "coupler/wire/json_keys.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/mode.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "coupler/hub/checkpoint_keeper.hpp"
 
 #include "coupler/hub/progress.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 #include "results/checkpoint_file.hpp"
 
 #include <bit>

@@ -5,9 +5,9 @@
 // in a run that is resumed it computes and sends all its steps again, and the hub holds it to the bits of
 // that last one.
 
+#include "coupler/hub/admission/roster.hpp"
 #include "coupler/hub/checkpoint_set.hpp"
 #include "coupler/hub/hub_options.hpp"
-#include "coupler/hub/roster.hpp"
 #include "coupler/wire/frame.hpp"
 
 #include <cstdint>

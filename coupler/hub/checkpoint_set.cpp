@@ -1,11 +1,11 @@
 #include "coupler/hub/checkpoint_set.hpp"
 
 #include "base/text_file.hpp"
-#include "coupler/hub/case_difference.hpp"
+#include "coupler/hub/admission/case_difference.hpp"
 #include "coupler/launch/invitation.hpp"
 #include "coupler/wire/error.hpp"
-#include "coupler/wire/json_keys.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 #include "results/checkpoint_file.hpp"
 
 #include <algorithm>

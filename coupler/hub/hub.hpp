@@ -16,13 +16,13 @@
 //             <------------------  BYE to sources
 //       BYE (sources) ----------->   finished
 
-#include "coupler/hub/admission.hpp"
+#include "coupler/hub/admission/admission.hpp"
+#include "coupler/hub/admission/roster.hpp"
 #include "coupler/hub/checkpoint_keeper.hpp"
 #include "coupler/hub/hub_options.hpp"
 #include "coupler/hub/notes.hpp"
 #include "coupler/hub/post.hpp"
 #include "coupler/hub/progress.hpp"
-#include "coupler/hub/roster.hpp"
 #include "coupler/hub/routing.hpp"
 #include "coupler/hub/watch.hpp"
 

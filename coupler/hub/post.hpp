@@ -3,9 +3,9 @@
 // The hub's socket: whole messages come in, messages go out to a connection. It never blocks. Where the run
 // has keys, only their owners get through.
 
-#include "coupler/hub/client_gate.hpp"
+#include "coupler/hub/admission/client_gate.hpp"
 #include "coupler/hub/hub_options.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 
 #include <cstddef>
 #include <optional>

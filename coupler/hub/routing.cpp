@@ -3,7 +3,7 @@
 #include "coupler/hub/progress.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/frame.hpp"
-#include "coupler/wire/json_keys.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/layout.hpp"
 
 #include <algorithm>

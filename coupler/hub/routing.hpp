@@ -4,10 +4,10 @@
 // window frames go on to the domain as they came; in mode lockstep Eq. (6) is evaluated here and tractions go
 // back. Whoever looks on (exchange_observer.hpp) is shown every frame.
 
+#include "coupler/hub/admission/roster.hpp"
 #include "coupler/hub/checkpoint_keeper.hpp"
 #include "coupler/hub/hub_options.hpp"
 #include "coupler/hub/post.hpp"
-#include "coupler/hub/roster.hpp"
 #include "coupler/hub/watch.hpp"
 #include "coupler/mapping/face_exchange.hpp"
 

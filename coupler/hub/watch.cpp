@@ -1,6 +1,6 @@
 #include "coupler/hub/watch.hpp"
 
-#include "coupler/wire/json_keys.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -5,9 +5,9 @@
 
 #include "coupler/client/participant_options.hpp"
 #include "coupler/client/timeline.hpp"
+#include "coupler/hub/admission/roster.hpp"
 #include "coupler/hub/notes.hpp"
 #include "coupler/hub/progress.hpp"
-#include "coupler/hub/roster.hpp"
 #include "coupler/mapping/face_exchange.hpp"
 #include "coupler/mapping/pace.hpp"
 

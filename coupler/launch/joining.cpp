@@ -3,8 +3,8 @@
 #include "base/printable.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/frame.hpp"
-#include "coupler/wire/json_keys.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 #include "coupler/wire/sockets.hpp"
 
 #include <algorithm>

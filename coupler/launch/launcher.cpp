@@ -2,7 +2,7 @@
 
 #include "coupler/launch/child_process.hpp"
 #include "coupler/launch/termination.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 #include "coupler/wire/sockets.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "coupler/process/recorded_case.hpp"
 
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 
 #include <algorithm>
 #include <array>
@@ -107,6 +107,28 @@ std::vector<std::string> free_field_differences(const std::vector<results::Recor
       differences.push_back(fmt::format("{} is {} in the recording, {} in the case", shown_key(key, served),
                                         value_of(theirs, key), value_of(ours, key)));
   return differences;
+}
+
+std::string free_field_identity(const scene::Case& scene) {
+  const Values all = by_key(recorded_values(scene));
+  std::string identity;
+  // What a recording need not share with the case, but may end or be told apart by.
+  constexpr std::array beside{"stage", "time.", "water.", "boundary.base.form"};
+  for (const auto& [key, value] : all)
+    if (begins_with_any(key, beside))
+      identity += fmt::format("{} = {}\n", key, value);
+  for (const scene::Side side : {scene::Side::left, scene::Side::right, scene::Side::base}) {
+    if (scene.boundary.periodic() && side != scene::Side::base)
+      continue;
+    const std::string model = unquoted(value_of(all, fmt::format("boundary.{}.model", scene::name(side))));
+    if (model == scene::name(scene::SourceModel::recording) ||
+        model == scene::name(scene::SourceModel::external))
+      return "";
+    identity += fmt::format("{} {}\n", scene::name(side), model);
+    for (const auto& [key, value] : of_free_field(all, side, model))
+      identity += fmt::format("{} = {}\n", key, value);
+  }
+  return identity;
 }
 
 } // namespace tremolo::coupler

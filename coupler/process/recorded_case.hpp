@@ -25,4 +25,9 @@ std::vector<std::string> free_field_differences(const std::vector<results::Recor
                                                 scene::Side recorded, const scene::Case& scene,
                                                 scene::Side served);
 
+/// All that the free fields of a case depend on, as one text: cases with equal texts have the same free
+/// fields, and a recording of one serves the others. Empty where a side's free field comes from a recording
+/// or from a program of the user, of which nothing is known.
+std::string free_field_identity(const scene::Case& scene);
+
 } // namespace tremolo::coupler

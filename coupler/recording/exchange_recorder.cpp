@@ -3,7 +3,7 @@
 #include "coupler/mapping/timing.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/frame.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 
 #include <algorithm>
 #include <chrono>

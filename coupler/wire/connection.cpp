@@ -2,8 +2,8 @@
 
 #include "base/printable.hpp"
 #include "coupler/wire/error.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/incoming.hpp"
-#include "coupler/wire/json_keys.hpp"
 #include "coupler/wire/sockets.hpp"
 
 #include <fmt/format.h>

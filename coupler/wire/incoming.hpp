@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,9 +1,9 @@
-#include "coupler/hub/admission.hpp"
+#include "coupler/hub/admission/admission.hpp"
 
-#include "coupler/hub/case_difference.hpp"
+#include "coupler/hub/admission/case_difference.hpp"
 #include "coupler/hub/progress.hpp"
 #include "coupler/wire/frame.hpp"
-#include "coupler/wire/json_keys.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/sockets.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "coupler/wire/json_keys.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
 
 #include "base/printable.hpp"
 #include "coupler/wire/error.hpp"

@@ -1,4 +1,4 @@
-#include "coupler/hub/roster.hpp"
+#include "coupler/hub/admission/roster.hpp"
 
 #include "coupler/wire/error.hpp"
 

@@ -1,8 +1,8 @@
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 
 #include "coupler/wire/crc32.hpp"
 #include "coupler/wire/error.hpp"
-#include "coupler/wire/json_keys.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 // with this case and this protocol, and, where there are keys, with its own. A process from another machine
 // asks with JOIN before it says HELLO.
 
+#include "coupler/hub/admission/roster.hpp"
 #include "coupler/hub/hub_options.hpp"
 #include "coupler/hub/post.hpp"
-#include "coupler/hub/roster.hpp"
 #include "coupler/wire/error.hpp"
 
 #include <nlohmann/json.hpp>
