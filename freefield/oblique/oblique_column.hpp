@@ -4,7 +4,7 @@
 #include "freefield/fe/column_mesh.hpp"
 #include "freefield/oblique/oblique_medium.hpp"
 #include "freefield/profile.hpp"
-#include "materials/hysteretic/backbone.hpp"
+#include "materials/hysteretic/backbone/backbone.hpp"
 #include "materials/hysteretic/masing.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "freefield/profile.hpp"
-#include "materials/hysteretic/backbone.hpp"
+#include "materials/hysteretic/backbone/backbone.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/hysteretic/backbone.hpp"
+#include "materials/hysteretic/backbone/backbone.hpp"
 #include "materials/hysteretic/masing.hpp"
 
 #include <array>

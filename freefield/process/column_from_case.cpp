@@ -6,7 +6,7 @@
 #include "freefield/process/incident_input.hpp"
 #include "freefield/twophase/two_phase_column.hpp"
 #include "scene/plan/layers.hpp"
-#include "scene/plan/motion.hpp"
+#include "scene/plan/wave/motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>

@@ -19,8 +19,13 @@ struct Table {
   std::vector<std::string> names;
   std::vector<StateVariable> variables;
 
-  Table() {
+  explicit Table(bool reduced) {
     names.reserve(3 * most_iwan_elements);
+    if (reduced)
+      variables = {{"strain_xx", "1", "deviatoric strain since the initial state", 0.0},
+                   {"strain_yy", "1", "deviatoric strain since the initial state", 0.0},
+                   {"strain_xy", "1", "tensor shear strain since the initial state", 0.0},
+                   {"largest_shear_strain", "1", "largest engineering shear strain so far", 0.0}};
     for (std::size_t first = 1; first <= most_iwan_elements; first += iwan_group) {
       for (const char* component : {"xx", "yy", "xy"}) {
         for (std::size_t k = 0; k < iwan_group; ++k) {
@@ -46,6 +51,9 @@ Step step_of(const Points& points, std::size_t i) {
   const double mean = (points.dexx[i] + points.deyy[i] + out_of_plane_strain(points, i)) / 3.0;
   return {2.0 * (points.dexx[i] - mean), 2.0 * (points.deyy[i] - mean), points.dgxy[i], turned.xx, turned.xy};
 }
+
+/// Entries of a state block before the element stresses, where loops are reduced.
+constexpr std::size_t reduced_entries = 4;
 
 using Group = std::array<double, iwan_group>;
 
@@ -89,17 +97,73 @@ double sum(const Group& group) {
   return (group[0] + group[1]) + (group[2] + group[3]);
 }
 
+/// An in-plane deviatoric tensor; zz = -xx - yy.
+struct Deviator {
+  double xx = 0.0;
+  double yy = 0.0;
+  double xy = 0.0;
+};
+
+/// a x + b y
+Deviator combined(double a, const Deviator& x, double b, const Deviator& y) {
+  return {a * x.xx + b * y.xx, a * x.yy + b * y.yy, a * x.xy + b * y.xy};
+}
+
+Deviator sum_of_stresses(const double* s, std::size_t elements) {
+  Deviator total;
+  for (std::size_t first = 0; first < elements; first += iwan_group, s += 3 * iwan_group)
+    for (std::size_t k = 0; k < iwan_group; ++k)
+      total = combined(1.0, total, 1.0, {s[k], s[iwan_group + k], s[2 * iwan_group + k]});
+  return total;
+}
+
+/// F S + (1 - F) 2 G_m e
+Deviator reduced_stress(std::span<const IwanElement> elements, const LoopReduction& loops, double shear,
+                        const Deviator& sum, const Deviator& strain, double largest) {
+  const double secant = largest > 0.0 ? monotonic_stress(elements, largest) / largest : shear;
+  const double share = loops.factor(std::max(shear / secant - 1.0, 0.0));
+  return combined(share, sum, 2.0 * (1.0 - share) * secant, strain);
+}
+
+/// What the reduced stress takes from the trial stress in a step, given what the elements take from it.
+/// @param spin    rotation of the step, rad
+/// @param memory  e_xx, e_yy, e_xy, gamma_m
+Deviator relaxed_by_reduced(std::span<const IwanElement> elements, const LoopReduction& loops, double shear,
+                            const Step& step, double spin, const Deviator& relaxed, const double* stresses,
+                            double* memory) {
+  const Deviator trial = {shear * step.xx, shear * step.yy, shear * step.xy};
+  const Deviator after = sum_of_stresses(stresses, elements.size());
+  const Deviator before = combined(1.0, combined(1.0, after, 1.0, relaxed), -1.0, trial);
+  const InPlaneStress turned =
+      rotated({memory[0], memory[1], memory[2]}, spin); // a strain turns as a stress does
+  const Deviator carried = {turned.xx, turned.yy, turned.xy};
+  const Deviator e = combined(1.0, carried, 0.5, {step.xx, step.yy, step.xy});
+  const double shear_strain = 2.0 * std::sqrt(e.xx * e.xx + e.yy * e.yy + e.xx * e.yy + e.xy * e.xy);
+  const double largest = std::max(memory[3], shear_strain);
+  const Deviator change = combined(1.0, reduced_stress(elements, loops, shear, after, e, largest), -1.0,
+                                   reduced_stress(elements, loops, shear, before, carried, memory[3]));
+  memory[0] = e.xx;
+  memory[1] = e.yy;
+  memory[2] = e.xy;
+  memory[3] = largest;
+  return combined(1.0, trial, -1.0, change);
+}
+
 /// sigma <- Q sigma Q^T + C : d_eps - relaxed, and the plastic work of the mean stress of the step.
-void move_point(std::span<const IwanElement> elements, double lame, double shear, const Points& points,
-                std::size_t i) {
+template <bool reduced>
+void move_point(std::span<const IwanElement> elements, const LoopReduction& loops, double lame, double shear,
+                const Points& points, std::size_t i) {
+  constexpr std::size_t before = reduced ? reduced_entries : 0;
   const Step step = step_of(points, i);
-  Relaxed relaxed;
-  double* const state = points.state + i * 3 * elements.size();
+  Relaxed by_group;
+  double* const memory = points.state + i * (before + 3 * elements.size());
+  double* const state = memory + before;
   for (std::size_t first = 0; first < elements.size(); first += iwan_group)
-    move_group(&elements[first], step, state + 3 * first, relaxed);
-  const double rxx = sum(relaxed.xx);
-  const double ryy = sum(relaxed.yy);
-  const double rxy = sum(relaxed.xy);
+    move_group(&elements[first], step, state + 3 * first, by_group);
+  Deviator relaxed = {sum(by_group.xx), sum(by_group.yy), sum(by_group.xy)};
+  if constexpr (reduced)
+    relaxed = relaxed_by_reduced(elements, loops, shear, step, points.dwxy[i], relaxed, state, memory);
+  const auto [rxx, ryy, rxy] = relaxed;
 
   const InPlaneStress carried = rotated({points.sxx[i], points.syy[i], points.sxy[i]}, points.dwxy[i]);
   const double dezz = out_of_plane_strain(points, i);
@@ -140,15 +204,20 @@ double monotonic_stress(std::span<const IwanElement> elements, double strain) {
   return stress;
 }
 
-void update(const Elasticity& elastic, std::span<const IwanElement> elements, const Points& points) {
+void update(const Elasticity& elastic, std::span<const IwanElement> elements, const LoopReduction& loops,
+            const Points& points) {
   const double lame = elastic.lame();
   const double shear = elastic.shear_modulus();
+  const auto move = loops.any() ? move_point<true> : move_point<false>;
   for (std::size_t i = 0; i < points.count; ++i)
-    move_point(elements, lame, shear, points, i);
+    move(elements, loops, lame, shear, points, i);
 }
 
-std::span<const StateVariable> iwan_state_variables(std::size_t elements) {
-  static const Table table;
+std::span<const StateVariable> iwan_state_variables(std::size_t elements, const LoopReduction& loops) {
+  static const Table table(false);
+  static const Table reduced_table(true);
+  if (loops.any())
+    return std::span<const StateVariable>(reduced_table.variables).first(reduced_entries + 3 * elements);
   return std::span<const StateVariable>(table.variables).first(3 * elements);
 }
 

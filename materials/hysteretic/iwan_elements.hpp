@@ -10,8 +10,16 @@
 // which body i yields moves with the stresses of the bodies that have yielded before. Each s_i is rotated
 // with the material (objective_rate.hpp), then the elastic trial s_i + 2 G_i d_dev is scaled back to its
 // radius: exact for each body, whatever the step.
+//
+// With less damping in loops (loop_reduction.hpp) the deviatoric stress sum_i s_i becomes
+//
+//     F sum_i s_i + (1 - F) 2 G_m e,    gamma_m = largest sqrt(2 e : e) so far,
+//
+// e the deviatoric strain since the elements were unloaded, turned with the material: in simple shear the
+// curves of Phillips & Hashash (2009).
 
 #include "materials/elastic/elasticity.hpp"
+#include "materials/hysteretic/backbone/loop_reduction.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
 
@@ -48,11 +56,13 @@ std::vector<IwanElement> parallel_elements(std::span<const CurveVertex> vertices
 double monotonic_stress(std::span<const IwanElement> elements, double strain);
 
 /// Advances stress, element stresses and plastic work of all points by one step. State of a point, Pa: group
-/// after group of elements the four s_xx, the four s_yy, the four s_xy.
-void update(const Elasticity& elastic, std::span<const IwanElement> elements, const Points& points);
+/// after group of elements the four s_xx, the four s_yy, the four s_xy. Where loops are reduced, e_xx, e_yy,
+/// e_xy and gamma_m stand before them.
+void update(const Elasticity& elastic, std::span<const IwanElement> elements, const LoopReduction& loops,
+            const Points& points);
 
 /// The state block of a point with this many elements.
-std::span<const StateVariable> iwan_state_variables(std::size_t elements);
+std::span<const StateVariable> iwan_state_variables(std::size_t elements, const LoopReduction& loops);
 
 /// Refuses a number of elements that is no multiple of iwan_group in [iwan_group, most_iwan_elements].
 /// @throws std::invalid_argument naming the number and the allowed range

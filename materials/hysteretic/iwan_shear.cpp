@@ -1,7 +1,7 @@
 #include "materials/hysteretic/iwan_shear.hpp"
 
 #include "materials/elastic/elastic_parameters.hpp"
-#include "materials/hysteretic/backbone_polygon.hpp"
+#include "materials/hysteretic/backbone/backbone_polygon.hpp"
 #include "materials/law/parameter_check.hpp"
 
 #include <span>
@@ -16,13 +16,17 @@ void check(const IwanFit& fit) {
 
 } // namespace
 
+IwanShear iwan_shear(const Elasticity& elastic, const Backbone& backbone, const IwanFit& fit) {
+  check(elastic);
+  check(fit);
+  validate(backbone);
+  return {elastic, parallel_elements(polygon(backbone, fit.elements, fit.largest_strain)), backbone.loops};
+}
+
 IwanShear iwan_shear(const Elasticity& elastic, double reference_strain, double beta, double exponent,
                      const IwanFit& fit) {
   check(elastic);
-  check(fit);
-  const Backbone backbone = {elastic.shear_modulus(), reference_strain, beta, exponent};
-  validate(backbone);
-  return {elastic, parallel_elements(polygon(backbone, fit.elements, fit.largest_strain))};
+  return iwan_shear(elastic, Backbone{elastic.shear_modulus(), reference_strain, beta, exponent}, fit);
 }
 
 double monotonic_stress(const IwanShear& law, double strain) {
@@ -34,7 +38,7 @@ Traits traits(const IwanShear& /*law*/) {
 }
 
 std::span<const StateVariable> state_variables(const IwanShear& law) {
-  return iwan_state_variables(law.elements.size());
+  return iwan_state_variables(law.elements.size(), law.loops);
 }
 
 LinearElastic without_softening(const IwanShear& law) {
@@ -42,11 +46,12 @@ LinearElastic without_softening(const IwanShear& law) {
 }
 
 void update(const IwanShear& law, const Points& points) {
-  update(law.elastic, law.elements, points);
+  update(law.elastic, law.elements, law.loops, points);
 }
 
 void validate(const IwanShear& law) {
   validate(law.elastic, law.elements);
+  validate(law.loops);
 }
 
 std::vector<ParameterValue> parameters(const IwanShear& law) {
@@ -58,6 +63,7 @@ std::vector<ParameterValue> parameters(const IwanShear& law) {
       {"largest_strain", last_yield, "1", "shear strain beyond which the stress is level", "given"});
   values.push_back({"shear_strength", monotonic_stress(law, last_yield), "Pa", "largest dynamic shear stress",
                     "backbone at largest_strain"});
+  append_loop_parameters(law.loops, values);
   return values;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Hysteretic soil in large deformation: Iwan's parallel elastoplastic elements (iwan_elements.hpp; Joyner &
-// Chen 1975, Bull. Seism. Soc. Am. 65, 1315-1336 for soil columns) on an MKZ backbone,
+// Chen 1975, Bull. Seism. Soc. Am. 65, 1315-1336 for soil columns) on a backbone,
 //
 //     sigma = sigma_0 + K tr(eps) I + sum_i s_i,   s_i = 2 G_i dev(eps - eps_p,i),
 //     sqrt(s_i : s_i / 2) <= tau_i.
@@ -14,7 +14,7 @@
 
 #include "materials/elastic/elasticity.hpp"
 #include "materials/elastic/linear_elastic.hpp"
-#include "materials/hysteretic/backbone.hpp"
+#include "materials/hysteretic/backbone/backbone.hpp"
 #include "materials/hysteretic/iwan_elements.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
@@ -31,6 +31,7 @@ namespace tremolo::materials {
 struct IwanShear {
   Elasticity elastic;                ///< at small strain; its shear modulus is the sum of the elements'
   std::vector<IwanElement> elements; ///< in order of growing yield strain
+  LoopReduction loops = {};          ///< what unloading keeps of their damping
 };
 
 /// How finely and how far the elements follow the backbone.
@@ -38,6 +39,10 @@ struct IwanFit {
   std::size_t elements = 32;   ///< a multiple of iwan_group
   double largest_strain = 0.1; ///< engineering shear strain beyond which the stress stays the same
 };
+
+/// The elements that follow a backbone, whose G0 is that of `elastic`.
+/// @throws std::invalid_argument naming the parameter, its value and the allowed range
+IwanShear iwan_shear(const Elasticity& elastic, const Backbone& backbone, const IwanFit& fit = {});
 
 /// The elements that follow an MKZ backbone of modulus G0 = elastic.shear_modulus().
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range

@@ -85,6 +85,27 @@ Curve find_curve(const Backbone& backbone, MasingHistory history, double strain)
   return curve;
 }
 
+/// F tau_M + (1 - F) G_m gamma and its derivative, from those of tau_M.
+/// @param largest  gamma_m
+ShearResponse reduced(const Backbone& backbone, const ShearResponse& masing, double strain, double largest) {
+  const double share = backbone.loops.factor(backbone.reduction(largest));
+  const double rest = (1.0 - share) * backbone.secant(largest);
+  return {share * masing.stress + rest * strain, share * masing.tangent + rest};
+}
+
+/// Strain at which a curve's oldest open loop left the backbone.
+double largest_strain(MasingHistory history, const Curve& curve) {
+  return curve.kept == 0 ? curve.origin.strain : turn(history, 0).strain;
+}
+
+/// What the Masing rules have on a curve.
+ShearResponse response_on(const Backbone& backbone, const Curve& curve, double strain) {
+  if (curve.virgin)
+    return backbone.response(strain);
+  const ShearResponse half = backbone.response(0.5 * (strain - curve.origin.strain));
+  return {curve.origin.stress + 2.0 * half.stress, half.tangent};
+}
+
 } // namespace
 
 bool masing_reverses(MasingHistory history, double strain) {
@@ -95,21 +116,29 @@ bool masing_reverses(MasingHistory history, double strain) {
 }
 
 double masing_stress(const Backbone& backbone, MasingHistory history, double strain) {
+  if (backbone.loops.any())
+    return masing_response(backbone, history, strain).stress;
   const Curve curve = find_curve(backbone, history, strain);
   return curve.virgin ? backbone.stress(strain) : stress_on(backbone, curve.origin, strain);
 }
 
 double masing_tangent(const Backbone& backbone, MasingHistory history, double strain) {
-  const Curve curve = find_curve(backbone, history, strain);
-  return backbone.tangent(curve.virgin ? strain : 0.5 * (strain - curve.origin.strain));
+  return masing_response(backbone, history, strain).tangent;
 }
 
 ShearResponse masing_response(const Backbone& backbone, MasingHistory history, double strain) {
   const Curve curve = find_curve(backbone, history, strain);
-  if (curve.virgin)
-    return backbone.response(strain);
-  const ShearResponse half = backbone.response(0.5 * (strain - curve.origin.strain));
-  return {curve.origin.stress + 2.0 * half.stress, half.tangent};
+  const ShearResponse masing = response_on(backbone, curve, strain);
+  if (curve.virgin || !backbone.loops.any())
+    return masing;
+  return reduced(backbone, masing, strain, largest_strain(history, curve));
+}
+
+double accepted_stress(const Backbone& backbone, MasingHistory history) {
+  const double masing = history[masing::stress];
+  if (!backbone.loops.any() || count(history) == 0)
+    return masing;
+  return reduced(backbone, {masing, 0.0}, history[masing::strain], turn(history, 0).strain).stress;
 }
 
 void masing_commit(const Backbone& backbone, MutableMasingHistory history, double strain) {

@@ -8,6 +8,10 @@
 //     3  beyond the largest past |gamma| it is the backbone again;
 //     4  a curve that meets the curve of an earlier loop goes on along that one.
 //
+// With less damping in loops than these rules have (loop_reduction.hpp) the stress is F tau_M + (1 - F) G_m
+// gamma, tau_M that of the rules. The history below holds tau_M; gamma_m is the strain at its oldest
+// reversal.
+//
 // Rule 4 asks for the reversal points of all loops that are still open: a stack. A reversal pushes a point;
 // passing the last but one point closes a loop and pops two.
 //
@@ -17,7 +21,7 @@
 // loop is thick, 2 [2 F(d/4) - F(d/2)] for a loop of width d; outside of it all is exact again. It takes
 // `masing_capacity` reversals each smaller than the one before, and is counted in the history.
 
-#include "materials/hysteretic/backbone.hpp"
+#include "materials/hysteretic/backbone/backbone.hpp"
 
 #include <cstddef>
 #include <span>
@@ -30,7 +34,7 @@ inline constexpr std::size_t masing_capacity = 32;
 /// Entries of a history block before the reversal points { strain, stress (Pa) }, the oldest first.
 namespace masing {
 inline constexpr std::size_t strain = 0;    ///< accepted strain, from the state of zero history
-inline constexpr std::size_t stress = 1;    ///< its stress, Pa
+inline constexpr std::size_t stress = 1;    ///< its stress by the Masing rules, Pa
 inline constexpr std::size_t reversals = 2; ///< number of reversal points held
 inline constexpr std::size_t merged = 3;    ///< 1 while the innermost point stands for forgotten ones, else 0
 inline constexpr std::size_t merges = 4;    ///< how often the stack was full, since the start
@@ -57,6 +61,9 @@ double masing_stress(const Backbone& backbone, MasingHistory history, double str
 
 /// The tangent of masing_response(), Pa
 double masing_tangent(const Backbone& backbone, MasingHistory history, double strain);
+
+/// The stress at the accepted strain, Pa.
+double accepted_stress(const Backbone& backbone, MasingHistory history);
 
 /// Accepts a strain: the history goes straight from its accepted strain to this one. Its stress afterwards is
 /// what masing_stress() gave for it before.

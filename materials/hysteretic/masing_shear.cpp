@@ -19,7 +19,7 @@ struct Table {
     names.reserve(masing_history_size);
     variables = {
         {"shear_strain", "1", "engineering shear strain since the initial state", 0.0},
-        {"dynamic_shear_stress", "Pa", "shear stress since the initial state", 0.0},
+        {"dynamic_shear_stress", "Pa", "shear stress since the initial state, by the Masing rules", 0.0},
         {"open_reversals", "1", "reversal points of loops that are still open", 0.0},
         {"merged_innermost", "1", "1 while the innermost reversal point stands for forgotten ones", 0.0,
          true},
@@ -66,9 +66,9 @@ void update(const MasingShear& law, const Points& points) {
     points.szz[i] += pressure;
 
     const MutableMasingHistory history(points.state + i * masing_history_size, masing_history_size);
-    const double before = history[masing::stress];
+    const double before = accepted_stress(backbone, history);
     masing_commit(backbone, history, history[masing::strain] + points.dgxy[i]);
-    const double change = history[masing::stress] - before;
+    const double change = accepted_stress(backbone, history) - before;
     points.plastic_work[i] += (points.sxy[i] + 0.5 * change) * (points.dgxy[i] - change / shear);
     points.sxy[i] += change;
   }
@@ -82,8 +82,22 @@ void validate(const MasingShear& law) {
 std::vector<ParameterValue> parameters(const MasingShear& law) {
   std::vector<ParameterValue> values = elastic_parameters(law.elastic);
   values.push_back({"reference_strain", law.reference_strain, "1", "gamma_r of the backbone", "given"});
-  values.push_back({"beta", law.beta, "1", "beta of the backbone", "given"});
-  values.push_back({"exponent", law.exponent, "1", "s of the backbone; 1 is the hyperbola", "given"});
+  if (law.shape) {
+    values.push_back(
+        {"shear_strength", law.backbone().strength(), "Pa", "largest dynamic shear stress", "given"});
+    const auto& [first, second, third, fourth, fifth] = *law.shape;
+    values.push_back({"theta1", first, "1", "of the backbone, theta at zero strain", "given"});
+    values.push_back({"theta2", second, "1", "of the backbone, change of theta to large strain", "given"});
+    values.push_back({"theta3", third, "1", "of the backbone", "given"});
+    values.push_back({"theta4", fourth, "1", "of the backbone", "given"});
+    values.push_back({"theta5", fifth, "1", "of the backbone", "given"});
+  } else {
+    values.push_back({"beta", law.beta, "1", "beta of the backbone", "given"});
+    values.push_back({"exponent", law.exponent, "1", "s of the backbone; 1 is the hyperbola", "given"});
+    values.push_back({"implied_strength", law.backbone().stress(0.1), "Pa",
+                      "dynamic shear stress at 10 % strain", "backbone"});
+  }
+  append_loop_parameters(law.loops, values);
   return values;
 }
 

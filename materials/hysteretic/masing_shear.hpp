@@ -1,7 +1,7 @@
 #pragma once
 
-// The law of a column of soil in shear: sigma_xy by the extended Masing rules on an MKZ backbone
-// (masing.hpp), normal stresses elastic,
+// The law of a column of soil in shear: sigma_xy by the extended Masing rules on a backbone (masing.hpp),
+// normal stresses elastic,
 //
 //     sigma_xy <- sigma_xy + tau(gamma + d_gamma) - tau(gamma),      d_sigma_n = K tr(d_eps) + 2 G0
 //     dev(d_eps).
@@ -12,7 +12,7 @@
 
 #include "materials/elastic/elasticity.hpp"
 #include "materials/elastic/linear_elastic.hpp"
-#include "materials/hysteretic/backbone.hpp"
+#include "materials/hysteretic/backbone/backbone.hpp"
 #include "materials/hysteretic/masing.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"
@@ -27,12 +27,16 @@ namespace tremolo::materials {
 
 /// Extended Masing rules in shear. State of a point: its MasingHistory.
 struct MasingShear {
-  Elasticity elastic;            ///< at small strain; its shear modulus is G0
-  double reference_strain = 0.0; ///< gamma_r of the backbone, 1
-  double beta = 1.0;             ///< of the backbone, 1
-  double exponent = 1.0;         ///< s of the backbone, 1, in [0.1, 1]
+  Elasticity elastic;                                 ///< at small strain; its shear modulus is G0
+  double reference_strain = 0.0;                      ///< gamma_r of the backbone, 1
+  double beta = 1.0;                                  ///< of the backbone, 1
+  double exponent = 1.0;                              ///< s of the backbone, 1, in [0.1, 1]
+  std::optional<QuadraticShape> shape = std::nullopt; ///< of a backbone with a strength
+  LoopReduction loops = {};                           ///< what unloading keeps of the damping
 
-  Backbone backbone() const { return {elastic.shear_modulus(), reference_strain, beta, exponent}; }
+  Backbone backbone() const {
+    return {elastic.shear_modulus(), reference_strain, beta, exponent, shape, loops};
+  }
 };
 
 Traits traits(const MasingShear& law);

@@ -1,7 +1,7 @@
 #include "materials/hysteretic/multi_yield_clay.hpp"
 
 #include "materials/elastic/elastic_parameters.hpp"
-#include "materials/hysteretic/backbone_polygon.hpp"
+#include "materials/hysteretic/backbone/backbone_polygon.hpp"
 #include "materials/law/parameter_check.hpp"
 
 #include <fmt/format.h>
@@ -182,7 +182,7 @@ Traits traits(const MultiYieldClay& /*law*/) {
 }
 
 std::span<const StateVariable> state_variables(const MultiYieldClay& law) {
-  return iwan_state_variables(law.elements.size());
+  return iwan_state_variables(law.elements.size(), {});
 }
 
 std::vector<StrengthLine> strength_lines(const MultiYieldClay& law) {
@@ -195,7 +195,7 @@ LinearElastic without_softening(const MultiYieldClay& law) {
 }
 
 void update(const MultiYieldClay& law, const Points& points) {
-  update(law.elastic, law.elements, points);
+  update(law.elastic, law.elements, {}, points);
 }
 
 void validate(const MultiYieldClay& law) {

@@ -19,7 +19,7 @@
 
 #include "materials/elastic/elasticity.hpp"
 #include "materials/elastic/linear_elastic.hpp"
-#include "materials/hysteretic/curves.hpp"
+#include "materials/hysteretic/backbone/curves.hpp"
 #include "materials/hysteretic/iwan_elements.hpp"
 #include "materials/law/parameter_value.hpp"
 #include "materials/law/points.hpp"

@@ -12,7 +12,7 @@
 // and it overloads those functions below that it knows better. law.cpp calls them as one calls swap: the
 // law's own overload goes before the template here.
 
-#include "materials/hysteretic/backbone.hpp"
+#include "materials/hysteretic/backbone/backbone.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/strength_line.hpp"
 
@@ -35,6 +35,11 @@ double p_wave_speed_bound(const L& law, const Points& /*points*/) {
 template <class L>
 const L& without_softening(const L& law) {
   return law;
+}
+
+template <class L>
+std::optional<L> with_reduced_strength(const L& /*law*/, double /*factor*/) {
+  return std::nullopt;
 }
 
 template <class L>

@@ -82,6 +82,12 @@ Law without_softening(const Law& law) {
   return std::visit([](const auto& one) -> Law { return without_softening(one); }, law);
 }
 
+std::optional<Law> with_reduced_strength(const Law& law, double factor) {
+  using defaults::with_reduced_strength;
+  return std::visit(
+      [factor](const auto& one) -> std::optional<Law> { return with_reduced_strength(one, factor); }, law);
+}
+
 Law after_shaking(const Law& law) {
   using defaults::after_shaking;
   return std::visit([](const auto& one) -> Law { return after_shaking(one); }, law);

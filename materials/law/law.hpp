@@ -72,6 +72,11 @@ std::vector<ParameterValue> parameters(const Law& law);
 /// pressure; itself if it does not soften.
 Law without_softening(const Law& law);
 
+/// The law with its strength divided by a factor, c/F and tan(phi)/F, as a factor of safety wants it; nothing
+/// for laws that carry any load at rest.
+/// @param factor  F, 1, > 0
+std::optional<Law> with_reduced_strength(const Law& law, double factor);
+
 /// The law of the same soil once shaking is over and it reconsolidates; itself for laws that know no such
 /// condition.
 Law after_shaking(const Law& law);

@@ -3,6 +3,7 @@
 #include "materials/elastic/elastic_parameters.hpp"
 #include "materials/law/parameter_check.hpp"
 #include "materials/plastic/plastic_strain.hpp"
+#include "materials/plastic/reduced_friction.hpp"
 #include "materials/tensor/independent_loop.hpp"
 #include "materials/tensor/objective_rate.hpp"
 
@@ -138,6 +139,13 @@ std::vector<StrengthLine> strength_lines(const DruckerPrager& law) {
 
 void update(const DruckerPrager& law, const Points& points) {
   points.dezz == nullptr ? move<true>(law, points) : move<false>(law, points);
+}
+
+std::optional<DruckerPrager> with_reduced_strength(DruckerPrager law, double factor) {
+  law.cohesion /= factor;
+  law.friction = reduced_friction(law.friction, factor);
+  law.dilation = std::min(law.dilation, law.friction);
+  return law;
 }
 
 void validate(const DruckerPrager& law) {

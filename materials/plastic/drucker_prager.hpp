@@ -27,6 +27,7 @@
 #include "materials/law/strength_line.hpp"
 #include "materials/law/traits.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,10 @@ struct DruckerPrager {
   double dilation = 0.0; ///< rad, at most the friction angle
   ConeMatch match = ConeMatch::plane_strain;
 };
+
+/// Divides strength by a factor: c/F and tan(phi)/F. Dilation stays as it is, but does not exceed friction.
+/// @param factor  F, 1, > 0
+std::optional<DruckerPrager> with_reduced_strength(DruckerPrager law, double factor);
 
 /// The constants of the cone.
 struct Cone {

@@ -7,6 +7,7 @@
 #include "materials/plastic/mohr_coulomb_main_plane.hpp"
 #include "materials/plastic/mohr_coulomb_softening.hpp"
 #include "materials/plastic/plastic_strain.hpp"
+#include "materials/plastic/reduced_friction.hpp"
 
 #include <fmt/format.h>
 
@@ -213,6 +214,16 @@ std::vector<ParameterValue> parameters(const MohrCoulomb& law) {
 
 MohrCoulomb without_softening(MohrCoulomb law) {
   law.softening = 0.0;
+  return law;
+}
+
+std::optional<MohrCoulomb> with_reduced_strength(MohrCoulomb law, double factor) {
+  law.cohesion_peak /= factor;
+  law.cohesion_residual /= factor;
+  law.friction_peak = reduced_friction(law.friction_peak, factor);
+  law.friction_residual = reduced_friction(law.friction_residual, factor);
+  law.dilation_peak = std::min(law.dilation_peak, law.friction_peak);
+  law.dilation_residual = std::min(law.dilation_residual, law.friction_residual);
   return law;
 }
 

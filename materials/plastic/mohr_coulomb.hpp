@@ -62,6 +62,11 @@ std::vector<ParameterValue> parameters(const MohrCoulomb& law);
 /// state; who softens afterwards from the peak sets it back to zero first.
 MohrCoulomb without_softening(MohrCoulomb law);
 
+/// Divides strength by a factor: c/F and tan(phi)/F before and after softening. Dilation stays as it is, but
+/// does not exceed friction. The apex stays where it is, and the tension cut-off with it.
+/// @param factor  F, 1, > 0
+std::optional<MohrCoulomb> with_reduced_strength(MohrCoulomb law, double factor);
+
 /// The same soil with eta scaled for cells of another size than it was calibrated with: a shear band is about
 /// one cell wide, so eta(h) = eta h / h_ref keeps shear strength against displacement across the band, and
 /// with it the dissipated energy, independent of h.

@@ -1,6 +1,6 @@
 #include "wavefield/process/ground_from_case.hpp"
 
-#include "scene/plan/motion.hpp"
+#include "scene/plan/wave/motion.hpp"
 #include "wavefield/incident_motion.hpp"
 
 #include <cmath>

@@ -4,8 +4,8 @@
 
 #include "coupler/participant.hpp"
 #include "scene/case.hpp"
-#include "scene/plan/motion.hpp"
 #include "scene/plan/service.hpp"
+#include "scene/plan/wave/motion.hpp"
 #include "wavefield/layers/long_field.hpp"
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/served_steps.hpp"

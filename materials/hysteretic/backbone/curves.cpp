@@ -1,6 +1,6 @@
-#include "materials/hysteretic/curves.hpp"
+#include "materials/hysteretic/backbone/curves.hpp"
 
-#include "materials/hysteretic/backbone.hpp"
+#include "materials/hysteretic/backbone/backbone.hpp"
 #include "materials/law/parameter_check.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include "materials/hysteretic/curve_fit.hpp"
+#include "materials/hysteretic/backbone/curve_fit.hpp"
 
-#include "materials/hysteretic/backbone.hpp"
+#include "materials/hysteretic/backbone/backbone.hpp"
 #include "materials/law/parameter_check.hpp"
 
 #include <gsl/gsl_blas.h>

@@ -11,7 +11,7 @@
 // The damping of the backbone is not free then: the Masing rules fix it. They give none at small strain and,
 // as a rule, more than was measured at large strain. masing_against() says how much.
 
-#include "materials/hysteretic/curves.hpp"
+#include "materials/hysteretic/backbone/curves.hpp"
 
 #include <optional>
 #include <vector>
