@@ -3,7 +3,6 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/particles/fill_bodies.hpp"
-#include "mpm_domain/particles/grid_growth.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/spec/limits.hpp"
 
@@ -43,6 +42,24 @@ void check_structures(const Spec& spec) {
                       structure.name));
 }
 
+/// What reduced dispersion asks of the rest of the spec.
+void check_dispersion(const Spec& spec) {
+  if (spec.scheme.transfer != Transfer::apic || spec.scheme.order != StepOrder::musl ||
+      spec.particles_per_cell != 2 || spec.boxes != ParticleBoxes::fixed || !spec.refine.empty() ||
+      spec.water || !spec.structures.empty() || !spec.matched_sides.empty() ||
+      spec.sides == Sides::periodic_springs)
+    throw std::invalid_argument(
+        "reduced dispersion needs the transfer apic, the order musl, two particles a cell and direction, "
+        "boxes "
+        "that keep their size, cells of one size, sides without springs, and a domain without water, "
+        "structures and matched layers");
+  for (const Soil& soil : spec.soils)
+    if (const materials::Response response = materials::traits(soil.law).response;
+        response != materials::Response::elastic && response != materials::Response::hysteretic)
+      throw std::invalid_argument(
+          fmt::format("reduced dispersion is for elastic and hysteretic soil, which '{}' is not", soil.name));
+}
+
 const Spec& checked(const Spec& spec) {
   const auto refuse_unless = [](bool good, std::string_view what, double value, std::string_view range) {
     if (!good)
@@ -68,6 +85,8 @@ const Spec& checked(const Spec& spec) {
   if (spec.scheme.subcycle && spec.water)
     throw std::invalid_argument("soil below a water table takes the same step on all levels: sub-cycling is "
                                 "for domains without water");
+  if (spec.scheme.dispersion == Dispersion::reduced)
+    check_dispersion(spec);
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");
@@ -206,6 +225,7 @@ Domain::Domain(const Spec& specification)
     sets.push_back(std::move(set));
   }
   contact.take_bodies(*this);
+  grid.traits.sharp = spec.scheme.dispersion == Dispersion::reduced;
   for (const Particles& set : sets) {
     grid.traits.wet |= set.water && set.size() > 0;
     grid.traits.flowing |= set.traits.flowing && set.size() > 0;
@@ -247,7 +267,7 @@ NodeRange Domain::row(std::size_t row) const {
 }
 
 double Domain::sort_distance() const {
-  return mesh ? across_margin * finest_lattice().h : sort_cells * grid.h;
+  return mesh ? across_margin * finest_lattice().h : (is_sharp() ? sharp_sort_cells : sort_cells) * grid.h;
 }
 
 std::size_t Domain::particle_count() const {

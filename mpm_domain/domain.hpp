@@ -43,7 +43,7 @@ struct WaitingStrains {
 /// Changes of the pore pressure of the particles of a set that wait for their means (pore_pressure.hpp).
 struct WaitingPressures {
   std::vector<double> compression;      ///< -V div(v_s + n w) dt, m2
-  std::vector<double> change;           ///< dp, Pa
+  std::vector<double> change;           ///< dp/K_f before the last mean of cells
   std::vector<std::size_t> cell;        ///< the node that it begins at
   std::vector<std::uint32_t> in_window; ///< where the cell stands in the window of the particle's tile
 
@@ -94,6 +94,7 @@ struct Domain {
   bool has_water() const { return grid.traits.wet; }
   bool has_flow() const { return grid.traits.flowing; }
   bool has_pore_pressure() const;
+  bool is_sharp() const { return grid.traits.sharp; } ///< whether dispersion is reduced
   std::span<Particles> sets_of_soil() { return std::span(sets).first(soil_sets); }
   std::span<const Particles> sets_of_soil() const { return std::span(sets).first(soil_sets); }
   /// The sets of one elastic body.

@@ -8,7 +8,6 @@
 // numbers(name) and integers(name). Those of results/checkpoint_file.hpp are such.
 
 #include "mpm_domain/domain.hpp"
-#include "mpm_domain/particles/grid_growth.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "mpm_domain/boundary/boundary.hpp"
 
+#include "mpm_domain/clocks/clock_nodes.hpp"
+#include "mpm_domain/clocks/ticks.hpp"
 #include "mpm_domain/domain.hpp"
-#include "mpm_domain/step/clock_nodes.hpp"
-#include "mpm_domain/step/ticks.hpp"
 
 #include <fmt/format.h>
 
@@ -204,6 +204,19 @@ void Boundary::exchange(Domain& domain, const ClockNodes& nodes, const FreeField
     springs_->pull(domain, v_exchange_, reaction_, free_field_);
   for (std::size_t f = 0; f < faces_.size(); ++f)
     evaluate(f);
+  if (domain.has_pore_pressure())
+    follow_lean(domain);
+}
+
+void Boundary::follow_lean(const Domain& domain) {
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const BoundaryFace& face = faces_[f];
+    if (face.side == Side::base || face.support == Support::opposite_face)
+      continue;
+    const double turned = -face.ground.normal.x * lean(domain, faces_, f); // n_y of the leaning side
+    traction_[f].dynamic.x += turned * free_field_[f].stress.xy;
+    traction_[f].dynamic.y += turned * overburden(domain.sets[face.set], face);
+  }
 }
 
 /// Adds the velocity that the face has read last to the mean over a step of clock 0.

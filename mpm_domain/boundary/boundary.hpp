@@ -22,10 +22,19 @@
 //     v- - (v+ of the last step - v-)/2,
 //
 // which differs from v- by less than the transfer takes off a wave.
+//
+// Soil in shear leans, and its sides with it: a side that has moved by u_x(y) has the normal (n_x, -n_x
+// du_x/dy), on which the weight of the soil above acts too,
+//
+//     f^dyn = sigma^ff,dyn n - n_x du_x/dy (sigma_xy^ff, sigma_yy).
+//
+// Left and right this is a couple, the one that ground between leaning neighbours feels. Without it, ground
+// that has liquefied and leans would turn for as long as it is shaken, since nothing but dashpots holds it.
+// sigma_yy is the total stress over the water at rest. It is there where there is pore water.
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
-#include "mpm_domain/boundary/matched_layer.hpp"
+#include "mpm_domain/boundary/layer/matched_layer.hpp"
 #include "mpm_domain/boundary/periodic_springs.hpp"
 #include "mpm_domain/fields/node_fields.hpp"
 
@@ -90,6 +99,8 @@ public:
   /// What the last exchange found per face: v^m (m/s) and the free field.
   std::span<const Vector> velocities() const { return v_exchange_; }
   std::span<const eq6::FreeField> free_field() const { return free_field_; }
+  /// W of a face's nodes in its present step.
+  std::span<const FaceWeight> weights(std::size_t face) const { return weights_[face]; }
   /// What the boundary exerts at a face as of the start of its last step, Pa.
   Vector traction(std::size_t face) const {
     const Vector eq6 = traction_[face].total();
@@ -146,6 +157,7 @@ private:
   void weigh(const Domain& domain, const ClockNodes& nodes, std::size_t face, bool first_tick);
   void add_to_layer_mean(std::size_t face);
   void evaluate(std::size_t face);
+  void follow_lean(const Domain& domain);
   void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
   void find_loads(int clock, const Ticks& ticks);
   /// Work of faces [begin, end) in the last update.

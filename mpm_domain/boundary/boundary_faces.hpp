@@ -12,6 +12,7 @@
 #include "coupler/eq6/boundary_traction.hpp"
 #include "mpm_domain/particles/particles.hpp"
 
+#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -71,6 +72,12 @@ int level_of(const Domain& domain, const BoundaryFace& face);
 
 /// The side of its particle's box that a face covers: a line.
 mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set);
+
+/// du_x/dy of a side at a face, by its neighbours. Faces are in the order of find_faces().
+double lean(const Domain& domain, std::span<const BoundaryFace> faces, std::size_t face);
+
+/// Vertical stress at a face, total where there is pore water and over that of the water at rest, Pa
+double overburden(const Particles& set, const BoundaryFace& face);
 
 /// Weights of a face at its particle's present place, of nodes that are not tied.
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights);

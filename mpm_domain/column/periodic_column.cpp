@@ -11,7 +11,7 @@
 
 #include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/step/time_step.hpp"
-#include "mpm_domain/transfer/total_stress.hpp"
+#include "mpm_domain/strain/total_stress.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,11 +5,36 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
-BodySurface::BodySurface(std::vector<Vector> points, std::vector<bool> corner)
-    : points_(std::move(points)), corner_(std::move(corner)) {}
+namespace {
+
+/// Sine of the angle by which an outline turns at a corner, at least.
+const double least_turn = std::sin(20.0 * std::numbers::pi / 180.0);
+/// Cosine of the angle within which an edge faces a direction.
+const double least_facing = std::sqrt(0.5);
+
+} // namespace
+
+BodySurface::BodySurface(std::vector<Vector> points) : points_(std::move(points)), kinds_(points_.size()) {
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const Vector to = normal_of_edge_to(k);
+    const Vector from = normal_of_edge_to((k + 1) % points_.size());
+    const double turn = cross(to, from);
+    if (std::abs(turn) > least_turn || dot(to, from) < 0.0)
+      kinds_[k] = turn > 0.0 ? Point::toe : Point::inner_corner;
+  }
+}
+
+Vector BodySurface::normal_of_edge_to(std::size_t k) const {
+  const Vector from = points_[before(k)];
+  const Vector edge{points_[k].x - from.x, points_[k].y - from.y};
+  const double per_length = 1.0 / std::hypot(edge.x, edge.y);
+  return {edge.y * per_length, -edge.x * per_length};
+}
 
 mesh::Rectangle BodySurface::bounds() const {
   mesh::Rectangle box{points_.front().x, points_.front().y, points_.front().x, points_.front().y};
@@ -42,7 +67,7 @@ BodySurface::Nearest BodySurface::nearest(const Vector& place) const {
       least = distance2;
       away = to;
       at_end = t != along;
-      corner = at_end && corner_[along < 0.0 ? j : i];
+      corner = at_end && kinds_[along < 0.0 ? j : i] != Point::round;
       const double per_length = 1.0 / std::sqrt(length2);
       edge_normal = {edge.y * per_length, -edge.x * per_length};
     }
@@ -52,6 +77,38 @@ BodySurface::Nearest BodySurface::nearest(const Vector& place) const {
   if (!at_end || distance == 0.0)
     return {sense * distance, edge_normal, corner};
   return {sense * distance, {sense * away.x / distance, sense * away.y / distance}, corner};
+}
+
+bool BodySurface::faces(const Vector& normal, const Vector& direction) {
+  return dot(normal, direction) >= least_facing;
+}
+
+std::optional<BodySurface::Foot> BodySurface::foot(const Vector& place, const Vector& direction) const {
+  std::optional<Foot> found;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    if (!faces(normal_of_edge_to(k), direction))
+      continue;
+    const Vector a = points_[before(k)];
+    const Vector edge{points_[k].x - a.x, points_[k].y - a.y};
+    const double along = dot({place.x - a.x, place.y - a.y}, edge) / dot(edge, edge);
+    const double t = std::clamp(along, 0.0, 1.0);
+    const Vector foot{a.x + t * edge.x, a.y + t * edge.y};
+    const double distance2 = square({place.x - foot.x, place.y - foot.y});
+    if (distance2 < least) {
+      least = distance2;
+      found = Foot{foot, t != along && kinds_[along < 0.0 ? before(k) : k] == Point::toe};
+    }
+  }
+  return found;
+}
+
+std::vector<BodySurface::Toe> BodySurface::toes() const {
+  std::vector<Toe> toes;
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    if (kinds_[k] == Point::toe)
+      toes.push_back({points_[k], {normal_of_edge_to(k), normal_of_edge_to((k + 1) % points_.size())}});
+  return toes;
 }
 
 } // namespace tremolo::mpm_domain

@@ -3,16 +3,20 @@
 #include "mesh/quadtree.hpp"
 #include "mpm_domain/spec/vector.hpp"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
-/// The outline of a body as a polygon, counter-clockwise. Its points are corners, or lie on edges that bend.
+/// The outline of a body as a polygon, counter-clockwise. Its points are corners where it turns by more than
+/// 20 degrees at the start; the others belong to something round, or lie on edges that bend.
 class BodySurface {
 public:
   BodySurface() = default;
-  /// @param corner  which points are corners
-  BodySurface(std::vector<Vector> points, std::vector<bool> corner);
+  explicit BodySurface(std::vector<Vector> points);
 
   const std::vector<Vector>& points() const { return points_; } ///< m
   /// Moves the points.
@@ -30,9 +34,34 @@ public:
   };
   Nearest nearest(const Vector& place) const;
 
+  /// Whether the normal of an edge is within 45 degrees of a direction.
+  static bool faces(const Vector& normal, const Vector& direction);
+
+  /// The point next to a place on the edges that face a direction, and whether that is a toe, a corner that
+  /// sticks out, beyond which the place lies.
+  struct Foot {
+    Vector place;
+    bool toe;
+  };
+  std::optional<Foot> foot(const Vector& place, const Vector& direction) const;
+
+  /// A toe, and the normals of the edges that meet there.
+  struct Toe {
+    Vector place;
+    std::array<Vector, 2> normals;
+  };
+  std::vector<Toe> toes() const;
+
 private:
+  enum class Point : std::uint8_t { round, toe, inner_corner };
+
+  /// The point before one.
+  std::size_t before(std::size_t k) const { return k == 0 ? points_.size() - 1 : k - 1; }
+  /// Normal of the edge that ends at a point, out of the body.
+  Vector normal_of_edge_to(std::size_t k) const;
+
   std::vector<Vector> points_;
-  std::vector<bool> corner_;
+  std::vector<Point> kinds_;
 };
 
 } // namespace tremolo::mpm_domain

@@ -133,10 +133,10 @@ void Contact::follow_sort(const Domain& domain) {
     nodes_[b].follow_sort(domain, surface(b), margin);
 }
 
-void Contact::find_nodes(Domain& domain) {
+void Contact::find_nodes(Domain& domain, bool bonded) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     nodes_[b].find(domain, surface(b), bodies_[b].centre(), structures_[b],
-                   elastic_[b] ? &domain.bodies[elastic_[b]->number()] : nullptr);
+                   elastic_[b] ? &domain.bodies[elastic_[b]->number()] : nullptr, bonded);
     loads_[b] = bodies_[b].load(domain.spec.gravity, water_at_rest(domain.spec));
   }
   find_shared();
@@ -263,7 +263,7 @@ void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) 
 
 ContactWork Contact::meet(Domain& domain, double dt) {
   const double h = domain.finest_lattice().h;
-  find_nodes(domain);
+  find_nodes(domain, false);
   for (ContactNodes& nodes : nodes_)
     nodes.take_trial(domain, dt);
   corners_ = find_corners(bodies_, structures_, 0.5 * h);

@@ -50,6 +50,8 @@ public:
   /// By structure: place and motion, of elastic bodies as a whole.
   std::span<const RigidBody> bodies() const { return bodies_; }
   bool is_elastic(std::size_t body) const { return elastic_[body].has_value(); }
+  /// An elastic body; null: it is rigid.
+  const ElasticBody* elastic(std::size_t body) const { return elastic_[body] ? &*elastic_[body] : nullptr; }
   /// The structure that is the n-th of the elastic ones.
   std::size_t structure_of(std::size_t elastic) const;
   const std::vector<ContactNode>& nodes(std::size_t body) const { return nodes_[body].nodes(); }
@@ -115,7 +117,7 @@ private:
   };
 
   /// Finds the contact nodes of all bodies, and their loads.
-  void find_nodes(Domain& domain);
+  void find_nodes(Domain& domain, bool bonded);
   void find_shared();
   const BodySurface& surface(std::size_t body) const {
     return elastic_[body] ? elastic_[body]->surface() : bodies_[body].surface();

@@ -9,14 +9,17 @@
 namespace tremolo::mpm_domain {
 
 void Contact::begin_rest(Domain& domain) {
-  find_nodes(domain);
+  find_nodes(domain, true);
   corners_.clear(); // bodies at rest hold on to the soil alone
 }
 
 double Contact::relax(Domain& domain, double keep, double gain, bool bonded) {
   Grid& grid = domain.grid;
-  for (ContactNodes& nodes : nodes_)
+  for (ContactNodes& nodes : nodes_) {
+    if (!bonded)
+      nodes.end_bonds(domain.spec.gaps, domain.finest_lattice().h);
     nodes.take_relaxing(domain, gain);
+  }
   solve(trial_motions(keep, gain), gain, bonded);
   double unbalanced = 0.0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {

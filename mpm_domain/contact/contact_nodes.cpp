@@ -1,7 +1,7 @@
 #include "mpm_domain/contact/contact_nodes.hpp"
 
 #include "mpm_domain/domain.hpp"
-#include "mpm_domain/transfer/kernel.hpp"
+#include "mpm_domain/kernel/kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +133,7 @@ void ContactNodes::sum_particles(const Domain& domain, const Structure& structur
 }
 
 void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector& centre,
-                        const Structure& structure, const BodyLattice* own) {
+                        const Structure& structure, const BodyLattice* own, bool bonded) {
   const Lattice& lattice = domain.finest_lattice();
   const Grid& grid = domain.grid;
   window_ = nodes_around(lattice, surface.bounds());
@@ -191,9 +191,12 @@ void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector
       found.area = std::max(0.0, dot(found.normal, sums.gradient));
       found.friction = sums.friction / sums.volume;
       found.gap = at_edge ? sums.gap / sums.surface : sums.least_gap;
-      found.closed = found.gap <= (was_tied ? gaps.opening : gaps.closing) * lattice.h;
+      const double opening = bonded || sums.wet > 0.0 ? gaps.opening : gaps.opening_dry;
+      found.closed = found.gap <= (was_tied ? opening : gaps.closing) * lattice.h;
       of_nodes_.push_back(sums);
     }
+  if (own == nullptr)
+    bear_on(surface, centre, lattice.h);
 }
 
 void ContactNode::set_trial(const Vector& solid_by_others, const Vector& water_by_others) {
@@ -231,6 +234,12 @@ void ContactNode::find_changes() {
   if (body_mass > 0.0)
     body_change = {(normal_impulse * normal.x + tangential_impulse * t.x) / body_mass,
                    (normal_impulse * normal.y + tangential_impulse * t.y) / body_mass};
+}
+
+void ContactNodes::end_bonds(const ContactGaps& gaps, double h) {
+  for (std::size_t n = 0; n < nodes_.size(); ++n)
+    if (of_nodes_[n].wet <= 0.0 && nodes_[n].gap > gaps.opening_dry * h)
+      nodes_[n].closed = nodes_[n].tied = false;
 }
 
 void ContactNodes::take_trial(const Domain& domain, double dt) {

@@ -14,7 +14,8 @@
 // the particles of the soil's surface that reach it and face an edge of the body; for a plane surface this is
 // the gap at the node. Where corners alone face the soil it is the least. A node that is not tied closes when
 // its gap does, and so does not meet a body early that comes back; a tied one is released by its impulse, and
-// by a gap only where that shows beyond doubt.
+// by a gap where that shows beyond doubt. Dry soil that shakes needs less gap for that than bonds and wet
+// soil, whose pressure is missed where a node opens: a round body would be lifted by the nodes ahead of it.
 //
 // The normal n from soil to body may come from either side. That of the body is the mean of the normals of
 // its edges next to these particles; corners have none. That of the soil, n = g/|g|, leaves the pressure of
@@ -83,8 +84,12 @@ public:
   /// Finds the nodes and what does not depend on their motion.
   /// @param centre  of mass of the body, m
   /// @param own     lattice of the body; null: it is rigid
+  /// @param bonded  soil and body are to stick together, as wished in place
   void find(Domain& domain, const BodySurface& surface, const Vector& centre, const Structure& structure,
-            const BodyLattice* own);
+            const BodyLattice* own, bool bonded = false);
+  /// Opens nodes of dry soil whose gap only bonds may have.
+  /// @param h  cell size, m
+  void end_bonds(const ContactGaps& gaps, double h);
 
   /// Takes the motion of the soil after an update over dt (s), before contact.
   void take_trial(const Domain& domain, double dt);
@@ -133,6 +138,8 @@ private:
   void find_touches(Domain& domain, const BodySurface& surface);
   void weigh_particles(const Domain& domain);
   void sum_particles(const Domain& domain, const Structure& structure);
+  /// Finds the arms of the nodes of a rigid body (bearing.cpp).
+  void bear_on(const BodySurface& surface, const Vector& centre, double h);
 
   std::vector<NearParticle> near_;
   std::vector<Touch> touches_; ///< by near particle

@@ -18,11 +18,9 @@ void over_particles(std::span<const Particles> sets, const Act& act) {
       act(set, k);
 }
 
-/// Points along a closed line, no farther apart than a spacing, and which of them are its corners.
-std::pair<std::vector<Vector>, std::vector<bool>> points_along(const std::vector<Vector>& corners,
-                                                               double spacing) {
+/// Points along a closed line, no farther apart than a spacing.
+std::vector<Vector> points_along(const std::vector<Vector>& corners, double spacing) {
   std::vector<Vector> points;
-  std::vector<bool> is_corner;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector from = corners[i];
     const Vector to = corners[(i + 1) % corners.size()];
@@ -30,20 +28,18 @@ std::pair<std::vector<Vector>, std::vector<bool>> points_along(const std::vector
     for (int piece = 0; piece < pieces; ++piece) {
       const double t = static_cast<double>(piece) / pieces;
       points.push_back({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
-      is_corner.push_back(piece == 0);
     }
   }
-  return {points, is_corner};
+  return points;
 }
 
 } // namespace
 
-ElasticBody::ElasticBody(const Structure& structure, std::size_t number, std::span<const Particles> sets,
-                         double spacing)
-    : number_(number) {
-  auto [points, corner] = points_along(RigidBody(structure).outline(), spacing);
+std::vector<ElasticBody::Follower> ElasticBody::followers(std::span<const Vector> points,
+                                                          std::span<const Particles> sets) {
+  std::vector<Follower> followers;
   for (const Vector& point : points) {
-    Follower& follower = followers_.emplace_back();
+    Follower& follower = followers.emplace_back();
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < sets.size(); ++s)
       for (std::size_t k = 0; k < sets[s].size(); ++k) {
@@ -54,7 +50,32 @@ ElasticBody::ElasticBody(const Structure& structure, std::size_t number, std::sp
         }
       }
   }
-  surface_ = BodySurface(std::move(points), std::move(corner));
+  return followers;
+}
+
+std::vector<Vector> ElasticBody::places(std::span<const Follower> followers, std::span<const Particles> sets,
+                                        double angle) {
+  const double s = std::sin(angle);
+  const double c = std::cos(angle);
+  std::vector<Vector> points;
+  for (const Follower& follower : followers) {
+    const Particles& set = sets[follower.set];
+    const std::size_t k = set.index_of[follower.id];
+    const Vector& offset = follower.offset;
+    points.push_back({set.x[k] + c * offset.x - s * offset.y, set.y[k] + s * offset.x + c * offset.y});
+  }
+  return points;
+}
+
+ElasticBody::ElasticBody(const Structure& structure, std::size_t number, std::span<const Particles> sets,
+                         double spacing)
+    : number_(number) {
+  const RigidBody at_start(structure);
+  std::vector<Vector> points = points_along(at_start.outline(), spacing);
+  hole_ = points_along(at_start.hole(), spacing);
+  of_surface_ = followers(points, sets);
+  of_hole_ = followers(hole_, sets);
+  surface_ = BodySurface(std::move(points));
   double mass = 0.0;
   over_particles(sets, [&](const Particles& set, std::size_t k) {
     mass += set.mass[k];
@@ -91,16 +112,8 @@ void ElasticBody::follow(std::span<const Particles> sets, RigidBody& whole) {
   const double tilt = std::atan2(sine, cosine);
   whole.set_state({whole.start().x + moved.x, whole.start().y + moved.y, tilt, velocity.x, velocity.y,
                    angular_momentum / inertia});
-  const double s = std::sin(tilt);
-  const double c = std::cos(tilt);
-  std::vector<Vector> points;
-  for (const Follower& follower : followers_) {
-    const Particles& set = sets[follower.set];
-    const std::size_t k = set.index_of[follower.id];
-    const Vector& offset = follower.offset;
-    points.push_back({set.x[k] + c * offset.x - s * offset.y, set.y[k] + s * offset.x + c * offset.y});
-  }
-  surface_.place(std::move(points));
+  surface_.place(places(of_surface_, sets, tilt));
+  hole_ = places(of_hole_, sets, tilt);
 }
 
 } // namespace tremolo::mpm_domain

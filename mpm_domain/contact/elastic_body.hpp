@@ -8,7 +8,7 @@
 //
 // theta being the rotation that fits all particles best (least squares). A point of the surface keeps its
 // place beside the particle that was next to it at the start, turned by theta: what is missed is the strain
-// and bending over less than a particle's size.
+// and bending over less than a particle's size. So do points of the hole, which only pictures know.
 
 #include "mpm_domain/contact/body_surface.hpp"
 #include "mpm_domain/contact/rigid_body.hpp"
@@ -33,6 +33,8 @@ public:
 
   std::size_t number() const { return number_; }
   const BodySurface& surface() const { return surface_; }
+  /// Points along the hole, m; none: it has no hole.
+  const std::vector<Vector>& hole() const { return hole_; }
 
   /// Brings the surface, and place and motion of the body as a whole, to where particles are now.
   /// @param sets   as before
@@ -47,10 +49,17 @@ private:
     Vector offset; ///< from the particle at the start, m
   };
 
+  /// The particles next to points at the start.
+  static std::vector<Follower> followers(std::span<const Vector> points, std::span<const Particles> sets);
+  /// Where they are after a rotation by an angle (rad).
+  static std::vector<Vector> places(std::span<const Follower> followers, std::span<const Particles> sets,
+                                    double angle);
+
   std::size_t number_;
   Vector start_; ///< X_c, m
-  std::vector<Follower> followers_;
+  std::vector<Follower> of_surface_, of_hole_;
   BodySurface surface_;
+  std::vector<Vector> hole_;
 };
 
 } // namespace tremolo::mpm_domain

@@ -48,7 +48,7 @@ RigidBody::RigidBody(const Structure& structure) : name_(structure.name) {
   inertia_ = structure.density * (about_centre(whole) - (hole.empty() ? 0.0 : about_centre(empty)));
   corners_ = from(centre_, outline);
   hole_ = from(centre_, hole);
-  surface_ = BodySurface(outline, std::vector<bool>(outline.size(), true));
+  surface_ = BodySurface(outline);
 }
 
 double RigidBody::kinetic_energy() const {

@@ -30,6 +30,9 @@ enum class NodeGroup {
   water_momentum, ///< summed over them
   water_force,    ///< summed over them
   water_velocity, ///< derived, as velocity
+  fullness,       ///< derived from masses: how much soil there is around a node
+  inside,         ///< derived from it: where a node has soil on all sides
+  sharpened,      ///< derived
 };
 
 /// Which domains have a group.
@@ -37,20 +40,34 @@ enum class NodeTrait {
   always,
   wet,     ///< with soil below the water table
   flowing, ///< with soil whose pore water flows
+  sharp,   ///< with reduced dispersion
 };
 constexpr NodeTrait trait_of(NodeGroup group) {
   if (group < NodeGroup::pores)
     return NodeTrait::always;
-  return group < NodeGroup::volume_flux ? NodeTrait::wet : NodeTrait::flowing;
+  if (group < NodeGroup::volume_flux)
+    return NodeTrait::wet;
+  return group < NodeGroup::fullness ? NodeTrait::flowing : NodeTrait::sharp;
 }
 
 /// The traits of a domain.
 struct NodeTraits {
   bool wet = false;     ///< soil lies below the water table
   bool flowing = false; ///< and water flows in it
+  bool sharp = false;   ///< dispersion is reduced
 
   constexpr bool have(NodeTrait trait) const {
-    return trait == NodeTrait::always || (trait == NodeTrait::wet ? wet : flowing);
+    switch (trait) {
+    case NodeTrait::always:
+      return true;
+    case NodeTrait::wet:
+      return wet;
+    case NodeTrait::flowing:
+      return flowing;
+    case NodeTrait::sharp:
+      return sharp;
+    }
+    return false;
   }
 };
 
@@ -79,6 +96,10 @@ struct NodeFields {
   NodeField water_force_x, water_force_y;       ///< of the excess pressure per unit of water volume, N/m
   NodeField wx_before, wy_before;               ///< of the water, v_f-, m/s
   NodeField wx_after, wy_after;                 ///< v_f+, m/s
+  NodeField fullness;                           ///< e (dispersion/fullness.hpp), 1
+  NodeField inside_x, inside_y, inside_both;    ///< chi of both directions, and of both together, 1
+  NodeField inside_block;     ///< 1 where e is 1 at all 4 x 4 nodes from this one on, else 0
+  NodeField sharp_x, sharp_y; ///< what sharpening gives, m/s or N/m (dispersion/sharpening.hpp)
 };
 
 /// A line of the table.
@@ -127,6 +148,13 @@ inline constexpr std::array node_field_table{
     NodeFieldDescription{"wy_before", "m/s", NodeGroup::water_velocity, &NodeFields::wy_before},
     NodeFieldDescription{"wx_after", "m/s", NodeGroup::water_velocity, &NodeFields::wx_after},
     NodeFieldDescription{"wy_after", "m/s", NodeGroup::water_velocity, &NodeFields::wy_after},
+    NodeFieldDescription{"fullness", "1", NodeGroup::fullness, &NodeFields::fullness},
+    NodeFieldDescription{"inside_x", "1", NodeGroup::inside, &NodeFields::inside_x},
+    NodeFieldDescription{"inside_y", "1", NodeGroup::inside, &NodeFields::inside_y},
+    NodeFieldDescription{"inside_both", "1", NodeGroup::inside, &NodeFields::inside_both},
+    NodeFieldDescription{"inside_block", "1", NodeGroup::inside, &NodeFields::inside_block},
+    NodeFieldDescription{"sharp_x", "m/s or N/m", NodeGroup::sharpened, &NodeFields::sharp_x},
+    NodeFieldDescription{"sharp_y", "m/s or N/m", NodeGroup::sharpened, &NodeFields::sharp_y},
 };
 
 /// The fields that particles add up to, in the order in which tiles keep their sums. Those of the water stand

@@ -26,6 +26,8 @@ const std::vector<ParticleFieldDescription>& particle_field_table() {
       {"bxy", "m2/s", "affine momentum over mass, B", affine, moved, "", &F::bxy},
       {"byx", "m2/s", "affine momentum over mass, B", affine, moved, "", &F::byx},
       {"byy", "m2/s", "affine momentum over mass, B", affine, moved, "", &F::byy},
+      {"cross_x", "m3/s", "bilinear momentum over mass", bilinear, moved, "", &F::cross_x},
+      {"cross_y", "m3/s", "bilinear momentum over mass", bilinear, moved, "", &F::cross_y},
       {"box_xx", "m2", "moments M of the box", own_boxes, shared, "", &F::box_xx},
       {"box_xy", "m2", "moments M of the box", own_boxes, shared, "", &F::box_xy},
       {"box_yy", "m2", "moments M of the box", own_boxes, shared, "", &F::box_yy},

@@ -15,6 +15,7 @@ namespace tremolo::mpm_domain {
 enum class FieldTrait {
   always,
   affine,    ///< with the transfer apic
+  bilinear,  ///< with reduced dispersion
   own_boxes, ///< where boxes follow the soil
   damped,    ///< of soil with viscous damping
   wet,       ///< of soil below the water table that has a pore pressure
@@ -35,6 +36,9 @@ struct ParticleFields {
   /// the particle and D, the second moment of its weights, does not: so angular momentum stays (Jiang,
   /// Schroeder and Teran 2017).
   std::vector<double> bxx, bxy, byx, byy;
+  /// sum S v (x_i - x)(y_i - y), m3/s: the velocity that is as the product of both distances. It carries
+  /// neither momentum nor angular momentum (PolyPIC: Fu et al. 2017).
+  std::vector<double> cross_x, cross_y;
   std::vector<double> sxx, syy, szz, sxy;                 ///< Cauchy stress, tension positive
   std::vector<double> viscous_xx, viscous_yy, viscous_xy; ///< stress of viscous damping (viscous_stress.hpp)
   std::vector<double> pore_pressure;                      ///< p*, compression positive (pore_water.hpp)
@@ -65,6 +69,7 @@ const std::vector<ParticleFieldDescription>& particle_field_table();
 /// The traits of a set of particles.
 struct ParticleTraits {
   bool affine = false;
+  bool bilinear = false;
   bool own_boxes = false;
   bool cell_dilatation = false; ///< their law sees the mean dilatation of their cell; no field goes with it
   bool damped = false;
@@ -77,6 +82,8 @@ struct ParticleTraits {
       return true;
     case FieldTrait::affine:
       return affine;
+    case FieldTrait::bilinear:
+      return bilinear;
     case FieldTrait::own_boxes:
       return own_boxes;
     case FieldTrait::damped:

@@ -1,11 +1,13 @@
 #include "mpm_domain/gravity/gravity_stage.hpp"
 
+#include "mpm_domain/dispersion/fullness.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/step/time_step.hpp"
-#include "mpm_domain/transfer/cell_means.hpp"
+#include "mpm_domain/tiles/cell_means.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
+#include "mpm_domain/transfer/sharp_transfer.hpp"
 
 #include <fmt/format.h>
 
@@ -94,6 +96,22 @@ double relax_grid(Domain& domain, const Supports& supports, double dt, double al
   if (domain.contact.any())
     unbalanced += domain.contact.relax(domain, keep, gain, bonded);
   return std::sqrt(unbalanced / applied);
+}
+
+void scatter_forces(Domain& domain) {
+  domain.is_sharp() ? scatter_sharp_forces(domain) : scatter(domain, ScatterPart::force);
+}
+
+/// Strains by the velocity of the nodes.
+void strain(Domain& domain, double dt) {
+  if (!domain.is_sharp()) {
+    gather(domain, dt, {.strain = true});
+    return;
+  }
+  domain.grid.vx_strain = domain.grid.vx_after;
+  domain.grid.vy_strain = domain.grid.vy_after;
+  sharpen_strain(domain);
+  gather(domain, dt, {.strain = true, .remapped = true, .sharp = true});
 }
 
 /// The geometry of a set, which stays the same under gravity.
@@ -207,6 +225,8 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   const std::vector<Geometry> given(domain.sets.begin(), domain.sets.end());
 
   scatter(domain, ScatterPart::motion);
+  if (domain.is_sharp())
+    find_fullness(domain);
   domain.contact.begin_rest(domain);
   for (NodeField* velocity : {&domain.grid.vx_after, &domain.grid.vy_after})
     std::fill(velocity->begin(), velocity->end(), 0.0);
@@ -222,14 +242,16 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   const auto relax = [&](bool bonded, long first, double time) {
     Relaxed relaxed{first, 0.0};
     for (long step = first;; ++step) {
-      scatter(domain, ScatterPart::force);
+      scatter_forces(domain);
       relaxed = {step, relax_grid(domain, supports, dt, alpha, bonded)};
       prolong(domain, NodeGroup::velocity);
-      if (step % report_every == 0)
+      const bool ends =
+          relaxed.residual < settings.residual || !(static_cast<double>(step - first) * dt < time);
+      if (ends || step % report_every == 0)
         progress(step, relaxed.residual);
-      if (relaxed.residual < settings.residual || !(static_cast<double>(step - first) * dt < time))
+      if (ends)
         return relaxed;
-      gather(domain, dt, {.strain = true});
+      strain(domain, dt);
       // Geometry is given: volumes, boxes and places do not change.
       for (std::size_t s = 0; s < domain.sets.size(); ++s)
         given[s].restore(domain.sets[s]);
@@ -237,10 +259,10 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   };
   const Relaxed rest = relax(true, 0, settings.max_time);
   if (!(rest.residual < settings.residual))
-    throw std::runtime_error(
-        fmt::format("the gravity stage did not come to rest: residual {:.3g} after {:.3g} s of "
-                    "relaxation, wanted {:.3g}; the slope may not be stable under its weight",
-                    rest.residual, settings.max_time, settings.residual));
+    throw NotAtRest(fmt::format(
+        "the gravity stage did not come to rest: residual {:.3g} after {:.3g} s of relaxation, wanted "
+        "{:.3g}; the slope may not be stable under its weight, which tremolo safety tells",
+        rest.residual, settings.max_time, settings.residual));
   if (domain.contact.any())
     reactions.slipping_bodies = release(domain, [&] {
       constexpr long least =

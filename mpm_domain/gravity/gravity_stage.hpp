@@ -17,6 +17,7 @@
 #include "mpm_domain/domain.hpp"
 
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -36,13 +37,21 @@ struct GravitySettings {
   double max_time = 60.0; ///< s of relaxation after which the stage gives up
 };
 
-/// Reports how far the stage is: steps done, and the residual reached.
+/// The stage has run out of time before all was at rest.
+class NotAtRest : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reports how far the stage is, now and then and at its end: steps done, and the residual reached.
 using GravityProgress = std::function<void(long step, double residual)>;
 
 /// Brings the domain to rest under gravity, all laws at peak strength (no softening); plastic strains are
 /// reset after it.
 /// @returns the reactions of the constraints
-/// @throws std::runtime_error if the residual is not reached, with what was reached
+/// @throws NotAtRest if the residual is not reached. The domain is then as the relaxation has left it:
+/// particles with their plastic strains, and nodes with the velocity with which they go on, vx_after and
+/// vy_after.
 Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                               const GravityProgress& progress);
 

@@ -10,7 +10,7 @@
 // same of grad N_i to G_i (box_average.hpp).
 
 #include "mpm_domain/grid/graded_mesh.hpp"
-#include "mpm_domain/transfer/lanes.hpp"
+#include "mpm_domain/kernel/lanes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 #include "mpm_domain/grid/body_lattices.hpp"
 
 #include "mpm_domain/domain.hpp"
-#include "mpm_domain/particles/grid_growth.hpp"
 
 #include <algorithm>
 #include <cmath>

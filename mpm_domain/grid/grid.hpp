@@ -42,4 +42,10 @@ private:
   }
 };
 
+/// Sets the number of nodes and makes every field zero.
+void resize(Grid& grid, int nx, int ny);
+
+/// Sets the number of nodes of all lattices and makes every field zero.
+void resize_fields(Grid& grid, std::size_t count);
+
 } // namespace tremolo::mpm_domain

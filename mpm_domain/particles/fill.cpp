@@ -69,6 +69,7 @@ std::vector<Particles> empty_sets(const Spec& spec, int finest) {
       set.soil = soil.name;
       set.soil_index = s;
       set.traits = {.affine = spec.scheme.transfer == Transfer::apic,
+                    .bilinear = spec.scheme.dispersion == Dispersion::reduced,
                     .own_boxes = spec.boxes == ParticleBoxes::deforming,
                     .cell_dilatation = spec.scheme.dilatation == Dilatation::cell &&
                                        materials::traits(soil.law).response != materials::Response::elastic,

@@ -29,10 +29,12 @@ Box widened(const Box& box, double by) {
   return {box.x_min - by, box.y_min - by, box.x_max + by, box.y_max + by};
 }
 
-/// Where particles may be at a sort: what they touch from there until the next one lies on the grid.
+/// Where particles may be at a sort: what they touch from there until the next one lies on the grid, and with
+/// reduced dispersion the nodes beyond, up to which differences reach.
 Box room_of(const Grid& grid) {
-  return {grid.x0 + 2 * grid.h, grid.y0 + 2 * grid.h, grid.x0 + (grid.nx - 4) * grid.h,
-          grid.y0 + (grid.ny - 3) * grid.h};
+  const int more = grid.traits.sharp ? 2 : 0;
+  return {grid.x0 + (2 + more) * grid.h, grid.y0 + (2 + more) * grid.h,
+          grid.x0 + (grid.nx - 4 - more) * grid.h, grid.y0 + (grid.ny - 3 - more) * grid.h};
 }
 
 /// How far the sides with faces let soil go: beyond the outermost of them by overflow_cells.
@@ -103,18 +105,6 @@ double largest_grid(const Spec& spec) {
   const double cells = (spec.box.x_max - spec.box.x_min) * (spec.box.y_max - spec.box.y_min) /
                        (spec.cell_size * spec.cell_size);
   return std::max(1e6, 4.0 * cells);
-}
-
-void resize(Grid& grid, int nx, int ny) {
-  grid.nx = nx;
-  grid.ny = ny;
-  resize_fields(grid, grid.count());
-}
-
-void resize_fields(Grid& grid, std::size_t count) {
-  for (const NodeFieldDescription& line : node_field_table)
-    if (grid.traits.have(trait_of(line.group)))
-      (grid.*line.field).assign(count, 0.0);
 }
 
 void make_room(Domain& domain, double time, long step) {

@@ -22,12 +22,6 @@ inline constexpr int overflow_cells = 4;
 /// Nodes that the grid may grow to: a million, or four times the model's cells if that is more.
 double largest_grid(const Spec& spec);
 
-/// Sets the number of nodes and makes every field zero.
-void resize(Grid& grid, int nx, int ny);
-
-/// Sets the number of nodes of all lattices and makes every field zero.
-void resize_fields(Grid& grid, std::size_t count);
-
 /// Makes the grid large enough for all particles and for what they move until the next sort. Fields of a grid
 /// that had to grow are zero.
 /// @param time,step  of the run, s; for the message

@@ -1,14 +1,14 @@
 #pragma once
 
+#include "mpm_domain/clocks/clock_map.hpp"
 #include "mpm_domain/fields/particle_fields.hpp"
 #include "mpm_domain/grid/graded_mesh.hpp"
 #include "mpm_domain/grid/grid.hpp"
+#include "mpm_domain/kernel/kernel.hpp"
+#include "mpm_domain/kernel/particle_boxes.hpp"
 #include "mpm_domain/particles/pore_water.hpp"
 #include "mpm_domain/spec/spec.hpp"
-#include "mpm_domain/step/clock_map.hpp"
 #include "mpm_domain/tiles/tile_map.hpp"
-#include "mpm_domain/transfer/kernel.hpp"
-#include "mpm_domain/transfer/particle_boxes.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -1,5 +1,7 @@
 #include "mpm_domain/process/body_output.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <span>
@@ -104,6 +106,8 @@ BodyOutput::BodyOutput(const scene::Case& scene, const Domain& domain, results::
     bodies_.push_back(&add(writer, path, body_columns, attributes));
     series_.emplace_back(path, bodies_.back());
     names.push_back(body.name());
+    if (domain.contact.is_elastic(names.size() - 1))
+      add_outline(names.size() - 1, writer);
   }
   if (!names.empty())
     writer.attribute("structure_names", names);
@@ -117,6 +121,42 @@ BodyOutput::BodyOutput(const scene::Case& scene, const Domain& domain, results::
     followers_.push_back(
         {*monitor.structure, {monitor.point.x - start.x, monitor.point.y - start.y}, {}, {}, &series});
     series_.emplace_back(path, &series);
+  }
+}
+
+void BodyOutput::add_outline(std::size_t body, results::RunWriter& writer) {
+  const ElasticBody& elastic = *domain_.contact.elastic(body);
+  std::vector<std::string> columns{"time"};
+  std::vector<std::string> units{"s"};
+  const auto add_points = [&](std::string_view of, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k)
+      for (const char axis : {'x', 'y'}) {
+        columns.push_back(fmt::format("{}{}{}", of, axis, k));
+        units.emplace_back("m");
+      }
+  };
+  add_points("", elastic.surface().points().size());
+  add_points("hole_", elastic.hole().size());
+  const std::string path = "/outlines/" + domain_.contact.bodies()[body].name();
+  outlines_.emplace_back(path, &writer.add_series(path, columns, units));
+}
+
+void BodyOutput::write_outlines(const Stepper& stepper) {
+  auto series = outlines_.begin();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const ElasticBody* const elastic = domain_.contact.elastic(b);
+    if (elastic == nullptr)
+      continue;
+    std::vector<double> row{stepper.velocity_time()};
+    // Points of the surface are where its particles are, half a step after their velocities.
+    const RigidMotion& u = domain_.contact.bodies()[b].motion();
+    const double back = 0.5 * stepper.dt();
+    for (const std::vector<Vector>* points : {&elastic->surface().points(), &elastic->hole()})
+      for (const Vector& p : *points) {
+        const Vector v = u.at(domain_.contact.bodies()[b].arm(p));
+        row.insert(row.end(), {p.x - back * v.x, p.y - back * v.y});
+      }
+    (series++)->second->append(row);
   }
 }
 

@@ -25,7 +25,8 @@ struct ContactFrame {
 };
 
 /// The part of a run's file that tells of structures: a series a body, one a monitor that moves with a rigid
-/// one, and the contact nodes of frames. Everything belongs to the times that RunOutput tells.
+/// one, and, frame by frame, outlines of elastic ones and contact nodes. Everything belongs to the times that
+/// RunOutput tells.
 class BodyOutput {
 public:
   /// Adds the series to the file.
@@ -37,6 +38,9 @@ public:
   /// Writes a row of each series.
   void write_history(const Stepper& stepper);
 
+  /// Writes a row of each outline, for a frame.
+  void write_outlines(const Stepper& stepper);
+
   bool any() const { return !bodies_.empty(); }
   /// The contact nodes of the step just made.
   ContactFrame contact(const Stepper& stepper) const;
@@ -45,8 +49,10 @@ public:
   void save(results::CheckpointWriter& checkpoint) const;
   void restore(const results::CheckpointReader& checkpoint);
 
-  /// The series by their paths.
+  /// Series with a row in each row of the histories, by their paths.
   const std::vector<std::pair<std::string, results::TimeSeries*>>& series() const { return series_; }
+  /// Series with a row in each frame.
+  const std::vector<std::pair<std::string, results::TimeSeries*>>& outlines() const { return outlines_; }
 
 private:
   /// A monitor that moves with a rigid body.
@@ -58,6 +64,7 @@ private:
     results::TimeSeries* series = nullptr;
   };
 
+  void add_outline(std::size_t body, results::RunWriter& writer);
   void write_body(std::size_t body, const Stepper& stepper);
   void write_follower(const Follower& follower, const Stepper& stepper);
 
@@ -65,6 +72,7 @@ private:
   std::vector<results::TimeSeries*> bodies_; ///< in the order of Contact::bodies()
   std::vector<Follower> followers_;
   std::vector<std::pair<std::string, results::TimeSeries*>> series_;
+  std::vector<std::pair<std::string, results::TimeSeries*>> outlines_; ///< of elastic bodies
 };
 
 } // namespace tremolo::mpm_domain

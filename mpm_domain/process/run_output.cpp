@@ -2,10 +2,11 @@
 
 #include "mpm_domain/transfer/gather.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -61,33 +62,12 @@ struct WaterField {
   std::span<const double> values;
 };
 
-/// What a monitor records besides motion where the case has water: the effective stress path, and pressure.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> monitored_stress{
-    {{"sxx", "Pa"},
-     {"syy", "Pa"},
-     {"szz", "Pa"},
-     {"sxy", "Pa"},
-     {"pore_pressure", "Pa"},
-     {"pore_pressure_ratio", "1"}}};
-
 void add_water(WaterFrame& frame, const Particles& set, std::size_t k) {
-  double pressure = 0.0;
-  double excess = 0.0;
-  double ratio = 0.0;
-  Vector flux;
-  if (set.traits.wet) {
-    pressure = set.water->pressure(set.pore_pressure[k]);
-    excess = set.water->excess(set.pore_pressure[k], set.y[k]);
-    ratio = set.vertical_at_rest[k] < 0.0 ? excess / -set.vertical_at_rest[k] : 0.0;
-  }
-  if (set.traits.flowing) {
-    const double porosity = set.water->porosity(set.mass[k], set.volume[k]);
-    flux = {porosity * (set.wx[k] - set.vx[k]), porosity * (set.wy[k] - set.vy[k])};
-  }
-  frame.pressure.push_back(pressure);
-  frame.excess.push_back(excess);
-  frame.ratio.push_back(ratio);
-  frame.flux.insert(frame.flux.end(), {flux.x, flux.y});
+  const WaterState state = water_state(set, k);
+  frame.pressure.push_back(state.pressure);
+  frame.excess.push_back(state.excess);
+  frame.ratio.push_back(state.ratio);
+  frame.flux.insert(frame.flux.end(), {state.flux.x, state.flux.y});
 }
 
 /// Arrays of a frame: all soils one after the other, each in the order of particle ids.
@@ -118,11 +98,6 @@ double state_value(const Particles& set, std::size_t k, std::string_view name) {
   return 0.0;
 }
 
-/// Where a particle was at the time of its velocity, half a step before the present, m.
-Vector place(const Particles& set, std::size_t k, double dt) {
-  return {set.x[k] - 0.5 * dt * set.vx[k], set.y[k] - 0.5 * dt * set.vy[k]};
-}
-
 /// The fields of frames that the table of particle fields names, in its order, and fields of one's own.
 std::vector<CarriedField> carried_fields(const Domain& domain) {
   std::vector<CarriedField> fields;
@@ -148,13 +123,23 @@ Frame collect(const Domain& domain, double dt) {
     set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
       columns[line.name] = &values;
     });
+    std::vector<double> vx(set.size());
+    std::vector<double> vy(set.size());
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const Vector v = particle_velocity(domain, set, k);
+      vx[k] = v.x;
+      vy[k] = v.y;
+    }
+    columns["vx"] = &vx;
+    columns["vy"] = &vy;
     for (const std::uint32_t k : set.index_of) {
       if (k == Particles::nowhere)
         continue;
       const Vector acceleration = particle_acceleration(domain, set, k);
       const auto [x, y] = place(set, k, dt);
       frame.position.insert(frame.position.end(), {x, y});
-      frame.displacement.insert(frame.displacement.end(), {x - set.x_initial[k], y - set.y_initial[k]});
+      const Vector moved = displacement(set, k, dt);
+      frame.displacement.insert(frame.displacement.end(), {moved.x, moved.y});
       frame.acceleration.insert(frame.acceleration.end(), {acceleration.x, acceleration.y});
       for (CarriedField& field : frame.carried)
         for (const std::string& component : field.components)
@@ -219,7 +204,7 @@ results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std:
 RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& scene,
                      const std::string& plan, Domain& domain, std::span<const std::string> face_sources)
     : scene_(scene), domain_(domain), writer_(directory / "run.h5", description(scene, plan)),
-      bodies_(scene, domain, writer_) {
+      bodies_(scene, domain, writer_), sliding_masses_(scene, domain, writer_) {
   const scene::Box& box = scene.mesh.box;
   writer_.attribute("mesh_size", scene.mesh.size);
   writer_.attribute("particle_size", 2.0 * domain.half_size());
@@ -241,44 +226,45 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
   }
   energy_ = &writer_.add_series("/energy", columns, units);
   add_monitors();
+  add_lines();
   writer_.set_boundary(boundary_faces(domain, face_sources));
 }
 
 void RunOutput::add_monitors() {
-  std::vector<std::string> columns{"time", "x", "y", "ux", "uy", "vx", "vy", "ax", "ay"};
-  std::vector<std::string> units{"s", "m", "m", "m", "m", "m/s", "m/s", "m/s2", "m/s2"};
-  if (scene_.water)
-    for (const auto& [name, unit] : monitored_stress) {
-      columns.emplace_back(name);
-      units.emplace_back(unit);
-    }
   for (const scene::Monitor& monitor : scene_.monitors) {
     if (monitor.structure && !domain_.contact.is_elastic(*monitor.structure))
       continue;
-    Follower follower;
     std::vector<results::Attribute> attributes;
     if (monitor.structure)
       attributes.push_back({"structure", scene_.structures[*monitor.structure].name});
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
-      const Particles& set = domain_.sets[s];
-      const auto structure = set.body ? std::optional(domain_.contact.structure_of(*set.body)) : std::nullopt;
-      if (structure != monitor.structure)
-        continue;
-      for (std::size_t k = 0; k < set.size(); ++k) {
-        const double distance = std::hypot(set.x[k] - monitor.point.x, set.y[k] - monitor.point.y);
-        if (distance < nearest) {
-          nearest = distance;
-          follower.set = s;
-          follower.id = set.id[k];
-        }
-      }
-    }
-    keep_whole(domain_, follower.set, follower.id);
-    follower.path = "/monitors/" + monitor.name;
-    follower.series = &writer_.add_series(follower.path, columns, units, attributes);
-    followers_.push_back(follower);
+    const FollowedPoint point(domain_, monitor.point, monitor.structure);
+    add_followers("/monitors/" + monitor.name, {point}, attributes, false);
   }
+}
+
+void RunOutput::add_lines() {
+  for (const scene::Line& line : scene_.lines) {
+    std::vector<FollowedPoint> points;
+    for (const scene::Point& place : scene::points_along(line.from, line.to, line.spacing)) {
+      const FollowedPoint point(domain_, place);
+      // A line may be finer than the particles.
+      if (points.empty() || !(points.back() == point))
+        points.push_back(point);
+    }
+    add_followers("/lines/" + line.name, points, {}, true);
+  }
+}
+
+void RunOutput::add_followers(const std::string& path, const std::vector<FollowedPoint>& points,
+                              std::span<const results::Attribute> attributes, bool numbered) {
+  std::vector<std::string> names{"time"};
+  std::vector<std::string> units{"s"};
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (const auto& [name, unit] : FollowedPoint::columns(scene_)) {
+      names.push_back(numbered ? fmt::format("{}{}", name, k) : name);
+      units.push_back(unit);
+    }
+  followers_.push_back({path, points, &writer_.add_series(path, names, units, attributes)});
 }
 
 void RunOutput::after_step(const Stepper& stepper) {
@@ -296,35 +282,19 @@ void RunOutput::after_step(const Stepper& stepper) {
 }
 
 void RunOutput::write_history(const Stepper& stepper) {
-  const double dt = stepper.dt();
   ++history_rows_;
   last_history_ = stepper.velocity_time();
   std::vector<double> row{last_history_};
   for (const double value : domain_.energy.row())
     row.push_back(value);
   energy_->append(row);
-  for (const Follower& follower : followers_) {
-    const Particles& set = domain_.sets[follower.set];
-    const std::size_t k = set.index_of[follower.id];
-    const Vector a = particle_acceleration(domain_, set, k);
-    const auto [x, y] = place(set, k, dt);
-    std::vector<double> values{stepper.velocity_time(),
-                               x,
-                               y,
-                               x - set.x_initial[k],
-                               y - set.y_initial[k],
-                               set.vx[k],
-                               set.vy[k],
-                               a.x,
-                               a.y};
-    if (scene_.water) {
-      WaterFrame water;
-      add_water(water, set, k);
-      values.insert(values.end(), {set.sxx[k], set.syy[k], set.szz[k], set.sxy[k], water.pressure.front(),
-                                   water.ratio.front()});
-    }
-    follower.series->append(values);
+  for (const Followers& followers : followers_) {
+    std::vector<double> values{last_history_};
+    for (const FollowedPoint& point : followers.points)
+      point.append_values(stepper, scene_.water.has_value(), values);
+    followers.series->append(values);
   }
+  sliding_masses_.write_history(stepper);
   bodies_.write_history(stepper);
   write_boundary(stepper);
   writer_.flush_if_large();
@@ -353,6 +323,7 @@ void RunOutput::write_frame(const Stepper& stepper) {
     if (wants(scene_, field))
       fields.push_back({scene::name(field), unit, components, values});
   last_frame_ = stepper.velocity_time();
+  bodies_.write_outlines(stepper);
   const ContactFrame contact = bodies_.contact(stepper);
   writer_.write_frame(last_frame_, fields, bodies_.any() ? contact.fields() : std::vector<results::Field>{});
 }
@@ -379,7 +350,7 @@ void RunOutput::save(results::CheckpointWriter& checkpoint) {
 void RunOutput::take_over(const std::filesystem::path& before, const results::CheckpointReader& checkpoint) {
   const results::RunReader old(before);
   const auto rows = checkpoint.integers("output.rows");
-  take_over_histories(old, rows.at(0));
+  take_over_histories(old, rows.at(0), rows.at(1));
   for (std::size_t frame = 0; frame < rows.at(1); ++frame)
     take_over_frame(old, frame);
   writer_.sync();
@@ -391,18 +362,25 @@ void RunOutput::take_over(const std::filesystem::path& before, const results::Ch
   bodies_.restore(checkpoint);
 }
 
-void RunOutput::take_over_histories(const results::RunReader& before, std::size_t rows) {
-  const auto append = [&](const std::string& path, results::TimeSeries& series) {
+void RunOutput::take_over_histories(const results::RunReader& before, std::size_t rows, std::size_t frames) {
+  const auto append_rows = [&](const std::string& path, results::TimeSeries& series, std::size_t count) {
     const results::SeriesData data = before.series(path);
     const std::size_t width = data.columns.size();
-    for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t row = 0; row < count; ++row)
       series.append(std::span(data.values).subspan(row * width, width));
   };
+  const auto append = [&](const std::string& path, results::TimeSeries& series) {
+    append_rows(path, series, rows);
+  };
   append("/energy", *energy_);
-  for (const Follower& follower : followers_)
-    append(follower.path, *follower.series);
+  for (const Followers& followers : followers_)
+    append(followers.path, *followers.series);
+  for (const auto& [path, series] : sliding_masses_.series())
+    append(path, *series);
   for (const auto& [path, series] : bodies_.series())
     append(path, *series);
+  for (const auto& [path, series] : bodies_.outlines())
+    append_rows(path, *series, frames);
   const results::BoundaryHistory boundary = before.boundary();
   const std::size_t width = 2 * domain_.boundary.faces().size();
   const auto row_of = [&](const std::vector<double>& values, std::size_t row) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "mpm_domain/process/body_output.hpp"
+#include "mpm_domain/process/followed_point.hpp"
+#include "mpm_domain/process/sliding_mass_output.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
 #include "results/run_file.hpp"
@@ -14,7 +16,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// Writes a run's file as the case asks: monitors, energy, particle frames, boundary exchange, timings.
+/// Writes a run's file as the case asks: monitors, lines, sliding masses, energy, particle frames, boundary
+/// exchange, timings.
 ///
 /// Everything written belongs to the time of the particle velocities, Stepper::velocity_time(): displacements
 /// are taken back by v dt/2 to it; accelerations lie half a step before it, stresses half a step after.
@@ -39,17 +42,19 @@ public:
   void abort(const std::string& reason) { writer_.abort(reason); }
 
 private:
-  /// A monitor in soil, or in an elastic structure, and the particle of it nearest to the point at the start,
-  /// which it follows.
-  struct Follower {
-    std::size_t set = 0;
-    std::uint32_t id = 0;
-    std::string path; ///< of its series
+  /// A monitor in soil, or in an elastic structure; or a line.
+  struct Followers {
+    std::string path;
+    std::vector<FollowedPoint> points;
     results::TimeSeries* series = nullptr;
   };
 
   void add_monitors();
-  void take_over_histories(const results::RunReader& before, std::size_t rows);
+  void add_lines();
+  /// Adds the series of one point, or of several, whose columns are then numbered.
+  void add_followers(const std::string& path, const std::vector<FollowedPoint>& points,
+                     std::span<const results::Attribute> attributes, bool numbered);
+  void take_over_histories(const results::RunReader& before, std::size_t rows, std::size_t frames);
   void take_over_frame(const results::RunReader& before, std::size_t frame);
   void write_history(const Stepper& stepper);
   void write_frame(const Stepper& stepper);
@@ -59,8 +64,9 @@ private:
   Domain& domain_;
   results::RunWriter writer_;
   BodyOutput bodies_;
+  SlidingMassOutput sliding_masses_;
   results::TimeSeries* energy_ = nullptr;
-  std::vector<Follower> followers_;
+  std::vector<Followers> followers_;
   double next_history_ = 0.0;
   double next_frame_ = 0.0;
   double last_history_ = 0.0; ///< times of what was written last

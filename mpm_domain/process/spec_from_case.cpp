@@ -68,7 +68,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                  .fraction = scene.time.fraction,
                  .dt = scene.time.dt,
                  .subcycle = scene.time.subcycle,
-                 .dilatation = scene.mesh.dilatation};
+                 .dilatation = scene.mesh.dilatation,
+                 .dispersion = scene.mesh.dispersion};
   const auto& [sides, left, right, base] = scene.boundary;
   spec.sides = sides;
   if (left.absorber == scene::Absorber::matched_layer)

@@ -19,6 +19,11 @@ struct Lattice {
   std::size_t count() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
 };
 
+/// Side of the square of a particle where cells of size h (m) hold `per_cell` of them in each direction, m.
+constexpr double particle_size(double h, int per_cell) {
+  return h / per_cell;
+}
+
 /// Nodes [begin, end) of a row.
 struct NodeRange {
   std::size_t begin;

@@ -42,6 +42,15 @@ constexpr auto words(Dilatation) {
   return word_table<Dilatation>({{Dilatation::cell, "cell"}, {Dilatation::particle, "particle"}});
 }
 
+/// How waves in the domain fall behind true ones, the shorter the more.
+enum class Dispersion {
+  plain,   ///< that of uGIMP
+  reduced, ///< its leading term is taken away (dispersion/sharpening.hpp)
+};
+constexpr auto words(Dispersion) {
+  return word_table<Dispersion>({{Dispersion::plain, "plain"}, {Dispersion::reduced, "reduced"}});
+}
+
 enum class Side { left, right, base };
 constexpr auto words(Side) {
   return word_table<Side>({{Side::left, "left"}, {Side::right, "right"}, {Side::base, "base"}});
@@ -69,6 +78,7 @@ struct Scheme {
   /// fraction and dt are of the coarsest one's. For the transfer apic and the order musl.
   bool subcycle = false;
   Dilatation dilatation = Dilatation::cell; ///< of laws that yield; others see their own
+  Dispersion dispersion = Dispersion::plain;
 };
 
 } // namespace tremolo::mpm_domain

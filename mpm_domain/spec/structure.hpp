@@ -24,10 +24,12 @@ constexpr auto words(ContactNormals) {
 /// A node belongs to a structure's surface if its share of it, in cells, is more than this. Surfaces often
 /// lie on lines of the grid, and the next line is not to join with every tremor.
 inline constexpr double least_wall_share = 0.1;
-/// Gaps between soil and structure, in cells: a tied node opens at the larger one, others close at the
-/// smaller. At the start all nodes are tied, since structures are wished in place.
+/// Gaps between soil and structure, in cells: a tied node opens at the larger one, in dry soil that shakes at
+/// `opening_dry`; others close at the smallest. At the start all nodes are tied, since structures are wished
+/// in place.
 struct ContactGaps {
   double opening = 0.25;
+  double opening_dry = 0.02;
   double closing = 0.002;
 };
 

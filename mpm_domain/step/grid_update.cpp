@@ -1,7 +1,7 @@
 #include "mpm_domain/step/grid_update.hpp"
 
-#include "mpm_domain/step/over_rows.hpp"
-#include "mpm_domain/transfer/lanes.hpp"
+#include "mpm_domain/kernel/lanes.hpp"
+#include "mpm_domain/tiles/over_rows.hpp"
 
 #include <numeric>
 #include <vector>

@@ -1,11 +1,13 @@
 #include "mpm_domain/step/stepper.hpp"
 
+#include "mpm_domain/dispersion/fullness.hpp"
 #include "mpm_domain/grid/periodic_sides.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
 #include "mpm_domain/particles/splitting.hpp"
 #include "mpm_domain/step/grid_update.hpp"
 #include "mpm_domain/step/time_step.hpp"
+#include "mpm_domain/transfer/sharp_transfer.hpp"
 #include "mpm_domain/water/mixture_update.hpp"
 #include "mpm_domain/water/pore_pressure.hpp"
 #include "mpm_domain/water/water_gather.hpp"
@@ -53,8 +55,13 @@ std::vector<Pass> Stepper::recipe() {
   };
   add("time step", &Stepper::choose_step);
   add("sort", &Stepper::sort);
-  add("particles to grid",
-      domain_.has_water() ? &Stepper::scatter_wet_particles : &Stepper::scatter_particles);
+  if (domain_.is_sharp()) {
+    add("particles to grid", &Stepper::scatter_motion);
+    add("sharpened forces", &Stepper::scatter_forces);
+  } else {
+    add("particles to grid",
+        domain_.has_water() ? &Stepper::scatter_wet_particles : &Stepper::scatter_particles);
+  }
   add("grid velocities", &Stepper::find_velocities);
   add("boundary exchange", &Stepper::exchange);
   if (domain_.boundary.has_layers())
@@ -77,6 +84,8 @@ std::vector<Pass> Stepper::recipe() {
       add("velocities to grid again", &Stepper::scatter_momenta);
     }
     add("remapped velocities", &Stepper::remap);
+    if (domain_.is_sharp())
+      add("sharpened velocities", &Stepper::sharpen);
     if (domain_.has_pore_pressure())
       add("pore pressure", &Stepper::find_pressures);
     if (domain_.has_water())
@@ -155,6 +164,15 @@ void Stepper::scatter_wet_particles() {
   scatter_mixture(domain_, nodes_.of(0), nodes_.ties_of(0));
 }
 
+void Stepper::scatter_motion() {
+  scatter(domain_, ScatterPart::motion);
+}
+
+void Stepper::scatter_forces() {
+  find_fullness(domain_);
+  scatter_sharp_forces(domain_);
+}
+
 void Stepper::find_velocities() {
   double gained = 0.0;
   for (int clock = ticks_.first_due(); clock < ticks_.clocks(); ++clock)
@@ -199,7 +217,7 @@ void Stepper::update() {
 
 void Stepper::update_with_flow() {
   EnergyLedger& energy = domain_.energy;
-  close_faces(domain_);
+  walls_.close(domain_);
   kicks_.front() = ticks_.kick_of(0);
   const MixtureUpdate sums = update_mixture(domain_, kicks_.front(), nodes_.of(0));
   kinetic_.front() = sums.kinetic;
@@ -228,6 +246,8 @@ void Stepper::finish_update() {
     throw std::runtime_error(
         fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
   domain_.boundary.book(domain_, ticks_, nodes_);
+  if (domain_.has_flow())
+    energy.drag -= kicks_.front() * walls_.open(domain_);
   shared_.follow_update();
 }
 
@@ -245,7 +265,7 @@ void Stepper::gather_all() {
 void Stepper::gather_velocities() {
   for (int clock = ticks_.clocks() - 1; clock >= ticks_.first_ending(); --clock) {
     prolong(domain_, NodeGroup::velocity, nodes_.ties_of(clock));
-    gather(domain_, ticks_.dt_of(clock), {.velocity = true}, clock);
+    gather(domain_, ticks_.dt_of(clock), {.velocity = true, .sharp = domain_.is_sharp()}, clock);
   }
 }
 
@@ -283,6 +303,10 @@ void Stepper::remap() {
     domain_.energy.transfer += kicks_.front() * domain_.contact.meet_remapped(domain_);
 }
 
+void Stepper::sharpen() {
+  sharpen_strain(domain_);
+}
+
 /// The update and the remap have booked all of the weight.
 void Stepper::book_lift() {
   domain_.energy.gravity += kicks_.front() * lift_power(domain_, nodes_.of(0));
@@ -311,8 +335,10 @@ void Stepper::find_pressures() {
 
 void Stepper::gather_rest() {
   const bool drifts = ticks_.clocks() == 1 && domain_.spec.scheme.transfer == Transfer::apic;
-  const GatherParts rest = drifts ? GatherParts{.drift = true, .strain = true, .remapped = true}
-                                  : GatherParts{.position = true, .strain = true, .remapped = true};
+  const bool sharp = domain_.is_sharp();
+  const GatherParts rest = drifts
+                               ? GatherParts{.drift = true, .strain = true, .remapped = true, .sharp = sharp}
+                               : GatherParts{.position = true, .strain = true, .remapped = true};
   GatherSums sums;
   for (int clock = ticks_.clocks() - 1; clock >= ticks_.first_ending(); --clock) {
     shared_.take_mean(clock);

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "mpm_domain/clocks/clock_nodes.hpp"
+#include "mpm_domain/clocks/shared_nodes.hpp"
+#include "mpm_domain/clocks/ticks.hpp"
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/state.hpp"
-#include "mpm_domain/step/clock_nodes.hpp"
-#include "mpm_domain/step/shared_nodes.hpp"
-#include "mpm_domain/step/ticks.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
+#include "mpm_domain/water/impervious_faces.hpp"
 
 #include <functional>
 #include <span>
@@ -31,7 +32,8 @@ struct Pass {
 ///
 /// Soil below the water table adds passes of its own: pore pressures before the particles move, and, where
 /// water flows, its own transfers within those of the soil (water/). Structures add contact after the update,
-/// and their own motion (contact/).
+/// and their own motion (contact/). With reduced dispersion internal forces have a pass of their own, and the
+/// remapped velocity is sharpened before it strains (transfer/sharp_transfer.hpp).
 ///
 /// It runs on a list of clocks (ticks.hpp): passes after the sort run at every tick for the clocks that begin
 /// or end a step of theirs with it. Where all particles take the same step there is one clock and one tick.
@@ -93,6 +95,8 @@ private:
   void sort();
   void scatter_particles();
   void scatter_wet_particles();
+  void scatter_motion();
+  void scatter_forces();
   void find_velocities();
   void exchange();
   void react();
@@ -105,6 +109,7 @@ private:
   void exchange_velocities();
   void scatter_momenta();
   void remap();
+  void sharpen();
   void find_pressures();
   void book_lift();
   void gather_rest();
@@ -128,6 +133,7 @@ private:
   Ticks ticks_;
   ClockNodes nodes_;
   SharedNodes shared_;
+  ImperviousFaces walls_;
   std::vector<double> kinetic_; ///< K(v+) of each clock's nodes after their last update, J/m
   std::vector<double> kicks_;   ///< time that the forces of that update acted for, s
   std::vector<Pass> passes_;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -23,13 +24,26 @@ double damping_of_fastest(const Particles& set, double in_skeleton, double speed
   return set.damping_time * share * share;
 }
 
+/// A limit of the step, s, and what sets it: cells of size h (m), waves of speed c (m/s), and the damping
+/// time of the soil, s.
+struct Limit {
+  double step = std::numeric_limits<double>::infinity();
+  double h = 0.0;
+  double c = 0.0;
+  double damping_time = 0.0;
+};
+
+Limit lesser(const Limit& one, const Limit& other) {
+  return other.step < one.step ? other : one;
+}
+
 /// The least of steps_of(clock) times the critical step over all particles, where h is the size of the finest
 /// cells that a particle touches.
 /// @param speed  the waves that count
 template <typename StepsOf>
-double least_step(Domain& domain, double max_speed, const StepsOf& steps_of, double FastestWaves::*speed) {
+Limit least_step(Domain& domain, double max_speed, const StepsOf& steps_of, double FastestWaves::*speed) {
   const double share = share_of(domain.spec.scheme.order);
-  std::vector<double> least(domain.block_count(), std::numeric_limits<double>::infinity());
+  std::vector<Limit> least(domain.block_count());
   domain.workers.run(least.size(), [&](std::size_t block) {
     const double h = domain.lattice(domain.level_of_block(block)).h;
     const double steps = steps_of(domain.clock_of_block(block));
@@ -40,7 +54,7 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of, dou
       const double c = waves.*speed;
       const double undamped = largest_courant_number * h / (c + max_speed);
       const double damping = damping_of_fastest(set, waves.in_skeleton, c);
-      least[block] = std::min(least[block], steps * damped_step(undamped, damping, share));
+      least[block] = lesser(least[block], {steps * damped_step(undamped, damping, share), h, c, damping});
     };
     for (Particles& set : domain.sets) {
       see(set, set.in_block(block));
@@ -48,7 +62,7 @@ double least_step(Domain& domain, double max_speed, const StepsOf& steps_of, dou
         see(set, set.in_block(domain.block_count() + block));
     }
   });
-  return *std::ranges::min_element(least);
+  return *std::ranges::min_element(least, {}, &Limit::step);
 }
 
 /// Where all particles take the same step.
@@ -58,53 +72,57 @@ double one_step(int /*clock*/) {
 
 /// The limit 0.65 h/c_p of a matched layer at the base whose ground is not the soil; infinity if there is
 /// none.
-double layer_step(const Spec& spec) {
+Limit layer_step(const Spec& spec) {
   const bool has_layer = std::ranges::find(spec.matched_sides, Side::base) != spec.matched_sides.end();
   if (!spec.below_base || !has_layer)
-    return std::numeric_limits<double>::infinity();
-  return largest_courant_number * spec.cell_size / spec.below_base->p_wave_speed();
+    return {};
+  const double c = spec.below_base->p_wave_speed();
+  return {largest_courant_number * spec.cell_size / c, spec.cell_size, c};
 }
 
-[[noreturn]] void refuse(Domain& domain, double dt, double critical, double max_speed) {
-  if (std::ranges::any_of(domain.sets, [](const Particles& set) { return set.damping_time > 0.0; }))
-    throw std::invalid_argument(fmt::format(
-        "the time step {:.6g} s is over the limit {:.6g} s: the least of sqrt(t^2 + beta^2) - beta, t "
-        "= 0.65 h/(c_p + |v|) and beta the damping time of the soil",
-        dt, critical));
-  if (domain.clocks.count() > 1)
-    throw std::invalid_argument(fmt::format(
-        "the time step {:.6g} s of the coarsest level is over the limit {:.6g} s: the least of 2^k 0.65 "
-        "h/(c_p + |v|), k the level whose step a particle takes",
-        dt, critical));
+[[noreturn]] void refuse(const Domain& domain, double dt, const Limit& limit, double max_speed) {
+  const bool has_clocks = domain.clocks.count() > 1;
+  const char* undamped = "0.65 h/(c_p + |v|)";
+  std::string formula =
+      limit.damping_time > 0.0
+          ? fmt::format("sqrt(t^2 + beta^2) - beta, t = {}, beta = {:.3g} s", undamped, limit.damping_time)
+          : undamped;
+  if (has_clocks)
+    formula = "2^k times " + formula + ", k the level whose step a particle takes";
   throw std::invalid_argument(fmt::format(
-      "the time step {:.6g} s is over the limit {:.6g} s = 0.65 h/(c_p + |v|) with h = {:.6g} m, c_p = "
-      "{:.6g} m/s, |v| = {:.3g} m/s",
-      dt, critical, domain.finest_lattice().h, domain.fastest_wave(), max_speed));
+      "the time step {:.6g} s{} is over the limit {:.6g} s = {}, with h = {:.6g} m, c_p = {:.6g} "
+      "m/s, |v| = {:.3g} m/s",
+      dt, has_clocks ? " of the coarsest level" : "", limit.step, formula, limit.h, limit.c, max_speed));
+}
+
+/// The limit of soil in motion if all particles take the same step.
+Limit uniform_limit(Domain& domain, double max_speed) {
+  return lesser(least_step(domain, max_speed, one_step, &FastestWaves::in_soil), layer_step(domain.spec));
+}
+
+/// The limit of clock 0 where every clock keeps to that of its own particles.
+Limit subcycled_limit(Domain& domain, double max_speed) {
+  const auto steps_of = [](int clock) { return static_cast<double>(1 << clock); };
+  return lesser(least_step(domain, max_speed, steps_of, &FastestWaves::in_soil), layer_step(domain.spec));
 }
 
 } // namespace
 
 double critical_time_step(Domain& domain, double max_speed) {
-  return std::min(least_step(domain, max_speed, one_step, &FastestWaves::in_soil), layer_step(domain.spec));
+  return uniform_limit(domain, max_speed).step;
 }
 
 double critical_skeleton_step(Domain& domain) {
-  return std::min(least_step(domain, 0.0, one_step, &FastestWaves::in_skeleton), layer_step(domain.spec));
-}
-
-double critical_subcycled_step(Domain& domain, double max_speed) {
-  const double stable =
-      std::min(least_step(
-                   domain, max_speed, [](int clock) { return static_cast<double>(1 << clock); },
-                   &FastestWaves::in_soil),
-               layer_step(domain.spec));
-  return max_speed > 0.0 ? std::min(stable, 0.5 * domain.sort_distance() / max_speed) : stable;
+  return lesser(least_step(domain, 0.0, one_step, &FastestWaves::in_skeleton), layer_step(domain.spec)).step;
 }
 
 double next_time_step(Domain& domain, double max_speed, double last) {
   const Scheme& scheme = domain.spec.scheme;
-  const double critical =
-      scheme.subcycle ? critical_subcycled_step(domain, max_speed) : critical_time_step(domain, max_speed);
+  const Limit limit = scheme.subcycle ? subcycled_limit(domain, max_speed) : uniform_limit(domain, max_speed);
+  // No particle of a mesh with clocks comes near cells of another level before the next sort.
+  const double way = scheme.subcycle && max_speed > 0.0 ? 0.5 * domain.sort_distance() / max_speed
+                                                        : std::numeric_limits<double>::infinity();
+  const double critical = std::min(limit.step, way);
   const double wanted = scheme.dt.value_or(scheme.fraction * critical);
   if (scheme.order == StepOrder::usl && wanted > usl_share * critical)
     throw std::invalid_argument(
@@ -112,8 +130,13 @@ double next_time_step(Domain& domain, double max_speed, double last) {
                     "the critical step, {:.6g} s",
                     wanted, usl_share, usl_share * critical));
   if (scheme.dt) {
-    if (*scheme.dt > critical)
-      refuse(domain, *scheme.dt, critical, max_speed);
+    if (*scheme.dt > limit.step)
+      refuse(domain, *scheme.dt, limit, max_speed);
+    if (*scheme.dt > way)
+      throw std::invalid_argument(fmt::format("the time step {:.6g} s of the coarsest level is over {:.6g} "
+                                              "s, in which the fastest particle, {:.3g} "
+                                              "m/s, comes near cells of another level",
+                                              *scheme.dt, way, max_speed));
     return *scheme.dt;
   }
   const bool changes = last == 0.0 || last > std::min(1.02 * wanted, critical) || last < 0.8 * wanted;

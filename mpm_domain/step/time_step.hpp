@@ -20,12 +20,10 @@ double critical_time_step(Domain& domain, double max_speed);
 /// Likewise where pore pressures stay as they are, as under gravity, s.
 double critical_skeleton_step(Domain& domain);
 
-/// The critical step of clock 0, s, so that every clock keeps to the limit of its own particles. It is also
-/// short enough that no particle comes near cells of another level before the next sort.
-double critical_subcycled_step(Domain& domain, double max_speed);
-
-/// The next step, s: the fixed step of the scheme, or its fraction of the critical step. A last step that is
-/// still close to this is kept, since leapfrog is of second order only while the step stays the same.
+/// The next step, s: the fixed step of the scheme, or its fraction of the critical step. Where levels take
+/// steps of their own it is that of clock 0, so that every clock keeps to the limit of its own particles and
+/// no particle comes near cells of another level before the next sort. A last step that is still close to
+/// this is kept, since leapfrog is of second order only while the step stays the same.
 /// @param last the step before, 0 if there was none
 /// @throws std::invalid_argument for a step over the limit
 double next_time_step(Domain& domain, double max_speed, double last);

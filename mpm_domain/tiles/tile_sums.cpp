@@ -1,6 +1,6 @@
 #include "mpm_domain/tiles/tile_sums.hpp"
 
-#include "mpm_domain/transfer/lanes.hpp"
+#include "mpm_domain/kernel/lanes.hpp"
 
 #include <algorithm>
 #include <utility>

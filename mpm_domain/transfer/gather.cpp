@@ -2,13 +2,16 @@
 
 #include "mpm_domain/grid/box_average.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
-#include "mpm_domain/transfer/cell_dilatation.hpp"
+#include "mpm_domain/strain/cell_dilatation.hpp"
+#include "mpm_domain/strain/strain_update.hpp"
 #include "mpm_domain/transfer/samples.hpp"
-#include "mpm_domain/transfer/strain_update.hpp"
+#include "mpm_domain/transfer/sharp_transfer.hpp"
+#include "mpm_domain/transfer/wide_squares.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 namespace tremolo::mpm_domain {
 
@@ -25,6 +28,12 @@ template <typename Group>
 }
 
 template <typename Group>
+[[gnu::always_inline]] inline void take_cross(Particles& p, std::size_t k, Group group, const Samples& q) {
+  group.store(&p.cross_x[k], q.cross.x);
+  group.store(&p.cross_y[k], q.cross.y);
+}
+
+template <typename Group>
 [[gnu::always_inline]] inline void take_change(Particles& p, std::size_t k, Group group, const Samples& q) {
   group.store(&p.vx[k], group.load(&p.vx[k]) + q.v_after.x - q.v_before.x);
   group.store(&p.vy[k], group.load(&p.vy[k]) + q.v_after.y - q.v_before.y);
@@ -35,7 +44,8 @@ constexpr Wanted wanted_by{.v_before = parts.velocity && !affine,
                            .v_after = parts.velocity || parts.position,
                            .gradient = parts.strain,
                            .remapped = parts.remapped,
-                           .affine = (parts.velocity && affine)};
+                           .affine = (parts.velocity && affine),
+                           .bilinear = (parts.velocity && parts.sharp)};
 
 /// @param sample_at  (k, group, x, y) -> Samples of a group of particles from k on, at x and y
 /// @param waiting    takes the strains until the means of cells are known; null: the law sees them at once
@@ -59,6 +69,8 @@ GatherSums gather_range(Particles& p, const ParticleRange& range, double dt, Wai
               take_affine(p, k, group, q);
             else
               take_change(p, k, group, q);
+            if constexpr (parts.sharp)
+              take_cross(p, k, group, q);
           }
           if constexpr (parts.strain) {
             const DisplacementGradient<Lanes> a{dt * q.vx_x, dt * q.vx_y, dt * q.vy_x, dt * q.vy_y};
@@ -92,7 +104,12 @@ GatherSums gather_tile(Domain& domain, Particles& p, int clock, std::size_t tile
   const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
-  const Boxes boxes(p, lattice, x_axis);
+  const auto boxes = [&] {
+    if constexpr (std::is_same_v<Boxes, WideSquares>)
+      return WideSquares(p, lattice, domain.grid);
+    else
+      return Boxes(p, lattice, x_axis);
+  }();
   const auto sample_at = [&](std::size_t k, auto group, const Lanes& x, const Lanes& y)
       __attribute__((always_inline)) {
     return sample<wanted, Boxes::rows>(velocities, lattice, x, y, group.count, x_axis, y_axis,
@@ -118,6 +135,10 @@ GatherSums gather_across(Domain& domain, const AcrossTile& tile, double dt, Wait
 template <GatherParts parts, bool affine>
 GatherSums gather_set(Domain& domain, Particles& p, int clock, std::size_t tile, double dt,
                       WaitingRange* waiting) {
+  if constexpr (parts.sharp) {
+    using Boxes = std::conditional_t<parts.strain, WideSquares, OneSquare>;
+    return gather_tile<parts, true, Boxes>(domain, p, clock, tile, dt, waiting);
+  }
   return p.has_own_boxes() ? gather_tile<parts, affine, OwnRectangles>(domain, p, clock, tile, dt, waiting)
                            : gather_tile<parts, affine, OneSquare>(domain, p, clock, tile, dt, waiting);
 }
@@ -194,6 +215,9 @@ constexpr GatherParts velocity_part{.velocity = true};
 constexpr GatherParts rest_parts{.position = true, .strain = true, .remapped = true};
 constexpr GatherParts drift_parts{.drift = true, .strain = true, .remapped = true};
 constexpr GatherParts strain_part{.strain = true};
+constexpr GatherParts sharp_velocity_part{.velocity = true, .sharp = true};
+constexpr GatherParts sharp_drift_parts{.drift = true, .strain = true, .remapped = true, .sharp = true};
+constexpr GatherParts sharp_strain_part{.strain = true, .remapped = true, .sharp = true};
 
 } // namespace
 
@@ -208,6 +232,12 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts, int clock) {
     return gather_tiles<drift_parts>(domain, dt, clock);
   if (parts == strain_part)
     return gather_tiles<strain_part>(domain, dt, clock);
+  if (parts == sharp_velocity_part)
+    return gather_tiles<sharp_velocity_part>(domain, dt, clock);
+  if (parts == sharp_drift_parts)
+    return gather_tiles<sharp_drift_parts>(domain, dt, clock);
+  if (parts == sharp_strain_part)
+    return gather_tiles<sharp_strain_part>(domain, dt, clock);
   throw std::logic_error("gather: no step asks for this combination of parts");
 }
 
@@ -218,7 +248,14 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts) {
   return total;
 }
 
+Vector particle_velocity(const Domain& domain, const Particles& particles, std::size_t k) {
+  return domain.is_sharp() ? sharp_reading(domain, particles, k, domain.grid.vx_after, domain.grid.vy_after)
+                           : Vector{particles.vx[k], particles.vy[k]};
+}
+
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {
+  if (domain.is_sharp())
+    return sharp_reading(domain, particles, k, domain.grid.ax, domain.grid.ay);
   Vector a;
   const auto add = [&](std::size_t n, double s) {
     a.x += s * domain.grid.ax[n];

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "mpm_domain/domain.hpp"
-
-#include <algorithm>
+#include "mpm_domain/strain/gather_sums.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -14,24 +13,9 @@ struct GatherParts {
   bool drift = false;    ///< x_p += dt v_p: equal to `position` once APIC has gathered v_p
   bool strain = false;   ///< strain increment from the grid velocity, then stress, state and volume
   bool remapped = false; ///< the strain is that of the remapped velocity, not of v+
+  bool sharp = false;    ///< of a domain with reduced dispersion: bilinear velocity, strain in wide boxes
 
   friend constexpr bool operator==(const GatherParts&, const GatherParts&) = default;
-};
-
-/// Sums over the particles of a gather, and their largest speed.
-struct GatherSums {
-  double elastic = 0.0;   ///< work of the stresses on elastic strain, J/m
-  double plastic = 0.0;   ///< work of the stresses on plastic strain, J/m
-  double viscous = 0.0;   ///< work of the viscous stresses, J/m
-  double max_speed = 0.0; ///< of particles that were moved, m/s
-
-  GatherSums& operator+=(const GatherSums& more) {
-    elastic += more.elastic;
-    plastic += more.plastic;
-    viscous += more.viscous;
-    max_speed = std::max(max_speed, more.max_speed);
-    return *this;
-  }
 };
 
 /// Grid to the particles of a clock over its step dt (s).
@@ -47,6 +31,10 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts, int clock);
 
 /// Gathers for the particles of all clocks over the same step dt (s).
 GatherSums gather(Domain& domain, double dt, GatherParts parts);
+
+/// The velocity of the soil at particle k of one set after the last update, m/s, for output: that of the
+/// particle, with reduced dispersion without what its mean over nodes has taken (sharp_transfer.hpp).
+Vector particle_velocity(const Domain& domain, const Particles& particles, std::size_t k);
 
 /// The grid's acceleration of the last update at particle k of one soil, m/s2, for output.
 Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k);

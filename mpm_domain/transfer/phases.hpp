@@ -3,9 +3,9 @@
 // What particles carry to the grid: grains, and water that flows between them. The sums of both stand in the
 // order mass, momentum, force in NodeFields.
 
+#include "mpm_domain/particles/pore_volume.hpp"
+#include "mpm_domain/strain/total_stress.hpp"
 #include "mpm_domain/transfer/chunk_weights.hpp"
-#include "mpm_domain/transfer/total_stress.hpp"
-#include "mpm_domain/water/pore_volume.hpp"
 
 #include <array>
 #include <vector>
@@ -17,6 +17,7 @@ namespace tremolo::mpm_domain {
 struct Arrays {
   const double *mass, *volume, *vx, *vy, *bxx, *bxy, *byx, *byy, *sxx, *syy, *sxy;
   double* sums; ///< [field][row][column], from the field on that takes `mass`
+  const double *cross_x = nullptr, *cross_y = nullptr; ///< of sets with bilinear velocity
 
   double* of(Sum field) const { return sums + static_cast<std::size_t>(field) * window_nodes; }
 };
@@ -30,6 +31,9 @@ struct ChunkStore {
 inline const double* column_from(const std::vector<double>& column, std::size_t first) {
   return column.empty() ? nullptr : &column[first];
 }
+
+/// How the velocity of a particle varies around it.
+enum class Around { uniform, affine, bilinear };
 
 /// What acts on a phase: all of its stress and its weight, or a pressure alone.
 enum class Pull { stress_and_weight, pressure };

@@ -15,6 +15,7 @@ struct Reading {
   bool value = false;
   bool gradient = false;
   bool moments = false;
+  bool cross_moment = false;
 };
 
 /// A velocity component as four particles read it.
@@ -22,6 +23,7 @@ struct Component {
   Lanes value{};                ///< sum S v
   Lanes d_dx{}, d_dy{};         ///< its gradient, 1/s
   Lanes moment_x{}, moment_y{}; ///< sum S v (x_i - x), m2/s
+  Lanes cross_moment{};         ///< sum S v (x_i - x)(y_i - y), m3/s
 };
 
 /// Four columns of nodes as four particles see them: [column][particle] of both components.
@@ -100,6 +102,10 @@ struct Reader {
       vy.moment_x = dot(x_moment, s.y);
       vx.moment_y = dot(x.s, m.x);
       vy.moment_y = dot(x.s, m.y);
+      if constexpr (reading.cross_moment) {
+        vx.cross_moment = dot(x_moment, m.x);
+        vy.cross_moment = dot(x_moment, m.y);
+      }
     }
   }
 
@@ -149,6 +155,7 @@ struct Samples {
   Vectors v_after;                      ///< sum S v+
   Lanes vx_x{}, vx_y{}, vy_x{}, vy_y{}; ///< d v_a/d x_b of the velocity that strains, 1/s
   Lanes bxx{}, bxy{}, byx{}, byy{};     ///< sum S v+ (x_i - x)^T, m2/s
+  Vectors cross;                        ///< sum S v+ (x_i - x)(y_i - y), m3/s
 };
 
 /// Which velocities a gather samples, and which of them strains.
@@ -158,6 +165,7 @@ struct Wanted {
   bool gradient = false;
   bool remapped = false; ///< the gradient is that of the remapped velocity, not of v+
   bool affine = false;
+  bool bilinear = false; ///< besides affine
 };
 
 /// The fields of the grid that are sampled: velocities before and after the update, and that which strains.
@@ -181,8 +189,10 @@ template <Wanted wanted>
 constexpr Reading of_before{.value = wanted.v_before};
 
 template <Wanted wanted>
-constexpr Reading of_after{
-    .value = wanted.v_after, .gradient = wanted.gradient && !wanted.remapped, .moments = wanted.affine};
+constexpr Reading of_after{.value = wanted.v_after,
+                           .gradient = wanted.gradient && !wanted.remapped,
+                           .moments = wanted.affine,
+                           .cross_moment = wanted.bilinear};
 
 template <Wanted wanted>
 constexpr Reading of_strain{.gradient = wanted.gradient && wanted.remapped};
@@ -204,7 +214,8 @@ template <Wanted wanted>
           .bxx = read.x_after.moment_x,
           .bxy = read.x_after.moment_y,
           .byx = read.y_after.moment_x,
-          .byy = read.y_after.moment_y};
+          .byy = read.y_after.moment_y,
+          .cross = {read.x_after.cross_moment, read.y_after.cross_moment}};
 }
 
 /// What the four particles of a reader read from the grid.

@@ -42,24 +42,37 @@ template <Motion motion, std::size_t rows>
 struct MotionSums {
   Rows<rows> mass, momentum_x, momentum_y; ///< not set until the first particle
 
-  /// S m and S m (v + C (x_i - x)), C = B D^-1. Lanes run along x: for each row only the factor of y remains.
-  template <bool affine, bool first>
+  /// S m and S m (v + C (x_i - x)), C = B D^-1, and where the velocity is bilinear, S m c (x_i - x)(y_i - y)
+  /// with c that sum over the particle D^-1 in both directions. Lanes run along x: for each row only the
+  /// factor of y remains.
+  template <Around around, bool first>
   [[gnu::always_inline]] void add(const Arrays& a, const ChunkWeights<rows>& w, std::size_t c, double h) {
     const Lanes m = a.mass[c] * w.xs[c];
     Lanes vx = all(a.vx[c]);
     Lanes vy = all(a.vy[c]);
     Lanes row_x{}; // increment of momentum from one row to the next
     Lanes row_y{};
-    if constexpr (affine) {
+    if constexpr (around != Around::uniform) {
       constexpr Lanes node = {-1.0, 0.0, 1.0, 2.0};
       const Lanes dx = h * (node - w.xi[c]);
       const double dy = -h * w.eta[c];
       const double cxy = a.bxy[c] * w.per_y[c];
       const double cyy = a.byy[c] * w.per_y[c];
-      vx += a.bxx[c] * w.per_x[c] * dx + cxy * dy;
-      vy += a.byx[c] * w.per_x[c] * dx + cyy * dy;
-      row_x = cxy * h * m;
-      row_y = cyy * h * m;
+      if constexpr (around == Around::affine) {
+        vx += a.bxx[c] * w.per_x[c] * dx + cxy * dy;
+        vy += a.byx[c] * w.per_x[c] * dx + cyy * dy;
+        row_x = cxy * h * m;
+        row_y = cyy * h * m;
+      } else {
+        const Lanes along = w.per_x[c] * dx;
+        const Lanes hm = h * m;
+        const Lanes up_x = cxy + (a.cross_x[c] * w.per_y[c]) * along; // dv/dy
+        const Lanes up_y = cyy + (a.cross_y[c] * w.per_y[c]) * along;
+        vx += a.bxx[c] * along + up_x * dy;
+        vy += a.byx[c] * along + up_y * dy;
+        row_x = up_x * hm;
+        row_y = up_y * hm;
+      }
     }
     Lanes px = m * vx;
     Lanes py = m * vy;
@@ -69,7 +82,7 @@ struct MotionSums {
         add_to_row<first>(mass[j], s * m);
       add_to_row<first>(momentum_x[j], s * px);
       add_to_row<first>(momentum_y[j], s * py);
-      if constexpr (affine) {
+      if constexpr (around != Around::uniform) {
         px += row_x;
         py += row_y;
       }
@@ -170,7 +183,7 @@ enum class Company {
 };
 
 /// Motion and force of one phase in a chunk.
-template <Pull pull, Motion motion, bool force, bool affine, std::size_t rows>
+template <Pull pull, Motion motion, bool force, Around around, std::size_t rows>
 [[gnu::always_inline]] inline void scatter_phase(const Arrays& arrays, std::size_t count,
                                                  const ChunkWeights<rows>& w, double h,
                                                  const Lanes& gravity) {
@@ -178,7 +191,7 @@ template <Pull pull, Motion motion, bool force, bool affine, std::size_t rows>
   using Pulling = ForceSums<pull, rows>;
   if constexpr (motion != Motion::none)
     stream<Moving>(w, count, arrays, [&](Moving& sums, std::size_t c, auto is_first) {
-      sums.template add<affine, is_first>(arrays, w, c, h);
+      sums.template add<around, is_first>(arrays, w, c, h);
     });
   if constexpr (force)
     stream<Pulling>(w, count, arrays, [&](Pulling& sums, std::size_t c, auto is_first) {
@@ -206,7 +219,7 @@ template <std::size_t count, std::size_t rows, typename ValuesOf>
 
 /// All calls in this function are inlined (`flatten`): a call would push the sums out of the registers.
 /// @returns the rows of the lattice that the particles touch
-template <Company company, Motion motion, bool force, bool affine, typename Boxes>
+template <Company company, Motion motion, bool force, Around around, typename Boxes>
 [[gnu::flatten]] RowRange scatter_range(const Particles& p, const ParticleRange& range,
                                         const Lattice& lattice, const NodeArray& nodes, double* window,
                                         double gravity) {
@@ -221,14 +234,18 @@ template <Company company, Motion motion, bool force, bool affine, typename Boxe
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t count = std::min(chunk, range.end - k);
     by_fours(0, count, [&](std::size_t c, auto group) {
-      take_weights<force, motion != Motion::none && affine>(p, k + c, c, group, nodes, x_axis, y_axis, boxes,
-                                                            w, seen);
+      take_weights<force, motion != Motion::none && around != Around::uniform>(
+          p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
     });
-    const Arrays soil = SoilPhase::arrays<force>(p, k, count, window, store);
-    scatter_phase<SoilPhase::pull, motion, force, affine>(soil, count, w, lattice.h, g);
+    Arrays soil = SoilPhase::arrays<force>(p, k, count, window, store);
+    if constexpr (around == Around::bilinear) {
+      soil.cross_x = &p.cross_x[k];
+      soil.cross_y = &p.cross_y[k];
+    }
+    scatter_phase<SoilPhase::pull, motion, force, around>(soil, count, w, lattice.h, g);
     if constexpr (company == Company::flow) {
       const Arrays water = WaterPhase::arrays<force>(p, k, count, window, store);
-      scatter_phase<WaterPhase::pull, motion, force, affine>(water, count, w, lattice.h, g);
+      scatter_phase<WaterPhase::pull, motion, force, around>(water, count, w, lattice.h, g);
     }
     if constexpr (force && company == Company::flow)
       scatter_numbers<4>(k, count, w, window + WaterPhase::first_scalar * window_nodes,
@@ -267,7 +284,7 @@ template <std::size_t count, typename Boxes, typename ValuesOf>
   return seen.stencils(Boxes::rows);
 }
 
-/// Scatters the particles of a set in a tile, by the boxes and affine velocities that the set has.
+/// Scatters the particles of a set in a tile, by the boxes and velocities that the set has.
 /// @returns the rows of the lattice that they touch
 template <Company company, Motion motion, bool force>
 RowRange scatter_set(const Domain& domain, const Particles& p, int clock, std::size_t tile, double* window) {
@@ -277,11 +294,16 @@ RowRange scatter_set(const Domain& domain, const Particles& p, int clock, std::s
   const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
   const NodeArray nodes(domain.tiles.window(tile));
   const double gravity = domain.spec.gravity;
+  if constexpr (company == Company::none && !force)
+    if (p.traits.bilinear)
+      return scatter_range<company, motion, force, Around::bilinear, OneSquare>(p, range, lattice, nodes,
+                                                                                window, gravity);
   return for_boxes(p, [&]<typename Boxes>() {
     return p.traits.affine
-               ? scatter_range<company, motion, force, true, Boxes>(p, range, lattice, nodes, window, gravity)
-               : scatter_range<company, motion, force, false, Boxes>(p, range, lattice, nodes, window,
-                                                                     gravity);
+               ? scatter_range<company, motion, force, Around::affine, Boxes>(p, range, lattice, nodes,
+                                                                              window, gravity)
+               : scatter_range<company, motion, force, Around::uniform, Boxes>(p, range, lattice, nodes,
+                                                                               window, gravity);
   });
 }
 

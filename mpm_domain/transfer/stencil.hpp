@@ -1,7 +1,7 @@
 #pragma once
 
+#include "mpm_domain/kernel/kernel.hpp"
 #include "mpm_domain/particles/particles.hpp"
-#include "mpm_domain/transfer/kernel.hpp"
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@
 // the drag is implicit as in Ceccato et al. 2018, Comput. Geotech. 102).
 // Where water may not pass, w+ = 0, and where there is no water w has no meaning: then a_f = a_s.
 
-#include "mpm_domain/transfer/lanes.hpp"
+#include "mpm_domain/kernel/lanes.hpp"
 
 namespace tremolo::mpm_domain {
 

@@ -1,7 +1,7 @@
 #include "mpm_domain/water/mixture_update.hpp"
 
-#include "mpm_domain/step/over_rows.hpp"
-#include "mpm_domain/transfer/lanes.hpp"
+#include "mpm_domain/kernel/lanes.hpp"
+#include "mpm_domain/tiles/over_rows.hpp"
 #include "mpm_domain/water/mixture_kick.hpp"
 
 #include <algorithm>
@@ -40,44 +40,7 @@ Lanes porosity(const MixtureNodes& nodes) {
   return nodes.water_mass * inverse(nodes.full_water, nodes.has_water);
 }
 
-/// Closes the nodes of a lattice on the line of a face, and those next to it outside.
-void close_on(const Lattice& lattice, Side side, const mesh::Rectangle& line, Grid& grid) {
-  const auto nearest = [&](double place, double origin) {
-    return static_cast<int>(std::lround((place - origin) / lattice.h));
-  };
-  const auto first = [&](double place, double origin) {
-    return static_cast<int>(std::floor((place - origin) / lattice.h + 1e-9));
-  };
-  const auto last = [&](double place, double origin) {
-    return static_cast<int>(std::ceil((place - origin) / lattice.h - 1e-9));
-  };
-  const auto close = [&](NodeField& open, int i, int j) {
-    if (i >= 0 && i < lattice.nx && j >= 0 && j < lattice.ny)
-      open[lattice.index(i, j)] = 0.0;
-  };
-  if (side == Side::base) {
-    const int row = nearest(line.y_min, lattice.y0);
-    for (int i = first(line.x_min, lattice.x0); i <= last(line.x_max, lattice.x0); ++i)
-      for (const int j : {row, row - 1})
-        close(grid.open_y, i, j);
-    return;
-  }
-  const int column = nearest(line.x_min, lattice.x0);
-  for (int j = first(line.y_min, lattice.y0); j <= last(line.y_max, lattice.y0); ++j)
-    for (const int i : {column, side == Side::left ? column - 1 : column + 1})
-      close(grid.open_x, i, j);
-}
-
 } // namespace
-
-void close_faces(Domain& domain) {
-  Grid& grid = domain.grid;
-  for_group(grid, NodeGroup::openness, [](NodeField& open) { std::ranges::fill(open, 1.0); });
-  for (const BoundaryFace& face : domain.boundary.faces())
-    if (domain.sets[face.set].traits.flowing)
-      for (int level = 0; level < domain.lattice_count(); ++level)
-        close_on(domain.lattice(level), face.side, line_of(face, domain.sets[face.set]), grid);
-}
 
 double water_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;

@@ -17,9 +17,6 @@
 
 namespace tremolo::mpm_domain {
 
-/// Closes the nodes at boundary faces to flow across these: w . n = 0.
-void close_faces(Domain& domain);
-
 /// v_f- = p_f/m_f; that of the grains where there is no water.
 /// @returns kinetic energy of the water, J/m
 double water_velocities(Domain& domain, std::span<const NodeRange> nodes);

@@ -1,11 +1,11 @@
 #include "mpm_domain/water/pore_pressure.hpp"
 
 #include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/particles/pore_volume.hpp"
+#include "mpm_domain/tiles/cell_means.hpp"
 #include "mpm_domain/transfer/add_sums.hpp"
-#include "mpm_domain/transfer/cell_means.hpp"
 #include "mpm_domain/transfer/for_samples.hpp"
 #include "mpm_domain/transfer/scatter_kernel.hpp"
-#include "mpm_domain/water/pore_volume.hpp"
 
 #include <array>
 #include <cmath>
@@ -103,14 +103,20 @@ void compress(Domain& domain, double dt, const NodeField& flux_x, const NodeFiel
       [&](std::size_t s, std::size_t k) { return domain.waiting_pressures[s].compression[k]; });
 }
 
+/// The means of the cells of a group of particles.
+template <typename Group>
+Lanes means_of_cells(const Grid& grid, const WaitingPressures& waiting, std::size_t k, Group group) {
+  const std::size_t* const cell = waiting.cell.data() + k;
+  Lanes mean{};
+  for (std::size_t lane = 0; lane < group.count; ++lane)
+    mean[lane] = grid.cell_change[cell[lane]];
+  return mean;
+}
+
 /// W e of a group of wet particles.
 template <typename Group>
 Lanes compression_of(Domain& domain, const Particles& p, std::size_t k, Group group) {
-  const std::size_t* const cell = waiting_of(domain, p).cell.data() + k;
-  Lanes mean{};
-  for (std::size_t lane = 0; lane < group.count; ++lane)
-    mean[lane] = domain.grid.cell_change[cell[lane]];
-  return pore_volume(p, k, group) * mean;
+  return pore_volume(p, k, group) * means_of_cells(domain.grid, waiting_of(domain, p), k, group);
 }
 
 /// The mean at nodes, which A takes of the means of cells.
@@ -146,7 +152,7 @@ void average_at_nodes(Domain& domain, std::span<const NodeRange> nodes, std::spa
   prolong(domain, NodeGroup::compression, ties);
 }
 
-/// C of what particles read from the nodes.
+/// C of the excess pressures, which take up K_f times what particles read from the nodes.
 void average_again(Domain& domain) {
   const NodeField& mean = domain.grid.compression;
   const auto keep = [&](std::size_t s) {
@@ -161,26 +167,32 @@ void average_again(Domain& domain) {
       },
       [&](std::size_t s, const AcrossTile& tile) { for_numbers(tile, mean, keep(s)); },
       [&](std::size_t s, std::size_t k) {
-        return pore_volume(domain.sets[s], k) * domain.waiting_pressures[s].change[k];
+        const Particles& p = domain.sets[s];
+        const PoreWater& water = *p.water;
+        const double excess = p.pore_pressure[k] - water.hydrostatic(p.y[k]);
+        return pore_volume(p, k) *
+               (excess + water.fluid.bulk_modulus * domain.waiting_pressures[s].change[k]);
       });
 }
 
-/// Adds the increments to the pressures of a range; returns the work by the trapezoidal rule.
-double add_increments(Domain& domain, Particles& p, std::size_t begin, std::size_t end) {
+/// Gives a range the pressures of its cells; returns the work by the trapezoidal rule.
+double take_pressures(Domain& domain, Particles& p, std::size_t begin, std::size_t end) {
   const WaitingPressures& waiting = waiting_of(domain, p);
   const PoreWater& water = *p.water;
-  double work = 0.0;
-  for (std::size_t k = begin; k < end; ++k) {
-    const double before = p.pore_pressure[k];
-    const double after = before + water.fluid.bulk_modulus * domain.grid.cell_change[waiting.cell[k]];
-    p.pore_pressure[k] = after;
-    work += (0.5 * (water.pressure(before) + water.pressure(after)) - water.hydrostatic(p.y[k])) *
-            waiting.compression[k];
-  }
-  return work;
+  const Lanes least = all(water.fluid.cavitation_pressure);
+  Lanes work{};
+  by_fours(begin, end, [&](std::size_t k, auto group) {
+    const Lanes before = group.load(&p.pore_pressure[k]);
+    const Lanes at_rest = water.hydrostatic(group.load(&p.y[k]));
+    const Lanes after = at_rest + means_of_cells(domain.grid, waiting, k, group);
+    group.store(&p.pore_pressure[k], after);
+    work += (0.5 * (larger(before, least) + larger(after, least)) - at_rest) *
+            group.load(&waiting.compression[k]);
+  });
+  return sum(work);
 }
 
-double add_increments(Domain& domain) {
+double take_pressures(Domain& domain) {
   constexpr std::size_t part = 4096; // particles
   struct Task {
     Particles* set;
@@ -192,7 +204,7 @@ double add_increments(Domain& domain) {
       tasks.push_back({&p, k, std::min(k + part, p.size())});
   std::vector<double> works(tasks.size());
   domain.workers.run(tasks.size(), [&](std::size_t task) {
-    works[task] = add_increments(domain, *tasks[task].set, tasks[task].begin, tasks[task].end);
+    works[task] = take_pressures(domain, *tasks[task].set, tasks[task].begin, tasks[task].end);
   });
   return std::accumulate(works.begin(), works.end(), 0.0);
 }
@@ -207,7 +219,7 @@ double update_pressures(Domain& domain, double dt, const NodeField& flux_x, cons
   compress(domain, dt, flux_x, flux_y);
   average_at_nodes(domain, nodes, ties);
   average_again(domain);
-  return add_increments(domain);
+  return take_pressures(domain);
 }
 
 } // namespace tremolo::mpm_domain

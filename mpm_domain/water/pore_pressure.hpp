@@ -18,6 +18,16 @@
 //
 // C and A are self-adjoint for these weights, and so is C A C, which A C is not: the filter can add no
 // energy. It keeps sum W e = -dt sum V theta: no water is lost.
+//
+// A cell then has one pressure. Particles that cross into another cell take part in its increments, so that
+// pressures would come to differ within cells by what neighbours differ by, more with every cycle: nodes feel
+// only the mean of it, and nothing would even it out. So the last C also takes the mean of the excess p_e,
+//
+//     p = p_h + C (p_e + K_f A C e).
+//
+// Where particles stay in their cells it changes nothing. It keeps sum W p_e, and the energy sum W p_e^2/2
+// K_f can only fall. What a cell gives another by it is the compression of the water alone, p_e/K_f: balance
+// of momentum brings back any pressure that skeleton and weight require.
 
 #include "mpm_domain/domain.hpp"
 

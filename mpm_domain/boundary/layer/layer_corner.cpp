@@ -1,0 +1,129 @@
+#include "mpm_domain/boundary/layer/layer_corner.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+using eq6::Vector;
+
+Vector added(const Vector& a, double factor, const Vector& b) {
+  return {a.x + factor * b.x, a.y + factor * b.y};
+}
+
+} // namespace
+
+LayerCorner::LayerCorner(const CornerShape& shape)
+    : shape_(shape), cells_(static_cast<std::size_t>(shape.cells)), size_(shape.depth / shape.cells),
+      mass_((cells_ + 1) * (cells_ + 1)), memory_(BilinearElement::points * cells_ * cells_) {
+  for (std::vector<Vector>* field : {&u_, &v_, &z_, &y_, &force_})
+    field->resize(mass_.size());
+  for (std::size_t j = 0; j < cells_; ++j)
+    for (std::size_t i = 0; i < cells_; ++i)
+      for (const std::size_t n : {node(i, j), node(i + 1, j), node(i, j + 1), node(i + 1, j + 1)})
+        mass_[n] += 0.25 * shape_.density * size_ * size_;
+}
+
+void LayerCorner::advance(double dt, const Vector& corner_velocity, const LayerEndNodes& side,
+                          const LayerEndNodes& base) {
+  v_.front() = corner_velocity;
+  u_.front() = added(u_.front(), dt, corner_velocity);
+  for (std::size_t j = 0; j < cells_; ++j)
+    for (std::size_t i = j == 0 ? 1 : 0; i < cells_; ++i) {
+      const std::size_t n = node(i, j);
+      double mass = mass_[n];
+      Vector force = force_[n];
+      if (j == 0 || i == 0) {
+        const LayerEndNodes& layer = j == 0 ? side : base;
+        mass += layer.mass[i + j];
+        force = added(force, 1.0, layer.force[i + j]);
+      }
+      move_node(i, j, dt, mass, force);
+    }
+  sum_forces(dt);
+}
+
+// Leapfrog, damping centred: (m/dt + c) w+ = (m/dt - c) w- + f + m (a (b_x + b_z) Z - b_x b_z (Z - a Y)) with
+// c = m (b_x + b_z)/2. Z and Y belong to the times of the forces.
+void LayerCorner::move_node(std::size_t i, std::size_t j, double dt, double mass, Vector force) {
+  const double bx = shape_.stretch.rate(static_cast<double>(i) * size_);
+  const double bz = shape_.stretch.rate(static_cast<double>(j) * size_);
+  const double a = shape_.stretch.shift();
+  const Decay decay(a, dt);
+  const std::size_t n = node(i, j);
+  const auto kick = [&](double& u, double& v, double& z, double& y, double f) {
+    const double c = 0.5 * (bx + bz);
+    v = ((1.0 / dt - c) * v + f / mass + a * (bx + bz) * z - bx * bz * (z - a * y)) / (1.0 / dt + c);
+    u += dt * v;
+    const double before = z;
+    z = decay.keep * z + decay.gain * v;
+    y = decay.keep * y + decay.gain * 0.5 * (before + z);
+  };
+  kick(u_[n].x, v_[n].x, z_[n].x, y_[n].x, force.x);
+  kick(u_[n].y, v_[n].y, z_[n].y, y_[n].y, force.y);
+}
+
+void LayerCorner::sum_forces(double dt) {
+  std::ranges::fill(force_, Vector{});
+  for (std::size_t row = 0; row < cells_; ++row)
+    for (std::size_t column = 0; column < cells_; ++column)
+      strain_element(column, row, dt);
+}
+
+void LayerCorner::strain_element(std::size_t column, std::size_t row, double dt) {
+  const double p_modulus = shape_.p_modulus, shear = shape_.shear_modulus;
+  const double lame = p_modulus - 2.0 * shear;
+  const double a = shape_.stretch.shift();
+  const std::array<std::size_t, 4> nodes{node(column, row), node(column + 1, row), node(column, row + 1),
+                                         node(column + 1, row + 1)};
+  const BilinearElement element{size_, size_};
+  const BilinearElement::Vectors u{u_[nodes[0]], u_[nodes[1]], u_[nodes[2]], u_[nodes[3]]};
+  BilinearElement::Vectors force{};
+  const Decay stress_decay(a, dt);
+  Memory* memory = &memory_[BilinearElement::points * (row * cells_ + column)];
+  for (const double zeta : BilinearElement::gauss) {
+    const double bz = shape_.stretch.rate((static_cast<double>(row) + zeta) * size_);
+    const Vector ux = element.along(u, zeta);
+    for (const double xi : BilinearElement::gauss) {
+      const double bx = shape_.stretch.rate((static_cast<double>(column) + xi) * size_);
+      const Vector uz = element.down(u, xi);
+      const Vector ex = added(ux, -bx, remember(memory->qx, Decay(a + bx, dt), ux));
+      const Vector ez = added(uz, -bz, remember(memory->qz, Decay(a + bz, dt), uz));
+      const double sxz = shear * (ez.x + ex.y);
+      const Vector on_x = {p_modulus * ex.x + lame * ez.y, sxz};
+      const Vector on_z = {sxz, p_modulus * ez.y + lame * ex.x};
+      element.pull(force, xi, zeta, added(on_x, bz, remember(memory->sx, stress_decay, on_x)),
+                   added(on_z, bx, remember(memory->sz, stress_decay, on_z)));
+      ++memory;
+    }
+  }
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    force_[nodes[k]] = added(force_[nodes[k]], 1.0, force[k]);
+}
+
+std::vector<double> LayerCorner::state() const {
+  std::vector<double> all;
+  for (const std::vector<Vector>* field : {&u_, &v_, &z_, &y_, &force_})
+    for (const Vector& value : *field)
+      all.insert(all.end(), {value.x, value.y});
+  for (const Memory& memory : memory_)
+    for (const Vector& value : {memory.qx, memory.qz, memory.sx, memory.sz})
+      all.insert(all.end(), {value.x, value.y});
+  return all;
+}
+
+void LayerCorner::restore(std::span<const double> state) {
+  if (state.size() != 10 * u_.size() + 8 * memory_.size())
+    throw std::invalid_argument("the state of the corner of matched layers is that of another corner");
+  auto next = state.begin();
+  for (std::vector<Vector>* field : {&u_, &v_, &z_, &y_, &force_})
+    for (Vector& value : *field)
+      value = {*next++, *next++};
+  for (Memory& memory : memory_)
+    for (Vector* value : {&memory.qx, &memory.qz, &memory.sx, &memory.sz})
+      *value = {*next++, *next++};
+}
+
+} // namespace tremolo::mpm_domain

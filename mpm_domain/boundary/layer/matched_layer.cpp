@@ -1,0 +1,253 @@
+#include "mpm_domain/boundary/layer/matched_layer.hpp"
+
+#include "mpm_domain/domain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Where a face begins and ends along its side, m.
+struct Reach {
+  double from;
+  double to;
+};
+
+Reach reach(const BoundaryFace& face) {
+  const double middle = face.side == Side::base ? face.position.x : face.position.y;
+  return {middle - 0.5 * face.length, middle + 0.5 * face.length};
+}
+
+bool is_matched(const Domain& domain, Side side) {
+  return std::ranges::find(domain.spec.matched_sides, side) != domain.spec.matched_sides.end();
+}
+
+std::string_view name(Side side) {
+  return side == Side::left ? "left side" : side == Side::right ? "right side" : "base";
+}
+
+std::span<const BoundaryFace> faces_of(const Domain& domain, Side side) {
+  const auto [first, last] = std::ranges::equal_range(domain.boundary.faces(), side, {}, &BoundaryFace::side);
+  if (first == last)
+    throw std::invalid_argument(fmt::format("the {} has no faces for a matched layer", name(side)));
+  for (auto face = first + 1; face != last; ++face)
+    if (std::abs(reach(*face).from - reach(*(face - 1)).to) > 1e-6 * face->length)
+      throw std::invalid_argument(
+          fmt::format("a matched layer behind the {} needs soil all along it; there is none between {:.6g} "
+                      "and {:.6g} m",
+                      name(side), reach(*(face - 1)).to, reach(*face).from));
+  return {first, last};
+}
+
+/// Density of the ground that the face's impedances belong to, kg/m3.
+double ground_density(const Domain& domain, const BoundaryFace& face) {
+  if (face.side == Side::base && domain.spec.below_base)
+    return domain.spec.below_base->density;
+  return materials::elasticity(domain.sets[face.set].law).density;
+}
+
+/// Elastic constants per area of the boundary between two places, in the soil's present stress.
+LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Reach span) {
+  LayerColumn column{.width = span.to - span.from};
+  for (const BoundaryFace& face : faces) {
+    const double share =
+        (std::min(span.to, reach(face).to) - std::max(span.from, reach(face).from)) / column.width;
+    if (!(share > 1e-9))
+      continue;
+    const double density = ground_density(domain, face);
+    column.density += share * density;
+    column.p_modulus += share * face.ground.impedance_p * face.ground.impedance_p / density;
+    column.shear_modulus += share * face.ground.impedance_s * face.ground.impedance_s / density;
+  }
+  return column;
+}
+
+/// The fastest P wave of the ground behind any layer, m/s: they all stretch alike.
+double fastest(const Domain& domain) {
+  double speed = 0.0;
+  for (const BoundaryFace& face : domain.boundary.faces())
+    if (is_matched(domain, face.side))
+      speed = std::max(speed, face.ground.impedance_p / ground_density(domain, face));
+  return speed;
+}
+
+LayerShape shape(const Domain& domain, Side side) {
+  const std::span<const BoundaryFace> faces = faces_of(domain, side);
+  const Spec& spec = domain.spec;
+  const Reach whole = {reach(faces.front()).from, reach(faces.back()).to};
+  const double length = whole.to - whole.from;
+  const int count = std::max(1, static_cast<int>(std::lround(length / spec.cell_size)));
+  LayerShape result;
+  for (int i = 0; i < count; ++i)
+    result.columns.push_back(
+        ground(domain, faces, {whole.from + length * i / count, whole.from + length * (i + 1) / count}));
+  result.cells = spec.layer_cells;
+  result.depth = spec.layer_cells * spec.cell_size;
+  result.fastest = fastest(domain);
+  const auto towards = [&](Side other) {
+    return is_matched(domain, other) ? LayerEnd::corner : LayerEnd::dashpots;
+  };
+  if (spec.periodic())
+    result.ends = {LayerEnd::repeated, LayerEnd::repeated};
+  else if (side == Side::base)
+    result.ends = {towards(Side::left), towards(Side::right)};
+  else
+    result.ends = {towards(Side::base), LayerEnd::free}; // at the ground's surface
+  return result;
+}
+
+/// Integral of the hat of node 0 of a lattice of unit cells from -1 to x.
+double hat_integral(double x) {
+  const double u = std::clamp(x, -1.0, 1.0);
+  return 0.5 + u - 0.5 * u * std::abs(u);
+}
+
+} // namespace
+
+MatchedLayer::MatchedLayer(const Domain& domain, Side side) : side_(side), lattice_(shape(domain, side)) {
+  const std::span<const BoundaryFace> faces = faces_of(domain, side);
+  first_ = static_cast<std::size_t>(&faces.front() - domain.boundary.faces().data());
+  normal_ = faces.front().ground.normal;
+  along_ = {std::abs(normal_.y), std::abs(normal_.x)};
+  const double from = reach(faces.front()).from;
+  const double length = reach(faces.back()).to - from;
+  const std::size_t nodes = lattice_.width();
+  const std::size_t cells = nodes - (domain.spec.periodic() ? 0 : 1);
+  const double width = length / static_cast<double>(cells);
+
+  std::vector<double> covered(nodes);
+  for (const BoundaryFace& face : faces) {
+    const double a = (reach(face).from - from) / width;
+    const double b = (reach(face).to - from) / width;
+    Tie& tie = ties_.emplace_back();
+    tie.length = face.length;
+    for (std::size_t i = 0; i <= cells; ++i) {
+      const double at = static_cast<double>(i);
+      const double part = hat_integral(b - at) - hat_integral(a - at);
+      if (part > 1e-9) {
+        tie.weights.emplace_back(i % nodes, part);
+        covered[i % nodes] += part;
+      }
+    }
+  }
+  for (Tie& tie : ties_)
+    for (auto& [j, weight] : tie.weights)
+      weight /= covered[j];
+  v_free_.resize(faces.size());
+  a_free_.resize(faces.size());
+  velocity_.resize(nodes);
+}
+
+Vector MatchedLayer::local(Vector v) const {
+  return {dot(v, along_), dot(v, normal_)};
+}
+
+void MatchedLayer::lump() {
+  for (Tie& tie : ties_) {
+    tie.mass = 0.0;
+    for (const auto& [j, weight] : tie.weights)
+      tie.mass += weight * lattice_.boundary_mass()[j] / tie.length;
+  }
+}
+
+void MatchedLayer::follow(std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field) {
+  std::ranges::fill(velocity_, Vector{});
+  for (std::size_t f = 0; started_ && f < ties_.size(); ++f) {
+    const Vector now = free_field[first_ + f].velocity;
+    const Vector v = v_domain[first_ + f];
+    const Vector w = local({v.x - 0.5 * (v_free_[f].x + now.x), v.y - 0.5 * (v_free_[f].y + now.y)});
+    for (const auto& [j, weight] : ties_[f].weights) {
+      velocity_[j].x += weight * w.x;
+      velocity_[j].y += weight * w.y;
+    }
+  }
+}
+
+void MatchedLayer::advance(double time, WorkerPool& workers) {
+  if (started_)
+    lattice_.advance(time - time_, velocity_, workers);
+}
+
+void MatchedLayer::react(double time, std::span<const eq6::FreeField> free_field,
+                         std::span<Vector> tractions) {
+  const double dt = time - time_;
+  for (std::size_t f = 0; f < ties_.size(); ++f) {
+    const Vector now = free_field[first_ + f].velocity;
+    Vector force;
+    for (const auto& [j, weight] : ties_[f].weights) {
+      force.x += weight * lattice_.boundary_force()[j].x;
+      force.y += weight * lattice_.boundary_force()[j].y;
+    }
+    // The free field's acceleration, carried on by half a step.
+    const Vector a = started_ ? Vector{(now.x - v_free_[f].x) / dt, (now.y - v_free_[f].y) / dt} : Vector{};
+    const double mass = ties_[f].mass;
+    Vector& traction = tractions[first_ + f];
+    traction.x += (force.x * along_.x + force.y * normal_.x) / ties_[f].length +
+                  mass * (1.5 * a.x - 0.5 * a_free_[f].x);
+    traction.y += (force.x * along_.y + force.y * normal_.y) / ties_[f].length +
+                  mass * (1.5 * a.y - 0.5 * a_free_[f].y);
+    a_free_[f] = a;
+    v_free_[f] = now;
+  }
+  time_ = time;
+  started_ = true;
+}
+
+std::vector<double> MatchedLayer::state() const {
+  std::vector<double> all = lattice_.state();
+  all.insert(all.end(), {started_ ? 1.0 : 0.0, time_});
+  for (const std::vector<Vector>* field : {&v_free_, &a_free_})
+    for (const Vector& value : *field)
+      all.insert(all.end(), {value.x, value.y});
+  return all;
+}
+
+void MatchedLayer::restore(std::span<const double> state) {
+  const std::size_t own = 2 + 4 * ties_.size();
+  if (state.size() < own)
+    throw std::invalid_argument("the state of a matched layer is that of another layer");
+  lattice_.restore(state.first(state.size() - own));
+  auto next = state.last(own).begin();
+  started_ = *next++ != 0.0;
+  time_ = *next++;
+  for (std::vector<Vector>* field : {&v_free_, &a_free_})
+    for (Vector& value : *field)
+      value = {*next++, *next++};
+}
+
+std::vector<JoinedLayers> join(std::span<MatchedLayer> layers) {
+  std::vector<JoinedLayers> joined;
+  for (std::size_t s = 0; s < layers.size(); ++s)
+    for (std::size_t b = 0; b < layers.size(); ++b)
+      if (layers[s].side() != Side::base && layers[b].side() == Side::base)
+        joined.push_back({s, b, LayerJoint(layers[s].side(), layers[s].lattice(), layers[b].lattice())});
+  for (MatchedLayer& layer : layers)
+    layer.lump();
+  return joined;
+}
+
+void react(std::span<MatchedLayer> layers, std::span<JoinedLayers> joined, double time,
+           std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field,
+           std::span<Vector> tractions, WorkerPool& workers) {
+  for (MatchedLayer& layer : layers)
+    layer.follow(v_domain, free_field);
+  workers.run(joined.size(), [&](std::size_t corner) { // each leads an end of its own of the base's layer
+    auto& [s, b, joint] = joined[corner];
+    if (const std::optional<double> dt = layers[b].step_to(time))
+      joint.advance(*dt, layers[s].end_velocity(0), layers[b].end_velocity(joint.base_end()),
+                    layers[s].lattice(), layers[b].lattice());
+  });
+  for (MatchedLayer& layer : layers)
+    layer.advance(time, workers);
+  for (auto& [s, b, joint] : joined)
+    joint.pull(layers[s].lattice(), layers[b].lattice());
+  for (MatchedLayer& layer : layers)
+    layer.react(time, free_field, tractions);
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,123 @@
+#include "mpm_domain/process/followed_point.hpp"
+
+#include "mpm_domain/transfer/gather.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace tremolo::mpm_domain {
+
+WaterState water_state(const Particles& set, std::size_t k) {
+  WaterState state;
+  if (set.traits.wet) {
+    state.pressure = set.water->pressure(set.pore_pressure[k]);
+    state.excess = set.water->excess(set.pore_pressure[k], set.y[k]);
+    state.ratio = set.vertical_at_rest[k] < 0.0 ? state.excess / -set.vertical_at_rest[k] : 0.0;
+  }
+  if (set.traits.flowing) {
+    const double porosity = set.water->porosity(set.mass[k], set.volume[k]);
+    state.flux = {porosity * (set.wx[k] - set.vx[k]), porosity * (set.wy[k] - set.vy[k])};
+  }
+  return state;
+}
+
+Vector place(const Particles& set, std::size_t k, double dt) {
+  return {set.x[k] - 0.5 * dt * set.vx[k], set.y[k] - 0.5 * dt * set.vy[k]};
+}
+
+Vector displacement(const Particles& set, std::size_t k, double dt) {
+  const auto [x, y] = place(set, k, dt);
+  return {x - set.x_initial[k], y - set.y_initial[k]};
+}
+
+FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure)
+    : domain_(&domain) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+    const Particles& set = domain.sets[s];
+    const auto body = set.body ? std::optional(domain.contact.structure_of(*set.body)) : std::nullopt;
+    if (body != structure)
+      continue;
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const double distance = std::hypot(set.x[k] - point.x, set.y[k] - point.y);
+      if (distance < nearest) {
+        nearest = distance;
+        set_ = s;
+        id_ = set.id[k];
+      }
+    }
+  }
+  keep_whole(domain, set_, id_);
+  find_neighbours();
+}
+
+void FollowedPoint::find_neighbours() {
+  const Particles& set = domain_->sets[set_];
+  const std::size_t own = set.index_of[id_];
+  // The eight around it on an even grid of particles, whose distance is twice half_size.
+  const double reach = 1.6 * 2.0 * set.half_size;
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    const Vector offset{set.x_initial[k] - set.x_initial[own], set.y_initial[k] - set.y_initial[own]};
+    if (k != own && std::hypot(offset.x, offset.y) < reach)
+      neighbours_.push_back({set.id[k], offset});
+  }
+}
+
+std::vector<FollowedPoint::Column> FollowedPoint::columns(const scene::Case& scene) {
+  std::vector<Column> columns{{"x", "m"},    {"y", "m"},     {"ux", "m"},    {"uy", "m"},   {"vx", "m/s"},
+                              {"vy", "m/s"}, {"ax", "m/s2"}, {"ay", "m/s2"}, {"sxx", "Pa"}, {"syy", "Pa"},
+                              {"szz", "Pa"}, {"sxy", "Pa"},  {"exx", "1"},   {"eyy", "1"},  {"gxy", "1"}};
+  if (scene.water) {
+    columns.push_back({"pore_pressure", "Pa"});
+    columns.push_back({"pore_pressure_ratio", "1"});
+  }
+  return columns;
+}
+
+void FollowedPoint::append_values(const Stepper& stepper, bool water, std::vector<double>& row) const {
+  const Particles& set = domain_->sets[set_];
+  const std::size_t k = set.index_of[id_];
+  const double dt = stepper.dt();
+  const Vector x = place(set, k, dt);
+  const Vector u = displacement(set, k, dt);
+  const Vector v = particle_velocity(*domain_, set, k);
+  const Vector a = particle_acceleration(*domain_, set, k);
+  const Strain e = strain(dt);
+  row.insert(row.end(), {x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y, set.sxx[k], set.syy[k], set.szz[k],
+                         set.sxy[k], e.xx, e.yy, e.xy});
+  if (water) {
+    const WaterState state = water_state(set, k);
+    row.insert(row.end(), {state.pressure, state.ratio});
+  }
+}
+
+FollowedPoint::Strain FollowedPoint::strain(double dt) const {
+  const Particles& set = domain_->sets[set_];
+  const Vector own = displacement(set, set.index_of[id_], dt);
+  double ux_x = 0.0, ux_y = 0.0, uy_x = 0.0, uy_y = 0.0; // sum of u X^T
+  double xx = 0.0, xy = 0.0, yy = 0.0;                   // sum of X X^T
+  for (const Neighbour& neighbour : neighbours_) {
+    const std::uint32_t k = set.index_of[neighbour.id];
+    if (k == Particles::nowhere)
+      continue;
+    const Vector u = displacement(set, k, dt);
+    const Vector d = neighbour.offset;
+    ux_x += (u.x - own.x) * d.x;
+    ux_y += (u.x - own.x) * d.y;
+    uy_x += (u.y - own.y) * d.x;
+    uy_y += (u.y - own.y) * d.y;
+    xx += d.x * d.x;
+    xy += d.x * d.y;
+    yy += d.y * d.y;
+  }
+  const double determinant = xx * yy - xy * xy;
+  constexpr double nearly_on_a_line = 1e-6;
+  if (!(determinant > nearly_on_a_line * (xx + yy) * (xx + yy))) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none, none};
+  }
+  return {(ux_x * yy - ux_y * xy) / determinant, (uy_y * xx - uy_x * xy) / determinant,
+          (ux_y * xx - ux_x * xy + uy_x * yy - uy_y * xy) / determinant};
+}
+
+} // namespace tremolo::mpm_domain

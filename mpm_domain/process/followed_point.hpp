@@ -1,0 +1,79 @@
+#pragma once
+
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/step/stepper.hpp"
+#include "scene/case.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// What the pore water does at a particle; zero where there is none.
+struct WaterState {
+  double pressure = 0.0; ///< Pa
+  double excess = 0.0;   ///< over the hydrostatic one of the present place, Pa
+  double ratio = 0.0;    ///< excess over the vertical effective stress before the shaking
+  Vector flux;           ///< Darcy velocity, m/s
+};
+WaterState water_state(const Particles& set, std::size_t k);
+
+/// Where a particle was at the time of its velocity, half a step before the present, m.
+Vector place(const Particles& set, std::size_t k, double dt);
+
+/// Displacement since the start at the time of the velocity, m.
+Vector displacement(const Particles& set, std::size_t k, double dt);
+
+/// A particle of soil, or of an elastic structure, whose motion, stress and strain are written as histories.
+///
+/// The strain is that of the displacements u since the start over the places X at the start,
+///
+///     G = sum (u_n - u) (X_n - X)^T [sum (X_n - X) (X_n - X)^T]^-1,    eps = (G + G^T) / 2,
+///
+/// the fit of least squares over the particles n around it in its own soil. It is exact for displacements
+/// that are linear in X, at an interface as well; where particles surround it evenly, to second order of
+/// their distance. Large rotations count as strain.
+class FollowedPoint {
+public:
+  /// The particle nearest to a point at the start, of soil or of a structure; it stays whole. Those around it
+  /// may be cut, and no longer count then: to look at soil must not change how it moves.
+  FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure = std::nullopt);
+
+  /// Names and units of what values() gives.
+  struct Column {
+    std::string name, unit;
+  };
+  static std::vector<Column> columns(const scene::Case& scene);
+
+  /// Appends place, displacement, velocity, acceleration, effective stress, strain and, in a case with water,
+  /// pore pressure and its ratio, as columns() names them. Strain is NaN where the soil has too few particles
+  /// around the point.
+  void append_values(const Stepper& stepper, bool water, std::vector<double>& row) const;
+
+  friend bool operator==(const FollowedPoint& a, const FollowedPoint& b) {
+    return a.set_ == b.set_ && a.id_ == b.id_;
+  }
+
+private:
+  struct Neighbour {
+    std::uint32_t id = 0;
+    Vector offset; ///< X_n - X, m
+  };
+  /// xx, yy and the engineering shear strain xy.
+  struct Strain {
+    double xx = 0.0, yy = 0.0, xy = 0.0;
+  };
+
+  void find_neighbours();
+  Strain strain(double dt) const;
+
+  const Domain* domain_;
+  std::size_t set_ = 0;
+  std::uint32_t id_ = 0;
+  std::vector<Neighbour> neighbours_;
+};
+
+} // namespace tremolo::mpm_domain

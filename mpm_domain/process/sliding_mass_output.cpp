@@ -1,0 +1,76 @@
+#include "mpm_domain/process/sliding_mass_output.hpp"
+
+#include "mpm_domain/process/followed_point.hpp"
+#include "mpm_domain/transfer/gather.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+const std::array<std::string, 10> columns{"time", "mass", "x", "y", "ux", "uy", "vx", "vy", "ax", "ay"};
+const std::array<std::string, 10> units{"s", "kg/m", "m", "m", "m", "m", "m/s", "m/s", "m/s2", "m/s2"};
+
+/// The mass of a particle with the water in its pores, kg/m: the water moves with the grains nearly enough.
+double whole_mass(const Particles& set, std::size_t k) {
+  if (!set.traits.flowing)
+    return set.mass[k];
+  return set.mass[k] +
+         set.water->fluid.density * set.water->porosity(set.mass[k], set.volume[k]) * set.volume[k];
+}
+
+scene::Box bounds(const scene::Polygon& polygon) {
+  const auto [left, right] = std::ranges::minmax(polygon, {}, &scene::Point::x);
+  const auto [low, high] = std::ranges::minmax(polygon, {}, &scene::Point::y);
+  return {left.x, low.y, right.x, high.y};
+}
+
+} // namespace
+
+SlidingMassOutput::SlidingMassOutput(const scene::Case& scene, const Domain& domain,
+                                     results::RunWriter& writer)
+    : scene_(scene), domain_(domain) {
+  for (const scene::SlidingMass& mass : scene.sliding_masses) {
+    std::vector<double> outline;
+    for (const scene::Point& corner : mass.outline.corners)
+      outline.insert(outline.end(), {corner.x, corner.y});
+    const std::string path = "/sliding_masses/" + mass.name;
+    series_.emplace_back(
+        path, &writer.add_series(path, columns, units, std::array{results::Attribute{"outline", outline}}));
+  }
+}
+
+void SlidingMassOutput::write_history(const Stepper& stepper) {
+  for (std::size_t m = 0; m < series_.size(); ++m) {
+    const scene::Polygon& outline = scene_.sliding_masses[m].outline.corners;
+    const scene::Box box = bounds(outline);
+    double mass = 0.0;
+    std::array<double, 8> sums{};
+    for (const Particles& set : domain_.sets_of_soil())
+      // In the order of ids: the sum does not depend on how particles are sorted.
+      for (const std::uint32_t k : set.index_of) {
+        if (k == Particles::nowhere)
+          continue;
+        const scene::Point start{set.x_initial[k], set.y_initial[k]};
+        if (!box.contains(start) || !contains(outline, start))
+          continue;
+        const Vector x = place(set, k, stepper.dt());
+        const Vector u = displacement(set, k, stepper.dt());
+        const Vector v = particle_velocity(domain_, set, k);
+        const Vector a = particle_acceleration(domain_, set, k);
+        const std::array values{x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y};
+        const double own = whole_mass(set, k);
+        mass += own;
+        for (std::size_t i = 0; i < sums.size(); ++i)
+          sums[i] += own * values[i];
+      }
+    std::vector<double> row{stepper.velocity_time(), mass};
+    for (const double sum : sums)
+      row.push_back(mass > 0.0 ? sum / mass : 0.0);
+    series_[m].second->append(row);
+  }
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,108 @@
+#include "mpm_domain/strain/cell_dilatation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+GatherSums strain_range(Domain& domain, std::size_t s, const ParticleRange& range, double dt) {
+  Particles& p = domain.sets[s];
+  const WaitingStrains& strains = domain.waiting_strains[s];
+  LaneSums sums;
+  Increments moved{}; // lanes beyond the last particle are read, and count nothing
+  Increments seen{};
+  for (std::size_t first = range.begin; first < range.end; first += strain_chunk_size) {
+    const std::size_t count = std::min(strain_chunk_size, range.end - first);
+    for (std::size_t c = 0; c < count; ++c) {
+      const std::size_t k = first + c;
+      const double mean = mean_of_cell(domain.grid, strains.cell[k]);
+      const double half_excess = 0.5 * (mean - (strains.exx[k] + strains.eyy[k]));
+      moved.exx[c] = strains.exx[k];
+      moved.eyy[c] = strains.eyy[k];
+      seen.exx[c] = strains.exx[k] + half_excess;
+      seen.eyy[c] = strains.eyy[k] + half_excess;
+      moved.gxy[c] = seen.gxy[c] = strains.gxy[k];
+      seen.wxy[c] = strains.wxy[k];
+      seen.plastic[c] = 0.0;
+    }
+    strain_chunk(p, first, count, seen, moved, dt, sums);
+  }
+  return sums.collected();
+}
+
+} // namespace
+
+WaitingRange::WaitingRange(WaitingStrains& strains, const TileMap& tiles, std::size_t tile, double* window)
+    : strains_(strains), finder_(tiles, tile), window_(window) {}
+
+WaitingRange::WaitingRange(WaitingStrains& strains, const GradedMesh& mesh)
+    : strains_(strains), finder_(mesh) {}
+
+void WaitingRange::find_cells(const Particles& p, std::size_t first, std::size_t count) {
+  for (std::size_t c = 0; c < count; ++c) {
+    const CellFinder::Cell cell = finder_.at(p.x[first + c], p.y[first + c]);
+    strains_.cell[first + c] = cell.node;
+    in_window_[c] = cell.in_window;
+  }
+}
+
+void WaitingRange::hold(const Particles& p, std::size_t first, std::size_t count,
+                        const Increments& increments) {
+  const auto copy = [&](const ChunkField& from, std::vector<double>& to) {
+    std::copy_n(from.begin(), count, to.begin() + static_cast<std::ptrdiff_t>(first));
+  };
+  copy(increments.exx, strains_.exx);
+  copy(increments.eyy, strains_.eyy);
+  copy(increments.gxy, strains_.gxy);
+  copy(increments.wxy, strains_.wxy);
+  if (window_ == nullptr)
+    return;
+  const CellWindow sums(window_);
+  for (std::size_t c = 0; c < count; ++c) {
+    const double volume = p.volume[first + c];
+    sums.add(in_window_[c], volume, volume * (increments.exx[c] + increments.eyy[c]));
+  }
+}
+
+bool some_wait(const Domain& domain) {
+  return std::ranges::any_of(domain.sets, [](const Particles& p) { return p.traits.cell_dilatation; });
+}
+
+void clear_strains(Domain& domain) {
+  clear_cells(domain);
+  for (std::size_t s = 0; s < domain.sets.size(); ++s)
+    if (domain.sets[s].traits.cell_dilatation)
+      domain.waiting_strains[s].resize(domain.sets[s].size());
+}
+
+GatherSums strain_by_cells(Domain& domain, int clock, double dt) {
+  const ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
+  complete_cells(
+      domain, tiles, [](const Particles& p) { return p.traits.cell_dilatation; },
+      [&](std::size_t s, std::size_t k) {
+        const WaitingStrains& strains = domain.waiting_strains[s];
+        const double volume = domain.sets[s].volume[k];
+        return CellValues{strains.cell[k], volume, volume * (strains.exx[k] + strains.eyy[k])};
+      });
+  const std::span<const std::size_t> filled = tiles.sums.filled();
+  std::vector<GatherSums> sums(filled.size() + tiles.across.size());
+  domain.workers.run(sums.size(), [&](std::size_t task) {
+    if (task >= filled.size()) {
+      const AcrossTile& tile = tiles.across[task - filled.size()];
+      if (domain.sets[tile.set].traits.cell_dilatation)
+        sums[task] = strain_range(domain, tile.set, {tile.weights.first(), tile.weights.end()}, dt);
+      return;
+    }
+    for (std::size_t s = 0; s < domain.sets.size(); ++s)
+      if (domain.sets[s].traits.cell_dilatation)
+        sums[task] += strain_range(domain, s, domain.sets[s].in_block(domain.block(clock, filled[task])), dt);
+  });
+  GatherSums total;
+  for (const GatherSums& sum : sums)
+    total += sum;
+  return total;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,52 @@
+#include "mpm_domain/strain/viscous_stress.hpp"
+
+#include <cmath>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// The elastic tangent of each of a group's particles over elasticity(law): with Poisson's ratio given, one
+/// factor, that of c_p^2.
+template <typename Group>
+Lanes tangent_factor(Particles& p, std::size_t k, Group group, double p_wave_speed) {
+  Lanes factor{};
+  for (std::size_t lane = 0; lane < group.count; ++lane)
+    factor[lane] = std::pow(materials::p_wave_speed_bound(p.law, p.points(k + lane, 1)) / p_wave_speed, 2);
+  return factor;
+}
+
+} // namespace
+
+double damp(Particles& p, const ParticleRange& range, const StrainIncrements& seen,
+            const StrainIncrements& moved, double dt) {
+  const materials::Elasticity& elastic = materials::elasticity(p.law);
+  const bool follows_pressure = materials::traits(p.law).follows_pressure;
+  const double rate = p.damping_time / dt;
+  const double along = rate * elastic.p_modulus();
+  const double across = rate * elastic.lame();
+  const double shear = rate * elastic.shear_modulus();
+  Lanes work{};
+  by_fours(range.begin, range.end, [&](std::size_t k, auto group) {
+    const std::size_t c = k - range.begin;
+    const Lanes exx = group.load(&moved.exx[c]);
+    const Lanes eyy = group.load(&moved.eyy[c]);
+    const Lanes gxy = group.load(&moved.gxy[c]);
+    const auto power = [&] {
+      return group.load(&p.viscous_xx[k]) * exx + group.load(&p.viscous_yy[k]) * eyy +
+             group.load(&p.viscous_xy[k]) * gxy;
+    };
+    const Lanes volume = group.load(&p.volume[k]);
+    work += 0.5 * volume * power();
+    const Lanes factor = follows_pressure ? tangent_factor(p, k, group, elastic.p_wave_speed()) : all(1.0);
+    const Lanes seen_xx = group.load(&seen.exx[c]);
+    const Lanes seen_yy = group.load(&seen.eyy[c]);
+    group.store(&p.viscous_xx[k], factor * (along * seen_xx + across * seen_yy));
+    group.store(&p.viscous_yy[k], factor * (across * seen_xx + along * seen_yy));
+    group.store(&p.viscous_xy[k], factor * (shear * group.load(&seen.gxy[c])));
+    work += 0.5 * volume * growth(exx + eyy) * power();
+  });
+  return sum(work);
+}
+
+} // namespace tremolo::mpm_domain

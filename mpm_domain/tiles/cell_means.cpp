@@ -1,0 +1,33 @@
+#include "mpm_domain/tiles/cell_means.hpp"
+
+#include "mpm_domain/grid/tied_nodes.hpp"
+
+#include <algorithm>
+
+namespace tremolo::mpm_domain {
+
+std::size_t CellFinder::leaf_at(double x, double y) const {
+  std::size_t node = 0;
+  mesh_->for_parts({x, y, x, y}, [&](const mesh::Cell& cell, const mesh::Rectangle&) {
+    const bool is_leaf = mesh_->tree().exists(cell);
+    node = is_leaf ? mesh_->node(cell.level, cell.i, cell.j)
+                   : mesh_->node(cell.level - 1, cell.i / 2, cell.j / 2); // a quarter of one
+  });
+  return node;
+}
+
+void clear_cells(Domain& domain) {
+  // All rows: a cell may begin at a node that is tied to finer ones and carries no soil.
+  domain.workers.run(domain.row_count(), [&](std::size_t row) {
+    const auto [begin, end] = domain.row(row);
+    for_group(domain.grid, NodeGroup::cell,
+              [&](NodeField& field) { std::fill(field.data() + begin, field.data() + end, 0.0); });
+  });
+}
+
+void join_images_of_cells(Domain& domain) {
+  fold(domain, NodeGroup::cell, domain.image_rows);
+  prolong(domain, NodeGroup::cell, domain.image_rows);
+}
+
+} // namespace tremolo::mpm_domain
