@@ -5,6 +5,7 @@
 
 #include "materials/law/law.hpp"
 #include "motion/read/read.hpp"
+#include "mpm_domain/spec/lattice.hpp"
 #include "scene/choices.hpp"
 #include "scene/geometry.hpp"
 #include "scene/text/errors.hpp"
@@ -69,6 +70,8 @@ struct Soil {
   std::optional<materials::PoreSpace> pores = std::nullopt;
   /// Void ratio that the law has by its own parameters, where it has one.
   std::optional<double> law_void_ratio = std::nullopt;
+  /// Largest dynamic shear stress as the case gives it, Pa.
+  std::optional<double> given_strength = std::nullopt;
 };
 
 struct Region {
@@ -159,7 +162,11 @@ struct Mesh {
   std::vector<Refinement> refine;
   ParticleBoxes particle_boxes = ParticleBoxes::fixed;
   Dilatation dilatation = Dilatation::cell;
+  Dispersion dispersion = Dispersion::plain;
   ContactNormals contact_normals = ContactNormals::automatic;
+
+  /// Side of the square of a particle in the coarsest cells, m.
+  double particle_size() const { return mpm_domain::particle_size(size, particles_per_cell); }
 };
 
 struct TimeStepping {
@@ -260,6 +267,20 @@ struct Monitor {
   std::optional<std::size_t> structure = std::nullopt;
 };
 
+/// Points along a straight line, whose histories are recorded as those of monitors.
+struct Line {
+  std::string name;
+  Point from;
+  Point to;
+  double spacing = 0.0; ///< largest, m
+};
+
+/// Soil whose mean motion is recorded.
+struct SlidingMass {
+  std::string name;
+  Outline outline;
+};
+
 struct Output {
   double every = 0.0;         ///< interval of particle frames, s
   double history_every = 0.0; ///< interval of monitors and energy, s
@@ -303,6 +324,8 @@ struct Case {
   Hosts hosts;
   Checkpoints checkpoints;
   std::vector<Monitor> monitors;
+  std::vector<Line> lines;
+  std::vector<SlidingMass> sliding_masses;
   Output output;
   double verify_tolerance = 0.0; ///< relative L2 error of particle velocity that `tremolo verify` allows
 

@@ -12,6 +12,7 @@ namespace tremolo::scene {
 // The domain's own choices, under their own names.
 using mpm_domain::ContactNormals;
 using mpm_domain::Dilatation;
+using mpm_domain::Dispersion;
 using mpm_domain::ParticleBoxes;
 using mpm_domain::Side;
 using mpm_domain::Sides;
@@ -141,7 +142,7 @@ constexpr auto words(OutputField) {
                                   {OutputField::darcy_velocity, "darcy_velocity"}});
 }
 
-/// Of `model` in a soil's table; `hyperbolic` and `mkz` are two ways to give one law.
+/// A soil's `model`; `hyperbolic`, `mkz` and `gqh` are three ways to give one law.
 enum class SoilModel {
   linear_elastic,
   mohr_coulomb,
@@ -149,6 +150,7 @@ enum class SoilModel {
   multi_yield_clay,
   hyperbolic,
   mkz,
+  gqh,
   pm4sand,
   pdmy03
 };
@@ -159,8 +161,15 @@ constexpr auto words(SoilModel) {
                                 {SoilModel::multi_yield_clay, "multi_yield_clay"},
                                 {SoilModel::hyperbolic, "hyperbolic"},
                                 {SoilModel::mkz, "mkz"},
+                                {SoilModel::gqh, "gqh"},
                                 {SoilModel::pm4sand, "pm4sand"},
                                 {SoilModel::pdmy03, "pdmy03"}});
+}
+
+/// What curves of hysteretic soil do after a reversal.
+enum class Unloading { masing, mrdf };
+constexpr auto words(Unloading) {
+  return word_table<Unloading>({{Unloading::masing, "masing"}, {Unloading::mrdf, "mrdf"}});
 }
 
 /// How soil is loaded in a soil test.

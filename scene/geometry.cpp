@@ -139,6 +139,18 @@ Polygon circle(Point centre, double radius) {
   return polygon;
 }
 
+std::vector<Point> points_along(Point from, Point to, double spacing) {
+  constexpr double rounding = 1e-9;
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const auto pieces = static_cast<int>(std::ceil(length / spacing - rounding));
+  std::vector<Point> points;
+  for (int k = 0; k <= pieces; ++k) {
+    const double share = pieces > 0 ? static_cast<double>(k) / pieces : 0.0;
+    points.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+  }
+  return points;
+}
+
 double area(const Polygon& polygon) {
   double twice = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i)

@@ -31,6 +31,10 @@ struct Box {
 /// A polygon of 64 corners with the area of a circle, counter-clockwise.
 Polygon circle(Point centre, double radius);
 
+/// Points from one end of a straight line to the other, both included, evenly and at most `spacing` (m)
+/// apart.
+std::vector<Point> points_along(Point from, Point to, double spacing);
+
 /// Enclosed area, m2.
 double area(const Polygon& polygon);
 

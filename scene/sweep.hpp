@@ -27,7 +27,7 @@ template <class Visit>
 bool sweep(const std::vector<Box>& boxes, const Visit& visit) {
   std::vector<std::size_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return boxes[i].x_min; });
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return boxes[i].x_min; });
   std::vector<std::size_t> begun;
   for (const std::size_t i : order) {
     std::erase_if(begun, [&](std::size_t j) {

@@ -68,6 +68,7 @@ struct Table {
   std::string_view name; ///< dotted, "boundary.left"; empty: the top of the file
   Kind kind = Kind::single;
   bool required = false;
+  bool open = false; ///< takes keys that are not listed
   std::string_view meaning;
   std::vector<Key> keys;
 
@@ -82,6 +83,8 @@ using KeyTable = std::span<const Table>;
 KeyTable case_keys();
 /// Of soil tests and calibrations.
 KeyTable soil_test_keys();
+/// The keys of studies, `tremolo sweep STUDY`; [axes] takes keys of the case.
+KeyTable study_keys();
 /// Of the soils in materials/library.
 KeyTable library_keys();
 

@@ -1,7 +1,7 @@
 #include "scene/keys/keys_field.hpp"
 
 #include "scene/choices.hpp"
-#include "scene/keys/keys_elastic.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
 
 namespace tremolo::scene {
 

@@ -2,7 +2,7 @@
 
 #include "motion/record.hpp"
 #include "scene/choices.hpp"
-#include "scene/keys/keys_elastic.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
 
 namespace tremolo::scene {
 

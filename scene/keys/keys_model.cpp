@@ -2,10 +2,10 @@
 
 #include "mesh/quadtree.hpp"
 #include "scene/choices.hpp"
-#include "scene/keys/keys_elastic.hpp"
-#include "scene/keys/keys_soil.hpp"
 #include "scene/keys/keys_structure.hpp"
-#include "scene/keys/keys_water.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
+#include "scene/keys/soil/keys_soil.hpp"
+#include "scene/keys/soil/keys_water.hpp"
 
 #include <algorithm>
 
@@ -184,6 +184,13 @@ std::vector<Table> model_keys() {
                 "their own, cheaper and far too strong where soil is nearly incompressible. See "
                 "docs/theory.md.",
                 Dilatation::cell),
+            choice<Dispersion>(
+                "dispersion",
+                "How much slower waves are than true ones, the shorter the slower. `plain`: as on any grid "
+                "of "
+                "this kind. `reduced`: the leading term is taken away, so that waves need about half as many "
+                "cells; for elastic and hysteretic soil on cells of one size. See docs/dispersion.md.",
+                Dispersion::plain),
             choice<ContactNormals>(
                 "contact_normals",
                 "Where the normal at a node between soil and a `[[structure]]` comes from. `polygon`: from "

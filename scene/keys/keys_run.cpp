@@ -1,7 +1,8 @@
 #include "scene/keys/keys_run.hpp"
 
 #include "scene/choices.hpp"
-#include "scene/keys/keys_elastic.hpp"
+#include "scene/keys/keys_structure.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
 
 namespace tremolo::scene {
 
@@ -21,6 +22,16 @@ Key interval(std::string_view name, std::string_view meaning, std::string_view f
           .meaning = meaning,
           .fallback = fallback,
           .range = {.low = 1e-4, .high = 1e4}};
+}
+
+Key line_end(std::string_view name, std::string_view meaning) {
+  return {.name = name,
+          .type = Type::numbers,
+          .unit = "m",
+          .meaning = meaning,
+          .required = true,
+          .count = 2,
+          .form = "[x, y]"};
 }
 
 } // namespace
@@ -94,12 +105,44 @@ std::vector<Table> run_keys() {
                  .type = Type::text,
                  .meaning = "Name of the `[[structure]]` that it moves with; it may lie in a hole.",
                  .otherwise = "it follows the soil"}}},
+      {.name = "line",
+       .kind = Kind::array,
+       .meaning =
+           "Points of soil along a straight line, whose histories are recorded as those of monitors, for "
+           "profiles; see docs/profiles.md.",
+       .keys = {{.name = "name", .type = Type::text, .meaning = "Its name in results.", .required = true},
+                line_end("from", "One end, in soil at the start."),
+                line_end("to", "The other end; all points between lie in soil, too."),
+                {.name = "spacing",
+                 .unit = "m",
+                 .meaning = "Largest distance from point to point. A line has at most 100 points.",
+                 .otherwise = "`size` of [mesh]",
+                 .range = positive}}},
+      {.name = "sliding_mass",
+       .kind = Kind::array,
+       .meaning =
+           "Soil that may slide, of which the mean acceleration, velocity and displacement are recorded, "
+           "for Newmark's displacement; see docs/profiles.md.",
+       .keys = {{.name = "name", .type = Type::text, .meaning = "Its name in results.", .required = true},
+                {.name = "polygon",
+                 .type = Type::polygon,
+                 .unit = "m",
+                 .meaning =
+                     "Corners around it in either sense of rotation, along the slip surface and anyhow "
+                     "above the ground: what counts is the soil within at the start.",
+                 .otherwise = "`circle`"}}},
+      circle_table(
+          "sliding_mass.circle",
+          "A circle as slip surface, `circle = { centre = [x, y], radius = r }` instead of `polygon`."),
       {.name = "output",
        .meaning = "What is written to the run file.",
        .keys =
            {interval("every_s", "Interval of particle frames.", "0.1"),
-            interval("history_every_s",
-                     "Interval of monitor histories, energy balance and boundary exchange.", "0.01"),
+            interval(
+                "history_every_s",
+                "Interval of histories (monitors, lines, sliding masses, structures), energy balance and "
+                "boundary exchange.",
+                "0.01"),
             {.name = "fields",
              .type = Type::choices,
              .meaning =

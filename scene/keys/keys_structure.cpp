@@ -1,10 +1,8 @@
 #include "scene/keys/keys_structure.hpp"
 
-#include "scene/keys/keys_elastic.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
 
 namespace tremolo::scene {
-
-namespace {
 
 Table circle_table(std::string_view name, std::string_view meaning) {
   return {
@@ -20,6 +18,8 @@ Table circle_table(std::string_view name, std::string_view meaning) {
            .form = "[x, y]"},
           {.name = "radius", .unit = "m", .meaning = "Its radius.", .required = true, .range = positive}}};
 }
+
+namespace {
 
 Table against_table() {
   return {

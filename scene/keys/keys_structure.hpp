@@ -7,4 +7,7 @@ namespace tremolo::scene {
 /// [[structure]] and what stands below it.
 std::vector<Table> structure_keys();
 
+/// A circle, in place of a polygon.
+Table circle_table(std::string_view name, std::string_view meaning);
+
 } // namespace tremolo::scene

@@ -148,7 +148,7 @@ Level uniform_level(const Case& scene) {
   double soil_area = 0.0;
   for (const Region& region : scene.regions)
     soil_area += area(region.polygon);
-  const double spacing = mesh.size / mesh.particles_per_cell;
+  const double spacing = mesh.particle_size();
   const mpm_domain::GridShape grid = grid_shape_of(scene);
   double critical = std::numeric_limits<double>::infinity();
   for (const CriticalStep& step : critical_steps(scene))
@@ -215,9 +215,10 @@ std::vector<Level> levels(const Case& scene) {
   const std::vector<CriticalStep> steps = critical_steps(scene);
   std::vector<Level> all;
   for (int level = 0; level <= tree.finest(); ++level)
-    all.push_back({.cell_size = tree.size(level),
-                   .particle_size = tree.size(level) / scene.mesh.particles_per_cell,
-                   .critical_dt = std::numeric_limits<double>::infinity()});
+    all.push_back(
+        {.cell_size = tree.size(level),
+         .particle_size = mpm_domain::particle_size(tree.size(level), scene.mesh.particles_per_cell),
+         .critical_dt = std::numeric_limits<double>::infinity()});
   const mesh::Rectangle box = rectangle(scene.mesh.box);
   const double near = 1e-3 * all.back().cell_size;
   const std::vector<Polygon> regions = region_polygons(scene);

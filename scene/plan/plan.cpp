@@ -21,6 +21,7 @@ namespace {
 // plasticity where the soil yields.
 constexpr double base_cost_ns = 200.0;
 constexpr double box_cost_ns = 20.0;
+constexpr double dispersion_cost_ns = 30.0;
 constexpr double dilatation_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
@@ -139,6 +140,8 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const double bare_bytes = particle_bytes({});
   const double affine_bytes = particle_bytes({.affine = true}) - bare_bytes;
   const double box_bytes = particle_bytes({.own_boxes = true}) - bare_bytes;
+  const bool sharp = scene.mesh.dispersion == Dispersion::reduced;
+  const double sharp_bytes = particle_bytes({.bilinear = true}) - bare_bytes;
   const std::string damped_soils = soils_with_damping(scene);
   const bool damped = !damped_soils.empty();
   const double damped_bytes = particle_bytes({.damped = true}) - bare_bytes;
@@ -156,6 +159,8 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"deforming boxes", deforming,
        fmt::format("[mesh] particle_boxes = \"{}\"", name(scene.mesh.particle_boxes)),
        deforming ? box_bytes : 0.0, deforming ? box_cost_ns : 0.0},
+      {"reduced dispersion", sharp, fmt::format("[mesh] dispersion = \"{}\"", name(scene.mesh.dispersion)),
+       sharp ? sharp_bytes : 0.0, sharp ? dispersion_cost_ns : 0.0},
       {"gravity", scene.gravity.has_value(),
        scene.gravity ? fmt::format("[[stage]] gravity, {} m/s2, then static tractions on the boundary faces",
                                    scene.gravity->acceleration)
@@ -213,6 +218,14 @@ double output_doubles(const Case& scene, OutputField field) {
   }
 }
 
+/// How many points have a history of their own.
+double followed_points(const Case& scene) {
+  std::size_t count = scene.monitors.size();
+  for (const Line& line : scene.lines)
+    count += points_along(line.from, line.to, line.spacing).size();
+  return static_cast<double>(count);
+}
+
 double output_doubles_per_particle(const Case& scene) {
   double count = 2.0; // place
   for (const OutputField field : scene.output.fields)
@@ -242,7 +255,10 @@ std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess
 /// Bytes of a node.
 double node_bytes(const Case& scene) {
   const bool flows = !soils_drained_as(scene, materials::Drainage::coupled).empty();
-  return static_cast<double>(mpm_domain::bytes_per_node({.wet = scene.water.has_value(), .flowing = flows}));
+  return static_cast<double>(
+      mpm_domain::bytes_per_node({.wet = scene.water.has_value(),
+                                  .flowing = flows,
+                                  .sharp = scene.mesh.dispersion == Dispersion::reduced}));
 }
 
 Plan plan(const Case& scene) {
@@ -290,7 +306,8 @@ Plan plan(const Case& scene) {
   const double rows = scene.shaking.duration / scene.output.history_every;
   result.output_bytes =
       8.0 * (static_cast<double>(result.frames) * particles * output_doubles_per_particle(scene) +
-             rows * (static_cast<double>(scene.monitors.size()) * 6.0 +
+             rows * (followed_points(scene) * (scene.water ? 17.0 : 15.0) +
+                     static_cast<double>(scene.sliding_masses.size()) * 10.0 +
                      static_cast<double>(scene.structures.size()) * 19.0 + 11.0));
   return result;
 }

@@ -15,7 +15,7 @@ namespace {
 /// A level per particle from the base to the surface: finer than anything the domain resolves.
 std::vector<double> even_levels(const Mesh& mesh, double surface) {
   const double depth = surface - mesh.box.y_min;
-  const double spacing = mesh.size / mesh.particles_per_cell;
+  const double spacing = mesh.particle_size();
   const auto intervals = static_cast<int>(std::max(1.0, std::ceil(depth / spacing - 1e-9)));
   std::vector<double> y;
   y.reserve(static_cast<std::size_t>(intervals) + 1);

@@ -29,11 +29,15 @@ void read_time(Document& document, Findings& findings, Case& scene);
 void read_stages(Document& document, Findings& findings, Case& scene);
 /// Structures; after read_soils.
 void read_structures(Document& document, Findings& findings, Case& scene);
+/// A closed line that stands as a polygon, or else as a table with centre and radius; nothing where it stands
+/// as neither.
+std::optional<Outline> read_outline(const TableReader& table, std::string_view polygon,
+                                    std::string_view circle_key, Findings& findings);
 /// Regions, structures, time stepping and stages; after read_free_field.
 void read_model(Document& document, Findings& findings, Case& scene);
 /// Which processes run on other machines.
 void read_hosts(Document& document, Case& scene);
-/// Coupling, monitors, output and verification.
+/// Coupling, monitors, lines, sliding masses, output and verification.
 void read_run(Document& document, Findings& findings, Case& scene);
 
 /// Whether both of a pair of keys are there; reports the one that is missing.

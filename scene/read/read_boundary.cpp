@@ -1,5 +1,5 @@
 #include "scene/read/read.hpp"
-#include "scene/read/read_water.hpp"
+#include "scene/read/soil/read_water.hpp"
 
 #include <fmt/format.h>
 

@@ -57,6 +57,7 @@ void read_mesh(Document& document, Case& scene) {
                 {},
                 table.choice<ParticleBoxes>("particle_boxes"),
                 table.choice<Dilatation>("dilatation"),
+                table.choice<Dispersion>("dispersion"),
                 table.choice<ContactNormals>("contact_normals")};
   for (const auto& refine : document.array("refine"))
     scene.mesh.refine.push_back({read_box(refine), refine.integer("level")});

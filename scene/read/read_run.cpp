@@ -75,6 +75,13 @@ std::optional<std::size_t> structure_of(const TableReader& monitor, const std::v
   return std::nullopt;
 }
 
+SlidingMass read_sliding_mass(const TableReader& table, Findings& findings) {
+  const auto outline = read_outline(table, "polygon", "circle", findings);
+  if (!table.given("polygon") && !table.given("circle") && findings.sound(table.path()))
+    findings.add(table.path("polygon"), "missing 'polygon' or 'circle': what encloses the sliding mass");
+  return {table.text("name"), outline.value_or(Outline{})};
+}
+
 } // namespace
 
 void read_run(Document& document, Findings& findings, Case& scene) {
@@ -84,6 +91,11 @@ void read_run(Document& document, Findings& findings, Case& scene) {
   for (const auto& table : document.array("monitor"))
     scene.monitors.push_back(
         {table.text("name"), table.point("point"), structure_of(table, scene.structures, findings)});
+  for (const auto& table : document.array("line"))
+    scene.lines.push_back({table.text("name"), table.point("from"), table.point("to"),
+                           table.optional_number("spacing").value_or(scene.mesh.size)});
+  for (const auto& table : document.array("sliding_mass"))
+    scene.sliding_masses.push_back(read_sliding_mass(table, findings));
   scene.output = read_output(document, scene, findings);
   scene.verify_tolerance = document.table("verify").number("tolerance");
 }

@@ -4,9 +4,6 @@
 
 namespace tremolo::scene {
 
-namespace {
-
-/// A closed line that stands as a polygon, or else as a table with centre and radius.
 std::optional<Outline> read_outline(const TableReader& table, std::string_view polygon,
                                     std::string_view circle_key, Findings& findings) {
   const auto round = table.table(circle_key);
@@ -23,6 +20,8 @@ std::optional<Outline> read_outline(const TableReader& table, std::string_view p
     return std::nullopt;
   return Outline{polygon, table.polygon(polygon)};
 }
+
+namespace {
 
 /// Friction and adhesion against each soil: the structure's own, where no table of `against` names the soil.
 std::vector<SoilContact> read_against(const TableReader& table, const std::vector<Soil>& soils,

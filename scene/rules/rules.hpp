@@ -60,6 +60,8 @@ void time_step_is_stable(const Case& scene, Findings& findings);
 void flip_has_surface_along_grid(const Case& scene, Findings& findings);
 /// Levels with steps of their own need levels, and what sub-cycling is made for.
 void subcycling_suits_case(const Case& scene, Findings& findings);
+/// Reduced dispersion has the scheme, the mesh and the soils that it is made for.
+void dispersion_suits_case(const Case& scene, Findings& findings);
 /// Soil below the water table has pores, and a permeability where water flows in it.
 void wet_soil_has_pores(const Case& scene, Findings& findings);
 /// Pore pressure begins with the hydrostatic one: a gravity stage.
@@ -143,12 +145,18 @@ void mesh_resolves_frequencies(const Case& scene, Findings& findings);
 void softening_goes_with_cells(const Case& scene, Findings& findings);
 /// Which backbone was fitted to a soil's curve, and how near it comes.
 void backbone_is_fitted(const Case& scene, Findings& findings);
+/// Which strength a backbone implies beside the one that is given.
+void backbone_has_given_strength(const Case& scene, Findings& findings);
 /// Which soils have a stiffness that goes with pressure.
 void stiffness_follows_pressure(const Case& scene, Findings& findings);
 /// What a soil's law is known not to do.
 void laws_have_limits(const Case& scene, Findings& findings);
 /// Which soils carry any tension.
 void tension_has_a_limit(const Case& scene, Findings& findings);
+/// Lines have different names, an extent, no more points than fit, and all of these lie in soil.
+void lines_lie_in_soil(const Case& scene, Findings& findings);
+/// Sliding masses have different names and sound outlines, and soil lies within.
+void sliding_masses_hold_soil(const Case& scene, Findings& findings);
 /// Which particles the monitors follow.
 void monitors_lie_on_particles(const Case& scene, Findings& findings);
 

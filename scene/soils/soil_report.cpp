@@ -62,6 +62,21 @@ std::optional<std::string> density_doubt(double density) {
                      density);
 }
 
+std::optional<std::string> implied_strength(const Soil& soil) {
+  constexpr double strain = 0.1;
+  constexpr double tolerance = 0.1; // of the strength
+  const auto backbone = materials::shear_backbone(soil.column_law);
+  if (!backbone || !soil.given_strength)
+    return std::nullopt;
+  const double ratio = backbone->stress(strain) / *soil.given_strength;
+  const bool near = ratio >= 1.0 - tolerance && ratio <= 1.0 + tolerance;
+  return fmt::format(
+      "soil '{}': at {:.0f} % shear strain its backbone has {:.4g} kPa, {:.2f} times the strength given, "
+      "{:.4g} kPa{}",
+      soil.name, 100.0 * strain, 1e-3 * backbone->stress(strain), ratio, 1e-3 * *soil.given_strength,
+      near || backbone->shape ? "" : "; model = \"gqh\" keeps to the strength");
+}
+
 std::string text(const std::vector<ParameterInForce>& parameters) {
   std::string lines;
   for (const auto& [name, value, unit, meaning, origin, word] : parameters)

@@ -36,4 +36,8 @@ std::optional<std::string> density_doubt(double density);
 /// The parameters as lines of text.
 std::string text(const std::vector<ParameterInForce>& parameters);
 
+/// What the backbone of hysteretic soil has at 10 % shear strain, the strength that it implies, against the
+/// strength that the case gives. Nothing for other soils, and where no strength is given.
+std::optional<std::string> implied_strength(const Soil& soil);
+
 } // namespace tremolo::scene

@@ -72,7 +72,7 @@ std::string refused_kind(const Case& scene, SourceModel model) {
 std::string refused_surface(const Case& scene, SourceModel model, double surface) {
   if (model != SourceModel::mpm || !(scene.mesh.size > 0.0))
     return {};
-  const double size = scene.mesh.size / scene.mesh.particles_per_cell;
+  const double size = scene.mesh.particle_size();
   const double particles = (surface - scene.mesh.box.y_min) / size;
   if (particles >= 1.0 && std::abs(particles - std::round(particles)) < 1e-6)
     return {};

@@ -18,7 +18,7 @@ void box_fits_lattice(const Case& scene, Findings& findings) {
                     box.width(), box.height()));
     return;
   }
-  const double spacing = scene.mesh.size / scene.mesh.particles_per_cell;
+  const double spacing = scene.mesh.particle_size();
   constexpr double most_particles = 1e9;
   if (const double count = box.width() / spacing * (box.height() / spacing); !(count <= most_particles)) {
     findings.add("mesh.size",

@@ -1,5 +1,5 @@
 #include "scene/plan/levels.hpp"
-#include "scene/plan/resolution.hpp"
+#include "scene/plan/wave/resolution.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "scene/plan/resolution.hpp"
+#include "scene/plan/wave/resolution.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

@@ -26,7 +26,7 @@ void regions_hold_particles(const Case& scene, Findings& findings) {
           path, fmt::format("'polygon' holds no particle, so its soil would not be there: particles lie in "
                             "the middle of squares of {} m, or less where the mesh is refined; take smaller "
                             "cells or a larger region",
-                            scene.mesh.size / scene.mesh.particles_per_cell));
+                            scene.mesh.particle_size()));
   }
 }
 

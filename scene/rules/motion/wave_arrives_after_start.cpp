@@ -1,5 +1,5 @@
-#include "scene/plan/arrival.hpp"
-#include "scene/plan/motion.hpp"
+#include "scene/plan/wave/arrival.hpp"
+#include "scene/plan/wave/motion.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "scene/rules/result_names.hpp"
 #include "scene/rules/rules.hpp"
+#include "scene/rules/run/places_in_soil.hpp"
 
 #include <fmt/format.h>
 
@@ -7,23 +8,6 @@
 #include <string>
 
 namespace tremolo::scene {
-
-namespace {
-
-bool in_soil(const Case& scene, Point p) {
-  return std::ranges::any_of(scene.regions,
-                             [p](const Region& region) { return contains(region.polygon, p); });
-}
-
-const Structure* structure_around(const Case& scene, Point p) {
-  const auto found = std::ranges::find_if(scene.structures, [p](const Structure& structure) {
-    const Polygon& outline = structure.outline.corners;
-    return !outline.empty() && strictly_inside(outline, p);
-  });
-  return found == scene.structures.end() ? nullptr : &*found;
-}
-
-} // namespace
 
 void monitors_lie_in_soil(const Case& scene, Findings& findings) {
   const bool regions_known =

@@ -1,5 +1,5 @@
-#include "scene/plan/arrival.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/wave/arrival.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/soils/domain_soils.hpp"
 

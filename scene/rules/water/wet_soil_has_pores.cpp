@@ -1,5 +1,5 @@
 #include "scene/plan/wet_soils.hpp"
-#include "scene/read/read_water.hpp"
+#include "scene/read/soil/read_water.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 
 #include "materials/soiltest/cyclic/cyclic_strength.hpp"
 #include "scene/choices.hpp"
-#include "scene/keys/keys_elastic.hpp"
-#include "scene/keys/keys_soil.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
+#include "scene/keys/soil/keys_soil.hpp"
 
 namespace tremolo::scene {
 

@@ -1,7 +1,7 @@
-#include "scene/keys/keys_water.hpp"
+#include "scene/keys/soil/keys_water.hpp"
 
 #include "materials/water/pore_water.hpp"
-#include "scene/keys/keys_elastic.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
 
 namespace tremolo::scene {
 

@@ -1,4 +1,4 @@
-#include "scene/plan/motion.hpp"
+#include "scene/plan/wave/motion.hpp"
 
 #include "motion/band_limited.hpp"
 #include "motion/read/read.hpp"

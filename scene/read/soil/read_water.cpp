@@ -1,4 +1,4 @@
-#include "scene/read/read_water.hpp"
+#include "scene/read/soil/read_water.hpp"
 
 #include <fmt/format.h>
 

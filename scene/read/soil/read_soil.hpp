@@ -2,7 +2,7 @@
 
 // One soil from its table, the same in cases, soil tests and the library.
 
-#include "materials/hysteretic/curves.hpp"
+#include "materials/hysteretic/backbone/curves.hpp"
 #include "scene/read/read.hpp"
 
 #include <filesystem>
@@ -25,6 +25,8 @@ Soil read_mohr_coulomb(const NamedTable& soil, double mesh_size, Findings& findi
 Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
 
 /// Of the Drucker-Prager law and the clay of nested surfaces.
+Soil read_hysteretic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
+
 Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
 
 /// Reports a key that this model needs and others do not.

@@ -1,7 +1,6 @@
-#include "scene/read/read_soil.hpp"
-#include "materials/hysteretic/curve_fit.hpp"
+#include "scene/read/soil/read_soil.hpp"
 #include "scene/read/read.hpp"
-#include "scene/read/read_water.hpp"
+#include "scene/read/soil/read_water.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/text/nearest.hpp"
 
@@ -14,81 +13,10 @@ namespace tremolo::scene {
 
 namespace {
 
-StrainCurves curves_of(const materials::Backbone& backbone) {
-  return {[backbone](double strain) { return backbone.secant(strain) / backbone.shear_modulus; },
-          [backbone](double strain) { return materials::masing_damping(backbone, strain); }, false};
-}
-
-StrainCurves curves_of(const materials::SoilCurves& curves) {
-  return {[curves](double strain) { return curves.modulus_ratio_at(strain); },
-          [curves](double strain) { return curves.damping_ratio_at(strain); }, true};
-}
-
-/// Backbone as given or fitted, and the curves that the equivalent-linear iteration takes.
-struct Hysteresis {
-  double reference_strain = 0.0;
-  double beta = 1.0;
-  double exponent = 1.0;
-  std::optional<StrainCurves> curves;
-};
-
-/// From the curve that the soil names; what is given of the backbone is held.
-std::optional<Hysteresis> fitted(const TableReader& table, const std::filesystem::path& directory,
-                                 Findings& findings) {
-  for (const char* key : {"beta", "exponent"})
-    if (table.given(key)) {
-      findings.add(table.path(key), fmt::format("'{}' and 'curve' exclude each other: remove one", key));
-      return std::nullopt;
-    }
-  try {
-    const auto curve = read_curve(table, directory);
-    const auto fit = materials::fit_mkz(curve, table.optional_number("reference_strain"));
-    return Hysteresis{fit.reference_strain, fit.beta, fit.exponent, curves_of(curve)};
-  } catch (const std::exception& error) {
-    findings.add(table.path("curve"), error.what());
-    return std::nullopt;
-  }
-}
-
-/// As the soil gives it.
-std::optional<Hysteresis> given(const TableReader& table, bool mkz, Findings& findings) {
-  for (const char* key : {"reference_strain", "beta", "exponent"}) {
-    if (!mkz && std::string_view(key) != "reference_strain")
-      continue;
-    if (!table.given(key))
-      findings.add(table.path(key), fmt::format("missing '{}': without 'curve' the backbone is given", key));
-    if (!findings.sound(table.path(key)))
-      return std::nullopt;
-  }
-  return Hysteresis{table.number("reference_strain"), mkz ? table.number("beta") : 1.0,
-                    mkz ? table.number("exponent") : 1.0, std::nullopt};
-}
-
 Soil read_linear(const NamedTable& soil, Findings& findings) {
   need(soil.reader, "density", findings);
   const materials::LinearElastic law{read_elasticity(soil.reader, findings)};
   return {soil.name, law, law, {}, {}};
-}
-
-Soil read_hysteretic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings) {
-  const auto& table = soil.reader;
-  need(table, "density", findings);
-  const auto elastic = read_elasticity(table, findings);
-  const Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
-  if (!findings.sound(table.path()) || !(elastic.density > 0.0))
-    return linear;
-  const auto hysteresis = table.given("curve")
-                              ? fitted(table, directory, findings)
-                              : given(table, table.choice<SoilModel>("model") == SoilModel::mkz, findings);
-  if (!hysteresis)
-    return linear;
-  const auto& [reference_strain, beta, exponent, curves] = *hysteresis;
-  const materials::MasingShear law{elastic, reference_strain, beta, exponent};
-  return {soil.name,
-          materials::iwan_shear(elastic, reference_strain, beta, exponent),
-          law,
-          {},
-          curves ? curves : curves_of(law.backbone())};
 }
 
 /// The model of a soil of the library is part of it.
@@ -141,6 +69,7 @@ Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, d
     return read_plastic(soil, directory, findings);
   case hyperbolic:
   case mkz:
+  case gqh:
     return read_hysteretic(soil, directory, findings);
   case pm4sand:
   case pdmy03:

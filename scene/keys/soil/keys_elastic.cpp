@@ -1,4 +1,4 @@
-#include "scene/keys/keys_elastic.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
 
 namespace tremolo::scene {
 

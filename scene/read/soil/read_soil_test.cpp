@@ -1,6 +1,6 @@
 #include "base/unreadable.hpp"
 #include "materials/soiltest/path/path_table.hpp"
-#include "scene/read/read_soil.hpp"
+#include "scene/read/soil/read_soil.hpp"
 #include "scene/soil_test.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/text/text.hpp"

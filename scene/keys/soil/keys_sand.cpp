@@ -2,8 +2,8 @@
 // others have the symbols of their reports, by which everyone knows them.
 
 #include "scene/choices.hpp"
-#include "scene/keys/keys_elastic.hpp"
-#include "scene/keys/keys_soil.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
+#include "scene/keys/soil/keys_soil.hpp"
 
 namespace tremolo::scene {
 

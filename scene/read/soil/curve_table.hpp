@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/hysteretic/curves.hpp"
+#include "materials/hysteretic/backbone/curves.hpp"
 
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-#include "scene/read/read_soil.hpp"
+#include "scene/read/soil/read_soil.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "scene/read/curve_table.hpp"
+#include "scene/read/soil/curve_table.hpp"
 
 #include "base/unreadable.hpp"
 

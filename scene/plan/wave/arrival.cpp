@@ -1,6 +1,6 @@
-#include "scene/plan/arrival.hpp"
+#include "scene/plan/wave/arrival.hpp"
 
-#include "scene/plan/motion.hpp"
+#include "scene/plan/wave/motion.hpp"
 
 #include <algorithm>
 #include <cmath>

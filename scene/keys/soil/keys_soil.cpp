@@ -1,8 +1,8 @@
-#include "scene/keys/keys_soil.hpp"
+#include "scene/keys/soil/keys_soil.hpp"
 
 #include "materials/plastic/drucker_prager.hpp"
 #include "scene/choices.hpp"
-#include "scene/keys/keys_elastic.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
 #include "scene/soils/soil_library.hpp"
 
 namespace tremolo::scene {
@@ -51,9 +51,13 @@ Key strength(std::string_view name, std::string_view unit, std::string_view mean
 
 /// The elastic constants, of the models that are given them.
 std::vector<Key> soil_elastic_keys() {
-  const std::vector<std::string_view> elastic = {
-      name(SoilModel::linear_elastic),   name(SoilModel::mohr_coulomb), name(SoilModel::drucker_prager),
-      name(SoilModel::multi_yield_clay), name(SoilModel::hyperbolic),   name(SoilModel::mkz)};
+  const std::vector<std::string_view> elastic = {name(SoilModel::linear_elastic),
+                                                 name(SoilModel::mohr_coulomb),
+                                                 name(SoilModel::drucker_prager),
+                                                 name(SoilModel::multi_yield_clay),
+                                                 name(SoilModel::hyperbolic),
+                                                 name(SoilModel::mkz),
+                                                 name(SoilModel::gqh)};
   auto keys = elastic_keys();
   for (Key& key : keys) {
     if (key.name == "density") {
@@ -103,7 +107,7 @@ std::vector<Key> mohr_coulomb_keys() {
   };
 }
 
-/// Of the cones and surfaces of more than one model.
+/// The keys of cones and surfaces that more than one model has.
 std::vector<Key> surface_keys() {
   const std::vector<std::string_view> cones = {name(SoilModel::drucker_prager), name(SoilModel::pdmy03)};
   return {
@@ -160,20 +164,58 @@ std::vector<Key> surface_keys() {
 
 std::vector<Key> hysteretic_keys() {
   const std::vector<std::string_view> both = {name(SoilModel::hyperbolic), name(SoilModel::mkz)};
+  const std::vector<std::string_view> all = {name(SoilModel::hyperbolic), name(SoilModel::mkz),
+                                             name(SoilModel::gqh)};
   return {
       {.name = "curve",
        .type = Type::text,
-       .meaning =
-           "G/G0 and damping against shear strain: `darendeli` (2001), or the name of a table "
-           "`strain,modulus_reduction,damping`, relative to the case file. Of `mkz` the backbone is fitted "
-           "to "
-           "it and `eql` takes it as it is; of `pdmy03` G/G0 replaces the hyperbola that the surfaces share, "
-           "and strength follows from it; of `multi_yield_clay` up to s_u.",
+       .meaning = "G/G0 and damping against shear strain: `darendeli` (2001), or the name of a table "
+                  "`strain,modulus_reduction,damping`, relative to the case file. Of `mkz` and `gqh` the "
+                  "backbone is "
+                  "fitted to it and `eql` takes it as it is; of `pdmy03` G/G0 replaces the hyperbola that "
+                  "the surfaces share, "
+                  "and strength follows from it; of `multi_yield_clay` up to s_u.",
        .otherwise = "the backbone given, a hyperbola of `pdmy03` and `multi_yield_clay`",
-       .when = {"model", {name(SoilModel::mkz), name(SoilModel::multi_yield_clay), name(SoilModel::pdmy03)}}},
+       .when = {"model",
+                {name(SoilModel::mkz), name(SoilModel::gqh), name(SoilModel::multi_yield_clay),
+                 name(SoilModel::pdmy03)}}},
       backbone("reference_strain", both, "Shear strain of the backbone, engineering.", positive),
       backbone("beta", {name(SoilModel::mkz)}, "Factor of the backbone.", positive),
       backbone("exponent", {name(SoilModel::mkz)}, "Exponent of the backbone.", {.low = 0.1, .high = 1.0}),
+      {.name = "shear_strength",
+       .unit = "Pa",
+       .meaning = "Largest dynamic shear stress. `gqh` reaches it and needs it; of `hyperbolic` and `mkz` "
+                  "the strength "
+                  "that the backbone implies is compared with it.",
+       .otherwise = "not known",
+       .range = positive,
+       .when = {"model", all}},
+      {.name = "theta",
+       .type = Type::numbers,
+       .unit = "1",
+       .meaning = "theta1 to theta5 of the backbone of `gqh`, Groholski et al. (2016).",
+       .otherwise = "fitted to `curve`",
+       .count = 5,
+       .form = "[theta1, theta2, theta3, theta4, theta5]",
+       .when = {"model", {name(SoilModel::gqh)}}},
+      {.name = "unloading",
+       .type = Type::choice,
+       .meaning =
+           "Curves after a reversal: `masing`, the backbone doubled; `mrdf`, Phillips & Hashash (2009), with "
+           "the share of that damping that `mrdf` has, or that fits the damping of `curve` above its least.",
+       .fallback = name(Unloading::masing),
+       .choices = all_words<Unloading>(),
+       .when = {"model", all}},
+      {.name = "mrdf",
+       .type = Type::numbers,
+       .unit = "1",
+       .meaning = "Share F = p1 - p2 (1 - G/G0)^p3 of the damping of the Masing rules, G/G0 at the largest "
+                  "strain so "
+                  "far.",
+       .otherwise = "fitted to `curve`",
+       .count = 3,
+       .form = "[p1, p2, p3]",
+       .when = {"unloading", {name(Unloading::mrdf)}}},
       darendeli("plasticity_index", "%", "Plasticity index.", "", not_negative),
       darendeli("overconsolidation_ratio", "1", "Overconsolidation ratio.", "1", {.low = 1.0}),
       darendeli("mean_stress", "Pa", "Mean effective confining stress.", "", {.low = 100.0, .high = 1e8}),
@@ -197,7 +239,8 @@ std::vector<Key> soil_keys() {
           "Constitutive law. `mohr_coulomb` softens with strain; `drucker_prager`: a circular cone; "
           "`multi_yield_clay`: undrained clay in total stress, nested von Mises surfaces. `hyperbolic` "
           "and `mkz`: hysteretic soil by the extended Masing "
-          "rules, G/G0 = 1/(1 + beta (gamma/reference_strain)^exponent). `pm4sand`: sand that liquefies, "
+          "rules, G/G0 = 1/(1 + beta (gamma/reference_strain)^exponent); `gqh`: the same with a given "
+          "strength. `pm4sand`: sand that liquefies, "
           "PM4Sand 3.1. `pdmy03`: sand with cyclic mobility, pressure-dependent multi-yield, set 03.")};
   for (const auto& group :
        {soil_elastic_keys(), mohr_coulomb_keys(), surface_keys(), hysteretic_keys(), sand_keys()})

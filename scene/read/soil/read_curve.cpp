@@ -1,5 +1,5 @@
-#include "scene/read/curve_table.hpp"
-#include "scene/read/read_soil.hpp"
+#include "scene/read/soil/curve_table.hpp"
+#include "scene/read/soil/read_soil.hpp"
 
 namespace tremolo::scene {
 

@@ -1,5 +1,5 @@
-#include "scene/read/read_soil.hpp"
-#include "scene/read/read_water.hpp"
+#include "scene/read/soil/read_soil.hpp"
+#include "scene/read/soil/read_water.hpp"
 #include "scene/soils/soil_library.hpp"
 
 #include <fmt/format.h>

@@ -1,0 +1,12 @@
+#include "scene/rules/rules.hpp"
+#include "scene/soils/soil_report.hpp"
+
+namespace tremolo::scene {
+
+void backbone_has_given_strength(const Case& scene, Findings& findings) {
+  for (const Soil& soil : scene.soils)
+    if (const auto compared = implied_strength(soil))
+      findings.add("soil." + soil.name + ".shear_strength", *compared);
+}
+
+} // namespace tremolo::scene
