@@ -33,7 +33,9 @@ void add_resume(Command& app);
 void add_run(Command& app);
 void add_sbatch(Command& app);
 void add_swap(Command& app);
+void add_sweep(Command& app);
 void add_column(Command& app);
+void add_safety(Command& app);
 void add_soiltest(Command& app);
 void add_calibrate(Command& app);
 

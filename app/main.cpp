@@ -40,8 +40,10 @@ void add_commands(tremolo::app::Command& program) {
   tremolo::app::add_sbatch(program);
   tremolo::app::add_resume(program);
   tremolo::app::add_swap(program);
+  tremolo::app::add_sweep(program);
   tremolo::app::add_cost(program);
   tremolo::app::add_column(program);
+  tremolo::app::add_safety(program);
   tremolo::app::add_soiltest(program);
   tremolo::app::add_calibrate(program);
 }

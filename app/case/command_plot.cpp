@@ -28,6 +28,9 @@ void add_plot(Command& app) {
   add_python_command(
       app, "watch",
       "The report of a run in a browser of this machine while the run goes on: histories, frames, abort");
+  add_python_command(
+      app, "extract",
+      "Tables of a run: histories, profiles along lines, spectral ratios, Newmark's displacement");
   add_python_command(app, "failure", "When a shear band first connects the toe of a slope with its crest");
 }
 

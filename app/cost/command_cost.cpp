@@ -10,14 +10,13 @@
 #include "app/run/local_options.hpp"
 #include "app/verify/exact_field.hpp"
 #include "base/text_file.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 namespace tremolo::app {
@@ -46,13 +45,6 @@ double target_from(const std::string& text) {
   return target;
 }
 
-std::string file_text(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return std::move(text).str();
-}
-
 /// What a finished rung has cost; it lies in the rung's folder and says that the run need not be made again.
 struct Cost {
   double cpu = 0.0;  ///< s
@@ -66,11 +58,12 @@ fs::path cost_file(const fs::path& folder) {
 std::optional<Cost> finished(const fs::path& folder, const std::string& text) {
   if (!fs::exists(cost_file(folder)))
     return std::nullopt;
-  if (file_text(folder / "case.toml") != text)
+  const fs::path case_file = folder / "case.toml";
+  if (!fs::exists(case_file) || coupler::file_text(case_file) != text)
     throw std::runtime_error(
         fmt::format("{} holds a run of another text of the case; choose another --out, or remove the folder",
                     folder.string()));
-  const auto json = nlohmann::json::parse(file_text(cost_file(folder)), nullptr, false);
+  const auto json = nlohmann::json::parse(coupler::file_text(cost_file(folder)), nullptr, false);
   const auto number = [&](const char* key) {
     if (!json.is_object() || !json.contains(key) || !json[key].is_number() || json[key].get<double>() < 0.0)
       throw std::runtime_error(fmt::format("{} is damaged; remove its folder, and the run is made again",

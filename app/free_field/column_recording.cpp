@@ -5,8 +5,8 @@
 #include "freefield/process/column_values.hpp"
 #include "results/free_field_recording.hpp"
 #include "scene/plan/layers.hpp"
-#include "scene/plan/motion.hpp"
 #include "scene/plan/service.hpp"
+#include "scene/plan/wave/motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>

@@ -10,9 +10,10 @@
 #include "freefield/process/column_from_case.hpp"
 #include "results/run_file.hpp"
 #include "scene/plan/layers.hpp"
-#include "scene/plan/motion.hpp"
+#include "scene/plan/wave/motion.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/read/override.hpp"
+#include "scene/soils/soil_report.hpp"
 
 #include <fmt/format.h>
 
@@ -175,6 +176,12 @@ void print_linearised(const scene::Case& scene, const scene::SourceProcess& sour
     fmt::print("{}\n", note);
 }
 
+void print_strengths(const scene::Case& scene) {
+  for (const scene::Soil& soil : scene.soils)
+    if (const auto compared = scene::implied_strength(soil))
+      fmt::print("  {}\n", *compared);
+}
+
 void record(const Options& options) {
   const scene::Case scene = with_model(options);
   const scene::Side side = side_of(options);
@@ -206,6 +213,8 @@ void compute(const Options& options) {
     fmt::print("{}", water_summary(scene, source, series));
   if (!series.report.empty())
     fmt::print("  {:<18} {}\n", options.model, series.report);
+  if (scene.regions.empty()) // otherwise the remarks have said it
+    print_strengths(scene);
   if (options.plot && run_python("column", {options.out}) != 0)
     throw Exit{1};
 }

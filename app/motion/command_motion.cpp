@@ -108,6 +108,17 @@ void draw(const Named& named, const Options& options) {
     throw std::runtime_error(fmt::format("{}: the picture was not drawn", options.picture));
 }
 
+void print_match(const Matched& matched, const MotionSteps& steps) {
+  fmt::print("  response spectrum within {:.1f} % of {} after {} steps (scaled alone: {:.1f} %)\n",
+             100.0 * matched.after, steps.target, matched.steps, 100.0 * matched.before);
+  if (matched.after > motion::MatchSettings{}.tolerance)
+    fmt::print(stderr,
+               "tremolo: warning: the spectrum is {:.1f} % off at its worst, wanted {:.0f} %: begin with a "
+               "motion whose "
+               "spectrum has the target's shape\n",
+               100.0 * matched.after, 100.0 * motion::MatchSettings{}.tolerance);
+}
+
 void work_on(const Options& options) {
   if (options.file.empty() == options.recipe.empty())
     throw std::invalid_argument("motion: a FILE or --synthesise RECIPE is needed, and not both");
@@ -117,11 +128,15 @@ void work_on(const Options& options) {
   MotionSteps steps = options.steps;
   steps.kind = chosen(options.as, motion::kind_named, "--as");
   steps.fit = options.fit == "velocity" ? motion::BaselineFit::velocity : motion::BaselineFit::displacement;
-  named.record = processed(std::move(named.record), steps, as);
+  steps.target_damping = options.damping;
+  auto [record, matched] = processed(std::move(named.record), steps, as);
+  named.record = std::move(record);
   if (const auto unit = chosen(options.out_unit, motion::unit_named, "--out-unit"))
     named.record = motion::with_unit(named.record, *unit);
 
   fmt::print("{}", motion_report(named.record, named.name));
+  if (matched)
+    print_match(*matched, steps);
   if (!overruled.empty())
     fmt::print(stderr, "tremolo: warning: {}: {}\n", named.name, overruled);
   if (const auto warning = motion_warning(named.record); !warning.empty())
@@ -173,7 +188,14 @@ void add_steps(Command& command, Options& options) {
       ->capture_default_str();
   command.add_option("--resample", steps.step, "5. Band-limited interpolation to this step, s");
   auto* scale = command.add_option("--scale", steps.scale, "6. Factor");
-  command.add_option("--pga", steps.pga, "6. Scale to this PGA, m/s2")->excludes(scale);
+  auto* pga = command.add_option("--pga", steps.pga, "6. Scale to this PGA, m/s2");
+  pga->excludes(scale);
+  command
+      .add_option("--match", steps.target,
+                  "6. Bring the response spectrum at --damping to that of this table: columns period (s) and "
+                  "acceleration (m/s2) or acceleration_g")
+      ->excludes(scale)
+      ->excludes(pga);
   command.add_option("--shift", steps.shift, "7. Later by this time, s (negative: earlier)");
   command.add_option("--as", options.as,
                      "8. Make it incident or outcrop (vertical incidence: outcrop = 2 x incident)");

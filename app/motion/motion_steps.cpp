@@ -1,6 +1,7 @@
 #include "app/motion/motion_steps.hpp"
 
 #include "motion/peak.hpp"
+#include "motion/read/read_spectrum.hpp"
 
 #include <fmt/format.h>
 
@@ -37,9 +38,21 @@ double factor(const motion::Record& record, const MotionSteps& steps) {
   return *steps.pga / found;
 }
 
+/// The response is that to the acceleration; another quantity goes there and back.
+Matched match(motion::Record& record, const MotionSteps& steps) {
+  auto target = motion::read_spectrum(steps.target);
+  target.damping = steps.target_damping;
+  auto acceleration = motion::with_unit(record, motion::Unit::m_s2);
+  auto result = motion::spectrally_matched(acceleration.samples, record.dt, target);
+  acceleration.samples = std::move(result.acceleration);
+  record = motion::with_unit(acceleration, record.unit);
+  return {result.before, result.after, result.steps};
+}
+
 } // namespace
 
-motion::Record processed(motion::Record record, const MotionSteps& steps, const motion::ReadAs& as) {
+Processed processed(motion::Record record, const MotionSteps& steps, const motion::ReadAs& as) {
+  std::optional<Matched> matched;
   if (steps.rotate_deg)
     record = rotated(std::move(record), steps, as);
   if (steps.baseline)
@@ -56,12 +69,14 @@ motion::Record processed(motion::Record record, const MotionSteps& steps, const 
   if (steps.scale || steps.pga)
     for (const double by = factor(record, steps); double& sample : record.samples)
       sample *= by;
+  if (!steps.target.empty())
+    matched = match(record, steps);
   if (steps.shift != 0.0)
     record.samples = motion::shifted(record.samples, record.dt, steps.shift);
   if (steps.kind)
     record = motion::as_kind(std::move(record), *steps.kind);
   motion::require_sound(record);
-  return record;
+  return {std::move(record), matched};
 }
 
 } // namespace tremolo::app

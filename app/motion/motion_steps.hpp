@@ -1,9 +1,10 @@
 #pragma once
 
 // The processing that `tremolo motion` offers, always in the order of this list: rotation, baseline, taper,
-// band-pass, resampling, scaling, time shift, kind.
+// band-pass, resampling, scaling or matching, time shift, kind.
 
 #include "motion/mend/process.hpp"
+#include "motion/mend/spectral_match.hpp"
 #include "motion/read/read.hpp"
 
 #include <optional>
@@ -22,11 +23,25 @@ struct MotionSteps {
   std::optional<double> step; ///< s
   std::optional<double> scale;
   std::optional<double> pga; ///< m/s2
-  double shift = 0.0;        ///< s
+  std::string target;        ///< file of a response spectrum
+  double target_damping = 0.05;
+  double shift = 0.0; ///< s
   std::optional<motion::MotionKind> kind;
 };
 
+/// How near a motion came to its target spectrum.
+struct Matched {
+  double before = 0.0; ///< largest misfit of the scaled motion
+  double after = 0.0;  ///< largest misfit
+  int steps = 0;
+};
+
+struct Processed {
+  motion::Record record;
+  std::optional<Matched> matched;
+};
+
 /// @throws std::invalid_argument where a step does not suit the motion
-motion::Record processed(motion::Record record, const MotionSteps& steps, const motion::ReadAs& as);
+Processed processed(motion::Record record, const MotionSteps& steps, const motion::ReadAs& as);
 
 } // namespace tremolo::app

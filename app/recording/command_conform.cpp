@@ -101,7 +101,7 @@ std::vector<double> middles(double from, double to, double spacing) {
 /// Faces half way between the points of the boundary, as those of particles are.
 std::vector<coupler::ExchangedFace> faces(const scene::Case& scene, const scene::SourceProcess& source) {
   const scene::Box& box = scene.mesh.box;
-  const double spacing = scene.mesh.size / scene.mesh.particles_per_cell;
+  const double spacing = scene.mesh.particle_size();
   std::vector<coupler::ExchangedFace> list;
   for (const scene::Served& served : source.serves) {
     if (served.side == scene::Side::base) {

@@ -10,7 +10,7 @@
 #include "base/text_file.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "coupler/recording/exchange_recorder.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 #include "results/run_file.hpp"
 #include "scene/plan/hosts.hpp"
 #include "scene/plan/plan.hpp"

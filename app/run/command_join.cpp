@@ -9,7 +9,7 @@
 #include "coupler/launch/child_process.hpp"
 #include "coupler/launch/joining.hpp"
 #include "coupler/launch/termination.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 #include "scene/plan/service.hpp"
 #include "scene/read/override.hpp"
 

@@ -5,7 +5,9 @@
 
 namespace tremolo::app {
 
-LocalOptions::LocalOptions() : threads(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
+int machine_threads() {
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
 
 void add_local_options(Command& command, LocalOptions& options) {
   command.add_option("--transport", options.transport, "ipc (default) or tcp on the loopback interface")

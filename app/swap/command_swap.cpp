@@ -14,7 +14,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace tremolo::app {
@@ -27,7 +26,7 @@ struct Options {
   std::string case_file;
   std::vector<std::string> models;
   fs::path out;
-  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int threads = machine_threads();
 };
 
 constexpr std::array known = {scene::SourceModel::wave,    scene::SourceModel::fe,  scene::SourceModel::ode,

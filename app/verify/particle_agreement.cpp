@@ -1,7 +1,7 @@
 #include "app/verify/particle_agreement.hpp"
 
 #include "app/verify/exact_velocity.hpp"
-#include "scene/plan/motion.hpp"
+#include "scene/plan/wave/motion.hpp"
 
 #include <fmt/format.h>
 

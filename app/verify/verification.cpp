@@ -2,7 +2,7 @@
 
 #include "app/verify/exact_field.hpp"
 #include "app/verify/exact_velocity.hpp"
-#include "scene/plan/motion.hpp"
+#include "scene/plan/wave/motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>

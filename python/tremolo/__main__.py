@@ -1,14 +1,18 @@
-"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | watch RUN | failure RUN ... | column OUT.h5
-| soiltest OUT.h5 | verify-picture PATH | motion-picture FOLDER OUT."""
+"""Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | watch RUN | extract RUN
+| failure RUN ... | column OUT.h5 | soiltest OUT.h5 | sweep-runs FOLDER | safety-picture FOLDER | verify-picture PATH
+| motion-picture FOLDER OUT."""
 
 import argparse
 import json
 import sys
 from pathlib import Path
 
-from tremolo import bodies, column, comparison, cost, failure, fronts, histories, maps, motion, pore_pressure, preview, soil_record, soiltest, swap, timeline, verification
+from tremolo import (bodies, column, comparison, cost, failure, fronts, histories, maps, mechanism, motion, pore_pressure,
+                     preview, soil_record, soiltest, swap, timeline, verification)
+from tremolo.extract import command as extract_command
 from tremolo.report import page, watch
 from tremolo.run import Run
+from tremolo.sweep import command as sweep_command
 
 
 def _folder(argument, run):
@@ -84,6 +88,10 @@ def follow(arguments):
     yield from watch.serve(arguments.run, arguments.port)
 
 
+def extract(arguments):
+    yield from extract_command.carry_out(arguments)
+
+
 def failure_times(arguments):
     """Yields a line a run: when its slope failed."""
     for path in arguments.runs:
@@ -117,6 +125,19 @@ def swap_picture(arguments):
 
 def cost_picture(arguments):
     yield cost.picture(arguments.path)
+
+
+def safety_picture(arguments):
+    yield mechanism.picture(Path(arguments.path))
+
+
+def sweep_runs(arguments):
+    yield from sweep_command.carry_out(arguments.path, sweep_command.find_program(arguments.tremolo), arguments.jobs, arguments.slurm)
+
+
+def sweep_task(arguments):
+    records = [int(number) for number in arguments.records.split(",")] if arguments.records else []
+    yield sweep_command.one_task(arguments.path, arguments.number, arguments.tremolo, arguments.threads, arguments.number in records)
 
 
 def command_table(arguments):
@@ -164,13 +185,27 @@ def _parser():
     pair.add_argument("other", help="the run to set beside it")
     add_picture_options(pair)
     told = add("report", report, "One HTML file of a run, of several side by side, or of studies: frames that play, charts that zoom.")
-    told.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5; or what soiltest, column, swap or cost wrote")
+    told.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5; or what soiltest, column, swap, cost or sweep wrote")
     told.add_argument("--out", metavar="FILE",
                       help="the page (default: report.html beside the run or in the study's folder; of several runs, comparison.html; "
                       "of OUT.h5, OUT.html)")
     live = add("watch", follow, "The report of a run in a browser of this machine while the run goes on, until Ctrl-C.")
     live.add_argument("run", help="folder of the run, or its run.h5")
     live.add_argument("--port", type=int, default=0, help="of the loopback address (default: a free one)")
+    taken = add("extract", extract, "Tables of a run: histories, profiles along lines, spectral ratios, Newmark's displacement.")
+    taken.add_argument("run", help="folder of the run, or its run.h5")
+    taken.add_argument("--point", action="append", metavar="POINT",
+                       help="whose history is written: the name of a monitor, LINE#NUMBER, or X,Y for the nearest point stored "
+                       "(--point=X,Y where X is negative); may be repeated (default: all monitors)")
+    taken.add_argument("--base", metavar="POINT",
+                       help="a point, likewise: displacements are also written relative to it, and spectral ratios over it; its "
+                       "motion is that of the rigid block")
+    taken.add_argument("--ky", type=float, nargs="+", metavar="K", help="yield coefficients, in parts of gravity: Newmark's "
+                       "displacement of each [[sliding_mass]]")
+    taken.add_argument("--downslope", choices=["left", "right"], metavar="SIDE",
+                       help="left or right, where masses slide to (default: towards the lower surface)")
+    taken.add_argument("--plot", action="store_true", help="also pictures of the tables")
+    taken.add_argument("--out", metavar="DIR", help="folder of the tables (default: tables/ beside the run)")
     failed = add("failure", failure_times, "When a shear band first connects the toe of a slope with its crest.")
     failed.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5")
     failed.add_argument("--strain", type=float, default=0.1, help="equivalent plastic strain of the band (default 0.1)")
@@ -186,6 +221,8 @@ def _parser():
     swapped.add_argument("path", help="the folder that `tremolo swap` wrote")
     costly = add("cost-picture", cost_picture, "Work-precision diagram of a ladder of settings.")
     costly.add_argument("path", help="the folder that `tremolo cost` wrote")
+    safe = add("safety-picture", safety_picture, "The soil that fails in a strength reduction.")
+    safe.add_argument("path", help="the folder that `tremolo safety` wrote")
     verified = add("verify-picture", verify_picture, "Picture of a verification: error map and histories.")
     verified.add_argument("path", help="verify.json, or its folder")
     shaken = add("motion-picture", motion_picture, "Picture of a motion, from the tables of `tremolo motion`.")
@@ -193,6 +230,17 @@ def _parser():
     shaken.add_argument("out", help="the picture")
     shaken.add_argument("--title", default="")
     shaken.add_argument("--damping", type=float, default=0.05, help="of the response spectrum")
+    swept = add("sweep-runs", sweep_runs, "Makes the runs of a sweep, its table and pictures.")
+    swept.add_argument("path", help="the folder that `tremolo sweep` planned")
+    swept.add_argument("--tremolo", default="tremolo", help="the program")
+    swept.add_argument("--jobs", type=int, help="runs at a time")
+    swept.add_argument("--slurm", metavar="OPTIONS", help="options of sbatch")
+    one = add("sweep-task", sweep_task, "Makes one run of a sweep: a task of a job array.")
+    one.add_argument("path", help="the folder that `tremolo sweep` planned")
+    one.add_argument("number", type=int, help="of the run in sweep.json, from 0")
+    one.add_argument("--tremolo", default="tremolo", help="the program")
+    one.add_argument("--threads", type=int, default=1, help="of the domain")
+    one.add_argument("--records", help="numbers of the runs that record their exchange, with commas")
     table = add("command-table", command_table, "What each command takes, as JSON.")
     table.add_argument("path", help="the file to write")
     parser.commands = commands.choices
@@ -206,6 +254,12 @@ def main(arguments=None):
             print(path, flush=True)
     except KeyboardInterrupt:
         return 130
+    except sweep_command.Interrupted as stopped:
+        print(f"tremolo: {stopped}", file=sys.stderr)
+        return 130
+    except sweep_command.SomeFailed as failed:
+        print(f"tremolo: {failed}", file=sys.stderr)
+        return 1
     except (OSError, ValueError, KeyError) as error:
         print(f"tremolo: {error}", file=sys.stderr)
         return 1

@@ -1,4 +1,4 @@
-"""The model before it shakes: soils, monitors, boundaries, mesh size, dimensions, and the incident wave."""
+"""The model before it shakes: soils, monitors, lines, sliding masses, boundaries, mesh size, dimensions, and the incident wave."""
 
 import numpy as np
 from matplotlib.colors import ListedColormap
@@ -29,6 +29,8 @@ def preview(run, folder):
     _dimensions(ax, low, high, tops)
     _incident_wave(ax, run, low, width)
     _monitors(ax, run)
+    _lines(ax, run)
+    _sliding_masses(ax, run)
     return style.save(figure, folder, "model.png")
 
 
@@ -115,3 +117,20 @@ def _monitors(ax, run):
         point = monitor["x"][0], monitor["y"][0]
         ax.plot(*point, marker="v", color="black", markersize=5, clip_on=False)
         ax.annotate(name, point, xytext=(0, 5), textcoords="offset points", ha="center", va="bottom", fontsize=8)
+
+
+def _lines(ax, run):
+    for name in run.lines:
+        places = [(point["x"][0], point["y"][0]) for point in run.line(name) if len(point)]
+        if places:
+            ax.plot(*np.transpose(places), ".-", color="black", markersize=2, linewidth=0.5)
+            ax.annotate(name, places[len(places) // 2], xytext=(4, 0), textcoords="offset points", va="center", fontsize=8)
+
+
+def _sliding_masses(ax, run):
+    """Their outlines, also where they lie above the ground."""
+    for name in run.sliding_masses:
+        outline = run.sliding_mass(name).outline
+        ax.plot(*np.vstack([outline, outline[:1]]).T, color=style.COLOURS[3], linewidth=1.0, linestyle="--")
+        ax.annotate(name, outline[np.argmin(outline[:, 1])], xytext=(0, -4), textcoords="offset points", ha="center", va="top",
+                    fontsize=8, color=style.COLOURS[3])

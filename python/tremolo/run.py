@@ -4,6 +4,7 @@
     run.times                             # s, of the particle frames
     run.frame(10)["velocity"]             # [particles, 2], m/s
     run.monitor("toe")["ax"]              # m/s2 at run.monitor("toe")["time"]
+    run.line("shaft")[3]["gxy"]           # of the fourth point of a line
     run.body("tunnel")["water_y"]         # N/m at run.body("tunnel")["time"]
 
 All values are SI units; tension is positive; x points right, y up.
@@ -53,15 +54,43 @@ class Series:
         return len(self._rows)
 
 
-class Body(Series):
-    """What became of a [[structure]]: motion of its centre of mass and the forces on it, and its outline at any time.
+class LinePoint(Series):
+    """A point of a line, as a series of its own."""
 
-    The attributes: `outline` and `hole` [corners, 2] at the start (m; `hole` is None where there is none), `mass` (kg/m),
-    `inertia` (kg m).
+    def __init__(self, line, number):
+        own = [name for name in line.columns if name == "time" or name == name.rstrip("0123456789") + str(number)]
+        self.columns = [name.rstrip("0123456789") for name in own]
+        self.units = {column: line.units[name] for column, name in zip(self.columns, own)}
+        self._rows = line._rows[:, [line.columns.index(name) for name in own]]
+
+
+def points_of(line):
+    """The points of a line's series, whose columns are x0, y0, ..., x1, y1, ..."""
+    count = sum(name.rstrip("0123456789") == "ux" for name in line.columns)
+    return [LinePoint(line, number) for number in range(count)]
+
+
+class SlidingMass(Series):
+    """Means over the soil within an outline: time, mass (kg/m), x, y, ux, uy, vx, vy, ax, ay.
+
+    The attribute `outline` [corners, 2] is that at the start, m.
     """
 
     def __init__(self, dataset):
         super().__init__(dataset)
+        self.outline = np.reshape(dataset.attrs["outline"], (-1, 2))
+
+
+class Body(Series):
+    """What became of a [[structure]]: motion of its centre of mass and the forces on it, and its outline at any time.
+
+    The attributes: `outline` and `hole` [corners, 2] at the start (m; `hole` is None where there is none), `mass` (kg/m),
+    `inertia` (kg m). An elastic structure has its bent outline at the times of frames.
+    """
+
+    def __init__(self, dataset, bent=None):
+        super().__init__(dataset)
+        self._bent = None if bent is None else Series(bent)
         self.outline = np.reshape(dataset.attrs["outline"], (-1, 2))
         self.hole = np.reshape(dataset.attrs["hole"], (-1, 2)) if "hole" in dataset.attrs else None
         self.mass = float(dataset.attrs["mass"])
@@ -72,7 +101,9 @@ class Body(Series):
         return tuple(float(np.interp(time, self["time"], self[column])) for column in ("x", "y", "tilt"))
 
     def corners(self, time):
-        """Outline and hole at a time (s)."""
+        """Outline and hole at a time (s). Those of an elastic structure have more points than at the start."""
+        if self._bent:
+            return self._bent_rings(time)
         if len(self) == 0:
             return self.outline, self.hole
         x, y, tilt = self.place(time)
@@ -84,6 +115,15 @@ class Body(Series):
             return None if polygon is None else (polygon - start) @ turn + [x, y]
 
         return moved(self.outline), moved(self.hole)
+
+    def _bent_rings(self, time):
+        """Outline and hole from the points of the frames before and after a time."""
+        def ring(of):
+            columns = [name for name in self._bent.columns if name.rstrip("0123456789") in (f"{of}x", f"{of}y")]
+            points = [np.interp(time, self._bent["time"], self._bent[name]) for name in columns]
+            return np.reshape(points, (-1, 2)) if points else None
+
+        return ring(""), ring("hole_")
 
 
 class Run:
@@ -176,11 +216,37 @@ class Run:
             return links.names(self._file["monitors"])
 
     def monitor(self, name):
-        """Series of a monitor: time, x, y, ux, uy, vx, vy, ax, ay."""
+        """Series of a monitor: time, x, y, ux, uy, vx, vy, ax, ay; in soil also stress and strain (docs/output-format.md)."""
         if name not in self.monitors:
             raise KeyError(f"{self.path}: no monitor '{name}'; it has {', '.join(self.monitors) or 'none'}")
         with self._reading(f"the monitor {name}"):
             return Series(self._file["monitors"][name])
+
+    @property
+    def lines(self):
+        """Names of the lines of points."""
+        with self._reading("the lines"):
+            return links.names(self._file["lines"]) if "lines" in self._file else []
+
+    def line(self, name):
+        """The points of a line from one end to the other, each with the columns of a monitor."""
+        if name not in self.lines:
+            raise KeyError(f"{self.path}: no line '{name}'; it has {', '.join(self.lines) or 'none'}")
+        with self._reading(f"the line {name}"):
+            return points_of(Series(self._file["lines"][name]))
+
+    @property
+    def sliding_masses(self):
+        """Names of the sliding masses."""
+        with self._reading("the sliding masses"):
+            return links.names(self._file["sliding_masses"]) if "sliding_masses" in self._file else []
+
+    def sliding_mass(self, name):
+        """Series of a sliding mass."""
+        if name not in self.sliding_masses:
+            raise KeyError(f"{self.path}: no sliding mass '{name}'; it has {', '.join(self.sliding_masses) or 'none'}")
+        with self._reading(f"the sliding mass {name}"):
+            return SlidingMass(self._file["sliding_masses"][name])
 
     @property
     def bodies(self):
@@ -193,7 +259,8 @@ class Run:
         if name not in self.bodies:
             raise KeyError(f"{self.path}: no body '{name}'; it has {', '.join(self.bodies) or 'none'}")
         with self._reading(f"the body {name}"):
-            return Body(self._file["bodies"][name])
+            bent = self._file["outlines"] if "outlines" in self._file else {}
+            return Body(self._file["bodies"][name], bent[name] if name in bent else None)
 
     def contact(self, index):
         """Contact nodes of one frame: name -> array; None where the run has no structures.

@@ -27,3 +27,8 @@ def run_variant(tremolo, case, changes, folder, name):
         written.write_text(variant(case, changes))
         subprocess.run([tremolo, "run", written, "--out", out], check=True, stdout=subprocess.DEVNULL)
     return Run(out)
+
+
+def cpu_time(run):
+    """CPU time of all processes of a run, s."""
+    return float(sum(run.table("processes")["cpu_time"]))

@@ -178,9 +178,9 @@ def _of_studies(paths):
 def write(paths, out=None):
     """Writes the report of one run, of several side by side, or of studies one below the other; returns its path.
 
-    paths: folders of runs, or their run.h5; or what `tremolo soiltest`, `column`, `swap` and `cost` wrote.
+    paths: folders of runs, or their run.h5; or what `tremolo soiltest`, `column`, `swap`, `cost` and `sweep` wrote.
     out: the file (default: report.html beside the only run, comparison.html beside the first of several; report.html in the folder
-    of a swap or a ladder, OUT.html beside OUT.h5).
+    of a swap, a ladder or a sweep, OUT.html beside OUT.h5).
     Raises OSError and ValueError for what cannot be read, for a run without frames, and where Jinja2 or Plotly is missing.
     """
     page, beside = (_of_runs if kinds.alike(paths) else _of_studies)(paths)

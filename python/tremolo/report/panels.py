@@ -5,7 +5,7 @@ import io
 import re
 
 import numpy as np
-from matplotlib import colors
+from matplotlib import colors, ticker
 from plotly import graph_objects as go
 
 from tremolo.report.charts import Chart, kept, numbers
@@ -43,7 +43,8 @@ def _line(line, ax):
         mode="+".join(part for part, there in (("lines", drawn), ("markers", marker)) if there) or "lines",
         line={"color": colors.to_hex(line.get_color()), "width": 1.4, "dash": DASHES.get(line.get_linestyle(), "solid"),
               "shape": "hv" if line.get_drawstyle() == "steps-post" else "linear"},
-        marker={"symbol": marker or "circle", "size": 7},
+        marker={"symbol": marker or "circle", "size": max(4.0, 7.0 / 6.0 * line.get_markersize())},
+        opacity=line.get_alpha() or 1.0,
     )
 
 
@@ -57,10 +58,19 @@ def _bars(ax):
                    marker={"color": [colors.to_hex(bar.get_facecolor()) for bar in bars]})]
 
 
-def _axis(label, scale, limits):
+def _axis(label, scale, limits, ticks=()):
+    """ticks: places and names, where the picture has names of its own."""
     low, high = limits
     ends = [float(np.log10(low)), float(np.log10(high))] if scale == "log" else [float(low), float(high)]
-    return {"title": {"text": plain(label)}, "type": "log" if scale == "log" else "linear", "range": ends}
+    named = {"tickvals": [place for place, _ in ticks], "ticktext": [name for _, name in ticks]} if ticks else {}
+    return {"title": {"text": plain(label.replace("\n", " "))}, "type": "log" if scale == "log" else "linear", "range": ends, **named}
+
+
+def _own_names(axis):
+    """Places and names of the ticks of an axis that were given one by one."""
+    if not isinstance(axis.get_major_locator(), ticker.FixedLocator):
+        return []
+    return [(float(place), plain(name.get_text())) for place, name in zip(axis.get_ticklocs(), axis.get_ticklabels())]
 
 
 def _labels(ax):
@@ -82,7 +92,8 @@ def _chart(ax, key):
         layout = {"xaxis": x, "yaxis": {"type": "category", "autorange": "reversed"}}
     else:
         traces = [trace for line in ax.get_lines() if (trace := _line(line, ax)) is not None]
-        layout = {"xaxis": _axis(x_label, ax.get_xscale(), ax.get_xlim()), "yaxis": _axis(y_label, ax.get_yscale(), ax.get_ylim())}
+        layout = {"xaxis": _axis(x_label, ax.get_xscale(), ax.get_xlim(), _own_names(ax.xaxis)),
+                  "yaxis": _axis(y_label, ax.get_yscale(), ax.get_ylim())}
     layout["height"] = 360
     layout["hovermode"] = "closest"
     title = ax.get_title() or ax.get_title(loc="left")

@@ -1,4 +1,4 @@
-"""What a report shows of a soil test, a free field alone, a swap of models, or a ladder of cost: the panels of its picture as
+"""What a report shows of a soil test, a free field alone, a swap of models, a ladder of cost, or a sweep: the panels of its picture as
 charts that zoom, and its numbers as tables."""
 
 from pathlib import Path
@@ -11,6 +11,8 @@ from tremolo import column, cost, pore_pressure, soil_record, soiltest, style, s
 from tremolo.report import panels
 from tremolo.report.facts import Table
 from tremolo.report.kinds import kind_of
+from tremolo.sweep import pictures, statistics
+from tremolo.sweep.plan import COMPLETE, Plan, told
 
 
 class Study(NamedTuple):
@@ -76,6 +78,71 @@ def _cost(path, key):
     return Study(study["title"], "ladder of error and cost", charts, maps, tables)
 
 
+def _sweep(path, key):
+    sweep = statistics.Sweep(Plan(path))
+    figures = [figure for figure in (pictures.draw(sweep), pictures.draw_histories(sweep)) if figure is not None]
+    charts, maps = _drawn(figures, key)
+    names = statistics.responses(sweep)
+    labels = [pictures.label(name, sweep.columns[name].unit).replace("$", "") for name in names]
+    tables = [_sweep_groups(sweep, names, labels), *_sweep_pairs(sweep, names, labels), *_sweep_lines(sweep, names, labels),
+              _sweep_runs(sweep, names, labels)]
+    study = Path(sweep.plan.study)
+    text = study.read_text(encoding="utf-8") if study.exists() else ""
+    return Study(sweep.plan.title, "sweep", charts, maps, tables, text)
+
+
+def _sweep_groups(sweep, names, labels):
+    """Median and spread of each response over the runs that differ in the motion alone."""
+    colour = [sweep.colour_key] if sweep.colour_key else []
+    rest = [key for key, _ in sweep.groups()[0].rest]
+    rows = []
+    for group in sweep.groups():
+        row = [told(group.colour)] * len(colour) + [told(value) for _, value in group.rest]
+        for name in names:
+            count, median, low, high = sweep.spread(name, group)
+            row.append(f"{median:.4g} ({low:.4g} to {high:.4g}), {count} of {len(group.runs)}" if count else f"none of {len(group.runs)}")
+        rows.append(row or ["all"])
+    return Table([*colour, *rest, *labels], rows, "Median (16 to 84 %) and number of the runs that differ in the motion alone")
+
+
+def _sweep_pairs(sweep, names, labels):
+    """Each value of the axis with colours against the first one."""
+    if not sweep.colour_key:
+        return []
+    rows = [
+        [label, told(pair.colour), str(pair.pairs), str(pair.smaller), str(pair.larger), str(pair.alike), _number(pair.median)]
+        for name, label in zip(names, labels) for pair in statistics.compared(sweep, name)
+    ]
+    headings = ["response", sweep.colour_key, "pairs", "smaller", "larger", "alike", "median difference"]
+    caption = f"Against {sweep.colour_key} = {told(sweep.colours[0])}, all else alike; a failure that comes is earlier than one that does not"
+    return [Table(headings, rows, caption)]
+
+
+def _sweep_lines(sweep, names, labels):
+    """The lines of responses over the intensity."""
+    if sweep.intensity is None:
+        return []
+    rows = []
+    for name, label in zip(names, labels):
+        for colour in sweep.colours:
+            runs = [number for number in sweep.complete if sweep.has_colour(number, colour)]
+            line = statistics.fitted(sweep.numbers(sweep.intensity)[runs], sweep.numbers(name)[runs])
+            if line:
+                rows.append([label, "all" if colour is None else told(colour), str(line.runs), _number(line.factor), _number(line.power),
+                             _number(line.deviation)])
+    headings = ["response y", sweep.colour_key or "runs", "runs", "factor", "power", "standard deviation of ln y"]
+    return [Table(headings, rows, f"Lines y = factor x^power, x: {pictures.INTENSITIES[sweep.intensity]}")] if rows else []
+
+
+def _sweep_runs(sweep, names, labels):
+    columns = [sweep.columns[name] for name in ("run", *sweep.plan.varied(), *names)]
+    rows = []
+    for number, (status, message) in enumerate(zip(sweep.columns["status"].values, sweep.columns["message"].values)):
+        row = [told(value) if isinstance(value, (str, list)) else _number(value) for value in (column.values[number] for column in columns)]
+        rows.append([*row, status if status == COMPLETE else f"{status}: {message}".removesuffix(": ")])
+    return Table(["run", *sweep.plan.varied(), *labels, "status"], rows, "Runs")
+
+
 def _soiltest(path, key):
     test = soil_record.read(path)
     charts, maps = _drawn([soiltest.draw(test)], key)
@@ -96,7 +163,7 @@ def _column(path, key):
     return Study(Path(path).stem, "free field alone", charts, maps, [_columns(profile, "Profile of peak values, SI units")])
 
 
-_READERS = {"swap": _swap, "cost": _cost, "soiltest": _soiltest, "column": _column}
+_READERS = {"swap": _swap, "cost": _cost, "sweep": _sweep, "soiltest": _soiltest, "column": _column}
 
 
 def read(path, number):

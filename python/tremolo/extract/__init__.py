@@ -1,0 +1,1 @@
+"""`tremolo extract`: tables of a run, as practice reads it."""

@@ -1,0 +1,49 @@
+"""The soil that fails in a strength reduction: where it strains and how it moves."""
+
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+
+from tremolo import style
+
+ARROWS = 24  # along the longer side of the picture
+
+
+def _spread(position, count):
+    """Indices of particles, one nearest to each point of an even lattice that soil is near to."""
+    low, high = position.min(axis=0), position.max(axis=0)
+    step = (high - low).max() / count
+    cells = np.floor((position - low) / step).astype(int)
+    centres = low + (cells + 0.5) * step
+    distance = np.hypot(*(position - centres).T)
+    order = np.lexsort((distance, cells[:, 1], cells[:, 0]))
+    _, first = np.unique(cells[order], axis=0, return_index=True)
+    return order[first]
+
+
+def picture(folder):
+    """Draws mechanism.png beside mechanism.csv and returns its path."""
+    table = np.genfromtxt(folder / "mechanism.csv", delimiter=",", names=True)
+    trials = np.atleast_1d(np.genfromtxt(folder / "safety.csv", delimiter=",", names=True))
+    stands = trials["factor"][trials["stands"] == 1].max()
+    fails = trials["factor"][trials["stands"] == 0].min()
+    position = np.column_stack([table["x_m"], table["y_m"]])
+    velocity = np.column_stack([table["vx_over_fastest"], table["vy_over_fastest"]])
+    strain = table["equivalent_plastic_strain"]
+    margin = 0.02 * np.ptp(position[:, 0])
+    bounds = (*(position.min(axis=0) - margin), *(position.max(axis=0) + margin))
+    figure, axes = style.map_axes(bounds, 1, 1)
+    ax = axes[0, 0]
+    top = float(np.percentile(strain, 99.0)) or 1.0
+    scale = Normalize(0.0, top)
+    figure.colorbar(ScalarMappable(scale, style.SEQUENTIAL), ax=ax, label="equivalent plastic strain (1)", extend="max",
+                    shrink=0.8, aspect=18, pad=0.015)
+    ax.set_title(f"factor of safety {stands:.3g}: velocity of the soil where it is {fails:.4g}", loc="left")
+    style.fix_layout(figure)
+    style.fill_particles(ax, position, strain, table["size_m"], cmap=style.SEQUENTIAL, norm=scale)
+    drawn = _spread(position, ARROWS)
+    drawn = drawn[np.hypot(*velocity[drawn].T) > 0.05]
+    length = 1.5 * np.ptp(position, axis=0).max() / ARROWS
+    ax.quiver(*position[drawn].T, *(velocity[drawn].T * length), angles="xy", scale_units="xy", scale=1.0,
+              color="white", width=0.003, headwidth=4)
+    return style.save(figure, folder, "mechanism.png")
