@@ -17,7 +17,6 @@ import numpy as np
 from tremolo import Run, pore_pressure, style
 
 DEPTHS = [2.75, 5.25, 7.75]  # m, centres of cells
-CELL = 0.5  # m
 BUOYANT = 1009.2 * 9.81  # N/m3, of the sand
 GRADIENT = 1009.2 / 1000.0  # of water that carries the sand
 PERMEABILITY = 1e-4  # m/s
@@ -42,7 +41,7 @@ class Level:
 
     def ratio(self, depth):
         """r_u [time, x] of the cells at a depth: their pressure over the effective stress at their centre."""
-        rows = np.flatnonzero(np.abs(self.y + depth) < 0.5 * CELL)
+        rows = np.flatnonzero(np.abs(self.y + depth) < 0.5 * self.run.attribute("mesh_size"))
         weight = (-self.y[rows] / depth)[:, None]
         return self.history(lambda i: (self.field(i, "pore_pressure_ratio")[rows, :, 0] * weight).mean(axis=0))
 
@@ -109,9 +108,24 @@ def report(level, run):
     yield f"    volume lost {1e3 * lost[left].mean():.3f} left half, {1e3 * lost.mean():.3f} all"
     yield f"    closed form k (rho - rho_f)/rho_f {1e3 * PERMEABILITY * GRADIENT * (end - start):.3f}"
     final = 1e3 * settlement[-1]
-    yield f"settlement at 25 s, mm: mean {final.mean():.2f}, left end {final[0]:.2f}, right end {final[-1]:.2f}"
+    yield f"settlement at 25 s, mm: mean {final.mean():.2f}, over x {final.min():.2f} to {final.max():.2f}"
     energy = run.energy
     yield "energy at 25 s, kJ/m: " + ", ".join(f"{name} {energy[name][-1] / 1e3:.3f}" for name in energy.columns[1:])
+
+
+def apart(level, run, columns):
+    """Lines: how far r_u of a column is from the domain's mean over x, over the depths."""
+    means = [level.ratio(depth).mean(axis=1) for depth in DEPTHS]
+    for model, (levels, histories, *_) in columns.items():
+        differences = []
+        for depth, mean in zip(DEPTHS, means):
+            history = histories[int(np.argmin(np.abs(levels + depth)))]
+            differences.append(mean - np.interp(run.times, history["time"], history["pore_pressure_ratio"]))
+        differences = np.array(differences)
+        before, after = run.times <= 3.0, (run.times >= 5.0) & (run.times <= 15.0)
+        rms = np.sqrt((differences[:, after] ** 2).mean(axis=1))
+        yield (f"r_u of the domain and of {model}: {np.abs(differences[:, before]).max():.4f} apart at most until 3 s, "
+               f"{rms.min():.3f} to {rms.max():.3f} from 5 to 15 s (rms)")
 
 
 def picture(level, run, columns, path):
@@ -149,6 +163,8 @@ def main():
     run, columns = outputs(tremolo, folder)
     level = Level(run)
     for line in report(level, run):
+        print(line)
+    for line in apart(level, run, columns):
         print(line)
     for model, (_, histories, _, settlement, _) in columns.items():
         print(f"column {model}: settlement {1e3 * settlement['settlement'][-1]:.2f} mm")
