@@ -52,13 +52,10 @@ struct TunnelForces {
   double total_lift() const { return at_rest + lift; }
 };
 
-/// @param offset  of the axis from a node, m
-inline TunnelForces tunnel_forces(mpm_domain::Spec spec, double offset) {
+/// What holds soil that has just liquefied and a structure that is held fast, over the step from rest.
+/// @param dt  s
+inline std::vector<mpm_domain::ContactPoint> first_contact(mpm_domain::Domain& domain, double dt) {
   using namespace mpm_domain;
-  constexpr double dt = 1e-5;
-  spec.structures = {
-      structure(circle({offset, -5.5 - offset}, 0.5 * TunnelForces::diameter), TunnelForces::density, 0.4)};
-  Domain domain(spec);
   liquefy(domain);
   scatter(domain, ScatterPart::both);
   for (std::size_t n = 0; n < domain.grid.size(); ++n)
@@ -69,10 +66,22 @@ inline TunnelForces tunnel_forces(mpm_domain::Spec spec, double offset) {
   const RigidBody& body = domain.contact.bodies().front();
   ContactNodes contact;
   contact.follow_sort(domain, body.surface(), 4.0);
-  contact.find(domain, body.surface(), body.centre(), spec.structures.front(), nullptr);
+  contact.find(domain, body.surface(), body.centre(), domain.spec.structures.front(), nullptr);
   contact.take_trial(domain, dt);
   std::vector<ContactPoint> points(contact.nodes().begin(), contact.nodes().end());
   solve_contact(1e30, 1e30, {}, points);
+  return points;
+}
+
+/// @param offset  of the axis from a node, m
+inline TunnelForces tunnel_forces(mpm_domain::Spec spec, double offset) {
+  using namespace mpm_domain;
+  constexpr double dt = 1e-5;
+  spec.structures = {
+      structure(circle({offset, -5.5 - offset}, 0.5 * TunnelForces::diameter), TunnelForces::density, 0.4)};
+  Domain domain(spec);
+  const std::vector<ContactPoint> points = first_contact(domain, dt);
+  const RigidBody& body = domain.contact.bodies().front();
   TunnelForces forces;
   const WaterAtRest water{0.0, heavy_fluid::water * heavy_fluid::gravity};
   forces.at_rest = body.load(heavy_fluid::gravity, water).force.y + TunnelForces::weight;

@@ -133,6 +133,18 @@ private:
   }
 };
 
+/// Root mean square over 25 s and all depths by which r_u differs.
+inline double apart(const LiquefactionHistory& a, const LiquefactionHistory& b) {
+  double squares = 0.0;
+  int count = 0;
+  for (; 0.02 * count < 25.0; ++count)
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      const double difference = a.ratio_at(i, 0.02 * count) - b.ratio_at(i, 0.02 * count);
+      squares += difference * difference / depths.size();
+    }
+  return std::sqrt(squares / count);
+}
+
 /// 10 m of a saturated sand, 0.5 % of damping at 5 Hz.
 inline Profile liquefying_profile(const LiquefyingSand& sand) {
   const materials::PoreSpace pores{.porosity = materials::porosity_of(sand.void_ratio),

@@ -81,23 +81,7 @@ public:
   std::vector<Peak> peaks;
 
 private:
-  void push() {
-    mpm_domain::Domain& domain = scene.domain;
-    const mpm_domain::Vector toe{-0.5 * width, 0.0};
-    if (!domain.contact.is_elastic(0))
-      return set_bodies(domain, {{0.0, 0.5 * height, 0.0, -spin * 0.5 * height, spin * 0.5 * width, spin}});
-    const double h = domain.finest_lattice().h;
-    for (mpm_domain::Particles& set : domain.sets)
-      for (std::size_t k = 0; set.body && k < set.size(); ++k) {
-        set.vx[k] = -spin * (set.y[k] - toe.y);
-        set.vy[k] = spin * (set.x[k] - toe.x);
-        const double quarter =
-            0.25 * h; // particles stand at quarters of cells: xi (1 - xi) and the box's part
-        const double moment = 3.0 * quarter * quarter;
-        set.bxy[k] = -spin * moment;
-        set.byx[k] = spin * moment;
-      }
-  }
+  void push() { set_motion(scene.domain, 0, {{-spin * 0.5 * height, spin * 0.5 * width}, spin}); }
 };
 
 } // namespace tremolo::test_support

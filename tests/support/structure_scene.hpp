@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +67,31 @@ inline void set_bodies(mpm_domain::Domain& domain, const std::vector<std::vector
   domain.contact.restore(checkpoint);
 }
 
+/// Lets a body move as a whole from where it stands, elastic or rigid.
+inline void set_motion(mpm_domain::Domain& domain, std::size_t which, const mpm_domain::RigidMotion& motion) {
+  std::vector<std::vector<double>> states;
+  for (const mpm_domain::RigidBody& body : domain.contact.bodies())
+    states.push_back(body.state());
+  const mpm_domain::Vector centre = domain.contact.bodies()[which].centre();
+  std::ranges::copy(std::initializer_list<double>{motion.velocity.x, motion.velocity.y, motion.spin},
+                    states[which].begin() + 3);
+  if (!domain.contact.is_elastic(which))
+    return set_bodies(domain, states);
+  // Affine velocities of particles at quarters of cells: xi (1 - xi) and the box's part.
+  const double quarter = 0.25 * domain.finest_lattice().h;
+  const double moment = 3.0 * quarter * quarter;
+  for (mpm_domain::Particles& set : domain.sets)
+    for (std::size_t k = 0; set.body && k < set.size(); ++k) {
+      if (domain.contact.structure_of(*set.body) != which)
+        continue;
+      const mpm_domain::Vector v = motion.at({set.x[k] - centre.x, set.y[k] - centre.y});
+      set.vx[k] = v.x;
+      set.vy[k] = v.y;
+      set.bxy[k] = -motion.spin * moment;
+      set.byx[k] = motion.spin * moment;
+    }
+}
+
 /// How deep a corner of one body lies in the other, m.
 inline double overlap(const mpm_domain::RigidBody& a, const mpm_domain::RigidBody& b) {
   double deepest = 0.0;
@@ -75,15 +101,20 @@ inline double overlap(const mpm_domain::RigidBody& a, const mpm_domain::RigidBod
   return deepest;
 }
 
-/// Takes the effective stress of wet soil away; the excess pressure bears all of its buoyant weight. The
-/// ground surface lies at y = 0.
-inline void liquefy(mpm_domain::Domain& domain) {
+/// Leaves a share of the effective stress of wet soil; the excess pressure bears the rest of its buoyant
+/// weight. The ground surface lies at y = 0.
+inline void leave_effective_stress(mpm_domain::Domain& domain, double share) {
   for (mpm_domain::Particles& p : domain.sets)
     for (std::size_t k = 0; p.traits.wet && k < p.size(); ++k) {
       const double buoyant_weight = p.weight_share * p.density * domain.spec.gravity;
-      p.sxx[k] = p.syy[k] = p.szz[k] = p.sxy[k] = 0.0;
-      p.pore_pressure[k] = p.water->hydrostatic(p.y[k]) - buoyant_weight * p.y[k];
+      for (double* stress : {&p.sxx[k], &p.syy[k], &p.szz[k], &p.sxy[k]})
+        *stress *= share;
+      p.pore_pressure[k] = p.water->hydrostatic(p.y[k]) - (1.0 - share) * buoyant_weight * p.y[k];
     }
+}
+
+inline void liquefy(mpm_domain::Domain& domain) {
+  leave_effective_stress(domain, 0.0);
 }
 
 /// Flat ground of one elastic soil with its surface at y = 0.
@@ -101,9 +132,10 @@ inline mpm_domain::Spec flat_ground(double width, double depth, double h, const 
 /// A domain at rest under gravity whose shaking begins.
 class StandingScene {
 public:
-  explicit StandingScene(const mpm_domain::Spec& spec, mpm_domain::FreeFieldSource source = quiet_ground())
+  explicit StandingScene(const mpm_domain::Spec& spec, mpm_domain::FreeFieldSource source = quiet_ground(),
+                         double residual = 1e-9)
       : domain(spec),
-        reactions(mpm_domain::relax_under_gravity(domain, {.residual = 1e-9}, [](long, double) {})),
+        reactions(mpm_domain::relax_under_gravity(domain, {.residual = residual}, [](long, double) {})),
         stepper(start(), 0.0, std::move(source)) {}
 
   void run(double duration) {

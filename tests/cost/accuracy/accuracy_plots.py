@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Draws the studies of docs/accuracy-and-cost.md into a folder.
+"""Draws the studies of docs/accuracy-and-cost.md and docs/dispersion.md into a folder.
 
     cost_travelling_pulse > pulse.csv
+    cost_dispersion > dispersion.csv
     cost_manufactured > manufactured.csv
     cost_scatterer > scatterer.csv
     accuracy_plots.py docs/pictures --pulse pulse.csv --manufactured manufactured.csv --scatterer scatterer.csv \\
@@ -36,7 +37,7 @@ def rows(path):
     """Rows of a table as dictionaries, numbers as such."""
     with open(path, encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
-            yield {key: value if key in ("scheme", "mesh", "boxes") else float(value) for key, value in row.items()}
+            yield {key: value if key in ("scheme", "scene", "mesh", "boxes") else float(value) for key, value in row.items()}
 
 
 def pulse(path, folder):
@@ -64,6 +65,31 @@ def pulse(path, folder):
     axes[2].legend(fontsize=6.5)
     figure.suptitle("SV pulse after ten wavelengths", fontsize=9)
     return style.save(figure, folder, "cost_pulse.png")
+
+
+def dispersion(path, folder):
+    """Error of pulses with plain and reduced dispersion against cells per wavelength, a panel for each wave."""
+    scenes = defaultdict(list)
+    for row in rows(path):
+        scenes[row["scene"]].append(row)
+    panels = {
+        "ten wavelengths along an axis": ("SV along an axis", "P along an axis"),
+        "six wavelengths at 45 degrees": ("SV at 45 degrees", "P at 45 degrees"),
+        "surface and base": ("SV reflected by a free surface", "SV left behind by dashpots"),
+    }
+    figure, axes = style.plt.subplots(1, 3, figsize=(10.5, 3.8), layout="constrained", sharey=True)
+    ticks = [8, 12, 16, 24, 32, 48]
+    for ax, (title, names) in zip(axes, panels.items()):
+        for name, colour in zip(names, style.COLOURS):
+            cells = [row["cells_per_wavelength"] for row in scenes[name]]
+            for scheme, line in (("plain", ":"), ("reduced", "-")):
+                ax.loglog(cells, [100 * row[scheme] for row in scenes[name]], color=colour, linestyle=line, marker="o",
+                          markersize=3, label=f"{name}, {scheme}")
+        ax.set(title=title, xlabel="cells to the wavelength", xticks=ticks, xticklabels=ticks)
+        ax.minorticks_off()
+        ax.legend(fontsize=6)
+    axes[0].set_ylabel("error, relative L2 (%)")
+    return style.save(figure, folder, "dispersion.png")
 
 
 def manufactured(path, folder):
@@ -141,12 +167,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--pulse", type=Path)
+    parser.add_argument("--dispersion", type=Path)
     parser.add_argument("--manufactured", type=Path)
     parser.add_argument("--scatterer", type=Path)
     parser.add_argument("--slope", type=Path, nargs=3, metavar=("SCALED", "AS_GIVEN", "FINEST"))
     given = parser.parse_args()
     if given.pulse:
         print(pulse(given.pulse, given.folder))
+    if given.dispersion:
+        print(dispersion(given.dispersion, given.folder))
     if given.manufactured:
         print(manufactured(given.manufactured, given.folder))
     if given.scatterer:

@@ -2,7 +2,7 @@
 // by parallel elements (iwan), then `curve,strain,modulus_ratio,damping_ratio` of Darendeli's curves and of
 // the backbone fitted to them. draw_loops.py makes the picture.
 
-#include "materials/hysteretic/curve_fit.hpp"
+#include "materials/hysteretic/backbone/curve_fit.hpp"
 #include "materials/law/driver.hpp"
 
 #include <cstdio>

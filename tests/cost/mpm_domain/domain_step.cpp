@@ -4,6 +4,7 @@
 //
 //   domain/<order>_<transfer>     the schemes, elastic soil
 //   boxes_follow/...              the same where the particles' boxes follow the soil
+//   reduced_dispersion           musl and apic with it
 //   threads/<case>/<n>            the wall clock, for n threads on as many free cores
 //   softening/<c>                 Mohr-Coulomb that softens, cohesion c (Pa), each particle with its own
 //                                 dilatation: `yielding` tells the share of particles that yield in a step
@@ -88,6 +89,13 @@ void domain(benchmark::State& run, Transfer transfer, StepOrder order) {
 void boxes_follow(benchmark::State& run, Transfer transfer, StepOrder order) {
   mpm_domain::Spec spec = square(cells, elastic(), transfer, order, 1);
   spec.boxes = mpm_domain::ParticleBoxes::deforming;
+  Shaken shaken(spec);
+  step_on(run, shaken);
+}
+
+void reduced_dispersion(benchmark::State& run) {
+  mpm_domain::Spec spec = square(cells, elastic(), Transfer::apic, StepOrder::musl, 1);
+  spec.scheme.dispersion = mpm_domain::Dispersion::reduced;
   Shaken shaken(spec);
   step_on(run, shaken);
 }
@@ -218,6 +226,7 @@ BENCHMARK_CAPTURE(domain, musl_flip, Transfer::flip, StepOrder::musl);
 BENCHMARK_CAPTURE(domain, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK_CAPTURE(boxes_follow, usl_apic, Transfer::apic, StepOrder::usl);
 BENCHMARK_CAPTURE(boxes_follow, musl_apic, Transfer::apic, StepOrder::musl);
+BENCHMARK(reduced_dispersion);
 BENCHMARK_CAPTURE(graded, usl_flip, Transfer::flip, StepOrder::usl);
 BENCHMARK_CAPTURE(graded, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK_CAPTURE(threads, usl_flip, Mesh::uniform, Transfer::flip, StepOrder::usl)

@@ -1,5 +1,5 @@
 // What a graded mesh saves: the CPU time that the slope of cases/slope_oblique takes for a second of motion,
-// on cells of 0.25 m everywhere and on the three levels of its graded.toml. Both step with the same time
+// on cells of 0.25 m everywhere and on the three levels of its case.toml. Both step with the same time
 // step.
 
 #include "mpm_domain/particles/fill.hpp"

@@ -46,7 +46,7 @@ void vary() {
   }
   for (const double gap : {0.005, 0.02, 0.05, 0.1, 0.25, 0.5, 1.0}) {
     Spec spec = RockingBlock::spec();
-    spec.gaps.opening = gap;
+    spec.gaps.opening = spec.gaps.opening_dry = gap;
     rock("opening", gap, spec);
   }
   for (const double gap : {0.0, 0.002, 0.01, 0.03, 0.1, 0.25}) {

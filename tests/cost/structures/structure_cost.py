@@ -94,13 +94,13 @@ def draw_normals(incline, tunnel, rows):
 
 def draw_gaps(ax, rows):
     for kind in ("opening", "closing"):
-        gap, restitution = curve(rows, "value", "restitution", varied=kind)
-        ax.plot(np.maximum(gap, 1e-3), np.maximum(restitution, -0.1), "o-", markersize=3, label=f"restitution, {kind}")
+        gap, restitution = curve(rows, "value", "restitution", varied=kind)  # -1: it does not rock
+        ax.plot(np.maximum(gap, 1e-3), np.maximum(restitution, -0.13), "o-", markersize=3, label=f"restitution, {kind}")
     gap, lift = curve(rows, "value", "lift", varied="opening")
     ax.plot(gap, lift - 1.0, "s:", markersize=3, label="lift of the tunnel, opening")
     ax.axhspan(-0.05, 0.05, color="0.92", zorder=0)
-    ax.set(xscale="log", xlabel="gap (cells; 0.001: none)", ylabel="error (at -0.1: it does not rock)",
-           ylim=(-0.19, 0.06), title="gaps at which contact opens and closes")
+    ax.set(xscale="log", xlabel="gap (cells; 0.001: none)", ylabel="error (at -0.13: it does not rock)",
+           ylim=(-0.2, 0.06), title="gaps at which contact opens and closes")
 
 
 def draw_stiffness(ax, rows):

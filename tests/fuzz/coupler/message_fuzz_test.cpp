@@ -4,8 +4,8 @@
 #include "coupler/hub/checkpoint_set.hpp"
 #include "coupler/launch/invitation.hpp"
 #include "coupler/wire/error.hpp"
-#include "coupler/wire/json_keys.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text_mutator.hpp"
 

@@ -3,7 +3,7 @@
 #include "free_block.hpp"
 #include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
-#include "scene/plan/motion.hpp"
+#include "scene/plan/wave/motion.hpp"
 #include "tests/support/quiet_ground.hpp"
 #include "wavefield/layers/layered_field.hpp"
 

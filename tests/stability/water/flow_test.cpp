@@ -1,7 +1,7 @@
 // Water at rest and in slow flow: permeabilities nine orders of magnitude apart, jumps of porosity, surfaces
 // between cells, free water, consolidation to its end.
 
-#include "mpm_domain/step/clock_nodes.hpp"
+#include "mpm_domain/clocks/clock_nodes.hpp"
 #include "mpm_domain/water/water_scatter.hpp"
 #include "wet_scenes.hpp"
 

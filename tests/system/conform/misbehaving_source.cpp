@@ -19,8 +19,8 @@
 
 #include "coupler/wire/connection.hpp"
 #include "coupler/wire/error.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 #include "coupler/wire/incoming.hpp"
-#include "coupler/wire/messages.hpp"
 #include "scene/plan/service.hpp"
 #include "travelling_pulse.hpp"
 

@@ -167,6 +167,30 @@ class Notes(unittest.TestCase):
                 self.assertEqual(noted, "takes layers of soil 'clay' as linear elastic" in result.stdout, model)
 
 
+class Strength(unittest.TestCase):
+    """Clay with a strength of 8 kPa under a pulse that reaches it, by its curve and with the curve's damping."""
+
+    ground = CLAY.replace('model = "mkz"', 'model = "gqh"\nshear_strength = 8e3\nunloading = "mrdf"').replace(
+        "reference_strain = 1e-3\nbeta = 1.0\nexponent = 0.9\n",
+        'curve = "darendeli"\nplasticity_index = 30\nmean_stress = 60e3\n')
+
+    def test_columns_agree_and_keep_to_the_strength(self):
+        with ColumnWorkspace(TREMOLO, ground=self.ground, motion=PULSE.format(0.15), size=0.25) as work:
+            fields = {model: work.histories(model, "--depths", "0,10,19") for model in ("fe", "ode", "oblique")}
+        stress = max(np.abs(level["sxy"]).max() for level in fields["fe"])
+        self.assertGreater(stress, 0.9 * 8e3)
+        for model, allowed in (("ode", 0.02), ("oblique", 0.01)):
+            self.assertLess(difference(fields[model][0], fields["fe"][0], "vx"), allowed, model)
+            self.assertLess(max(np.abs(level["sxy"]).max() for level in fields[model]), 1.01 * 8e3, model)
+
+    def test_implied_and_given_strength_are_compared(self):
+        for ground, said in ((self.ground, "times the strength given, 8 kPa"),
+                             (CLAY + "shear_strength = 8e3\n", 'model = "gqh" keeps to the strength')):
+            with ColumnWorkspace(TREMOLO, ground=ground, motion=PULSE.format(0.1), size=0.5) as work:
+                result = work.command("column", work.case, "--model", "fe", "--out", "fe.h5")
+                self.assertIn(said, result.stdout)
+
+
 class Refusals(unittest.TestCase):
     """A model that cannot compute a case says so, and writes nothing."""
 

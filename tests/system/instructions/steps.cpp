@@ -1,11 +1,12 @@
-// Some steps for test_instructions.py, test_serial_share.py and test_contact.py to count.
+// Some steps for test_instructions.py, test_dispersion.py, test_serial_share.py and test_contact.py to count.
 //
 //     instructions_steps MODEL
 //
-// MODEL is a dry elastic square by the `domain` or by the `plain` loop, or the slope of cases/slope_oblique
-// with matched layers: `uniform`, `graded` or `subcycled`. Prints how many updates of a particle that is. Or
-// it is a block on flat ground, whose width and that of the ground follow the name, in cells: `block:8:40`.
-// Then it prints how many contact nodes it has met.
+// MODEL is a dry elastic square by the `domain` or by the `plain` loop, or with the default scheme and
+// `plain` or `reduced` dispersion (`dispersion:plain`), or the slope of cases/slope_oblique with matched
+// layers: `uniform`, `graded` or `subcycled`. Prints how many updates of a particle that is. Or it is a block
+// on flat ground, whose width and that of the ground follow the name, in cells: `block:8:40`. Then it prints
+// how many contact nodes it has met.
 
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/cost/mpm_domain/plain_step.hpp"
@@ -29,8 +30,8 @@ constexpr int block_steps = 20;
 const materials::Elasticity soil{1700.0, 40e6, 0.28};
 
 /// The scheme of the plain loop: update stress last, FLIP.
-Spec dry_elastic_square() {
-  constexpr double side = cells * cell_size;
+Spec dry_elastic_square(int cells_a_side = cells) {
+  const double side = cells_a_side * cell_size;
   Spec spec;
   spec.box = {0.0, 0.0, side, side};
   spec.cell_size = cell_size;
@@ -38,6 +39,13 @@ Spec dry_elastic_square() {
   spec.regions = {{0, {{0.0, 0.0}, {side, 0.0}, {side, side}, {0.0, side}}}};
   spec.scheme.transfer = Transfer::flip;
   spec.scheme.order = StepOrder::usl;
+  return spec;
+}
+
+/// The default scheme, update stress last with remapped velocity and APIC.
+Spec with_dispersion(Dispersion dispersion) {
+  Spec spec = dry_elastic_square(3 * cells);
+  spec.scheme = {.dispersion = dispersion};
   return spec;
 }
 
@@ -108,8 +116,11 @@ int main(int, char** arguments) {
     std::cout << step_block(block, ground) << '\n';
     return 0;
   }
-  std::cout << (model == "plain"    ? step_plain()
-                : model == "domain" ? step_domain(dry_elastic_square(), square_steps)
-                                    : step_domain(slope(model), slope_steps))
+  std::cout << (model == "plain"              ? step_plain()
+                : model == "domain"           ? step_domain(dry_elastic_square(), square_steps)
+                : model == "dispersion:plain" ? step_domain(with_dispersion(Dispersion::plain), square_steps)
+                : model == "dispersion:reduced"
+                    ? step_domain(with_dispersion(Dispersion::reduced), square_steps)
+                    : step_domain(slope(model), slope_steps))
             << '\n';
 }

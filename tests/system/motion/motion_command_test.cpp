@@ -4,6 +4,7 @@
 #include "motion/measures.hpp"
 #include "motion/read/read.hpp"
 #include "motion/read/write.hpp"
+#include "motion/spectra.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/reference_table.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -65,6 +66,22 @@ TEST_F(MotionCommand, WritesSpectraAndAPicture) {
   EXPECT_EQ(testing::read_table(folder / "r.csv").size(), 303U);
   EXPECT_EQ(testing::read_table(folder / "f.csv").size(), 251U);
   EXPECT_GT(std::filesystem::file_size(folder / "m.png"), 10000U);
+}
+
+TEST_F(MotionCommand, MatchesATargetSpectrumAndSaysHowNear) {
+  std::ofstream(folder / "target.csv") << "period,acceleration_g\n0.1,0.3\n0.2,0.6\n0.6,0.6\n1.5,0.2\n";
+  const auto outcome = run_tremolo("motion " + file.string() + " --match " + path("target.csv") + " --out " +
+                                   path("matched.AT2"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("response spectrum within "));
+  const auto matched = with_unit(read_record(folder / "matched.AT2"), Unit::m_s2);
+  const std::vector<double> periods = {0.2, 0.4, 0.6};
+  for (const auto& one : response_spectrum(matched.samples, matched.dt, periods, 0.05))
+    EXPECT_NEAR(one.acceleration, 0.6 * standard_gravity, 0.06 * 0.6 * standard_gravity) << one.period;
+  const auto refused =
+      run_tremolo("motion " + file.string() + " --resample 0.05 --match " + path("target.csv"));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.output, HasSubstr("a step of 0.05 s resolves periods from 0.25 s"));
 }
 
 TEST_F(MotionCommand, WarnsOfAResidualVelocityAndCorrectsIt) {

@@ -25,9 +25,9 @@ FIELDS = {"left": model("fe"), "right": model("wave"), "base": model("wave")}
 
 
 def recorded_box(**changes):
-    """The recording is larger than the run file."""
+    """The recording is more than twice as large as the run file."""
     settings = {key: changes.pop(key) for key in ("on_full_disk",) if key in changes}
-    work = record(BoxWorkspace(TREMOLO, **{**FIELDS, **changes}), **settings)
+    work = record(BoxWorkspace(TREMOLO, **{**FIELDS, "duration": 1.6, **changes}), **settings)
     work.case.write_text(work.case.read_text().replace("history_every_s = 0.005", "history_every_s = 0.1"))
     return work
 

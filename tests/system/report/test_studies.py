@@ -94,6 +94,23 @@ class Studies(unittest.TestCase):
         page.open(work.path / "both.html", 400, scheme="dark")
         self.assertLessEqual(page.run("return document.documentElement.scrollWidth"), 400)
 
+    def test_sweep(self):
+        study = work.path / "study.toml"
+        study.write_text('case = "case.toml"\n[axes]\nmotion.angle_deg = [0, 15]\nmotion.pulse.velocity = [0.1, 0.2]\n')
+        done("sweep", study, "--out", work.path / "swept")
+        opened(work.path / "swept")
+        responses = ["final displacement, surface (m)", "peak a_x, surface (m/s²)"]
+        self.expect_charts(*(chart for response in responses for chart in (
+            *(f"motion.pulse.velocity = {speed}, {response} over motion.angle_deg (degrees)" for speed in (0.1, 0.2)),
+            f"{response} over PGV of the incident wave (m/s)")),
+            *(f"motion.pulse.velocity = {speed}, |u|, surface (m) over t (s)" for speed in (0.1, 0.2)))
+        self.assertEqual(["0", "15"], page.run("return document.querySelector('[data-chart]')._fullLayout.xaxis.ticktext"))
+        text = page.find("main").text
+        self.assertIn("Against motion.angle_deg = 0", text)
+        self.assertIn("0004 15 0.2", text)
+        page.open(work.path / "swept/report.html", 400, scheme="dark")
+        self.assertLessEqual(page.run("return document.documentElement.scrollWidth"), 400)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -24,6 +24,17 @@ KILLS = int(os.environ.get("TREMOLO_RESUME_KILLS", "2"))
 SEED = int(os.environ.get("TREMOLO_RESUME_SEED", random.randrange(10**6)))
 MIXED = {"left": model("fe"), "right": model("ode"), "base": model("wave")}
 
+LINE_AND_MASS = """
+[[line]]
+name = "shaft"
+from = [18.0, 5.0]
+to = [18.0, -5.0]
+
+[[sliding_mass]]
+name = "wedge"
+polygon = [[12.0, 0.0], [24.0, 8.0], [12.0, 9.0]]
+"""
+
 
 class Resume(unittest.TestCase):
     def setUp(self):
@@ -74,7 +85,9 @@ class Resume(unittest.TestCase):
             self.broken_and_resumed(work)
 
     def test_a_slope_whose_particles_are_cut_on_three_levels(self):
-        with with_checkpoints(refine(SlopeWorkspace(TREMOLO, velocity=2.0, duration=1.0), *SLOPE_BOXES), every_steps=150) as work:
+        slope = refine(SlopeWorkspace(TREMOLO, velocity=2.0, duration=1.0), *SLOPE_BOXES)
+        slope.case.write_text(slope.case.read_text() + LINE_AND_MASS)
+        with with_checkpoints(slope, every_steps=150) as work:
             whole = self.broken_and_resumed(work)
             with h5py.File(whole / "run.h5") as file:
                 counts = [len(frame["position"]) for frame in file["frames"].values()]

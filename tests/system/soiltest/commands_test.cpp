@@ -258,8 +258,8 @@ TEST(CalibrateCommand, ATargetOutOfReachNamesTheParameterAndItsStrengths) {
               HasSubstr(test.string() + ":8:1: [target] no 'contraction_rate' from 0.4 to 0.6 gives the "
                                         "cyclic stress ratio 0.5 for strain_3pc in 5 cycles: at 0.4 "
                                         "it is 0.1"));
-  const auto drained = folder.write(
-      "drained.toml", replaced(replaced(text, "constant_volume", "drained"), "= 0.5\n", "= 1.0\n"));
+  const auto drained = folder.write("drained.toml", replaced(replaced(text, "constant_volume", "drained"),
+                                                             "= 0.5\ncycles = 5", "= 1.0\ncycles = 1"));
   const auto refusal = run_tremolo("calibrate " + drained.string());
   EXPECT_EQ(refusal.status, 1);
   EXPECT_THAT(refusal.output, HasSubstr("the test is drained, and drained soil does not liquefy"));

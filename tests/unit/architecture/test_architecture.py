@@ -44,6 +44,13 @@ PARTICIPANT = re.compile(r"coupler/(participant\.hpp|eq6/.*|process/.*)")
 NO_PARTICIPANT = {"coupler/process/recorded_case.cpp"}
 PUBLIC_METHODS = 8  # of both roles together, besides constructors
 
+# Rooms of the domain. A room may include those before it, and mpm_domain/domain.hpp, the state that all work on.
+ROOMS = (
+    ["fields", "spec", "kernel", "clocks", "grid", "tiles", "particles", "strain", "dispersion", "transfer", "water", "contact"]
+    + ["step", "gravity", "boundary", "column", "process"]
+)
+MOST_FILES = 20  # C++ files in a folder of a library
+
 SOURCES = {".cpp", ".hpp", ".py", ".sh", ".cmake"}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 
@@ -84,6 +91,21 @@ def forbidden_includes():
 class Architecture(unittest.TestCase):
     def test_includes_follow_the_table(self):
         self.assertEqual([], list(forbidden_includes()))
+
+    def test_rooms_of_the_domain_include_those_before_them(self):
+        for number, room in enumerate(ROOMS):
+            for file in sources(f"mpm_domain/{room}", {".cpp", ".hpp"}):
+                for other in re.findall(r'^#include "mpm_domain/(\w+)/', file.read_text(encoding="utf-8"), re.MULTILINE):
+                    self.assertIn(other, ROOMS[: number + 1], file.relative_to(ROOT).as_posix())
+
+    def test_the_order_of_rooms_names_all(self):
+        self.assertEqual(sorted(ROOMS), sorted(p.name for p in (ROOT / "mpm_domain").iterdir() if p.is_dir()))
+
+    def test_folders_are_small(self):
+        for library in sorted({folder.split("/")[0] for folder in LIBRARIES}):
+            for folder in [ROOT / library, *(p for p in (ROOT / library).rglob("*") if p.is_dir())]:
+                files = sum(p.suffix in {".cpp", ".hpp"} for p in folder.iterdir())
+                self.assertLessEqual(files, MOST_FILES, folder.relative_to(ROOT))
 
     def test_nobody_but_materials_asks_which_law_it_is(self):
         question = re.compile(r"(holds_alternative|get_if|std::get)<materials::")

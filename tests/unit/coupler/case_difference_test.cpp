@@ -1,4 +1,4 @@
-#include "coupler/hub/case_difference.hpp"
+#include "coupler/hub/admission/case_difference.hpp"
 
 #include <gtest/gtest.h>
 

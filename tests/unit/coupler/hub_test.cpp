@@ -3,7 +3,7 @@
 #include "coupler/hub/hub.hpp"
 #include "coupler/launch/run_endpoint.hpp"
 #include "coupler/wire/frame.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 #include "coupler/wire/sockets.hpp"
 
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "coupler/hub/client_gate.hpp"
+#include "coupler/hub/admission/client_gate.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/keys.hpp"
 #include "coupler/wire/sockets.hpp"

@@ -1,6 +1,6 @@
 #include "coupler/wire/error.hpp"
-#include "coupler/wire/json_keys.hpp"
-#include "coupler/wire/messages.hpp"
+#include "coupler/wire/handshake/json_keys.hpp"
+#include "coupler/wire/handshake/messages.hpp"
 
 #include <cmath>
 #include <filesystem>

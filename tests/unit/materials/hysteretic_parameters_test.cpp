@@ -1,6 +1,6 @@
 // Refusals of the hysteretic laws and of soil curves name the value and the allowed range.
 
-#include "materials/hysteretic/curve_fit.hpp"
+#include "materials/hysteretic/backbone/curve_fit.hpp"
 #include "materials/law/law.hpp"
 
 #include <gmock/gmock.h>

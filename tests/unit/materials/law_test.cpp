@@ -95,6 +95,25 @@ TEST(Laws, FailureLinesAreThoseOfTheirStrength) {
   EXPECT_TRUE(strength_lines(Law(LinearElastic{elastic})).empty());
 }
 
+/// By a factor, as slopes are judged: c/F and tan(phi)/F, and no more dilation than friction.
+TEST(Laws, StrengthIsReducedWhereSoilFailsAtRest) {
+  const Law reduced = with_reduced_strength(softening_soil(), 2.0).value();
+  const auto& soil = std::get<MohrCoulomb>(reduced);
+  EXPECT_DOUBLE_EQ(soil.cohesion_peak, 2.5e3);
+  EXPECT_DOUBLE_EQ(soil.cohesion_residual, 0.5e3);
+  EXPECT_DOUBLE_EQ(std::tan(soil.friction_peak), 0.5 * std::tan(0.6));
+  EXPECT_DOUBLE_EQ(std::tan(soil.friction_residual), 0.5 * std::tan(0.5));
+  EXPECT_EQ(soil.softening, 15.0);
+  const DruckerPrager cone = with_reduced_strength(DruckerPrager{elastic, 5e3, 0.6, 0.6}, 2.0).value();
+  EXPECT_DOUBLE_EQ(cone.cohesion, 2.5e3);
+  EXPECT_DOUBLE_EQ(std::tan(cone.friction), 0.5 * std::tan(0.6));
+  EXPECT_DOUBLE_EQ(cone.dilation, cone.friction);
+  for (const Law& law : all_laws())
+    EXPECT_EQ(with_reduced_strength(law, 2.0).has_value(),
+              std::holds_alternative<MohrCoulomb>(law) || std::holds_alternative<DruckerPrager>(law))
+        << name(law);
+}
+
 /// A law of its own, as somebody adds it, that says nothing beyond what every law must.
 struct Bare {
   Elasticity elastic;
@@ -109,6 +128,7 @@ TEST(Laws, ALawThatSaysNoMoreHasTheDefaults) {
   EXPECT_EQ(&defaults::without_softening(law), &law);
   EXPECT_EQ(&defaults::after_shaking(law), &law);
   EXPECT_EQ(&defaults::for_cell_size(law, 0.5, 1.0), &law);
+  EXPECT_FALSE(defaults::with_reduced_strength(law, 2.0).has_value());
   EXPECT_TRUE(defaults::notes(law).empty());
   EXPECT_THAT([&] { defaults::with_contraction_rate(law, 1.0); },
               ThrowsMessage<std::invalid_argument>("bare has no contraction rate"));

@@ -3,9 +3,9 @@
 
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
 
-#include "mpm_domain/step/clock_nodes.hpp"
+#include "mpm_domain/clocks/clock_nodes.hpp"
+#include "mpm_domain/clocks/ticks.hpp"
 #include "mpm_domain/step/grid_update.hpp"
-#include "mpm_domain/step/ticks.hpp"
 #include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"

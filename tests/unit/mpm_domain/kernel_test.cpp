@@ -1,4 +1,4 @@
-#include "mpm_domain/transfer/kernel.hpp"
+#include "mpm_domain/kernel/kernel.hpp"
 
 #include <gtest/gtest.h>
 

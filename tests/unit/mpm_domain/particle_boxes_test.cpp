@@ -1,6 +1,6 @@
 // Moments of boxes that follow the soil against F of the whole motion.
 
-#include "mpm_domain/transfer/particle_boxes.hpp"
+#include "mpm_domain/kernel/particle_boxes.hpp"
 
 #include <gtest/gtest.h>
 

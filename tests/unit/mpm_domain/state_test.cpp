@@ -126,6 +126,12 @@ TEST(State, OfSoilWithViscousDampingGoesOnWithTheSameBits) {
   }
 }
 
+TEST(State, OfReducedDispersionGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(iwan_shear(soil, 5e-4, 1.0, 0.92, {.elements = 20}));
+  spec.scheme.dispersion = mpm_domain::Dispersion::reduced;
+  expect_exact_resumption(spec);
+}
+
 TEST(State, OfPoreWaterGoesOnWithTheSameBits) {
   for (const Drainage drainage : {Drainage::coupled, Drainage::undrained, Drainage::drained}) {
     mpm_domain::Spec spec = box(softening_soil());

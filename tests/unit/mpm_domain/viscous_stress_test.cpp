@@ -1,7 +1,7 @@
 // The viscous stress of particles, beta D_e : d eps/dt, its work, and what the gravity stage does with it.
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
-#include "mpm_domain/transfer/viscous_stress.hpp"
+#include "mpm_domain/strain/viscous_stress.hpp"
 #include "tests/support/box_run.hpp"
 
 #include <gtest/gtest.h>

@@ -83,6 +83,21 @@ class ReadsStructures(unittest.TestCase):
             with self.assertRaisesRegex(KeyError, "no body 'house'; it has tunnel, block"):
                 run.body("house")
 
+    def test_an_elastic_body_is_as_bent_as_its_frames_say(self):
+        names = ["time", "x0", "y0", "x1", "y1", "x2", "y2", "hole_x0", "hole_y0"]
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "run.h5"
+            synthetic_run.write(path, frames=2, size=4.0, structures=True)
+            with h5py.File(path, "a") as file:
+                series = file.create_dataset("outlines/block", data=np.array([[0.0] * 9, [0.5, *range(8)]]))
+                series.attrs["columns"] = np.array([name.encode() for name in names])
+                series.attrs["units"] = np.array([b"1"] * 9)
+            with Run(folder) as run:
+                outline, hole = run.body("block").corners(0.25)
+                np.testing.assert_allclose(outline, [[0.0, 0.5], [1.0, 1.5], [2.0, 2.5]])
+                np.testing.assert_allclose(hole, [[3.0, 3.5]])
+                self.assertEqual((48, 2), run.body("tunnel").corners(0.25)[0].shape)
+
     def test_contact_nodes_of_a_frame(self):
         with Run(self.folder.name) as run:
             nodes = run.contact(3)

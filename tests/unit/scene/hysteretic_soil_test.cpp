@@ -1,7 +1,7 @@
 #include "case_text.hpp"
 
 #include "scene/plan/plan.hpp"
-#include "scene/read/curve_table.hpp"
+#include "scene/read/soil/curve_table.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -70,6 +70,61 @@ TEST(HystereticSoil, SaysWhatIsMissingOrTooMuch) {
               ElementsAre(HasSubstr("none.csv: there is no such file")));
   EXPECT_THAT(errors_of(with_clay("model = \"mkz\"\nreference_strain = 5e-4\nbeta = 1.0\nexponent = 1.5\n")),
               ElementsAre(HasSubstr("'exponent' = 1.5 is out of range, must be in [0.1, 1]")));
+}
+
+materials::Backbone backbone_of(const Case& scene) {
+  return *materials::shear_backbone(scene.soils.at(*scene.profile.at(0).soil).column_law);
+}
+
+const std::string darendeli_clay = "curve = \"darendeli\"\nplasticity_index = 15\nmean_stress = 101325.0\n";
+
+TEST(HystereticSoil, WithAStrengthReachesIt) {
+  const auto text = with_clay("model = \"gqh\"\nshear_strength = 12e3\n" + darendeli_clay);
+  const auto scene = parse_case(text);
+  const auto backbone = backbone_of(scene);
+  EXPECT_DOUBLE_EQ(backbone.strength(), 12e3);
+  EXPECT_GT(backbone.stress(0.1), 0.95 * 12e3);
+  EXPECT_TRUE(scene.soils.at(*scene.profile.at(0).soil).curves->whole);
+  EXPECT_THAT(remarks_of(text), ::testing::Contains(HasSubstr("times the strength given, 12 kPa")));
+  const auto given =
+      parse_case(with_clay("model = \"gqh\"\nshear_strength = 12e3\ntheta = [-5, 4, 1, 1, 0.99]\n"));
+  EXPECT_EQ(backbone_of(given).shape->first, -5.0);
+  EXPECT_EQ(backbone_of(given).shape->fifth, 0.99);
+}
+
+TEST(HystereticSoil, ComparesTheImpliedWithTheGivenStrength) {
+  EXPECT_THAT(
+      remarks_of(with_clay("model = \"mkz\"\nreference_strain = 5e-4\nbeta = 1.0\nexponent = 0.9\n"
+                           "shear_strength = 5e3\n")),
+      ::testing::Contains(::testing::AllOf(HasSubstr("at 10 % shear strain its backbone has 14.32 kPa, 2.86 "
+                                                     "times the strength given, 5 kPa"),
+                                           HasSubstr("model = \"gqh\" keeps to the strength"))));
+}
+
+TEST(HystereticSoil, UnloadsWithTheDampingOfItsCurve) {
+  const auto fitted = parse_case(with_clay("model = \"mkz\"\nunloading = \"mrdf\"\n" + darendeli_clay));
+  EXPECT_TRUE(backbone_of(fitted).loops.any());
+  EXPECT_TRUE(std::get<materials::IwanShear>(fitted.soils.at(*fitted.profile.at(0).soil).law).loops.any());
+  const auto given = parse_case(with_clay(
+      "model = \"hyperbolic\"\nreference_strain = 5e-4\nunloading = \"mrdf\"\nmrdf = [0.8, 0.4, 0.7]\n"));
+  EXPECT_EQ(backbone_of(given).loops.loss, 0.4);
+  EXPECT_FALSE(backbone_of(parse_case(with_clay("model = \"mkz\"\n" + darendeli_clay))).loops.any());
+}
+
+TEST(HystereticSoil, SaysWhatStrengthAndUnloadingLack) {
+  EXPECT_THAT(errors_of(with_clay("model = \"gqh\"\n" + darendeli_clay)),
+              ElementsAre(HasSubstr("missing 'shear_strength': model = \"gqh\" needs it")));
+  EXPECT_THAT(errors_of(with_clay("model = \"gqh\"\nshear_strength = 12e3\n")),
+              ElementsAre(HasSubstr("missing 'theta': without 'curve' the backbone is given")));
+  EXPECT_THAT(errors_of(with_clay("model = \"gqh\"\nshear_strength = 12e3\ntheta = [2, 0, 1, 1, 1]\n")),
+              ElementsAre(HasSubstr("theta1 = 2 is outside")));
+  EXPECT_THAT(errors_of(with_clay("model = \"gqh\"\nshear_strength = 12\ntheta = [0, 0, 1, 1]\n")),
+              ElementsAre(HasSubstr("theta")));
+  EXPECT_THAT(errors_of(with_clay("model = \"hyperbolic\"\nreference_strain = 5e-4\nunloading = \"mrdf\"\n")),
+              ElementsAre(HasSubstr("missing 'mrdf': without 'curve' there is no damping to fit it to")));
+  EXPECT_THAT(errors_of(with_clay("model = \"hyperbolic\"\nreference_strain = 5e-4\nunloading = \"mrdf\"\n"
+                                  "mrdf = [1.2, 0.1, 1.0]\n")),
+              ElementsAre(HasSubstr("p1 of the reduction of loops = 1.2 is outside [0, 1]")));
 }
 
 TEST(HystereticSoil, OfALayerAloneCostsTheDomainNothing) {

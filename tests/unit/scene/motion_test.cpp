@@ -1,4 +1,4 @@
-#include "scene/plan/motion.hpp"
+#include "scene/plan/wave/motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -277,7 +277,7 @@ TEST(Library, ModelOfASoilStays) {
 }
 
 TEST(Library, SoilOfTheSlopeCaseIsThatOfTheCase) {
-  const auto slope = load(TREMOLO_SOURCE_DIR "/cases/slope_oblique/case.toml");
+  const auto slope = load(TREMOLO_SOURCE_DIR "/cases/slope_oblique/uniform.toml");
   const auto* soil = library_soil("slope_softening");
   ASSERT_NE(soil, nullptr);
   for (const auto& [key, value] : *soil->keys)

@@ -1,8 +1,8 @@
 // Darendeli's curves against values printed in his thesis, and the MKZ fit against curves whose parameters
 // are known.
 
-#include "materials/hysteretic/backbone.hpp"
-#include "materials/hysteretic/curve_fit.hpp"
+#include "materials/hysteretic/backbone/backbone.hpp"
+#include "materials/hysteretic/backbone/curve_fit.hpp"
 
 #include <gtest/gtest.h>
 

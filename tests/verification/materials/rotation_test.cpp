@@ -15,6 +15,12 @@ namespace {
 
 const Elasticity elastic = {1900.0, 60e6, 0.3};
 
+IwanShear reduced_in_loops() {
+  IwanShear law = iwan_shear(elastic, 5e-4, 1.0, 0.92);
+  law.loops = {0.9, 0.5, 0.7};
+  return law;
+}
+
 std::vector<Law> laws() {
   MohrCoulomb dilating = perfect_soil(35.0, 10.0, 5.0 * kPa);
   dilating.tension_cutoff = 2.0 * kPa;
@@ -23,6 +29,7 @@ std::vector<Law> laws() {
           dilating,
           DruckerPrager{elastic, 5.0 * kPa, 35.0 * degree, 5.0 * degree, ConeMatch::plane_strain},
           iwan_shear(elastic, 5e-4, 1.0, 0.92),
+          reduced_in_loops(),
           multi_yield_clay({1700.0, 60e6, 0.49}, 40.0 * kPa)};
 }
 

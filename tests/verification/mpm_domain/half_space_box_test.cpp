@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace tremolo {
@@ -13,34 +12,8 @@ namespace {
 
 using mpm_domain::StepOrder;
 using mpm_domain::Transfer;
-using test_support::PlaneWave;
-
-struct BoxResult {
-  double error = 0.0;    ///< relative L2 of particle velocity over the box and 2.2 s
-  double residual = 0.0; ///< largest residual of the energy ledger over the work put in through the boundary
-};
-
-BoxResult run_box(double h, double angle_deg, bool total_base, const mpm_domain::Scheme& scheme = {}) {
-  mpm_domain::Spec spec = test_support::elastic_box(100.0, 40.0, h);
-  spec.scheme = scheme;
-  mpm_domain::Domain domain(spec);
-  PlaneWave wave;
-  wave.angle = angle_deg * std::numbers::pi / 180.0;
-  mpm_domain::Stepper stepper(domain, 0.0, test_support::plane_wave_source(domain, wave, total_base));
-  test_support::VelocityError error;
-  double input = 0.0;
-  BoxResult result;
-  while (stepper.time() < 2.2) {
-    stepper.step();
-    if (stepper.steps() % 8 == 0)
-      error.add(domain, wave, stepper.velocity_time());
-    input = std::max(input, domain.energy.input);
-    result.residual = std::max(result.residual, std::abs(domain.energy.residual()));
-  }
-  result.residual /= input;
-  result.error = error.relative();
-  return result;
-}
+using test_support::BoxResult;
+using test_support::run_box;
 
 // 3 Hz at h = 0.5 m is 64 cells per wavelength; the pulse's energy reaches to about three times that
 // frequency.

@@ -138,14 +138,34 @@ TEST(ElasticBody, FollowsATurn) {
 
 /// A point on an edge that bends is no corner.
 TEST(BodySurface, KnowsItsCorners) {
-  const BodySurface surface({{0.0, 0.0}, {1.0, -0.01}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}},
-                            {true, false, true, true, true});
+  const BodySurface surface({{0.0, 0.0}, {1.0, -0.01}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}});
   const auto below = surface.nearest({1.0, -0.5});
   EXPECT_FALSE(below.corner);
   EXPECT_NEAR(below.distance, 0.49, 1e-12);
   EXPECT_NEAR(below.normal.y, -1.0, 1e-12);
   EXPECT_TRUE(surface.nearest({2.5, -0.5}).corner);
   EXPECT_LT(surface.nearest({1.0, 0.1}).distance, 0.0);
+}
+
+/// Corners that stick out are toes; a place beyond one stands on it, others next to themselves.
+TEST(BodySurface, KnowsItsToes) {
+  const BodySurface angle({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}});
+  EXPECT_EQ(angle.toes().size(), 5U);
+  EXPECT_TRUE(BodySurface(test_support::circle({0.0, 0.0}, 1.0, 48)).toes().empty());
+  const auto below = angle.foot({0.3, -0.1}, {0.0, -1.0});
+  ASSERT_TRUE(below);
+  EXPECT_FALSE(below->toe);
+  EXPECT_NEAR(below->place.x, 0.3, 1e-15);
+  EXPECT_NEAR(below->place.y, 0.0, 1e-15);
+  const auto beside = angle.foot({2.2, 0.1}, {0.0, -1.0}); // next to it is the edge on the right
+  ASSERT_TRUE(beside);
+  EXPECT_TRUE(beside->toe);
+  EXPECT_NEAR(beside->place.x, 2.0, 1e-15);
+  EXPECT_NEAR(beside->place.y, 0.0, 1e-15);
+  const auto inner = angle.foot({0.9, 1.1}, {0.0, 1.0});
+  ASSERT_TRUE(inner);
+  EXPECT_NEAR(inner->place.x, 1.0, 1e-15); // of the step; its end inside the angle is no toe
+  EXPECT_FALSE(inner->toe);
 }
 
 } // namespace

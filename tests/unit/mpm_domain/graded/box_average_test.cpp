@@ -1,7 +1,7 @@
 // What the weights of a conforming basis must satisfy, for particles of any size anywhere between the levels;
 // and that the naive basis does not.
 
-#include "mpm_domain/transfer/kernel.hpp"
+#include "mpm_domain/kernel/kernel.hpp"
 #include "tests/unit/mpm_domain/graded/real_weights.hpp"
 
 #include <gtest/gtest.h>

@@ -13,6 +13,7 @@
 #include "tests/support/no_traction.hpp"
 #include "tests/support/quiet_ground.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,6 +22,8 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 namespace tremolo::mpm_domain {
 namespace {
@@ -315,14 +318,39 @@ TEST(GradedDomain, StandsUnderItsWeightAndStaysSo) {
   EXPECT_LT(fastest, 1e-6);
 }
 
-TEST(GradedDomain, TheStepIsThatOfTheFinestCellsInTheirSoil) {
+/// The graded box on stiffer ground in coarse cells.
+Spec box_on_stiff_ground(double times_stiffer) {
   Spec spec = graded_box();
-  spec.soils.push_back({"stiff", materials::LinearElastic{{1700.0, 16.0 * 40e6, 0.28}}});
+  spec.soils.push_back({"stiff", materials::LinearElastic{{1700.0, times_stiffer * 40e6, 0.28}}});
   spec.regions.push_back({1, {{0.0, -8.0}, {12.0, -8.0}, {12.0, -7.0}, {0.0, -7.0}}});
+  return spec;
+}
+
+TEST(GradedDomain, TheStepIsThatOfTheFinestCellsInTheirSoil) {
+  const Spec spec = box_on_stiff_ground(16.0);
   Domain domain(spec);
   const double c = materials::elasticity(spec.soils.front().law).p_wave_speed();
   // 0.25 m cells with c against 1 m cells with 4 c: the same.
   EXPECT_NEAR(critical_time_step(domain, 0.0), 0.65 * 0.25 / c, 1e-12);
+}
+
+/// Neither the finest cells nor, of these, the fastest waves need set the limit: the pair that does is named.
+TEST(GradedDomain, AStepOverTheLimitIsRefusedWithTheCellsAndWavesThatSetIt) {
+  for (const double times_stiffer : {64.0, 4.0}) {
+    Spec spec = box_on_stiff_ground(times_stiffer);
+    spec.scheme.dt = 1.0;
+    Domain domain(spec);
+    const double c = materials::elasticity(spec.soils.front().law).p_wave_speed();
+    const bool coarse_sets_it = times_stiffer > 16.0;
+    const std::string pair = fmt::format("with h = {:.6g} m, c_p = {:.6g} m/s", coarse_sets_it ? 1.0 : 0.25,
+                                         coarse_sets_it ? 8.0 * c : c);
+    try {
+      next_time_step(domain, 0.0, 0.0);
+      FAIL() << "a time step of 1 s was accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(pair));
+    }
+  }
 }
 
 /// A particle of a narrow period may touch a node and its image, which are two places.

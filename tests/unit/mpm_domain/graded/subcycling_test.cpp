@@ -1,6 +1,6 @@
 // Steps of their own for the levels of a graded mesh, against the same steps for all.
 
-#include "mpm_domain/step/clock_nodes.hpp"
+#include "mpm_domain/clocks/clock_nodes.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/centred_residual.hpp"

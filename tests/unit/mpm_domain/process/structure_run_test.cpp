@@ -279,6 +279,32 @@ TEST(RunOutput, FollowsAPointOfAnElasticBody) {
   EXPECT_EQ(file.frame_field(0, "soil").values.size(), of_soil);
 }
 
+/// The block's particles move aside with the square of their height: its outline bends as they do.
+TEST(RunOutput, TellsTheBentOutlineOfAnElasticBody) {
+  const testing::TemporaryFolder folder;
+  constexpr std::string_view hollow =
+      "young = 20e6\npoisson = 0.2\nhole = [[9.0, 1.0], [11.0, 1.0], [11.0, 3.0]]";
+  BlockRun run(folder / "", hollow);
+  constexpr double bend = 0.002; // 1/m
+  for (Particles& set : run.domain().sets)
+    for (std::size_t k = 0; set.body && k < set.size(); ++k)
+      set.x[k] += bend * set.y[k] * set.y[k];
+  run.step(1);
+  run.output().finish(run.stepper(), 0.0, 0.0);
+  const results::RunReader file(folder / "run.h5");
+  const results::SeriesData outline = file.series("/outlines/block");
+  ASSERT_EQ(outline.rows(), file.frame_times().size());
+  // A point a cell of a metre at most: 4 on each side of the block, 2, 2 and 3 on those of the hole.
+  ASSERT_EQ(outline.columns.size(), 1U + 2U * (16U + 7U));
+  EXPECT_EQ(outline.columns.back(), "hole_y6");
+  EXPECT_EQ(outline.units.back(), "m");
+  // On the right side, 4, 2 and 0 m high. The particles that these go with are a quarter of a metre off.
+  const double second_difference = last(outline, "x8") - 2.0 * last(outline, "x6") + last(outline, "x4");
+  EXPECT_NEAR(second_difference, bend * 8.0, 0.5 * bend * 8.0);
+  EXPECT_NEAR(last(outline, "x8") - last(outline, "x4"), bend * 16.0, 0.25 * bend * 16.0);
+  EXPECT_NEAR(last(outline, "hole_x4") - last(outline, "hole_x2"), bend * 8.0, 0.25 * bend * 8.0);
+}
+
 class Resumed : public ::testing::TestWithParam<std::string_view> {};
 
 TEST_P(Resumed, GoesOnWithBodiesWhereACheckpointWas) {
@@ -299,13 +325,15 @@ TEST_P(Resumed, GoesOnWithBodiesWhereACheckpointWas) {
     const results::RunReader run(folder / "run.h5");
     std::vector<std::vector<double>> all{run.series("/bodies/block").values,
                                          run.series("/monitors/corner").values};
+    if (GetParam() == elastic)
+      all.push_back(run.series("/outlines/block").values);
     for (std::size_t frame = 0; frame < run.frame_times().size(); ++frame)
       for (const std::string& name : run.contact_fields(frame))
         all.push_back(run.contact_field(frame, name).values);
     return all;
   };
   const auto all = contents();
-  ASSERT_EQ(all.size(), 2U + 4U * 7U);
+  ASSERT_EQ(all.size(), (GetParam() == elastic ? 3U : 2U) + 4U * 7U);
   const std::filesystem::path before = results::set_aside(folder / "run.h5");
   BlockRun resumed(folder / "", GetParam());
   test_support::restore_state(state, resumed.domain(), resumed.stepper());

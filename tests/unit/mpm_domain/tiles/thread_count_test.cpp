@@ -33,6 +33,10 @@ void add_layers(Spec& spec) {
   spec.matched_sides = {left, right, base};
 }
 
+void reduce_dispersion(Spec& spec) {
+  spec.scheme.dispersion = mpm_domain::Dispersion::reduced;
+}
+
 void make_periodic(Spec& spec) {
   spec.sides = mpm_domain::Sides::periodic;
 }
@@ -70,6 +74,8 @@ const Model models[] = {
     {"PeriodicYielding", [](Spec& spec) { make_periodic(spec), yield(spec); }, 60},
     {"SubcycledYielding", [](Spec& spec) { subcycle(spec), yield(spec); }, 20},
     {"Uniform", [](Spec&) {}, 100},
+    {"ReducedDispersion", [](Spec& spec) { reduce_dispersion(spec); }, 60},
+    {"PeriodicReducedDispersion", [](Spec& spec) { make_periodic(spec), reduce_dispersion(spec); }, 60},
     {"UniformOwnBoxes", follow_soil, 100},
     {"UniformLayers", add_layers, 100},
     {"Graded", refine, 60},

@@ -1,5 +1,6 @@
 // The rules of the time step, each with a case that keeps it and one that breaks it, and the message.
 
+#include "../structure_case.hpp"
 #include "rule_cases.hpp"
 
 #include <gmock/gmock.h>
@@ -7,6 +8,7 @@
 namespace tremolo::scene::testing {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -42,6 +44,39 @@ TEST(Rules, TimeStepIsStable) {
               ElementsAre("case.toml:32:6: [time] 'dt' = 0.00375 exceeds the critical step 0.65 h/c_p = "
                           "0.00374777 s of this mesh "
                           "and its fastest soil"));
+}
+
+TEST(Rules, DispersionSuitsCase) {
+  const auto reduced = [](const std::string& more, const std::string& old = "", const std::string& now = "") {
+    const std::string text = with("size = 1.0", "size = 1.0\ndispersion = \"reduced\"", plus(more));
+    return errors_of(old.empty() ? text : with(old, now, text));
+  };
+  const std::string start = "'dispersion' = \"reduced\" ";
+  EXPECT_THAT(reduced(""), IsEmpty());
+  EXPECT_THAT(reduced("[time]\ntransfer = \"flip\"\n"),
+              ElementsAre(HasSubstr("[mesh] " + start + "needs transfer = \"apic\": the error of FLIP is")));
+  EXPECT_THAT(reduced("[time]\norder = \"usl\"\n"), ElementsAre(HasSubstr(start + "needs order = \"musl\"")));
+  EXPECT_THAT(
+      reduced("", "dispersion", "particles_per_cell = 3\ndispersion"),
+      ElementsAre(HasSubstr(start + "needs particles_per_cell = 2, for which its boxes are made; found 3")));
+  EXPECT_THAT(reduced("", "dispersion", "particle_boxes = \"deforming\"\ndispersion"),
+              ElementsAre(HasSubstr(start + "needs particle_boxes = \"fixed\"")));
+  EXPECT_THAT(reduced("[[refine]]\nbox = [5.0, -5.0, 10.0, 0.0]\nlevel = 1\n"),
+              ElementsAre(HasSubstr(start + "is for cells of one size")));
+  EXPECT_THAT(reduced("", "form = \"total\"", "form = \"total\", absorber = \"matched_layer\""),
+              ElementsAre(HasSubstr(start + "needs absorber = \"dashpots\"")));
+  EXPECT_THAT(reduced("", "left = { model = \"wave\" }", "left = { model = \"mpm\" }"),
+              Contains(HasSubstr(start + "needs a free field other than \"mpm\"")));
+  EXPECT_THAT(reduced("", "[boundary]", "[boundary]\nsides = \"periodic_springs\""),
+              Contains(HasSubstr(start + "needs sides = \"free_field\" or \"periodic\"")));
+  EXPECT_THAT(reduced("[water]\nlevel = -2.0\n"),
+              Contains(HasSubstr(start + "is for cases without [water]")));
+  EXPECT_THAT(errors_of(with("size = 1.0", "size = 1.0\ndispersion = \"reduced\"", with_block())),
+              ElementsAre(HasSubstr(start + "is for cases without [[structure]]")));
+  EXPECT_THAT(reduced("", "model = \"linear_elastic\"",
+                      "model = \"mohr_coulomb\"\ncohesion_peak = 4e3\ncohesion_residual = 4e3\nsoftening = "
+                      "0.0\nfriction_peak_deg = 30.0\nfriction_residual_deg = 30.0"),
+              ElementsAre(HasSubstr("bands in which soil 'sand' yields")));
 }
 
 TEST(Rules, FlipHasSurfaceAlongGrid) {

@@ -4,51 +4,19 @@
 // give the factor F by which c and tan phi can be divided. Nearly incompressible clay must be no stronger
 // than any other.
 
+#include "tests/verification/mpm_domain/limit_loads/slope.hpp"
 #include "tests/verification/mpm_domain/limit_loads/static_limit.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <ostream>
 
 namespace tremolo::mpm_domain {
 namespace {
 
-constexpr double height = 10.0; // m
-constexpr double degree = std::numbers::pi / 180.0;
-
-struct Slope {
-  double angle_deg;
-  double depth_factor; ///< depth of the base below the crest over the height
-  double cell_size;    ///< m
-};
-
-/// Flat ground reaches over more than the depth of the base on either side. A slope on its base has none
-/// before its toe, which stands clear of the side.
-Spec spec_of(const Slope& slope, const materials::Law& law) {
-  const double width = height / std::tan(slope.angle_deg * degree);
-  const double base = height * (1.0 - slope.depth_factor);
-  const bool on_base = slope.depth_factor == 1.0;
-  const double toe = on_base ? 2.0 : 2.0 * std::ceil(0.6 * height * slope.depth_factor);
-  const double right =
-      2.0 * std::ceil(0.5 * (toe + width) + 0.75 * height * std::max(slope.depth_factor, 1.5));
-  const double left = on_base ? toe : 0.0;
-  Spec spec;
-  spec.box = {0.0, base, right, height};
-  spec.cell_size = slope.cell_size;
-  spec.gravity = test::gravity;
-  spec.soils = {{"soil", law}};
-  spec.regions = {
-      {0, {{left, base}, {right, base}, {right, height}, {toe + width, height}, {toe, 0.0}, {left, 0.0}}}};
-  if (on_base)
-    spec.regions.front().polygon.pop_back();
-  return spec;
-}
-
 struct ClaySlope {
-  Slope slope;
+  test::Slope slope;
   double number; ///< N
   double poisson;
   Dilatation dilatation = Dilatation::cell;
@@ -62,9 +30,9 @@ struct ClaySlope {
 /// @param strength  over that of Taylor's chart
 bool stands(const ClaySlope& of, double strength) {
   constexpr double density = 1800.0;
-  Spec spec = spec_of(of.slope,
-                      test::perfectly_plastic({density, 20e6, of.poisson},
-                                              strength * of.number * density * test::gravity * height, 0.0));
+  Spec spec = test::spec_of(
+      of.slope, test::perfectly_plastic({density, 20e6, of.poisson},
+                                        strength * of.number * density * test::gravity * test::height, 0.0));
   spec.scheme.dilatation = of.dilatation;
   return test::carries_its_weight(spec, 40.0);
 }
@@ -77,7 +45,7 @@ TEST_P(Taylor, SlopeStandsAboveItsStabilityNumberAndFailsBelowIt) {
 }
 
 // A slope that slides along its own base asks for finer cells: of 1 m it is 5 to 10 % too strong at 45
-// degrees.
+// test::degrees.
 INSTANTIATE_TEST_SUITE_P(
     Angles, Taylor,
     testing::Values(ClaySlope{{30.0, 1.5, 1.0}, 0.164, 0.3}, ClaySlope{{30.0, 1.5, 1.0}, 0.164, 0.495},
@@ -113,11 +81,11 @@ struct SandySlope {
 /// c = 0.05 gamma H, phi = 20 degrees, a slope of 2 to 1.
 bool stands(const SandySlope& of, double factor) {
   constexpr double density = 2000.0;
-  const double cohesion = 0.05 * density * test::gravity * height;
+  const double cohesion = 0.05 * density * test::gravity * test::height;
   return test::carries_its_weight(
-      spec_of({std::atan(0.5) / degree, of.depth_factor, of.cell_size},
-              test::perfectly_plastic({density, 100e6, of.poisson}, cohesion / factor,
-                                      std::atan(std::tan(20.0 * degree) / factor))),
+      test::spec_of({std::atan(0.5) / test::degree, of.depth_factor, of.cell_size},
+                    test::perfectly_plastic({density, 100e6, of.poisson}, cohesion / factor,
+                                            std::atan(std::tan(20.0 * test::degree) / factor))),
       20.0);
 }
 

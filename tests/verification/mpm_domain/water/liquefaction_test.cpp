@@ -128,6 +128,11 @@ TEST(LiquefyingColumn, OfPdmy03IsThatOfTheReference) {
     EXPECT_NEAR(ours.settlement_at(time) / reference.settlement_at(time), 1.0, 0.01) << time;
     EXPECT_NEAR(ours.settlement_at(time) / fe.settlement_at(time), 1.0, 0.01) << time;
   }
+  // Both columns are nearer to each other than either is to the reference.
+  RecordProperty("to_fe", std::to_string(apart(ours, fe)));
+  RecordProperty("to_reference", std::to_string(apart(ours, reference)));
+  RecordProperty("fe_to_reference", std::to_string(apart(fe, reference)));
+  EXPECT_LT(apart(ours, fe), std::min(apart(ours, reference), apart(fe, reference)));
 }
 
 struct Sand {

@@ -1,0 +1,99 @@
+// Factors of safety by strength reduction, against Griffiths and Lane (1999, Geotechnique 49, 387-403,
+// example 2: a slope of 2 to 1 on a layer of half its height, c = 0.05 gamma H, phi = 20 degrees, F = 1.4)
+// and against Taylor's stability number (1948), by which undrained clay of strength F N gamma H has the
+// factor F.
+
+#include "mpm_domain/gravity/strength_reduction.hpp"
+#include "tests/verification/mpm_domain/limit_loads/slope.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+namespace {
+
+using test::degree;
+using test::height;
+using test::Slope;
+
+Spec griffiths_and_lane() {
+  constexpr double density = 2000.0;
+  return test::spec_of(
+      {std::atan(0.5) / degree, 1.5, 1.0},
+      test::perfectly_plastic({density, 100e6, 0.3}, 0.05 * density * test::gravity * height, 20.0 * degree));
+}
+
+/// 45 degrees, clay over rock at 1.5 times the height, F times the strength that just carries it.
+Spec taylor(double factor, double poisson = 0.495) {
+  constexpr double density = 1800.0;
+  constexpr double number = 0.174;
+  return test::spec_of({45.0, 1.5, 1.0},
+                       test::perfectly_plastic({density, 20e6, poisson},
+                                               factor * number * density * test::gravity * height, 0.0));
+}
+
+TEST(StrengthReduction, FindsTheFactorOfGriffithsAndLane) {
+  std::vector<StrengthTrial> trials;
+  const auto found = factor_of_safety(griffiths_and_lane(), 0.02,
+                                      [&](const StrengthTrial& trial) { trials.push_back(trial); });
+  EXPECT_NEAR(found.stands, 1.4, 0.05 * 1.4);
+  EXPECT_LE(found.fails, 1.02 * found.stands);
+  EXPECT_GT(found.fails, found.stands);
+  EXPECT_EQ(trials.front().factor, 1.0);
+  for (const StrengthTrial& trial : trials)
+    EXPECT_EQ(trial.stands, trial.factor <= found.stands) << trial.factor;
+}
+
+TEST(StrengthReduction, FindsFactorsBelowOne) {
+  const auto found = factor_of_safety(taylor(0.7, 0.3), 0.04, [](const StrengthTrial&) {});
+  EXPECT_NEAR(0.5 * (found.stands + found.fails), 0.7, 0.05 * 0.7);
+}
+
+/// A circle through the toe or below it: the crest goes down, the ground before the toe goes up or outwards,
+/// and what lies behind and below rests.
+TEST(StrengthReduction, ShowsTheSoilThatFails) {
+  const auto found = factor_of_safety(taylor(1.0), 0.05, [](const StrengthTrial&) {});
+  double fastest = 0.0;
+  double strained = 0.0;
+  for (const MovingPoint& point : found.mechanism) {
+    const double speed = std::hypot(point.velocity.x, point.velocity.y);
+    fastest = std::max(fastest, speed);
+    strained = std::max(strained, point.plastic_strain);
+    if (point.place.x < 4.0 || point.place.x > 48.0) {
+      EXPECT_LT(speed, 0.1) << point.place.x << ", " << point.place.y;
+    }
+  }
+  EXPECT_NEAR(fastest, 1.0, 1e-12);
+  EXPECT_GT(strained, 0.01);
+  // The toe stands at x = 18 m, the crest at 28 m.
+  double down = 0.0;
+  double crest = 0.0;
+  for (const MovingPoint& point : found.mechanism)
+    if (point.place.y > 9.0 && point.place.x < 31.0) {
+      down += point.velocity.y;
+      crest += 1.0;
+    }
+  EXPECT_LT(down / crest, -0.3);
+}
+
+TEST(StrengthReduction, RefusesSoilThatCarriesAnyLoad) {
+  Spec elastic = taylor(1.0);
+  elastic.soils.front().law = materials::LinearElastic{{1800.0, 20e6, 0.3}};
+  EXPECT_THROW(factor_of_safety(elastic, 0.02, [](const StrengthTrial&) {}), std::invalid_argument);
+  EXPECT_THAT(reducible_soils(elastic).kept, testing::ElementsAre("soil"));
+  EXPECT_THAT(reducible_soils(taylor(1.0)).reduced, testing::ElementsAre("soil"));
+}
+
+TEST(StrengthReduction, TellsThatNothingFails) {
+  Spec flat = taylor(1.0);
+  flat.regions.front().polygon = {{0.0, -5.0}, {8.0, -5.0}, {8.0, 0.0}, {0.0, 0.0}};
+  flat.box = {0.0, -5.0, 8.0, 0.0};
+  EXPECT_THAT([&] { factor_of_safety(flat, 0.02, [](const StrengthTrial&) {}); },
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("its soil does not fail")));
+}
+
+} // namespace
+} // namespace tremolo::mpm_domain
