@@ -16,3 +16,8 @@ function(tremolo_precompile name)
 endfunction()
 
 tremolo_precompile(std_headers DEPENDS tremolo_options HEADERS ${TREMOLO_STD_HEADERS})
+set(TREMOLO_LIGHT_HEADERS tremolo_std_headers)
+if(TREMOLO_SANITIZE) # other options than the rest
+  tremolo_precompile(light_headers DEPENDS tremolo_light_options HEADERS ${TREMOLO_STD_HEADERS})
+  set(TREMOLO_LIGHT_HEADERS tremolo_light_headers)
+endif()

@@ -16,6 +16,7 @@ packages=(
   python3-jinja2 python3-plotly                                      # reports
   chromium chromium-driver python3-selenium                          # tests of reports
   zsh fish groff-base python3-pip python3-setuptools dpkg-dev file    # tests of the installation
+  slurm-wlm munge                                                    # tests of sweeps
   mkdocs mkdocs-material                                             # the documentation as a site
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev python3-vtk9 iproute2 valgrind   # tests
 )
