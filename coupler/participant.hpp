@@ -161,7 +161,8 @@ public:
   /// @pre all results are written
   /// @param passes named times of the domain's passes, s, for the summary
   /// @param particle_updates particles times steps, for the summary
-  /// @post the hub dismisses the sources; the process may end
+  /// @post the hub has answered, or the shutdown deadline has passed; it dismisses the sources; the process
+  /// may end
   void finish(const std::vector<PassTime>& passes, double particle_updates);
 
 private:

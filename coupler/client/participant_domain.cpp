@@ -232,11 +232,11 @@ void DomainClient::drain() {
 
 void DomainClient::finish(const std::vector<PassTime>& passes, double particle_updates) {
   send_velocities();
-  connection_.send({"BYE",
-                    {{"passes", to_json(passes)},
-                     {"waiting", waiting_.seconds()},
-                     {"timeline", to_json(timeline_.report())},
-                     {"particle_updates", particle_updates}}});
+  connection_.take_leave({"BYE",
+                          {{"passes", to_json(passes)},
+                           {"waiting", waiting_.seconds()},
+                           {"timeline", to_json(timeline_.report())},
+                           {"particle_updates", particle_updates}}});
 }
 
 } // namespace tremolo::coupler

@@ -157,6 +157,7 @@ void Hub::take_bye(Participant& participant, const json& body) {
   reports_[participant.expected.name] = std::move(report);
   if (participant.is_domain()) {
     watch_.domain_waits_for(std::nullopt);
+    post_.send(participant.routing_id, {"BYE"});
     routing_.end();
   }
 }

@@ -13,7 +13,7 @@
 //       frames ------------------>   to the domain (window) or into Eq. (6) (lockstep)
 //       CHECKPOINT (domain) ----->   a set of files is complete, the run can be resumed from it
 //       BYE (domain) ------------>
-//             <------------------  BYE to sources
+//             <------------------  BYE to the domain at once, to sources when all they owe is there
 //       BYE (sources) ----------->   finished
 
 #include "coupler/hub/admission/admission.hpp"

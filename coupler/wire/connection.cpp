@@ -69,6 +69,16 @@ void Connection::send(const FrameHeader& header, FrameDraft draft) {
   send_raw(raw, deadlines_.step);
 }
 
+void Connection::take_leave(const Message& bye) {
+  send(bye);
+  const auto start = Clock::now();
+  while (seconds_since(start) < deadlines_.shutdown) {
+    const auto incoming = receive(deadlines_.shutdown - seconds_since(start));
+    if (incoming && incoming->message && incoming->message->type == "BYE")
+      return;
+  }
+}
+
 void Connection::send_text(const Message& message, double deadline_s) {
   const std::string text = to_text(message);
   zmq::message_t raw(text.data(), text.size());

@@ -39,6 +39,12 @@ public:
   void send(const Message& message);
   void send(const FrameHeader& header, FrameDraft draft);
 
+  /// BYE, then waits for the hub's answer, at most for the shutdown deadline. A connection that is closed at
+  /// once loses what a slow hub has not taken yet: linger counts messages that libzmq has begun to write as
+  /// sent.
+  /// @throws Error if the hub does not take it within the step deadline; Aborted when the run was ended
+  void take_leave(const Message& bye);
+
   /// The next message: a control message or a data frame; nothing if none came within wait_s.
   /// @throws Aborted for ABORT and REFUSE
   std::optional<Incoming> receive(double wait_s);

@@ -99,6 +99,49 @@ TEST(HardCase21, RestOverJumpsOfPorosityAndPermeability) {
           largest_wet(*domain, excess_pressure) / (1000.0 * gravity * 6.0), 1e-3);
 }
 
+/// Level ground that has moved to the right by this share of a cell, within its sides, under a pressure that
+/// carries nearly its weight.
+double unevenness_of_pressure(double share, double* energy_error) {
+  constexpr double cell = 0.5;
+  Spec spec = wet_spec({0.0, -4.0, 8.0, 0.0}, cell, 0.0);
+  spec.soils = {wet_soil("sand", 0.4, 1e-3, 2e6)};
+  spec.regions = {band(0, 0.0, 8.0, -4.0, 0.0)};
+  const auto domain = at_rest(spec);
+  for (Particles& set : domain->sets)
+    for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k) {
+      set.x[k] += share * cell;
+      const double depth = (0.5 - std::floor(set.y[k] / cell) - 1.0) * cell;
+      const double liquefied = 0.8 * materials::buoyant_density(set.water->pores, {}) * gravity * depth;
+      set.pore_pressure[k] += liquefied;
+      set.sxx[k] += liquefied;
+      set.syy[k] += liquefied;
+      set.szz[k] += liquefied;
+    }
+  Stepper stepper(*domain, 0.0, quiet_ground());
+  while (stepper.time() < 1.0)
+    stepper.step();
+  // At mid-depth, over the mean.
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = 0.0;
+  for (const Particles& set : domain->sets)
+    for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k)
+      if (set.y[k] < -2.0 && set.y[k] > -2.5) {
+        lowest = std::min(lowest, excess_pressure(set, k));
+        highest = std::max(highest, excess_pressure(set, k));
+      }
+  *energy_error = ledger_error(domain->energy);
+  return 2.0 * (highest - lowest) / (highest + lowest);
+}
+
+/// Sides let no water pass wherever their soil ends within a cell.
+TEST(HardCase21, SidesWithinCellsHoldWater) {
+  for (const double share : {0.0, 0.25, 0.5, 0.75}) {
+    double energy = 0.0;
+    bounded("pressure along the ground over its mean", unevenness_of_pressure(share, &energy), 0.01);
+    bounded("energy", energy, 0.02);
+  }
+}
+
 /// The force on water per unit of soil volume, sum V n p grad S, would drive it at jumps of porosity. The
 /// force of a pressure n p is taken here, less the weight n rho_f g, over the mass of the water.
 TEST(HardCase21, ForcesPerVolumeOfSoilDriveWaterAtRest) {
