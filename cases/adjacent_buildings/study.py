@@ -3,7 +3,8 @@
 
     cases/adjacent_buildings/study.py [TREMOLO [FOLDER]]      default: build/release/bin/tremolo, runs/adjacent_buildings
 
-Runs what is not in FOLDER yet. All variants but `main` have cells of 1 m, water of 0.22 GPa and end at 26 s.
+Runs what is not in FOLDER yet. All variants but `main` have water of 0.22 GPa and end at 26 s, and
+cells of 1 m where their names do not say another size.
 """
 
 import subprocess
@@ -41,6 +42,11 @@ def box(left, bottom, width, height):
     """A line of a case file: a rectangle as a polygon."""
     right, top = left + width, bottom + height
     return f"polygon = [[{left}, {bottom}], [{right}, {bottom}], [{right}, {top}], [{left}, {top}]]"
+
+
+def cells(size):
+    """Cells of another size; water and duration as in the other variants."""
+    return COARSE | {"size = 0.5\n": f"size = {size}\n"}
 
 
 def tall(width, gap=2.5, depth=0.5):
@@ -83,6 +89,8 @@ def rough(line, density, friction):
 FASTER = COARSE | {"[boundary]\n": "[time]\nfraction = 0.8\n\n[boundary]\n"}
 VARIANTS = {
     "main": ("as it is", {}),
+    "cells_0.25": ("cells of 0.25 m", cells(0.25)),
+    "cells_0.5": ("cells of 0.5 m", cells(0.5)),
     "coarse": ("coarse", COARSE),
     "step": ("time step 0.8 of the critical", FASTER),
     "step_periodic": ("the same, periodic sides", FASTER | PERIODIC),

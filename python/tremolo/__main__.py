@@ -7,8 +7,10 @@ import json
 import sys
 from pathlib import Path
 
-from tremolo import (bodies, column, comparison, cost, failure, fronts, histories, maps, mechanism, motion, pore_pressure,
-                     preview, soil_record, soiltest, swap, timeline, verification)
+from tremolo import (bodies, column, comparison, cost, failure, histories, motion, pore_pressure, swap,
+                     timeline, verification)
+from tremolo.pictures import fronts, maps, mechanism, preview
+from tremolo.soil_test import drawing, record
 from tremolo.extract import command as extract_command
 from tremolo.report import page, watch
 from tremolo.run import Run
@@ -112,7 +114,7 @@ def column_picture(arguments):
 
 
 def soiltest_picture(arguments):
-    yield soiltest.picture(arguments.path, arguments.over, arguments.stress_unit)
+    yield drawing.picture(arguments.path, arguments.over, arguments.stress_unit)
 
 
 def motion_picture(arguments):
@@ -214,7 +216,7 @@ def _parser():
     tested = add("soiltest", soiltest_picture, "Picture of a soil test: OUT.png beside OUT.h5.")
     tested.add_argument("path", help="the file that `tremolo soiltest` wrote")
     tested.add_argument("--over", metavar="REF.csv", help="a curve to lie below: columns of a history")
-    units = list(soil_record.STRESS_UNITS)
+    units = list(record.STRESS_UNITS)
     tested.add_argument("--stress-unit", choices=units, default=units[0],
                         help="of the stresses in REF.csv (default kPa); `tremolo soiltest --out X.csv` writes Pa")
     swapped = add("swap", swap_picture, "Picture of one case under several free-field models.")

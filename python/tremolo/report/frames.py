@@ -12,7 +12,8 @@ from matplotlib import colormaps
 from matplotlib.colors import to_hex, to_rgb
 from PIL import Image, ImageDraw
 
-from tremolo import bodies, maps, style
+from tremolo import bodies, style
+from tremolo.pictures import maps
 
 WIDTH = 960  # pixels
 COLOURS = 64

@@ -7,7 +7,7 @@ import json
 import tempfile
 from pathlib import Path
 
-from tremolo import preview
+from tremolo.pictures import preview
 from tremolo.report import facts, frames, kinds
 from tremolo.run import Run
 

@@ -7,7 +7,8 @@ from typing import NamedTuple
 import h5py
 import numpy as np
 
-from tremolo import column, cost, pore_pressure, soil_record, soiltest, style, swap
+from tremolo import column, cost, pore_pressure, style, swap
+from tremolo.soil_test import drawing, record
 from tremolo.report import panels
 from tremolo.report.facts import Table
 from tremolo.report.kinds import kind_of
@@ -144,8 +145,8 @@ def _sweep_runs(sweep, names, labels):
 
 
 def _soiltest(path, key):
-    test = soil_record.read(path)
-    charts, maps = _drawn([soiltest.draw(test)], key)
+    test = record.read(path)
+    charts, maps = _drawn([drawing.draw(test)], key)
     facts = {name: value for name, value in test.about.items() if name not in ("title", "test_file")}
     rows = [[name.replace("_", " "), _number(value).replace("_", " ")] for name, value in facts.items()]
     about = Table(["what", "value"], rows, "Test, SI units")

@@ -5,7 +5,7 @@ import gallery_rows as rows
 import gallery_tests as tests
 import numpy as np
 from gallery_runs import only, save
-from tremolo import soil_response
+from tremolo.soil_test import response
 
 
 def closed(gallery, name, text):
@@ -99,7 +99,7 @@ def multi_yield_clay(gallery):
         text = tests.simple_test("clay", tests.CLAY, kind, 100e3, 0.1, drainage="constant_volume")
         history = closed(gallery, name, text)
         shear = kind == "direct_simple_shear"
-        ours = history["sig_xy"][-1] if shear else soil_response.deviator_of_plane(history)[-1]
+        ours = history["sig_xy"][-1] if shear else response.deviator_of_plane(history)[-1]
         body.append(closed_row(what, ours, factor * strength, name))
     return rows.table(CLOSED_HEAD, body)
 

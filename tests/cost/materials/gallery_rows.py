@@ -1,7 +1,7 @@
 """Rows of the gallery's tables: a soil test of ours beside its reference curve."""
 
 import numpy as np
-from tremolo import soil_response
+from tremolo.soil_test import response
 
 NONE = "-"
 
@@ -21,7 +21,7 @@ def pair(ours, reference, digits=4):
     """ours (difference in per cent), over the reference."""
     if not (np.isfinite(ours) and np.isfinite(reference)):
         return f"{number(ours, digits)} / {number(reference, digits)}"
-    return f"{number(ours, digits)} / {number(reference, digits)} ({percent(soil_response.relative(ours, reference))})"
+    return f"{number(ours, digits)} / {number(reference, digits)} ({percent(response.relative(ours, reference))})"
 
 
 def cycles(ours, reference):
@@ -34,8 +34,8 @@ def cycles(ours, reference):
         both = []
         for history in (ours, reference):
             pressure = measure == "ru"
-            values = soil_response.pore_pressure_ratio(history) if pressure else np.abs(history["gamma_xy"])
-            both.append(soil_response.cycles_to(np.maximum.accumulate(history["cycle"]), values, level))
+            values = response.pore_pressure_ratio(history) if pressure else np.abs(history["gamma_xy"])
+            both.append(response.cycles_to(np.maximum.accumulate(history["cycle"]), values, level))
         cells.append(NONE if np.isnan(both).all() else " / ".join(f"{n:.2f}" if np.isfinite(n) else NONE for n in both))
     return cells
 
@@ -43,8 +43,8 @@ def cycles(ours, reference):
 def replay(ours, reference, vertical_stress, low_pressure):
     """Largest stress difference along the same strains, kPa and % of sigma'_v: until p' first falls below
     `low_pressure`, and in all."""
-    difference, rows = soil_response.stress_differences(ours, reference)
-    pressure = soil_response.mean_stress(reference, in_plane=True)[rows]
+    difference, rows = response.stress_differences(ours, reference)
+    pressure = response.mean_stress(reference, in_plane=True)[rows]
     low = np.flatnonzero(pressure < low_pressure)
     until = low[0] if len(low) else len(rows)
     parts = difference[:until].max(), difference.max()
@@ -55,9 +55,9 @@ def loops(ours, reference):
     """A row an amplitude, of its last loop: secant modulus (MPa), damping (%) and volumetric strain at its end (%)."""
     found = []
     for history in (ours, reference):
-        strain, stress, volume = history["gamma_xy"], history["sig_xy"], soil_response.volumetric_strain(history)
-        slices = soil_response.last_loops(strain)
-        found.append([(*soil_response.secant_and_damping(strain[one], stress[one]), volume[one][-1]) for one in slices])
+        strain, stress, volume = history["gamma_xy"], history["sig_xy"], response.volumetric_strain(history)
+        slices = response.last_loops(strain)
+        found.append([(*response.secant_and_damping(strain[one], stress[one]), volume[one][-1]) for one in slices])
     table_rows = []
     for (amplitude, *mine), (_, *theirs) in zip(*found, strict=True):
         (g, d, v), (g_ref, d_ref, v_ref) = mine, theirs
@@ -69,9 +69,9 @@ def loops(ours, reference):
 
 def volume_all_the_way(ours, reference):
     """A sentence on where the volumetric strains of the same increments are furthest apart."""
-    mine, theirs = soil_response.common_rows(ours, reference)
+    mine, theirs = response.common_rows(ours, reference)
     ours_there, reference_there = (
-        100.0 * soil_response.volumetric_strain(history)[rows] for history, rows in ((ours, mine), (reference, theirs))
+        100.0 * response.volumetric_strain(history)[rows] for history, rows in ((ours, mine), (reference, theirs))
     )
     k = np.argmax(np.abs(ours_there - reference_there))
     strain, cycle = 100.0 * reference["gamma_xy"][theirs][k], reference["cycle"][theirs][k]
@@ -86,11 +86,11 @@ def monotonic(ours, reference, shear):
     """Peak shear stress or deviator (kPa), the same at the end, and volumetric strain at the end (%)."""
 
     def strength(history):
-        return np.abs(history["sig_xy"]) if shear else soil_response.deviator_of_plane(history)
+        return np.abs(history["sig_xy"]) if shear else response.deviator_of_plane(history)
 
     peaks = [strength(history).max() / 1e3 for history in (ours, reference)]
     ends = [strength(history)[-1] / 1e3 for history in (ours, reference)]
-    volumes = [100 * soil_response.volumetric_strain(history)[-1] for history in (ours, reference)]
+    volumes = [100 * response.volumetric_strain(history)[-1] for history in (ours, reference)]
     undrained = np.abs(volumes).max() < 1e-9
     return [pair(*peaks), pair(*ends), NONE if undrained else pair(*volumes, 3)]
 

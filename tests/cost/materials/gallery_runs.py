@@ -13,7 +13,8 @@ sys.path.insert(0, str(ROOT / "python"))
 
 import gallery_tests as tests
 from PIL import Image
-from tremolo import soil_record, soiltest, style
+from tremolo import style
+from tremolo.soil_test import drawing, record
 
 PAGES = ROOT / "docs" / "materials"
 DPI = 110
@@ -34,7 +35,7 @@ class Gallery:
         return self.manifest[name]["params"]
 
     def curve(self, name):
-        return soil_record.read_reference(self.reference / f"{name}.csv")
+        return record.read_reference(self.reference / f"{name}.csv")
 
     def run(self, text, name):
         """Runs a test file that is not kept."""
@@ -56,7 +57,7 @@ class Gallery:
         if done.returncode != 0:
             raise RuntimeError(f"{path.name}: {done.stderr.strip() or done.stdout.strip()}")
         print(f"  {path.stem}", flush=True)
-        return soil_record.read(out)
+        return record.read(out)
 
     def calibrate(self, text, name):
         """What `tremolo calibrate` found: contraction_rate and the cycles that it gives."""
@@ -94,7 +95,7 @@ def only(test):
 
 def save(test, name, references=(), labels=None, title=None, finish=None):
     """A picture of the page, in 256 colours so that the repository stays small; `finish` may add to the figure."""
-    figure = soiltest.draw(test, references, labels, title)
+    figure = drawing.draw(test, references, labels, title)
     if finish is not None:
         finish(figure)
     pixels = io.BytesIO()
@@ -108,7 +109,7 @@ def together(several):
     """One test of the histories of several; the lines are those that reach furthest."""
     last = list(several.values())[-1]
     histories = {name: only(test) for name, test in several.items()}
-    return soil_record.SoilTest(last.path, last.about, histories, last.summary, lines=last.lines)
+    return record.SoilTest(last.path, last.about, histories, last.summary, lines=last.lines)
 
 
 def label(test):

@@ -4,7 +4,7 @@ import gallery_rows as rows
 import gallery_tests as tests
 import numpy as np
 from gallery_runs import label, only, save, together
-from tremolo import soil_response
+from tremolo.soil_test import response
 
 # Cyclic simple shear at constant volume -------------------------------------------------------------------------------
 
@@ -177,7 +177,7 @@ def calibration(gallery):
         for target, suffix in (({"stress_ratio": ratio}, "reference"), ({"curve": "idriss_boulanger"}, "curve")):
             title = f"pm4_dr{100 * density:.0f}_calibration_{suffix}"
             found = gallery.calibrate(tests.calibration_test(name, parameters, target), title)
-            difference = rows.percent(soil_response.relative(found["contraction_rate"], parameters["hpo"]))
+            difference = rows.percent(response.relative(found["contraction_rate"], parameters["hpo"]))
             row += [f"{found['contraction_rate']:.3g} ({difference})", f"{found['cycles']:.2f}"]
         body.append(row)
     return rows.table(head, body)

@@ -17,7 +17,7 @@ PAGES = SOURCE / "docs" / "materials"
 sys.path[:0] = [str(SOURCE / "tests" / "cost" / "materials"), str(SOURCE / "python")]
 
 import gallery_rows as rows
-from tremolo import soil_record
+from tremolo.soil_test import record
 
 
 def printed(section, name):
@@ -48,7 +48,7 @@ class Gallery(unittest.TestCase):
             out = Path(folder) / "out.h5"
             command = [TREMOLO, "soiltest", PAGES / "tests" / f"{name}.toml", "--out", out]
             subprocess.run(command, capture_output=True, text=True, check=True)
-            return soil_record.read(out).histories["000"]
+            return record.read(out).histories["000"]
 
     def expect_printed(self, section, name, cells):
         """The rows that our history makes beside itself have the numbers of the page."""

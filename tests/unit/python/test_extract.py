@@ -12,7 +12,8 @@ import h5py
 import numpy as np
 
 import synthetic_run
-from tremolo import Run, preview
+from tremolo import Run
+from tremolo.pictures import preview
 from tremolo.__main__ import main
 from tremolo.extract import newmark, points, ratios
 from tremolo.report import spectra

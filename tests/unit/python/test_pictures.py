@@ -12,7 +12,8 @@ import matplotlib.image
 import numpy as np
 
 import synthetic_run
-from tremolo import Run, bodies, comparison, fronts, histories, maps, pore_pressure, style
+from tremolo import Run, bodies, comparison, histories, pore_pressure, style
+from tremolo.pictures import fronts, maps
 from tremolo.__main__ import main
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 import synthetic_soiltest
 from test_pictures import run_command
-from tremolo import soil_record, soil_view, soiltest
+from tremolo.soil_test import drawing, record, view
 
 CURVES = {
     "strength_curve": {
@@ -39,9 +39,9 @@ class Pictures(unittest.TestCase):
         self.path = Path(self.temporary.name) / "test.h5"
 
     def expect_panels(self, expected):
-        figure = soiltest.draw(soil_record.read(self.path))
+        figure = drawing.draw(record.read(self.path))
         panels = [(ax.get_xlabel(), ax.get_ylabel()) for ax in figure.axes]
-        soiltest.style.plt.close(figure)
+        drawing.style.plt.close(figure)
         self.assertEqual(panels, expected)
 
     def expect_picture(self, *options):
@@ -71,24 +71,24 @@ class Pictures(unittest.TestCase):
     def test_panels_of_one_stress_ratio_of_several_say_which(self):
         histories = [synthetic_soiltest.history(), synthetic_soiltest.history(5.0)]
         synthetic_soiltest.write(self.path, histories, tables=CURVES)
-        figure = soiltest.draw(soil_record.read(self.path))
+        figure = drawing.draw(record.read(self.path))
         loops, path, _, pressure, strain = figure.axes
         for ax in (loops, path):
             self.assertIn("CSR 0.1", [text.get_text() for text in ax.get_legend().get_texts()])
         self.assertEqual([ax.get_title(loc="left") for ax in (pressure, strain)], ["CSR 0.1", "CSR 0.1"])
-        soiltest.style.plt.close(figure)
+        drawing.style.plt.close(figure)
 
     def test_many_amplitudes_have_a_colour_bar(self):
         amplitudes = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2]
         histories = [synthetic_soiltest.history(amplitude=amplitude) for amplitude in amplitudes]
         about = {"loading": "modulus_curve", "title": "amplitudes"}
         synthetic_soiltest.write(self.path, histories, about, MODULUS, amplitudes)
-        figure = soiltest.draw(soil_record.read(self.path))
+        figure = drawing.draw(record.read(self.path))
         bar = figure.axes[-1]
         figure.draw_without_rendering()
         labels = [text.get_text() for text in bar.get_yticklabels()]
         self.assertEqual(labels, [f"{100 * amplitude:.3g} % strain" for amplitude in amplitudes])
-        soiltest.style.plt.close(figure)
+        drawing.style.plt.close(figure)
 
     def test_softening_soil_has_a_residual_line(self):
         parameters = {
@@ -98,11 +98,11 @@ class Pictures(unittest.TestCase):
         pressure = {"p": [0.0, 200e3], "q": [5e3, 300e3]}
         tables = {"parameters": parameters, "lines/failure": pressure}
         synthetic_soiltest.write(self.path, [synthetic_soiltest.history()], {"law": "mohr_coulomb"}, tables)
-        test = soil_record.read(self.path)
-        residual = {label: points for label, _, _, points in soil_view.law_lines(test)}["residual"]
+        test = record.read(self.path)
+        residual = {label: points for label, _, _, points in view.law_lines(test)}["residual"]
         np.testing.assert_allclose(residual["q"], [1e3 * np.sqrt(3.0), 1e3 * np.sqrt(3.0) + 200e3])
         test.parameters["value"] = [4e3, 4e3, 45.0, 45.0]
-        self.assertNotIn("residual", [label for label, *_ in soil_view.law_lines(test)])
+        self.assertNotIn("residual", [label for label, *_ in view.law_lines(test)])
 
     def test_strain_controlled_cycles(self):
         synthetic_soiltest.write(self.path, [synthetic_soiltest.history()], {"loading": "cyclic_strain"}, MODULUS)
@@ -134,20 +134,20 @@ class Pictures(unittest.TestCase):
         pressure = ("shear strain (%)", "excess pore pressure ratio $r_u$")
         self.expect_panels([self.loops, self.path_in_plane, pressure])
         self.expect_picture("--over", reference)
-        below = soil_record.read_reference(reference)
-        figure = soiltest.draw(soil_record.read(self.path), [below])
+        below = record.read_reference(reference)
+        figure = drawing.draw(record.read(self.path), [below])
         drawn = {line.get_label(): line.get_xydata() for line in figure.axes[0].get_lines()}
-        soiltest.style.plt.close(figure)
+        drawing.style.plt.close(figure)
         np.testing.assert_allclose(drawn["reference"], [[0.0, 0.0], [1.0, 12.0]])
         np.testing.assert_allclose(drawn["tremolo"][:, 1].max(), 10.0)
-        own = soil_record.read_reference(reference, "Pa")
+        own = record.read_reference(reference, "Pa")
         np.testing.assert_allclose(own["sig_xy"], [0.0, 12.0])
 
     def test_bounding_line_in_shear_is_half_the_deviator(self):
         synthetic_soiltest.write(self.path, [synthetic_soiltest.history()])
-        figure = soiltest.draw(soil_record.read(self.path))
+        figure = drawing.draw(record.read(self.path))
         lines = {line.get_label(): line.get_xydata() for line in figure.axes[1].get_lines()}
-        soiltest.style.plt.close(figure)
+        drawing.style.plt.close(figure)
         p, shear = lines["bounding"][-1]
         self.assertAlmostEqual(shear / p, 1.2 / 2.0)
 

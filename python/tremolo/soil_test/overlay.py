@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tremolo import soil_record
+from tremolo.soil_test import record
 
 
 def overlay(test, path, stress_unit, names):
@@ -10,7 +10,7 @@ def overlay(test, path, stress_unit, names):
 
     Raises ValueError where the curve lacks what the picture shows, or where its stresses are in another unit.
     """
-    curve = soil_record.read_reference(path, stress_unit)
+    curve = record.read_reference(path, stress_unit)
     if "cycle" not in curve and test.about["loading"] in ("cyclic_stress", "cyclic_strain", "modulus_curve"):
         raise ValueError(f"{path}: has no column cycle, but the picture of this test counts cycles")
     _require_same_unit(test, path, stress_unit, curve, names)

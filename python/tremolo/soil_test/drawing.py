@@ -12,8 +12,9 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.ticker import MaxNLocator, NullFormatter
 
-from tremolo import soil_overlay, soil_record, soil_response, style
-from tremolo.soil_view import View, law_lines
+from tremolo import style
+from tremolo.soil_test import overlay, record, response
+from tremolo.soil_test.view import View, law_lines
 
 LAWS = {
     "linear_elastic": "linear elastic",
@@ -266,7 +267,7 @@ def heading(test):
 def draw(test, references=(), labels=None, title=None):
     """The figure of a soil test; reference curves (read_reference) lie below ours. `labels` name its histories."""
     names = telling_tests(test)
-    in_plane = soil_response.is_in_plane(test.histories[names[0]])
+    in_plane = response.is_in_plane(test.histories[names[0]])
     kind = test.about["kind"]
     if labels is None:
         labels = ["tremolo"] if references and len(test.histories) == 1 else [label_of(test, name) for name in names]
@@ -290,6 +291,6 @@ def draw(test, references=(), labels=None, title=None):
 
 def picture(path, over=None, stress_unit="kPa"):
     """Draws OUT.png beside OUT.h5, over a reference curve where one is given; returns its path."""
-    test = soil_record.read(path)
-    references = [] if over is None else [soil_overlay.overlay(test, over, stress_unit, telling_tests(test))]
+    test = record.read(path)
+    references = [] if over is None else [overlay.overlay(test, over, stress_unit, telling_tests(test))]
     return style.save(draw(test, references), Path(path).parent, Path(path).stem + ".png")

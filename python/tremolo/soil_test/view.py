@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from tremolo import soil_response, style
+from tremolo import style
+from tremolo.soil_test import response
 
 LINES = {
     "critical_state": ("critical state", "-", "#000000"),
@@ -19,7 +20,7 @@ class View:
 
     def __init__(self, history, kind, in_plane):
         self.cycle = history.get("cycle")
-        self.p = soil_response.mean_stress(history, in_plane) / 1e3
+        self.p = response.mean_stress(history, in_plane) / 1e3
         shear = sheared(history, kind)
         if shear:
             self.strain, self.strain_label = 100 * history["gamma_xy"], "shear strain (%)"
@@ -28,15 +29,15 @@ class View:
             self.line_scale = 0.5 if in_plane else 1.0 / np.sqrt(3.0)
         else:
             self.strain, self.strain_label = -100 * history["eps_yy"], "axial strain (%)"
-            q = soil_response.deviator_of_plane(history) if in_plane else soil_response.deviator_of_space(history)
+            q = response.deviator_of_plane(history) if in_plane else response.deviator_of_space(history)
             sign = np.where(history["sig_yy"] > history["sig_xx"], -1.0, 1.0)
             self.stress, self.stress_label = sign * q / 1e3, "deviator stress q (kPa)"
             self.line_scale = 1.0
         self.p_label = f"mean effective stress {'in the plane ' if in_plane else ''}p' (kPa)"
-        self.volume = 100 * soil_response.volumetric_strain(history)
+        self.volume = 100 * response.volumetric_strain(history)
         held = "sig_yy" if shear else "sig_xx"
         given = "ru" in history and kind != "path"
-        self.ru = history["ru"] if given else soil_response.pore_pressure_ratio(history, held)
+        self.ru = history["ru"] if given else response.pore_pressure_ratio(history, held)
         self.vertical = -history["sig_yy"] / 1e3
 
 
