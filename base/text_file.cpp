@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -64,6 +66,14 @@ void write_text_file(const std::filesystem::path& file, std::string_view text) {
   TextFile whole(file);
   whole.add(text);
   whole.close();
+}
+
+std::string read_text_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in.good() && !in.eof())
+    throw std::runtime_error(fmt::format("cannot read {}", file.string()));
+  return text;
 }
 
 } // namespace tremolo

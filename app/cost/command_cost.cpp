@@ -10,7 +10,6 @@
 #include "app/run/local_options.hpp"
 #include "app/verify/exact_field.hpp"
 #include "base/text_file.hpp"
-#include "coupler/wire/handshake/messages.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -59,11 +58,11 @@ std::optional<Cost> finished(const fs::path& folder, const std::string& text) {
   if (!fs::exists(cost_file(folder)))
     return std::nullopt;
   const fs::path case_file = folder / "case.toml";
-  if (!fs::exists(case_file) || coupler::file_text(case_file) != text)
+  if (!fs::exists(case_file) || read_text_file(case_file) != text)
     throw std::runtime_error(
         fmt::format("{} holds a run of another text of the case; choose another --out, or remove the folder",
                     folder.string()));
-  const auto json = nlohmann::json::parse(coupler::file_text(cost_file(folder)), nullptr, false);
+  const auto json = nlohmann::json::parse(read_text_file(cost_file(folder)), nullptr, false);
   const auto number = [&](const char* key) {
     if (!json.is_object() || !json.contains(key) || !json[key].is_number() || json[key].get<double>() < 0.0)
       throw std::runtime_error(fmt::format("{} is damaged; remove its folder, and the run is made again",

@@ -210,7 +210,7 @@ coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<s
       .mode = coupler::mode_from(mode.value_or(std::string(scene::name(scene.coupling.mode)))),
       .window_steps = static_cast<std::uint32_t>(scene.coupling.window_steps)};
   const auto add = [&](const fs::path& file) {
-    identity.inputs["CRC-32 of " + fs::absolute(file).string()] = coupler::text_crc(coupler::file_text(file));
+    identity.inputs["CRC-32 of " + fs::absolute(file).string()] = coupler::text_crc(read_text_file(file));
   };
   if (const auto* record = std::get_if<scene::MotionFile>(&scene.motion.source))
     add(record->path);

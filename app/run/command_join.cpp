@@ -9,7 +9,6 @@
 #include "coupler/launch/child_process.hpp"
 #include "coupler/launch/joining.hpp"
 #include "coupler/launch/termination.hpp"
-#include "coupler/wire/handshake/messages.hpp"
 #include "scene/plan/service.hpp"
 #include "scene/read/override.hpp"
 
@@ -114,7 +113,7 @@ void join(const JoinArguments& arguments) {
   participant.kill();
   if (!trouble && !participant.succeeded())
     trouble = participant.ending();
-  fmt::print("{}", printable(coupler::file_text(log), most_log_bytes));
+  fmt::print("{}", printable(read_text_file(log), most_log_bytes));
   std::fflush(stdout);
   if (!trouble)
     return;

@@ -3,7 +3,6 @@
 #include "app/output_place.hpp"
 #include "app/sweep/sweep_plan.hpp"
 #include "base/text_file.hpp"
-#include "coupler/wire/handshake/messages.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,7 +24,7 @@ std::map<std::string, std::string> known_names(const fs::path& cases) {
   std::map<std::string, std::string> names;
   for (const auto& entry : fs::directory_iterator(cases))
     if (entry.path().extension() == ".toml" && entry.path().stem().extension().empty())
-      names[coupler::file_text(entry.path())] = entry.path().stem().string();
+      names[read_text_file(entry.path())] = entry.path().stem().string();
   return names;
 }
 

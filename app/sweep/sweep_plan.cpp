@@ -1,5 +1,6 @@
 #include "app/sweep/sweep_plan.hpp"
 
+#include "base/text_file.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "motion/band_limited.hpp"
 #include "scene/plan/layers.hpp"
@@ -157,7 +158,7 @@ SweepRun run_of(const scene::Case& scene, Combination values) {
                .free_fields = coupler::free_field_identity(scene),
                .motion = incident_measures(scene)};
   for (const fs::path& file : scene::data_files(scene))
-    run.inputs += fmt::format("{} {}\n", coupler::text_crc(coupler::file_text(file)), file.string());
+    run.inputs += fmt::format("{} {}\n", coupler::text_crc(read_text_file(file)), file.string());
   return run;
 }
 

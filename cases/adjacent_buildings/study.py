@@ -3,8 +3,8 @@
 
     cases/adjacent_buildings/study.py [TREMOLO [FOLDER]]      default: build/release/bin/tremolo, runs/adjacent_buildings
 
-Runs what is not in FOLDER yet. All variants but `main` have water of 0.22 GPa and end at 26 s, and
-cells of 1 m where their names do not say another size.
+Runs what is not in FOLDER yet. All variants but `main` have water of 0.22 GPa and end at 26 s, and all
+but `finest` and `finer` have cells of 1 m.
 """
 
 import subprocess
@@ -44,9 +44,8 @@ def box(left, bottom, width, height):
     return f"polygon = [[{left}, {bottom}], [{right}, {bottom}], [{right}, {top}], [{left}, {top}]]"
 
 
-def cells(size):
-    """Cells of another size; water and duration as in the other variants."""
-    return COARSE | {"size = 0.5\n": f"size = {size}\n"}
+FINER = COARSE | {"size = 0.5\n": "size = 0.5\n"}
+FINEST = COARSE | {"[boundary]\n": "[[refine]]\nbox = [-9.0, -3.0, 16.0, 1.0]\nlevel = 2\n\n[boundary]\n"}
 
 
 def tall(width, gap=2.5, depth=0.5):
@@ -89,8 +88,8 @@ def rough(line, density, friction):
 FASTER = COARSE | {"[boundary]\n": "[time]\nfraction = 0.8\n\n[boundary]\n"}
 VARIANTS = {
     "main": ("as it is", {}),
-    "cells_0.25": ("cells of 0.25 m", cells(0.25)),
-    "cells_0.5": ("cells of 0.5 m", cells(0.5)),
+    "finest": ("cells of 0.25 m to 3 m of depth", FINEST),
+    "finer": ("cells of 0.5 m", FINER),
     "coarse": ("coarse", COARSE),
     "step": ("time step 0.8 of the critical", FASTER),
     "step_periodic": ("the same, periodic sides", FASTER | PERIODIC),

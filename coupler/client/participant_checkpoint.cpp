@@ -1,6 +1,7 @@
 // The domain's part in checkpoints: it saves itself between two steps, when the hub has the velocities of all
 // steps before, says so, and waits until the hub has done the rest (hub_checkpoint.cpp).
 
+#include "base/text_file.hpp"
 #include "coupler/hub/checkpoint_set.hpp"
 #include "coupler/participant.hpp"
 #include "coupler/wire/handshake/messages.hpp"
@@ -18,7 +19,7 @@ void DomainClient::checkpoint(double time, const Save& save) {
   fs::remove_all(draft); // of a run that was resumed, and had ended in the middle of it
   fs::create_directories(draft);
   results::CheckpointWriter file(draft / (options_.name + ".h5"),
-                                 {options_.name, text_crc(file_text(options_.case_file)), next_step_});
+                                 {options_.name, text_crc(read_text_file(options_.case_file)), next_step_});
   save(file);
   file.close();
   send_velocities();
@@ -43,7 +44,7 @@ std::unique_ptr<results::CheckpointReader> saved_state(const ParticipantOptions&
   const auto step = std::stoull(options.resume.filename().string());
   return std::make_unique<results::CheckpointReader>(
       options.resume / (options.name + ".h5"),
-      results::CheckpointIdentity{options.name, text_crc(file_text(options.case_file)), step});
+      results::CheckpointIdentity{options.name, text_crc(read_text_file(options.case_file)), step});
 }
 
 } // namespace tremolo::coupler

@@ -1,5 +1,6 @@
 #include "coupler/conformance/conformance_session.hpp"
 
+#include "base/text_file.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/frame.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"
@@ -96,7 +97,7 @@ void Session::check_handshake(const json& said) {
                                       {"name", options_.name},
                                       {"role", "source"},
                                       {"units", "SI"},
-                                      {"case", text_crc(file_text(options_.case_file))}})
+                                      {"case", text_crc(read_text_file(options_.case_file))}})
     if (const json found = said.value(key, json("nothing")); found != expected)
       differences += fmt::format("{}{} is {}, expected {}", differences.empty() ? "" : "; ", key,
                                  found.dump(), expected.dump());

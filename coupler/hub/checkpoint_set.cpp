@@ -144,7 +144,7 @@ void require_same_versions(const fs::path& folder, const json& manifest) {
 CheckpointSet read_manifest(const fs::path& folder) {
   const fs::path file = folder / manifest_name;
   try {
-    const json manifest = parsed_json(file_text(file));
+    const json manifest = parsed_json(read_text_file(file));
     require_same_versions(folder, manifest);
     check_manifest(folder, manifest);
     CheckpointSet set{folder, whole_at(manifest, "step"), number_at(manifest, "time"), {}};

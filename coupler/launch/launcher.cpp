@@ -1,5 +1,6 @@
 #include "coupler/launch/launcher.hpp"
 
+#include "base/text_file.hpp"
 #include "coupler/launch/child_process.hpp"
 #include "coupler/launch/termination.hpp"
 #include "coupler/wire/handshake/messages.hpp"
@@ -36,7 +37,7 @@ HubOptions hub_options(const LaunchOptions& launch) {
   HubOptions hub{.session = random_number(),
                  .mode = launch.mode,
                  .window_steps = launch.window_steps,
-                 .case_text = file_text(launch.case_file),
+                 .case_text = read_text_file(launch.case_file),
                  .participants = {},
                  .deadlines = launch.deadlines,
                  .keys = launch.keys,

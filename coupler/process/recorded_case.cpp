@@ -1,5 +1,6 @@
 #include "coupler/process/recorded_case.hpp"
 
+#include "base/text_file.hpp"
 #include "coupler/wire/handshake/messages.hpp"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ std::vector<results::RecordedValue> recorded_values(const scene::Case& scene) {
   for (const scene::ValueInForce& value : scene.values)
     values.push_back({value.key, value.value});
   if (const auto* file = std::get_if<scene::MotionFile>(&scene.motion.source))
-    values.push_back({std::string(record_checksum), text_crc(file_text(file->path))});
+    values.push_back({std::string(record_checksum), text_crc(read_text_file(file->path))});
   return values;
 }
 

@@ -1,6 +1,7 @@
 #include "coupler/wire/connection.hpp"
 
 #include "base/printable.hpp"
+#include "base/text_file.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/incoming.hpp"
@@ -23,7 +24,7 @@ void free_values(void* values, void* /*hint*/) {
 
 Connection::Connection(const ParticipantOptions& options)
     : context_(std::make_unique<zmq::context_t>(new_context(1))), name_(options.name),
-      case_text_(file_text(options.case_file)), session_(options.session), deadlines_(options.deadlines),
+      case_text_(read_text_file(options.case_file)), session_(options.session), deadlines_(options.deadlines),
       last_heard_(Clock::now()) {
   try {
     std::optional<CurveKeys> keys;

@@ -8,8 +8,6 @@
 #include <array>
 #include <charconv>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 namespace tremolo::coupler {
@@ -186,14 +184,6 @@ std::uint64_t session_from(const std::string& text) {
   if (text.size() != 16 || error != std::errc{} || end != text.data() + text.size())
     throw std::invalid_argument(fmt::format("session '{}' is not 16 hexadecimal digits", text));
   return session;
-}
-
-std::string file_text(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in.good() && !in.eof())
-    throw Error(fmt::format("cannot read the case file {}", file.string()));
-  return text;
 }
 
 std::string text_crc(std::string_view text) {

@@ -53,9 +53,6 @@ std::string session_text(std::uint64_t session);
 /// @throws std::invalid_argument for anything but 16 hexadecimal digits
 std::uint64_t session_from(const std::string& text);
 
-/// @throws Error if the file cannot be read
-std::string file_text(const std::filesystem::path& file);
-
 /// CRC-32, 8 hexadecimal digits: participants of a run must have read the same case.
 std::string text_crc(std::string_view text);
 

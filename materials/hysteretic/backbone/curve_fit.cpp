@@ -1,15 +1,11 @@
 #include "materials/hysteretic/backbone/curve_fit.hpp"
 
 #include "materials/hysteretic/backbone/backbone.hpp"
+#include "materials/hysteretic/backbone/least_squares.hpp"
 #include "materials/law/parameter_check.hpp"
 
-#include <gsl/gsl_blas.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_multifit_nlinear.h>
-
 #include <cmath>
-#include <memory>
-#include <new>
+#include <span>
 
 namespace tremolo::materials {
 namespace {
@@ -30,32 +26,26 @@ struct Problem {
   const SoilCurves& curves;
   std::optional<double> held_slope;
 
-  Line line(const gsl_vector* p) const {
-    return {gsl_vector_get(p, 0), held_slope ? *held_slope : gsl_vector_get(p, 1)};
+  Line line(std::span<const double> p) const { return {p[0], held_slope.value_or(p.back())}; }
+
+  void residuals(std::span<const double> p, std::span<double> r) const {
+    const Line fitted = line(p);
+    for (std::size_t i = 0; i < r.size(); ++i)
+      r[i] = fitted.model(std::log(curves.strain[i])) - curves.modulus_ratio[i];
+  }
+
+  /// With m = 1/(1 + e^z): dm/dz = -m (1 - m).
+  void jacobian(std::span<const double> p, std::span<double> j) const {
+    const Line fitted = line(p);
+    for (std::size_t i = 0; i < curves.strain.size(); ++i) {
+      const double log_strain = std::log(curves.strain[i]);
+      const double m = fitted.model(log_strain);
+      j[i * p.size()] = -m * (1.0 - m);
+      if (p.size() > 1)
+        j[i * p.size() + 1] = -m * (1.0 - m) * log_strain;
+    }
   }
 };
-
-int residuals(const gsl_vector* p, void* data, gsl_vector* f) {
-  const Problem& problem = *static_cast<const Problem*>(data);
-  const Line line = problem.line(p);
-  for (std::size_t i = 0; i < f->size; ++i)
-    gsl_vector_set(f, i, line.model(std::log(problem.curves.strain[i])) - problem.curves.modulus_ratio[i]);
-  return GSL_SUCCESS;
-}
-
-/// With m = 1/(1 + e^z): dm/dz = -m (1 - m).
-int jacobian(const gsl_vector* p, void* data, gsl_matrix* j) {
-  const Problem& problem = *static_cast<const Problem*>(data);
-  const Line line = problem.line(p);
-  for (std::size_t i = 0; i < j->size1; ++i) {
-    const double log_strain = std::log(problem.curves.strain[i]);
-    const double m = line.model(log_strain);
-    gsl_matrix_set(j, i, 0, -m * (1.0 - m));
-    if (j->size2 > 1)
-      gsl_matrix_set(j, i, 1, -m * (1.0 - m) * log_strain);
-  }
-  return GSL_SUCCESS;
-}
 
 /// Where the curve passes closest to G/Gmax = 1/2, a start that no far-off minimum is near.
 Line first_guess(const Problem& problem) {
@@ -70,34 +60,16 @@ Line first_guess(const Problem& problem) {
   return {std::log(1.0 / ratio[best] - 1.0) - slope * std::log(problem.curves.strain[best]), slope};
 }
 
-Line least_squares(Problem problem) {
-  const std::size_t unknowns = problem.held_slope ? 1 : 2;
-  const std::size_t rows = problem.curves.strain.size();
+Line fitted_line(const Problem& problem) {
   const Line guess = first_guess(problem);
   const double start[] = {guess.intercept, guess.slope};
-  const gsl_vector_const_view begin = gsl_vector_const_view_array(start, unknowns);
-  gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
-  const std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)> workspace(
-      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, rows, unknowns),
-      gsl_multifit_nlinear_free);
-  if (!workspace)
-    throw std::bad_alloc();
-  gsl_multifit_nlinear_fdf functions{};
-  functions.f = residuals;
-  functions.df = jacobian;
-  functions.n = rows;
-  functions.p = unknowns;
-  functions.params = &problem;
-  gsl_multifit_nlinear_init(&begin.vector, &functions, workspace.get());
-  int reason = 0;
-  const int status =
-      gsl_multifit_nlinear_driver(200, 1e-12, 1e-12, 0.0, nullptr, nullptr, &reason, workspace.get());
-  // GSL_ENOPROG: no step lowers the sum any more, which at the minimum is what rounding leaves.
-  if (status != GSL_SUCCESS && status != GSL_ENOPROG) {
-    throw std::runtime_error(
-        fmt::format("the fit of the MKZ backbone did not converge: {}", gsl_strerror(status)));
-  }
-  return problem.line(gsl_multifit_nlinear_position(workspace.get()));
+  const Minimum minimum = minimise({.rows = problem.curves.strain.size(),
+                                    .residuals = [&](auto p, auto r) { problem.residuals(p, r); },
+                                    .jacobian = [&](auto p, auto j) { problem.jacobian(p, j); }},
+                                   std::span(start).first(problem.held_slope ? 1 : 2));
+  if (minimum.ended != Minimum::Ended::converged)
+    throw std::runtime_error(fmt::format("the fit of the MKZ backbone did not converge: {}", minimum.reason));
+  return problem.line(minimum.unknowns);
 }
 
 } // namespace
@@ -107,9 +79,9 @@ MkzFit fit_mkz(const SoilCurves& curves, std::optional<double> reference_strain)
   if (reference_strain)
     check_positive("reference_strain", *reference_strain);
   MkzFit fit;
-  Line line = least_squares({curves, std::nullopt});
+  Line line = fitted_line({curves, std::nullopt});
   if (!(line.slope >= least_exponent && line.slope <= largest_exponent)) {
-    line = least_squares({curves, line.slope > largest_exponent ? largest_exponent : least_exponent});
+    line = fitted_line({curves, line.slope > largest_exponent ? largest_exponent : least_exponent});
     fit.exponent_at_limit = true;
   }
   fit.exponent = line.slope;

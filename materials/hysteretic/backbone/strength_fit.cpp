@@ -3,18 +3,14 @@
 
 #include "materials/hysteretic/backbone/strength_fit.hpp"
 
+#include "materials/hysteretic/backbone/least_squares.hpp"
 #include "materials/law/parameter_check.hpp"
-
-#include <gsl/gsl_blas.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_multifit_nlinear.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <new>
 #include <optional>
+#include <span>
 
 namespace tremolo::materials {
 namespace {
@@ -24,8 +20,8 @@ constexpr double limit = 0.999; ///< of theta
 
 using Unknowns = std::array<double, unknowns>;
 
-QuadraticShape shape_of(const gsl_vector* p) {
-  const auto bounded = [&](std::size_t i) { return std::exp(std::clamp(gsl_vector_get(p, i), -12.0, 10.0)); };
+QuadraticShape shape_of(std::span<const double> p) {
+  const auto bounded = [&](std::size_t i) { return std::exp(std::clamp(p[i], -12.0, 10.0)); };
   const double first = limit - bounded(0);
   const double last = limit / (1.0 + bounded(1));
   return {first, last - first, bounded(2), 1.0, 0.99};
@@ -35,53 +31,37 @@ struct Problem {
   const SoilCurves& curves;
   std::size_t rows; ///< the first of the curve, which are fitted
   double reference_strain;
+
+  void residuals(std::span<const double> p, std::span<double> f) const {
+    const QuadraticShape shape = shape_of(p);
+    for (std::size_t i = 0; i < rows; ++i) {
+      const double r = shape.reduction(curves.strain[i] / reference_strain).value;
+      f[i] = 1.0 / (1.0 + r) - curves.modulus_ratio[i];
+    }
+  }
 };
 
-int residuals(const gsl_vector* p, void* data, gsl_vector* f) {
-  const auto& [curves, rows, reference_strain] = *static_cast<const Problem*>(data);
-  const QuadraticShape shape = shape_of(p);
-  for (std::size_t i = 0; i < rows; ++i) {
-    const double r = shape.reduction(curves.strain[i] / reference_strain).value;
-    gsl_vector_set(f, i, 1.0 / (1.0 + r) - curves.modulus_ratio[i]);
-  }
-  return GSL_SUCCESS;
-}
-
-/// A minimum, and the sum of squares there.
-struct Minimum {
+/// A shape at a minimum, and the sum of squares there.
+struct Fit {
   QuadraticShape shape;
   double squares;
 };
 
-std::optional<Minimum> minimum_from(const Unknowns& start, Problem problem) {
-  const gsl_vector_const_view begin = gsl_vector_const_view_array(start.data(), unknowns);
-  gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
-  const std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)> workspace(
-      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, problem.rows, unknowns),
-      gsl_multifit_nlinear_free);
-  if (!workspace)
-    throw std::bad_alloc();
-  gsl_multifit_nlinear_fdf functions{};
-  functions.f = residuals; // without a Jacobian it is taken from differences
-  functions.n = problem.rows;
-  functions.p = unknowns;
-  functions.params = &problem;
-  gsl_multifit_nlinear_init(&begin.vector, &functions, workspace.get());
-  int reason = 0;
-  const int status =
-      gsl_multifit_nlinear_driver(300, 1e-10, 1e-10, 0.0, nullptr, nullptr, &reason, workspace.get());
-  if (status != GSL_SUCCESS && status != GSL_ENOPROG && status != GSL_EMAXITER)
+std::optional<Fit> fit_from(const Unknowns& start, const Problem& problem) {
+  const Minimum minimum = minimise({.rows = problem.rows,
+                                    .residuals = [&](auto p, auto r) { problem.residuals(p, r); },
+                                    .tolerance = 1e-10,
+                                    .most_iterations = 300},
+                                   start);
+  if (minimum.ended == Minimum::Ended::failed)
     return std::nullopt;
-  const QuadraticShape shape = shape_of(gsl_multifit_nlinear_position(workspace.get()));
+  const QuadraticShape shape = shape_of(minimum.unknowns);
   try {
     validate(shape);
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
-  double squares = 0.0;
-  gsl_blas_ddot(gsl_multifit_nlinear_residual(workspace.get()),
-                gsl_multifit_nlinear_residual(workspace.get()), &squares);
-  return Minimum{shape, squares};
+  return Fit{shape, minimum.squares};
 }
 
 } // namespace
@@ -96,11 +76,11 @@ QuadraticShape fit_quadratic_shape(const SoilCurves& curves, double reference_st
         fmt::format("the soil curve has {} rows up to a strain of {:g}: a backbone with a "
                     "strength is fitted to {} or more",
                     rows, largest_fitted_strain, unknowns));
-  std::optional<Minimum> best;
+  std::optional<Fit> best;
   for (const double first : {0.0, 1.5, 3.0})
     for (const double last : {-3.0, 0.0, 3.0})
       for (const double third : {-1.0, 1.0, 3.0}) {
-        const auto found = minimum_from({first, last, third}, {curves, rows, reference_strain});
+        const auto found = fit_from({first, last, third}, {curves, rows, reference_strain});
         if (found && (!best || found->squares < best->squares))
           best = found;
       }

@@ -3,6 +3,7 @@
 // The domain computes nothing, so that all of its time is exchange. Prints CSV: mode, window_steps,
 // microseconds of CPU time of all three a domain step, and of wall time.
 
+#include "base/text_file.hpp"
 #include "coupler/hub/hub.hpp"
 #include "coupler/launch/run_endpoint.hpp"
 #include "coupler/participant.hpp"
@@ -72,7 +73,7 @@ void measure(Mode mode, std::uint32_t window_steps, const std::filesystem::path&
           {.session = 1,
            .mode = mode,
            .window_steps = window_steps,
-           .case_text = file_text(case_file),
+           .case_text = read_text_file(case_file),
            .participants = {{"left", Role::source}, {"domain", Role::domain}},
            .deadlines = {},
            .note = [](const std::string& text) { fmt::print(stderr, "{}\n", text); }});

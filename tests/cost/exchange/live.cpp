@@ -1,5 +1,6 @@
 // The exchange as a run does it.
 
+#include "base/text_file.hpp"
 #include "coupler/hub/hub.hpp"
 #include "coupler/participant.hpp"
 #include "coupler/wire/sockets.hpp"
@@ -44,7 +45,7 @@ Cost exchange(const Setup& setup) {
   HubOptions hub_options{.session = session,
                          .mode = setup.mode,
                          .window_steps = setup.window_steps,
-                         .case_text = file_text(setup.case_file),
+                         .case_text = read_text_file(setup.case_file),
                          .participants = {},
                          .deadlines = {},
                          .keys = setup.keys,

@@ -1,3 +1,4 @@
+#include "base/text_file.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/handshake/messages.hpp"
@@ -103,9 +104,9 @@ TEST(Messages, SessionIsSixteenHexadecimalDigits) {
 TEST(Messages, CrcOfAFileIsTheCheckValueOfCrc32) {
   const auto file = std::filesystem::path(testing::TempDir()) / "tremolo_crc_check.txt";
   std::ofstream(file) << "123456789";
-  EXPECT_EQ(text_crc(file_text(file)), "cbf43926");
+  EXPECT_EQ(text_crc(read_text_file(file)), "cbf43926");
   std::filesystem::remove(file);
-  EXPECT_THROW(file_text(file), Error);
+  EXPECT_THROW(read_text_file(file), std::runtime_error);
 }
 
 /// What prints a value walks into it call by call: half a million brackets would end the hub with a full
