@@ -52,8 +52,7 @@ FORMS = {
 DURATIONS = {"fine": 11.5}  # s: by then all of them have failed
 OURS = ("motion.AT2", *(f"seed {seed}" for seed in SEEDS))
 PARTS = (  # mesh, change of volume, forms, motions: all where none are named
-    ("fine", "cell", ("incident",), OURS),
-    ("fine", "cell", ("blended",), OURS[:1]),
+    ("fine", "cell", ("incident", "blended"), OURS),
     ("coarse", "cell", tuple(FORMS), None),
     ("coarse", "particle", ("incident",), OURS),
 )

@@ -24,8 +24,7 @@ public:
   void close(Domain& domain);
   /// Takes the reactions off the forces again, which are those of the pressure in the soil alone from then
   /// on.
-  /// @returns power that they had on the flow n w, W/m: what the update has taken for a loss to drag less
-  /// what the water has given
+  /// @returns power that they had on the flow n w, W/m, which the update has booked as dissipated by drag
   double open(Domain& domain);
 
 private:

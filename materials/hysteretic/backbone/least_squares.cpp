@@ -10,7 +10,7 @@
 namespace tremolo::materials {
 namespace {
 
-/// Of GSL's own vector of unknowns, which has no stride.
+/// The values of GSL's own vector of unknowns, which has no stride.
 std::span<const double> values_of(const gsl_vector* v) {
   return {v->data, v->size};
 }

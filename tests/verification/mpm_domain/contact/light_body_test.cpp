@@ -108,8 +108,8 @@ TEST_F(LightShaft, RisesThoughWaterPressesOnItsSides) {
 }
 
 TEST_F(LightShaft, FrictionHoldsItBackByTheEffectiveStressThatIsLeft) {
-  // The lift less what holds its base is some 19 kN/m. Of the earth pressure at rest on both sides, 0.43
-  // times the vertical one, 141 kN/m, a fifth is left, of which friction makes 11 kN/m.
+  // The lift less what holds its base is some 19 kN/m. A fifth is left of the earth pressure at rest
+  // on both sides, which is 0.43 times the vertical one, 141 kN/m, and friction makes 11 kN/m of it.
   const double smooth = risen(none, 0.0, 0.2);
   const double rough = risen(none, friction, 0.2);
   EXPECT_GT(rough, 0.01);
