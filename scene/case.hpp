@@ -6,8 +6,10 @@
 #include "materials/law/law.hpp"
 #include "motion/read/read.hpp"
 #include "mpm_domain/spec/lattice.hpp"
+#include "mpm_domain/spec/slices.hpp"
 #include "scene/choices.hpp"
 #include "scene/geometry.hpp"
+#include "scene/soils/soil_profile.hpp"
 #include "scene/text/errors.hpp"
 #include "scene/water.hpp"
 
@@ -75,8 +77,12 @@ struct Soil {
 };
 
 struct Region {
-  std::size_t soil = 0; ///< index into Case::soils
+  std::size_t soil = 0; ///< index into Case::soils; of a soil that is sliced its uppermost slice
   Polygon polygon;
+  std::vector<double> cuts = {}; ///< y where the next slice of the soil begins, from the top down, m
+
+  /// Index of the soil at a level (m) of the region.
+  std::size_t soil_at(double y) const { return mpm_domain::soil_at(soil, cuts, y); }
 };
 
 /// A closed line of [[structure]].
@@ -304,7 +310,8 @@ struct Case {
   double surface_level = 0.0; ///< y of the free field's surface, m
   materials::Elasticity halfspace;
   std::optional<GroundWater> water;
-  std::vector<Soil> soils;
+  std::vector<Soil> soils; ///< the slices of a soil stand one behind the other, and all have its name
+  std::vector<SoilProfile> soil_profiles; ///< of the soils that are sliced
   std::vector<Region> regions;
   std::vector<Structure> structures;
   double halfspace_damping = 0.0; ///< ratio, of critical

@@ -13,6 +13,7 @@
 #include "scene/plan/wave/motion.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/read/override.hpp"
+#include "scene/soils/domain_soils.hpp"
 #include "scene/soils/soil_report.hpp"
 
 #include <fmt/format.h>
@@ -177,7 +178,7 @@ void print_linearised(const scene::Case& scene, const scene::SourceProcess& sour
 }
 
 void print_strengths(const scene::Case& scene) {
-  for (const scene::Soil& soil : scene.soils)
+  for (const auto& [name, soil] : scene::told_soils(scene))
     if (const auto compared = scene::implied_strength(soil))
       fmt::print("  {}\n", *compared);
 }

@@ -1,5 +1,7 @@
 #include "app/verify/exact_field.hpp"
 
+#include "scene/soils/domain_soils.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -51,8 +53,9 @@ std::optional<std::string> differs_from_half_space(const scene::Soil& soil,
 
 std::optional<std::string> heterogeneous(const scene::Case& scene) {
   for (const scene::Region& region : scene.regions)
-    if (auto why = differs_from_half_space(scene.soils[region.soil], scene.halfspace))
-      return why;
+    for (const std::size_t soil : scene::soils_of(region))
+      if (auto why = differs_from_half_space(scene.soils[soil], scene.halfspace))
+        return why;
   return std::nullopt;
 }
 

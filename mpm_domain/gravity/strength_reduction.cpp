@@ -81,8 +81,11 @@ std::vector<MovingPoint> mechanism_of(Domain& domain) {
 
 ReducibleSoils reducible_soils(const Spec& spec) {
   ReducibleSoils soils;
-  for (const Soil& soil : spec.soils)
-    (materials::with_reduced_strength(soil.law, 1.0) ? soils.reduced : soils.kept).push_back(soil.name);
+  for (const Soil& soil : spec.soils) {
+    auto& names = materials::with_reduced_strength(soil.law, 1.0) ? soils.reduced : soils.kept;
+    if (names.empty() || names.back() != soil.name) // slices of one soil have its name
+      names.push_back(soil.name);
+  }
   return soils;
 }
 

@@ -3,6 +3,7 @@
 #include "mesh/polygon.hpp"
 #include "mpm_domain/particles/plots.hpp"
 #include "mpm_domain/spec/plot.hpp"
+#include "mpm_domain/spec/slices.hpp"
 
 #include <fmt/format.h>
 
@@ -132,9 +133,10 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
     });
     if (region == spec.regions.rend())
       return;
-    const bool under_water = spec.water && spec.soils[region->soil].pores && y < spec.water->level;
+    const std::size_t soil = soil_at(region->soil, region->cuts, y);
+    const bool under_water = spec.water && spec.soils[soil].pores && y < spec.water->level;
     const auto kind = std::ranges::find_if(kinds, [&](const Kind& candidate) {
-      return candidate.soil == region->soil && candidate.under_water == under_water;
+      return candidate.soil == soil && candidate.under_water == under_water;
     });
     Particles& set =
         sets[static_cast<std::size_t>(level) * kinds.size() + static_cast<std::size_t>(kind - kinds.begin())];

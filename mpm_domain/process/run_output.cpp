@@ -113,12 +113,23 @@ std::vector<CarriedField> carried_fields(const Domain& domain) {
   return fields;
 }
 
+/// The names of the soils. Slices of one soil stand one behind the other and have its name.
+std::vector<std::string> soil_names(const Spec& spec) {
+  std::vector<std::string> names;
+  for (const Soil& soil : spec.soils)
+    if (names.empty() || names.back() != soil.name)
+      names.push_back(soil.name);
+  return names;
+}
+
 Frame collect(const Domain& domain, double dt) {
+  const std::vector<std::string> names = soil_names(domain.spec);
   Frame frame;
   frame.carried = carried_fields(domain);
   frame.variables = all_state_variables(domain);
   frame.states.resize(frame.variables.size());
   for (const Particles& set : domain.sets_of_soil()) {
+    const auto name = static_cast<std::int32_t>(std::ranges::find(names, set.soil) - names.begin());
     std::map<std::string_view, const std::vector<double>*> columns;
     set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
       columns[line.name] = &values;
@@ -145,7 +156,7 @@ Frame collect(const Domain& domain, double dt) {
         for (const std::string& component : field.components)
           field.values.push_back((*columns.at(component))[k]);
       add_water(frame.water, set, k);
-      frame.soil.push_back(static_cast<std::int32_t>(set.soil_index));
+      frame.soil.push_back(name);
       frame.size.push_back(2.0 * set.half_size);
       for (std::size_t v = 0; v < frame.variables.size(); ++v)
         frame.states[v].push_back(state_value(set, k, frame.variables[v].name));
@@ -213,10 +224,7 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
                     std::vector<double>{scene.boundary.left.surface, scene.boundary.right.surface});
   writer_.attribute("wave", std::string(scene::name(scene.motion.wave)));
   writer_.attribute("angle_deg", scene.motion.angle_deg);
-  std::vector<std::string> soils;
-  for (const scene::Soil& soil : scene.soils)
-    soils.push_back(soil.name);
-  writer_.attribute("soil_names", soils);
+  writer_.attribute("soil_names", soil_names(domain.spec));
 
   std::vector<std::string> columns{"time"};
   std::vector<std::string> units{"s"};

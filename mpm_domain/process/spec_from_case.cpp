@@ -59,7 +59,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   if (scene.water)
     spec.water = {scene.water->level, scene.water->fluid};
   for (const scene::Region& region : scene.regions)
-    spec.regions.push_back({region.soil, corners_of(region.polygon)});
+    spec.regions.push_back({region.soil, corners_of(region.polygon), region.cuts});
   for (const scene::Structure& structure : scene.structures)
     spec.structures.push_back(structure_of(structure));
   spec.normals = scene.mesh.contact_normals;

@@ -37,6 +37,7 @@ struct GroundWater {
 struct Region {
   std::size_t soil = 0; ///< index into Spec::soils
   std::vector<Vector> polygon;
+  std::vector<double> cuts = {}; ///< y below which the next of the soils lies, from the top down, m
 };
 
 /// Everything the domain is built from.

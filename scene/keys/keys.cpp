@@ -75,7 +75,7 @@ std::string type_text(const Key& key) {
   case Type::text:
     return "string";
   case Type::number:
-    return "number";
+    return key.over_depth ? "number or profile" : "number";
   case Type::integer:
     return "integer";
   case Type::choice:

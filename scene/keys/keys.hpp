@@ -56,6 +56,7 @@ struct Key {
   std::size_t count = 0;      ///< of Type::numbers
   std::string_view form = {}; ///< of Type::numbers, "[x, y]"
   Condition when = {};
+  bool over_depth = false; ///< of Type::number: a case may give a profile over depth instead
 };
 
 enum class Kind {

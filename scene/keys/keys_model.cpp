@@ -8,6 +8,7 @@
 #include "scene/keys/soil/keys_water.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace tremolo::scene {
 
@@ -107,16 +108,33 @@ Table stage() {
            .when = {"kind", {"shaking"}}}}};
 }
 
+/// Keys that a profile over depth may have besides K0. Sand in which stiffness and strength follow the
+/// pressure by the law has none.
+constexpr std::array<std::string_view, 11> vary_over_depth = {"young",
+                                                              "vs",
+                                                              "vp",
+                                                              "cohesion_peak",
+                                                              "cohesion_residual",
+                                                              "cohesion",
+                                                              "undrained_strength",
+                                                              "shear_strength",
+                                                              "reference_strain",
+                                                              "mean_stress",
+                                                              "overconsolidation_ratio"};
+
 /// Of soils in the ground; a soil test says with which stresses it begins.
 std::vector<Key> soil_keys_of_a_case() {
   auto keys = soil_keys();
+  for (Key& key : keys)
+    key.over_depth = std::ranges::find(vary_over_depth, key.name) != vary_over_depth.end();
   keys.push_back({.name = "rest_coefficient",
                   .unit = "1",
                   .meaning =
                       "Horizontal over vertical stress before shaking, K0, in the domain and in columns. "
                       "The gravity stage begins with it.",
                   .otherwise = "poisson/(1 - poisson)",
-                  .range = {.low = 0.0, .high = 10.0, .low_open = true}});
+                  .range = {.low = 0.0, .high = 10.0, .low_open = true},
+                  .over_depth = true});
   keys.push_back({.name = "damping",
                   .unit = "1",
                   .meaning =

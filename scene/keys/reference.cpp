@@ -114,11 +114,34 @@ ordered_json array_schema(ordered_json items, std::size_t least, std::size_t mos
   return schema;
 }
 
+ordered_json object_schema(ordered_json properties) {
+  ordered_json required = ordered_json::array();
+  for (const auto& [name, schema] : properties.items())
+    required.push_back(name);
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"required", std::move(required)},
+          {"additionalProperties", false}};
+}
+
+/// A number, or one of the forms of a profile over depth.
+ordered_json profile_schema(const Key& key) {
+  const auto levels = array_schema({{"type", "number"}}, 2);
+  const auto values = array_schema(number_schema(key), 2);
+  return {{"anyOf",
+           {number_schema(key), object_schema({{"depth", levels}, {"value", values}}),
+            object_schema({{"elevation", levels}, {"value", values}}),
+            object_schema({{"reference", number_schema(key)},
+                           {"stress", {{"type", "number"}, {"exclusiveMinimum", 0.0}}},
+                           {"exponent", {{"type", "number"}, {"minimum", 0.0}, {"maximum", 2.0}}}})}}};
+}
+
 ordered_json value_schema(const Key& key) {
   switch (key.type) {
   case Type::text:
     return {{"type", "string"}, {"minLength", 1}};
   case Type::number:
+    return key.over_depth ? profile_schema(key) : number_schema(key);
   case Type::integer:
     return number_schema(key);
   case Type::choice:

@@ -1,11 +1,13 @@
 #include "scene/plan/layers.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/plan/wet_soils.hpp"
+#include "scene/soils/domain_soils.hpp"
 #include "scene/soils/soil_report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tremolo::scene {
@@ -86,11 +88,37 @@ std::string levels_text(const std::vector<Level>& levels) {
   return text;
 }
 
+/// The slices of a soil and what varies between them.
+std::string profile_text(const SoilProfile& profile) {
+  std::string lines = fmt::format(
+      "  varies over depth: {} slice{} from y = {:g} to {:g} m, each with the values of its middle\n",
+      profile.slices(), profile.slices() == 1 ? "" : "s", profile.levels.front(), profile.levels.back());
+  for (const VaryingKey& key : profile.keys) {
+    const auto [least, most] = std::ranges::minmax(key.values);
+    lines += fmt::format("  {:<26} {:>12.6g} to {:.6g}{}, {:.6g} to {:.6g} from the top down; {}\n", key.key,
+                         least, most, key.unit == "1" ? "" : " " + key.unit, key.values.front(),
+                         key.values.back(), key.profile);
+  }
+  return lines;
+}
+
 std::string soils_text(const Case& scene) {
   std::string lines = "\nSoils\n";
-  for (const Soil& soil : scene.soils)
-    lines += fmt::format(" {} ({})\n{}", soil.name, model_in_force("soil." + soil.name, scene.values),
-                         text(parameters_in_force(soil, "soil." + soil.name, scene.values)));
+  for (const Soil& soil : one_of_each_name({scene.soils.begin(), scene.soils.end()})) {
+    lines += fmt::format(" {} ({})\n", soil.name, model_in_force("soil." + soil.name, scene.values));
+    const auto profile = std::ranges::find_if(
+        scene.soil_profiles, [&](const SoilProfile& one) { return &scene.soils[one.first] == &soil; });
+    auto parameters = parameters_in_force(soil, "soil." + soil.name, scene.values);
+    if (profile != scene.soil_profiles.end()) {
+      lines += profile_text(*profile);
+      std::erase_if(parameters, [&](const ParameterInForce& one) {
+        return std::ranges::find(profile->keys, one.name, &VaryingKey::key) != profile->keys.end();
+      });
+      if (!parameters.empty())
+        lines += "  and in the uppermost slice\n";
+    }
+    lines += text(parameters);
+  }
   return lines;
 }
 

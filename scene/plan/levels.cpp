@@ -6,6 +6,7 @@
 #include "scene/plan/layers.hpp"
 #include "scene/plan/structures.hpp"
 #include "scene/plan/wet_soils.hpp"
+#include "scene/soils/domain_soils.hpp"
 #include "scene/soils/viscous_damping.hpp"
 #include "scene/sweep.hpp"
 
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace tremolo::scene {
 
@@ -65,7 +67,7 @@ WaveSpeeds wave_speeds(const Case& scene, const Soil& soil) {
   const double modulus = materials::elasticity(soil.law).density * of_law * of_law;
   const double dry = std::sqrt(modulus / materials::dry_density(*soil.pores));
   const auto below = soils_below_table(scene);
-  const bool wet = std::ranges::any_of(below, [&](const Soil& other) { return other.name == soil.name; });
+  const bool wet = std::ranges::any_of(below, [&](const Soil& other) { return &other == &soil; });
   if (!wet)
     return {dry, dry};
   const auto speeds = materials::saturated_speeds(modulus, *soil.pores, scene.water->fluid);
@@ -99,11 +101,12 @@ private:
   double share_;
 };
 
-/// One for each region's soil.
-std::vector<CriticalStep> critical_steps(const Case& scene) {
-  std::vector<CriticalStep> steps;
+/// One for each soil of the domain, by its index.
+std::map<std::size_t, CriticalStep> critical_steps(const Case& scene) {
+  std::map<std::size_t, CriticalStep> steps;
   for (const Region& region : scene.regions)
-    steps.emplace_back(scene, scene.soils[region.soil]);
+    for (const std::size_t soil : soils_of(region))
+      steps.try_emplace(soil, scene, scene.soils[soil]);
   return steps;
 }
 
@@ -151,7 +154,7 @@ Level uniform_level(const Case& scene) {
   const double spacing = mesh.particle_size();
   const mpm_domain::GridShape grid = grid_shape_of(scene);
   double critical = std::numeric_limits<double>::infinity();
-  for (const CriticalStep& step : critical_steps(scene))
+  for (const auto& [soil, step] : critical_steps(scene))
     critical = std::min(critical, step.on(mesh.size));
   return {.cell_size = mesh.size,
           .particle_size = spacing,
@@ -177,7 +180,7 @@ void add_structures(const Case& scene, Level& finest) {
   }
 }
 
-/// Calls act(region) for every particle of a leaf that lies in one.
+/// Calls act(soil) for every particle of a leaf.
 template <typename Act>
 void for_particles(const Case& scene, const std::vector<Polygon>& regions,
                    const std::vector<Polygon>& structures, const mesh::Rectangle& leaf, double spacing,
@@ -190,7 +193,7 @@ void for_particles(const Case& scene, const std::vector<Polygon>& regions,
         return contains(one.polygon, at) || contains(one.polygon, {plot.x, plot.y});
       });
       if (region != scene.regions.end() && is_particle(plot, spacing))
-        act(static_cast<std::size_t>(region - scene.regions.begin()));
+        act(region->soil_at(at.y));
     }
 }
 
@@ -212,7 +215,7 @@ std::vector<Level> levels(const Case& scene) {
     return {level};
   }
   const mesh::Quadtree tree = quadtree(scene);
-  const std::vector<CriticalStep> steps = critical_steps(scene);
+  const std::map<std::size_t, CriticalStep> steps = critical_steps(scene);
   std::vector<Level> all;
   for (int level = 0; level <= tree.finest(); ++level)
     all.push_back(
@@ -233,9 +236,9 @@ std::vector<Level> levels(const Case& scene) {
     // Particles at the edge of their cell take the step of finer cells beside it.
     const auto finest = static_cast<std::size_t>(
         tree.finest_in({cell.x_min - near, cell.y_min - near, cell.x_max + near, cell.y_max + near}));
-    for_particles(scene, regions, structures, cell, all[level].particle_size, [&](std::size_t region) {
+    for_particles(scene, regions, structures, cell, all[level].particle_size, [&](std::size_t soil) {
       ++all[level].particles;
-      all[finest].critical_dt = std::min(all[finest].critical_dt, steps[region].on(all[finest].cell_size));
+      all[finest].critical_dt = std::min(all[finest].critical_dt, steps.at(soil).on(all[finest].cell_size));
     });
   }
   const std::vector<mpm_domain::LevelLattice> lattices = mpm_domain::lattices_of(tree);

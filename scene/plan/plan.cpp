@@ -34,7 +34,7 @@ constexpr double mobility_cost_ns = 400.0; // PM4Sand or PDMY03 at small strain 
 /// The soils of the domain that answer in one way: "soil 'sand', soil 'clay'"; empty where there are none.
 std::string soils_that_are(const Case& scene, materials::Response response) {
   std::string text;
-  for (const Soil& soil : domain_soils(scene))
+  for (const Soil& soil : one_of_each_name(domain_soils(scene)))
     if (materials::traits(soil.law).response == response)
       text += fmt::format("{}soil '{}'", text.empty() ? "" : ", ", soil.name);
   return text;
@@ -43,7 +43,7 @@ std::string soils_that_are(const Case& scene, materials::Response response) {
 /// "soil 'sand' 2 % at 3 Hz"; empty where none is damped.
 std::string soils_with_damping(const Case& scene) {
   std::string text;
-  for (const Soil& soil : domain_soils(scene))
+  for (const Soil& soil : one_of_each_name(domain_soils(scene)))
     if (const double time = damping_time(scene.damping, soil.damping); time > 0.0)
       text += fmt::format("{}soil '{}' {:.3g} % at {:.3g} Hz", text.empty() ? "" : ", ", soil.name,
                           100.0 * soil.damping, soil.damping / (std::numbers::pi * time));
@@ -77,7 +77,7 @@ std::string soils_drained_as(const Case& scene, materials::Drainage drainage) {
   if (!scene.water)
     return text;
   const auto below = soils_below_table(scene);
-  for (const Soil& soil : domain_soils(scene))
+  for (const Soil& soil : one_of_each_name(domain_soils(scene)))
     if (soil.pores && soil.pores->drainage == drainage &&
         std::ranges::any_of(below, [&](const Soil& other) { return other.name == soil.name; }))
       text += fmt::format("{}soil '{}'", text.empty() ? "" : ", ", soil.name);
@@ -245,9 +245,12 @@ std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess
     const Soil& soil = scene.soils[i];
     const bool known = materials::traits(soil.law).response == materials::Response::elastic ||
                        (source.field.model == eql && soil.curves);
-    if (!known && std::ranges::find(ground, std::optional(i), &Layer::soil) != ground.end())
-      notes.push_back(fmt::format("'{}': model \"{}\" takes layers of soil '{}' as linear elastic",
-                                  source.name, name(source.field.model), soil.name));
+    if (known || std::ranges::find(ground, std::optional(i), &Layer::soil) == ground.end())
+      continue;
+    auto note = fmt::format("'{}': model \"{}\" takes layers of soil '{}' as linear elastic", source.name,
+                            name(source.field.model), soil.name);
+    if (notes.empty() || notes.back() != note) // slices of one soil have its name
+      notes.push_back(std::move(note));
   }
   return notes;
 }

@@ -1,6 +1,7 @@
 #include "scene/plan/wet_soils.hpp"
 
 #include "scene/plan/layers.hpp"
+#include "scene/soils/domain_soils.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,10 @@ bool in_layer_below(const Case& scene, double surface, const std::vector<Layer>&
 
 bool in_region_below(const Case& scene, std::size_t soil) {
   return std::ranges::any_of(scene.regions, [&](const Region& region) {
-    return region.soil == soil &&
+    const std::vector<std::size_t> there = soils_of(region);
+    const std::size_t slice = soil - region.soil;
+    return std::ranges::find(there, soil) != there.end() &&
+           (slice == region.cuts.size() || region.cuts[slice] < scene.water->level) &&
            std::ranges::any_of(region.polygon, [&](Point corner) { return corner.y < scene.water->level; });
   });
 }
@@ -93,7 +97,7 @@ std::string water_text(const Case& scene) {
       fmt::format("water table at y = {} m; models other than \"fe\" and \"mpm\" take the ground below it "
                   "as undrained; soil there:\n",
                   scene.water->level);
-  for (const Soil& soil : soils)
+  for (const Soil& soil : one_of_each_name(soils))
     text += soil_text(soil, scene.water->fluid, scene.gravity->acceleration);
   return text;
 }

@@ -1,6 +1,7 @@
 #include "scene/case.hpp"
 
 #include "scene/read/read.hpp"
+#include "scene/read/soil/slice_soils.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/text/text.hpp"
 
@@ -14,7 +15,8 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
   scene.text = text;
 
   const toml::table root = parse_toml(text, findings);
-  Document document(root, {case_keys(), findings, scene.values});
+  DepthProfiles profiles;
+  Document document(root, {case_keys(), findings, scene.values, &profiles});
   scene.title = document.table("").text("title");
   read_mesh(document, scene);
   if (!document.has("soil"))
@@ -24,6 +26,7 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
   read_model(document, findings, scene);
   read_run(document, findings, scene);
   read_hosts(document, scene);
+  slice_soils(root, profiles, findings, scene);
   judge(scene, findings);
   scene.remarks = findings.remarks();
   return scene;
@@ -41,7 +44,8 @@ Case load_free_field(const std::filesystem::path& file, SourceModel model) {
   scene.text = read_text(file);
 
   const toml::table root = parse_toml(scene.text, findings);
-  Document document(root, {case_keys(), findings, scene.values});
+  DepthProfiles profiles;
+  Document document(root, {case_keys(), findings, scene.values, &profiles});
   if (document.has("mesh")) {
     read_mesh(document, scene);
     read_time(document, findings, scene);
@@ -52,6 +56,7 @@ Case load_free_field(const std::filesystem::path& file, SourceModel model) {
   auto& [sides, left, right, base] = scene.boundary;
   left.field.model = right.field.model = base.field.model = model;
   left.surface = right.surface = scene.surface_level;
+  slice_soils(root, profiles, findings, scene);
   for (const auto rule :
        {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models,
         reference_lies_in_halfspace, wet_soil_has_pores, water_has_weight, water_is_marched_explicitly})

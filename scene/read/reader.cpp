@@ -156,12 +156,19 @@ void TableReader::read(const Key& key) {
     return;
   }
   if (auto value = convert(key, node)) {
-    const bool bare = key.type == Type::boolean;
-    reading_.values.push_back({path(key.name),
-                               bare ? std::get<std::string>(*value) : std::visit(AsToml{}, *value),
-                               origin(key.name, node)});
+    reading_.values.push_back({path(key.name), shown_value(key, *value), origin(key.name, node)});
     values_.emplace(key.name, std::move(*value));
   }
+}
+
+/// As it stands in the file.
+std::string TableReader::shown_value(const Key& key, const Value& value) const {
+  if (key.type == Type::boolean)
+    return std::get<std::string>(value);
+  if (key.over_depth && reading_.profiles != nullptr)
+    if (const auto profile = reading_.profiles->find(path(key.name)); profile != reading_.profiles->end())
+      return scene::text(profile->second);
+  return std::visit(AsToml{}, value);
 }
 
 std::string TableReader::origin(std::string_view key, const toml::node& node) const {
@@ -227,6 +234,8 @@ std::optional<TableReader::Value> TableReader::convert(const Key& key, const tom
 
 std::optional<double> TableReader::convert_number(const Key& key, const toml::node& node) {
   const bool whole = key.type == Type::integer;
+  if (const toml::table* profile = node.as_table(); profile != nullptr && !whole)
+    return convert_profile(key, *profile);
   if (!node.is_number() || (whole && !node.is_integer()))
     return refuse(key, node,
                   fmt::format("'{}' must be {}, found {}", key.name, whole ? "an integer" : "a number",
@@ -242,6 +251,38 @@ std::optional<double> TableReader::convert_number(const Key& key, const toml::no
                   fmt::format("'{}' = {} is out of range, must be {}", key.name,
                               integer != nullptr ? std::to_string(integer->get()) : fmt::to_string(value),
                               with_unit(key.range.text(), key.unit)));
+  return value;
+}
+
+/// The value at the place that is asked for.
+std::optional<double> TableReader::convert_profile(const Key& key, const toml::table& node) {
+  if (!key.over_depth || reading_.profiles == nullptr) {
+    std::vector<std::string_view> varying;
+    for (const Key& other : spec_.keys)
+      if (other.over_depth && reading_.profiles != nullptr)
+        varying.push_back(other.name);
+    return refuse(key, node,
+                  fmt::format("'{}' must be a number, found a table{}{}", key.name,
+                              varying.empty() ? "" : "; over depth can vary ", fmt::join(varying, ", ")));
+  }
+  const auto profile = read_profile(
+      key, node, [&](const toml::node& part, std::string why) { refuse(key, part, std::move(why)); });
+  if (!profile)
+    return std::nullopt;
+  reading_.profiles->insert_or_assign(path(key.name), *profile);
+  if (reading_.place == nullptr)
+    return typical_value(*profile);
+  const auto value = value_at(*profile, *reading_.place);
+  if (!value)
+    return refuse(
+        key, node,
+        fmt::format("'{}' follows the vertical effective stress below [surface] level, but the soil "
+                    "reaches y = {:g} m above it: give a table over elevation",
+                    key.name, reading_.place->y));
+  if (!key.range.contains(*value))
+    return refuse(key, node,
+                  fmt::format("'{}' = {:.6g} at y = {:g} m is out of range, must be {}", key.name, *value,
+                              reading_.place->y, with_unit(key.range.text(), key.unit)));
   return value;
 }
 

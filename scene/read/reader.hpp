@@ -5,6 +5,7 @@
 
 #include "scene/case.hpp"
 #include "scene/keys/keys.hpp"
+#include "scene/read/soil/depth_profile.hpp"
 #include "scene/text/findings.hpp"
 
 #include <toml++/toml.h>
@@ -27,6 +28,8 @@ struct Reading {
   KeyTable keys;
   Findings& findings;
   std::vector<ValueInForce>& values;
+  DepthProfiles* profiles = nullptr; ///< where keys may vary over depth: which do
+  const SlicePlace* place = nullptr; ///< where these are evaluated; they have a typical value without it
 };
 
 /// The soil of the library that a table names; its keys hold where the table has none.
@@ -86,12 +89,14 @@ private:
   const toml::node* node_of(std::string_view key) const;
   bool from_library(std::string_view key) const;
   std::string origin(std::string_view key, const toml::node& node) const;
+  std::string shown_value(const Key& key, const Value& value) const;
   void report_missing(const Key& key);
   bool applies(const Key& key) const;
   void read(const Key& key);
   void put_default(const Key& key);
   std::optional<Value> convert(const Key& key, const toml::node& node);
   std::optional<double> convert_number(const Key& key, const toml::node& node);
+  std::optional<double> convert_profile(const Key& key, const toml::table& node);
   std::optional<std::string> convert_text(const Key& key, const toml::node& node);
   std::optional<std::string> convert_boolean(const Key& key, const toml::node& node);
   std::optional<Value> convert_numbers(const Key& key, const toml::node& node);

@@ -1,15 +1,62 @@
 #include "scene/soils/domain_soils.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace tremolo::scene {
 
+std::vector<std::size_t> soils_of(const Region& region) {
+  if (region.polygon.empty())
+    return {region.soil};
+  const auto [low, high] = std::ranges::minmax(region.polygon, {}, &Point::y);
+  const double near = 1e-9 * (high.y - low.y);
+  std::vector<std::size_t> soils;
+  for (std::size_t s = region.soil_at(high.y - near); s <= region.soil_at(low.y + near); ++s)
+    soils.push_back(s);
+  return soils;
+}
+
 std::vector<std::reference_wrapper<const Soil>> domain_soils(const Case& scene) {
+  std::vector<bool> there(scene.soils.size());
+  if (!there.empty())
+    for (const Region& region : scene.regions)
+      for (const std::size_t s : soils_of(region))
+        there[s] = true;
   std::vector<std::reference_wrapper<const Soil>> soils;
   for (std::size_t i = 0; i < scene.soils.size(); ++i)
-    if (std::ranges::find(scene.regions, i, &Region::soil) != scene.regions.end())
+    if (there[i])
       soils.emplace_back(scene.soils[i]);
   return soils;
+}
+
+std::vector<std::reference_wrapper<const Soil>>
+one_of_each_name(std::vector<std::reference_wrapper<const Soil>> soils) {
+  const auto rest =
+      std::ranges::unique(soils, {}, [](const Soil& soil) -> const std::string& { return soil.name; });
+  soils.erase(rest.begin(), rest.end());
+  return soils;
+}
+
+std::vector<ToldSoil> told_soils(const Case& scene) {
+  std::vector<ToldSoil> told;
+  for (std::size_t i = 0; i < scene.soils.size(); ++i) {
+    const Soil& soil = scene.soils[i];
+    const auto profile = std::ranges::find_if(scene.soil_profiles, [&](const SoilProfile& one) {
+      return i >= one.first && i < one.first + one.slices();
+    });
+    if (profile == scene.soil_profiles.end()) {
+      told.push_back({soil.name, soil});
+      continue;
+    }
+    const std::size_t slice = i - profile->first;
+    if (slice != 0 && slice + 1 != profile->slices())
+      continue;
+    told.push_back({soil.name, soil});
+    told.back().soil.name =
+        fmt::format("{}, y = {:g} to {:g} m", soil.name, profile->levels[slice], profile->levels[slice + 1]);
+  }
+  return told;
 }
 
 } // namespace tremolo::scene

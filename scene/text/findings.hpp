@@ -45,6 +45,9 @@ public:
   /// Whether neither the path nor a table above it has failed.
   bool sound(std::string path) const;
 
+  /// Whether there is an error.
+  bool failed() const { return !errors_.empty(); }
+
   /// @throws CaseErrors with all errors, in the order of the file, if there are any
   void throw_if_any() const;
 

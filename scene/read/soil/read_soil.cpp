@@ -78,17 +78,21 @@ Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, d
   return placeholder(soil.name);
 }
 
+Soil read_soil_of_case(NamedTable& table, const Case& scene, Findings& findings) {
+  const auto pores = read_pores(table.reader, scene.water, findings);
+  Soil soil = read_soil(table, scene.directory, scene.mesh.size, findings);
+  soil.pores = pores;
+  soil.law_void_ratio = void_ratio_of_law(table.reader);
+  if (const auto at_rest = table.reader.optional_number("rest_coefficient"))
+    for (materials::Law* law : {&soil.law, &soil.column_law})
+      *law = materials::with_rest_coefficient(std::move(*law), *at_rest);
+  soil.damping = table.reader.optional_number("damping").value_or(scene.damping.ratio);
+  return soil;
+}
+
 void read_soils(Document& document, Findings& findings, Case& scene) {
-  for (auto& soil : document.named("soil")) {
-    const auto pores = read_pores(soil.reader, scene.water, findings);
-    scene.soils.push_back(read_soil(soil, scene.directory, scene.mesh.size, findings));
-    scene.soils.back().pores = pores;
-    scene.soils.back().law_void_ratio = void_ratio_of_law(soil.reader);
-    if (const auto at_rest = soil.reader.optional_number("rest_coefficient"))
-      for (materials::Law* law : {&scene.soils.back().law, &scene.soils.back().column_law})
-        *law = materials::with_rest_coefficient(std::move(*law), *at_rest);
-    scene.soils.back().damping = soil.reader.optional_number("damping").value_or(scene.damping.ratio);
-  }
+  for (auto& soil : document.named("soil"))
+    scene.soils.push_back(read_soil_of_case(soil, scene, findings));
 }
 
 std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,

@@ -18,6 +18,9 @@ inline constexpr double degree = std::numbers::pi / 180.0;
 Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, double mesh_size,
                Findings& findings);
 
+/// Likewise with what a soil has in a case besides its law: pores, the coefficient at rest, damping.
+Soil read_soil_of_case(NamedTable& soil, const Case& scene, Findings& findings);
+
 /// Reads soil of the Mohr-Coulomb law, with its softening for cells of `mesh_size`.
 Soil read_mohr_coulomb(const NamedTable& soil, double mesh_size, Findings& findings);
 

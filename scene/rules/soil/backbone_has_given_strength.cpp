@@ -1,12 +1,13 @@
 #include "scene/rules/rules.hpp"
+#include "scene/soils/domain_soils.hpp"
 #include "scene/soils/soil_report.hpp"
 
 namespace tremolo::scene {
 
 void backbone_has_given_strength(const Case& scene, Findings& findings) {
-  for (const Soil& soil : scene.soils)
+  for (const auto& [name, soil] : told_soils(scene))
     if (const auto compared = implied_strength(soil))
-      findings.add("soil." + soil.name + ".shear_strength", *compared);
+      findings.add("soil." + name + ".shear_strength", *compared);
 }
 
 } // namespace tremolo::scene

@@ -1,4 +1,5 @@
 #include "scene/rules/rules.hpp"
+#include "scene/soils/domain_soils.hpp"
 
 #include <fmt/format.h>
 
@@ -28,12 +29,12 @@ std::string in_words(const materials::LoopReduction& loops) {
 /// Compares the backbone and the damping of its loops with the curve at one strain.
 void backbone_is_fitted(const Case& scene, Findings& findings) {
   constexpr double strain = 1e-3;
-  for (const Soil& soil : scene.soils) {
+  for (const auto& [name, soil] : told_soils(scene)) {
     const auto backbone = materials::shear_backbone(soil.column_law);
     if (!backbone || !soil.curves || !soil.curves->whole)
       continue;
     findings.add(
-        "soil." + soil.name + ".curve",
+        "soil." + name + ".curve",
         fmt::format("soil '{}': backbone fitted to its curve, {}; at {} % strain G/G0 is {:.3f} (curve "
                     "{:.3f}) and {} {:.1f} % (curve {:.1f} %)",
                     soil.name, in_words(*backbone), 100.0 * strain,

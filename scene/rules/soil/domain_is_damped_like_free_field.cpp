@@ -50,7 +50,7 @@ DampedTimes damped_times(const Case& scene, const LateralBoundary& side, double 
     });
     if (region == scene.regions.end())
       continue;
-    const Soil& soil = scene.soils[region->soil];
+    const Soil& soil = scene.soils[region->soil_at(y)];
     const Layer layer = layer_at(scene, side, y);
     const double field = layer.damping * mesh.size / layer.elastic.s_wave_speed();
     const double domain = soil.damping * mesh.size / materials::elasticity(soil.law).s_wave_speed();

@@ -33,16 +33,15 @@ const Soil* soil_that_yields(const Case& scene, double x) {
   const double near = 1e-6 * scene.mesh.size;
   const Soil* softest = nullptr;
   for (const Region& region : scene.regions) {
-    const Soil& soil = scene.soils[region.soil];
     const bool there = std::ranges::any_of(region.polygon, [&](Point p) { return std::abs(p.x - x) < near; });
-    if (!there || is_linear(soil.law))
-      continue;
     const auto impedance = [](const Soil& one) {
       const auto& elastic = materials::elasticity(one.law);
       return elastic.density * elastic.s_wave_speed();
     };
-    if (softest == nullptr || impedance(soil) < impedance(*softest))
-      softest = &soil;
+    for (const std::size_t s : soils_of(region))
+      if (const Soil& soil = scene.soils[s];
+          there && !is_linear(soil.law) && (softest == nullptr || impedance(soil) < impedance(*softest)))
+        softest = &soil;
   }
   return softest;
 }
