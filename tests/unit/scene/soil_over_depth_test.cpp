@@ -173,7 +173,7 @@ TEST(SoilOverDepth, TheExampleOfTheManualIsACase) {
   EXPECT_EQ(scene.soils.size(), 24U);
   EXPECT_EQ(scene.profile.size(), 24U);
   EXPECT_NEAR(vs_of(scene.soils[0]), 111.25, 1e-9);
-  EXPECT_NEAR(vs_of(scene.soils[16]), 260.0 * std::pow(9.81 * (1700.0 * 16.0 + 1000.0) / 100e3, 0.25), 1e-9);
+  EXPECT_NEAR(vs_of(scene.soils[16]), 260.0 * std::pow(9.81 * (1700.0 * 16.0 + 925.0) / 100e3, 0.25), 1e-9);
 }
 
 /// The one error of the ground with these elastic constants.
