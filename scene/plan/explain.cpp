@@ -95,9 +95,8 @@ std::string profile_text(const SoilProfile& profile) {
       profile.slices(), profile.slices() == 1 ? "" : "s", profile.levels.front(), profile.levels.back());
   for (const VaryingKey& key : profile.keys) {
     const auto [least, most] = std::ranges::minmax(key.values);
-    lines += fmt::format("  {:<26} {:>12.6g} to {:.6g}{}, {:.6g} to {:.6g} from the top down; {}\n", key.key,
-                         least, most, key.unit == "1" ? "" : " " + key.unit, key.values.front(),
-                         key.values.back(), key.profile);
+    lines += fmt::format("  {:<26} {:>12.6g} to {:.6g}{}; {}\n", key.key, least, most,
+                         key.unit == "1" ? "" : " " + key.unit, key.profile);
   }
   return lines;
 }

@@ -157,7 +157,7 @@ TEST(SoilOverDepth, ExplainTellsTheSlicesAndTheRangeOfTheirValues) {
   const Case scene = parse_case(ground(speeds));
   EXPECT_THAT(explain(scene, plan(scene)),
               AllOf(HasSubstr("varies over depth: 10 slices from y = 0 to -10 m"),
-                    HasSubstr("105 to 167.5 m/s, 105 to 167.5 from the top down"),
+                    HasSubstr("105 to 167.5 m/s; "),
                     HasSubstr("{ depth = [0, 4, 20], value = [100, 140, 220] }")));
 }
 
@@ -166,6 +166,14 @@ TEST(SoilOverDepth, TheStepIsThatOfTheStiffestSliceOfTheDomain) {
                                        "0.28\n"));
   const auto& deepest = materials::elasticity(scene.soils.back().law);
   EXPECT_NEAR(plan(scene).critical_dt, 0.65 * 1.0 / deepest.p_wave_speed(), 1e-9);
+}
+
+TEST(SoilOverDepth, TheExampleOfTheManualIsACase) {
+  const Case scene = load(TREMOLO_SOURCE_DIR "/docs/examples/over_depth/case.toml");
+  EXPECT_EQ(scene.soils.size(), 24U);
+  EXPECT_EQ(scene.profile.size(), 24U);
+  EXPECT_NEAR(vs_of(scene.soils[0]), 111.25, 1e-9);
+  EXPECT_NEAR(vs_of(scene.soils[16]), 260.0 * std::pow(9.81 * (1700.0 * 16.0 + 925.0) / 100e3, 0.25), 1e-9);
 }
 
 /// The one error of the ground with these elastic constants.
@@ -196,7 +204,7 @@ TEST(SoilOverDepth, PointsThatMakeNoProfileAreRefused) {
               HasSubstr("'value' of the profile 'vs' has 3 numbers, 'depth' has 2"));
   EXPECT_THAT(error_of("vs = { depth = [0.0, 10.0], value = [100.0, -140.0] }\nvp = 500.0\n"),
               HasSubstr("'value' = -140 of the profile 'vs' is out of range, must be > 0 m/s"));
-  EXPECT_THAT(error_of("vs = { depth = [0.0], value = [100.0] }\nvp = 500.0\n"),
+  EXPECT_THAT(error_of("vs = { depth = [0.0, 10.0], value = [100.0] }\nvp = 500.0\n"),
               HasSubstr("must be an array of at least 2 numbers, found 1"));
   EXPECT_THAT(error_of("vs = { depth = [0.0, \"10\"], value = [100.0, 140.0] }\nvp = 500.0\n"),
               HasSubstr("'depth' of the profile 'vs' must be a finite number, found a string"));
