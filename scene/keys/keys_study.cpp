@@ -57,7 +57,7 @@ Table study_design() {
           {.name = "seed",
            .type = Type::integer,
            .unit = "1",
-           .meaning = "Of the random numbers; the same seed gives the same runs.",
+           .meaning = "It begins the random numbers; equal seeds give equal runs.",
            .fallback = "1",
            .range = {.low = 0.0, .high = 4294967295.0},
            .when = sampled},

@@ -169,12 +169,12 @@ std::vector<Key> hysteretic_keys() {
   return {
       {.name = "curve",
        .type = Type::text,
-       .meaning = "G/G0 and damping against shear strain: `darendeli` (2001), or the name of a table "
-                  "`strain,modulus_reduction,damping`, relative to the case file. Of `mkz` and `gqh` the "
-                  "backbone is "
-                  "fitted to it and `eql` takes it as it is; of `pdmy03` G/G0 replaces the hyperbola that "
-                  "the surfaces share, "
-                  "and strength follows from it; of `multi_yield_clay` up to s_u.",
+       .meaning =
+           "G/G0 and damping against shear strain: `darendeli` (2001), or the name of a table "
+           "`strain,modulus_reduction,damping`, relative to the case file. The backbone of "
+           "`mkz` and `gqh` is fitted to it, and `eql` takes it as it is. In `pdmy03` G/G0 replaces the "
+           "hyperbola that the surfaces share, and strength follows from it; in `multi_yield_clay` it "
+           "does so up to s_u.",
        .otherwise = "the backbone given, a hyperbola of `pdmy03` and `multi_yield_clay`",
        .when = {"model",
                 {name(SoilModel::mkz), name(SoilModel::gqh), name(SoilModel::multi_yield_clay),
