@@ -99,6 +99,12 @@ bool TableReader::given(std::string_view key) const {
   return node_of(key) != nullptr || settled_.contains(key);
 }
 
+bool TableReader::varies_over_depth() const {
+  return reading_.profiles != nullptr && std::ranges::any_of(spec_.keys, [&](const Key& key) {
+           return reading_.profiles->contains(path(key.name));
+         });
+}
+
 bool TableReader::from_library(std::string_view key) const {
   return node_ != nullptr && !node_->contains(key) && given(key);
 }

@@ -55,6 +55,9 @@ public:
   /// settled.
   bool given(std::string_view key) const;
 
+  /// Whether a key has a profile over depth in place of a number.
+  bool varies_over_depth() const;
+
   /// Puts a number that follows from others in place of one that is not in the file, or of one that means it.
   void settle(std::string_view key, double value, std::string_view origin);
 

@@ -90,9 +90,24 @@ Soil read_soil_of_case(NamedTable& table, const Case& scene, Findings& findings)
   return soil;
 }
 
+namespace {
+
+/// A soil that will be sliced. Its profiles have no common place yet, so only its slices can be judged as
+/// soils; the ground above them needs its weight.
+Soil before_slicing(NamedTable& table, const Case& scene, const Findings& findings) {
+  Findings unheard = findings;
+  Soil soil = read_soil_of_case(table, scene, unheard);
+  if (!(materials::elasticity(soil.law).density > 0.0))
+    soil.law = materials::LinearElastic{{table.reader.number("density"), 0.0, 0.0}};
+  return soil;
+}
+
+} // namespace
+
 void read_soils(Document& document, Findings& findings, Case& scene) {
   for (auto& soil : document.named("soil"))
-    scene.soils.push_back(read_soil_of_case(soil, scene, findings));
+    scene.soils.push_back(soil.reader.varies_over_depth() ? before_slicing(soil, scene, findings)
+                                                          : read_soil_of_case(soil, scene, findings));
 }
 
 std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,

@@ -98,6 +98,14 @@ TEST(SoilOverDepth, LayersUnderAnotherSurfaceAreCutAtTheSameElevations) {
   EXPECT_EQ(domain_soils(scene).size(), 10U); // the others lie below the box
 }
 
+TEST(SoilOverDepth, ProfilesOfOtherFormsAreComparedInSlicesOnly) {
+  // v_p at the surface is below v_s at the base, where the first points of both tables lie.
+  const Case scene = parse_case(ground("vs = { elevation = [-10.0, 0.0], value = [200.0, 50.0] }\n"
+                                       "vp = { depth = [0.0, 10.0], value = [150.0, 500.0] }\n"));
+  EXPECT_NEAR(vs_of(scene.soils.front()), 57.5, 1e-9);
+  EXPECT_NEAR(materials::elasticity(scene.soils.back().law).p_wave_speed(), 482.5, 1e-9);
+}
+
 TEST(SoilOverDepth, PowersOfStressFollowTheWeightOfTheGroundAbove) {
   const Case scene =
       parse_case(ground("vs = { reference = 200.0, stress = 100e3, exponent = 0.25 }\nvp = 500.0\n"));
