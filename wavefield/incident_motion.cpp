@@ -1,6 +1,7 @@
 #include "wavefield/incident_motion.hpp"
 
 #include "base/require.hpp"
+#include "wavefield/layers/recorded_motion.hpp"
 #include "wavefield/layers/transfer.hpp"
 #include "wavefield/signal/fourier.hpp"
 
@@ -29,9 +30,6 @@ constexpr std::size_t largest_window = std::size_t{1} << 23;
 /// Change by doubling the window, relative to the peak, that ends it.
 constexpr double tolerance = 1e-7;
 
-/// What is left out at both ends of an incident motion, relative to its peak.
-constexpr double negligible = 1e-9;
-
 void require_finite(std::span<const double> motion) {
   if (motion.empty())
     throw std::invalid_argument("a motion without samples");
@@ -56,39 +54,37 @@ void require_damped_layers(const LayeredHalfSpace& profile) {
 /// Division on a periodic window, of which the last half holds the times before the record.
 struct Division {
   std::vector<double> incident;
-  double largest_amplification = 0.0;
-  double at_hz = 0.0;
+  std::vector<double> amplification; ///< by bin, see IncidentSpectrum
+  double step_hz = 0.0;              ///< of the bins
 };
 
 Division divided(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
-                 std::span<const double> within, double dt, std::size_t window) {
+                 const RecordedMotion& record, std::size_t window) {
+  IncidentSpectrum spectrum = incident_spectrum(profile, wave, angle_rad, record, window);
   RealFourier fourier(window);
-  const auto samples = fourier.samples();
-  std::fill(std::copy(within.begin(), within.end(), samples.begin()), samples.end(), 0.0);
-  fourier.forward();
-  const auto bins = fourier.bins();
-  const double length = static_cast<double>(window);
-  std::vector<double> frequencies;
-  for (std::size_t k = 1; k < bins.size(); ++k)
-    frequencies.push_back(static_cast<double>(k) / (length * dt));
-  const auto transfers = transfer(profile, wave, angle_rad, frequencies, std::array{profile.thickness()});
-  const auto of = wave == WaveType::SV ? &Amplitude::ux : &Amplitude::uy;
-
-  Division result;
-  // At zero frequency the layers ride on the half-space: the lowest frequency tells its factor.
-  bins[0] /= length * (transfers.front().front().*of).real();
-  for (std::size_t k = 1; k < bins.size(); ++k) {
-    const Complex per_incident = transfers[k - 1].front().*of;
-    const double amplification = 1.0 / std::abs(per_incident);
-    if (!(amplification <= result.largest_amplification)) {
-      result.largest_amplification = amplification;
-      result.at_hz = frequencies[k - 1];
-    }
-    bins[k] /= length * per_incident;
-  }
+  std::ranges::copy(spectrum.bins, fourier.bins().begin());
   fourier.inverse();
-  result.incident.assign(samples.begin(), samples.end());
-  return result;
+  const auto samples = fourier.samples();
+  return {.incident = {samples.begin(), samples.end()},
+          .amplification = std::move(spectrum.amplification),
+          .step_hz = 1.0 / (static_cast<double>(window) * record.dt)};
+}
+
+struct Amplification {
+  double largest = 0.0;
+  double at_hz = 0.0;
+};
+
+/// The largest one of any frequency above zero, weighed as the record is.
+Amplification largest_amplification(const Division& division, double cutoff) {
+  Amplification found;
+  for (std::size_t k = 1; k < division.amplification.size(); ++k) {
+    const double frequency = static_cast<double>(k) * division.step_hz;
+    const double value = band_weight(frequency, cutoff) * division.amplification[k];
+    if (value > found.largest)
+      found = {value, frequency};
+  }
+  return found;
 }
 
 double peak(std::span<const double> motion) {
@@ -107,22 +103,53 @@ double change(std::span<const double> shorter, std::span<const double> longer) {
   return largest > 0.0 ? difference / largest : 0.0;
 }
 
-/// Puts a periodic window in order of time and leaves out what is negligible before and after the record.
-Deconvolution in_order(Division division, std::size_t record) {
+/// Puts a periodic window in order of time and leaves out what is negligible, relative to the peak, before
+/// and after the record.
+Deconvolution in_order(Division division, const RecordedMotion& record, double negligible) {
+  const Amplification amplification = largest_amplification(division, record.cutoff);
   std::vector<double>& motion = division.incident;
   std::size_t lead = motion.size() / 2;
   std::rotate(motion.begin(), motion.end() - static_cast<std::ptrdiff_t>(lead), motion.end());
   const double least = negligible * peak(motion);
   const auto matters = [least](double value) { return std::abs(value) > least; };
   const auto first = motion.begin() + static_cast<std::ptrdiff_t>(lead);
-  const auto end = std::find_if(motion.rbegin(),
-                                std::reverse_iterator(first + static_cast<std::ptrdiff_t>(record)), matters)
-                       .base();
+  const auto last = first + static_cast<std::ptrdiff_t>(record.samples.size());
+  const auto end = std::find_if(motion.rbegin(), std::reverse_iterator(last), matters).base();
   const auto begin = std::find_if(motion.begin(), first, matters);
   return {.incident = {begin, end},
           .lead = static_cast<std::size_t>(first - begin),
-          .largest_amplification = division.largest_amplification,
-          .at_hz = division.at_hz};
+          .largest_amplification = amplification.largest,
+          .at_hz = amplification.at_hz};
+}
+
+/// The incident motion of a record on a window that is doubled until that changes no more.
+/// @param allow  throws where a division amplifies more than is allowed
+template <class Allow>
+Deconvolution deconvolved(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
+                          const RecordedMotion& record, double negligible, Allow allow) {
+  std::size_t window = fast_length(first_padding * record.samples.size());
+  Division shorter = divided(profile, wave, angle_rad, record, window);
+  allow(shorter);
+  for (; 2 * window <= largest_window; window *= 2) {
+    Division longer = divided(profile, wave, angle_rad, record, 2 * window);
+    allow(longer);
+    if (change(shorter.incident, longer.incident) <= tolerance)
+      return in_order(std::move(longer), record, negligible);
+    shorter = std::move(longer);
+  }
+  throw std::runtime_error("the incident wave of a recorded motion of " +
+                           shortest(static_cast<double>(record.samples.size()) * record.dt) +
+                           " s rings on for more than " +
+                           shortest(0.5 * static_cast<double>(window) * record.dt) +
+                           " s: give the layers more damping, or use an outcrop motion");
+}
+
+/// The highest cutoff at which the ground amplifies no frequency more than is allowed.
+double highest_cutoff(const Division& division, double allowed) {
+  const auto& all = division.amplification;
+  const auto first = std::ranges::find_if(all, [allowed](double value) { return value > allowed; });
+  return std::floor(static_cast<double>(first - all.begin() - 1) * division.step_hz / band_end * 100.0) /
+         100.0;
 }
 
 } // namespace
@@ -157,33 +184,38 @@ std::vector<double> incident_from_outcrop(const LayeredHalfSpace& profile, WaveT
 
 Deconvolution incident_from_within(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
                                    std::span<const double> within, double dt, double largest_amplification) {
-  require_finite(within);
-  require_positive("time step of the motion", dt, "s");
-  require_positive("largest amplification", largest_amplification, "1");
   validate(profile);
+  const RecordedMotion record{.samples = within, .dt = dt, .depth = profile.thickness()};
+  validate(record, profile);
+  require_positive("largest amplification", largest_amplification, "1");
   require_damped_layers(profile);
-
-  const auto divided_on = [&](std::size_t window) {
-    Division division = divided(profile, wave, angle_rad, within, dt, window);
-    require(division.largest_amplification <= largest_amplification,
-            "amplification of the noise of the " + component(wave) + " within motion, at " +
-                shortest(division.at_hz) + " Hz,",
-            division.largest_amplification,
+  return deconvolved(profile, wave, angle_rad, record, 1e-9, [&](const Division& division) {
+    const auto [largest, at_hz] = wavefield::largest_amplification(division, record.cutoff);
+    require(largest <= largest_amplification,
+            "amplification of the noise of the " + component(wave) + " within motion, at " + shortest(at_hz) +
+                " Hz,",
+            largest,
             "at most " + shortest(largest_amplification) +
                 ": give the layers more damping, or use an outcrop motion");
-    return division;
-  };
-  std::size_t window = fast_length(first_padding * within.size());
-  for (Division shorter = divided_on(window); 2 * window <= largest_window; window *= 2) {
-    Division longer = divided_on(2 * window);
-    if (change(shorter.incident, longer.incident) <= tolerance)
-      return in_order(std::move(longer), within.size());
-    shorter = std::move(longer);
-  }
-  throw std::runtime_error("the incident wave of a within motion of " +
-                           shortest(static_cast<double>(within.size()) * dt) + " s rings on for more than " +
-                           shortest(0.5 * static_cast<double>(window) * dt) +
-                           " s: give the layers more damping, or use an outcrop motion");
+  });
+}
+
+Deconvolution incident_from_record(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
+                                   const RecordedMotion& record) {
+  validate(profile);
+  validate(record, profile);
+  if (record.depth > 0.0)
+    require_damped_layers(profile);
+  const double factor = std::abs(outcrop_factor(profile, wave, angle_rad));
+  return deconvolved(profile, wave, angle_rad, record, 1e-6, [&](const Division& division) {
+    const auto [largest, at_hz] = largest_amplification(division, record.cutoff);
+    require(factor * largest <= largest_outcrop_over_record,
+            "outcrop over recorded motion, by which noise of the record is amplified too, at " +
+                shortest(at_hz) + " Hz,",
+            factor * largest,
+            "at most " + shortest(largest_outcrop_over_record) + ": take a cutoff of " +
+                shortest(highest_cutoff(division, largest_outcrop_over_record / factor)) + " Hz or less");
+  });
 }
 
 } // namespace tremolo::wavefield

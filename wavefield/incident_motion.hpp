@@ -1,6 +1,7 @@
 #pragma once
 
 #include "wavefield/layers/layered_half_space.hpp"
+#include "wavefield/layers/recorded_motion.hpp"
 
 #include <cstddef>
 #include <span>
@@ -24,9 +25,9 @@ std::vector<double> incident_from_outcrop(const LayeredHalfSpace& profile, WaveT
 
 /// An incident motion, and what dividing by a transfer function does to the noise of a record.
 struct Deconvolution {
-  std::vector<double> incident;       ///< longer than the record, see incident_from_within()
+  std::vector<double> incident;       ///< longer than the record
   std::size_t lead = 0;               ///< samples of it before the record's first one
-  double largest_amplification = 0.0; ///< of any frequency of the record: largest |incident / within|
+  double largest_amplification = 0.0; ///< of any frequency of the record: largest |incident / recorded|
   double at_hz = 0.0;                 ///< the frequency where it is
 };
 
@@ -42,5 +43,21 @@ struct Deconvolution {
 Deconvolution incident_from_within(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
                                    std::span<const double> within, double dt,
                                    double largest_amplification = 100.0);
+
+/// The outcrop over the recorded motion that incident_from_record() allows at any frequency.
+inline constexpr double largest_outcrop_over_record = 10.0;
+
+/// Incident motion along the polarisation under which the ground moves as recorded at a depth, and not at all
+/// before and after: spectral division up to the record's cutoff (recorded_motion.cpp has the formula). It
+/// begins before the record, by the time that the wave takes up to the recorder and the cutoff's filter
+/// rings, and goes on after it; it is returned from where it rises above to where it falls below 1e-6 of its
+/// peak, and is exact to 1e-7 of that: the window is doubled until that changes less.
+/// @throws std::invalid_argument for values outside their range; beyond the critical angle; for a record
+///         within layers without damping, whose motion vanishes at the frequencies at which those above
+///         resonate; and where a frequency would be amplified more than largest_outcrop_over_record, with the
+///         cutoff that would do
+/// @throws std::runtime_error    if the layers ring longer than the largest window
+Deconvolution incident_from_record(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
+                                   const RecordedMotion& record);
 
 } // namespace tremolo::wavefield

@@ -1,11 +1,56 @@
 #include "scene/case.hpp"
 
+#include "scene/ground.hpp"
 #include "scene/read/read.hpp"
 #include "scene/read/soil/slice_soils.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/text/text.hpp"
 
 namespace tremolo::scene {
+
+namespace {
+
+/// Whether the record that [motion] names must be there.
+enum class CaseRecord { needed, to_be_made };
+
+Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecord record) {
+  Findings findings(file.string());
+  Case scene;
+  scene.file = file;
+  scene.directory = file.parent_path();
+  scene.text = read_text(file);
+
+  const toml::table root = parse_toml(scene.text, findings);
+  DepthProfiles profiles;
+  Document document(root, {case_keys(), findings, scene.values, &profiles});
+  if (document.has("mesh")) {
+    read_mesh(document, scene);
+    read_time(document, findings, scene);
+  }
+  read_free_field(document, findings, scene);
+  if (document.has("stage"))
+    read_stages(document, findings, scene);
+  auto& [sides, left, right, base] = scene.boundary;
+  left.field.model = right.field.model = base.field.model = model;
+  left.surface = right.surface = scene.surface_level;
+  slice_soils(root, profiles, findings, scene);
+  if (record == CaseRecord::needed)
+    record_is_readable(scene, findings);
+  for (const auto rule :
+       {models_take_the_wave, damping_suits_models, soils_suit_models, reference_lies_in_halfspace,
+        wet_soil_has_pores, water_has_weight, water_is_marched_explicitly})
+    rule(scene, findings);
+
+  findings.throw_if_any();
+  findings.grade(Severity::warning);
+  for (const auto rule : {table_lies_in_ground, permeability_is_that_of_soil, cavitation_is_in_pascals,
+                          sand_has_one_void_ratio})
+    rule(scene, findings);
+  scene.remarks = findings.remarks();
+  return scene;
+}
+
+} // namespace
 
 Case parse(std::string_view text, const std::filesystem::path& file, const std::filesystem::path& directory) {
   Findings findings(file.string());
@@ -37,38 +82,11 @@ Case load(const std::filesystem::path& file) {
 }
 
 Case load_free_field(const std::filesystem::path& file, SourceModel model) {
-  Findings findings(file.string());
-  Case scene;
-  scene.file = file;
-  scene.directory = file.parent_path();
-  scene.text = read_text(file);
+  return read_ground(file, model, CaseRecord::needed);
+}
 
-  const toml::table root = parse_toml(scene.text, findings);
-  DepthProfiles profiles;
-  Document document(root, {case_keys(), findings, scene.values, &profiles});
-  if (document.has("mesh")) {
-    read_mesh(document, scene);
-    read_time(document, findings, scene);
-  }
-  read_free_field(document, findings, scene);
-  if (document.has("stage"))
-    read_stages(document, findings, scene);
-  auto& [sides, left, right, base] = scene.boundary;
-  left.field.model = right.field.model = base.field.model = model;
-  left.surface = right.surface = scene.surface_level;
-  slice_soils(root, profiles, findings, scene);
-  for (const auto rule :
-       {record_is_readable, models_take_the_wave, damping_suits_models, soils_suit_models,
-        reference_lies_in_halfspace, wet_soil_has_pores, water_has_weight, water_is_marched_explicitly})
-    rule(scene, findings);
-
-  findings.throw_if_any();
-  findings.grade(Severity::warning);
-  for (const auto rule : {table_lies_in_ground, permeability_is_that_of_soil, cavitation_is_in_pascals,
-                          sand_has_one_void_ratio})
-    rule(scene, findings);
-  scene.remarks = findings.remarks();
-  return scene;
+Case load_ground(const std::filesystem::path& file, SourceModel model) {
+  return read_ground(file, model, CaseRecord::to_be_made);
 }
 
 } // namespace tremolo::scene

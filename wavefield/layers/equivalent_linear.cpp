@@ -4,15 +4,20 @@
 //
 // gamma_xy = (-i w) (p v + q u) of the incident velocity's waves at depth, that is sxy / G: the spectrum of
 // the incident velocity, acceleration / (i w), times the state of the layer at mid-depth.
+//
+// Where a motion recorded in the ground is given, the incident one is that of each pass's own profile
+// (recorded_motion.cpp), as SHAKE does where the object motion is not at the base.
 
 #include "wavefield/layers/equivalent_linear.hpp"
 
 #include "base/require.hpp"
+#include "wavefield/layers/recorded_motion.hpp"
 #include "wavefield/layers/reflectivity.hpp"
 #include "wavefield/signal/fourier.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -47,13 +52,26 @@ IncidentVelocity incident_velocity(const IncidentAcceleration& motion) {
   return velocity;
 }
 
+/// The same of the wave that makes the ground move as recorded.
+IncidentVelocity incident_velocity(const RecordedMotion& record, const LayeredHalfSpace& profile,
+                                   WaveType wave, double angle_rad) {
+  IncidentVelocity velocity{.dt = record.dt, .length = fast_length(2 * record.samples.size()), .bins = {}};
+  velocity.bins = incident_spectrum(profile, wave, angle_rad, record, velocity.length).bins;
+  velocity.bins[0] = 0.0;
+  for (std::size_t k = 1; k < velocity.bins.size(); ++k)
+    velocity.bins[k] /= velocity.s(k);
+  return velocity;
+}
+
 /// Largest |gamma_xy| over time at mid-depth of every layer.
-std::vector<double> largest_strains(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
-                                    const IncidentVelocity& velocity) {
+std::vector<double> strains_under(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
+                                  const IncidentVelocity& velocity) {
   const std::size_t layers = profile.layers.size();
   Reflectivity reflectivity(profile, wave, angle_rad);
   std::vector<std::vector<Complex>> strain(layers, std::vector<Complex>(velocity.bins.size()));
   for (std::size_t k = 1; k < velocity.bins.size(); ++k) {
+    if (velocity.bins[k] == 0.0) // above a record's cutoff
+      continue;
     const Complex s = velocity.s(k);
     const auto& amplitudes = reflectivity.solve(s);
     for (std::size_t j = 0; j < layers; ++j) {
@@ -114,7 +132,7 @@ Softening soften(Layer& layer, const Layer& at_small_strain, const StrainCurves&
 }
 
 void validate(const LayeredHalfSpace& profile, std::span<const StrainCurves> curves,
-              const IncidentAcceleration& motion, const EquivalentLinearOptions& options) {
+              const EquivalentLinearOptions& options) {
   validate(profile);
   if (profile.layers.empty())
     throw std::invalid_argument("an equivalent linear analysis needs at least one layer");
@@ -124,6 +142,13 @@ void validate(const LayeredHalfSpace& profile, std::span<const StrainCurves> cur
   }
   if (profile.damping.model == DampingModel::none)
     throw std::invalid_argument("an equivalent linear analysis needs a damping model, not `none`");
+  require(options.strain_ratio > 0.0 && options.strain_ratio <= 1.0, "ratio of effective to largest strain",
+          options.strain_ratio, "in (0, 1]");
+  require(options.tolerance > 0.0 && options.tolerance < 1.0, "tolerance", options.tolerance, "in (0, 1)");
+  require(options.max_iterations >= 1, "number of iterations", options.max_iterations, "at least 1");
+}
+
+void validate(const IncidentAcceleration& motion) {
   if (motion.samples.size() < 2) {
     throw std::invalid_argument("an incident motion of " + std::to_string(motion.samples.size()) +
                                 " samples, must be at least 2");
@@ -131,34 +156,18 @@ void validate(const LayeredHalfSpace& profile, std::span<const StrainCurves> cur
   for (const double value : motion.samples)
     require(std::isfinite(value), "a sample of the incident acceleration", value, "finite");
   require_positive("time step of the incident acceleration", motion.dt, "s");
-  require(options.strain_ratio > 0.0 && options.strain_ratio <= 1.0, "ratio of effective to largest strain",
-          options.strain_ratio, "in (0, 1]");
-  require(options.tolerance > 0.0 && options.tolerance < 1.0, "tolerance", options.tolerance, "in (0, 1)");
-  require(options.max_iterations >= 1, "number of iterations", options.max_iterations, "at least 1");
 }
 
-} // namespace
+/// Largest strain of each layer of a profile.
+using Strains = std::function<std::vector<double>(const LayeredHalfSpace&)>;
 
-std::string depth_range(const LayeredHalfSpace& profile, std::size_t layer) {
-  double top = 0.0;
-  for (std::size_t j = 0; j < layer; ++j)
-    top += profile.layers[j].thickness;
-  const auto rounded = [](double depth) { return shortest(std::round(1e3 * depth) / 1e3); };
-  return "the soil from " + rounded(top) + " m to " + rounded(top + profile.layers[layer].thickness) +
-         " m below the surface";
-}
-
-EquivalentLinearResult equivalent_linear(const LayeredHalfSpace& profile,
-                                         std::span<const StrainCurves> curves, WaveType wave,
-                                         double angle_rad, const IncidentAcceleration& motion,
-                                         const EquivalentLinearOptions& options) {
-  validate(profile, curves, motion, options);
-  const IncidentVelocity velocity = incident_velocity(motion);
+EquivalentLinearResult iterated(const LayeredHalfSpace& profile, std::span<const StrainCurves> curves,
+                                const Strains& strains, const EquivalentLinearOptions& options) {
   EquivalentLinearResult result{.profile = profile, .iterations = {}};
   std::size_t slowest = 0;
   for (int i = 0; i < options.max_iterations && !result.converged; ++i) {
     EquivalentLinearIteration iteration;
-    iteration.largest_strain = largest_strains(result.profile, wave, angle_rad, velocity);
+    iteration.largest_strain = strains(result.profile);
     result.held_damping.clear();
     double largest_change = 0.0;
     for (std::size_t j = 0; j < curves.size(); ++j) {
@@ -187,6 +196,60 @@ EquivalentLinearResult equivalent_linear(const LayeredHalfSpace& profile,
         "; allowed is " + shortest(100.0 * options.tolerance) + " %");
   }
   return result;
+}
+
+} // namespace
+
+std::string depth_range(const LayeredHalfSpace& profile, std::size_t layer) {
+  double top = 0.0;
+  for (std::size_t j = 0; j < layer; ++j)
+    top += profile.layers[j].thickness;
+  const auto rounded = [](double depth) { return shortest(std::round(1e3 * depth) / 1e3); };
+  return "the soil from " + rounded(top) + " m to " + rounded(top + profile.layers[layer].thickness) +
+         " m below the surface";
+}
+
+std::vector<double> largest_strains(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
+                                    const RecordedMotion& record) {
+  validate(profile);
+  validate(record, profile);
+  return strains_under(profile, wave, angle_rad, incident_velocity(record, profile, wave, angle_rad));
+}
+
+EquivalentLinearResult equivalent_linear(const LayeredHalfSpace& profile,
+                                         std::span<const StrainCurves> curves, WaveType wave,
+                                         double angle_rad, const IncidentAcceleration& motion,
+                                         const EquivalentLinearOptions& options) {
+  validate(profile, curves, options);
+  validate(motion);
+  const IncidentVelocity velocity = incident_velocity(motion);
+  return iterated(
+      profile, curves,
+      [&](const LayeredHalfSpace& ground) { return strains_under(ground, wave, angle_rad, velocity); },
+      options);
+}
+
+EquivalentLinearResult equivalent_linear_under_record(const LayeredHalfSpace& profile,
+                                                      std::span<const StrainCurves> curves, WaveType wave,
+                                                      double angle_rad, const RecordedMotion& record,
+                                                      const EquivalentLinearOptions& options) {
+  validate(profile, curves, options);
+  validate(record, profile);
+  return iterated(
+      profile, curves,
+      [&](const LayeredHalfSpace& ground) {
+        auto strains =
+            strains_under(ground, wave, angle_rad, incident_velocity(record, ground, wave, angle_rad));
+        for (std::size_t j = 0; j < strains.size(); ++j)
+          if (!(strains[j] <= 1.0))
+            throw std::runtime_error(
+                "the equivalent linear analysis runs away: " + depth_range(ground, j) + " would strain by " +
+                shortest(100.0 * strains[j]) +
+                " %, so that no motion from below gives the recorded one; a lower cutoff "
+                "asks for less");
+        return strains;
+      },
+      options);
 }
 
 } // namespace tremolo::wavefield

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "wavefield/layers/layered_half_space.hpp"
+#include "wavefield/layers/recorded_motion.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -66,6 +67,19 @@ EquivalentLinearResult equivalent_linear(const LayeredHalfSpace& profile,
                                          std::span<const StrainCurves> curves, WaveType wave,
                                          double angle_rad, const IncidentAcceleration& motion,
                                          const EquivalentLinearOptions& options = {});
+
+/// The same where a motion in the ground is given, an acceleration (m/s2), and that from below is sought: the
+/// moduli are those of the strains under the incident wave that gives the record (incident_motion.hpp) up to
+/// its cutoff.
+/// @throws std::runtime_error also where a pass asks for a shear strain above 1
+EquivalentLinearResult equivalent_linear_under_record(const LayeredHalfSpace& profile,
+                                                      std::span<const StrainCurves> curves, WaveType wave,
+                                                      double angle_rad, const RecordedMotion& record,
+                                                      const EquivalentLinearOptions& options = {});
+
+/// Largest |gamma_xy| over time at mid-depth of every layer, of ground that moves as recorded (m/s2).
+std::vector<double> largest_strains(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
+                                    const RecordedMotion& record);
 
 /// "the soil from 2 m to 3 m below the surface": a layer, by index.
 std::string depth_range(const LayeredHalfSpace& profile, std::size_t layer);

@@ -48,37 +48,78 @@ std::vector<double> acceleration_of(const Signal& signal, double dt) {
   return motion::band_limited_slope(velocity, dt);
 }
 
-} // namespace
-
-EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
-                                                   const scene::SourceProcess& source) {
-  const auto layers = cut(scene, scene::layers(scene, source));
-  LayeredHalfSpace ground = ground_from_case(scene, layers);
-  // Without layers there is nothing whose stiffness could follow the strain: one pass, no change.
-  if (layers.empty())
-    return {.profile = ground, .iterations = {EquivalentLinearIteration{}}, .converged = true};
-  const Incidence incidence = incidence_from_case(scene);
-  const Signal signal = incident_signal(scene, ground);
-  // The damping of a strain curve knows no frequency.
-  if (ground.damping.model == DampingModel::none)
-    ground.damping.model = DampingModel::hysteretic;
-  const double dt = 0.5 / signal.highest_frequency;
+/// What an iteration works on.
+struct CurvedGround {
+  LayeredHalfSpace ground;
   std::vector<StrainCurves> curves;
-  curves.reserve(layers.size());
+};
+
+CurvedGround curved_ground(const scene::Case& scene, const std::vector<scene::Layer>& layers) {
+  CurvedGround result{ground_from_case(scene, layers), {}};
+  // The damping of a strain curve knows no frequency.
+  if (result.ground.damping.model == DampingModel::none)
+    result.ground.damping.model = DampingModel::hysteretic;
+  result.curves.reserve(layers.size());
   for (const scene::Layer& layer : layers)
-    curves.push_back(curves_of(scene, layer));
+    result.curves.push_back(curves_of(scene, layer));
+  return result;
+}
+
+/// @param solve  of ground, curves, wave, angle, what is given, and options: the iteration
+template <class Solve, class Given>
+EquivalentLinearResult iterated(const scene::Case& scene, const std::vector<scene::Layer>& layers,
+                                const Solve& solve, const Given& given) {
+  const auto [ground, curves] = curved_ground(scene, layers);
+  const Incidence incidence = incidence_from_case(scene);
+  const EquivalentLinearOptions options{.strain_ratio = scene.eql.strain_ratio,
+                                        .tolerance = scene.eql.tolerance,
+                                        .max_iterations = scene.eql.iterations,
+                                        .allow_non_convergence = scene.eql.allow_unconverged};
   try {
-    return equivalent_linear(ground, curves, incidence.wave, incidence.angle_rad,
-                             {acceleration_of(signal, dt), dt},
-                             {.strain_ratio = scene.eql.strain_ratio,
-                              .tolerance = scene.eql.tolerance,
-                              .max_iterations = scene.eql.iterations,
-                              .allow_non_convergence = scene.eql.allow_unconverged});
+    return solve(ground, curves, incidence.wave, incidence.angle_rad, given, options);
   } catch (const NotConverged& error) {
     throw std::runtime_error(
         fmt::format("{}: {}; `[eql] unconverged = \"allow\"` takes the last step as it is",
                     scene.file.string(), error.what()));
   }
+}
+
+} // namespace
+
+EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
+                                                   const scene::SourceProcess& source) {
+  const auto layers = cut(scene, scene::layers(scene, source));
+  const LayeredHalfSpace ground = ground_from_case(scene, layers);
+  // Without layers there is nothing whose stiffness could follow the strain: one pass, no change.
+  if (layers.empty())
+    return {.profile = ground, .iterations = {EquivalentLinearIteration{}}, .converged = true};
+  const Signal signal = incident_signal(scene, ground);
+  const double dt = 0.5 / signal.highest_frequency;
+  const auto acceleration = acceleration_of(signal, dt);
+  return iterated(scene, layers, equivalent_linear, IncidentAcceleration{acceleration, dt});
+}
+
+EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
+                                                   const scene::SourceProcess& source,
+                                                   const RecordedMotion& record) {
+  return iterated(scene, cut(scene, scene::layers(scene, source)), equivalent_linear_under_record, record);
+}
+
+std::vector<std::size_t> layers_beyond_their_curves(const scene::Case& scene,
+                                                    const scene::SourceProcess& source,
+                                                    std::span<const double> largest_strains) {
+  const auto layers = cut(scene, scene::layers(scene, source));
+  std::vector<std::size_t> beyond;
+  for (std::size_t j = 0; j < layers.size(); ++j) {
+    if (!layers[j].soil || !scene.soils[*layers[j].soil].curves)
+      continue;
+    // Behind its last row a table keeps the value of that, up to a strain of 1 and further.
+    const scene::StrainCurves& curves = *scene.soils[*layers[j].soil].curves;
+    const double effective = scene.eql.strain_ratio * largest_strains[j];
+    if (curves.whole && curves.modulus_reduction(effective) == curves.modulus_reduction(1.0))
+      beyond.push_back(j);
+  }
+  return beyond;
 }
 
 LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source) {

@@ -19,6 +19,17 @@ LayeredField field_from_case(const scene::Case& scene, const scene::SourceProces
 EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
                                                    const scene::SourceProcess& source);
 
+/// The iteration under a motion recorded in the ground (m/s2) instead of the case's own.
+EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
+                                                   const scene::SourceProcess& source,
+                                                   const RecordedMotion& record);
+
+/// The layers of an iteration's result, by index, whose effective strain lies beyond the last one of their
+/// soil's table.
+std::vector<std::size_t> layers_beyond_their_curves(const scene::Case& scene,
+                                                    const scene::SourceProcess& source,
+                                                    std::span<const double> largest_strains);
+
 /// The field in the layers of an iteration's result.
 LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source,
                              const EquivalentLinearResult& result);

@@ -132,4 +132,51 @@ TEST(IncidentMotion, RefusesWhatHasNoAnswer) {
   expect_refused([&] { incident_from_outcrop(layered3({}), WaveType::SV, 0.0, {}); }, "without samples");
 }
 
+/// 30 m of soft clay, which damps 20 Hz to a hundredth.
+LayeredHalfSpace soft_clay() {
+  return {.layers = {{.thickness = 30.0, .density = 1600.0, .vs = 100.0, .vp = 400.0, .damping = 0.12}},
+          .half_space = {2100.0, 600.0, 1200.0},
+          .damping = {DampingModel::hysteretic}};
+}
+
+TEST(IncidentMotion, OfARecordThatWouldBeAmplifiedTooMuchIsRefusedWithACutoffThatWillDo) {
+  std::vector<double> record(1000);
+  record[500] = 1.0;
+  const auto with_cutoff = [&](double cutoff) {
+    return incident_from_record(soft_clay(), WaveType::SV, 0.0, {record, dt, 0.0, cutoff});
+  };
+  std::string words;
+  try {
+    with_cutoff(20.0);
+  } catch (const std::invalid_argument& error) {
+    words = error.what();
+  }
+  EXPECT_THAT(words, ::testing::HasSubstr("outcrop over recorded motion, by which noise of the record is "
+                                          "amplified too, at "));
+  const auto place = words.find("must be at most 10: take a cutoff of ");
+  ASSERT_NE(place, std::string::npos) << words;
+  const double allowed = std::stod(words.substr(place + 37));
+  EXPECT_LE(2.0 * with_cutoff(allowed).largest_amplification, 10.0);
+  EXPECT_THROW(with_cutoff(1.5 * allowed), std::invalid_argument);
+}
+
+TEST(IncidentMotion, OfARecordRefusesWhatHasNoAnswer) {
+  const std::vector<double> record(100, 0.1);
+  const auto refused = [&](const LayeredHalfSpace& profile, double degrees, const RecordedMotion& given,
+                           const std::string& words) {
+    expect_refused([&] { incident_from_record(profile, WaveType::SV, radians(degrees), given); }, words);
+  };
+  const auto damped = layered3({DampingModel::hysteretic});
+  refused(damped, 0.0, {record, dt, 20.5}, "depth of the record is 20.5, must be from 0 to 20 m");
+  refused(damped, 0.0, {record, dt, -1.0}, "depth of the record is -1");
+  refused(damped, 0.0, {record, dt, 0.0, 0.0}, "cutoff is 0, must be above 0 Hz");
+  refused(damped, 0.0, {record, dt, 0.0, 0.001}, "leaves no frequency of a record of 1 s");
+  refused(damped, 0.0, {record, 0.0}, "time step of the motion is 0");
+  refused(damped, 40.0, {record, dt}, "beyond the critical angle of 30 degrees");
+  refused(layered3({}), 0.0, {record, dt, 4.0, 15.0}, "undamped layers");
+  const std::vector<double> broken{0.0, std::nan("")};
+  refused(damped, 0.0, {broken, dt}, "is nan");
+  refused(damped, 0.0, {{}, dt}, "without samples");
+}
+
 } // namespace
