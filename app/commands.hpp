@@ -21,6 +21,7 @@ void add_cost(Command& app);
 void add_explain(Command& app);
 void add_join(Command& app);
 void add_keygen(Command& app);
+void add_deconvolve(Command& app);
 void add_docs(Command& app);
 void add_export(Command& app);
 void add_import(Command& app);

@@ -32,6 +32,7 @@ void add_commands(tremolo::app::Command& program) {
   tremolo::app::add_export(program);
   tremolo::app::add_import(program);
   tremolo::app::add_motion(program);
+  tremolo::app::add_deconvolve(program);
   tremolo::app::add_new(program);
   tremolo::app::add_plot(program);
   tremolo::app::add_wave(program);

@@ -1,6 +1,7 @@
 // tremolo motion: what a strong motion is, its processing, and motions made from a recipe.
 
 #include "app/commands.hpp"
+#include "app/motion/chosen.hpp"
 #include "app/motion/motion_report.hpp"
 #include "app/motion/motion_steps.hpp"
 #include "app/python.hpp"
@@ -43,17 +44,6 @@ struct Named {
   std::string name;
   motion::Title title;
 };
-
-template <class Enum>
-std::optional<Enum> chosen(const std::string& text, std::optional<Enum> (*named)(std::string_view),
-                           const char* option) {
-  if (text.empty())
-    return std::nullopt;
-  const auto value = named(text);
-  if (!value)
-    throw std::invalid_argument(fmt::format("{} '{}' is not known", option, text));
-  return value;
-}
 
 motion::ReadAs read_as(const Options& options) {
   return {.quantity = chosen(options.quantity, motion::quantity_named, "--quantity"),

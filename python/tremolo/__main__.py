@@ -1,13 +1,13 @@
 """Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | watch RUN | extract RUN
 | failure RUN ... | column OUT.h5 | soiltest OUT.h5 | sweep-runs FOLDER | safety-picture FOLDER | verify-picture PATH
-| motion-picture FOLDER OUT."""
+| motion-picture FOLDER OUT | deconvolution-picture FOLDER OUT."""
 
 import argparse
 import json
 import sys
 from pathlib import Path
 
-from tremolo import (bodies, column, comparison, cost, failure, histories, motion, pore_pressure, swap,
+from tremolo import (bodies, column, comparison, cost, deconvolution, failure, histories, motion, pore_pressure, swap,
                      timeline, verification)
 from tremolo.pictures import fronts, maps, mechanism, preview
 from tremolo.soil_test import drawing, record
@@ -121,6 +121,11 @@ def motion_picture(arguments):
     yield motion.picture(arguments.folder, arguments.out, arguments.title, arguments.damping)
 
 
+def deconvolution_picture(arguments):
+    yield deconvolution.picture(arguments.folder, arguments.out, arguments.kind, arguments.lead, arguments.cutoff,
+                                arguments.title)
+
+
 def swap_picture(arguments):
     yield swap.picture(arguments.path)
 
@@ -232,6 +237,14 @@ def _parser():
     shaken.add_argument("out", help="the picture")
     shaken.add_argument("--title", default="")
     shaken.add_argument("--damping", type=float, default=0.05, help="of the response spectrum")
+    taken_down = add("deconvolution-picture", deconvolution_picture,
+                     "Picture of a deconvolution, from the tables of `tremolo deconvolve`.")
+    taken_down.add_argument("folder", help="holds histories, response and fourier of record and written motion")
+    taken_down.add_argument("out", help="the picture")
+    taken_down.add_argument("--kind", default="outcrop", help="of the written motion")
+    taken_down.add_argument("--lead", type=float, default=0.0, help="by which it begins before the record, s")
+    taken_down.add_argument("--cutoff", type=float, required=True, help="Hz")
+    taken_down.add_argument("--title", default="")
     swept = add("sweep-runs", sweep_runs, "Makes the runs of a sweep, its table and pictures.")
     swept.add_argument("path", help="the folder that `tremolo sweep` planned")
     swept.add_argument("--tremolo", default="tremolo", help="the program")
