@@ -173,6 +173,42 @@ TEST_F(DeconvolveCommand, WarnsWhereStrainPassesTheCurves) {
                                 "layers, first in the soil from 0 m to 1 m"));
 }
 
+TEST_F(DeconvolveCommand, WarnsWhereTheRockShakesMuchMoreThanTheGround) {
+  std::string record = "t (s),acceleration (m/s2)\n";
+  for (int i = 0; i < 600; ++i) {
+    const double t = 0.01 * i;
+    record +=
+        fmt::format("{:.6g},{:.12g}\n", t,
+                    std::exp(-std::pow((t - 3.0) / 0.6, 2)) * std::sin(2.0 * std::numbers::pi * 9.0 * t));
+  }
+  folder.write("record.csv", record);
+  std::string damped = site(rock_record);
+  damped.replace(damped.find("ratio = 0.03"), 12, "ratio = 0.30");
+  const auto [status, output] = deconvolve(damped, "--model wave --cutoff 10");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_THAT(output, HasSubstr("warning: the outcrop's PGA is "));
+}
+
+TEST_F(DeconvolveCommand, TakesASensorInTheGround) {
+  const auto [status, points] = run_tremolo(
+      "wave " + folder.write("up.toml", site(pulse)).string() + " --points " +
+      folder.write("points.csv", "x,y\n0,-3\n").string() + " --times 0:8:0.01 --out " + path("sensor.csv"));
+  ASSERT_EQ(status, 0) << points;
+  write_record(testing::read_table(folder / "sensor.csv"));
+  const auto outcome = deconvolve(site(rock_record), "--model wave --depth 3 --cutoff 8");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("3 m below the surface\n"));
+  // The largest slope of twice the pulse, 2 V 2 w^2 t (3 - 2a) exp(-a) at a = (3 - sqrt(6))/2.
+  constexpr double w = std::numbers::pi * 2.0;
+  const double a = 0.5 * (3.0 - std::sqrt(6.0));
+  const double exact = 2.0 * 0.1 * 2.0 * w * std::sqrt(a) * (3.0 - 2.0 * a) * std::exp(-a);
+  const Record rock = read_record(folder / "rock.csv");
+  double largest = 0.0;
+  for (const double value : rock.samples)
+    largest = std::max(largest, std::abs(value));
+  EXPECT_NEAR(largest, exact, 2e-3 * exact);
+}
+
 TEST_F(DeconvolveCommand, RefusesInOneLine) {
   const auto up = surface(site(pulse));
   write_record(up);

@@ -8,6 +8,7 @@
 #include "wavefield/layers/transfer.hpp"
 #include "wavefield/signal/fourier.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -298,6 +299,22 @@ TEST(Deconvolution, FindsTheModuliOfTheEquivalentLinearWayUp) {
     std::printf("tolerance %.0e: moduli %.1e, motion %.1e, %zu passes up, %zu down\n", tolerance, modulus,
                 off, up.iterations.size(), down.iterations.size());
   }
+}
+
+TEST(Deconvolution, RunsAwayWhereNoMotionFromBelowGivesTheRecord) {
+  const std::vector<StrainCurves> curves{hyperbolic(8e-4), hyperbolic(1.1e-3), hyperbolic(1.5e-3)};
+  auto record = shaking();
+  for (double& value : record)
+    value *= 40.0;
+  EXPECT_THAT(
+      [&] {
+        equivalent_linear_under_record(soft_ground(), curves, WaveType::SV, 0.0,
+                                       {.samples = record, .dt = dt, .cutoff = 15.0},
+                                       {.max_iterations = 200, .allow_non_convergence = true});
+      },
+      ::testing::ThrowsMessage<std::runtime_error>(
+          ::testing::AllOf(::testing::HasSubstr("the equivalent linear analysis runs away: the soil from "),
+                           ::testing::HasSubstr("a lower cutoff asks for less"))));
 }
 
 } // namespace
