@@ -1,7 +1,5 @@
 #include "mpm_domain/water/impervious_faces.hpp"
 
-#include "mpm_domain/domain.hpp"
-
 #include <algorithm>
 #include <cmath>
 

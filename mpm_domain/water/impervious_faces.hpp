@@ -11,7 +11,7 @@
 // Without it, a pressure beside the line would drive water out through the nodes until it had fallen to the
 // share of the cell that the soil fills.
 
-#include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/domain.hpp"
 
 #include <vector>
 
