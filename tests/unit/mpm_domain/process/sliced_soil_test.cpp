@@ -67,6 +67,8 @@ TEST(SlicedSoil, IsOneSoilInTheRunsFile) {
   Stepper stepper(domain, 0.0, test_support::quiet_ground());
   RunOutput output(folder / "", scene, "{}", domain,
                    std::vector<std::string>(domain.boundary.faces().size(), "left"));
+  stepper.step();
+  output.after_step(stepper);
   output.finish(stepper, 0.0, 0.0);
   const results::RunReader run(folder / "run.h5");
   EXPECT_EQ(std::get<std::vector<std::string>>(run.attribute("soil_names")),
