@@ -60,6 +60,16 @@ void check_dispersion(const Spec& spec) {
           fmt::format("reduced dispersion is for elastic and hysteretic soil, which '{}' is not", soil.name));
 }
 
+/// What a rigid base asks of the rest of the spec.
+void check_rigid_base(const Spec& spec) {
+  if (spec.sides != Sides::container && spec.sides != Sides::periodic)
+    throw std::invalid_argument("a rigid base goes with the walls of a container or with periodic sides");
+  if (spec.water || !spec.structures.empty() || !spec.matched_sides.empty() ||
+      spec.scheme.dispersion == Dispersion::reduced)
+    throw std::invalid_argument("a rigid base goes with dry soil, without structures, matched layers and "
+                                "reduced dispersion");
+}
+
 const Spec& checked(const Spec& spec) {
   const auto refuse_unless = [](bool good, std::string_view what, double value, std::string_view range) {
     if (!good)
@@ -87,6 +97,10 @@ const Spec& checked(const Spec& spec) {
                                 "for domains without water");
   if (spec.scheme.dispersion == Dispersion::reduced)
     check_dispersion(spec);
+  if (spec.rigid_base)
+    check_rigid_base(spec);
+  else if (spec.sides == Sides::container)
+    throw std::invalid_argument("the walls of a container stand on a rigid base");
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");

@@ -208,11 +208,13 @@ struct BaseBoundary {
 
 struct Boundary {
   Sides sides = Sides::free_field;
-  LateralBoundary left; ///< of periodic sides, the surface alone
+  LateralBoundary left; ///< of sides without free fields, the surface alone
   LateralBoundary right;
   BaseBoundary base;
 
-  bool periodic() const { return sides != Sides::free_field; }
+  bool has_lateral_fields() const { return sides == Sides::free_field; }
+  /// Whether the base moves as [motion] says, without ground below it.
+  bool has_shaking_table() const { return base.field.model == SourceModel::shaking_table; }
 };
 
 /// [[stage]] kind = "gravity": base fixed, sides on rollers, damped relaxation to rest.
@@ -307,8 +309,8 @@ struct Case {
   std::string text;                ///< the source
 
   MotionInput motion;
-  double surface_level = 0.0; ///< y of the free field's surface, m
-  materials::Elasticity halfspace;
+  double surface_level = 0.0;      ///< y of the free field's surface, m; none above a shaking table
+  materials::Elasticity halfspace; ///< none below a shaking table
   std::optional<GroundWater> water;
   std::vector<Soil> soils; ///< the slices of a soil stand one behind the other, and all have its name
   std::vector<SoilProfile> soil_profiles; ///< of the soils that are sliced

@@ -64,7 +64,8 @@ enum class SourceModel {
   eql,       ///< equivalent-linear layers
   mpm,       ///< a domain of one periodic column
   recording, ///< a free field recorded earlier
-  external   ///< a program of the user
+  external,  ///< a program of the user
+  shaking_table, ///< a rigid base that moves as it is told
 };
 constexpr auto words(SourceModel) {
   return word_table<SourceModel>({{SourceModel::wave, "wave"},
@@ -74,7 +75,8 @@ constexpr auto words(SourceModel) {
                                   {SourceModel::eql, "eql"},
                                   {SourceModel::mpm, "mpm"},
                                   {SourceModel::recording, "recording"},
-                                  {SourceModel::external, "external"}});
+                                  {SourceModel::external, "external"},
+                                  {SourceModel::shaking_table, "shaking_table"}});
 }
 
 enum class BaseForm {

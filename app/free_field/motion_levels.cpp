@@ -4,6 +4,7 @@
 #include "motion/band_limited.hpp"
 #include "motion/record.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/wave/motion.hpp"
 #include "wavefield/incident_motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
@@ -24,7 +25,7 @@ std::string level_text(double acceleration) {
   return fmt::format("{:.3g} m/s2 ({:.3g} g)", acceleration, acceleration / motion::standard_gravity);
 }
 
-double incident_level(const wavefield::Signal& signal) {
+double peak_level(const wavefield::Signal& signal) {
   const double dt = 1.0 / (samples_per_period * signal.highest_frequency);
   const auto count = static_cast<std::size_t>(std::ceil((signal.end - signal.begin) / dt)) + 1;
   std::vector<double> velocity;
@@ -58,12 +59,18 @@ double surface_level(const scene::Case& scene, const wavefield::LayeredHalfSpace
 } // namespace
 
 std::string motion_levels_text(const scene::Case& scene) {
+  if (scene.boundary.has_shaking_table()) {
+    const scene::Motion motion = scene::motion(scene.motion);
+    const double level = peak_level({[motion](double t) { return motion.velocity(t); }, motion.begin(),
+                                     motion.end(), motion.highest_frequency()});
+    return fmt::format("motion: peak acceleration {} of the shaking table\n", level_text(level));
+  }
   const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, scene.boundary.left));
   const wavefield::Incidence incidence = wavefield::incidence_from_case(scene);
   std::string text = "motion: peak acceleration ";
   try {
     const wavefield::Signal signal = wavefield::incident_signal(scene, ground);
-    const double incident = incident_level(signal);
+    const double incident = peak_level(signal);
     text += level_text(incident) + " as incident wave";
     if (!wavefield::is_post_critical(ground.half_space, incidence))
       text += fmt::format(", {} at an outcrop",

@@ -105,7 +105,7 @@ double difference(const SideFields& fields, const SideFields& reference) {
 
 std::vector<scene::Side> different_sides(const scene::Case& scene) {
   const auto& [sides, left, right, base] = scene.boundary;
-  if (scene.boundary.periodic())
+  if (!scene.boundary.has_lateral_fields())
     return {scene::Side::base};
   if (left.surface == right.surface && left.own_profile.empty() && right.own_profile.empty())
     return {scene::Side::left};

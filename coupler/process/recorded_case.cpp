@@ -119,7 +119,7 @@ std::string free_field_identity(const scene::Case& scene) {
     if (begins_with_any(key, beside))
       identity += fmt::format("{} = {}\n", key, value);
   for (const scene::Side side : {scene::Side::left, scene::Side::right, scene::Side::base}) {
-    if (scene.boundary.periodic() && side != scene::Side::base)
+    if (!scene.boundary.has_lateral_fields() && side != scene::Side::base)
       continue;
     const std::string model = unquoted(value_of(all, fmt::format("boundary.{}.model", scene::name(side))));
     if (model == scene::name(scene::SourceModel::recording) ||

@@ -64,6 +64,8 @@ double impulse_factor(int node_clock, int clock) {
 
 void Boundary::match(std::vector<Particles>& sets, const Spec& spec) {
   faces_ = find_faces(sets, spec);
+  if (spec.rigid_base && !rigid_base_)
+    rigid_base_.emplace();
   resize();
 }
 
@@ -72,6 +74,7 @@ void Boundary::remove_faces() {
   layers_.clear();
   corners_.clear();
   springs_.reset();
+  rigid_base_.reset();
   resize();
 }
 
@@ -160,6 +163,8 @@ void Boundary::build_supports(const Domain& domain) {
 }
 
 void Boundary::follow_sort(const Domain& domain) {
+  if (rigid_base_)
+    rigid_base_->follow_sort(domain);
   const std::size_t nodes = domain.grid.size();
   if (nodes_.restart(nodes))
     for (NodeField* field : {&on_nodes_x_, &on_nodes_y_})

@@ -36,6 +36,7 @@
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
 #include "mpm_domain/boundary/layer/matched_layer.hpp"
 #include "mpm_domain/boundary/periodic_springs.hpp"
+#include "mpm_domain/boundary/rigid_base.hpp"
 #include "mpm_domain/fields/node_fields.hpp"
 
 #include <functional>
@@ -78,6 +79,9 @@ public:
   /// when it has been done.
   void build_supports(const Domain& domain);
   bool has_layers() const { return !layers_.empty(); }
+  /// Where the base moves as it is told; the faces then have no tractions.
+  std::optional<RigidBase>& rigid_base() { return rigid_base_; }
+  const std::optional<RigidBase>& rigid_base() const { return rigid_base_; }
 
   /// After a sort: the grid may have grown, and particles of faces may have come to other cells.
   void follow_sort(const Domain& domain);
@@ -116,6 +120,8 @@ public:
     to.write("faces.level", levels);
     to.write("faces.layer_sums", layer_sums_);
     to.write("faces.kicked", kicked());
+    if (rigid_base_)
+      to.write("rigid_base", rigid_base_->state());
     for (std::size_t l = 0; l < layers_.size(); ++l)
       to.write("layer" + std::to_string(l), layers_[l].state());
     for (std::size_t c = 0; c < corners_.size(); ++c)
@@ -128,6 +134,8 @@ public:
     set_levels(from.numbers("faces.level"));
     set_layer_sums(from.numbers("faces.layer_sums"));
     set_kicked(from.numbers("faces.kicked"));
+    if (rigid_base_)
+      rigid_base_->set_state(from.numbers("rigid_base"));
     for (std::size_t l = 0; l < layers_.size(); ++l)
       layers_[l].restore(from.numbers("layer" + std::to_string(l)));
     for (std::size_t c = 0; c < corners_.size(); ++c)
@@ -169,6 +177,7 @@ private:
   std::vector<MatchedLayer> layers_;
   std::vector<JoinedLayers> corners_; ///< between them
   std::optional<PeriodicSprings> springs_;
+  std::optional<RigidBase> rigid_base_;
   bool supported_ = false;
 
   std::vector<FaceWeights> weights_; ///< as of the start of each face's present step

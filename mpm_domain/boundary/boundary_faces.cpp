@@ -43,6 +43,8 @@ BoundaryFace make_face(Side side, Vector normal, const Spec& spec, Particles& se
   face.position = {set.x[k] + 0.5 * size * normal.x, set.y[k] + 0.5 * size * normal.y};
   face.length = size;
   face.ground = ground_of(side, normal, spec, set, k);
+  if (spec.rigid_base)
+    face.support = Support::rigid_base;
   return face;
 }
 
@@ -98,9 +100,9 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
     const double size = 2.0 * sets[s].half_size;
     const double near = 0.75 * size; // between the first particle at size/2 and the second at 3/2 size
     for (std::size_t k = 0; k < sets[s].size(); ++k) {
-      if (!spec.periodic() && sets[s].x[k] - spec.box.x_min < near)
+      if (spec.has_side_faces() && sets[s].x[k] - spec.box.x_min < near)
         faces.push_back(make_face(Side::left, {-1.0, 0.0}, spec, sets[s], s, k, size));
-      if (!spec.periodic() && spec.box.x_max - sets[s].x[k] < near)
+      if (spec.has_side_faces() && spec.box.x_max - sets[s].x[k] < near)
         faces.push_back(make_face(Side::right, {1.0, 0.0}, spec, sets[s], s, k, size));
       if (sets[s].y[k] - spec.box.y_min < near)
         faces.push_back(make_face(Side::base, {0.0, -1.0}, spec, sets[s], s, k, size));

@@ -19,11 +19,12 @@ namespace tremolo::mpm_domain {
 
 struct Domain;
 
-/// What takes up the waves that the domain scatters at a face, or ties it to another one.
+/// What takes up the waves that the domain scatters at a face, or holds it.
 enum class Support {
   dashpots,      ///< of Eq. (6)
   matched_layer, ///< matched_layer.hpp
   opposite_face, ///< a spring to the other side: periodic_springs.hpp
+  rigid_base,    ///< nothing: the base's nodes move with it (rigid_base.hpp)
 };
 
 /// A face: the particle it rides on, and what Eq. (6) needs to know.

@@ -12,7 +12,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// Sets the domain's static tractions from the reactions of its constraints.
+/// Sets the domain's static tractions from the reactions of its constraints; a rigid base and its walls stay
+/// as they are, and hold the soil.
 /// @returns the largest force left unbalanced at a node over the largest reaction
 /// @throws std::runtime_error if the faces cannot hold the reactions to 1e-9
 double replace_constraints(Domain& domain, const Reactions& reactions);

@@ -1,5 +1,6 @@
 #include "mpm_domain/gravity/gravity_stage.hpp"
 
+#include "mpm_domain/boundary/held_nodes.hpp"
 #include "mpm_domain/dispersion/fullness.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
@@ -29,13 +30,8 @@ struct Supports {
   std::vector<unsigned char> met; ///< nodes that structures touch
 };
 
-bool on_line(double a, double b, double h) {
-  return std::abs(a - b) < 1e-6 * h;
-}
-
 /// The supports among the nodes of a lattice.
 void find_supports(const Domain& domain, const Lattice& lattice, Supports& supports, Reactions& reactions) {
-  const Box& box = domain.spec.box;
   const double empty = empty_mass(domain);
   for (int j = 0; j < lattice.ny; ++j)
     for (int i = 0; i < lattice.nx; ++i) {
@@ -43,16 +39,11 @@ void find_supports(const Domain& domain, const Lattice& lattice, Supports& suppo
       if (domain.grid.mass[n] <= empty)
         continue;
       supports.full[n] = 1;
-      const bool base = on_line(lattice.y0 + j * lattice.h, box.y_min, lattice.h);
-      const double x = lattice.x0 + i * lattice.h;
-      const bool side =
-          !domain.spec.periodic() && (on_line(x, box.x_min, lattice.h) || on_line(x, box.x_max, lattice.h));
-      supports.fixed_y[n] = base;
-      supports.fixed_x[n] = base || side;
-      if (base)
-        reactions.base.push_back(n);
-      else if (side)
-        reactions.sides.push_back(n);
+      const Hold hold = hold_of(lattice, i, j, domain.spec);
+      supports.fixed_y[n] = hold == Hold::all;
+      supports.fixed_x[n] = hold != Hold::none;
+      if (hold != Hold::none)
+        (hold == Hold::all ? reactions.base : reactions.sides).push_back(n);
     }
 }
 

@@ -79,9 +79,14 @@ void FollowedPoint::append_values(const Stepper& stepper, bool water, std::vecto
   const std::size_t k = set.index_of[id_];
   const double dt = stepper.dt();
   const Vector x = place(set, k, dt);
-  const Vector u = displacement(set, k, dt);
-  const Vector v = particle_velocity(*domain_, set, k);
-  const Vector a = particle_acceleration(*domain_, set, k);
+  const BaseMotion base =
+      domain_->boundary.rigid_base() ? domain_->boundary.rigid_base()->motion() : BaseMotion{};
+  const auto in_space = [](Vector relative, Vector of_base) {
+    return Vector{relative.x + of_base.x, relative.y + of_base.y};
+  };
+  const Vector u = in_space(displacement(set, k, dt), base.displacement);
+  const Vector v = in_space(particle_velocity(*domain_, set, k), base.velocity);
+  const Vector a = in_space(particle_acceleration(*domain_, set, k), base.acceleration);
   const Strain e = strain(dt);
   row.insert(row.end(), {x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y, set.sxx[k], set.syy[k], set.szz[k],
                          set.sxy[k], e.xx, e.yy, e.xy});

@@ -48,6 +48,7 @@ public:
   };
   static std::vector<Column> columns(const scene::Case& scene);
 
+  /// Motions are those in space, also of soil on a rigid base; the place is that on the base.
   /// Appends place, displacement, velocity, acceleration, effective stress, strain and, in a case with water,
   /// pore pressure and its ratio, as columns() names them. Strain is NaN where the soil has too few particles
   /// around the point.

@@ -61,11 +61,13 @@ enum class Sides {
   free_field,       ///< they carry faces
   periodic,         ///< the domain repeats itself beyond them; it is a whole number of cells wide
   periodic_springs, ///< their faces are tied to each other (periodic_springs.hpp)
+  container,        ///< smooth walls that move with a rigid base (rigid_base.hpp)
 };
 constexpr auto words(Sides) {
   return word_table<Sides>({{Sides::free_field, "free_field"},
                             {Sides::periodic, "periodic"},
-                            {Sides::periodic_springs, "periodic_springs"}});
+                            {Sides::periodic_springs, "periodic_springs"},
+                            {Sides::container, "container"}});
 }
 
 /// The numerical scheme of the domain.

@@ -57,6 +57,9 @@ struct Spec {
   ContactGaps gaps = {}; ///< no key of a case: tests/cost/structures measures what other values would do
   Scheme scheme;
   Sides sides = Sides::free_field;
+  /// The base moves as its free field does, whatever the soil does (rigid_base.hpp). It goes with periodic
+  /// sides or a container.
+  bool rigid_base = false;
   /// Sides whose scattered waves a matched layer takes up instead of dashpots, and its depth in cells.
   std::vector<Side> matched_sides;
   int layer_cells = 10;
@@ -68,6 +71,8 @@ struct Spec {
   int threads = 1;
 
   bool periodic() const { return sides == Sides::periodic; }
+  /// Whether the left and right edges carry faces.
+  bool has_side_faces() const { return sides == Sides::free_field || sides == Sides::periodic_springs; }
 };
 
 } // namespace tremolo::mpm_domain

@@ -66,7 +66,10 @@ std::vector<Pass> Stepper::recipe() {
   add("boundary exchange", &Stepper::exchange);
   if (domain_.boundary.has_layers())
     add("matched layers", &Stepper::react);
-  passes.push_back({"boundary tractions", [this] { domain_.boundary.apply(domain_, ticks_, nodes_); }});
+  if (domain_.boundary.rigid_base())
+    add("inertia", &Stepper::push_by_base);
+  else
+    passes.push_back({"boundary tractions", [this] { domain_.boundary.apply(domain_, ticks_, nodes_); }});
   add("grid update", domain_.has_flow() ? &Stepper::update_with_flow : &Stepper::update);
   if (domain_.contact.any())
     add("contact", &Stepper::meet_bodies);
@@ -158,6 +161,8 @@ void Stepper::scatter_particles() {
     shared_.keep(clock);
   }
   shared_.add_steady();
+  if (const auto& base = domain_.boundary.rigid_base())
+    base->stop(domain_.grid);
 }
 
 void Stepper::scatter_wet_particles() {
@@ -194,6 +199,14 @@ void Stepper::book_transfer(double kinetic_gain) {
 void Stepper::exchange() {
   if (ticks_.is_first() && !domain_.boundary.faces().empty())
     domain_.boundary.exchange(domain_, nodes_, free_field_, steps_, time_);
+}
+
+void Stepper::push_by_base() {
+  RigidBase& base = *domain_.boundary.rigid_base();
+  if (ticks_.is_first())
+    base.move(domain_.boundary.free_field().front().velocity, dt_, ticks_.clocks());
+  for (int clock = ticks_.first_due(); clock < ticks_.clocks(); ++clock)
+    base.push(domain_, ticks_, clock, nodes_.of(clock));
 }
 
 void Stepper::react() {
@@ -246,6 +259,9 @@ void Stepper::finish_update() {
     throw std::runtime_error(
         fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
   domain_.boundary.book(domain_, ticks_, nodes_);
+  if (const auto& base = domain_.boundary.rigid_base())
+    for (int clock = ticks_.first_due(); clock < ticks_.clocks(); ++clock)
+      energy.input += ticks_.kick_of(clock) * base->power(domain_, clock, nodes_.of(clock));
   if (domain_.has_flow())
     energy.drag -= kicks_.front() * walls_.open(domain_);
   shared_.follow_update();
@@ -284,6 +300,8 @@ void Stepper::scatter_momenta() {
     add_particles(domain_, ScatterPart::momentum, clock);
     fold(domain_, ScatterPart::momentum, nodes_.ties_of(clock));
   }
+  if (const auto& base = domain_.boundary.rigid_base())
+    base->stop(domain_.grid);
 }
 
 // With the trapezoidal rule, the work of the stresses is booked on the mean of this step's remapped velocity
@@ -293,8 +311,10 @@ void Stepper::scatter_momenta() {
 // the other half of the power on it belongs to that step, and is booked here with the stresses of this one.
 void Stepper::remap() {
   for (int clock = ticks_.first_ending(); clock < ticks_.clocks(); ++clock) {
-    const double power = remap_velocities(domain_, nodes_.of(clock)) -
-                         domain_.boundary.remap_power(domain_.grid, nodes_, clock);
+    double power = remap_velocities(domain_, nodes_.of(clock)) -
+                   domain_.boundary.remap_power(domain_.grid, nodes_, clock);
+    if (const auto& base = domain_.boundary.rigid_base())
+      power -= base->remap_power(domain_, clock, nodes_.of(clock));
     domain_.energy.transfer += 0.5 * kicks_[static_cast<std::size_t>(clock)] * power;
   }
   if (domain_.has_flow())

@@ -99,6 +99,7 @@ private:
   void scatter_forces();
   void find_velocities();
   void exchange();
+  void push_by_base();
   void react();
   void update();
   void update_with_flow();

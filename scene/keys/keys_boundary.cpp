@@ -16,9 +16,20 @@ constexpr std::string_view models_meaning =
     "`external`: a program of your own. `mpm`: a "
     "periodic column of the domain's own cells.";
 
+/// The models that a base on ground may have.
+std::vector<std::string_view> models_of_ground() {
+  auto models = all_words<SourceModel>();
+  std::erase(models, name(SourceModel::shaking_table));
+  return models;
+}
+
 std::vector<Key> field_model() {
   return {
-      choice<SourceModel>("model", models_meaning),
+      {.name = "model",
+       .type = Type::choice,
+       .meaning = models_meaning,
+       .required = true,
+       .choices = models_of_ground()},
       {.name = "file",
        .type = Type::text,
        .meaning = "The recorded free field, relative to the case file.",
@@ -56,7 +67,8 @@ Key sides() {
       "one, and the model "
       "repeats itself beyond them; for vertical incidence, exact. `periodic_springs`: the same by "
       "stiff springs "
-      "between the particles of both sides, an error of first order in the cell size.",
+      "between the particles of both sides, an error of first order in the cell size. `container`: smooth "
+      "walls that stand on a shaking table; soil slides along them and does not part from them.",
       Sides::free_field);
 }
 
@@ -80,6 +92,12 @@ Table own_profile(std::string_view name) {
 
 Table base() {
   auto keys = field_model();
+  keys.front().meaning =
+      "Who computes the free field, as for the sides; or `shaking_table`: a rigid base that moves as "
+      "`[motion]` "
+      "says, `kind = \"within\"`, along x for SV and along y for P. It goes with the sides `container` and "
+      "`periodic`, and without `[surface]`, `[halfspace]` and `[[profile]]`.";
+  keys.front().choices = all_words<SourceModel>();
   keys.push_back(choice<BaseForm>(
       "form",
       "`total`: velocity and stress of the whole free field, exact at any angle; needs the same "
@@ -90,6 +108,8 @@ Table base() {
       "top; exact at vertical incidence, in uniform ground 3 % off at 15 degrees and 16 % at 30 degrees.",
       BaseForm::blended));
   keys.push_back(absorber());
+  for (auto key = keys.end() - 2; key != keys.end(); ++key)
+    key->when = {"model", models_of_ground()};
   return {.name = "boundary.base",
           .required = true,
           .meaning = "What enters through the base.",

@@ -43,22 +43,22 @@ Table motion() {
                "Whose motion it is; a `file` needs it. `incident`: of the upgoing wave alone, along its "
                "polarisation. `outcrop`: of the surface of the bare half-space, horizontal for SV and "
                "vertical for P; vertically twice the incident wave. `within`: of the top of the half-space "
-               "under the `[[profile]]`, as a downhole sensor records it.",
+               "under the `[[profile]]`, as a downhole sensor records it, or of a shaking table.",
            .otherwise = "`incident` of a `pulse`",
            .choices = all_words<motion::MotionKind>()},
           choice<Wave>("wave", "Type of the incident wave."),
           {.name = "angle_deg",
            .unit = "degrees",
-           .meaning = "Angle of incidence from the vertical, travelling to +x, +y.",
-           .required = true,
+           .meaning = "Angle of incidence from the vertical, travelling to +x, +y. Required unless the "
+                      "base is a shaking table.",
            .range = {.low = 0.0, .high = 90.0, .high_open = true}},
           {.name = "reference",
            .type = Type::numbers,
            .unit = "m",
            .meaning =
                "Where the incident wave has exactly this motion: of its polarisation SV (cos, -sin), P (sin, "
-               "cos) of the angle for `incident`; `outcrop` and `within` at the top of the half-space.",
-           .required = true,
+               "cos) of the angle for `incident`; `outcrop` and `within` at the top of the half-space. "
+               "Required unless the base is a shaking table.",
            .count = 2,
            .form = "[x, y]"},
       }};
@@ -179,14 +179,12 @@ std::vector<Table> field_keys() {
       motion(),
       pulse(),
       {.name = "surface",
-       .required = true,
-       .meaning = "The free surface of the free field.",
+       .meaning = "The free surface of the free field. Required unless the base is a shaking table.",
        .keys = {{.name = "level", .unit = "m", .meaning = "y of the free surface.", .required = true}}},
       {.name = "halfspace",
-       .required = true,
        .meaning =
            "The homogeneous half-space below the profile, up to the surface where there is no `[[profile]]`. "
-           "Either `young` and `poisson`, or `vs` and `vp`.",
+           "Either `young` and `poisson`, or `vs` and `vp`. Required unless the base is a shaking table.",
        .keys = with_elastic_keys({half_space_damping()})},
       {.name = "profile",
        .kind = Kind::array,

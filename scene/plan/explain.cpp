@@ -44,6 +44,8 @@ std::string motion_text(const Case& scene) {
         fmt::format("Ricker pulse of {} Hz, {} m/s at {} s", pulse->frequency, pulse->velocity, pulse->time);
   else
     source = std::get<MotionFile>(motion.source).path.filename().string();
+  if (scene.boundary.has_shaking_table())
+    return fmt::format("{}, of a shaking table along {}", source, motion.wave == Wave::sv ? "x" : "y");
   return fmt::format("{}, {} motion of the {} wave at {} degrees, given at ({}, {})", source,
                      name(motion.kind), name(motion.wave), motion.angle_deg, motion.reference.x,
                      motion.reference.y);
@@ -59,6 +61,13 @@ std::string sides_text(const SourceProcess& source) {
 std::string layers_text(const std::vector<Layer>& layers) {
   return layers.empty() ? "no layers"
                         : fmt::format("{} layer{}", layers.size(), layers.size() == 1 ? "" : "s");
+}
+
+/// What a free field's source has below its surface.
+std::string ground_text(const Case& scene, const SourceProcess& source) {
+  if (source.field.model == SourceModel::shaking_table)
+    return {};
+  return fmt::format(", surface at y = {} m, {}", source.surface, layers_text(layers(scene, source)));
 }
 
 /// "0.5 m", or "1 to 0.25 m"
@@ -131,9 +140,8 @@ std::string explain(const Case& scene, const Plan& plan) {
                         cost_text(effect));
   text += fmt::format("\nProcesses\n  {:<16}{:<18}particles, boundary faces\n", "tremolo-domain", "domain");
   for (const SourceProcess& source : plan.sources)
-    text += fmt::format("  {:<16}{:<18}model {}, surface at y = {} m, {}; serves {}\n", program(source.field),
-                        source.name, name(source.field.model), source.surface,
-                        layers_text(layers(scene, source)), sides_text(source));
+    text += fmt::format("  {:<16}{:<18}model {}{}; serves {}\n", program(source.field), source.name,
+                        name(source.field.model), ground_text(scene, source), sides_text(source));
   text += fmt::format("  base       {}\n", plan.base);
   text +=
       fmt::format("\nSize\n"

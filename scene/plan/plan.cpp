@@ -107,10 +107,12 @@ std::string subcycling_text(const Case& scene) {
                              : "[time] subcycle = false: one step for all levels";
 }
 
-std::string periodic_text(Sides sides) {
+std::string sides_text(Sides sides) {
   switch (sides) {
   case Sides::free_field:
     break;
+  case Sides::container:
+    return "[boundary] sides = \"container\": smooth walls that move with the shaking table";
   case Sides::periodic:
     return "[boundary] sides = \"periodic\": the grid is wrapped, waves that leave at one side enter at the "
            "other";
@@ -183,9 +185,13 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"oblique incidence", scene.motion.angle_deg > 0.0,
        fmt::format("[motion] angle_deg = {}", scene.motion.angle_deg)},
       {"free field", true, "[boundary]: " + listed(sources)},
-      {"periodic sides", scene.boundary.periodic(), periodic_text(scene.boundary.sides)},
+      {"periodic sides", sides == Sides::periodic || sides == Sides::periodic_springs, sides_text(sides)},
+      {"shaking table", scene.boundary.has_shaking_table(),
+       scene.boundary.has_shaking_table() ? "[boundary.base] model = \"shaking_table\", " + sides_text(sides)
+                                          : "the base of the model lies on ground"},
       {"matched layers", layered,
-       layered ? "[boundary]: absorber = \"matched_layer\"" : "all sides of [boundary] have dashpots"},
+       layered ? "[boundary]: absorber = \"matched_layer\""
+               : "no side of [boundary] has absorber = \"matched_layer\""},
       {"material damping", scene.damping.model != DampingModel::none,
        fmt::format("[damping] model = \"{}\"", name(scene.damping.model))},
       {"viscous damping", damped,

@@ -19,7 +19,8 @@ std::string resolved_json(const Case& scene, const Plan& plan) {
   json["plan"] = ordered_json::parse(to_json(scene, plan));
   const double speed =
       scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
-  const double slowness = std::sin(scene.motion.angle_deg * std::numbers::pi / 180.0) / speed;
+  const double sine = std::sin(scene.motion.angle_deg * std::numbers::pi / 180.0);
+  const double slowness = sine > 0.0 ? sine / speed : 0.0; // a shaking table has no speed
   json["served"] = ordered_json::array();
   for (const SourceProcess& source : plan.sources) {
     const Service service = scene::service(scene, source, slowness);

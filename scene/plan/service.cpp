@@ -39,7 +39,9 @@ Service service(const Case& scene, const SourceProcess& source, double slowness_
   };
   const Box& box = scene.mesh.box;
   Service service;
-  if (serves(BaseForm::total))
+  if (scene.boundary.has_shaking_table())
+    service.lines.push_back({BaseForm::total, {box.y_min}});
+  else if (serves(BaseForm::total))
     service.lines.push_back({BaseForm::total, levels(scene, source)});
   if (serves(BaseForm::incident))
     service.lines.push_back({BaseForm::incident, {box.y_min}});

@@ -47,7 +47,7 @@ const SourceProcess& under_side(const Plan& plan, const LateralBoundary& boundar
 std::vector<SourceProcess> plan_sources(const Case& scene) {
   const auto& [sides, left, right, base] = scene.boundary;
   std::vector<SourceProcess> sources;
-  if (!scene.boundary.periodic()) {
+  if (scene.boundary.has_lateral_fields()) {
     serve(sources, left.field, left.surface, own(left, Side::left), {Side::left, BaseForm::total});
     serve(sources, right.field, right.surface, own(right, Side::right), {Side::right, BaseForm::total});
   }
@@ -62,6 +62,8 @@ std::vector<SourceProcess> plan_sources(const Case& scene) {
 std::string describe_base(const Case& scene, const std::vector<SourceProcess>& sources) {
   const auto& [sides, left, right, base] = scene.boundary;
   const auto& source = sources[source_index(sources, Side::base)];
+  if (scene.boundary.has_shaking_table())
+    return fmt::format("shaking table: rigid, it moves as '{}' says; the run is seen from it", source.name);
   if (base.form == BaseForm::total)
     return fmt::format("total: velocity and stress of the whole free field with its surface at y = {} m, "
                        "from '{}'; dashpots "
@@ -88,13 +90,14 @@ std::size_t source_index(const std::vector<SourceProcess>& sources, Side side) {
     if (std::ranges::find(sources[i].serves, side, &Served::side) != sources[i].serves.end())
       return i;
   throw std::invalid_argument(
-      fmt::format("the case has no free field at the {}: its sides are periodic", name(side)));
+      fmt::format("the case has no free field at the {}: [boundary] sides are others", name(side)));
 }
 
 std::string program(const FreeFieldModel& field) {
   switch (field.model) {
   case SourceModel::wave:
   case SourceModel::eql:
+  case SourceModel::shaking_table:
     return "tremolo-wave";
   case SourceModel::fe:
   case SourceModel::ode:

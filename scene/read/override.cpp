@@ -98,7 +98,7 @@ std::string overridden_text(const Case& scene, const CaseOverride& values) {
   if (values.angle_deg)
     replacements.put("motion.angle_deg", fmt::format("{}", *values.angle_deg));
   for (const Side side : {Side::left, Side::right, Side::base}) {
-    if (scene.boundary.periodic() && side != Side::base)
+    if (!scene.boundary.has_lateral_fields() && side != Side::base)
       continue;
     const auto boundary = fmt::format("boundary.{}", name(side));
     const auto replay = values.replays.find(side);

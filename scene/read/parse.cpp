@@ -13,6 +13,11 @@ namespace {
 /// Whether the record that [motion] names must be there.
 enum class CaseRecord { needed, to_be_made };
 
+/// Whether the base of the model is a rigid one, which what is read before [boundary] depends on.
+bool has_shaking_table(const toml::table& root) {
+  return root.at_path("boundary.base.model").value<std::string_view>() == name(SourceModel::shaking_table);
+}
+
 Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecord record) {
   Findings findings(file.string());
   Case scene;
@@ -66,6 +71,8 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
   read_mesh(document, scene);
   if (!document.has("soil"))
     document.named("soil"); // reports that there is none
+  if (has_shaking_table(root))
+    scene.boundary.base.field.model = SourceModel::shaking_table;
   read_free_field(document, findings, scene);
   read_boundary(document, findings, scene);
   read_model(document, findings, scene);

@@ -28,7 +28,7 @@ LateralBoundary read_side(Document& document, const char* name, Findings& findin
   if (!document.has(name))
     findings.add(name,
                  fmt::format("missing table [{}]: the free field of this side, unless [boundary] sides = "
-                             "\"periodic\"",
+                             "\"periodic\" or \"container\"",
                              name));
   const auto table = document.table(name);
   const double surface = table.optional_number("surface").value_or(scene.surface_level);
@@ -39,9 +39,9 @@ LateralBoundary read_side(Document& document, const char* name, Findings& findin
   return {read_model(table, scene), surface, watered(own, surface, scene), read_absorber(table)};
 }
 
-/// Where the model repeats itself there is no free field, only the level of its surface.
-LateralBoundary read_periodic_side(Document& document, const char* name, Findings& findings,
-                                   const Case& scene) {
+/// Where the model repeats itself, or ends at a wall, there is no free field, only the level of its surface.
+LateralBoundary read_side_without_field(Document& document, const char* name, Findings& findings,
+                                        const Case& scene) {
   if (document.has(name)) {
     document.table(name);
     findings.add(name,
@@ -65,7 +65,7 @@ BaseForm read_form(const TableReader& table, const LateralBoundary& left, const 
 
 void read_boundary(Document& document, Findings& findings, Case& scene) {
   scene.boundary.sides = document.table("boundary").choice<Sides>("sides");
-  const auto read = scene.boundary.periodic() ? read_periodic_side : read_side;
+  const auto read = scene.boundary.has_lateral_fields() ? read_side : read_side_without_field;
   scene.boundary.left = read(document, "boundary.left", findings, scene);
   scene.boundary.right = read(document, "boundary.right", findings, scene);
   const auto base = document.table("boundary.base");

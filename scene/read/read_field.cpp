@@ -17,6 +17,10 @@ void read_motion(Document& document, Findings& findings, Case& scene) {
   using enum motion::MotionKind;
   if (table.given("kind"))
     scene.motion.kind = table.choice<motion::MotionKind>("kind");
+  for (const auto& [key, what] : {std::pair("angle_deg", "its angle of incidence from the vertical, degrees"),
+                                  std::pair("reference", "where, [x, y], the incident wave has this motion")})
+    if (!table.given(key) && !scene.boundary.has_shaking_table() && findings.sound("motion"))
+      findings.add(table.path(key), fmt::format("missing '{}': {}", key, what));
   scene.motion.wave = table.choice<Wave>("wave");
   scene.motion.angle_deg = table.number("angle_deg");
   scene.motion.reference = table.point("reference");
@@ -92,13 +96,38 @@ std::vector<Layer> read_layers(Document& document, const char* name, Findings& f
   return layers;
 }
 
-void read_free_field(Document& document, Findings& findings, Case& scene) {
-  read_motion(document, findings, scene);
-  scene.surface_level = document.table("surface").number("level");
+namespace {
+
+/// Surface and half-space, which a free field needs and a shaking table has not.
+void read_ends_of_ground(Document& document, Findings& findings, Case& scene) {
+  for (const char* name : {"surface", "halfspace"})
+    if (!scene.boundary.has_shaking_table() && !document.has(name))
+      findings.add(name, fmt::format("missing table [{}]: {}", name,
+                                     "the ground of the free field, unless the base is a shaking table"));
+  if (document.has("surface"))
+    scene.surface_level = document.table("surface").number("level");
+  if (!document.has("halfspace"))
+    return;
   const auto half_space = document.table("halfspace");
   scene.halfspace = read_elasticity(half_space, findings);
   scene.halfspace_damping = half_space.number("damping");
+}
 
+/// After the tables have been read, so that their places are known.
+void refuse_ground_below_table(const Document& document, Findings& findings) {
+  for (const char* name : {"surface", "halfspace", "profile"})
+    if (document.has(name))
+      findings.add(name,
+                   fmt::format("[{}] is ground of a free field, which a shaking table does not stand on; "
+                               "remove it",
+                               name));
+}
+
+} // namespace
+
+void read_free_field(Document& document, Findings& findings, Case& scene) {
+  read_motion(document, findings, scene);
+  read_ends_of_ground(document, findings, scene);
   read_damping(document, scene);
   read_water(document, scene);
   if (document.has("soil"))
@@ -106,6 +135,8 @@ void read_free_field(Document& document, Findings& findings, Case& scene) {
   scene.profile = read_layers(document, "profile", findings, scene);
   scene.profile = watered(scene.profile, scene.surface_level, scene);
   read_numerics(document, scene);
+  if (scene.boundary.has_shaking_table())
+    refuse_ground_below_table(document, findings);
 }
 
 } // namespace tremolo::scene

@@ -24,6 +24,7 @@ constexpr std::array rules = {
     Rule{Severity::error, regions_hold_particles},
     Rule{Severity::error, soil_reaches_boundaries},
     Rule{Severity::error, sides_can_be_periodic},
+    Rule{Severity::error, shaking_table_suits_case},
     Rule{Severity::error, springs_tie_equal_cells},
     Rule{Severity::error, total_base_has_one_surface},
     Rule{Severity::error, models_take_the_wave},

@@ -36,6 +36,8 @@ void regions_hold_particles(const Case& scene, Findings& findings);
 void soil_reaches_boundaries(const Case& scene, Findings& findings);
 /// Periodic sides go with waves that are the same all along the base, and with what can be tied or wrapped.
 void sides_can_be_periodic(const Case& scene, Findings& findings);
+/// A shaking table moves dry soil between walls or periodic sides, as a motion of its own tells it.
+void shaking_table_suits_case(const Case& scene, Findings& findings);
 /// Springs tie particles of one side to those of the other: cells there are equal.
 void springs_tie_equal_cells(const Case& scene, Findings& findings);
 /// A total base field needs one surface level and one profile.

@@ -1,6 +1,6 @@
 // tremolo-wave: serves the free field of an oblique P or SV wave in elastic or equivalent-linear layers,
 // computed at once for the whole run on a vertical line; along x it is the same, delayed by the horizontal
-// slowness.
+// slowness. A shaking table is served as it moves.
 
 #include "coupler/participant.hpp"
 #include "scene/case.hpp"
@@ -9,6 +9,7 @@
 #include "wavefield/layers/long_field.hpp"
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/served_steps.hpp"
+#include "wavefield/process/shaking_table.hpp"
 
 #include <fmt/format.h>
 
@@ -91,6 +92,8 @@ void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
+  if (source.field.model == scene::SourceModel::shaking_table)
+    return serve_shaking_table(scene, source, options);
   const wavefield::LayeredField field = field_of(scene, source);
   const double dt = 1.0 / (samples_per_period * scene::motion(scene.motion).highest_frequency());
   const std::vector<coupler::FieldDescription> fields =

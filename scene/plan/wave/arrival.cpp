@@ -9,6 +9,8 @@
 namespace tremolo::scene {
 
 double delay_to_model(const Case& scene) {
+  if (scene.boundary.has_shaking_table())
+    return 0.0;
   const double speed =
       scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
   const double angle = scene.motion.angle_deg * std::numbers::pi / 180.0;

@@ -93,7 +93,8 @@ bool ends_above_the_base(const Case& scene, SourceModel model, double surface,
 } // namespace
 
 void models_take_the_wave(const Case& scene, Findings& findings) {
-  if (!findings.sound("motion.angle_deg") || !findings.sound("halfspace"))
+  if (scene.boundary.has_shaking_table() || !findings.sound("motion.angle_deg") ||
+      !findings.sound("halfspace"))
     return;
   if (findings.sound("motion.kind"))
     outcrop_has_a_factor(scene, findings);
@@ -113,7 +114,7 @@ void models_take_the_wave(const Case& scene, Findings& findings) {
         findings.add(path, why);
   };
   const auto& [sides, left, right, base] = scene.boundary;
-  if (!scene.boundary.periodic()) {
+  if (scene.boundary.has_lateral_fields()) {
     check(left.field.model, left.surface, layers(scene, left), "boundary.left.model");
     check(right.field.model, right.surface, layers(scene, right), "boundary.right.model");
   }

@@ -6,9 +6,10 @@ namespace tremolo::scene {
 
 void sides_can_be_periodic(const Case& scene, Findings& findings) {
   const Boundary& boundary = scene.boundary;
-  if (!boundary.periodic() || !findings.sound("boundary.sides"))
+  if (boundary.has_lateral_fields() || !findings.sound("boundary.sides"))
     return;
-  if (findings.sound("motion.angle_deg") && scene.motion.angle_deg != 0.0)
+  if (boundary.sides != Sides::container && findings.sound("motion.angle_deg") &&
+      scene.motion.angle_deg != 0.0)
     findings.add(
         "boundary.sides",
         fmt::format("sides = \"{}\" repeat the model, but a wave at [motion] angle_deg = {} reaches its "

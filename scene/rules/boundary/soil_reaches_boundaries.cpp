@@ -53,7 +53,7 @@ void soil_reaches_boundaries(const Case& scene, Findings& findings) {
 
   const auto check_side = [&](const char* side, double x, double surface) {
     const std::string path =
-        scene.boundary.periodic() ? "boundary.sides" : fmt::format("boundary.{}.surface", side);
+        !scene.boundary.has_lateral_fields() ? "boundary.sides" : fmt::format("boundary.{}.surface", side);
     if (!findings.sound(path) || !findings.sound("surface.level"))
       return;
     const double top =
@@ -66,8 +66,10 @@ void soil_reaches_boundaries(const Case& scene, Findings& findings) {
               "field's surface lies at y = {}; both must agree",
               side, x, top, surface));
   };
-  check_side("left", box.x_min, scene.boundary.left.surface);
-  check_side("right", box.x_max, scene.boundary.right.surface);
+  if (!scene.boundary.has_shaking_table()) {
+    check_side("left", box.x_min, scene.boundary.left.surface);
+    check_side("right", box.x_max, scene.boundary.right.surface);
+  }
 
   const double end =
       covered_from(box.x_min, edges_on(scene, &Point::y, box.y_min, &Point::x, tolerance), tolerance);

@@ -47,6 +47,8 @@ void dispersion_suits_case(const Case& scene, Findings& findings) {
     refuse("is for cells of one size: its differences of three nodes would end at every other level");
   if (scene.boundary.sides == Sides::periodic_springs && findings.sound("boundary.sides"))
     refuse("needs sides = \"free_field\" or \"periodic\" in [boundary]");
+  if (scene.boundary.has_shaking_table() && findings.sound("boundary.base.model"))
+    refuse("is for a base on ground: it was not studied at nodes that a shaking table holds");
   for (const Absorber absorber :
        {scene.boundary.left.absorber, scene.boundary.right.absorber, scene.boundary.base.absorber})
     if (absorber == Absorber::matched_layer)

@@ -10,7 +10,8 @@ void densities_are_in_kilograms(const Case& scene, Findings& findings) {
     if (const auto doubt = density_doubt(density))
       findings.add(path + ".density", *doubt);
   };
-  check("halfspace", scene.halfspace.density);
+  if (!scene.boundary.has_shaking_table())
+    check("halfspace", scene.halfspace.density);
   for (const Soil& soil : scene.soils)
     check("soil." + soil.name, materials::elasticity(soil.law).density);
   for (std::size_t i = 0; i < scene.profile.size(); ++i)

@@ -49,7 +49,7 @@ const Soil* soil_that_yields(const Case& scene, double x) {
 } // namespace
 
 void free_field_yields_like_soil(const Case& scene, Findings& findings) {
-  if (scene.boundary.periodic())
+  if (!scene.boundary.has_lateral_fields())
     return;
   const auto& box = scene.mesh.box;
   for (const auto& [side, name, x] : {std::tuple(&scene.boundary.left, "left", box.x_min),

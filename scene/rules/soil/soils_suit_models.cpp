@@ -52,7 +52,7 @@ void soils_suit_models(const Case& scene, Findings& findings) {
       findings.add(path, why);
   };
   const auto& [sides, left, right, base] = scene.boundary;
-  if (!scene.boundary.periodic()) {
+  if (scene.boundary.has_lateral_fields()) {
     check(left.field.model, layers(scene, left), "boundary.left.model");
     check(right.field.model, layers(scene, right), "boundary.right.model");
   }

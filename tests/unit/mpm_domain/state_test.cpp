@@ -115,6 +115,15 @@ TEST(State, OfMatchedLayersAndTheirCornersGoesOnWithTheSameBits) {
   expect_exact_resumption(spec);
 }
 
+TEST(State, OfSoilOnARigidBaseGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(softening_soil());
+  spec.rigid_base = true;
+  for (const mpm_domain::Sides sides : {mpm_domain::Sides::container, mpm_domain::Sides::periodic}) {
+    spec.sides = sides;
+    expect_exact_resumption(spec);
+  }
+}
+
 TEST(State, OfSoilWithViscousDampingGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = box(softening_soil());
   spec.soils.front().damping_time = 5e-3;

@@ -41,6 +41,11 @@ void make_periodic(Spec& spec) {
   spec.sides = mpm_domain::Sides::periodic;
 }
 
+void put_into_container(Spec& spec) {
+  spec.sides = mpm_domain::Sides::container;
+  spec.rigid_base = true;
+}
+
 void subcycle(Spec& spec) {
   refine(spec);
   spec.scheme.subcycle = true;
@@ -84,6 +89,7 @@ const Model models[] = {
     {"SubcycledLayers", [](Spec& spec) { subcycle(spec), add_layers(spec); }, 20},
     {"Periodic", make_periodic, 100},
     {"PeriodicGraded", [](Spec& spec) { make_periodic(spec), refine(spec); }, 60},
+    {"GradedContainer", [](Spec& spec) { put_into_container(spec), refine(spec), yield(spec); }, 40},
     {"PeriodicSubcycled", [](Spec& spec) { make_periodic(spec), subcycle(spec); }, 20},
 };
 

@@ -55,7 +55,7 @@ TEST(Rules, PeriodicSidesSuitTheRest) {
       errors_of(periodic("free_field")),
       ElementsAre(
           "case.toml:24:1: [boundary] missing table [boundary.left]: the free field of this side, unless "
-          "[boundary] sides = \"periodic\"",
+          "[boundary] sides = \"periodic\" or \"container\"",
           ::testing::HasSubstr("missing table [boundary.right]")));
   EXPECT_THAT(errors_of(with("left = {", "sides = \"periodic\"\nleft = {")),
               ElementsAre(::testing::HasSubstr("[boundary.left] is the free field of a side, but sides = "
@@ -180,6 +180,62 @@ TEST(Rules, AnOutcropBeyondTheCriticalAngleHasNoFactor) {
   EXPECT_THAT(
       at("45.0", "outcrop"),
       ElementsAre(HasSubstr("[motion] kind = \"outcrop\" at 45 degrees, beyond the critical angle of 33.")));
+}
+
+constexpr std::string_view shaken_case = R"(title = "A box on a table"
+[motion]
+kind = "within"
+wave = "SV"
+pulse = { shape = "ricker", frequency = 4.0, time = 0.4, velocity = 0.1 }
+[mesh]
+size = 1.0
+box = [0.0, -4.0, 8.0, 0.0]
+[soil.sand]
+model = "linear_elastic"
+density = 1700.0
+young = 40e6
+poisson = 0.28
+[[region]]
+soil = "sand"
+polygon = [[0.0, -4.0], [8.0, -4.0], [8.0, -1.0], [0.0, 0.0]]
+[boundary]
+sides = "container"
+base = { model = "shaking_table" }
+[[stage]]
+kind = "shaking"
+duration_s = 1.0
+)";
+
+TEST(Rules, ShakingTableSuitsCase) {
+  const auto changed = [](std::string_view from, std::string_view to) {
+    return errors_of(with(std::string(from), std::string(to), std::string(shaken_case)));
+  };
+  EXPECT_THAT(errors_of(std::string(shaken_case)), IsEmpty());
+  EXPECT_THAT(
+      changed("kind = \"within\"\n", ""),
+      ElementsAre("case.toml:2:1: [motion] kind = \"incident\" is that of a wave in rock, but a shaking "
+                  "table moves as it is told: its motion is kind = \"within\""));
+  EXPECT_THAT(
+      changed("wave = \"SV\"", "wave = \"SV\"\nangle_deg = 15.0"),
+      ElementsAre(HasSubstr("case.toml:5:13: [motion] angle_deg = 15, but a shaking table moves along x")));
+  EXPECT_THAT(
+      changed("sides = \"container\"", "sides = \"periodic_springs\""),
+      ElementsAre(HasSubstr("case.toml:18:9: [boundary] sides = \"periodic_springs\", but a shaking table "
+                            "carries a container")));
+  EXPECT_THAT(
+      changed("[mesh]\n", "[surface]\nlevel = 0.0\n[mesh]\n"),
+      ElementsAre("case.toml:6:1: [surface] [surface] is ground of a free field, which a shaking table does "
+                  "not stand on; remove it"));
+  EXPECT_THAT(changed("base = { model = \"shaking_table\" }",
+                      "base = { model = \"shaking_table\", form = \"total\" }"),
+              ElementsAre(HasSubstr("'form' does not apply to model = \"shaking_table\"")));
+  EXPECT_THAT(
+      changed("poisson = 0.28", "poisson = 0.28\nporosity = 0.4\npermeability = 1e-4\n[water]\nlevel = -2.0"),
+      Contains(HasSubstr("soil on a shaking table must be dry")));
+  EXPECT_THAT(errors_of(with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n",
+                             "sides = \"container\"\n")),
+              ElementsAre(HasSubstr("walls that stand on a shaking table: they need [boundary.base] model = "
+                                    "\"shaking_table\"")));
 }
 
 } // namespace

@@ -1,0 +1,133 @@
+#include "mpm_domain/boundary/rigid_base.hpp"
+
+#include "mpm_domain/clocks/ticks.hpp"
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/tiles/over_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+Vector after(Vector start, double time, Vector rate) {
+  return {start.x + time * rate.x, start.y + time * rate.y};
+}
+
+/// Sum over the nodes of these rows, in an order that no thread changes.
+template <typename OfNode>
+double sum_over(Domain& domain, std::span<const NodeRange> rows, const OfNode& of_node) {
+  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& row) {
+    double sum = 0.0;
+    for (std::size_t n = row.begin; n < row.end; ++n)
+      sum += of_node(n);
+    return sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+} // namespace
+
+void RigidBase::follow_sort(const Domain& domain) {
+  all_.clear();
+  across_.clear();
+  for (int level = 0; level < domain.lattice_count(); ++level) {
+    const Lattice& lattice = domain.lattice(level);
+    for (int j = 0; j < lattice.ny; ++j)
+      for (int i = 0; i < lattice.nx; ++i)
+        if (const Hold hold = hold_of(lattice, i, j, domain.spec); hold != Hold::none)
+          (hold == Hold::all ? all_ : across_).push_back(lattice.index(i, j));
+  }
+}
+
+void RigidBase::stop(NodeFields& nodes) const {
+  for (const std::size_t n : all_)
+    nodes.momentum_x[n] = nodes.momentum_y[n] = 0.0;
+  for (const std::size_t n : across_)
+    nodes.momentum_x[n] = 0.0;
+}
+
+void RigidBase::bear(NodeFields& nodes) const {
+  for (const std::size_t n : all_)
+    nodes.force_x[n] = nodes.force_y[n] = 0.0;
+  for (const std::size_t n : across_)
+    nodes.force_x[n] = 0.0;
+}
+
+void RigidBase::move(Vector velocity, double dt, int clocks) {
+  if (dt_ > 0.0) {
+    displacement_ = after(displacement_, dt_, seen_.front().velocity);
+    rate_ = {(velocity.x - told_.x) / dt_, (velocity.y - told_.y) / dt_};
+  }
+  seen_.resize(static_cast<std::size_t>(clocks));
+  told_ = velocity;
+  dt_ = dt;
+}
+
+void RigidBase::push(Domain& domain, const Ticks& ticks, int clock, std::span<const NodeRange> rows) {
+  const double time = ticks.now() * ticks.dt_of(ticks.clocks() - 1) + 0.5 * ticks.dt_of(clock);
+  const double kick = ticks.kick_of(clock);
+  Seen& seen = seen_[static_cast<std::size_t>(clock)];
+  const Vector next = after(told_, time, rate_);
+  const Vector a{(next.x - seen.velocity.x) / kick, (next.y - seen.velocity.y) / kick};
+  seen = {next, a};
+  NodeFields& nodes = domain.grid;
+  domain.workers.run(rows.size(), [&](std::size_t row) {
+    for (std::size_t n = rows[row].begin; n < rows[row].end; ++n) {
+      nodes.force_x[n] -= nodes.mass[n] * a.x;
+      nodes.force_y[n] -= nodes.mass[n] * a.y;
+    }
+  });
+  bear(nodes);
+}
+
+double RigidBase::power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
+  const NodeFields& nodes = domain.grid;
+  const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
+  return -0.5 * sum_over(domain, rows, [&](std::size_t n) {
+    return nodes.mass[n] *
+           (a.x * (nodes.vx_before[n] + nodes.vx_after[n]) + a.y * (nodes.vy_before[n] + nodes.vy_after[n]));
+  });
+}
+
+double RigidBase::remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
+  const NodeFields& nodes = domain.grid;
+  const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
+  return -sum_over(domain, rows, [&](std::size_t n) {
+    return nodes.mass[n] *
+           (a.x * (nodes.vx_after[n] - nodes.vx_strain[n]) + a.y * (nodes.vy_after[n] - nodes.vy_strain[n]));
+  });
+}
+
+BaseMotion RigidBase::motion() const {
+  if (seen_.empty())
+    return {};
+  const auto& [velocity, acceleration] = seen_.front();
+  return {after(displacement_, 0.5 * dt_, velocity), velocity, acceleration};
+}
+
+std::vector<double> RigidBase::state() const {
+  std::vector<double> state{told_.x, told_.y, rate_.x, rate_.y, displacement_.x, displacement_.y, dt_};
+  for (const auto& [v, a] : seen_)
+    state.insert(state.end(), {v.x, v.y, a.x, a.y});
+  return state;
+}
+
+void RigidBase::set_state(std::span<const double> state) {
+  constexpr std::size_t own = 7;
+  constexpr std::size_t by_clock = 4;
+  if (state.size() < own || (state.size() - own) % by_clock != 0)
+    throw std::invalid_argument(fmt::format("{} numbers are not the state of a rigid base", state.size()));
+  told_ = {state[0], state[1]};
+  rate_ = {state[2], state[3]};
+  displacement_ = {state[4], state[5]};
+  dt_ = state[6];
+  seen_.clear();
+  for (std::size_t i = own; i < state.size(); i += by_clock)
+    seen_.push_back({{state[i], state[i + 1]}, {state[i + 2], state[i + 3]}});
+}
+
+} // namespace tremolo::mpm_domain

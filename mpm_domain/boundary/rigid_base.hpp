@@ -1,0 +1,81 @@
+#pragma once
+
+// A rigid base that moves as it is told, whatever the soil above it does: a shaking table. The domain is seen
+// from the base, which therefore stands still,
+//
+//     m dv/dt = f - m dV/dt,      v = 0 at the base,      v_x = 0 at the walls of a container,
+//
+// v being the velocity relative to the base, and V that of the base. Walls are smooth, and soil does not part
+// from them.
+//
+// The base is told V at t_n; nodes of a clock are kicked up to half a step of theirs after a tick. What a
+// kick takes off them is the growth since the last one of
+//
+//     V(t) = V(t_n) + (t - t_n) (V(t_n) - V(t_n-1)) / (t_n - t_n-1),
+//
+// so that all of it adds up to V, whatever the steps are.
+//
+// Work is that of the frame: the base itself does none, and inertia does -m dV/dt . v.
+
+#include "mpm_domain/boundary/held_nodes.hpp"
+#include "mpm_domain/fields/node_fields.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+struct Domain;
+class Ticks;
+
+/// Motion of the base at one time, in the directions of the axes.
+struct BaseMotion {
+  Vector displacement; ///< m
+  Vector velocity;     ///< m/s
+  Vector acceleration; ///< m/s2
+};
+
+class RigidBase {
+public:
+  /// Finds the nodes that are held, on the present extent of the grid.
+  void follow_sort(const Domain& domain);
+
+  /// Takes momentum, and with it velocity, off the nodes that are held.
+  void stop(NodeFields& nodes) const;
+
+  /// The base has this velocity (m/s) at t_n, from which a step of dt (s) begins.
+  void move(Vector velocity, double dt, int clocks);
+  /// Adds the inertia of a clock's kick to the forces of its nodes, in these rows, that are free.
+  void push(Domain& domain, const Ticks& ticks, int clock, std::span<const NodeRange> rows);
+  /// Power (W/m) of that inertia on the mean velocity of an update.
+  double power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
+  /// Power (W/m) of that inertia on the difference between v+ and the remapped velocity.
+  double remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
+
+  /// Motion of the base at the time at which particles' velocities and places are told, half a step before
+  /// the end of the step just made.
+  BaseMotion motion() const;
+
+  std::vector<double> state() const;
+  /// @throws std::invalid_argument for the state of something else
+  void set_state(std::span<const double> state);
+
+private:
+  /// Base and walls take up the forces on the nodes that they hold.
+  void bear(NodeFields& nodes) const;
+
+  /// What nodes of a clock have seen of the base.
+  struct Seen {
+    Vector velocity;     ///< at the end of the last kick, m/s
+    Vector acceleration; ///< in it, m/s2
+  };
+
+  std::vector<std::size_t> all_, across_; ///< nodes that are held
+  Vector told_;                           ///< V(t_n), m/s
+  Vector rate_;                           ///< of V from t_n-1 to t_n, m/s2
+  std::vector<Seen> seen_;                ///< by clock
+  Vector displacement_;                   ///< at t_n, m
+  double dt_ = 0.0;                       ///< of the last step, s; none has been made: 0
+};
+
+} // namespace tremolo::mpm_domain
