@@ -30,6 +30,15 @@ Vector displacement(const Particles& set, std::size_t k, double dt) {
   return {x - set.x_initial[k], y - set.y_initial[k]};
 }
 
+ParticleMotion motion_in_space(const Domain& domain, const Particles& set, std::size_t k, double dt) {
+  const auto& rigid = domain.boundary.rigid_base();
+  const BaseMotion base = rigid ? rigid->motion() : BaseMotion{};
+  const auto sum = [](Vector p, Vector q) { return Vector{p.x + q.x, p.y + q.y}; };
+  return {place(set, k, dt), sum(displacement(set, k, dt), base.displacement),
+          sum(particle_velocity(domain, set, k), base.velocity),
+          sum(particle_acceleration(domain, set, k), base.acceleration)};
+}
+
 FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure)
     : domain_(&domain) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -78,15 +87,7 @@ void FollowedPoint::append_values(const Stepper& stepper, bool water, std::vecto
   const Particles& set = domain_->sets[set_];
   const std::size_t k = set.index_of[id_];
   const double dt = stepper.dt();
-  const Vector x = place(set, k, dt);
-  const BaseMotion base =
-      domain_->boundary.rigid_base() ? domain_->boundary.rigid_base()->motion() : BaseMotion{};
-  const auto in_space = [](Vector relative, Vector of_base) {
-    return Vector{relative.x + of_base.x, relative.y + of_base.y};
-  };
-  const Vector u = in_space(displacement(set, k, dt), base.displacement);
-  const Vector v = in_space(particle_velocity(*domain_, set, k), base.velocity);
-  const Vector a = in_space(particle_acceleration(*domain_, set, k), base.acceleration);
+  const auto [x, u, v, a] = motion_in_space(*domain_, set, k, dt);
   const Strain e = strain(dt);
   row.insert(row.end(), {x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y, set.sxx[k], set.syy[k], set.szz[k],
                          set.sxy[k], e.xx, e.yy, e.xy});

@@ -27,6 +27,15 @@ Vector place(const Particles& set, std::size_t k, double dt);
 /// Displacement since the start at the time of the velocity, m.
 Vector displacement(const Particles& set, std::size_t k, double dt);
 
+/// A particle's motion, half a step before the present.
+struct ParticleMotion {
+  Vector place;        ///< on a rigid base, where there is one, m
+  Vector displacement; ///< in space, as the others, m
+  Vector velocity;     ///< m/s
+  Vector acceleration; ///< m/s2
+};
+ParticleMotion motion_in_space(const Domain& domain, const Particles& set, std::size_t k, double dt);
+
 /// A particle of soil, or of an elastic structure, whose motion, stress and strain are written as histories.
 ///
 /// The strain is that of the displacements u since the start over the places X at the start,
@@ -48,7 +57,6 @@ public:
   };
   static std::vector<Column> columns(const scene::Case& scene);
 
-  /// Motions are those in space, also of soil on a rigid base; the place is that on the base.
   /// Appends place, displacement, velocity, acceleration, effective stress, strain and, in a case with water,
   /// pore pressure and its ratio, as columns() names them. Strain is NaN where the soil has too few particles
   /// around the point.

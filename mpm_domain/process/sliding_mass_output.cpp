@@ -1,7 +1,6 @@
 #include "mpm_domain/process/sliding_mass_output.hpp"
 
 #include "mpm_domain/process/followed_point.hpp"
-#include "mpm_domain/transfer/gather.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,10 +55,7 @@ void SlidingMassOutput::write_history(const Stepper& stepper) {
         const scene::Point start{set.x_initial[k], set.y_initial[k]};
         if (!box.contains(start) || !contains(outline, start))
           continue;
-        const Vector x = place(set, k, stepper.dt());
-        const Vector u = displacement(set, k, stepper.dt());
-        const Vector v = particle_velocity(domain_, set, k);
-        const Vector a = particle_acceleration(domain_, set, k);
+        const auto [x, u, v, a] = motion_in_space(domain_, set, k, stepper.dt());
         const std::array values{x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y};
         const double own = whole_mass(set, k);
         mass += own;
