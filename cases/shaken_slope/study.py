@@ -24,13 +24,16 @@ RATE = 0.05  # g/s, of the table's growing acceleration
 SLID = 0.005  # m, by which the yield coefficient is found
 RECORD, DURATION = 'file = "motion.csv"\n', "duration_s = 4.5\n"
 LEVELS = (0.3, 0.4, 0.5, 0.6)  # g
-FREQUENCIES = (2.0, 3.0, 5.0)  # Hz
-CELLS = {"0.05 m": {}, "0.025 m": {"size = 0.05\n": "size = 0.025\n"}}
+CELLS = {
+    "0.05 m": {},
+    "0.025 m": {"size = 0.05\n": "size = 0.025\n"},
+}
+PARTS = {"0.05 m": (2.0, 3.0, 5.0), "0.025 m": (3.0,)}  # cells: frequencies, Hz
 
 
 def slid(run):
     """Time (s) and how far the mass has slid down the slope, to the left, relative to the table (m)."""
-    mass, table = run.sliding_mass("slope"), run.monitor("table")
+    mass, table = run.sliding_mass("slope"), run.shaking_table
     return mass["time"], table["ux"] - mass["ux"]
 
 
@@ -46,7 +49,7 @@ def yield_coefficient(run):
 
 def newmark(run, k_y):
     """Time (s) and the displacement of Newmark's rigid block on the table (m)."""
-    table = run.monitor("table")
+    table = run.shaking_table
     return table["time"], sliding_displacement(table["time"], driving(table["ax"], -1), k_y * GRAVITY)
 
 
@@ -63,8 +66,11 @@ def shaken(tremolo, folder, level, frequency, cells):
     name = f"{level}g_{frequency:g}Hz"
     if not (folder / f"{name}.csv").exists():
         recipe = folder / f"{name}_motion.toml"
-        changes = {"amplitude = 4.905 ": f"amplitude = {level * GRAVITY} ", "frequency = 3.0 ": f"frequency = {frequency} ",
-                   "samples = 901\n": "samples = 1201\n"}
+        changes = {
+            "amplitude = 4.905 ": f"amplitude = {level * GRAVITY} ",
+            "frequency = 3.0 ": f"frequency = {frequency} ",
+            "samples = 901\n": "samples = 1201\n",
+        }
         recipe.write_text(variant(CASE.with_name("motion.toml"), changes))
         subprocess.run([tremolo, "motion", "--synthesise", recipe, "--out", folder / f"{name}.csv"], check=True, stdout=subprocess.DEVNULL)
     changes = {RECORD: f'file = "{name}.csv"\n', DURATION: "duration_s = 6.0\n", **CELLS[cells]}
@@ -74,7 +80,7 @@ def shaken(tremolo, folder, level, frequency, cells):
 def picture(run, k_y, folder):
     """Sliding of a run and of Newmark's block, and the accelerations."""
     figure, (accelerations, ways) = style.plt.subplots(2, 1, figsize=(7.6, 4.6), sharex=True, layout="constrained")
-    for name, series in (("table", run.monitor("table")), ("sliding mass", run.sliding_mass("slope"))):
+    for name, series in (("table", run.shaking_table), ("sliding mass", run.sliding_mass("slope"))):
         accelerations.plot(series["time"], series["ax"] / GRAVITY, linewidth=0.7, label=name)
     accelerations.axhline(-k_y, color="0.4", linewidth=0.8, linestyle="--", label=f"−k_y = {-k_y:.3f}")
     ways.plot(*slid(run), label="clay")
@@ -91,10 +97,10 @@ def main():
     folder = Path(sys.argv[2] if len(sys.argv) > 2 else "runs/shaken_slope")
     folder.mkdir(parents=True, exist_ok=True)
     print("| cells | table | k_y | slid, m | rigid block, m | rigid block over slid | CPU time, s |\n| --- | --- | --- | --- | --- | --- | --- |")
-    for cells in CELLS:
+    for cells, frequencies in PARTS.items():
         with ramp(tremolo, folder, cells) as run:
             k_y = yield_coefficient(run)
-        for frequency in FREQUENCIES:
+        for frequency in frequencies:
             for level in LEVELS:
                 with shaken(tremolo, folder, level, frequency, cells) as run:
                     way, block = slid(run)[1][-1], newmark(run, k_y)[1][-1]

@@ -41,6 +41,10 @@ bool wants_carried(const scene::Case& scene, std::string_view name) {
 constexpr std::array<std::string_view, 7> field_order{"position",     "soil",   "displacement", "velocity",
                                                       "acceleration", "stress", "volume"};
 
+constexpr const char* table_path = "/shaking_table";
+const std::array<std::string, 7> table_columns{"time", "ux", "uy", "vx", "vy", "ax", "ay"};
+const std::array<std::string, 7> table_units{"s", "m", "m", "m/s", "m/s", "m/s2", "m/s2"};
+
 /// A field of a frame that particles carry.
 struct CarriedField {
   std::string name;
@@ -233,6 +237,8 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
     units.emplace_back("J/m");
   }
   energy_ = &writer_.add_series("/energy", columns, units);
+  if (domain.boundary.rigid_base())
+    table_ = &writer_.add_series(table_path, table_columns, table_units);
   add_monitors();
   add_lines();
   writer_.set_boundary(boundary_faces(domain, face_sources));
@@ -301,6 +307,10 @@ void RunOutput::write_history(const Stepper& stepper) {
     for (const FollowedPoint& point : followers.points)
       point.append_values(stepper, scene_.water.has_value(), values);
     followers.series->append(values);
+  }
+  if (table_ != nullptr) {
+    const auto [u, v, a] = domain_.boundary.rigid_base()->motion();
+    table_->append(std::array{last_history_, u.x, u.y, v.x, v.y, a.x, a.y});
   }
   sliding_masses_.write_history(stepper);
   bodies_.write_history(stepper);
@@ -381,6 +391,8 @@ void RunOutput::take_over_histories(const results::RunReader& before, std::size_
     append_rows(path, series, rows);
   };
   append("/energy", *energy_);
+  if (table_ != nullptr)
+    append(std::string(table_path), *table_);
   for (const Followers& followers : followers_)
     append(followers.path, *followers.series);
   for (const auto& [path, series] : sliding_masses_.series())

@@ -66,6 +66,7 @@ private:
   BodyOutput bodies_;
   SlidingMassOutput sliding_masses_;
   results::TimeSeries* energy_ = nullptr;
+  results::TimeSeries* table_ = nullptr; ///< motion of a shaking table
   std::vector<Followers> followers_;
   double next_history_ = 0.0;
   double next_frame_ = 0.0;

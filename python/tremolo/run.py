@@ -249,6 +249,12 @@ class Run:
             return SlidingMass(self._file["sliding_masses"][name])
 
     @property
+    def shaking_table(self):
+        """Motion of the shaking table: ux, uy, vx, vy, ax, ay over time; None where the base of the run lies on ground."""
+        with self._reading("the shaking table"):
+            return Series(self._file["shaking_table"]) if "shaking_table" in self._file else None
+
+    @property
     def bodies(self):
         """Names of the structures, in the order of the case; those of `body` in contact()."""
         with self._reading("the bodies"):

@@ -7,6 +7,9 @@ import numpy as np
 from tremolo.run import Series
 
 
+TABLE = "shaking table"  # its motion is found by this name, as that of a point
+
+
 @dataclass
 class StoredPoint:
     """name; series: its history; start: x, y (m) before the shaking."""
@@ -46,7 +49,7 @@ def _place(text):
 
 def _names(run):
     lines = [f"{name}#0 to #{len(run.line(name)) - 1}" for name in run.lines]
-    return ", ".join([*run.monitors, *lines])
+    return ", ".join([*run.monitors, *lines, *([TABLE] if run.shaking_table is not None else [])])
 
 
 def find(run, text):
@@ -54,6 +57,8 @@ def find(run, text):
 
     Raises ValueError where there is no such name, or no stored point began within two cells of the place.
     """
+    if text == TABLE and run.shaking_table is not None:
+        return StoredPoint(TABLE, run.shaking_table, np.full(2, np.nan)), ""
     known = stored(run)
     if not known:
         raise ValueError(f"{run.path}: stores no history of any point: put [[monitor]] or [[line]] into the case and run it again")

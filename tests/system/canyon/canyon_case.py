@@ -1,7 +1,7 @@
 """A canyon, 16 m deep, under an SV pulse, as a case."""
 
 import numpy as np
-from half_space_canyon import Medium
+from half_space_uneven import Medium
 
 DEPTH, SIGMA = 16.0, 10.0  # m
 GROUND = Medium(density=1800.0, vs=200.0, vp=370.0)

@@ -1,4 +1,4 @@
-"""A canyon in a small box, run as a user runs it, against its exact motion (half_space_canyon.py), which knows neither cells nor box:
+"""A canyon in a small box, run as a user runs it, against its exact motion (half_space_uneven.py), which knows neither cells nor box:
 what the canyon scatters leaves through matched layers and their corners.
 
     usage: test_canyon.py TREMOLO PYTHON_PACKAGE_DIR
@@ -15,7 +15,7 @@ sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
 import numpy as np
 from canyon_case import DEPTH, GROUND, SIGMA, pulse, write
-from half_space_canyon import Canyon, Forces, bessel_k
+from half_space_uneven import Forces, Gaussian, UnevenGround, bessel_k
 from tremolo import Run
 
 ANGLES = (0, 15, 30)
@@ -52,8 +52,8 @@ class Method(unittest.TestCase):
     def test_forces_twice_as_dense_change_nothing(self):
         s, angles = 1.8 + 2j * np.pi * 2.5, np.radians(ANGLES)
         places = np.array([[0.0, -20.0], [0.0, -16.25], [30.0, -1.0], [70.0, -0.25], [-60.0, -50.0]])
-        coarse, left = Canyon(GROUND, DEPTH, SIGMA, 1.25).transfer(s, angles, places)
-        fine, _ = Canyon(GROUND, DEPTH, SIGMA, 0.625).transfer(s, angles, places)
+        coarse, left = UnevenGround(GROUND, Gaussian(DEPTH, SIGMA), 1.25).transfer(s, angles, places)
+        fine, _ = UnevenGround(GROUND, Gaussian(DEPTH, SIGMA), 0.625).transfer(s, angles, places)
         self.assertLess(left, 5e-3)
         self.assertLess(np.abs(coarse - fine).max(), 1e-4 * np.abs(fine).max())
 
@@ -71,7 +71,7 @@ class SmallBox(unittest.TestCase):
             cls.chosen[size] = np.random.default_rng(1).choice(len(place), 200, replace=False)
             places.append(place[cls.chosen[size]])
         cls.times = {size: cls.runs[0, size, "matched_layer"].times for size in cls.chosen}
-        exact = Canyon(GROUND, DEPTH, SIGMA, 1.25)
+        exact = UnevenGround(GROUND, Gaussian(DEPTH, SIGMA), 1.25)
         times = np.concatenate(list(cls.times.values()))
         velocities, left = exact.velocities(pulse, np.radians(ANGLES), np.concatenate(places), times)
         assert left < 5e-3, left

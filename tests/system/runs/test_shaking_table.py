@@ -87,6 +87,21 @@ class ShakingTable(unittest.TestCase):
         self.assertLess(np.abs(table["vx"] - velocity).max(), 0.02 * VELOCITY)
         self.assertLess(np.abs(table["ux"] - displacement).max(), 0.02 * np.abs(displacement).max())
 
+    def test_motion_of_the_table_is_written(self):
+        table = self.result.shaking_table
+        velocity, displacement = pulse(table["time"])
+        self.assertLess(np.abs(table["vx"] - velocity).max(), 1e-3 * VELOCITY)
+        self.assertLess(np.abs(table["ux"] - displacement).max(), 1e-3 * np.abs(displacement).max())
+        self.assertLess(np.abs(np.gradient(velocity, table["time"]) - table["ax"]).max(), 0.02 * np.abs(table["ax"]).max())
+        self.assertEqual(0.0, np.abs(table["vy"]).max())
+
+    def test_extract_takes_the_table_as_base(self):
+        done = self.command("extract", self.folder / "run", "--point", "top", "--base", "shaking table", "--out", self.folder / "tables")
+        self.assertEqual(0, done.returncode, done.stderr)
+        written = np.genfromtxt(self.folder / "tables" / "history_top.csv", delimiter=",", names=True)
+        relative = self.result.monitor("top")["ux"] - self.result.shaking_table["ux"]
+        np.testing.assert_allclose(written["ux_relative_m"], relative, atol=1e-9)
+
     def test_frames_are_seen_from_the_table(self):
         i = int(np.argmin(np.abs(np.array(self.result.times) - 0.4)))
         moved = self.result.field(i, "displacement")

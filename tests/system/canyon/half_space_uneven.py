@@ -1,12 +1,12 @@
-"""The exact motion of an elastic half-space with a canyon under a plane SV wave, plane strain, computed without cells: the method of
-fundamental solutions (Fairweather and Karageorghis 1998, Adv. Comput. Math. 9, pp. 69-95).
+"""The exact motion of an elastic half-space with an uneven surface under a plane SV wave, plane strain, computed without cells: the
+method of fundamental solutions (Fairweather and Karageorghis 1998, Adv. Comput. Math. 9, pp. 69-95).
 
-The field is that of the half-space without the canyon, in closed form, plus the fields of forces in the air above the ground, each of
+The field is that of the level half-space, in closed form, plus the fields of forces in the air above the ground, each of
 which is known in closed form in an infinite medium. The forces are such that nothing is left of the traction on the surface:
 
     v(x) = v0(x) + sum_j G(x - y_j) f_j,      t0(x_i) + sum_j T(x_i - y_j, n_i) f_j = 0 at all x_i of the surface.
 
-Each part satisfies the equations of motion and runs away from the canyon. So the only errors are what is left of the traction between
+Each part satisfies the equations of motion and runs away from what is uneven. So the only errors are what is left of the traction between
 the points x_i, which is measured, and the ends of the surface that has such points. All is done at complex frequencies s = eta + i
 omega: exp(-eta t) damps what comes back from the ends and what wraps around in time (Phinney 1965, J. Geophys. Res. 70, pp. 1185-1190).
 
@@ -116,7 +116,7 @@ class Forces:
 
 
 def flat_ground(medium, angle, s, points):
-    """Velocity [points, 2] and its gradient [points, 2, 2] of ground without the canyon under an SV wave of unit velocity (cos, -sin) of
+    """Velocity [points, 2] and its gradient [points, 2, 2] of level ground under an SV wave of unit velocity (cos, -sin) of
     the angle that reaches (0, 0) at t = 0, with the reflected SV and P waves that leave no traction at y = 0; below the critical angle."""
     p = np.sin(angle) / medium.vs
     q, q_p = np.cos(angle) / medium.vs, np.sqrt(1.0 / medium.vp**2 - p**2)
@@ -129,33 +129,71 @@ def flat_ground(medium, angle, s, points):
     return waves @ direction, np.einsum("nw,wkl->nkl", waves, gradients)
 
 
-class Canyon:
-    """y = -depth exp(-x^2/(2 sigma^2)), m.
+class Gaussian:
+    """y = -depth exp(-x^2/(2 sigma^2)), m."""
 
-    spacing     of the forces along the canyon, m; four times that on the flat ground far from it
-    half_width  where points without traction end, m
+    def __init__(self, depth, sigma):
+        self.depth, self.sigma = depth, sigma
+
+    def level(self, x):
+        return -self.depth * np.exp(-0.5 * (x / self.sigma) ** 2)
+
+    def slope(self, x):
+        return self.depth * x / self.sigma**2 * np.exp(-0.5 * (x / self.sigma) ** 2)
+
+    def coarseness(self, x):
+        """Spacing of points over the finest one."""
+        return 1.0 + 3.0 * np.clip((abs(x) / self.sigma - 3.5) / 3.0, 0.0, 1.0)
+
+
+class Trench:
+    """A wide trench between two smooth steps at `left` and `right` (m), y = -height/2 (tanh((x - left)/w) - tanh((x - right)/w)), whose
+    steepest slope is 45 degrees, w = height/2. Until waves from the other step arrive, each of them is a step without the other."""
+
+    def __init__(self, height, left, right):
+        self.height, self.edges = height, (left, right)
+
+    def level(self, x):
+        one, other = (np.tanh((x - edge) / (0.5 * self.height)) for edge in self.edges)
+        return -0.5 * self.height * (one - other)
+
+    def slope(self, x):
+        one, other = (np.cosh(np.clip((x - edge) / (0.5 * self.height), -300.0, 300.0)) ** -2.0 for edge in self.edges)
+        return other - one
+
+    def coarseness(self, x):
+        return 1.0 + 2.5 * np.clip((min(abs(x - edge) for edge in self.edges) / self.height - 2.0) / 2.0, 0.0, 1.0)
+
+
+class UnevenGround:
+    """A half-space whose surface has a shape that is level, y = 0, far away.
+
+    spacing  of the forces where the surface is uneven, m
+    ends     where points without traction end, m
     """
 
-    def __init__(self, medium, depth, sigma, spacing=1.0, half_width=400.0):
-        self.medium, self.depth, self.sigma = medium, depth, sigma
-        x = [0.0]
-        while x[-1] < half_width:
-            wider = 1.0 + 3.0 * np.clip((x[-1] / sigma - 3.5) / 3.0, 0.0, 1.0)
-            x.append(x[-1] + spacing * wider * self.normal(x[-1])[1])
-        x = np.array(x)
-        x = np.concatenate([-x[:0:-1], x])
+    def __init__(self, medium, shape, spacing=1.0, ends=(-400.0, 400.0)):
+        self.medium, self.shape = medium, shape
+        x = np.array(self.march(-spacing, ends[0])[::-1] + [0.0] + self.march(spacing, ends[1]))
         normal = self.normal(x)
         between = np.gradient(x) / normal[:, 1]
         self.sources = self.surface(x) + 2.0 * between[:, None] * normal
         self.held = np.sort(np.concatenate([x, 0.5 * (x[1:] + x[:-1])]))
-        near = self.held[np.abs(self.held) < 0.5 * half_width]
+        near = self.held[(self.held > 0.5 * ends[0]) & (self.held < 0.5 * ends[1])]
         self.checked = 0.5 * (near[1:] + near[:-1])
 
+    def march(self, spacing, end):
+        """Points from 0, which is not among them, to an end."""
+        x = [0.0]
+        while abs(x[-1]) < abs(end):
+            x.append(x[-1] + spacing * self.shape.coarseness(x[-1]) * self.normal(x[-1])[1])
+        return x[1:]
+
     def surface(self, x):
-        return np.stack([x, -self.depth * np.exp(-0.5 * (x / self.sigma) ** 2)], axis=-1)
+        return np.stack([x, self.shape.level(x)], axis=-1)
 
     def normal(self, x):
-        slope = self.depth * x / self.sigma**2 * np.exp(-0.5 * (x / self.sigma) ** 2)
+        slope = self.shape.slope(x)
         return np.stack([-slope, np.ones_like(slope)], axis=-1) / np.hypot(1.0, slope)[..., None]
 
     def tractions(self, s, angles, x):

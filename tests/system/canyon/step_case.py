@@ -1,0 +1,87 @@
+"""A smooth step of the ground's surface, 10 m high and 45 degrees steep, under an SV pulse, as a case."""
+
+import numpy as np
+from half_space_uneven import Medium, Trench
+
+HEIGHT = 10.0  # m
+GROUND = Medium(density=1800.0, vs=200.0, vp=370.0)
+VELOCITY, FREQUENCY, ARRIVAL = 0.01, 4.0, 0.9  # m/s, Hz, s: of the incident wave at (0, 0)
+HALF_WIDTH, DEPTH = 160.0, 60.0  # m, of the box
+OTHER = 500.0  # m, to the far edge of the trench of which this step is the near one
+PLACES = (-30.0, -20.0, -10.0, -5.0, 0.0, 10.0, 20.0)  # m, of monitors from the middle of the step; the upper ground is at the left
+
+CASE = """
+title = "step"
+
+[motion]
+pulse = {{ shape = "ricker", frequency = {frequency}, time = {arrival}, velocity = {velocity} }}
+wave = "SV"
+angle_deg = {angle}
+reference = [0.0, 0.0]
+
+[surface]
+level = 0.0
+
+[halfspace]
+density = {ground.density}
+vs = {ground.vs}
+vp = {ground.vp}
+
+[soil.ground]
+model = "linear_elastic"
+density = {ground.density}
+vs = {ground.vs}
+vp = {ground.vp}
+
+[[region]]
+soil = "ground"
+polygon = [[-{width}, -{depth}], [{width}, -{depth}], {surface}]
+
+[mesh]
+size = {size}
+box = [-{width}, -{depth}, {width}, 0.0]
+
+[boundary]
+left = {{ model = "wave", surface = {left}, absorber = "matched_layer" }}
+right = {{ model = "wave", surface = {right}, absorber = "matched_layer" }}
+base = {{ model = "wave", form = "blended", absorber = "matched_layer" }}
+
+[[stage]]
+kind = "shaking"
+duration_s = 2.9
+
+[output]
+every_s = 2.9
+history_every_s = 0.005
+"""
+
+MONITOR = """
+[[monitor]]
+name = "{name}"
+point = [{x}, {y:.6f}]
+"""
+
+
+def trench(falling):
+    """The surface: a step that falls to the right or to the left, and the other edge far away."""
+    return Trench(HEIGHT, 0.0, OTHER) if falling == "right" else Trench(HEIGHT, -OTHER, 0.0)
+
+
+def write(file, angle_deg, falling, size):
+    shape, side = trench(falling), 1.0 if falling == "right" else -1.0
+    x = np.linspace(HALF_WIDTH, -HALF_WIDTH, 641)
+    levels = np.where(np.abs(x) > 5.0 * HEIGHT, np.where(side * x < 0.0, 0.0, -HEIGHT), shape.level(x))
+    surface = ", ".join(f"[{a:.4f}, {b:.6f}]" for a, b in zip(x, levels))
+    left, right = (0.0, -HEIGHT) if falling == "right" else (-HEIGHT, 0.0)
+    text = CASE.format(frequency=FREQUENCY, arrival=ARRIVAL, velocity=VELOCITY, angle=angle_deg, size=size, ground=GROUND,
+                       width=HALF_WIDTH, depth=DEPTH, surface=surface, left=left, right=right)
+    places = side * np.array(PLACES)
+    text += "".join(MONITOR.format(name=f"place {i}", x=x, y=shape.level(x) - 0.25 * size) for i, x in enumerate(places))
+    file.write_text(text)
+    return file
+
+
+def pulse(t):
+    """Velocity of the incident wave at (0, 0), m/s."""
+    a = (np.pi * FREQUENCY * (t - ARRIVAL)) ** 2
+    return VELOCITY * (1.0 - 2.0 * a) * np.exp(-a)
