@@ -1,13 +1,15 @@
 """A smooth step of the ground's surface, 10 m high and 45 degrees steep, under an SV pulse, as a case."""
 
 import numpy as np
-from half_space_uneven import Medium, Trench
+from half_space_uneven import Medium, Trench, flat_ground
 
 HEIGHT = 10.0  # m
 GROUND = Medium(density=1800.0, vs=200.0, vp=370.0)
 VELOCITY, FREQUENCY, ARRIVAL = 0.01, 4.0, 0.9  # m/s, Hz, s: of the incident wave at (0, 0)
 HALF_WIDTH, DEPTH = 160.0, 60.0  # m, of the box
 OTHER = 500.0  # m, to the far edge of the trench of which this step is the near one
+TRENCH_ENDS = {"right": (-300.0, OTHER + 300.0), "left": (-OTHER - 300.0, 300.0)}  # m, of points without traction
+ETA = 3.0  # 1/s, of the complex frequencies at which motions are compared
 PLACES = (-30.0, -20.0, -10.0, -5.0, 0.0, 10.0, 20.0)  # m, of monitors from the middle of the step; the upper ground is at the left
 
 CASE = """
@@ -85,3 +87,22 @@ def pulse(t):
     """Velocity of the incident wave at (0, 0), m/s."""
     a = (np.pi * FREQUENCY * (t - ARRIVAL)) ** 2
     return VELOCITY * (1.0 - 2.0 * a) * np.exp(-a)
+
+
+def frequency(share):
+    """s = eta + i omega where H is this share of the length of shear waves: exp(-eta t) takes away what the trench's other edge sends,
+    which arrives more than a second late."""
+    return ETA + 2j * np.pi * share * GROUND.vs / HEIGHT
+
+
+def response(series, share):
+    """Velocities [monitors, 2] of a run for an incident wave of unit velocity, at frequency(share)."""
+    s, time = frequency(share), np.linspace(0.0, 2.9, 20001)
+    incident = np.trapz(pulse(time) * np.exp(-s * time), time)
+    return np.array([[np.trapz(m[v] * np.exp(-s * m["time"]), m["time"]) for v in ("vx", "vy")] for m in series]) / incident
+
+
+def amplification(angle_deg, share, places, velocities):
+    """Horizontal velocity over that of level ground with the surface of the upper side, 0.25 m below it."""
+    level = np.stack([places[:, 0], np.full(len(places), -0.25)], axis=-1)
+    return np.abs(velocities[:, 0] / flat_ground(GROUND, np.radians(angle_deg), frequency(share), level)[0][:, 0])

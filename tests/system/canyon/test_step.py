@@ -2,9 +2,6 @@
 (half_space_uneven.py), which knows neither cells nor box, and against what Ashford et al. (1997, Bull. Seism. Soc. Am. 87(3), pp.
 701-709) found: the crest moves most where the wave is five times as long as the step is high, H/lambda = 0.2.
 
-All is compared at complex frequencies s = eta + i omega: what the trench's other edge sends arrives more than a second late, and
-exp(-eta t) takes it away.
-
     usage: test_step.py TREMOLO PYTHON_PACKAGE_DIR
 """
 
@@ -18,31 +15,16 @@ TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
 import numpy as np
-from half_space_uneven import UnevenGround, flat_ground
-from step_case import GROUND, HEIGHT, OTHER, PLACES, pulse, trench, write
+from half_space_uneven import UnevenGround
+from step_case import GROUND, PLACES, TRENCH_ENDS, amplification, frequency, response, trench, write
 from tremolo import Run
 
-ETA = 3.0  # 1/s
 SIZES = (2.0, 1.0)  # m, of cells
 ANGLES = (0, 15)
 SHARES = (0.1, 0.2, 0.3)  # H over the length of shear waves
 CREST_SHARES = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4)
 CREST = np.array([[-x, trench("right").level(-x) - 0.25] for x in (10.0, 7.5, 5.0, 2.5)])  # behind the steepest place
 SCENES = ((0, "right"), (15, "right"), (15, "left"))  # angle, where the ground is lower: ahead of the wave or behind it
-
-
-def frequency(share):
-    return ETA + 2j * np.pi * share * GROUND.vs / HEIGHT
-
-
-def transformed(time, values, share):
-    return np.trapz(values * np.exp(-frequency(share) * time), time)
-
-
-def amplification(angle, share, places, velocities):
-    """Horizontal velocity over that of the level ground on the upper side, as deep below its surface as the monitors there."""
-    level = np.stack([places[:, 0], np.full(len(places), -0.25)], axis=-1)
-    return np.abs(velocities[:, 0] / flat_ground(GROUND, np.radians(angle), frequency(share), level)[0][:, 0])
 
 
 class Step(unittest.TestCase):
@@ -54,8 +36,7 @@ class Step(unittest.TestCase):
                       for key, series in cls.series.items()}
         cls.exact = {}  # velocities [angles, points, 2] at the monitors of both sizes, then at the crest
         for falling, shares in (("right", CREST_SHARES), ("left", SHARES)):
-            side = 1.0 if falling == "right" else -1.0
-            ground = UnevenGround(GROUND, trench(falling), 1.25, tuple(sorted((-300.0 * side, (OTHER + 300.0) * side))))
+            ground = UnevenGround(GROUND, trench(falling), 1.25, TRENCH_ENDS[falling])
             points = np.concatenate([*(cls.places[ANGLES[-1], falling, size] for size in SIZES), CREST])
             for share in shares:
                 cls.exact[falling, share], left = ground.transfer(frequency(share), np.radians(ANGLES), points)
@@ -72,11 +53,9 @@ class Step(unittest.TestCase):
 
     def both(self, angle, falling, size, share):
         """Velocities [monitors, 2] for an incident wave of unit velocity: those of the run and the exact ones."""
-        time = np.linspace(0.0, 2.9, 20001)
-        incident = transformed(time, pulse(time), share)
-        velocities = [[transformed(s["time"], s[column], share) for column in ("vx", "vy")] for s in self.series[angle, falling, size]]
         first = SIZES.index(size) * len(PLACES)
-        return np.array(velocities) / incident, self.exact[falling, share][ANGLES.index(angle), first : first + len(PLACES)]
+        exact = self.exact[falling, share][ANGLES.index(angle), first : first + len(PLACES)]
+        return response(self.series[angle, falling, size], share), exact
 
     def test_moves_as_without_cells(self):
         for angle, falling in SCENES:
