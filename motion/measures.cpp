@@ -4,7 +4,7 @@
 
 #include "motion/measures.hpp"
 
-#include "motion/peak.hpp"
+#include "base/samples.hpp"
 #include "motion/record.hpp"
 #include "motion/spectra.hpp"
 

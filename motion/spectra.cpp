@@ -7,8 +7,8 @@
 
 #include "motion/spectra.hpp"
 
+#include "base/samples.hpp"
 #include "motion/fourier.hpp"
-#include "motion/peak.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "wavefield/incident_motion.hpp"
 
 #include "base/require.hpp"
+#include "base/samples.hpp"
 #include "wavefield/layers/recorded_motion.hpp"
 #include "wavefield/layers/transfer.hpp"
 #include "wavefield/signal/fourier.hpp"
@@ -29,13 +30,6 @@ constexpr std::size_t largest_window = std::size_t{1} << 23;
 
 /// Change by doubling the window, relative to the peak, that ends it.
 constexpr double tolerance = 1e-7;
-
-void require_finite(std::span<const double> motion) {
-  if (motion.empty())
-    throw std::invalid_argument("a motion without samples");
-  for (const double value : motion)
-    require(std::isfinite(value), "a sample of the motion", value, "finite");
-}
 
 std::string component(WaveType wave) {
   return wave == WaveType::SV ? "horizontal" : "vertical";
@@ -85,10 +79,6 @@ Amplification largest_amplification(const Division& division, double cutoff) {
       found = {value, frequency};
   }
   return found;
-}
-
-double peak(std::span<const double> motion) {
-  return std::abs(*std::ranges::max_element(motion, {}, [](double value) { return std::abs(value); }));
 }
 
 /// Largest difference of two periodic windows, both halves of the shorter one, over the peak.
@@ -174,7 +164,7 @@ double outcrop_factor(const LayeredHalfSpace& profile, WaveType wave, double ang
 
 std::vector<double> incident_from_outcrop(const LayeredHalfSpace& profile, WaveType wave, double angle_rad,
                                           std::span<const double> motion) {
-  require_finite(motion);
+  require_finite_samples("motion", motion);
   const double factor = outcrop_factor(profile, wave, angle_rad);
   std::vector<double> incident(motion.begin(), motion.end());
   for (double& value : incident)

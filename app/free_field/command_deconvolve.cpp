@@ -2,8 +2,8 @@
 
 #include "app/commands.hpp"
 #include "app/free_field/deconvolution.hpp"
-#include "app/motion/chosen.hpp"
 #include "app/motion/motion_report.hpp"
+#include "app/motion/record_options.hpp"
 #include "app/output_place.hpp"
 #include "app/python.hpp"
 #include "app/temporary_folder.hpp"
@@ -29,8 +29,7 @@ struct Options {
   std::string scene;
   std::string file;
   std::string model;
-  std::string quantity;
-  std::string unit;
+  RecordOptions read;
   double depth = 0.0;
   double cutoff = 15.0;
   std::string as;
@@ -39,10 +38,7 @@ struct Options {
 };
 
 motion::Record record_of(const Options& options) {
-  auto record = motion::read_record(
-      options.file, {.quantity = chosen(options.quantity, motion::quantity_named, "--quantity"),
-                     .unit = chosen(options.unit, motion::unit_named, "--unit"),
-                     .kind = {}});
+  auto record = motion::read_record(options.file, read_as(options.read));
   if (record.kind == MotionKind::incident || record.kind == MotionKind::outcrop)
     throw std::invalid_argument(
         fmt::format("{}: it says that it is an {} motion, which has no layers above it: "
@@ -72,9 +68,7 @@ void draw(const DeconvolvedMotion& motion, const motion::Record& written, const 
   constexpr double damping = 0.05;
   const TemporaryFolder scratch;
   for (const auto& [record, name] : {std::pair(&motion.recorded, "record"), std::pair(&written, "written")}) {
-    write_histories(*record, scratch.path() / fmt::format("{}_histories.csv", name));
-    write_response_spectrum(*record, damping, scratch.path() / fmt::format("{}_response.csv", name));
-    write_fourier_spectrum(*record, scratch.path() / fmt::format("{}_fourier.csv", name));
+    write_tables(*record, damping, scratch.path() / name);
   }
   const fs::path picture = fs::path(options.out).replace_extension(".png");
   const int status = run_python(
@@ -124,19 +118,13 @@ void add_deconvolve(Command& app) {
                    "Case file; needs [motion] (whose file need not be there yet), [surface], [halfspace] and "
                    "[[profile]]")
       ->required();
-  command
-      ->add_option("RECORD", options->file,
-                   "The record: PEER AT2, VT2 or DT2; two columns of time and value; or HDF5")
-      ->required();
+  command->add_option("RECORD", options->file, fmt::format("The record: {}", record_formats))->required();
   command
       ->add_option("--model", options->model,
                    "wave: layers at small strain; eql: equivalent linear, iterated under the record")
       ->required()
       ->one_of({"wave", "eql"});
-  command->add_option("--quantity", options->quantity,
-                      "acceleration, velocity or displacement, where the record leaves it open");
-  command->add_option("--unit", options->unit,
-                      "g, m/s2, cm/s2, m/s, cm/s, m, cm or mm, where the record leaves it open");
+  add_record_options(*command, options->read);
   command->add_option("--depth", options->depth, "Depth of the sensor below the surface, m")
       ->non_negative()
       ->capture_default_str();

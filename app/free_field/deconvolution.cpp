@@ -3,7 +3,7 @@
 
 #include "app/free_field/deconvolution.hpp"
 
-#include "motion/peak.hpp"
+#include "base/samples.hpp"
 #include "wavefield/incident_motion.hpp"
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/ground_from_case.hpp"
@@ -79,8 +79,8 @@ DeconvolvedMotion deconvolved(const scene::Case& scene, const scene::SourceProce
   result.outcrop = acceleration(result.incident.samples, record.dt, MotionKind::outcrop);
   for (double& sample : result.outcrop.samples)
     sample *= factor;
-  const double above = motion::peak(result.recorded.samples);
-  const double below = motion::peak(result.outcrop.samples);
+  const double above = peak(result.recorded.samples);
+  const double below = peak(result.outcrop.samples);
   if (below > remarkable_peak * above)
     result.warnings.push_back(fmt::format(
         "the outcrop's PGA is {:.3g} times the record's: too much for most ground; look at damping "
@@ -93,12 +93,12 @@ std::string deconvolution_report(const DeconvolvedMotion& motion, const GroundRe
   const auto line = [](const char* what, const std::string& value) {
     return fmt::format("  {:<16}{}\n", what, value);
   };
-  const double whole = motion::peak(motion::with_unit(given.record, motion::Unit::m_s2).samples);
+  const double whole = peak(motion::with_unit(given.record, motion::Unit::m_s2).samples);
   std::string text =
       line("record", fmt::format("PGA {:.4g} m/s2, {:.4g} m/s2 below the cutoff, {:g} m below the surface",
-                                 whole, motion::peak(motion.recorded.samples), given.depth)) +
-      line("outcrop", fmt::format("PGA {:.4g} m/s2", motion::peak(motion.outcrop.samples))) +
-      line("incident", fmt::format("PGA {:.4g} m/s2", motion::peak(motion.incident.samples))) +
+                                 whole, peak(motion.recorded.samples), given.depth)) +
+      line("outcrop", fmt::format("PGA {:.4g} m/s2", peak(motion.outcrop.samples))) +
+      line("incident", fmt::format("PGA {:.4g} m/s2", peak(motion.incident.samples))) +
       line("cutoff", fmt::format("{:g} Hz: whole up to it, nothing above {:g} Hz", given.cutoff,
                                  wavefield::band_end * given.cutoff)) +
       line("amplification", fmt::format("outcrop over record at most {:.3g}, at {:.3g} Hz",

@@ -12,11 +12,11 @@
 
 namespace tremolo::app {
 
-/// What is to be deconvolved, and how far.
+/// A motion recorded in the ground, and how far its frequencies are trusted.
 struct GroundRecord {
   motion::Record record; ///< of any quantity
   double depth = 0.0;    ///< m below the surface
-  double cutoff = 15.0;  ///< Hz
+  double cutoff = 0.0;   ///< Hz
 };
 
 /// Motions of the half-space under the ground, and what making them took.

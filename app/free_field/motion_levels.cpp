@@ -1,7 +1,7 @@
 #include "app/free_field/motion_levels.hpp"
 
+#include "base/samples.hpp"
 #include "motion/band_limited.hpp"
-#include "motion/peak.hpp"
 #include "motion/record.hpp"
 #include "scene/plan/layers.hpp"
 #include "wavefield/incident_motion.hpp"
@@ -33,7 +33,7 @@ double incident_level(const wavefield::Signal& signal) {
     const double time = signal.begin + static_cast<double>(i) * dt;
     velocity.push_back(time <= signal.end ? signal.velocity(time) : 0.0);
   }
-  return motion::peak(motion::band_limited_slope(velocity, dt));
+  return peak(motion::band_limited_slope(velocity, dt));
 }
 
 /// Takes the component that the wave moves at vertical incidence.
@@ -52,7 +52,7 @@ double surface_level(const scene::Case& scene, const wavefield::LayeredHalfSpace
   const auto history = field.sample(place, {signal.begin, dt, count}, wavefield::Part::total,
                                     {.displacement = false, .stress = false, .strain = false});
   const bool shear = incidence.wave == wavefield::WaveType::SV;
-  return motion::peak(shear ? history.front().vx_rate : history.front().vy_rate);
+  return peak(shear ? history.front().vx_rate : history.front().vy_rate);
 }
 
 } // namespace

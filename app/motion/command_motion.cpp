@@ -4,6 +4,7 @@
 #include "app/motion/chosen.hpp"
 #include "app/motion/motion_report.hpp"
 #include "app/motion/motion_steps.hpp"
+#include "app/motion/record_options.hpp"
 #include "app/python.hpp"
 #include "app/temporary_folder.hpp"
 #include "motion/make/recipe.hpp"
@@ -24,8 +25,7 @@ namespace fs = std::filesystem;
 struct Options {
   std::string file;
   std::string recipe;
-  std::string quantity;
-  std::string unit;
+  RecordOptions read;
   std::string kind;
   std::string as;
   std::string fit = "velocity";
@@ -44,12 +44,6 @@ struct Named {
   std::string name;
   motion::Title title;
 };
-
-motion::ReadAs read_as(const Options& options) {
-  return {.quantity = chosen(options.quantity, motion::quantity_named, "--quantity"),
-          .unit = chosen(options.unit, motion::unit_named, "--unit"),
-          .kind = chosen(options.kind, motion::kind_named, "--kind")};
-}
 
 Named made(const motion::SynthesisRecipe& recipe, const std::string& name, const std::string& title) {
   auto result = motion::synthesise(recipe);
@@ -88,9 +82,7 @@ Named the_motion(const Options& options, const motion::ReadAs& as) {
 
 void draw(const Named& named, const Options& options) {
   const TemporaryFolder scratch;
-  write_histories(named.record, scratch.path() / "histories.csv");
-  write_response_spectrum(named.record, options.damping, scratch.path() / "response.csv");
-  write_fourier_spectrum(named.record, scratch.path() / "fourier.csv");
+  write_tables(named.record, options.damping, scratch.path());
   const int status = run_python("motion-picture", {scratch.path().string(), options.picture, "--title",
                                                    fs::path(named.name).filename().string(), "--damping",
                                                    fmt::format("{}", options.damping)});
@@ -112,7 +104,8 @@ void print_match(const Matched& matched, const MotionSteps& steps) {
 void work_on(const Options& options) {
   if (options.file.empty() == options.recipe.empty())
     throw std::invalid_argument("motion: a FILE or --synthesise RECIPE is needed, and not both");
-  const auto as = read_as(options);
+  auto as = read_as(options.read);
+  as.kind = chosen(options.kind, motion::kind_named, "--kind");
   Named named = the_motion(options, as);
   const std::string overruled = unit_warning(named.record);
   MotionSteps steps = options.steps;
@@ -142,14 +135,11 @@ void work_on(const Options& options) {
 }
 
 void add_reading(Command& command, Options& options) {
-  command.add_option("FILE", options.file, "PEER AT2, VT2 or DT2; two columns of time and value; or HDF5");
+  command.add_option("FILE", options.file, record_formats);
   command.add_option(
       "--synthesise", options.recipe,
       "Make the motion of this TOML recipe instead: a [pulse], or noise with the measures of [target]");
-  command.add_option("--quantity", options.quantity,
-                     "acceleration, velocity or displacement, where the file leaves it open");
-  command.add_option("--unit", options.unit,
-                     "g, m/s2, cm/s2, m/s, cm/s, m, cm or mm, where the file leaves it open");
+  add_record_options(command, options.read);
   command.add_option("--kind", options.kind, "incident, outcrop or within: what it is the motion of");
 }
 

@@ -89,4 +89,11 @@ void write_fourier_spectrum(const motion::Record& record, const std::filesystem:
   write_text_file(file, text);
 }
 
+void write_tables(const motion::Record& record, double damping, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  write_histories(record, folder / "histories.csv");
+  write_response_spectrum(record, damping, folder / "response.csv");
+  write_fourier_spectrum(record, folder / "fourier.csv");
+}
+
 } // namespace tremolo::app

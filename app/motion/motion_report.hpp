@@ -29,4 +29,7 @@ void write_response_spectrum(const motion::Record& record, double damping, const
 /// frequency (Hz), amplitude (m/s) of the acceleration.
 void write_fourier_spectrum(const motion::Record& record, const std::filesystem::path& file);
 
+/// histories.csv, response.csv and fourier.csv in a folder, which is made.
+void write_tables(const motion::Record& record, double damping, const std::filesystem::path& folder);
+
 } // namespace tremolo::app

@@ -1,6 +1,6 @@
 #include "app/motion/motion_steps.hpp"
 
-#include "motion/peak.hpp"
+#include "base/samples.hpp"
 #include "motion/read/read_spectrum.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ motion::Record without_drift(const motion::Record& record, const MotionSteps& st
 double factor(const motion::Record& record, const MotionSteps& steps) {
   if (!steps.pga)
     return steps.scale.value_or(1.0);
-  const double found = motion::peak(motion::with_unit(record, motion::Unit::m_s2).samples);
+  const double found = peak(motion::with_unit(record, motion::Unit::m_s2).samples);
   if (!(found > 0.0) || !(*steps.pga > 0.0))
     throw std::invalid_argument(
         fmt::format("cannot scale a PGA of {} m/s2 to {} m/s2: both must be > 0", found, *steps.pga));

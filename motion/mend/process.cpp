@@ -1,6 +1,6 @@
 #include "motion/mend/process.hpp"
 
-#include "motion/peak.hpp"
+#include "base/samples.hpp"
 
 #include <fmt/format.h>
 

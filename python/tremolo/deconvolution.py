@@ -11,7 +11,7 @@ DAMPING = 0.05
 
 
 def _table(folder, name, kind):
-    return np.genfromtxt(Path(folder) / f"{name}_{kind}.csv", delimiter=",", names=True)
+    return np.genfromtxt(Path(folder) / name / f"{kind}.csv", delimiter=",", names=True)
 
 
 def _draw_history(ax, series, begin, colour, label):
@@ -36,7 +36,7 @@ def _draw_fourier(ax, folder, names, cutoff):
 
 
 def picture(folder, path, kind, lead, cutoff, title):
-    """Draws record_*.csv and written_*.csv of the folder, the latter `lead` s earlier; returns the path of the picture."""
+    """Draws the tables in record/ and written/ of the folder, the latter `lead` s earlier; returns the path of the picture."""
     names = {"record": (style.COLOURS[0], "record below the cutoff"), "written": (style.COLOURS[1], f"{kind} motion of rock")}
     figure = style.plt.figure(figsize=(9.0, 5.0), layout="constrained")
     left, right = figure.subfigures(1, 2, width_ratios=[1.6, 1.0])

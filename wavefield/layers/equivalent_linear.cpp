@@ -52,7 +52,7 @@ IncidentVelocity incident_velocity(const IncidentAcceleration& motion) {
   return velocity;
 }
 
-/// The same of the wave that makes the ground move as recorded.
+/// Velocity of the incident wave that makes the ground move as recorded.
 IncidentVelocity incident_velocity(const RecordedMotion& record, const LayeredHalfSpace& profile,
                                    WaveType wave, double angle_rad) {
   IncidentVelocity velocity{.dt = record.dt, .length = fast_length(2 * record.samples.size()), .bins = {}};

@@ -57,9 +57,8 @@ struct NotConverged : std::runtime_error {
 /// Equivalent linear analysis as SHAKE does it (Schnabel, Lysmer and Seed 1972), at any angle of incidence:
 /// the strain of a layer is that of gamma_xy at its mid-depth. The curves hold for the shear modulus; the
 /// bulk modulus of a layer and its damping ratio, the first guess, stay. The half-space stays linear.
-/// @param profile  Gmax as density vs^2; the layers' damping ratios are the first guess; any damping model
-/// but
-///                 `none`
+/// @param profile  Gmax as density vs^2; the layers' damping ratios are the first guess; any damping
+///                 model but `none`
 /// @param curves   one a layer
 /// @throws std::invalid_argument for values outside their range
 /// @throws NotConverged naming the depth that still changes, unless non-convergence is allowed
@@ -68,9 +67,9 @@ EquivalentLinearResult equivalent_linear(const LayeredHalfSpace& profile,
                                          double angle_rad, const IncidentAcceleration& motion,
                                          const EquivalentLinearOptions& options = {});
 
-/// The same where a motion in the ground is given, an acceleration (m/s2), and that from below is sought: the
-/// moduli are those of the strains under the incident wave that gives the record (incident_motion.hpp) up to
-/// its cutoff.
+/// equivalent_linear() where a motion in the ground is given, an acceleration (m/s2), and that from below is
+/// sought: the moduli are those of the strains under the incident wave that gives the record
+/// (incident_motion.hpp) up to its cutoff.
 /// @throws std::runtime_error also where a pass asks for a shear strain above 1
 EquivalentLinearResult equivalent_linear_under_record(const LayeredHalfSpace& profile,
                                                       std::span<const StrainCurves> curves, WaveType wave,

@@ -10,6 +10,7 @@
 #include "wavefield/layers/recorded_motion.hpp"
 
 #include "base/require.hpp"
+#include "base/samples.hpp"
 #include "wavefield/layers/transfer.hpp"
 #include "wavefield/signal/fourier.hpp"
 
@@ -47,10 +48,7 @@ std::vector<double> frequencies(const RecordedMotion& record, std::size_t window
 } // namespace
 
 void validate(const RecordedMotion& record, const LayeredHalfSpace& profile) {
-  if (record.samples.empty())
-    throw std::invalid_argument("a motion without samples");
-  for (const double value : record.samples)
-    require(std::isfinite(value), "a sample of the motion", value, "finite");
+  require_finite_samples("motion", record.samples);
   require_positive("time step of the motion", record.dt, "s");
   const double rounding = 1e-9 * profile.thickness();
   require(record.depth >= 0.0 && record.depth <= profile.thickness() + rounding, "depth of the record",

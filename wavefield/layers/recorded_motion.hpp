@@ -24,8 +24,8 @@ struct RecordedMotion {
 /// Frequency above which nothing of a record is left, over its cutoff.
 inline constexpr double band_end = 1.25;
 
-/// What is taken of a frequency (Hz) of a record: 1 up to the cutoff, 1/2 at 1.125 times it, 0 from band_end
-/// times it on.
+/// The share of a frequency (Hz) of a record that is kept: 1 up to the cutoff, 1/2 at 1.125 times it, 0 from
+/// band_end times it on.
 double band_weight(double frequency, double cutoff);
 
 /// The record without what lies above its cutoff: zero phase, at the record's times.
@@ -33,7 +33,7 @@ std::vector<double> band_limited(const RecordedMotion& record);
 
 /// The incident wave of a record, frequency by frequency.
 struct IncidentSpectrum {
-  /// Of the incident motion, for RealFourier::inverse() on the window.
+  /// The bins hold the incident motion, for RealFourier::inverse() on the window.
   std::vector<std::complex<double>> bins;
   /// |incident / recorded| of the ground at each bin up to the end of the record's band, the weight left out;
   /// that at zero frequency is the one at the lowest frequency.

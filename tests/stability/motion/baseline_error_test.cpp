@@ -2,9 +2,9 @@
 // the PGA and ruins the velocity; it is reported with its number, and the correction finds the clean velocity
 // again.
 
+#include "base/samples.hpp"
 #include "motion/measures.hpp"
 #include "motion/mend/process.hpp"
-#include "motion/peak.hpp"
 #include "motion/read/read.hpp"
 #include "motion/record.hpp"
 #include "tests/support/hard_case.hpp"

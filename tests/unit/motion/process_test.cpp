@@ -1,7 +1,7 @@
+#include "base/samples.hpp"
 #include "motion/fourier.hpp"
 #include "motion/make/pulses.hpp"
 #include "motion/mend/process.hpp"
-#include "motion/peak.hpp"
 #include "motion/record.hpp"
 
 #include <gtest/gtest.h>

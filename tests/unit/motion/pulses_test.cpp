@@ -1,6 +1,6 @@
+#include "base/samples.hpp"
 #include "motion/fourier.hpp"
 #include "motion/make/pulses.hpp"
-#include "motion/peak.hpp"
 
 #include <gtest/gtest.h>
 

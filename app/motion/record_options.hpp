@@ -1,0 +1,27 @@
+#pragma once
+
+// How a command is told what a file of a motion holds.
+
+#include "app/command_line.hpp"
+#include "motion/read/read.hpp"
+
+#include <string>
+
+namespace tremolo::app {
+
+/// The files that can be read, as the texts of options name them.
+inline constexpr const char* record_formats = "PEER AT2, VT2 or DT2; two columns of time and value; or HDF5";
+
+/// What the file may leave open; empty where it is not told.
+struct RecordOptions {
+  std::string quantity;
+  std::string unit;
+};
+
+/// --quantity and --unit.
+void add_record_options(Command& command, RecordOptions& options);
+
+/// @throws std::invalid_argument for a quantity or unit that is not known
+motion::ReadAs read_as(const RecordOptions& options);
+
+} // namespace tremolo::app
