@@ -45,14 +45,13 @@ void check_structures(const Spec& spec) {
 /// What reduced dispersion asks of the rest of the spec.
 void check_dispersion(const Spec& spec) {
   if (spec.scheme.transfer != Transfer::apic || spec.scheme.order != StepOrder::musl ||
-      spec.particles_per_cell != 2 || spec.boxes != ParticleBoxes::fixed || !spec.refine.empty() ||
-      spec.water || !spec.structures.empty() || !spec.matched_sides.empty() ||
-      spec.sides == Sides::periodic_springs)
+      spec.particles_per_cell < 2 || spec.boxes != ParticleBoxes::fixed || !spec.refine.empty() ||
+      spec.water || !spec.structures.empty() || spec.sides == Sides::periodic_springs)
     throw std::invalid_argument(
-        "reduced dispersion needs the transfer apic, the order musl, two particles a cell and direction, "
-        "boxes "
-        "that keep their size, cells of one size, sides without springs, and a domain without water, "
-        "structures and matched layers");
+        "reduced dispersion needs the transfer apic, the order musl, two to four particles a cell and "
+        "direction, boxes that keep their size, cells of one size, sides without springs, and a domain "
+        "without "
+        "water and structures");
   for (const Soil& soil : spec.soils)
     if (const materials::Response response = materials::traits(soil.law).response;
         response != materials::Response::elastic && response != materials::Response::hysteretic)

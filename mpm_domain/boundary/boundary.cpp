@@ -152,8 +152,16 @@ void Boundary::build_supports(const Domain& domain) {
     for (std::size_t f = 0; f < layer.face_count(); ++f) {
       BoundaryFace& face = faces_[layer.first_face() + f];
       face.support = Support::matched_layer;
-      face.layer_mass = layer.mass(f);
+      face.moving_mass = {layer.mass(f), layer.mass(f)};
     }
+  }
+  if (domain.is_sharp() && !faces_.empty()) {
+    closing_.emplace(domain);
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      if (faces_[f].support == Support::dashpots) {
+        faces_[f].support = Support::closing_element;
+        faces_[f].moving_mass = closing_->mass(f);
+      }
   }
   if (domain.spec.sides == Sides::periodic_springs && !faces_.empty()) {
     springs_.emplace(domain);
@@ -207,10 +215,23 @@ void Boundary::exchange(Domain& domain, const ClockNodes& nodes, const FreeField
   source(step, time, v_exchange_, free_field_);
   if (springs_)
     springs_->pull(domain, v_exchange_, reaction_, free_field_);
+  if (closing_)
+    close(time);
   for (std::size_t f = 0; f < faces_.size(); ++f)
     evaluate(f);
   if (domain.has_pore_pressure())
     follow_lean(domain);
+}
+
+/// Reactions of the elements behind the faces.
+void Boundary::close(double time) {
+  closing_->advance(time, v_exchange_, free_field_);
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    if (faces_[f].support == Support::closing_element) {
+      const Vector soil = closing_->of_soil(f);
+      const Vector field = closing_->of_free_field(f);
+      reaction_[f] = {soil.x + field.x, soil.y + field.y};
+    }
 }
 
 void Boundary::follow_lean(const Domain& domain) {
@@ -321,12 +342,12 @@ void Boundary::find_loads(int clock, const Ticks& ticks) {
     const double moves = is_due(first_due, f) && clock >= clock_[f] ? impulse_factor(clock, clock_[f]) : 0.0;
     const double holds = steady[static_cast<std::size_t>(clock_[f])];
     const Vector z = dashpot_diagonal(face);
-    const double inertia = per_kick * face.layer_mass;
+    const Vector inertia{per_kick * face.moving_mass.x, per_kick * face.moving_mass.y};
     const double l = face.length;
     Load& load = loads_[f * clocks + static_cast<std::size_t>(clock)];
     load.force = {l * (moves * (viscous.x + dynamic.x) + reacts * reaction_[f].x + holds * held.x),
                   l * (moves * (viscous.y + dynamic.y) + reacts * reaction_[f].y + holds * held.y)};
-    load.dashpot = {l * (moves * z.x + inertia), l * (moves * z.y + inertia)};
+    load.dashpot = {l * (moves * z.x + inertia.x), l * (moves * z.y + inertia.y)};
   }
 }
 
@@ -408,9 +429,13 @@ Boundary::FaceWork Boundary::work_of(std::size_t begin, std::size_t end, const G
       const auto& [viscous, dynamic, held] = traction_[f];
       work.input += impulse * (dot({viscous.x + dynamic.x, viscous.y + dynamic.y}, v_moving) - own);
     }
-    if (ticks.is_first() && face.support != Support::dashpots)
+    if (ticks.is_first() && face.support == Support::closing_element) {
+      work.dashpots += kick[0] * face.length * dot(closing_->of_soil(f), v_all);
+      work.input += kick[0] * face.length * dot(closing_->of_free_field(f), v_all);
+    } else if (ticks.is_first() && face.support != Support::dashpots) {
       (face.support == Support::matched_layer ? work.dashpots : work.input) +=
           kick[0] * face.length * dot(reaction_[f], v_all);
+    }
   }
   return work;
 }

@@ -33,6 +33,7 @@
 // sigma_yy is the total stress over the water at rest. It is there where there is pore water.
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/boundary/closing_elements.hpp"
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
 #include "mpm_domain/boundary/layer/matched_layer.hpp"
 #include "mpm_domain/boundary/periodic_springs.hpp"
@@ -126,6 +127,8 @@ public:
       to.write("layer" + std::to_string(l), layers_[l].state());
     for (std::size_t c = 0; c < corners_.size(); ++c)
       to.write("corner" + std::to_string(c), corners_[c].joint.state());
+    if (closing_)
+      to.write("closing", closing_->state());
   }
   /// Goes on from there.
   /// @throws std::invalid_argument for the state of another boundary
@@ -140,6 +143,8 @@ public:
       layers_[l].restore(from.numbers("layer" + std::to_string(l)));
     for (std::size_t c = 0; c < corners_.size(); ++c)
       corners_[c].joint.restore(from.numbers("corner" + std::to_string(c)));
+    if (closing_)
+      closing_->restore(from.numbers("closing"));
   }
 
 private:
@@ -165,6 +170,7 @@ private:
   void weigh(const Domain& domain, const ClockNodes& nodes, std::size_t face, bool first_tick);
   void add_to_layer_mean(std::size_t face);
   void evaluate(std::size_t face);
+  void close(double time);
   void follow_lean(const Domain& domain);
   void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
   void find_loads(int clock, const Ticks& ticks);
@@ -178,6 +184,7 @@ private:
   std::vector<JoinedLayers> corners_; ///< between them
   std::optional<PeriodicSprings> springs_;
   std::optional<RigidBase> rigid_base_;
+  std::optional<ClosingElements> closing_;
   bool supported_ = false;
 
   std::vector<FaceWeights> weights_; ///< as of the start of each face's present step

@@ -145,6 +145,46 @@ double overburden(const Particles& set, const BoundaryFace& face) {
 
 namespace {
 
+/// With reduced dispersion a face takes back what its mean along the boundary takes from a wave, as particles
+/// do for output (transfer/sharp_transfer.hpp). With D the second moment of its weights along the face,
+///
+///     W_I <- W_I + D/(2 h^2) (2 chi_I W_I - chi_{I-1} W_{I-1} - chi_{I+1} W_{I+1}),
+///
+/// so that the traction of a wave and its velocity come to the nodes as the sharpened internal forces do.
+/// Nothing changes in the sum of the weights and their first moment.
+void sharpen_along(const Domain& domain, const BoundaryFace& face, const Particles& set,
+                   const Lattice& lattice, FaceWeights& weights) {
+  const std::size_t k = set.index_of[face.id];
+  const auto columns = static_cast<std::size_t>(lattice.nx);
+  const bool along_x = face.side == Side::base;
+  const std::size_t step = along_x ? 1 : columns;
+  const NodeField& chi = along_x ? domain.grid.inside_x : domain.grid.inside_y;
+  const double place =
+      along_x ? Axis(lattice.x0, lattice.h).cells(set.x[k]) : Axis(lattice.y0, lattice.h).cells(set.y[k]);
+  double moment = 0.0;
+  for (const auto& [node, w] : weights) {
+    const std::size_t n = node - lattice.first;
+    moment += w * std::pow(static_cast<double>(along_x ? n % columns : n / columns) - place, 2);
+  }
+  FaceWeights sharp;
+  const auto add = [&](std::size_t node, double w) {
+    const auto found = std::ranges::find(sharp, node, &FaceWeight::node);
+    if (found == sharp.end())
+      sharp.push_back({node, w});
+    else
+      found->w += w;
+  };
+  for (const auto& [node, w] : weights) {
+    const double taken = 0.5 * moment * chi[node] * w;
+    add(node, w + 2.0 * taken);
+    if (taken != 0.0) {
+      add(node - step, -taken);
+      add(node + step, -taken);
+    }
+  }
+  weights.swap(sharp);
+}
+
 /// The nodes that tied ones follow take their place.
 void follow_ties(const Prolongation& ties, FaceWeights& weights) {
   FaceWeights real;
@@ -168,6 +208,9 @@ void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& w
     lattice_weights(face, set, lattice, [&](int i, int j, double w) {
       weights.push_back({lattice.index(i, j), w});
     });
+    if (domain.is_sharp() &&
+        std::ranges::find(domain.spec.matched_sides, face.side) == domain.spec.matched_sides.end())
+      sharpen_along(domain, face, set, lattice, weights);
   } else {
     std::vector<BoxWeight> parts;
     box_average(*domain.mesh, line_of(face, set), parts);

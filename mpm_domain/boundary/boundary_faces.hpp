@@ -21,10 +21,11 @@ struct Domain;
 
 /// What takes up the waves that the domain scatters at a face, or holds it.
 enum class Support {
-  dashpots,      ///< of Eq. (6)
-  matched_layer, ///< matched_layer.hpp
-  opposite_face, ///< a spring to the other side: periodic_springs.hpp
-  rigid_base,    ///< nothing: the base's nodes move with it (rigid_base.hpp)
+  dashpots,        ///< of Eq. (6)
+  matched_layer,   ///< matched_layer.hpp
+  opposite_face,   ///< a spring to the other side: periodic_springs.hpp
+  closing_element, ///< with reduced dispersion: closing_elements.hpp
+  rigid_base,      ///< nothing: the base's nodes move with it (rigid_base.hpp)
 };
 
 /// A face: the particle it rides on, and what Eq. (6) needs to know.
@@ -38,8 +39,8 @@ struct BoundaryFace {
                     ///< the base
   Vector held;      ///< f^st of Eq. (6), what held the model at rest, Pa
   Support support = Support::dashpots;
-  double layer_mass = 0.0; ///< of a matched layer's nodes that move with the face, kg/m2
-  int level = unknown;     ///< of the one lattice of a graded mesh that it can touch until the next sort
+  Vector moving_mass;  ///< of what stands behind and moves with the face, by direction, kg/m2
+  int level = unknown; ///< of the one lattice of a graded mesh that it can touch until the next sort
 
   static constexpr int unknown = -1; ///< or several
 

@@ -43,7 +43,7 @@ double solve(Domain& domain, const std::vector<std::size_t>& nodes, const Reacti
       continue;
     face_weights(domain, face, weights);
     for (const FaceWeight& weight : weights)
-      if (row[weight.node] >= 0 && weight.w > 0.0)
+      if (row[weight.node] >= 0 && weight.w != 0.0)
         entries.emplace_back(row[weight.node], static_cast<Eigen::Index>(f), face.length * weight.w);
   }
   Eigen::SparseMatrix<double> a(static_cast<Eigen::Index>(nodes.size()),

@@ -14,6 +14,12 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
+/// q1 without the share of the step, and q2, for 2, 3 and 4 particles a cell and direction.
+struct Filter {
+  double first, second;
+};
+constexpr std::array<Filter, 3> filters{{{0.1255, 0.022}, {0.1125, 0.018}, {0.1157, 0.019}}};
+
 /// What a component is sharpened with: q1 across and along itself.
 struct Firsts {
   double x, y;
@@ -148,7 +154,8 @@ Sharpening sharpening_of(const Domain& domain) {
     }
   const auto of_step = [&](double c) { return std::pow(planned_step(domain) * c / domain.grid.h, 2) / 24.0; };
   const double of_shear = of_step(speed);
-  return {0.1255 - of_shear, 0.022, of_shear - of_step(slowest.p_wave_speed())};
+  const Filter& filter = filters.at(static_cast<std::size_t>(domain.spec.particles_per_cell) - 2);
+  return {filter.first - of_shear, filter.second, of_shear - of_step(slowest.p_wave_speed())};
 }
 
 void sharpen_velocities(Domain& domain, const NodeField& vx, const NodeField& vy) {

@@ -72,9 +72,10 @@ private:
   const double *fullness_, *inside_block_;
   Axis x_axis_, y_axis_;
   NodeArray array_;
-  double first_;       ///< the first node of a particle's stencil for one in cell (0, 0)
-  std::ptrdiff_t row_; ///< nodes from one row to the next
-  double own_;         ///< l, in cells
+  double first_;          ///< the first node of a particle's stencil for one in cell (0, 0)
+  std::ptrdiff_t row_;    ///< nodes from one row to the next
+  double own_;            ///< l, in cells
+  double along_, across_; ///< l_L and l_T, in cells
   WideBoxes full_;
   mutable WideBoxes shrunk_;
 };

@@ -69,9 +69,12 @@ struct BoxResult {
 };
 
 /// A box of 100 m by 40 m in cells of h (m) under an oblique SV wave, for 2.2 s.
-inline BoxResult run_box(double h, double angle_deg, bool total_base, const mpm_domain::Scheme& scheme = {}) {
+/// @param matched_sides  with matched layers
+inline BoxResult run_box(double h, double angle_deg, bool total_base, const mpm_domain::Scheme& scheme = {},
+                         const std::vector<mpm_domain::Side>& matched_sides = {}) {
   mpm_domain::Spec spec = elastic_box(100.0, 40.0, h);
   spec.scheme = scheme;
+  spec.matched_sides = matched_sides;
   mpm_domain::Domain domain(spec);
   PlaneWave wave;
   wave.angle = angle_deg * std::numbers::pi / 180.0;

@@ -58,6 +58,7 @@ struct PulseGround {
   double strip = 0.0;            ///< height of the middle that is compared, m
   mpm_domain::Vector drift = {}; ///< of all, m/s
   double jitter = 0.0;           ///< of the particles' places, at random, m
+  int particles_per_cell = 2;    ///< in each direction
 
   double height(const PlanePulse& pulse) const {
     const double reached = travelled / pulse.speed() * pulse.ground.p_wave_speed();
@@ -71,6 +72,7 @@ inline mpm_domain::Spec ground_of(const PlanePulse& pulse, const PulseGround& gr
   mpm_domain::Spec spec;
   spec.box = {0.0, 0.0, ground.width, height};
   spec.cell_size = ground.h;
+  spec.particles_per_cell = ground.particles_per_cell;
   spec.soils = {{"ground", materials::LinearElastic{pulse.ground}}};
   spec.regions = {{0, {{0.0, 0.0}, {ground.width, 0.0}, {ground.width, height}, {0.0, height}}}};
   spec.sides = mpm_domain::Sides::periodic;

@@ -5,6 +5,7 @@
 //     cost_dispersion > dispersion.csv
 
 #include "tests/support/plane_pulse.hpp"
+#include "tests/support/pulse_column.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@ using mpm_domain::Dispersion;
 using mpm_domain::Particles;
 using mpm_domain::Vector;
 using test_support::PlanePulse;
+using test_support::PulseColumn;
 using test_support::PulseGround;
 
 constexpr double spacing = 3.0; // wavelengths
@@ -52,94 +54,31 @@ void oblique(std::string_view scene, bool sv, int period, Vector drift = {}) {
   });
 }
 
-/// A column of length 8 or more, and a pulse that meets one of its ends.
-struct Column {
-  mpm_domain::Domain domain;
-  mpm_domain::Stepper stepper;
-  double c, density;
-
-  Column(double cells, double height, Dispersion dispersion)
-      : domain(spec(cells, height, dispersion)), stepper(domain, 0.0, test_support::moving_ground({})),
-        c(PlanePulse{}.ground.s_wave_speed()), density(PlanePulse{}.ground.density) {}
-
-  static mpm_domain::Spec spec(double cells, double height, Dispersion dispersion) {
-    const PlanePulse pulse{.wavelength = 1.0};
-    mpm_domain::Spec spec = ground_of(pulse, {1.0 / cells, 1.0 / cells, 0.0, 0.0}, dispersion);
-    spec.box.y_max = height;
-    spec.regions.front().polygon = {{0.0, 0.0}, {1.0 / cells, 0.0}, {1.0 / cells, height}, {0.0, height}};
-    return spec;
-  }
-
-  static double ricker(double s) {
-    const double a = std::pow(std::numbers::pi * s, 2);
-    return 1e-4 * (1.0 - 2.0 * a) * std::exp(-a);
-  }
-
-  /// @param way  +1 up, -1 down
-  void lay(double from, double way) {
-    mpm_domain::Grid& grid = domain.grid;
-    for (int j = 0; j < grid.ny; ++j)
-      for (int i = 0; i < grid.nx; ++i)
-        grid.vx_after[grid.index(i, j)] =
-            ricker(grid.y0 + j * grid.h - from - way * c * stepper.velocity_time());
-    gather(domain, 1.0, {.velocity = true, .sharp = domain.is_sharp()});
-    for (Particles& set : domain.sets)
-      for (std::size_t k = 0; k < set.size(); ++k)
-        set.sxy[k] = -way * density * c * ricker(set.y[k] - from);
-  }
-
-  /// sqrt of the sum of squares of v - exact
-  double distance(const std::function<double(double)>& exact) const {
-    double sum = 0.0;
-    for (const Particles& set : domain.sets)
-      for (std::size_t k = 0; k < set.size(); ++k)
-        sum += std::pow(particle_velocity(domain, set, k).x - exact(set.y[k]), 2);
-    return std::sqrt(sum);
-  }
-
-  void run_to(double time) {
-    while (stepper.time() < time)
-      stepper.step();
-  }
-};
-
-double nothing(double) {
-  return 0.0;
-}
-
 /// From two wavelengths below the surface and back.
 double at_surface(double cells, Dispersion dispersion) {
-  Column column(cells, 8.0, dispersion);
+  PulseColumn column(cells, 8.0, dispersion);
   column.lay(6.0, 1.0);
   column.run_to(4.0 / column.c);
   const double time = column.stepper.velocity_time();
-  const double error = column.distance([&](double y) { return Column::ricker(10.0 - y - column.c * time); });
-  return error / column.distance(nothing);
+  const double error =
+      column.distance([&](double y) { return PulseColumn::ricker(10.0 - y - column.c * time); });
+  return error / column.size();
 }
 
 /// Into the column through its base.
 double injected(double cells, Dispersion dispersion) {
-  Column column(cells, 12.0, dispersion);
+  PulseColumn column(cells, 12.0, dispersion);
   const double impedance = column.density * column.c;
   mpm_domain::Stepper stepper(column.domain, 0.0, [&](long, double t, auto, std::span<eq6::FreeField> field) {
-    const double v = Column::ricker(2.0 - column.c * t);
+    const double v = PulseColumn::ricker(2.0 - column.c * t);
     std::ranges::fill(field, eq6::FreeField{{v, 0.0}, {0.0, 0.0, -impedance * v}});
   });
   while (stepper.time() < 6.0 / column.c)
     stepper.step();
   const double time = stepper.velocity_time();
-  const double error = column.distance([&](double y) { return Column::ricker(y + 2.0 - column.c * time); });
-  return error / column.distance(nothing);
-}
-
-/// What dashpots send back.
-double left_behind(double cells, Dispersion dispersion) {
-  Column column(cells, 12.0, dispersion);
-  column.lay(3.0, -1.0);
-  column.stepper.step();
-  const double before = column.distance(nothing);
-  column.run_to(6.0 / column.c);
-  return column.distance(nothing) / before;
+  const double error =
+      column.distance([&](double y) { return PulseColumn::ricker(y + 2.0 - column.c * time); });
+  return error / column.size();
 }
 
 } // namespace
@@ -161,6 +100,7 @@ int main() {
   for (const double cells : {12.0, 16.0, 24.0, 32.0}) {
     print("SV reflected by a free surface", cells, [&](Dispersion d) { return at_surface(cells, d); });
     print("SV through a base with dashpots", cells, [&](Dispersion d) { return injected(cells, d); });
-    print("SV left behind by dashpots", cells, [&](Dispersion d) { return left_behind(cells, d); });
+    print("SV left behind by dashpots", cells,
+          [&](Dispersion d) { return test_support::left_behind(cells, d); });
   }
 }

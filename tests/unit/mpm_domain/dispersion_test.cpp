@@ -220,6 +220,35 @@ TEST(Dispersion, StressesWorkOnTheStrainsWhatForcesTakeFromTheNodes) {
   EXPECT_NEAR(sums.elastic / dt, -power, 1e-9 * std::abs(power));
 }
 
+/// Away from corners a face reads quadratic velocities along the boundary exactly.
+TEST(Dispersion, FacesKeepTheMomentsOfTheirPlaces) {
+  Spec spec = test_support::elastic_box(12.0, 12.0, 0.5);
+  spec.scheme.dispersion = Dispersion::reduced;
+  Domain domain(spec);
+  scatter(domain, ScatterPart::motion);
+  find_fullness(domain);
+  int seen = 0;
+  for (const BoundaryFace& face : domain.boundary.faces()) {
+    if (face.side != Side::left || std::abs(face.position.y + 6.0) > 3.0)
+      continue;
+    ++seen;
+    FaceWeights weights;
+    face_weights(domain, face, weights);
+    double sum = 0.0, first = 0.0, second = 0.0;
+    for (const auto& [node, w] : weights) {
+      const double y =
+          domain.grid.y0 + static_cast<double>(node / static_cast<std::size_t>(domain.grid.nx)) * 0.5;
+      sum += w;
+      first += w * (y - face.position.y);
+      second += w * std::pow(y - face.position.y, 2);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-14);
+    EXPECT_NEAR(first, 0.0, 1e-13);
+    EXPECT_NEAR(second, 0.0, 1e-13);
+  }
+  EXPECT_GT(seen, 20);
+}
+
 /// What a particle lattice that has not moved gives back of a wave of the nodes, sin(ax + by), from the
 /// nodes to the particles and back, over what it read.
 double returned(Dispersion dispersion, double theta_x, double theta_y) {

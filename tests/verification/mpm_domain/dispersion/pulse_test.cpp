@@ -2,6 +2,7 @@
 // docs/dispersion.md, with 0.6 h/c_p as the step.
 
 #include "tests/support/plane_pulse.hpp"
+#include "tests/support/pulse_column.hpp"
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,34 @@ TEST(ReducedDispersion, ObliqueShearWavesConvergeAtFourthOrder) {
   const double coarse = harmonic(true, 14, Dispersion::reduced).error;
   const double fine = harmonic(true, 28, Dispersion::reduced).error;
   EXPECT_GT(std::log2(coarse / fine), 3.8);
+}
+
+TEST(ReducedDispersion, ThreeAndFourParticlesACellAndDirection) {
+  for (const int particles : {3, 4}) {
+    const PlanePulse up{.wavelength = 1.0, .spacing = 3.0};
+    const PulseGround tall{.h = 1.0 / 16.0,
+                           .width = 1.0 / 16.0,
+                           .travelled = 10.0,
+                           .strip = 3.0,
+                           .particles_per_cell = particles};
+    EXPECT_LT(travel(up, tall, Dispersion::reduced).error, 0.015) << particles;
+    const double spacing = 51.0 / std::sqrt(2.0);
+    const double wavelength = spacing / 3.0;
+    const PlanePulse oblique{.angle_deg = 45.0, .wavelength = wavelength, .spacing = spacing};
+    const PulseGround wide{.h = 1.0,
+                           .width = 51.0,
+                           .travelled = 6.0 * wavelength,
+                           .strip = 2.0 * wavelength,
+                           .particles_per_cell = particles};
+    EXPECT_LT(travel(oblique, wide, Dispersion::reduced).error, 0.056) << particles;
+  }
+}
+
+TEST(ReducedDispersion, TheBaseSendsBackAThirdOrderOfAPulse) {
+  const double coarse = test_support::left_behind(16.0, Dispersion::reduced);
+  const double fine = test_support::left_behind(32.0, Dispersion::reduced);
+  EXPECT_LT(coarse, test_support::left_behind(16.0, Dispersion::plain));
+  EXPECT_GT(std::log2(coarse / fine), 2.7);
 }
 
 } // namespace

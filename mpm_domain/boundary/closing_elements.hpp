@@ -1,0 +1,81 @@
+#pragma once
+
+// What stands behind the faces where dispersion is reduced, in place of the dashpots of Eq. (6). A wave that
+// leaves the grid at a right angle, and sends nothing back, has at the nodes of the edge
+//
+//     f = -Z (1 - 0.208 (k h)^2) v,      Z = rho c,
+//
+// by the equations of the wide boxes and of sharpening in half space. A dashpot, f = -Z v, sends back half of
+// the difference. A mass m on the face and behind it a spring K and a dashpot Z in line have, with s = i
+// omega h/c,
+//
+//     f = -Z (b s + 1/(1 + b s)) v = -Z (1 + b^2 s^2 - ...) v,      m = b Z h/c,  K = Z c/(b h),  b^2 = 0.2,
+//
+// which leaves a reflection of third order. The mass is nearly that of half a cell and the spring that of
+// half a cell: the grid goes on by as much before it ends. The element only takes energy from the soil. Its
+// spring's force F belongs to the times of the stresses,
+//
+//     dF/dt = K (v - F/Z),      F+ - F = dt K (v - (F + F+)/(2 Z)).
+//
+// It moves relative to a velocity v* of the free field, -Z(s) (v - v*). Waves of the free field go along the
+// sides, where v* = v^ff as with dashpots. They go through the base, into the model and out of it, and only
+// those that come in pass as they should if the element follows them. There v* is their velocity,
+//
+//     v* = (v^ff + sigma^ff n/Z)/2,      f = -Z(s) (v - v*) + Z v*,
+//
+// which for dashpots, Z(s) = Z, is Eq. (6). The mass feels the rate of Z v*, extrapolated by half a step from
+// the last two steps.
+
+#include "mpm_domain/boundary/boundary_faces.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// One element per face, also behind faces that have another support, which do not use theirs.
+class ClosingElements {
+public:
+  explicit ClosingElements(const Domain& domain);
+
+  /// Mass (kg/m2) that moves with a face in each direction.
+  Vector mass(std::size_t face) const { return elements_[face].mass; }
+
+  /// Goes on to a time (s).
+  /// @param v           of the soil at the faces half a step before, m/s
+  /// @param free_field  of that time
+  void advance(double time, std::span<const Vector> v, std::span<const eq6::FreeField> free_field);
+
+  /// Traction (Pa) on the soil by its own motion, without that of the mass.
+  Vector of_soil(std::size_t face) const { return state_[face].of_soil; }
+  /// Traction (Pa) on the soil by the free field's motion.
+  Vector of_free_field(std::size_t face) const { return state_[face].pull; }
+
+  /// All that changes with time, for a checkpoint.
+  std::vector<double> state() const;
+  /// @throws std::invalid_argument for the state of another boundary
+  void restore(std::span<const double> state);
+
+private:
+  struct Element {
+    Vector normal;
+    bool across = false; ///< the free field's waves go across the face, not along it
+    Vector impedance;    ///< Z, Pa s/m
+    Vector delay;        ///< b h/c, s
+    Vector mass;         ///< kg/m2
+  };
+  struct State {
+    Vector of_soil;       ///< -F of the soil's motion, Pa
+    Vector of_free_field; ///< F of the free field's, Pa
+    Vector load;          ///< Z v* at the last time, Pa
+    Vector rate;          ///< its rate half a step before that, Pa/s
+    Vector pull;          ///< what the free field adds to the traction, Pa
+  };
+
+  std::vector<Element> elements_;
+  std::vector<State> state_;
+  bool started_ = false;
+  double time_ = 0.0; ///< s
+};
+
+} // namespace tremolo::mpm_domain
