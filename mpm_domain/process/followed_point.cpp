@@ -1,7 +1,5 @@
 #include "mpm_domain/process/followed_point.hpp"
 
-#include "mpm_domain/transfer/gather.hpp"
-
 #include <cmath>
 #include <limits>
 
@@ -30,8 +28,7 @@ Vector displacement(const Particles& set, std::size_t k, double dt) {
   return {x - set.x_initial[k], y - set.y_initial[k]};
 }
 
-FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure)
-    : domain_(&domain) {
+FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     const Particles& set = domain.sets[s];
@@ -48,11 +45,10 @@ FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<s
     }
   }
   keep_whole(domain, set_, id_);
-  find_neighbours();
+  find_neighbours(domain.sets[set_]);
 }
 
-void FollowedPoint::find_neighbours() {
-  const Particles& set = domain_->sets[set_];
+void FollowedPoint::find_neighbours(const Particles& set) {
   const std::size_t own = set.index_of[id_];
   // The eight around it on an even grid of particles, whose distance is twice half_size.
   const double reach = 1.6 * 2.0 * set.half_size;
@@ -74,15 +70,22 @@ std::vector<FollowedPoint::Column> FollowedPoint::columns(const scene::Case& sce
   return columns;
 }
 
-void FollowedPoint::append_values(const Stepper& stepper, bool water, std::vector<double>& row) const {
-  const Particles& set = domain_->sets[set_];
+void FollowedPoint::add_followed(std::vector<ParticleName>& to) const {
+  to.push_back({set_, id_});
+  for (const Neighbour& neighbour : neighbours_)
+    to.push_back({set_, neighbour.id});
+}
+
+void FollowedPoint::append_values(const Picture& picture, const Stepper& stepper, bool water,
+                                  std::vector<double>& row) const {
+  const Particles& set = picture.sets()[set_];
   const std::size_t k = set.index_of[id_];
   const double dt = stepper.dt();
   const Vector x = place(set, k, dt);
   const Vector u = displacement(set, k, dt);
-  const Vector v = particle_velocity(*domain_, set, k);
-  const Vector a = particle_acceleration(*domain_, set, k);
-  const Strain e = strain(dt);
+  const Vector v = picture.velocity(set_, k);
+  const Vector a = picture.acceleration(set_, k);
+  const Strain e = strain(set, dt);
   row.insert(row.end(), {x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y, set.sxx[k], set.syy[k], set.szz[k],
                          set.sxy[k], e.xx, e.yy, e.xy});
   if (water) {
@@ -91,8 +94,7 @@ void FollowedPoint::append_values(const Stepper& stepper, bool water, std::vecto
   }
 }
 
-FollowedPoint::Strain FollowedPoint::strain(double dt) const {
-  const Particles& set = domain_->sets[set_];
+FollowedPoint::Strain FollowedPoint::strain(const Particles& set, double dt) const {
   const Vector own = displacement(set, set.index_of[id_], dt);
   double ux_x = 0.0, ux_y = 0.0, uy_x = 0.0, uy_y = 0.0; // sum of u X^T
   double xx = 0.0, xy = 0.0, yy = 0.0;                   // sum of X X^T

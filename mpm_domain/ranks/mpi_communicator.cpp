@@ -2,11 +2,13 @@
 
 #include <mpi.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 
 namespace tremolo::mpm_domain {
 
@@ -26,6 +28,11 @@ bool has_others() {
       return true;
   return false;
 }
+
+/// How long a rank looks out for a message before it sleeps between two looks. MPI itself never sleeps, which
+/// holds up others where ranks are more than free processors.
+constexpr std::chrono::microseconds alert{100};
+constexpr std::chrono::microseconds nap{50};
 
 /// Errors of MPI end all ranks: that is its default.
 class MpiCommunicator : public Communicator {
@@ -57,12 +64,20 @@ public:
               &requests_.emplace_back());
   }
   void wait() override {
-    MPI_Waitall(length(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    for (int done = 0; done == 0;) {
+      MPI_Testall(length(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE);
+      if (done == 0 && Clock::now() - start > alert)
+        std::this_thread::sleep_for(nap);
+    }
     requests_.clear();
   }
 
   void add(std::span<std::int64_t> numbers) override {
-    MPI_Allreduce(MPI_IN_PLACE, numbers.data(), length(numbers.size()), MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+    MPI_Iallreduce(MPI_IN_PLACE, numbers.data(), length(numbers.size()), MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD,
+                   &requests_.emplace_back());
+    wait();
   }
   void least(std::span<double> numbers) override { reduce(numbers, MPI_MIN); }
   void largest(std::span<double> numbers) override { reduce(numbers, MPI_MAX); }
@@ -71,11 +86,13 @@ public:
     length(numbers.size());
     std::vector<int> begins(counts.size(), 0);
     std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
-    MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, numbers.data(), counts.data(), begins.data(),
-                   MPI_DOUBLE, MPI_COMM_WORLD);
+    MPI_Iallgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, numbers.data(), counts.data(), begins.data(),
+                    MPI_DOUBLE, MPI_COMM_WORLD, &requests_.emplace_back());
+    wait();
   }
   void follow_first(std::span<double> numbers) override {
-    MPI_Bcast(numbers.data(), length(numbers.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+    MPI_Ibcast(numbers.data(), length(numbers.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD, &requests_.emplace_back());
+    wait();
   }
 
   std::vector<std::vector<double>> swap(const std::vector<std::vector<double>>& lists) override {
@@ -84,7 +101,9 @@ public:
     for (std::size_t r = 0; r < ranks; ++r)
       sizes[r] = lists[r].size();
     std::vector<std::uint64_t> coming(ranks);
-    MPI_Alltoall(sizes.data(), 1, MPI_UINT64_T, coming.data(), 1, MPI_UINT64_T, MPI_COMM_WORLD);
+    MPI_Ialltoall(sizes.data(), 1, MPI_UINT64_T, coming.data(), 1, MPI_UINT64_T, MPI_COMM_WORLD,
+                  &requests_.emplace_back());
+    wait();
     std::vector<std::vector<double>> received(ranks);
     for (std::size_t r = 0; r < ranks; ++r) {
       const int other = static_cast<int>(r);
@@ -100,8 +119,10 @@ public:
   }
 
 private:
-  static void reduce(std::span<double> numbers, MPI_Op how) {
-    MPI_Allreduce(MPI_IN_PLACE, numbers.data(), length(numbers.size()), MPI_DOUBLE, how, MPI_COMM_WORLD);
+  void reduce(std::span<double> numbers, MPI_Op how) {
+    MPI_Iallreduce(MPI_IN_PLACE, numbers.data(), length(numbers.size()), MPI_DOUBLE, how, MPI_COMM_WORLD,
+                   &requests_.emplace_back());
+    wait();
   }
 
   int rank_ = 0;
@@ -114,9 +135,7 @@ private:
 std::unique_ptr<Communicator> join_ranks() {
   if (!has_others())
     return nullptr;
-  auto joined = std::make_unique<MpiCommunicator>();
-  // One rank needs no one, and MPI may not begin again.
-  return joined;
+  return std::make_unique<MpiCommunicator>();
 }
 
 } // namespace tremolo::mpm_domain
