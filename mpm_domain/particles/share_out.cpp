@@ -127,8 +127,6 @@ std::optional<std::string> not_for_ranks(const Spec& spec) {
     return "a structure";
   if (spec.sides == Sides::periodic || spec.sides == Sides::periodic_springs)
     return "a domain with periodic sides";
-  if (!spec.matched_sides.empty())
-    return "a matched layer";
   if (spec.scheme.dispersion == Dispersion::reduced)
     return "a domain with reduced dispersion";
   return std::nullopt;

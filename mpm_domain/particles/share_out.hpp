@@ -14,10 +14,11 @@
 namespace tremolo::mpm_domain {
 
 /// @throws std::invalid_argument naming what of a domain ranks cannot share yet: a mesh of several levels, water,
-/// structures, periodic sides, matched layers, reduced dispersion
+/// structures, periodic sides, reduced dispersion
 void require_shareable(const Spec& spec);
 
-/// Leaves a whole domain, which is the same on all ranks, with this rank's share of it.
+/// Leaves a whole domain, which is the same on all ranks, with this rank's share of it. What stands behind its
+/// faces is there already (Boundary::build_supports).
 /// @param ranks  outlives the domain
 /// @throws std::invalid_argument as require_shareable() does
 void share_out(Domain& domain, Communicator& ranks);

@@ -3,12 +3,15 @@
 #include <mpi.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
+
+#include <sys/prctl.h>
 
 namespace tremolo::mpm_domain {
 
@@ -38,6 +41,7 @@ constexpr std::chrono::microseconds nap{50};
 class MpiCommunicator : public Communicator {
 public:
   MpiCommunicator() {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // a rank does not outlive mpirun
     int given = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &given);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);

@@ -53,6 +53,11 @@ void layers(Spec& spec) {
                   {1, {{0.0, -40.0}, {100.0, -40.0}, {100.0, -17.0}, {0.0, -17.0}}}};
 }
 
+void add_layers(Spec& spec) {
+  using enum mpm_domain::Side;
+  spec.matched_sides = {left, right, base};
+}
+
 const Model models[] = {
     {"Elastic", [](Spec&) {}, 40},
     {"Yielding", yield, 40},
@@ -60,6 +65,7 @@ const Model models[] = {
     {"Usl", [](Spec& spec) { spec.scheme.order = mpm_domain::StepOrder::usl; spec.scheme.fraction = 0.4; }, 20},
     {"Flip", [](Spec& spec) { spec.scheme.transfer = mpm_domain::Transfer::flip; }, 20},
     {"Layers", layers, 40},
+    {"MatchedLayers", add_layers, 40},
     {"Slope", slope, 40},
     // Over several tiles: particles change ranks, tiles are dealt anew, the grid grows.
     {"Drifting", [](Spec& spec) { yield(spec); }, 120, {120.0, 40.0}},
@@ -76,6 +82,7 @@ public:
         set.vx[k] = model.drift.x;
         set.vy[k] = model.drift.y;
       }
+    domain_.boundary.build_supports(domain_);
     if (ranks != nullptr)
       share_out(domain_, *ranks);
     wave_.angle = 0.2;
