@@ -9,6 +9,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, python3-numpy, python3-h5py, python3-matplotlib, python3-jinja2, python3-plotly")
-# Only free fields written in Python need it.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-zmq")
+# Only free fields written in Python, and ranks, need them.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-zmq, openmpi-bin")
 include(CPack)

@@ -104,6 +104,38 @@ endif()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${properties})
 endfunction()
 
+# tremolo_rank_test(name RANKS 2 3 ... LABELS fast ... SOURCES a.cpp ... DEPENDS tremolo::x ... [TIMEOUT seconds])
+# A GoogleTest program whose processes are the ranks of one domain; run by mpirun with each number of them. Without MPI
+# it runs alone and skips its tests.
+function(tremolo_rank_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "RANKS;SOURCES;DEPENDS;LABELS" ${ARGN})
+  tremolo_wants_test(wanted ${ARG_LABELS})
+  if(NOT wanted)
+    return()
+  endif()
+  tremolo_timeout(ARG_TIMEOUT "${ARG_TIMEOUT}")
+  add_executable(test_${name} ${ARG_SOURCES})
+  target_link_libraries(test_${name} PRIVATE tremolo_light_options ${ARG_DEPENDS} GTest::gmock GTest::gtest_main)
+  target_precompile_headers(test_${name} REUSE_FROM tremolo_test_headers)
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  if(NOT TREMOLO_MPI)
+    add_test(NAME ${name}.1 COMMAND test_${name})
+    set(tests ${name}.1)
+  endif()
+  foreach(ranks ${ARG_RANKS})
+    if(TREMOLO_MPI)
+      add_test(NAME ${name}.${ranks} COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe --bind-to none ${MPIEXEC_NUMPROC_FLAG}
+                                             ${ranks} $<TARGET_FILE:test_${name}>)
+      set_tests_properties(${name}.${ranks} PROPERTIES PROCESSORS ${ranks})
+      list(APPEND tests ${name}.${ranks})
+    endif()
+  endforeach()
+  # Open MPI asks for these where the user is root, as in a container.
+  set_tests_properties(${tests} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
+    SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]"
+    ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+endfunction()
+
 # tremolo_benchmark(name SOURCES a.cpp ... DEPENDS tremolo::x ...): a Google Benchmark program in <build>/bin/cost.
 # Built with everything else so that it cannot rot; run by hand, never by ctest.
 function(tremolo_benchmark name)

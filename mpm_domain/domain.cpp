@@ -3,6 +3,7 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/particles/fill_bodies.hpp"
+#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/spec/limits.hpp"
 
@@ -154,6 +155,8 @@ void keep_whole(Domain& domain, std::size_t set, std::uint32_t id) {
 
 void sort_particles(Domain& domain) {
   follow_bodies(domain);
+  if (domain.share)
+    move_between_ranks(domain);
   const std::size_t blocks = domain.block_count() + domain.across_block_count();
   for (Particles& set : domain.sets)
     if (set.body)
@@ -206,7 +209,8 @@ void find_reach(Domain& domain) {
   domain.windows.reserve(2 * domain.tiles.most_columns()); // those of two rows of tiles are in use at a time
   domain.clock_tiles.clear();
   for (int clock = 0; clock < domain.clocks.count(); ++clock)
-    domain.clock_tiles.push_back({TileSums(domain.tiles, filled_tiles(domain, clock)),
+    domain.clock_tiles.push_back({TileSums(domain.tiles, filled_tiles(domain, clock),
+                                           domain.share ? &*domain.share : nullptr),
                                   domain.mesh ? find_across(domain, clock) : std::vector<AcrossTile>{}});
   domain.soil_rows = find_soil_rows(domain);
   domain.soil_ties = find_soil_ties(domain);
@@ -277,6 +281,14 @@ NodeRange Domain::row(std::size_t row) const {
     row -= static_cast<std::size_t>(lattice(level++).ny);
   const std::size_t begin = lattice(level).index(0, static_cast<int>(row));
   return {begin, begin + static_cast<std::size_t>(lattice(level).nx)};
+}
+
+bool Domain::counts(const NodeRange& nodes) const {
+  if (!share)
+    return true;
+  const auto columns = static_cast<std::size_t>(grid.nx);
+  return share->is_mine(
+      tiles.tile_of(0, static_cast<int>(nodes.begin % columns), static_cast<int>(nodes.begin / columns)));
 }
 
 double Domain::sort_distance() const {

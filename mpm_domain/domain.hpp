@@ -10,6 +10,7 @@
 #include "mpm_domain/particles/particles.hpp"
 #include "mpm_domain/spec/spec.hpp"
 #include "mpm_domain/step/energy_ledger.hpp"
+#include "mpm_domain/tiles/deal.hpp"
 #include "mpm_domain/tiles/tile_map.hpp"
 #include "mpm_domain/tiles/tile_sums.hpp"
 #include "mpm_domain/tiles/worker_pool.hpp"
@@ -63,6 +64,9 @@ struct ClockTiles {
 
 /// The state of the two-dimensional plane-strain domain: particles, grid and boundary. What happens to it in
 /// a step stands in the passes (scatter, grid_update, gather, ...), which the Stepper strings together.
+///
+/// A domain is built whole. Where ranks share it (particles/share_out.hpp), each keeps the particles of its
+/// own tiles, takes sums for all nodes in the windows of these, and knows all that concerns the boundary.
 struct Domain {
   /// Fills the regions with particles at rest and without stress.
   /// @throws std::invalid_argument for a spec that cannot be built
@@ -85,6 +89,7 @@ struct Domain {
   EnergyLedger energy;
   BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them
   TileMap tiles;
+  std::optional<RankShare> share;          ///< of this rank; none: the domain is whole
   std::vector<ClockTiles> clock_tiles; ///< by clock
   std::vector<NodeRange> soil_rows;    ///< see find_soil_rows
   std::vector<std::size_t> soil_ties;  ///< see find_soil_ties
@@ -135,6 +140,8 @@ struct Domain {
   NodeRange row(std::size_t row) const;
   /// Nodes whose motion is that of others: images of a period, and the tied nodes of a graded mesh.
   const Prolongation& ties() const { return mesh ? mesh->prolongation() : images; }
+  /// Whether nodes of one row and one tile count here, not on another rank.
+  bool counts(const NodeRange& nodes) const;
   /// How far particles may move from one sort to the next, m.
   double sort_distance() const;
   double fastest_wave(); ///< largest c_p of the particles in their present stress, m/s

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -80,17 +81,23 @@ inline void require_blocks(const Domain& domain, const Particles& set, const std
         start.empty() ? 0 : start.back(), name, start.size() - (start.empty() ? 0 : 1), set.size(), blocks));
 }
 
+/// @param sets  of the whole domain: its own, or those that ranks have given to this one (share_out.hpp)
 template <class Writer>
-void save(const Domain& domain, Writer& to) {
+void save(const Domain& domain, std::span<const Particles> sets, Writer& to) {
   const Grid& grid = domain.grid;
   to.write("grid",
            std::vector<double>{grid.x0, grid.y0, static_cast<double>(grid.nx), static_cast<double>(grid.ny)});
   to.write("body_lattices", lattice_state(domain.bodies));
-  for (std::size_t s = 0; s < domain.sets.size(); ++s)
-    save(domain.sets[s], "soil" + std::to_string(s), to);
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    save(sets[s], "soil" + std::to_string(s), to);
   domain.boundary.save(to);
   domain.contact.save(to);
   to.write("energy", domain.energy.state());
+}
+
+template <class Writer>
+void save(const Domain& domain, Writer& to) {
+  save(domain, domain.sets, to);
 }
 
 template <class Reader>

@@ -47,9 +47,11 @@ void place_elsewhere(const scene::Case& scene, const CaseRun& run, coupler::Laun
     }
 }
 
-/// "tremolo-wave", and who starts it where it does not run here.
-std::string description(const coupler::ProcessSpec& process) {
+/// "tremolo-wave", and who starts it where it does not run here, or as how many ranks.
+std::string description(const coupler::ProcessSpec& process, const DomainRanks& ranks) {
   const auto program = process.program.filename().string();
+  if (process.role == coupler::Role::domain && ranks.count > 1)
+    return fmt::format("{:<18} as {} ranks", "tremolo-domain", ranks.count);
   if (!process.elsewhere)
     return program;
   return fmt::format("{:<18} {}", program,
@@ -81,6 +83,7 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& r
                                .role = coupler::Role::domain,
                                .program = located("tremolo-domain"),
                                .threads = run.threads});
+  start_as_ranks(options.processes.back(), run.ranks);
   place_elsewhere(scene, run, options);
   return options;
 }
@@ -232,7 +235,7 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
   options.note = [&](const std::string& note) { line.note(note); };
   fmt::print("{}\n", scene.title);
   for (const auto& process : options.processes)
-    fmt::print("  {:<12} {}\n", process.name, description(process));
+    fmt::print("  {:<12} {}\n", process.name, description(process, run.ranks));
   fmt::print("results in {}, mode {}\n", run.folder.string(), coupler::name(options.mode));
   std::fflush(stdout);
   const fs::path file = run.folder / "run.h5";

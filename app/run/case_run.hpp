@@ -3,6 +3,7 @@
 // One run of a case: its text is written into the run's folder, so that the folder says what was computed;
 // then the processes of its plan are started and watched to their end.
 
+#include "app/run/domain_ranks.hpp"
 #include "coupler/launch/launcher.hpp"
 #include "scene/case.hpp"
 
@@ -17,9 +18,10 @@ struct CaseRun {
   std::filesystem::path folder;                   ///< empty, or not there yet
   std::optional<std::string> mode;                ///< of the exchange, instead of the case's
   std::string transport = "ipc";                  ///< or "tcp" on the loopback interface
-  int threads = 1;                                ///< of the domain
+  int threads = 1;                                ///< of the domain, or of each of its ranks
   std::filesystem::path keys{};                   ///< folder of CURVE keys; empty: none
   bool local = false;                             ///< all processes on this machine, whatever [hosts] says
+  DomainRanks ranks{};
   std::optional<coupler::CheckpointSet> resume{}; ///< goes on from there, in a folder that has it
 };
 

@@ -41,14 +41,16 @@ void resume(const ResumeArguments& arguments) {
         folder.string(), case_file.string()));
   const auto scene = scene::load(case_file);
   const std::string mode(coupler::name(set->run.mode)); // the command line may have chosen it
+  check_ranks(scene, arguments.local.ranks);
   coupler::require_same_run(*set, identity_of(scene, mode));
   fmt::print("going on from step {}, {:.6g} s\n", set->step, set->time);
   const auto summaries = run_case(scene, {.folder = folder,
                                           .mode = mode,
                                           .transport = arguments.local.transport,
-                                          .threads = arguments.local.threads,
+                                          .threads = arguments.local.threads_of_domain(),
                                           .keys = arguments.local.keys,
                                           .local = arguments.local.local,
+                                          .ranks = arguments.local.ranks,
                                           .resume = set});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
 }

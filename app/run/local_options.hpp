@@ -3,8 +3,11 @@
 // What the command line says about how a run's processes are started and talk; `run` and `resume` share it.
 
 #include "app/command_line.hpp"
+#include "app/run/domain_ranks.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace tremolo::app {
@@ -18,8 +21,12 @@ int machine_threads();
 struct LocalOptions {
   std::string transport = "ipc";
   std::filesystem::path keys;      ///< folder of CURVE keys; empty: none
-  bool local = false;              ///< whatever [hosts] says
-  int threads = machine_threads(); ///< of the domain
+  bool local = false;         ///< whatever [hosts] says
+  std::optional<int> threads; ///< of the domain, or of each of its ranks
+  DomainRanks ranks;
+
+  /// Without --threads the domain has those of the machine, which its ranks share.
+  int threads_of_domain() const { return threads.value_or(std::max(1, machine_threads() / ranks.count)); }
 };
 
 /// @param options  outlives the command

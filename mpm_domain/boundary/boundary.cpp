@@ -183,6 +183,8 @@ void Boundary::follow_sort(const Domain& domain) {
   if (domain.mesh)
     for (BoundaryFace& face : faces_)
       face.level = level_of(domain, face);
+  if (domain.share && !faces_.empty())
+    share_.emplace(domain, faces_);
 }
 
 bool Boundary::is_due(int first_due, std::size_t f) const {
@@ -191,7 +193,10 @@ bool Boundary::is_due(int first_due, std::size_t f) const {
 
 /// The face's weights at its present place, and at the first tick its clock.
 void Boundary::weigh(const Domain& domain, const ClockNodes& nodes, std::size_t f, bool first_tick) {
-  face_weights(domain, faces_[f], weights_[f]);
+  if (share_)
+    face_weights(domain, faces_[f], share_->place(f), weights_[f]);
+  else
+    face_weights(domain, faces_[f], weights_[f]);
   if (domain.clocks.count() == 1)
     return;
   std::erase_if(weights_[f],
@@ -205,6 +210,8 @@ void Boundary::weigh(const Domain& domain, const ClockNodes& nodes, std::size_t 
 
 void Boundary::exchange(Domain& domain, const ClockNodes& nodes, const FreeFieldSource& source, long step,
                         double time) {
+  if (share_)
+    share_->share_places(domain, faces_);
   for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
     weigh(domain, nodes, f, true);
     v_exchange_[f] = velocity_at(domain.grid, weights_[f]);

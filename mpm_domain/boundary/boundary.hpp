@@ -33,6 +33,7 @@
 // sigma_yy is the total stress over the water at rest. It is there where there is pore water.
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/boundary/boundary_share.hpp"
 #include "mpm_domain/boundary/closing_elements.hpp"
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
 #include "mpm_domain/boundary/layer/matched_layer.hpp"
@@ -86,6 +87,16 @@ public:
 
   /// After a sort: the grid may have grown, and particles of faces may have come to other cells.
   void follow_sort(const Domain& domain);
+
+  /// Where ranks share the domain: the nodes that faces may touch until the next sort, whose sums each rank
+  /// is told.
+  std::span<const std::size_t> shared_nodes() const {
+    return share_ ? share_->nodes() : std::span<const std::size_t>();
+  }
+  void share_sums(NodeFields& grid, SumRange fields) {
+    if (share_)
+      share_->share_sums(grid, fields);
+  }
 
   /// The passes of a step. At its first tick: velocities of the faces and free field, then what matched
   /// layers make of it.
@@ -186,6 +197,7 @@ private:
   std::optional<RigidBase> rigid_base_;
   std::optional<ClosingElements> closing_;
   bool supported_ = false;
+  std::optional<BoundaryShare> share_; ///< between ranks
 
   std::vector<FaceWeights> weights_; ///< as of the start of each face's present step
   std::vector<int> clock_;

@@ -51,24 +51,23 @@ BoundaryFace make_face(Side side, Vector normal, const Spec& spec, Particles& se
 /// On one lattice: averaged along the face, linear across it. Calls add(i, j, w) for columns and rows of
 /// nodes.
 template <typename Add>
-void lattice_weights(const BoundaryFace& face, const Particles& set, const Lattice& lattice, const Add& add) {
-  const mesh::Rectangle line = line_of(face, set);
-  const std::size_t k = set.index_of[face.id];
-  const Vector half = half_sides(set, k);
+void lattice_weights(const BoundaryFace& face, const FacePlace& place, const Lattice& lattice,
+                     const Add& add) {
+  const mesh::Rectangle line = line_of(face, place);
   const auto add_touched = [&](int i, int j, double w) {
     if (w != 0.0)
       add(i, j, w);
   };
   if (face.side != Side::base) {
     const Linear across = linear_weights(line.x_min, lattice.x0, lattice.h);
-    const Weights along = cell_weights(set.y[k], {lattice.y0, lattice.h}, half.y);
+    const Weights along = cell_weights(place.centre.y, {lattice.y0, lattice.h}, place.half.y);
     for (int a = 0; a < 4; ++a)
       if (along.s[a] != 0.0)
         for (int b = 0; b < 2; ++b)
           add_touched(across.base + b, along.base + a, along.s[a] * across.w[b]);
   } else {
     const Linear across = linear_weights(line.y_min, lattice.y0, lattice.h);
-    const Weights along = cell_weights(set.x[k], {lattice.x0, lattice.h}, half.x);
+    const Weights along = cell_weights(place.centre.x, {lattice.x0, lattice.h}, place.half.x);
     for (int b = 0; b < 2; ++b)
       if (across.w[b] != 0.0)
         for (int a = 0; a < 4; ++a)
@@ -78,8 +77,14 @@ void lattice_weights(const BoundaryFace& face, const Particles& set, const Latti
 
 } // namespace
 
-mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set) {
-  mesh::Rectangle line = box_of(set, set.index_of[face.id]);
+FacePlace place_of(const BoundaryFace& face, const Particles& set) {
+  const std::size_t k = set.index_of[face.id];
+  return {{set.x[k], set.y[k]}, half_sides(set, k)};
+}
+
+mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place) {
+  const auto& [centre, half] = place;
+  mesh::Rectangle line{centre.x - half.x, centre.y - half.y, centre.x + half.x, centre.y + half.y};
   switch (face.side) {
   case Side::left:
     line.x_max = line.x_min;
@@ -201,11 +206,15 @@ void follow_ties(const Prolongation& ties, FaceWeights& weights) {
 } // namespace
 
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights) {
-  const Particles& set = domain.sets[face.set];
+  face_weights(domain, face, place_of(face, domain.sets[face.set]), weights);
+}
+
+void face_weights(const Domain& domain, const BoundaryFace& face, const FacePlace& place,
+                  FaceWeights& weights) {
   weights.clear();
   if (!domain.mesh || face.level != BoundaryFace::unknown) {
     const Lattice& lattice = domain.lattice(domain.mesh ? face.level : 0);
-    lattice_weights(face, set, lattice, [&](int i, int j, double w) {
+    lattice_weights(face, place, lattice, [&](int i, int j, double w) {
       weights.push_back({lattice.index(i, j), w});
     });
     if (domain.is_sharp() &&
@@ -213,7 +222,7 @@ void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& w
       sharpen_along(domain, face, set, lattice, weights);
   } else {
     std::vector<BoxWeight> parts;
-    box_average(*domain.mesh, line_of(face, set), parts);
+    box_average(*domain.mesh, line_of(face, place), parts);
     for (const BoxWeight& part : parts)
       weights.push_back({part.node, part.s});
   }

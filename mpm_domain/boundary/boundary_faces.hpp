@@ -72,8 +72,15 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
 /// The level of a face whose way until the next sort keeps it on one lattice; otherwise unknown.
 int level_of(const Domain& domain, const BoundaryFace& face);
 
+/// Where the particle of a face is, and half the sides of its box, m.
+struct FacePlace {
+  Vector centre;
+  Vector half;
+};
+FacePlace place_of(const BoundaryFace& face, const Particles& set);
+
 /// The side of its particle's box that a face covers: a line.
-mesh::Rectangle line_of(const BoundaryFace& face, const Particles& set);
+mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place);
 
 /// du_x/dy of a side at a face, by its neighbours. Faces are in the order of find_faces().
 double lean(const Domain& domain, std::span<const BoundaryFace> faces, std::size_t face);
@@ -81,7 +88,9 @@ double lean(const Domain& domain, std::span<const BoundaryFace> faces, std::size
 /// Vertical stress at a face, total where there is pore water and over that of the water at rest, Pa
 double overburden(const Particles& set, const BoundaryFace& face);
 
-/// Weights of a face at its particle's present place, of nodes that are not tied.
+/// Weights of a face with its particle at a place, or at its present one, of nodes that are not tied.
+void face_weights(const Domain& domain, const BoundaryFace& face, const FacePlace& place,
+                  FaceWeights& weights);
 void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights);
 
 } // namespace tremolo::mpm_domain

@@ -2,11 +2,11 @@
 
 #include "mpm_domain/clocks/ticks.hpp"
 #include "mpm_domain/domain.hpp"
-#include "mpm_domain/tiles/over_rows.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 
 #include <fmt/format.h>
 
-#include <numeric>
+#include <array>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -17,16 +17,16 @@ Vector after(Vector start, double time, Vector rate) {
   return {start.x + time * rate.x, start.y + time * rate.y};
 }
 
-/// Sum over the nodes of these rows, in an order that no thread changes.
+/// Sum over the nodes of these rows.
 template <typename OfNode>
 double sum_over(Domain& domain, std::span<const NodeRange> rows, const OfNode& of_node) {
-  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& row) {
+  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& row) {
     double sum = 0.0;
     for (std::size_t n = row.begin; n < row.end; ++n)
       sum += of_node(n);
-    return sum;
+    return std::array{sum};
   });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+  return total;
 }
 
 } // namespace

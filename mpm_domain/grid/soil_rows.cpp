@@ -12,13 +12,15 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Marks nodes, row by row.
+/// Marks nodes, row by row and tile by tile.
 class Rows {
 public:
   explicit Rows(const Domain& domain) : domain_(domain) {
     for (int level = 0; level < domain.lattice_count(); ++level) {
-      first_row_.push_back(rows_.size());
-      rows_.resize(rows_.size() + static_cast<std::size_t>(domain.lattice(level).ny));
+      first_.push_back(parts_.size());
+      const Lattice& lattice = domain.lattice(level);
+      parts_.resize(parts_.size() + static_cast<std::size_t>(parts_per_row(lattice)) *
+                                        static_cast<std::size_t>(lattice.ny));
     }
   }
 
@@ -29,50 +31,64 @@ public:
     const auto cell = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
     const int first = whole ? 0 : cell(box.x_min, lattice.x0);
     const int last = whole ? lattice.nx - 1 : cell(box.x_max, lattice.x0) + 1;
-    for (int j = std::max(0, cell(box.y_min, lattice.y0));
-         j <= std::min(lattice.ny - 1, cell(box.y_max, lattice.y0) + 1); ++j)
-      extend(level, static_cast<std::size_t>(j), first, last);
+    const int low = cell(box.y_min, lattice.y0);
+    touch(level, {first, low, last - first + 1, cell(box.y_max, lattice.y0) + 2 - low});
   }
 
-  bool holds(std::size_t node) const {
-    const auto [level, row, column] = place_of(node);
-    const Row& r = rows_[first_row_[static_cast<std::size_t>(level)] + row];
-    return r.first <= column && column <= r.last;
+  void touch(int level, const NodeBlock& nodes) {
+    const Lattice& lattice = domain_.lattice(level);
+    const NodeBlock inside = overlap(nodes, {0, 0, lattice.nx, lattice.ny});
+    for (int j = inside.row; j < inside.end_row(); ++j)
+      for (int i = inside.column; i < inside.end_column(); i = (i / tile_columns + 1) * tile_columns)
+        part(level, j, i).extend(i, std::min(inside.end_column(), (i / tile_columns + 1) * tile_columns) - 1);
   }
 
   void touch(std::size_t node) {
     const auto [level, row, column] = place_of(node);
-    extend(level, row, column, column);
+    part(level, row, column).extend(column, column);
+  }
+
+  bool holds(std::size_t node) {
+    const auto [level, row, column] = place_of(node);
+    const Part& r = part(level, row, column);
+    return r.first <= column && column <= r.last;
   }
 
   std::vector<NodeRange> ranges() const {
     std::vector<NodeRange> ranges;
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-      if (rows_[r].last < rows_[r].first)
-        continue;
-      const NodeRange all = domain_.row(r);
-      const auto first = static_cast<std::size_t>(std::max(0, rows_[r].first)) / 4 * 4;
-      const auto end = static_cast<std::size_t>(rows_[r].last) / 4 * 4 + 4;
-      ranges.push_back({all.begin + first, std::min(all.begin + end, all.end)});
+    std::size_t p = 0;
+    for (int level = 0; level < domain_.lattice_count(); ++level) {
+      const Lattice& lattice = domain_.lattice(level);
+      for (int j = 0; j < lattice.ny; ++j)
+        for (int n = 0; n < parts_per_row(lattice); ++n, ++p)
+          if (const Part& r = parts_[p]; r.first <= r.last)
+            ranges.push_back({lattice.index(r.first / 4 * 4, j),
+                              lattice.index(std::min(r.last / 4 * 4 + 4, lattice.nx), j)});
     }
     return ranges;
   }
 
 private:
   /// Columns from the first to the last node.
-  struct Row {
+  struct Part {
     int first = std::numeric_limits<int>::max();
     int last = -1;
+
+    void extend(int from, int to) {
+      first = std::min(first, from);
+      last = std::max(last, to);
+    }
   };
   struct Place {
-    int level;
-    std::size_t row;
-    int column;
+    int level, row, column;
   };
 
-  void extend(int level, std::size_t row, int first, int last) {
-    Row& r = rows_[first_row_[static_cast<std::size_t>(level)] + row];
-    r = {std::min(r.first, first), std::max(r.last, last)};
+  static int parts_per_row(const Lattice& lattice) { return (lattice.nx + tile_columns - 1) / tile_columns; }
+
+  Part& part(int level, int row, int column) {
+    return parts_[first_[static_cast<std::size_t>(level)] +
+                  static_cast<std::size_t>(row * parts_per_row(domain_.lattice(level)) +
+                                           column / tile_columns)];
   }
 
   Place place_of(std::size_t node) const {
@@ -81,13 +97,24 @@ private:
       ++level;
     const Lattice& lattice = domain_.lattice(level);
     const auto columns = static_cast<std::size_t>(lattice.nx);
-    return {level, (node - lattice.first) / columns, static_cast<int>((node - lattice.first) % columns)};
+    const std::size_t n = node - lattice.first;
+    return {level, static_cast<int>(n / columns), static_cast<int>(n % columns)};
   }
 
   const Domain& domain_;
-  std::vector<std::size_t> first_row_; ///< of each lattice
-  std::vector<Row> rows_;
+  std::vector<std::size_t> first_; ///< of each lattice
+  std::vector<Part> parts_;
 };
+
+/// Nodes of a rank's own tiles in the windows of other ranks' tiles.
+void touch_from_others(const Domain& domain, Rows& rows) {
+  const RankShare& share = *domain.share;
+  for (std::size_t tile = 0; tile < domain.tiles.count(); ++tile)
+    if (share.is_mine(tile))
+      for (const std::size_t other : domain.tiles.around(tile))
+        if (share.deal.particles[other] > 0 && !share.is_mine(other))
+          rows.touch(0, overlap(domain.tiles.owned(tile), domain.tiles.window(other)));
+}
 
 } // namespace
 
@@ -105,6 +132,11 @@ std::vector<NodeRange> find_soil_rows(const Domain& domain) {
       for (const std::uint32_t four : tile.weights.fours())
         for (const std::uint32_t node : domain.basis_cells.four(four).node)
           rows.touch(node);
+  if (domain.share) {
+    touch_from_others(domain, rows);
+    for (const std::size_t node : domain.boundary.shared_nodes())
+      rows.touch(node);
+  }
   if (domain.mesh) {
     const Prolongation& ties = domain.mesh->prolongation();
     for (std::size_t r = 0; r < ties.tied_count(); ++r)

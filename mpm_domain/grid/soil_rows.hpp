@@ -9,10 +9,12 @@ namespace tremolo::mpm_domain {
 
 struct Domain;
 
-/// For every row of nodes that particles may touch until the next sort, the part from the first to the last
-/// of them, tied nodes and those that they follow included: what passes over nodes run over. All others are
-/// empty. Parts begin a multiple of four nodes after their row and end at another or with it, so that sums in
-/// lanes have the same bits however far particles have moved since the sort.
+/// For every row of nodes and every tile, the part from the first to the last node that particles may touch
+/// until the next sort, tied nodes and those that they follow included: what passes over nodes run over. All
+/// others are empty. Parts begin a multiple of four nodes after their row and end at another or with it, and
+/// none reaches from tile to tile, so that sums in lanes have the same bits however far particles have moved
+/// since the sort, and on whichever rank. A rank has the parts that its own particles touch, those of its own
+/// tiles that others touch, and those of the boundary.
 std::vector<NodeRange> find_soil_rows(const Domain& domain);
 
 /// The rows of Domain::ties() whose tied nodes particles may touch until the next sort, in rising order; all

@@ -1,5 +1,7 @@
 #include "mpm_domain/particles/grid_growth.hpp"
 
+#include "mpm_domain/tiles/totals.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,6 +39,12 @@ Box room_of(const Grid& grid) {
           grid.x0 + (grid.nx - 4 - more) * grid.h, grid.y0 + (grid.ny - 3 - more) * grid.h};
 }
 
+/// The box around those of all ranks.
+Box over_ranks(const Domain& domain, const Box& box) {
+  return {least_of_ranks(domain, box.x_min), least_of_ranks(domain, box.y_min),
+          largest_of_ranks(domain, box.x_max), largest_of_ranks(domain, box.y_max)};
+}
+
 /// How far the sides with faces let soil go: beyond the outermost of them by overflow_cells.
 Box limits_of(const Domain& domain) {
   Box limits{-far, -far, far, far};
@@ -44,6 +52,8 @@ Box limits_of(const Domain& domain) {
   for (const BoundaryFace& face : domain.boundary.faces()) {
     const Particles& set = domain.sets[face.set];
     const std::size_t k = set.index_of[face.id];
+    if (k == Particles::nowhere)
+      continue; // on another rank
     switch (face.side) {
     case Side::left:
       sides.x_min = std::min(sides.x_min, set.x[k]);
@@ -56,6 +66,7 @@ Box limits_of(const Domain& domain) {
       break;
     }
   }
+  sides = over_ranks(domain, sides);
   const double beyond = domain.half_size() + overflow_cells * domain.grid.h;
   if (sides.x_min < far)
     limits.x_min = sides.x_min - beyond;
@@ -129,6 +140,7 @@ void make_room(Domain& domain, double time, long step) {
             fmt::format("{} asks for a grid of {:.4g} nodes; the largest allowed is {:.4g}",
                         particle_text(p, k, time, step), nodes, largest_grid(domain.spec)));
     }
+  needed = over_ranks(domain, needed);
   const int left = cells_for(room.x_min - needed.x_min, h);
   const int right = cells_for(needed.x_max - room.x_max, h);
   const int down = cells_for(room.y_min - needed.y_min, h);

@@ -31,16 +31,24 @@ namespace {
                                        allowed.y_min, allowed.y_max));
 }
 
+/// The first node of a particle's stencil on a lattice.
+struct FirstNode {
+  int column, row;
+};
+
+FirstNode first_node(const Particles& p, std::size_t k, const Lattice& lattice) {
+  const Axis x_axis(lattice.x0, lattice.h);
+  const Axis y_axis(lattice.y0, lattice.h);
+  return {cell_weights(p.x[k], x_axis, p.half_size).base,
+          p.has_own_boxes() ? cell_weights(p.y[k], y_axis, p.half_size).base
+                            : gimp_weights(p.y[k], y_axis, p.half_size).base};
+}
+
 /// Sort key of a particle: its block, and within the block the first node of its stencil.
 /// @param first_block  block that belongs to the first tile
 std::size_t key_of(const Particles& p, std::size_t k, const TileMap& tiles, int level,
                    std::size_t first_block) {
-  const Lattice& lattice = tiles.lattice(level);
-  const Axis x_axis(lattice.x0, lattice.h);
-  const Axis y_axis(lattice.y0, lattice.h);
-  const int column = cell_weights(p.x[k], x_axis, p.half_size).base;
-  const int row = p.has_own_boxes() ? cell_weights(p.y[k], y_axis, p.half_size).base
-                                    : gimp_weights(p.y[k], y_axis, p.half_size).base;
+  const auto [column, row] = first_node(p, k, tiles.lattice(level));
   const int cell = std::max(row, 0) % tile_rows * tile_columns + std::max(column, 0) % tile_columns;
   return (first_block + tiles.tile_of(level, column, row)) * cells_per_tile + static_cast<std::size_t>(cell);
 }
@@ -81,6 +89,11 @@ void order_by(Particles& particles, std::span<const std::size_t> key, std::size_
 }
 
 } // namespace
+
+std::size_t tile_of(const Particles& particles, std::size_t k, const TileMap& tiles, int level) {
+  const auto [column, row] = first_node(particles, k, tiles.lattice(level));
+  return tiles.tile_of(level, column, row);
+}
 
 void sort_by_cell(Particles& particles, const TileMap& tiles, int level, std::size_t blocks) {
   const Lattice& grid = tiles.lattice(level);

@@ -85,6 +85,9 @@ private:
   }
 };
 
+/// The tile that a particle belongs to at its present place on a lattice.
+std::size_t tile_of(const Particles& particles, std::size_t k, const TileMap& tiles, int level);
+
 /// Orders the particles on one lattice by tile and within a tile by cell, row after row. Particles that share
 /// a cell keep their order.
 /// @param level   of the lattice

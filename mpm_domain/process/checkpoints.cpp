@@ -23,15 +23,13 @@ bool Checkpoints::due(long step) const {
   return coupler::seconds_since(last_) >= wanted_.every_wall;
 }
 
-void Checkpoints::after_step(coupler::DomainClient& client, const Domain& domain, const Stepper& stepper,
-                             RunOutput& output) {
-  if (!due(stepper.steps()))
-    return;
+void Checkpoints::save(coupler::DomainClient& client, const Domain& domain, std::span<const Particles> sets,
+                       const Stepper& stepper, RunOutput& output) {
   try {
     client.checkpoint(stepper.time(), [&](results::CheckpointWriter& file) {
       output.save(file);
       file.write(rest_name, domain.boundary.rest_state());
-      save(domain, file);
+      mpm_domain::save(domain, sets, file);
       stepper.save(file);
     });
   } catch (const std::runtime_error& error) {
@@ -43,11 +41,6 @@ void Checkpoints::after_step(coupler::DomainClient& client, const Domain& domain
 
 void load_rest_state(const results::CheckpointReader& saved, Domain& domain) {
   domain.boundary.set_rest_state(saved.numbers(rest_name));
-}
-
-void load_state(const results::CheckpointReader& saved, Domain& domain, Stepper& stepper) {
-  restore(domain, saved);
-  stepper.restore(saved);
 }
 
 } // namespace tremolo::mpm_domain

@@ -7,6 +7,7 @@
 #include "scene/case.hpp"
 
 #include <cstdio>
+#include <span>
 
 namespace tremolo::mpm_domain {
 
@@ -15,22 +16,20 @@ class Checkpoints {
 public:
   explicit Checkpoints(const scene::Checkpoints& wanted) : wanted_(wanted), last_(coupler::Clock::now()) {}
 
-  /// Called after every step; saves what is due. A disk that does not take it is a warning: the run goes on,
-  /// and so does the last checkpoint.
-  void after_step(coupler::DomainClient& client, const Domain& domain, const Stepper& stepper,
-                  RunOutput& output);
-
-private:
+  /// Whether one is due after a step.
   [[nodiscard]] bool due(long step) const;
 
+  /// Saves one. A disk that does not take it is a warning: the run goes on, and so does the last checkpoint.
+  /// @param sets  of the whole domain
+  void save(coupler::DomainClient& client, const Domain& domain, std::span<const Particles> sets,
+            const Stepper& stepper, RunOutput& output);
+
+private:
   const scene::Checkpoints& wanted_;
   coupler::Clock::time_point last_;
 };
 
 /// Takes the place of the gravity stage in a run that is resumed.
 void load_rest_state(const results::CheckpointReader& saved, Domain& domain);
-
-/// Everything that the next step needs.
-void load_state(const results::CheckpointReader& saved, Domain& domain, Stepper& stepper);
 
 } // namespace tremolo::mpm_domain

@@ -2,24 +2,37 @@
 // periodic column of one cell. Otherwise it is the domain of the run: it builds the domain from the case,
 // brings it to rest under gravity, replaces the supports by tractions, and shakes it through its boundary
 // faces with what the coupler brings.
+//
+// mpirun may have started it as several ranks (docs/ranks.md). Each builds the whole domain and brings it to
+// rest, and then keeps its share. Only rank 0 knows the coupler and writes results.
 
 #include "coupler/participant.hpp"
 #include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/process/checkpoints.hpp"
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/coupled_faces.hpp"
 #include "mpm_domain/process/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
+#include "mpm_domain/ranks/mpi_communicator.hpp"
+#include "mpm_domain/state.hpp"
+#include "mpm_domain/transfer/picture.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 namespace tremolo::mpm_domain {
 
@@ -38,67 +51,158 @@ std::string told_of_slipping(const Domain& domain, const std::vector<std::size_t
       one ? "it" : "them");
 }
 
-/// Brings the domain to rest and returns the wall time it took, s.
-double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::DomainClient& client) {
+/// Brings the whole domain to rest and returns the wall time it took, s. All ranks do so.
+/// @param client  null on all ranks but the first
+double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::DomainClient* client) {
   coupler::Stopwatch watch;
   watch.start();
   const GravitySettings settings{stage.residual, stage.max_time};
   const auto progress = [&](long step, double) {
-    client.progress("gravity", static_cast<std::uint64_t>(step), 0.0, 0.0);
+    if (client != nullptr)
+      client->progress("gravity", static_cast<std::uint64_t>(step), 0.0, 0.0);
   };
   const Reactions reactions = relax_under_gravity(domain, settings, progress);
-  if (reactions.unheld > 0)
+  if (client != nullptr && reactions.unheld > 0)
     fmt::print("warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
                "it: the soil "
                "there is not at rest; a gentler slope or stronger soil would be\n",
                reactions.unheld, domain.particle_count());
-  if (reactions.slipping)
+  if (client != nullptr && reactions.slipping)
     fmt::print("warning: {}\n", told_of_slipping(domain, reactions.slipping_bodies));
   replace_constraints(domain, reactions);
   watch.stop();
   return watch.seconds();
 }
 
+/// Rank 0 asks the coupler for the free field and tells it to all others.
+FreeFieldSource coupled_source(const Domain& domain, CoupledFaces& faces, coupler::DomainClient* client,
+                               double& waiting_seconds) {
+  return [&domain, &faces, client, &waiting_seconds](long step, double time, auto v, auto field) {
+    if (client != nullptr)
+      waiting_seconds = faces.exchange(*client, static_cast<std::uint64_t>(step), time, v, field);
+    if (!domain.share)
+      return;
+    std::vector<double> numbers;
+    for (const eq6::FreeField& f : field)
+      numbers.insert(numbers.end(), {f.velocity.x, f.velocity.y, f.stress.xx, f.stress.yy, f.stress.xy});
+    domain.share->ranks->follow_first(numbers);
+    auto next = numbers.begin();
+    for (eq6::FreeField& f : field)
+      for (double* number : {&f.velocity.x, &f.velocity.y, &f.stress.xx, &f.stress.yy, &f.stress.xy})
+        *number = *next++;
+  };
+}
+
+/// What rank 0 does beside its share of the domain: it talks with the coupler and writes the results.
+class Speaker {
+public:
+  Speaker(coupler::DomainClient& client, const scene::Case& scene, const scene::Plan& plan,
+          const coupler::ParticipantOptions& options, Domain& domain, const Picture& picture,
+          const CoupledFaces& faces)
+      : client_(client), domain_(domain), picture_(picture), end_(scene.shaking.duration),
+        output_(options.out, scene, scene::to_json(scene, plan), domain, picture, faces.sources()),
+        checkpoints_(scene.checkpoints) {}
+
+  RunOutput& output() { return output_; }
+  /// What of the picture it needs after a step.
+  Picture::Extent needs(const Stepper& stepper) {
+    saves_ = stepper.time() < end_ && checkpoints_.due(stepper.steps());
+    return saves_ ? Picture::Extent::all : output_.needs(stepper);
+  }
+  void after_step(const Stepper& stepper) {
+    output_.after_step(stepper);
+    if (saves_)
+      checkpoints_.save(client_, domain_, picture_.sets(), stepper, output_);
+    client_.progress("shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end_);
+  }
+  void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
+    output_.finish(stepper, gravity_seconds, waiting_seconds);
+    std::vector<coupler::PassTime> passes{{"gravity stage", gravity_seconds}};
+    for (const Pass& pass : stepper.passes())
+      passes.push_back({pass.name, pass.seconds});
+    client_.finish(passes, stepper.particle_updates());
+  }
+
+private:
+  coupler::DomainClient& client_;
+  Domain& domain_;
+  const Picture& picture_;
+  double end_;
+  RunOutput output_;
+  Checkpoints checkpoints_;
+  bool saves_ = false;
+};
+
+/// Steps to the end. All ranks take part in all pictures.
+void step_to_end(Stepper& stepper, Picture& picture, Speaker* speaker, double end) {
+  while (stepper.time() < end) {
+    stepper.step();
+    picture.take(speaker != nullptr ? speaker->needs(stepper) : Picture::Extent::nothing);
+    if (speaker != nullptr)
+      speaker->after_step(stepper);
+  }
+  picture.take(speaker != nullptr ? speaker->output().needs_to_finish(stepper) : Picture::Extent::nothing);
+}
+
+/// @param client  null on all ranks but the first
+/// @param ranks   null where there is one
 void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
-           const coupler::ParticipantOptions& options, coupler::DomainClient& client, double gravity_seconds,
-           const results::CheckpointReader* saved) {
-  Checkpoints checkpoints(scene.checkpoints);
+           const coupler::ParticipantOptions& options, coupler::DomainClient* client, double gravity_seconds,
+           const results::CheckpointReader* saved, Communicator* ranks) {
   const double end = scene.shaking.duration;
   double waiting_seconds = 0.0;
-  std::optional<CoupledFaces> coupled; // when the stepper has put supports behind the faces
-  Stepper stepper(domain, 0.0, [&](long step, double time, auto v, auto field) {
-    waiting_seconds = coupled->exchange(client, static_cast<std::uint64_t>(step), time, v, field);
-  });
-  coupled.emplace(domain, scene, plan);
+  domain.boundary.build_supports(domain);
+  CoupledFaces coupled(domain, scene, plan);
   std::filesystem::path before;
-  std::optional<coupler::DomainClient::FirstStep> first;
-  if (saved != nullptr)
+  if (saved != nullptr && client != nullptr)
     before = results::set_aside(options.out / "run.h5");
-  RunOutput output(options.out, scene, scene::to_json(scene, plan), domain, coupled->sources());
+  Picture picture(domain);
+  std::optional<Speaker> speaker;
+  std::vector<ParticleName> followed;
+  if (client != nullptr) {
+    speaker.emplace(*client, scene, plan, options, domain, picture, coupled);
+    followed = speaker->output().followed();
+  }
   try {
+    if (saved != nullptr)
+      restore(domain, *saved);
+    if (ranks != nullptr)
+      share_out(domain, *ranks);
+    picture.follow(followed);
+    Stepper stepper(domain, 0.0, coupled_source(domain, coupled, client, waiting_seconds));
+    std::optional<coupler::DomainClient::FirstStep> first;
     if (saved != nullptr) {
-      load_state(*saved, domain, stepper);
-      output.take_over(before, *saved);
-      std::filesystem::remove(before);
+      stepper.restore(*saved);
       first = {static_cast<std::uint64_t>(stepper.steps()), stepper.time()};
     }
-    client.ready(coupled->faces(), 0.0, end, first);
-    while (stepper.time() < end) {
-      stepper.step();
-      output.after_step(stepper);
-      if (stepper.time() < end)
-        checkpoints.after_step(client, domain, stepper, output);
-      client.progress("shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end);
+    if (speaker && saved != nullptr) {
+      speaker->output().take_over(before, *saved);
+      std::filesystem::remove(before);
     }
-    output.finish(stepper, gravity_seconds, waiting_seconds);
+    if (client != nullptr)
+      client->ready(coupled.faces(), 0.0, end, first);
+    step_to_end(stepper, picture, speaker ? &*speaker : nullptr, end);
+    if (speaker)
+      speaker->finish(stepper, gravity_seconds, waiting_seconds);
   } catch (const std::exception& error) {
-    output.abort(error.what());
+    if (speaker)
+      speaker->output().abort(error.what());
     throw;
   }
-  std::vector<coupler::PassTime> passes{{"gravity stage", gravity_seconds}};
-  for (const Pass& pass : stepper.passes())
-    passes.push_back({pass.name, pass.seconds});
-  client.finish(passes, stepper.particle_updates());
+}
+
+void run_share(const coupler::ParticipantOptions& options, const scene::Case& scene, const scene::Plan& plan,
+               coupler::DomainClient* client, Communicator* ranks) {
+  const Spec spec = spec_from_case(scene, options.threads);
+  if (ranks != nullptr)
+    require_shareable(spec);
+  Domain domain(spec);
+  const auto saved = coupler::saved_state(options);
+  if (saved)
+    load_rest_state(*saved, domain);
+  const double gravity_seconds =
+      scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client) : 0.0;
+  shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), ranks);
 }
 
 void run(const coupler::ParticipantOptions& options) {
@@ -107,15 +211,20 @@ void run(const coupler::ParticipantOptions& options) {
   if (const auto source = std::ranges::find(plan.sources, options.name, &scene::SourceProcess::name);
       source != plan.sources.end())
     return serve_column(scene, plan, *source, options);
+  const std::unique_ptr<Communicator> ranks = join_ranks();
+  if (ranks && ranks->rank() > 0) {
+    try {
+      return run_share(options, scene, plan, nullptr, ranks.get());
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "rank {} of the domain: {}\n", ranks->rank(), error.what());
+      // Where all ranks fail alike the first one tells it.
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));
+      throw;
+    }
+  }
   coupler::DomainClient client(options);
   try {
-    Domain domain(spec_from_case(scene, options.threads));
-    const auto saved = coupler::saved_state(options);
-    if (saved)
-      load_rest_state(*saved, domain);
-    const double gravity_seconds =
-        scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client) : 0.0;
-    shake(domain, scene, plan, options, client, gravity_seconds, saved.get());
+    run_share(options, scene, plan, &client, ranks.get());
   } catch (const std::exception& error) {
     client.abandon(error.what());
     throw;

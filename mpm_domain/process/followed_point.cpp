@@ -1,7 +1,5 @@
 #include "mpm_domain/process/followed_point.hpp"
 
-#include "mpm_domain/transfer/gather.hpp"
-
 #include <cmath>
 #include <limits>
 
@@ -30,17 +28,17 @@ Vector displacement(const Particles& set, std::size_t k, double dt) {
   return {x - set.x_initial[k], y - set.y_initial[k]};
 }
 
-ParticleMotion motion_in_space(const Domain& domain, const Particles& set, std::size_t k, double dt) {
-  const auto& rigid = domain.boundary.rigid_base();
-  const BaseMotion base = rigid ? rigid->motion() : BaseMotion{};
+ParticleMotion motion_in_space(const Picture& picture, ParticleName particle, double dt,
+                               const BaseMotion& base) {
+  const auto& [s, id] = particle;
+  const Particles& set = picture.sets()[s];
+  const std::size_t k = set.index_of[id];
   const auto sum = [](Vector p, Vector q) { return Vector{p.x + q.x, p.y + q.y}; };
   return {place(set, k, dt), sum(displacement(set, k, dt), base.displacement),
-          sum(particle_velocity(domain, set, k), base.velocity),
-          sum(particle_acceleration(domain, set, k), base.acceleration)};
+          sum(picture.velocity(s, k), base.velocity), sum(picture.acceleration(s, k), base.acceleration)};
 }
 
-FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure)
-    : domain_(&domain) {
+FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     const Particles& set = domain.sets[s];
@@ -57,11 +55,10 @@ FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<s
     }
   }
   keep_whole(domain, set_, id_);
-  find_neighbours();
+  find_neighbours(domain.sets[set_]);
 }
 
-void FollowedPoint::find_neighbours() {
-  const Particles& set = domain_->sets[set_];
+void FollowedPoint::find_neighbours(const Particles& set) {
   const std::size_t own = set.index_of[id_];
   // The eight around it on an even grid of particles, whose distance is twice half_size.
   const double reach = 1.6 * 2.0 * set.half_size;
@@ -83,12 +80,19 @@ std::vector<FollowedPoint::Column> FollowedPoint::columns(const scene::Case& sce
   return columns;
 }
 
-void FollowedPoint::append_values(const Stepper& stepper, bool water, std::vector<double>& row) const {
-  const Particles& set = domain_->sets[set_];
+void FollowedPoint::add_followed(std::vector<ParticleName>& to) const {
+  to.push_back({set_, id_});
+  for (const Neighbour& neighbour : neighbours_)
+    to.push_back({set_, neighbour.id});
+}
+
+void FollowedPoint::append_values(const Picture& picture, const Stepper& stepper, bool water,
+                                  std::vector<double>& row) const {
+  const Particles& set = picture.sets()[set_];
   const std::size_t k = set.index_of[id_];
   const double dt = stepper.dt();
-  const auto [x, u, v, a] = motion_in_space(*domain_, set, k, dt);
-  const Strain e = strain(dt);
+  const auto [x, u, v, a] = motion_in_space(picture, {set_, id_}, dt, stepper.base_motion());
+  const Strain e = strain(set, dt);
   row.insert(row.end(), {x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y, set.sxx[k], set.syy[k], set.szz[k],
                          set.sxy[k], e.xx, e.yy, e.xy});
   if (water) {
@@ -97,8 +101,7 @@ void FollowedPoint::append_values(const Stepper& stepper, bool water, std::vecto
   }
 }
 
-FollowedPoint::Strain FollowedPoint::strain(double dt) const {
-  const Particles& set = domain_->sets[set_];
+FollowedPoint::Strain FollowedPoint::strain(const Particles& set, double dt) const {
   const Vector own = displacement(set, set.index_of[id_], dt);
   double ux_x = 0.0, ux_y = 0.0, uy_x = 0.0, uy_y = 0.0; // sum of u X^T
   double xx = 0.0, xy = 0.0, yy = 0.0;                   // sum of X X^T

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/step/stepper.hpp"
+#include "mpm_domain/transfer/picture.hpp"
 #include "scene/case.hpp"
 
 #include <cstddef>
@@ -34,7 +35,8 @@ struct ParticleMotion {
   Vector velocity;     ///< m/s
   Vector acceleration; ///< m/s2
 };
-ParticleMotion motion_in_space(const Domain& domain, const Particles& set, std::size_t k, double dt);
+ParticleMotion motion_in_space(const Picture& picture, ParticleName particle, double dt,
+                               const BaseMotion& base);
 
 /// A particle of soil, or of an elastic structure, whose motion, stress and strain are written as histories.
 ///
@@ -60,7 +62,11 @@ public:
   /// Appends place, displacement, velocity, acceleration, effective stress, strain and, in a case with water,
   /// pore pressure and its ratio, as columns() names them. Strain is NaN where the soil has too few particles
   /// around the point.
-  void append_values(const Stepper& stepper, bool water, std::vector<double>& row) const;
+  void append_values(const Picture& picture, const Stepper& stepper, bool water,
+                     std::vector<double>& row) const;
+
+  /// Adds the particles that the values depend on.
+  void add_followed(std::vector<ParticleName>& to) const;
 
   friend bool operator==(const FollowedPoint& a, const FollowedPoint& b) {
     return a.set_ == b.set_ && a.id_ == b.id_;
@@ -76,10 +82,9 @@ private:
     double xx = 0.0, yy = 0.0, xy = 0.0;
   };
 
-  void find_neighbours();
-  Strain strain(double dt) const;
+  void find_neighbours(const Particles& set);
+  Strain strain(const Particles& set, double dt) const;
 
-  const Domain* domain_;
   std::size_t set_ = 0;
   std::uint32_t id_ = 0;
   std::vector<Neighbour> neighbours_;

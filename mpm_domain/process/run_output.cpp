@@ -1,7 +1,5 @@
 #include "mpm_domain/process/run_output.hpp"
 
-#include "mpm_domain/transfer/gather.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -126,13 +124,14 @@ std::vector<std::string> soil_names(const Spec& spec) {
   return names;
 }
 
-Frame collect(const Domain& domain, double dt) {
+Frame collect(const Domain& domain, const Picture& picture, double dt) {
   const std::vector<std::string> names = soil_names(domain.spec);
   Frame frame;
   frame.carried = carried_fields(domain);
   frame.variables = all_state_variables(domain);
   frame.states.resize(frame.variables.size());
-  for (const Particles& set : domain.sets_of_soil()) {
+  for (std::size_t s = 0; s < domain.soil_sets; ++s) {
+    const Particles& set = picture.sets()[s];
     const auto name = static_cast<std::int32_t>(std::ranges::find(names, set.soil) - names.begin());
     std::map<std::string_view, const std::vector<double>*> columns;
     set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
@@ -141,7 +140,7 @@ Frame collect(const Domain& domain, double dt) {
     std::vector<double> vx(set.size());
     std::vector<double> vy(set.size());
     for (std::size_t k = 0; k < set.size(); ++k) {
-      const Vector v = particle_velocity(domain, set, k);
+      const Vector v = picture.velocity(s, k);
       vx[k] = v.x;
       vy[k] = v.y;
     }
@@ -150,7 +149,7 @@ Frame collect(const Domain& domain, double dt) {
     for (const std::uint32_t k : set.index_of) {
       if (k == Particles::nowhere)
         continue;
-      const Vector acceleration = particle_acceleration(domain, set, k);
+      const Vector acceleration = picture.acceleration(s, k);
       const auto [x, y] = place(set, k, dt);
       frame.position.insert(frame.position.end(), {x, y});
       const Vector moved = displacement(set, k, dt);
@@ -217,9 +216,11 @@ results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std:
 } // namespace
 
 RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& scene,
-                     const std::string& plan, Domain& domain, std::span<const std::string> face_sources)
-    : scene_(scene), domain_(domain), writer_(directory / "run.h5", description(scene, plan)),
-      bodies_(scene, domain, writer_), sliding_masses_(scene, domain, writer_) {
+                     const std::string& plan, Domain& domain, const Picture& picture,
+                     std::span<const std::string> face_sources)
+    : scene_(scene), domain_(domain), picture_(picture),
+      writer_(directory / "run.h5", description(scene, plan)), bodies_(scene, domain, writer_),
+      sliding_masses_(scene, writer_) {
   const scene::Box& box = scene.mesh.box;
   writer_.attribute("mesh_size", scene.mesh.size);
   writer_.attribute("particle_size", 2.0 * domain.half_size());
@@ -281,6 +282,29 @@ void RunOutput::add_followers(const std::string& path, const std::vector<Followe
   followers_.push_back({path, points, &writer_.add_series(path, names, units, attributes)});
 }
 
+std::vector<ParticleName> RunOutput::followed() const {
+  std::vector<ParticleName> particles;
+  for (const Followers& followers : followers_)
+    for (const FollowedPoint& point : followers.points)
+      point.add_followed(particles);
+  sliding_masses_.add_followed(domain_.sets_of_soil(), particles);
+  return particles;
+}
+
+Picture::Extent RunOutput::needs(const Stepper& stepper) const {
+  const double time = stepper.velocity_time();
+  if (time >= next_frame_)
+    return Picture::Extent::all;
+  return time >= next_history_ ? Picture::Extent::followed : Picture::Extent::nothing;
+}
+
+Picture::Extent RunOutput::needs_to_finish(const Stepper& stepper) const {
+  const double time = stepper.velocity_time();
+  if (time > last_frame_)
+    return Picture::Extent::all;
+  return time > last_history_ ? Picture::Extent::followed : Picture::Extent::nothing;
+}
+
 void RunOutput::after_step(const Stepper& stepper) {
   const double time = stepper.velocity_time();
   bodies_.after_step(stepper);
@@ -305,21 +329,21 @@ void RunOutput::write_history(const Stepper& stepper) {
   for (const Followers& followers : followers_) {
     std::vector<double> values{last_history_};
     for (const FollowedPoint& point : followers.points)
-      point.append_values(stepper, scene_.water.has_value(), values);
+      point.append_values(picture_, stepper, scene_.water.has_value(), values);
     followers.series->append(values);
   }
   if (table_ != nullptr) {
-    const auto [u, v, a] = domain_.boundary.rigid_base()->motion();
+    const auto [u, v, a] = stepper.base_motion();
     table_->append(std::array{last_history_, u.x, u.y, v.x, v.y, a.x, a.y});
   }
-  sliding_masses_.write_history(stepper);
+  sliding_masses_.write_history(picture_, stepper);
   bodies_.write_history(stepper);
   write_boundary(stepper);
   writer_.flush_if_large();
 }
 
 void RunOutput::write_frame(const Stepper& stepper) {
-  const Frame frame = collect(domain_, stepper.dt());
+  const Frame frame = collect(domain_, picture_, stepper.dt());
   std::vector<results::Field> fields{{"position", "m", 2, frame.position}, {"soil", "1", 1, frame.soil}};
   if (domain_.mesh)
     fields.push_back({"size", "m", 1, frame.size});

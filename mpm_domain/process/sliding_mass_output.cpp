@@ -26,11 +26,24 @@ scene::Box bounds(const scene::Polygon& polygon) {
   return {left.x, low.y, right.x, high.y};
 }
 
+/// The places of the particles of a set that began within an outline, in the order of ids: sums over them do
+/// not depend on how particles are sorted.
+std::vector<std::uint32_t> members(const scene::Polygon& outline, const Particles& set) {
+  const scene::Box box = bounds(outline);
+  std::vector<std::uint32_t> members;
+  for (const std::uint32_t k : set.index_of) {
+    if (k == Particles::nowhere)
+      continue;
+    const scene::Point start{set.x_initial[k], set.y_initial[k]};
+    if (box.contains(start) && contains(outline, start))
+      members.push_back(k);
+  }
+  return members;
+}
+
 } // namespace
 
-SlidingMassOutput::SlidingMassOutput(const scene::Case& scene, const Domain& domain,
-                                     results::RunWriter& writer)
-    : scene_(scene), domain_(domain) {
+SlidingMassOutput::SlidingMassOutput(const scene::Case& scene, results::RunWriter& writer) : scene_(scene) {
   for (const scene::SlidingMass& mass : scene.sliding_masses) {
     std::vector<double> outline;
     for (const scene::Point& corner : mass.outline.corners)
@@ -41,21 +54,23 @@ SlidingMassOutput::SlidingMassOutput(const scene::Case& scene, const Domain& dom
   }
 }
 
-void SlidingMassOutput::write_history(const Stepper& stepper) {
+void SlidingMassOutput::add_followed(std::span<const Particles> sets, std::vector<ParticleName>& to) const {
+  for (const scene::SlidingMass& mass : scene_.sliding_masses)
+    for (std::size_t s = 0; s < sets.size(); ++s)
+      for (const std::uint32_t k : members(mass.outline.corners, sets[s]))
+        to.push_back({s, sets[s].id[k]});
+}
+
+void SlidingMassOutput::write_history(const Picture& picture, const Stepper& stepper) {
+  const std::span<const Particles> sets = picture.sets_of_soil();
   for (std::size_t m = 0; m < series_.size(); ++m) {
-    const scene::Polygon& outline = scene_.sliding_masses[m].outline.corners;
-    const scene::Box box = bounds(outline);
     double mass = 0.0;
     std::array<double, 8> sums{};
-    for (const Particles& set : domain_.sets_of_soil())
-      // In the order of ids: the sum does not depend on how particles are sorted.
-      for (const std::uint32_t k : set.index_of) {
-        if (k == Particles::nowhere)
-          continue;
-        const scene::Point start{set.x_initial[k], set.y_initial[k]};
-        if (!box.contains(start) || !contains(outline, start))
-          continue;
-        const auto [x, u, v, a] = motion_in_space(domain_, set, k, stepper.dt());
+    for (std::size_t s = 0; s < sets.size(); ++s)
+      for (const std::uint32_t k : members(scene_.sliding_masses[m].outline.corners, sets[s])) {
+        const Particles& set = sets[s];
+        const auto [x, u, v, a] =
+            motion_in_space(picture, {s, set.id[k]}, stepper.dt(), stepper.base_motion());
         const std::array values{x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y};
         const double own = whole_mass(set, k);
         mass += own;

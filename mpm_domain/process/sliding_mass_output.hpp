@@ -1,9 +1,11 @@
 #pragma once
 
 #include "mpm_domain/step/stepper.hpp"
+#include "mpm_domain/transfer/picture.hpp"
 #include "results/run_file.hpp"
 #include "scene/case.hpp"
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,17 +23,19 @@ namespace tremolo::mpm_domain {
 class SlidingMassOutput {
 public:
   /// Adds the series to the file.
-  SlidingMassOutput(const scene::Case& scene, const Domain& domain, results::RunWriter& writer);
+  SlidingMassOutput(const scene::Case& scene, results::RunWriter& writer);
 
   /// Writes a row of each series.
-  void write_history(const Stepper& stepper);
+  void write_history(const Picture& picture, const Stepper& stepper);
+
+  /// Adds the particles of the masses.
+  void add_followed(std::span<const Particles> sets, std::vector<ParticleName>& to) const;
 
   /// The series by their paths.
   const std::vector<std::pair<std::string, results::TimeSeries*>>& series() const { return series_; }
 
 private:
   const scene::Case& scene_;
-  const Domain& domain_;
   std::vector<std::pair<std::string, results::TimeSeries*>> series_; ///< in the order of the case
 };
 

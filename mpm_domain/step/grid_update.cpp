@@ -1,10 +1,7 @@
 #include "mpm_domain/step/grid_update.hpp"
 
 #include "mpm_domain/kernel/lanes.hpp"
-#include "mpm_domain/tiles/over_rows.hpp"
-
-#include <numeric>
-#include <vector>
+#include "mpm_domain/tiles/totals.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -27,7 +24,7 @@ Vectors velocities(const Grid& grid, std::size_t n, Group group, const Lanes& m,
 double grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
-  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
+  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Lanes m = group.load(&grid.mass[n]);
@@ -36,16 +33,16 @@ double grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
       group.store(&grid.vy_before[n], v.y);
       kinetic += 0.5 * m * (v.x * v.x + v.y * v.y);
     });
-    return sum(kinetic);
+    return std::array{sum(kinetic)};
   });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+  return total;
 }
 
 double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
-  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
+  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes power{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Lanes m = group.load(&grid.mass[n]);
@@ -55,16 +52,16 @@ double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
       power += group.load(&grid.force_x[n]) * (group.load(&grid.vx_after[n]) - u.x) +
                (group.load(&grid.force_y[n]) + m * gravity) * (group.load(&grid.vy_after[n]) - u.y);
     });
-    return sum(power);
+    return std::array{sum(power)};
   });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+  return total;
 }
 
 GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
-  const std::vector<GridUpdate> sums = over_rows<GridUpdate>(domain, rows, [&](const NodeRange& nodes) {
+  const auto [moving, fallen, relieved] = sum_over_rows<3>(domain, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     Lanes weight_work{}; // of the weight per m/s2, downwards
     Lanes relief{};
@@ -89,15 +86,9 @@ GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> row
       kick(grid.force_x, grid.dashpot_x, grid.vx_before, grid.ax, grid.vx_after);
       weight_work -= m * kick(grid.force_y, grid.dashpot_y, grid.vy_before, grid.ay, grid.vy_after);
     });
-    return GridUpdate{sum(kinetic), dt * gravity * sum(weight_work), 0.5 * dt * dt * sum(relief)};
+    return std::array{sum(kinetic), sum(weight_work), sum(relief)};
   });
-  GridUpdate total;
-  for (const GridUpdate& sum : sums) {
-    total.kinetic += sum.kinetic;
-    total.gravity_work += sum.gravity_work;
-    total.dashpot_relief += sum.dashpot_relief;
-  }
-  return total;
+  return {moving, dt * gravity * fallen, 0.5 * dt * dt * relieved};
 }
 
 } // namespace tremolo::mpm_domain

@@ -7,6 +7,7 @@
 #include "mpm_domain/particles/splitting.hpp"
 #include "mpm_domain/step/grid_update.hpp"
 #include "mpm_domain/step/time_step.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 #include "mpm_domain/transfer/sharp_transfer.hpp"
 #include "mpm_domain/water/mixture_update.hpp"
 #include "mpm_domain/water/pore_pressure.hpp"
@@ -31,7 +32,7 @@ double fastest_particle(const Domain& domain) {
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       speed = std::max(speed, std::hypot(set.vx[k], set.vy[k]));
-  return speed;
+  return largest_of_ranks(domain, speed);
 }
 
 } // namespace
@@ -161,6 +162,7 @@ void Stepper::scatter_particles() {
     shared_.keep(clock);
   }
   shared_.add_steady();
+  domain_.boundary.share_sums(domain_.grid, dry_sums);
   if (const auto& base = domain_.boundary.rigid_base())
     base->stop(domain_.grid);
 }
@@ -300,6 +302,7 @@ void Stepper::scatter_momenta() {
     add_particles(domain_, ScatterPart::momentum, clock);
     fold(domain_, ScatterPart::momentum, nodes_.ties_of(clock));
   }
+  domain_.boundary.share_sums(domain_.grid, sums_between(Sum::momentum_x, Sum::momentum_y));
   if (const auto& base = domain_.boundary.rigid_base())
     base->stop(domain_.grid);
 }
@@ -391,6 +394,11 @@ void Stepper::book(const GatherSums& sums) {
 
 double Stepper::updates_per_step() const {
   double updates = 0.0;
+  if (domain_.share) {
+    for (const std::int64_t particles : domain_.share->deal.particles)
+      updates += static_cast<double>(particles);
+    return updates;
+  }
   const std::size_t tiles = domain_.tiles.count();
   for (const Particles& set : domain_.sets)
     for (int clock = 0; clock < ticks_.clocks(); ++clock) {

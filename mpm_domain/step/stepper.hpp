@@ -56,6 +56,11 @@ public:
   double dt() const { return dt_; }     ///< of the step just made, or of the first
   double kick() const { return kick_; } ///< time that the forces of the step just made have acted for, s
   long steps() const { return steps_; }
+  /// Motion of a rigid base at velocity_time(); at rest where there is none.
+  BaseMotion base_motion() const {
+    const auto& base = domain_.boundary.rigid_base();
+    return base ? base->motion() : BaseMotion{};
+  }
   /// How often this stepper has moved a particle, added up over all particles.
   double particle_updates() const { return updates_; }
   const std::vector<Pass>& passes() const { return passes_; }

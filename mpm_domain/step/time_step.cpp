@@ -2,6 +2,7 @@
 
 #include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/spec/limits.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 
 #include <fmt/format.h>
 
@@ -37,6 +38,12 @@ Limit lesser(const Limit& one, const Limit& other) {
   return other.step < one.step ? other : one;
 }
 
+/// The least limit of all ranks, of which only that rank knows what sets it.
+Limit over_ranks(const Domain& domain, const Limit& limit) {
+  const double step = least_of_ranks(domain, limit.step);
+  return limit.step == step ? limit : Limit{step};
+}
+
 /// The least of steps_of(clock) times the critical step over all particles, where h is the size of the finest
 /// cells that a particle touches.
 /// @param speed  the waves that count
@@ -62,7 +69,7 @@ Limit least_step(Domain& domain, double max_speed, const StepsOf& steps_of, doub
         see(set, set.in_block(domain.block_count() + block));
     }
   });
-  return *std::ranges::min_element(least, {}, &Limit::step);
+  return over_ranks(domain, *std::ranges::min_element(least, {}, &Limit::step));
 }
 
 /// Where all particles take the same step.
@@ -80,7 +87,9 @@ Limit layer_step(const Spec& spec) {
   return {largest_courant_number * spec.cell_size / c, spec.cell_size, c};
 }
 
-[[noreturn]] void refuse(const Domain& domain, double dt, const Limit& limit, double max_speed) {
+[[noreturn]] void refuse(const Domain& domain, double dt, Limit limit, double max_speed) {
+  for (double Limit::*what : {&Limit::h, &Limit::c, &Limit::damping_time})
+    limit.*what = largest_of_ranks(domain, limit.*what);
   const bool has_clocks = domain.clocks.count() > 1;
   const char* undamped = "0.65 h/(c_p + |v|)";
   std::string formula =

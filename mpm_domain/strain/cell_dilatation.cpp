@@ -77,7 +77,7 @@ void clear_strains(Domain& domain) {
       domain.waiting_strains[s].resize(domain.sets[s].size());
 }
 
-GatherSums strain_by_cells(Domain& domain, int clock, double dt) {
+std::vector<GatherSums> strain_by_cells(Domain& domain, int clock, double dt) {
   const ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
   complete_cells(
       domain, tiles, [](const Particles& p) { return p.traits.cell_dilatation; },
@@ -99,10 +99,7 @@ GatherSums strain_by_cells(Domain& domain, int clock, double dt) {
       if (domain.sets[s].traits.cell_dilatation)
         sums[task] += strain_range(domain, s, domain.sets[s].in_block(domain.block(clock, filled[task])), dt);
   });
-  GatherSums total;
-  for (const GatherSums& sum : sums)
-    total += sum;
-  return total;
+  return sums;
 }
 
 } // namespace tremolo::mpm_domain

@@ -19,6 +19,8 @@
 #include "mpm_domain/strain/strain_update.hpp"
 #include "mpm_domain/tiles/cell_means.hpp"
 
+#include <vector>
+
 namespace tremolo::mpm_domain {
 
 /// Stores the strains of particles of one set, chunk by chunk, and adds them to the sums of their cells.
@@ -50,6 +52,7 @@ void clear_strains(Domain& domain);
 
 /// Updates stress, state and volume of the particles of a clock whose strains over a step of dt (s) have been
 /// stored.
-GatherSums strain_by_cells(Domain& domain, int clock, double dt);
+/// @returns the sums of each tile
+std::vector<GatherSums> strain_by_cells(Domain& domain, int clock, double dt);
 
 } // namespace tremolo::mpm_domain

@@ -17,9 +17,9 @@ std::size_t CellFinder::leaf_at(double x, double y) const {
 }
 
 void clear_cells(Domain& domain) {
-  // All rows: a cell may begin at a node that is tied to finer ones and carries no soil.
-  domain.workers.run(domain.row_count(), [&](std::size_t row) {
-    const auto [begin, end] = domain.row(row);
+  // On a mesh all rows: a cell may begin at a node that is tied to finer ones and carries no soil.
+  domain.workers.run(domain.mesh ? domain.row_count() : domain.soil_rows.size(), [&](std::size_t row) {
+    const auto [begin, end] = domain.mesh ? domain.row(row) : domain.soil_rows[row];
     for_group(domain.grid, NodeGroup::cell,
               [&](NodeField& field) { std::fill(field.data() + begin, field.data() + end, 0.0); });
   });

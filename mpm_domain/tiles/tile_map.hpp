@@ -6,7 +6,9 @@
 
 #include "mpm_domain/spec/lattice.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -29,6 +31,17 @@ struct NodeBlock {
 
 /// The nodes that two blocks have in common; empty() if there are none.
 NodeBlock overlap(const NodeBlock& a, const NodeBlock& b);
+
+/// Rows [begin, end) of a lattice.
+struct RowRange {
+  int begin = std::numeric_limits<int>::max();
+  int end = std::numeric_limits<int>::min();
+
+  void add(const RowRange& more) {
+    begin = std::min(begin, more.begin);
+    end = std::max(end, more.end);
+  }
+};
 
 class TileMap {
 public:

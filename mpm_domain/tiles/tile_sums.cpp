@@ -68,40 +68,66 @@ void WindowPool::give_back(double* window) {
   free_.push_back(window);
 }
 
-TileSums::TileSums(const TileMap& tiles, std::vector<std::size_t> filled)
-    : filled_(std::move(filled)), owners_of_(filled_.size()), touched_(filled_.size()),
-      window_(filled_.size()), to_take_(filled_.size()) {
+TileSums::TileSums(const TileMap& tiles, std::vector<std::size_t> filled, const RankShare* share)
+    : filled_(std::move(filled)) {
+  if (share != nullptr)
+    halo_.emplace(tiles, filled_, *share);
+  find_owners(tiles, share);
+  const std::size_t count = owners_of_.size();
+  touched_.resize(count);
+  window_.resize(count);
+  to_take_ = std::vector<std::atomic<int>>(count);
+  to_fill_ = std::vector<std::atomic<int>>(owners_.size());
+}
+
+void TileSums::find_owners(const TileMap& tiles, const RankShare* share) {
+  struct Filled {
+    std::size_t tile;
+    std::size_t n;
+  };
+  std::vector<Filled> all;
+  for (const std::size_t tile : filled_)
+    all.push_back({tile, all.size()});
+  if (halo_)
+    for (const std::size_t tile : halo_->remote())
+      all.push_back({tile, all.size()});
+  owners_of_.resize(all.size());
+  for (const Filled& filled : all)
+    places_.push_back(tiles.window(filled.tile));
+  std::ranges::sort(all, {}, &Filled::tile);
+
   std::vector<std::size_t> owners;
-  for (const std::size_t tile : filled_) {
-    places_.push_back(tiles.window(tile));
+  const auto add_around = [&](std::size_t tile) {
     const std::vector<std::size_t> around = tiles.around(tile);
     owners.insert(owners.end(), around.begin(), around.end());
-  }
+  };
+  std::ranges::for_each(filled_, add_around);
+  if (share != nullptr)
+    for (std::size_t tile = 0; tile < tiles.count(); ++tile)
+      if (share->is_mine(tile))
+        add_around(tile);
   std::ranges::sort(owners);
   const auto repeated = std::ranges::unique(owners);
   owners.erase(repeated.begin(), repeated.end());
   for (const std::size_t tile : owners) {
     Owner& owner = owners_.emplace_back(Owner{tile, {}});
     for (const std::size_t other : tiles.around(tile)) {
-      const auto at = std::ranges::lower_bound(filled_, other);
-      if (at == filled_.end() || *at != other)
+      const auto at = std::ranges::lower_bound(all, other, {}, &Filled::tile);
+      if (at == all.end() || at->tile != other)
         continue;
-      owner.from.push_back(static_cast<std::size_t>(at - filled_.begin()));
-      owners_of_[owner.from.back()].push_back(owners_.size() - 1);
+      owner.from.push_back(at->n);
+      owners_of_[at->n].push_back(owners_.size() - 1);
     }
   }
-  to_fill_ = std::vector<std::atomic<int>>(owners_.size());
 }
 
 void TileSums::add_to(NodeFields& nodes, std::span<const SumRange> fields, const TileMap& tiles,
                       WorkerPool& workers, WindowPool& windows, const Fill& fill) {
   for (std::size_t o = 0; o < owners_.size(); ++o)
     to_fill_[o] = static_cast<int>(owners_[o].from.size());
-  for (std::size_t n = 0; n < filled_.size(); ++n)
+  for (std::size_t n = 0; n < owners_of_.size(); ++n)
     to_take_[n] = static_cast<int>(owners_of_[n].size());
-  workers.run(filled_.size(), [&](std::size_t n) {
-    window_[n] = windows.take();
-    const RowRange rows = fill(n, window_[n]);
+  const auto settle = [&](std::size_t n, const RowRange& rows) {
     touched_[n] = rows.begin < rows.end
                       ? NodeBlock{places_[n].column, rows.begin, window_columns, rows.end - rows.begin}
                       : NodeBlock{}; // no particle of this tile adds anything
@@ -113,6 +139,31 @@ void TileSums::add_to(NodeFields& nodes, std::span<const SumRange> fields, const
         if (is_last(to_take_[from]))
           windows.give_back(window_[from]);
     }
+  };
+  const auto fill_one = [&](std::size_t n) {
+    window_[n] = windows.take();
+    return fill(n, window_[n]);
+  };
+  if (!halo_) {
+    workers.run(filled_.size(), [&](std::size_t n) { settle(n, fill_one(n)); });
+    return;
+  }
+  halo_->begin(fields);
+  const std::span<const std::size_t> rim = halo_->rim();
+  workers.run(rim.size(), [&](std::size_t i) {
+    const RowRange rows = fill_one(rim[i]);
+    halo_->pack(rim[i], window_[rim[i]]);
+    settle(rim[i], rows);
+  });
+  halo_->send();
+  const std::span<const std::size_t> interior = halo_->interior();
+  workers.run(interior.size(), [&](std::size_t i) { settle(interior[i], fill_one(interior[i])); });
+  halo_->wait();
+  workers.run(halo_->remote().size(), [&](std::size_t r) {
+    const std::size_t n = filled_.size() + r;
+    window_[n] = windows.take();
+    halo_->unpack(r, window_[n]);
+    settle(n, halo_->rows(r));
   });
 }
 

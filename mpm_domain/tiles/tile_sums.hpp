@@ -7,33 +7,25 @@
 // The nodes of a tile take their sums as soon as the last window that holds any of them is filled. Once all
 // nodes of a window have taken their sums, the window is used for another tile. So only few windows are in
 // use at a time, and they stay in the cache.
+//
+// Where ranks share the domain, tiles of others whose windows hold nodes that this rank needs are tiles like
+// its own, whose windows are filled by messages (halo.hpp). Nodes add them up in the same order.
 
 #include "mpm_domain/fields/node_fields.hpp"
+#include "mpm_domain/tiles/halo.hpp"
 #include "mpm_domain/tiles/tile_map.hpp"
 #include "mpm_domain/tiles/worker_pool.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
-
-/// Rows [begin, end) of a lattice.
-struct RowRange {
-  int begin = std::numeric_limits<int>::max();
-  int end = std::numeric_limits<int>::min();
-
-  void add(const RowRange& more) {
-    begin = std::min(begin, more.begin);
-    end = std::max(end, more.end);
-  }
-};
 
 /// Keeps the windows that are not in use. Their sums are zero: [field of particle_sums][row][column].
 class WindowPool {
@@ -54,8 +46,9 @@ private:
 /// The sums of the tiles that hold particles of one clock.
 class TileSums {
 public:
-  /// @param filled  the tiles that hold particles, in rising order
-  TileSums(const TileMap& tiles, std::vector<std::size_t> filled);
+  /// @param filled  the tiles that hold particles of this rank, in rising order
+  /// @param share   of this rank; null where there is one. It outlives this
+  TileSums(const TileMap& tiles, std::vector<std::size_t> filled, const RankShare* share = nullptr);
 
   std::span<const std::size_t> filled() const { return filled_; }
 
@@ -71,18 +64,21 @@ public:
   }
 
 private:
-  /// A tile that owns nodes of some window, and the filled tiles (by n, rising) whose windows may hold them.
+  /// A tile that owns nodes of some window, and the filled tiles whose windows may hold them, in rising order
+  /// of the tiles.
   struct Owner {
     std::size_t tile;
     std::vector<std::size_t> from;
   };
 
+  void find_owners(const TileMap& tiles, const RankShare* share);
   void take_sums(const Owner& owner, NodeFields& nodes, std::span<const SumRange> fields,
                  const TileMap& tiles);
 
   std::vector<std::size_t> filled_;
+  std::optional<Halo> halo_;
   std::vector<Owner> owners_;
-  // These have one entry a filled tile:
+  // These have one entry a filled tile, then one for each of the halo's remote tiles:
   std::vector<std::vector<std::size_t>> owners_of_;
   std::vector<NodeBlock> places_;         ///< nodes of its window
   std::vector<NodeBlock> touched_;        ///< the rows of the window that particles touch

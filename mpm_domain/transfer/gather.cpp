@@ -4,14 +4,18 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/strain/cell_dilatation.hpp"
 #include "mpm_domain/strain/strain_update.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 #include "mpm_domain/transfer/samples.hpp"
 #include "mpm_domain/transfer/sharp_transfer.hpp"
 #include "mpm_domain/transfer/wide_squares.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
+#include <vector>
 
 namespace tremolo::mpm_domain {
 
@@ -178,6 +182,17 @@ GatherSums gather_across_tile(Domain& domain, const AcrossTile& tile, double dt)
                          : gather_set<parts, false>(domain, tile, dt, waiting);
 }
 
+GatherSums totals_of(const Domain& domain, std::span<const GatherSums> sums) {
+  std::vector<std::array<double, 3>> works;
+  double max_speed = 0.0;
+  for (const GatherSums& sum : sums) {
+    works.push_back({sum.elastic, sum.plastic, sum.viscous});
+    max_speed = std::max(max_speed, sum.max_speed);
+  }
+  const auto [elastic, plastic, viscous] = totals(domain, std::span<const std::array<double, 3>>(works));
+  return {elastic, plastic, viscous, largest_of_ranks(domain, max_speed)};
+}
+
 template <GatherParts parts>
 GatherSums gather_tiles(Domain& domain, double dt, int clock) {
   ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
@@ -195,7 +210,8 @@ GatherSums gather_tiles(Domain& domain, double dt, int clock) {
                         return RowRange{place.row, place.end_row()};
                       });
     domain.workers.run(tiles.across.size(), across);
-    sums.push_back(strain_by_cells(domain, clock, dt));
+    const std::vector<GatherSums> by_cells = strain_by_cells(domain, clock, dt);
+    sums.insert(sums.end(), by_cells.begin(), by_cells.end());
   } else {
     domain.workers.run(sums.size(), [&](std::size_t task) {
       if (task < filled.size())
@@ -204,10 +220,8 @@ GatherSums gather_tiles(Domain& domain, double dt, int clock) {
         across(task - filled.size());
     });
   }
-  GatherSums total;
-  for (const GatherSums& sum : sums)
-    total += sum;
-  return total;
+  constexpr bool adds_up = parts.strain || parts.position || parts.drift;
+  return adds_up ? totals_of(domain, sums) : GatherSums{};
 }
 
 constexpr GatherParts all_parts{.velocity = true, .position = true, .strain = true};

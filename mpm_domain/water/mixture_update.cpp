@@ -1,13 +1,11 @@
 #include "mpm_domain/water/mixture_update.hpp"
 
 #include "mpm_domain/kernel/lanes.hpp"
-#include "mpm_domain/tiles/over_rows.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 #include "mpm_domain/water/mixture_kick.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <vector>
 
 namespace tremolo::mpm_domain {
 
@@ -45,7 +43,7 @@ Lanes porosity(const MixtureNodes& nodes) {
 double water_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double without = empty_water(domain);
-  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
+  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Lanes m = group.load(&grid.water_mass[n]);
@@ -59,9 +57,9 @@ double water_velocities(Domain& domain, std::span<const NodeRange> rows) {
       velocity(grid.water_momentum_x, grid.vx_before, grid.wx_before);
       velocity(grid.water_momentum_y, grid.vy_before, grid.wy_before);
     });
-    return sum(kinetic);
+    return std::array{sum(kinetic)};
   });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+  return total;
 }
 
 MixtureUpdate update_mixture(Domain& domain, double dt, std::span<const NodeRange> rows) {
@@ -70,7 +68,7 @@ MixtureUpdate update_mixture(Domain& domain, double dt, std::span<const NodeRang
   const double without = empty_water(domain);
   const double density = density_of_water(domain);
   const double gravity = domain.spec.gravity;
-  const std::vector<MixtureUpdate> sums = over_rows<MixtureUpdate>(domain, rows, [&](const NodeRange& nodes) {
+  const auto [moving, fallen, relieved, dragged] = sum_over_rows<4>(domain, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     Lanes weight_work{}; // over the step, downwards
     Lanes relief{};
@@ -105,16 +103,9 @@ MixtureUpdate update_mixture(Domain& domain, double dt, std::span<const NodeRang
                              grid.wy_before, grid.ay, grid.vy_after, grid.wy_after);
       weight_work -= gravity * m.solid_mass * mid;
     });
-    return MixtureUpdate{sum(kinetic), dt * sum(weight_work), 0.5 * dt * dt * sum(relief), dt * sum(drag)};
+    return std::array{sum(kinetic), sum(weight_work), sum(relief), sum(drag)};
   });
-  MixtureUpdate total;
-  for (const MixtureUpdate& sum : sums) {
-    total.kinetic += sum.kinetic;
-    total.gravity_work += sum.gravity_work;
-    total.dashpot_relief += sum.dashpot_relief;
-    total.drag += sum.drag;
-  }
-  return total;
+  return {moving, dt * fallen, 0.5 * dt * dt * relieved, dt * dragged};
 }
 
 void find_flux(Domain& domain, std::span<const NodeRange> rows) {
@@ -140,7 +131,7 @@ double remap_flux(Domain& domain, std::span<const NodeRange> rows) {
   const double empty = empty_mass(domain);
   const double without = empty_water(domain);
   const double density = density_of_water(domain);
-  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
+  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes power{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const MixtureNodes m = masses(grid, n, group, density, empty, without);
@@ -161,9 +152,9 @@ double remap_flux(Domain& domain, std::span<const NodeRange> rows) {
       remap(grid.water_momentum_y, grid.open_y, grid.water_force_y, grid.vy_strain, grid.vy_after,
             grid.wy_after, grid.flux_y);
     });
-    return sum(power);
+    return std::array{sum(power)};
   });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+  return total;
 }
 
 namespace {
@@ -172,14 +163,14 @@ namespace {
 double power_of_lift(Domain& domain, std::span<const NodeRange> rows, const NodeField& a, double factor,
                      const NodeField& b) {
   const Grid& grid = domain.grid;
-  const std::vector<double> sums = over_rows<double>(domain, rows, [&](const NodeRange& nodes) {
+  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes power{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       power += group.load(&grid.lift[n]) * (group.load(&a[n]) + factor * group.load(&b[n]));
     });
-    return sum(power);
+    return std::array{sum(power)};
   });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+  return total;
 }
 
 } // namespace

@@ -46,7 +46,7 @@ PUBLIC_METHODS = 8  # of both roles together, besides constructors
 
 # Rooms of the domain. A room may include those before it, and mpm_domain/domain.hpp, the state that all work on.
 ROOMS = (
-    ["fields", "spec", "kernel", "clocks", "grid", "tiles", "particles", "strain", "dispersion", "transfer", "water", "contact"]
+    ["fields", "spec", "kernel", "clocks", "grid", "ranks", "tiles", "particles", "strain", "dispersion", "transfer", "water", "contact"]
     + ["step", "gravity", "boundary", "column", "process"]
 )
 MOST_FILES = 20  # C++ files in a folder of a library

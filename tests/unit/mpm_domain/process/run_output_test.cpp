@@ -28,7 +28,8 @@ TEST(RunOutput, WritesAFieldOfOnesOwnInEveryFrame) {
 
   const testing::TemporaryFolder folder;
   const std::vector<std::string> sources(domain.boundary.faces().size(), "wave");
-  RunOutput output(folder / "", scene, "{}", domain, sources);
+  const Picture picture(domain);
+  RunOutput output(folder / "", scene, "{}", domain, picture, sources);
   Stepper stepper(domain, 0.0, test_support::quiet_ground());
   stepper.step();
   output.after_step(stepper);

@@ -77,7 +77,7 @@ public:
   explicit BlockRun(const std::filesystem::path& folder, std::string_view kind = rigid)
       : scene_(block_case(kind)), domain_(spec_from_case(scene_, 1)),
         stepper_(at_rest(), 0.0, test_support::quiet_ground()),
-        output_(folder, scene_, "{}", domain_,
+        output_(folder, scene_, "{}", domain_, picture_,
                 std::vector<std::string>(domain_.boundary.faces().size(), "wave")) {}
 
   void step(int count) {
@@ -101,6 +101,7 @@ private:
   scene::Case scene_;
   Domain domain_;
   Stepper stepper_;
+  Picture picture_{domain_};
   RunOutput output_;
 };
 

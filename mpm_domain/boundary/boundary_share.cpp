@@ -1,0 +1,87 @@
+#include "mpm_domain/boundary/boundary_share.hpp"
+
+#include "mpm_domain/domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// The rank that has the particle of each face.
+std::vector<int> owners_of_faces(const Domain& domain, std::span<const BoundaryFace> faces) {
+  Communicator& ranks = *domain.share->ranks;
+  std::vector<std::int64_t> owner;
+  for (const BoundaryFace& face : faces) {
+    const bool is_mine = domain.sets[face.set].index_of[face.id] != Particles::nowhere;
+    owner.push_back(is_mine ? ranks.rank() : 0);
+  }
+  ranks.add(owner);
+  return {owner.begin(), owner.end()};
+}
+
+/// The nodes that faces may touch while particles move by the distance between two sorts.
+std::vector<std::size_t> nodes_near(const Domain& domain, std::span<const BoundaryFace> faces,
+                                    std::span<const FacePlace> places) {
+  const Lattice& lattice = domain.grid;
+  const auto cell = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
+  std::vector<std::size_t> nodes;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const mesh::Rectangle line = line_of(faces[f], places[f]);
+    const bool own_boxes = domain.sets[faces[f].set].has_own_boxes();
+    const double way = (own_boxes ? 2.0 : 1.0) * domain.sort_distance(); // as in reach_of()
+    for (int j = cell(line.y_min - way, lattice.y0); j <= cell(line.y_max + way, lattice.y0) + 1; ++j)
+      for (int i = cell(line.x_min - way, lattice.x0); i <= cell(line.x_max + way, lattice.x0) + 1; ++i)
+        nodes.push_back(lattice.index(i, j));
+  }
+  std::ranges::sort(nodes);
+  const auto repeated = std::ranges::unique(nodes);
+  nodes.erase(repeated.begin(), repeated.end());
+  return nodes;
+}
+
+} // namespace
+
+BoundaryShare::BoundaryShare(const Domain& domain, std::span<const BoundaryFace> faces)
+    : faces_(owners_of_faces(domain, faces), *domain.share->ranks), places_(faces.size()) {
+  share_places(domain, faces);
+  nodes_ = nodes_near(domain, faces, places_);
+  const auto columns = static_cast<std::size_t>(domain.grid.nx);
+  std::vector<int> owner;
+  for (const std::size_t node : nodes_)
+    owner.push_back(domain.share->owner(
+        domain.tiles.tile_of(0, static_cast<int>(node % columns), static_cast<int>(node / columns))));
+  sums_ = SharedList(owner, *domain.share->ranks);
+}
+
+void BoundaryShare::share_places(const Domain& domain, std::span<const BoundaryFace> faces) {
+  faces_.share(
+      4,
+      [&](std::size_t f, double* numbers) {
+        const FacePlace& place = places_[f] = place_of(faces[f], domain.sets[faces[f].set]);
+        numbers[0] = place.centre.x;
+        numbers[1] = place.centre.y;
+        numbers[2] = place.half.x;
+        numbers[3] = place.half.y;
+      },
+      [&](std::size_t f, const double* numbers) {
+        places_[f] = {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+      });
+}
+
+void BoundaryShare::share_sums(NodeFields& grid, SumRange fields) {
+  sums_.share(
+      fields.end - fields.first,
+      [&](std::size_t n, double* numbers) {
+        for (std::size_t f = fields.first; f < fields.end; ++f)
+          *numbers++ = (grid.*particle_sums[f])[nodes_[n]];
+      },
+      [&](std::size_t n, const double* numbers) {
+        for (std::size_t f = fields.first; f < fields.end; ++f)
+          (grid.*particle_sums[f])[nodes_[n]] = *numbers++;
+      });
+}
+
+} // namespace tremolo::mpm_domain

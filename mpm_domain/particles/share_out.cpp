@@ -1,0 +1,214 @@
+#include "mpm_domain/particles/share_out.hpp"
+
+#include "mpm_domain/ranks/communicator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Numbers for a rank: for one set after the other the number of particles, and of each particle its tile,
+/// its id, its fields, its state, and what goes with it besides.
+using Parcel = std::vector<double>;
+
+constexpr int no_rank = -1;
+
+/// Nothing goes with the particles.
+void add_nothing(std::size_t /*k*/, Parcel& /*parcel*/) {}
+
+std::size_t numbers_per_particle(const Particles& set) {
+  std::size_t fields = 0;
+  set.for_fields([&](const ParticleFieldDescription&, const std::vector<double>&) { ++fields; });
+  return 2 + fields + set.state_size;
+}
+
+/// Adds a set to the parcels of ranks.
+/// @param rank_of   (particle, tile) the rank that is to have it, or no_rank
+/// @param add_more  (particle, parcel) adds what goes with it
+template <typename RankOf, typename AddMore>
+void pack(const Particles& set, const RankOf& rank_of, const AddMore& add_more,
+          std::vector<Parcel>& parcels) {
+  std::vector<const std::vector<double>*> fields;
+  set.for_fields(
+      [&](const ParticleFieldDescription&, const std::vector<double>& values) { fields.push_back(&values); });
+  std::vector<std::size_t> count_at;
+  for (Parcel& parcel : parcels) {
+    count_at.push_back(parcel.size());
+    parcel.push_back(0.0);
+  }
+  for (std::size_t tile = 0; tile + 1 < set.block_start.size(); ++tile)
+    for (std::size_t k = set.block_start[tile]; k < set.block_start[tile + 1]; ++k) {
+      const int to = rank_of(k, tile);
+      if (to == no_rank)
+        continue;
+      const auto rank = static_cast<std::size_t>(to);
+      Parcel& parcel = parcels[rank];
+      parcel[count_at[rank]] += 1.0;
+      parcel.push_back(static_cast<double>(tile));
+      parcel.push_back(static_cast<double>(set.id[k]));
+      for (const std::vector<double>* field : fields)
+        parcel.push_back((*field)[k]);
+      const auto state = set.state.begin() + static_cast<std::ptrdiff_t>(k * set.state_size);
+      parcel.insert(parcel.end(), state, state + static_cast<std::ptrdiff_t>(set.state_size));
+      add_more(k, parcel);
+    }
+}
+
+/// Fills a set with its particles from parcels, by their tiles. A tile's particles come from one rank.
+/// @param more  how many numbers go with a particle besides
+/// @param next  where the set begins in each parcel; then where it ends
+/// @returns these numbers, particle after particle
+std::vector<double> unpack(Particles& set, std::size_t tiles, const std::vector<Parcel>& parcels,
+                           std::size_t more, std::vector<std::size_t>& next) {
+  struct One {
+    std::size_t tile;
+    const double* numbers; ///< id, fields, state, and more
+  };
+  const std::size_t width = numbers_per_particle(set) + more;
+  std::vector<One> all;
+  for (std::size_t rank = 0; rank < parcels.size(); ++rank) {
+    if (parcels[rank].empty())
+      continue;
+    const auto count = static_cast<std::size_t>(parcels[rank][next[rank]]);
+    const double* numbers = parcels[rank].data() + next[rank] + 1;
+    for (std::size_t k = 0; k < count; ++k, numbers += width)
+      all.push_back({static_cast<std::size_t>(numbers[0]), numbers + 1});
+    next[rank] += 1 + count * width;
+  }
+  std::ranges::stable_sort(all, {}, &One::tile);
+
+  std::vector<double> besides;
+  set.block_start.assign(tiles + 1, 0);
+  set.id.resize(all.size());
+  set.state.resize(all.size() * set.state_size);
+  std::ranges::fill(set.index_of, Particles::nowhere);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    ++set.block_start[all[k].tile + 1];
+    set.id[k] = static_cast<std::uint32_t>(all[k].numbers[0]);
+    set.index_of[set.id[k]] = static_cast<std::uint32_t>(k);
+    const double* const state = all[k].numbers + width - 1 - more - set.state_size;
+    std::copy_n(state, set.state_size, set.state.begin() + static_cast<std::ptrdiff_t>(k * set.state_size));
+    besides.insert(besides.end(), state + set.state_size, state + set.state_size + more);
+  }
+  std::partial_sum(set.block_start.begin(), set.block_start.end(), set.block_start.begin());
+  std::size_t place = 1;
+  set.for_fields([&](const ParticleFieldDescription&, std::vector<double>& values) {
+    values.resize(all.size());
+    for (std::size_t k = 0; k < all.size(); ++k)
+      values[k] = all[k].numbers[place];
+    ++place;
+  });
+  return besides;
+}
+
+void unpack(std::vector<Particles>& sets, std::size_t tiles, const std::vector<Parcel>& parcels) {
+  std::vector<std::size_t> next(parcels.size(), 0);
+  for (Particles& set : sets)
+    unpack(set, tiles, parcels, 0, next);
+}
+
+/// What of a domain ranks cannot share yet.
+std::optional<std::string> not_for_ranks(const Spec& spec) {
+  if (!spec.refine.empty())
+    return "a mesh of several levels";
+  if (spec.water)
+    return "soil below a water table";
+  if (!spec.structures.empty())
+    return "a structure";
+  if (spec.sides == Sides::periodic || spec.sides == Sides::periodic_springs)
+    return "a domain with periodic sides";
+  if (spec.rigid_base)
+    return "a domain on a shaking table";
+  if (spec.scheme.dispersion == Dispersion::reduced)
+    return "a domain with reduced dispersion";
+  return std::nullopt;
+}
+
+std::vector<Parcel> empty_parcels(const Communicator& ranks) {
+  return std::vector<Parcel>(static_cast<std::size_t>(ranks.size()));
+}
+
+} // namespace
+
+void require_shareable(const Spec& spec) {
+  if (const auto what = not_for_ranks(spec))
+    throw std::invalid_argument(
+        fmt::format("ranks cannot share {} yet: leave out --ranks and take more --threads", *what));
+}
+
+void share_out(Domain& domain, Communicator& ranks) {
+  require_shareable(domain.spec);
+  std::vector<std::int64_t> particles(domain.tiles.count(), 0);
+  for (const Particles& set : domain.sets)
+    for (std::size_t tile = 0; tile < particles.size(); ++tile)
+      particles[tile] += static_cast<std::int64_t>(set.block_start[tile + 1] - set.block_start[tile]);
+  domain.share = RankShare{&ranks, deal_out(domain.tiles, std::move(particles), ranks.size())};
+  std::vector<Parcel> parcels(1);
+  for (const Particles& set : domain.sets)
+    pack(
+        set, [&](std::size_t, std::size_t tile) { return domain.share->is_mine(tile) ? 0 : no_rank; },
+        add_nothing, parcels);
+  unpack(domain.sets, domain.tiles.count(), parcels);
+  resize_fields(domain.grid, domain.grid.size());
+  domain.boundary.follow_sort(domain);
+  find_reach(domain);
+}
+
+void move_between_ranks(Domain& domain) {
+  RankShare& share = *domain.share;
+  std::vector<std::int64_t> particles(domain.tiles.count(), 0);
+  std::vector<std::vector<std::size_t>> tile_of_particle;
+  for (const Particles& set : domain.sets) {
+    std::vector<std::size_t>& tile = tile_of_particle.emplace_back(set.size());
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      tile[k] = tile_of(set, k, domain.tiles, 0);
+      ++particles[tile[k]];
+    }
+  }
+  share.ranks->add(particles);
+  share.deal = follow(share.deal, domain.tiles, std::move(particles), share.ranks->size());
+  std::vector<Parcel> parcels = empty_parcels(*share.ranks);
+  std::size_t tiles_before = 0;
+  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+    pack(
+        domain.sets[s], [&](std::size_t k, std::size_t) { return share.owner(tile_of_particle[s][k]); },
+        add_nothing, parcels);
+    tiles_before = domain.sets[s].block_start.size() - 1;
+  }
+  unpack(domain.sets, tiles_before, share.ranks->swap(parcels));
+}
+
+GatheredSets gather_sets(const Domain& domain, const Wanted& wanted, std::size_t more,
+                         const AddNumbers& add_numbers) {
+  Communicator& ranks = *domain.share->ranks;
+  std::vector<Parcel> parcels = empty_parcels(ranks);
+  std::vector<Parcel> first(1);
+  for (std::size_t s = 0; s < domain.sets.size(); ++s)
+    pack(
+        domain.sets[s], [&](std::size_t k, std::size_t) { return !wanted || wanted(s, k) ? 0 : no_rank; },
+        [&](std::size_t k, Parcel& parcel) {
+          if (add_numbers)
+            add_numbers(s, k, parcel);
+        },
+        first);
+  parcels.front() = std::move(first.front());
+  const std::vector<Parcel> received = ranks.swap(parcels);
+  GatheredSets gathered;
+  if (ranks.rank() != 0)
+    return gathered;
+  gathered.sets = domain.sets;
+  std::vector<std::size_t> next(received.size(), 0);
+  for (Particles& set : gathered.sets)
+    gathered.numbers.push_back(unpack(set, domain.tiles.count(), received, more, next));
+  return gathered;
+}
+
+} // namespace tremolo::mpm_domain

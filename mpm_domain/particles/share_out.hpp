@@ -1,0 +1,46 @@
+#pragma once
+
+// Particles of a domain that ranks share. Each rank has those of its own tiles, in the order that they have
+// in the whole domain: tile by tile. At a sort, particles go to the rank that owns their new tile, where they
+// are put back into the order of their old tiles before they are sorted. Sorting keeps the order of those that
+// share a cell, so all ranks together hold the particles as one rank would.
+
+#include "mpm_domain/domain.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// @throws std::invalid_argument naming what of a domain ranks cannot share yet: a mesh of several levels, water,
+/// structures, periodic sides, reduced dispersion
+void require_shareable(const Spec& spec);
+
+/// Leaves a whole domain, which is the same on all ranks, with this rank's share of it. What stands behind its
+/// faces is there already (Boundary::build_supports).
+/// @param ranks  outlives the domain
+/// @throws std::invalid_argument as require_shareable() does
+void share_out(Domain& domain, Communicator& ranks);
+
+/// Gives particles that have come to tiles of other ranks to these; deals the tiles anew where they are
+/// uneven. A part of the sort.
+void move_between_ranks(Domain& domain);
+
+/// Particles that ranks have given to rank 0; on others nothing.
+struct GatheredSets {
+  std::vector<Particles> sets;              ///< ordered as at the last sort
+  std::vector<std::vector<double>> numbers; ///< by set: what was added, particle after particle
+};
+
+/// Whether a particle is wanted.
+using Wanted = std::function<bool(std::size_t set, std::size_t k)>;
+/// Adds numbers that go with a particle, as many for each.
+using AddNumbers = std::function<void(std::size_t set, std::size_t k, std::vector<double>& to)>;
+
+/// Gives particles of the whole domain to rank 0: all, or those that are wanted. All ranks call it.
+/// @param more  how many numbers `add_numbers` adds
+GatheredSets gather_sets(const Domain& domain, const Wanted& wanted = {}, std::size_t more = 0,
+                         const AddNumbers& add_numbers = {});
+
+} // namespace tremolo::mpm_domain

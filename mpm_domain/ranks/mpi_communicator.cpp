@@ -1,0 +1,145 @@
+#include "mpm_domain/ranks/mpi_communicator.hpp"
+
+#include <mpi.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+
+#include <sys/prctl.h>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// MPI counts in int.
+int length(std::size_t count) {
+  if (count > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw std::runtime_error("a message between ranks is too long: more ranks, or fewer particles, are needed");
+  return static_cast<int>(count);
+}
+
+/// Whether mpirun, or srun, has started this process with others.
+bool has_others() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"})
+    if (std::getenv(name) != nullptr) // NOLINT(concurrency-mt-unsafe): no thread runs yet
+      return true;
+  return false;
+}
+
+/// How long a rank looks out for a message before it sleeps between two looks. MPI itself never sleeps, which
+/// holds up others where ranks are more than free processors.
+constexpr std::chrono::microseconds alert{100};
+constexpr std::chrono::microseconds nap{50};
+
+/// Errors of MPI end all ranks: that is its default.
+class MpiCommunicator : public Communicator {
+public:
+  MpiCommunicator() {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // a rank does not outlive mpirun
+    int given = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &given);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+  }
+  ~MpiCommunicator() override {
+    // Others may wait for this rank.
+    if (std::uncaught_exceptions() > 0)
+      MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
+    else
+      MPI_Finalize();
+  }
+
+  int rank() const override { return rank_; }
+  int size() const override { return size_; }
+
+  void send(int to, std::span<const double> numbers) override {
+    count(numbers);
+    MPI_Isend(numbers.data(), length(numbers.size()), MPI_DOUBLE, to, 0, MPI_COMM_WORLD,
+              &requests_.emplace_back());
+  }
+  void receive(int from, std::span<double> numbers) override {
+    MPI_Irecv(numbers.data(), length(numbers.size()), MPI_DOUBLE, from, 0, MPI_COMM_WORLD,
+              &requests_.emplace_back());
+  }
+  void wait() override {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    for (int done = 0; done == 0;) {
+      MPI_Testall(length(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE);
+      if (done == 0 && Clock::now() - start > alert)
+        std::this_thread::sleep_for(nap);
+    }
+    requests_.clear();
+  }
+
+  void add(std::span<std::int64_t> numbers) override {
+    MPI_Iallreduce(MPI_IN_PLACE, numbers.data(), length(numbers.size()), MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD,
+                   &requests_.emplace_back());
+    wait();
+  }
+  void least(std::span<double> numbers) override { reduce(numbers, MPI_MIN); }
+  void largest(std::span<double> numbers) override { reduce(numbers, MPI_MAX); }
+
+  void share(std::span<double> numbers, std::span<const int> counts) override {
+    length(numbers.size());
+    std::vector<int> begins(counts.size(), 0);
+    std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+    MPI_Iallgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, numbers.data(), counts.data(), begins.data(),
+                    MPI_DOUBLE, MPI_COMM_WORLD, &requests_.emplace_back());
+    wait();
+  }
+  void follow_first(std::span<double> numbers) override {
+    MPI_Ibcast(numbers.data(), length(numbers.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD, &requests_.emplace_back());
+    wait();
+  }
+
+  std::vector<std::vector<double>> swap(const std::vector<std::vector<double>>& lists) override {
+    const auto ranks = static_cast<std::size_t>(size_);
+    std::vector<std::uint64_t> sizes(ranks);
+    for (std::size_t r = 0; r < ranks; ++r)
+      sizes[r] = lists[r].size();
+    std::vector<std::uint64_t> coming(ranks);
+    MPI_Ialltoall(sizes.data(), 1, MPI_UINT64_T, coming.data(), 1, MPI_UINT64_T, MPI_COMM_WORLD,
+                  &requests_.emplace_back());
+    wait();
+    std::vector<std::vector<double>> received(ranks);
+    for (std::size_t r = 0; r < ranks; ++r) {
+      const int other = static_cast<int>(r);
+      received[r].resize(coming[r]);
+      if (other != rank_ && coming[r] > 0)
+        receive(other, received[r]);
+      if (other != rank_ && !lists[r].empty())
+        send(other, lists[r]);
+    }
+    received[static_cast<std::size_t>(rank_)] = lists[static_cast<std::size_t>(rank_)];
+    wait();
+    return received;
+  }
+
+private:
+  void reduce(std::span<double> numbers, MPI_Op how) {
+    MPI_Iallreduce(MPI_IN_PLACE, numbers.data(), length(numbers.size()), MPI_DOUBLE, how, MPI_COMM_WORLD,
+                   &requests_.emplace_back());
+    wait();
+  }
+
+  int rank_ = 0;
+  int size_ = 1;
+  std::vector<MPI_Request> requests_;
+};
+
+} // namespace
+
+std::unique_ptr<Communicator> join_ranks() {
+  if (!has_others())
+    return nullptr;
+  return std::make_unique<MpiCommunicator>();
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,134 @@
+"""A domain that ranks share: `tremolo run --ranks N` gives the bits of one process, a rank that dies ends the run
+with its name, and others go on from its checkpoint.
+
+    usage: test_ranks.py TREMOLO SOURCE_DIR mpi|alone
+"""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+TREMOLO, SOURCE, BUILD = sys.argv.pop(1), Path(sys.argv.pop(1)), sys.argv.pop(1)
+sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parents[1] / "resume")]
+
+from broken_run import SlopeWorkspace, checkpoints, differences, with_checkpoints
+from small_case import refine
+
+
+def children(process):
+    try:
+        return [int(child) for child in Path(f"/proc/{process}/task/{process}/children").read_text().split()]
+    except FileNotFoundError:
+        return []
+
+
+def variable(process, name):
+    """Of the environment of a process; None without it, or without the process."""
+    try:
+        values = dict(line.split("=", 1) for line in Path(f"/proc/{process}/environ").read_text().split("\0") if "=" in line)
+    except (FileNotFoundError, ProcessLookupError):
+        return None
+    return values.get(name)
+
+
+def ranks_of(launcher):
+    """Process ids by rank."""
+    found = {}
+    for child in children(launcher):
+        for process in children(child):
+            rank = variable(process, "OMPI_COMM_WORLD_RANK")
+            if rank is not None:
+                found[int(rank)] = process
+    return found
+
+
+def is_alive(process):
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
+@unittest.skipUnless(BUILD == "mpi", "this build has no MPI")
+class Ranks(unittest.TestCase):
+    """The small slope: gravity, softening, two wave fields, incident base."""
+
+    @classmethod
+    def setUpClass(cls):
+        work = SlopeWorkspace(TREMOLO, duration=1.2)
+        cls.work = cls.enterClassContext(with_checkpoints(work, every_steps=40))
+        cls.whole = cls.work.run("whole", "--threads", 1)
+
+    def killed(self, name, rank):
+        """The folder of a run of two ranks of which one was killed after the first checkpoint, and its output."""
+        folder = self.work.path / name
+        command = [TREMOLO, "run", str(self.work.case), "--out", str(folder), "--ranks", "2", "--oversubscribe", "--threads", "1"]
+        with subprocess.Popen(command, cwd=self.work.path, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as run:
+            while run.poll() is None and not checkpoints(folder):
+                time.sleep(0.005)
+            ranks = ranks_of(run.pid)
+            self.assertEqual([0, 1], sorted(ranks), "the run was over before")
+            os.kill(ranks[rank], signal.SIGKILL)
+            began = time.monotonic()
+            output = run.communicate(timeout=60)[0]
+            self.assertLess(time.monotonic() - began, 10.0, "longer than the coupler promises")
+        self.assertEqual(1, run.returncode, output)
+        deadline = time.monotonic() + 5.0
+        while any(map(is_alive, ranks.values())) and time.monotonic() < deadline:
+            time.sleep(0.01)
+        self.assertEqual([], [process for process in ranks.values() if is_alive(process)])
+        return folder, output
+
+    def test_give_the_bits_of_one(self):
+        for options in (["--ranks", 2, "--oversubscribe"], ["--ranks", 2, "--oversubscribe", "--mode", "lockstep"], ["--ranks", 3, "--oversubscribe"]):
+            with self.subTest(options):
+                name = "_".join(map(str, options)).replace("-", "")
+                self.assertEqual([], differences(self.work.run(name, *options, "--threads", 1), self.whole))
+
+    def test_a_rank_that_dies_ends_the_run_with_its_name(self):
+        for rank in (0, 1):
+            with self.subTest(rank):
+                _, output = self.killed(f"killed_{rank}", rank)
+                self.assertIn("'domain' exited with code 137 before the run was over", output)
+                self.assertIn(f"rank {rank} ", output)
+                self.assertIn("tremolo resume", output)
+
+    def test_others_go_on_from_a_checkpoint(self):
+        for count in (1, 3):
+            with self.subTest(count):
+                folder, _ = self.killed(f"resumed_{count}", 1)
+                result = self.work.command("resume", folder, "--ranks", count, "--oversubscribe", "--threads", 1)
+                self.assertEqual(0, result.returncode, result.stdout + result.stderr)
+                self.assertEqual([], differences(folder, self.whole))
+
+
+class Refused(unittest.TestCase):
+    def refused(self, work, *options):
+        result = work.command("run", work.case, "--out", "refused", *options)
+        self.assertEqual(1, result.returncode, result.stdout + result.stderr)
+        self.assertFalse((work.path / "refused").exists())
+        return result.stderr
+
+    @unittest.skipUnless(BUILD == "alone", "this build has MPI")
+    def test_without_mpi(self):
+        with SlopeWorkspace(TREMOLO) as work:
+            self.assertIn("--ranks 2: this build has no MPI: configure it with -DTREMOLO_MPI=ON", self.refused(work, "--ranks", 2))
+
+    @unittest.skipUnless(BUILD == "mpi", "this build has no MPI")
+    def test_more_ranks_than_processors(self):
+        with SlopeWorkspace(TREMOLO) as work:
+            self.assertIn("--oversubscribe starts them all the same", self.refused(work, "--ranks", 4096))
+
+    @unittest.skipUnless(BUILD == "mpi", "this build has no MPI")
+    def test_what_ranks_cannot_share(self):
+        with refine(SlopeWorkspace(TREMOLO), ([20.0, 0.0, 30.0, 8.0], 1)) as work:
+            expected = "--ranks 2: ranks cannot share a mesh of several levels yet: leave out --ranks and take more --threads"
+            self.assertIn(expected, self.refused(work, "--ranks", 2, "--oversubscribe"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,181 @@
+// Same case, same build: the same bits, whatever the number of ranks and threads. Every rank steps the whole
+// domain as well, alone, and compares.
+
+#include "mpm_domain/particles/share_out.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
+#include "tests/support/box_run.hpp"
+#include "tests/support/saved_state.hpp"
+#include "tests/unit/mpm_domain/ranks/test_ranks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+namespace tremolo {
+namespace {
+
+using mpm_domain::Domain;
+using mpm_domain::Spec;
+using mpm_domain::Stepper;
+using test_support::SavedState;
+
+/// A box of 100 m by 40 m of 1 m cells, 4 x 6 tiles of its soil, changed into one of the models.
+struct Model {
+  const char* name;
+  std::function<void(Spec&)> change;
+  int steps;
+  mpm_domain::Vector drift = {}; ///< velocity of the whole scene, m/s
+};
+
+/// Clay weak enough to yield in the wave.
+void yield(Spec& spec) {
+  materials::MohrCoulomb clay;
+  clay.elastic = materials::elasticity(spec.soils.front().law);
+  clay.cohesion_peak = clay.cohesion_residual = 100.0;
+  spec.soils.front().law = clay;
+}
+
+/// A slope down to half the height, whose upper tiles are empty or nearly so.
+void slope(Spec& spec) {
+  spec.gravity = 9.81;
+  spec.regions.front().polygon = {{0.0, -40.0}, {100.0, -40.0}, {100.0, -25.0}, {60.0, -25.0}, {40.0, 0.0}, {0.0, 0.0}};
+}
+
+/// Two soils, one upon the other, of which one is damped.
+void layers(Spec& spec) {
+  spec.soils.push_back(spec.soils.front());
+  spec.soils.back().name = "below";
+  spec.soils.back().damping_time = 1e-3;
+  spec.regions = {{0, {{0.0, -17.0}, {100.0, -17.0}, {100.0, 0.0}, {0.0, 0.0}}},
+                  {1, {{0.0, -40.0}, {100.0, -40.0}, {100.0, -17.0}, {0.0, -17.0}}}};
+}
+
+void add_layers(Spec& spec) {
+  using enum mpm_domain::Side;
+  spec.matched_sides = {left, right, base};
+}
+
+const Model models[] = {
+    {"Elastic", [](Spec&) {}, 40},
+    {"Yielding", yield, 40},
+    {"OwnBoxes", [](Spec& spec) { spec.boxes = mpm_domain::ParticleBoxes::deforming; }, 40},
+    {"Usl", [](Spec& spec) { spec.scheme.order = mpm_domain::StepOrder::usl; spec.scheme.fraction = 0.4; }, 20},
+    {"Flip", [](Spec& spec) { spec.scheme.transfer = mpm_domain::Transfer::flip; }, 20},
+    {"Layers", layers, 40},
+    {"MatchedLayers", add_layers, 40},
+    {"Slope", slope, 40},
+    // Over several tiles: particles change ranks, tiles are dealt anew, the grid grows.
+    {"Drifting", [](Spec& spec) { yield(spec); }, 120, {120.0, 40.0}},
+    {"FallingSlope", [](Spec& spec) { slope(spec), yield(spec); }, 120, {-80.0, -60.0}},
+};
+
+/// A domain in motion.
+class Scene {
+public:
+  Scene(const Model& model, int threads, mpm_domain::Communicator* ranks)
+      : domain_(spec_of(model, threads)), model_(model) {
+    for (mpm_domain::Particles& set : domain_.sets)
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        set.vx[k] = model.drift.x;
+        set.vy[k] = model.drift.y;
+      }
+    domain_.boundary.build_supports(domain_);
+    if (ranks != nullptr)
+      share_out(domain_, *ranks);
+    wave_.angle = 0.2;
+    stepper_.emplace(domain_, 0.9, test_support::plane_wave_source(domain_, wave_, true, model.drift));
+  }
+
+  void steps(int count) {
+    for (int i = 0; i < count; ++i)
+      stepper_->step();
+  }
+
+  /// All that a checkpoint keeps: particles, boundary, ledger. Only rank 0 has the particles of all.
+  SavedState state() const {
+    SavedState saved;
+    save(domain_, domain_.share ? gather_sets(domain_).sets : domain_.sets, saved);
+    stepper_->save(saved);
+    return saved;
+  }
+  void load(const SavedState& saved, mpm_domain::Communicator* ranks) {
+    domain_.share.reset();
+    restore(domain_, saved);
+    if (ranks != nullptr)
+      share_out(domain_, *ranks);
+    stepper_->restore(saved);
+  }
+  const Domain& domain() const { return domain_; }
+
+private:
+  static Spec spec_of(const Model& model, int threads) {
+    Spec spec = test_support::elastic_box(100.0, 40.0, 1.0);
+    model.change(spec);
+    spec.threads = threads;
+    return spec;
+  }
+
+  Domain domain_;
+  const Model& model_;
+  test_support::PlaneWave wave_;
+  std::optional<Stepper> stepper_;
+};
+
+class RankCount : public testing::TestWithParam<Model> {};
+
+TEST_P(RankCount, DoesNotChangeABit) {
+  TREMOLO_NEED_RANKS();
+  mpm_domain::Communicator& ranks = *test_support::test_ranks();
+  Scene whole(GetParam(), 1, nullptr);
+  whole.steps(GetParam().steps);
+  const SavedState expected = whole.state();
+  EXPECT_NE(whole.domain().energy.kinetic, 0.0);
+  for (const int threads : {1, 2}) {
+    SCOPED_TRACE(threads);
+    Scene shared(GetParam(), threads, &ranks);
+    EXPECT_LT(shared.domain().particle_count(), whole.domain().particle_count());
+    shared.steps(GetParam().steps);
+    const SavedState state = shared.state();
+    EXPECT_EQ(whole.domain().energy.state(), shared.domain().energy.state());
+    if (ranks.rank() == 0)
+      expect_same(expected, state);
+  }
+}
+
+/// What one rank has saved in the middle of a run, between two sorts, others go on with.
+TEST(Ranks, GoOnFromTheStateOfOneRank) {
+  TREMOLO_NEED_RANKS();
+  mpm_domain::Communicator& ranks = *test_support::test_ranks();
+  const Model& model = *std::ranges::find(models, std::string_view("Drifting"), &Model::name);
+  Scene whole(model, 1, nullptr);
+  whole.steps(23);
+  const SavedState saved = whole.state();
+  whole.steps(20);
+  Scene shared(model, 1, nullptr);
+  shared.load(saved, &ranks);
+  shared.steps(20);
+  const SavedState state = shared.state();
+  if (ranks.rank() == 0)
+    expect_same(whole.state(), state);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, RankCount, testing::ValuesIn(models),
+                         [](const auto& of) { return of.param.name; });
+
+/// Tiles of the falling slope change hands.
+TEST(Ranks, TakeOverParticlesOfOthers) {
+  TREMOLO_NEED_RANKS();
+  mpm_domain::Communicator& ranks = *test_support::test_ranks();
+  Scene run(models[std::size(models) - 1], 1, &ranks);
+  const auto owners = [&] { return run.domain().share->deal.owner; };
+  const std::vector<int> before = owners();
+  run.steps(120);
+  EXPECT_NE(before, owners());
+  EXPECT_LT(unevenness(run.domain().share->deal, ranks.size()), mpm_domain::most_uneven);
+}
+
+} // namespace
+} // namespace tremolo
