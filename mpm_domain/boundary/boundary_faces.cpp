@@ -157,15 +157,14 @@ namespace {
 ///
 /// so that the traction of a wave and its velocity come to the nodes as the sharpened internal forces do.
 /// Nothing changes in the sum of the weights and their first moment.
-void sharpen_along(const Domain& domain, const BoundaryFace& face, const Particles& set,
+void sharpen_along(const Domain& domain, const BoundaryFace& face, const FacePlace& at,
                    const Lattice& lattice, FaceWeights& weights) {
-  const std::size_t k = set.index_of[face.id];
   const auto columns = static_cast<std::size_t>(lattice.nx);
   const bool along_x = face.side == Side::base;
   const std::size_t step = along_x ? 1 : columns;
   const NodeField& chi = along_x ? domain.grid.inside_x : domain.grid.inside_y;
-  const double place =
-      along_x ? Axis(lattice.x0, lattice.h).cells(set.x[k]) : Axis(lattice.y0, lattice.h).cells(set.y[k]);
+  const double place = along_x ? Axis(lattice.x0, lattice.h).cells(at.centre.x)
+                               : Axis(lattice.y0, lattice.h).cells(at.centre.y);
   double moment = 0.0;
   for (const auto& [node, w] : weights) {
     const std::size_t n = node - lattice.first;
@@ -219,7 +218,7 @@ void face_weights(const Domain& domain, const BoundaryFace& face, const FacePlac
     });
     if (domain.is_sharp() &&
         std::ranges::find(domain.spec.matched_sides, face.side) == domain.spec.matched_sides.end())
-      sharpen_along(domain, face, set, lattice, weights);
+      sharpen_along(domain, face, place, lattice, weights);
   } else {
     std::vector<BoxWeight> parts;
     box_average(*domain.mesh, line_of(face, place), parts);
