@@ -82,7 +82,7 @@ def picture(run, k_y, folder):
     figure, (accelerations, ways) = style.plt.subplots(2, 1, figsize=(7.6, 4.6), sharex=True, layout="constrained")
     for name, series in (("table", run.shaking_table), ("sliding mass", run.sliding_mass("slope"))):
         accelerations.plot(series["time"], series["ax"] / GRAVITY, linewidth=0.7, label=name)
-    accelerations.axhline(-k_y, color="0.4", linewidth=0.8, linestyle="--", label=f"−k_y = {-k_y:.3f}")
+    accelerations.axhline(k_y, color="0.4", linewidth=0.8, linestyle="--", label=f"$k_y$ = {k_y:.3f}")
     ways.plot(*slid(run), label="clay")
     ways.plot(*newmark(run, k_y), "--", color="0.3", label="rigid block")
     accelerations.set_ylabel("acceleration (g)")
