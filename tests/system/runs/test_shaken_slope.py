@@ -1,6 +1,6 @@
 """The clay slope on a shaking table, run as a user runs it, beside Newmark's rigid block on the same table.
 
-In model tests of four clay slopes on a shaking table, displacements by Newmark's rigid block were 27 to 225 % of the largest measured
+In model tests of clay slopes on a shaking table, displacements by Newmark's rigid block were 27 to 225 % of the largest measured
 ones, 75 % in the mean (Wartman et al. 2005, J. Geotech. Geoenviron. Eng. 131(5), pp. 610-622, abstract). The slope of the case is not
 one of theirs: what is held is that clay and block differ by as much.
 
