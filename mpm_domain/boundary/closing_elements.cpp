@@ -66,8 +66,9 @@ void ClosingElements::advance(double time, std::span<const Vector> v,
         state.of_free_field.*axis = load;
       } else {
         state.of_soil.*axis = spring_force(state.of_soil.*axis, -z * (v[f].*axis), delay, dt);
-        state.of_free_field.*axis = spring_force(state.of_free_field.*axis, 0.5 * (before + load), delay, dt);
         rate = (load - before) / dt;
+        const double half_before = 0.5 * (before + load) - 0.125 * dt * (rate - state.rate.*axis);
+        state.of_free_field.*axis = spring_force(state.of_free_field.*axis, half_before, delay, dt);
       }
       const double through = element.across ? 0.5 * (moving - traction.*axis) : 0.0; // Z v* - sigma n
       state.pull.*axis =

@@ -20,8 +20,10 @@ struct PulseColumn {
   double c, density;
 
   PulseColumn(double cells, double height, mpm_domain::Dispersion dispersion)
-      : domain(spec(cells, height, dispersion)), stepper(domain, 0.0, moving_ground({})),
-        c(PlanePulse{}.ground.s_wave_speed()), density(PlanePulse{}.ground.density) {}
+      : PulseColumn(spec(cells, height, dispersion)) {}
+  explicit PulseColumn(const mpm_domain::Spec& of)
+      : domain(of), stepper(domain, 0.0, moving_ground({})), c(PlanePulse{}.ground.s_wave_speed()),
+        density(PlanePulse{}.ground.density) {}
 
   static mpm_domain::Spec spec(double cells, double height, mpm_domain::Dispersion dispersion) {
     const PlanePulse pulse{.wavelength = 1.0};

@@ -75,7 +75,7 @@ def dispersion(path, folder):
     panels = {
         "ten wavelengths along an axis": ("SV along an axis", "P along an axis"),
         "six wavelengths at 45 degrees": ("SV at 45 degrees", "P at 45 degrees"),
-        "surface and base": ("SV reflected by a free surface", "SV left behind by dashpots"),
+        "surface and base": ("SV reflected by a free surface", "SV left behind by the base"),
     }
     figure, axes = style.plt.subplots(1, 3, figsize=(10.5, 3.8), layout="constrained", sharey=True)
     ticks = [8, 12, 16, 24, 32, 48]
