@@ -51,8 +51,8 @@ BoundaryShare::BoundaryShare(const Domain& domain, std::span<const BoundaryFace>
   const auto columns = static_cast<std::size_t>(domain.grid.nx);
   std::vector<int> owner;
   for (const std::size_t node : nodes_)
-    owner.push_back(domain.share->owner(domain.tiles.tile_of(0, static_cast<int>(node % columns),
-                                                             static_cast<int>(node / columns))));
+    owner.push_back(domain.share->owner(
+        domain.tiles.tile_of(0, static_cast<int>(node % columns), static_cast<int>(node / columns))));
   sums_ = SharedList(owner, *domain.share->ranks);
 }
 

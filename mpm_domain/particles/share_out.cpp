@@ -15,8 +15,8 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Numbers for a rank: for one set after the other the number of particles, and of each particle its tile, its
-/// id, its fields, its state, and what goes with it besides.
+/// Numbers for a rank: for one set after the other the number of particles, and of each particle its tile,
+/// its id, its fields, its state, and what goes with it besides.
 using Parcel = std::vector<double>;
 
 constexpr int no_rank = -1;
@@ -37,9 +37,8 @@ template <typename RankOf, typename AddMore>
 void pack(const Particles& set, const RankOf& rank_of, const AddMore& add_more,
           std::vector<Parcel>& parcels) {
   std::vector<const std::vector<double>*> fields;
-  set.for_fields([&](const ParticleFieldDescription&, const std::vector<double>& values) {
-    fields.push_back(&values);
-  });
+  set.for_fields(
+      [&](const ParticleFieldDescription&, const std::vector<double>& values) { fields.push_back(&values); });
   std::vector<std::size_t> count_at;
   for (Parcel& parcel : parcels) {
     count_at.push_back(parcel.size());
@@ -96,8 +95,7 @@ std::vector<double> unpack(Particles& set, std::size_t tiles, const std::vector<
     set.id[k] = static_cast<std::uint32_t>(all[k].numbers[0]);
     set.index_of[set.id[k]] = static_cast<std::uint32_t>(k);
     const double* const state = all[k].numbers + width - 1 - more - set.state_size;
-    std::copy_n(state, set.state_size,
-                set.state.begin() + static_cast<std::ptrdiff_t>(k * set.state_size));
+    std::copy_n(state, set.state_size, set.state.begin() + static_cast<std::ptrdiff_t>(k * set.state_size));
     besides.insert(besides.end(), state + set.state_size, state + set.state_size + more);
   }
   std::partial_sum(set.block_start.begin(), set.block_start.end(), set.block_start.begin());

@@ -200,7 +200,8 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   const auto saved = coupler::saved_state(options);
   if (saved)
     load_rest_state(*saved, domain);
-  const double gravity_seconds = scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client) : 0.0;
+  const double gravity_seconds =
+      scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client) : 0.0;
   shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), ranks);
 }
 

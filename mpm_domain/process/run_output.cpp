@@ -214,8 +214,9 @@ results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std:
 RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& scene,
                      const std::string& plan, Domain& domain, const Picture& picture,
                      std::span<const std::string> face_sources)
-    : scene_(scene), domain_(domain), picture_(picture), writer_(directory / "run.h5", description(scene, plan)),
-      bodies_(scene, domain, writer_), sliding_masses_(scene, writer_) {
+    : scene_(scene), domain_(domain), picture_(picture),
+      writer_(directory / "run.h5", description(scene, plan)), bodies_(scene, domain, writer_),
+      sliding_masses_(scene, writer_) {
   const scene::Box& box = scene.mesh.box;
   writer_.attribute("mesh_size", scene.mesh.size);
   writer_.attribute("particle_size", 2.0 * domain.half_size());

@@ -3,7 +3,6 @@
 #include "mpm_domain/kernel/lanes.hpp"
 #include "mpm_domain/tiles/totals.hpp"
 
-
 namespace tremolo::mpm_domain {
 
 namespace {
