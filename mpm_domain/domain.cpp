@@ -209,9 +209,9 @@ void find_reach(Domain& domain) {
   domain.windows.reserve(2 * domain.tiles.most_columns()); // those of two rows of tiles are in use at a time
   domain.clock_tiles.clear();
   for (int clock = 0; clock < domain.clocks.count(); ++clock)
-    domain.clock_tiles.push_back({TileSums(domain.tiles, filled_tiles(domain, clock),
-                                           domain.share ? &*domain.share : nullptr),
-                                  domain.mesh ? find_across(domain, clock) : std::vector<AcrossTile>{}});
+    domain.clock_tiles.push_back(
+        {TileSums(domain.tiles, filled_tiles(domain, clock), domain.share ? &*domain.share : nullptr),
+         domain.mesh ? find_across(domain, clock) : std::vector<AcrossTile>{}});
   domain.soil_rows = find_soil_rows(domain);
   domain.soil_ties = find_soil_ties(domain);
   domain.image_rows = rows_of_images(domain.ties(), domain.soil_ties);

@@ -89,7 +89,7 @@ struct Domain {
   EnergyLedger energy;
   BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them
   TileMap tiles;
-  std::optional<RankShare> share;          ///< of this rank; none: the domain is whole
+  std::optional<RankShare> share;      ///< of this rank; none: the domain is whole
   std::vector<ClockTiles> clock_tiles; ///< by clock
   std::vector<NodeRange> soil_rows;    ///< see find_soil_rows
   std::vector<std::size_t> soil_ties;  ///< see find_soil_ties

@@ -15,12 +15,12 @@
 namespace tremolo::app {
 
 struct CaseRun {
-  std::filesystem::path folder;                   ///< empty, or not there yet
-  std::optional<std::string> mode;                ///< of the exchange, instead of the case's
-  std::string transport = "ipc";                  ///< or "tcp" on the loopback interface
-  int threads = 1;                                ///< of the domain, or of each of its ranks
-  std::filesystem::path keys{};                   ///< folder of CURVE keys; empty: none
-  bool local = false;                             ///< all processes on this machine, whatever [hosts] says
+  std::filesystem::path folder;    ///< empty, or not there yet
+  std::optional<std::string> mode; ///< of the exchange, instead of the case's
+  std::string transport = "ipc";   ///< or "tcp" on the loopback interface
+  int threads = 1;                 ///< of the domain, or of each of its ranks
+  std::filesystem::path keys{};    ///< folder of CURVE keys; empty: none
+  bool local = false;              ///< all processes on this machine, whatever [hosts] says
   DomainRanks ranks{};
   std::optional<coupler::CheckpointSet> resume{}; ///< goes on from there, in a folder that has it
 };

@@ -110,14 +110,13 @@ void run(const RunArguments& arguments) {
   check_ranks(scene, arguments.local.ranks);
   const auto folder = new_folder(arguments);
   fmt::print("  {}{}", motion_levels_text(scene), scene::remarks_text(scene));
-  const auto summaries =
-      run_case(scene, {.folder = folder,
-                       .mode = arguments.mode,
-                       .transport = arguments.local.transport,
-                       .threads = arguments.local.threads_of_domain(),
-                       .keys = arguments.local.keys,
-                       .local = arguments.local.local,
-                       .ranks = arguments.local.ranks});
+  const auto summaries = run_case(scene, {.folder = folder,
+                                          .mode = arguments.mode,
+                                          .transport = arguments.local.transport,
+                                          .threads = arguments.local.threads_of_domain(),
+                                          .keys = arguments.local.keys,
+                                          .local = arguments.local.local,
+                                          .ranks = arguments.local.ranks});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
   if (arguments.report && run_python("report", {folder.string()}) != 0)
     throw Exit{EXIT_FAILURE};

@@ -20,7 +20,7 @@ int machine_threads();
 
 struct LocalOptions {
   std::string transport = "ipc";
-  std::filesystem::path keys;      ///< folder of CURVE keys; empty: none
+  std::filesystem::path keys; ///< folder of CURVE keys; empty: none
   bool local = false;         ///< whatever [hosts] says
   std::optional<int> threads; ///< of the domain, or of each of its ranks
   DomainRanks ranks;

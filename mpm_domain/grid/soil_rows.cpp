@@ -19,8 +19,8 @@ public:
     for (int level = 0; level < domain.lattice_count(); ++level) {
       first_.push_back(parts_.size());
       const Lattice& lattice = domain.lattice(level);
-      parts_.resize(parts_.size() + static_cast<std::size_t>(parts_per_row(lattice)) *
-                                        static_cast<std::size_t>(lattice.ny));
+      parts_.resize(parts_.size() +
+                    static_cast<std::size_t>(parts_per_row(lattice)) * static_cast<std::size_t>(lattice.ny));
     }
   }
 

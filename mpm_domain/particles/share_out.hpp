@@ -2,8 +2,8 @@
 
 // Particles of a domain that ranks share. Each rank has those of its own tiles, in the order that they have
 // in the whole domain: tile by tile. At a sort, particles go to the rank that owns their new tile, where they
-// are put back into the order of their old tiles before they are sorted. Sorting keeps the order of those that
-// share a cell, so all ranks together hold the particles as one rank would.
+// are put back into the order of their old tiles before they are sorted. Sorting keeps the order of those
+// that share a cell, so all ranks together hold the particles as one rank would.
 
 #include "mpm_domain/domain.hpp"
 
@@ -13,12 +13,12 @@
 
 namespace tremolo::mpm_domain {
 
-/// @throws std::invalid_argument naming what of a domain ranks cannot share yet: a mesh of several levels, water,
-/// structures, periodic sides, reduced dispersion
+/// @throws std::invalid_argument naming what of a domain ranks cannot share yet: a mesh of several levels,
+/// water, structures, periodic sides, reduced dispersion
 void require_shareable(const Spec& spec);
 
-/// Leaves a whole domain, which is the same on all ranks, with this rank's share of it. What stands behind its
-/// faces is there already (Boundary::build_supports).
+/// Leaves a whole domain, which is the same on all ranks, with this rank's share of it. What stands behind
+/// its faces is there already (Boundary::build_supports).
 /// @param ranks  outlives the domain
 /// @throws std::invalid_argument as require_shareable() does
 void share_out(Domain& domain, Communicator& ranks);

@@ -28,7 +28,8 @@ public:
 
 private:
   static constexpr std::size_t digits = 66;
-  std::array<std::int64_t, digits + 1> parts_{}; ///< digits, carries not yet taken; numbers that are not finite
+  std::array<std::int64_t, digits + 1>
+      parts_{}; ///< digits, carries not yet taken; numbers that are not finite
 };
 
 } // namespace tremolo::mpm_domain

@@ -20,7 +20,8 @@ namespace {
 /// MPI counts in int.
 int length(std::size_t count) {
   if (count > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    throw std::runtime_error("a message between ranks is too long: more ranks, or fewer particles, are needed");
+    throw std::runtime_error(
+        "a message between ranks is too long: more ranks, or fewer particles, are needed");
   return static_cast<int>(count);
 }
 
@@ -95,7 +96,8 @@ public:
     wait();
   }
   void follow_first(std::span<double> numbers) override {
-    MPI_Ibcast(numbers.data(), length(numbers.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD, &requests_.emplace_back());
+    MPI_Ibcast(numbers.data(), length(numbers.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD,
+               &requests_.emplace_back());
     wait();
   }
 

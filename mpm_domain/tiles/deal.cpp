@@ -30,13 +30,14 @@ std::uint64_t hilbert_place(std::uint32_t size, std::uint32_t x, std::uint32_t y
   return place;
 }
 
-std::vector<std::size_t> filled_along_curve(const TileMap& tiles, const std::vector<std::int64_t>& particles) {
+std::vector<std::size_t> filled_along_curve(const TileMap& tiles,
+                                            const std::vector<std::int64_t>& particles) {
   struct Filled {
     std::uint64_t place;
     std::size_t tile;
   };
-  const auto longest =
-      static_cast<std::uint32_t>(std::max(tiles.lattice(0).nx / tile_columns, tiles.lattice(0).ny / tile_rows));
+  const auto longest = static_cast<std::uint32_t>(
+      std::max(tiles.lattice(0).nx / tile_columns, tiles.lattice(0).ny / tile_rows));
   const std::uint32_t size = std::bit_ceil(longest + 1);
   std::vector<Filled> filled;
   for (std::size_t tile = 0; tile < particles.size(); ++tile)
@@ -53,17 +54,30 @@ std::vector<std::size_t> filled_along_curve(const TileMap& tiles, const std::vec
   return order;
 }
 
+/// The neighbour with particles that is to own an empty tile: one with a side in common, if there is any, so
+/// that rims do not grow at the surface.
+std::size_t neighbour_with_particles(const Deal& deal, const TileMap& tiles, std::size_t tile) {
+  const NodeBlock own = tiles.owned(tile);
+  std::size_t found = tile;
+  for (const std::size_t other : tiles.around(tile)) {
+    if (deal.particles[other] == 0)
+      continue;
+    const NodeBlock of_other = tiles.owned(other);
+    if (of_other.column == own.column || of_other.row == own.row)
+      return other;
+    if (found == tile)
+      found = other;
+  }
+  return found;
+}
+
 /// Gives tiles without particles to the owner of a neighbour with some.
 void adopt_empty(Deal& deal, const TileMap& tiles) {
   for (std::size_t tile = 0; tile < deal.owner.size(); ++tile) {
     if (deal.particles[tile] > 0)
       continue;
-    deal.owner[tile] = Deal::nobody;
-    for (const std::size_t other : tiles.around(tile))
-      if (deal.particles[other] > 0) {
-        deal.owner[tile] = deal.owner[other];
-        break;
-      }
+    const std::size_t neighbour = neighbour_with_particles(deal, tiles, tile);
+    deal.owner[tile] = neighbour == tile ? Deal::nobody : deal.owner[neighbour];
   }
 }
 
@@ -103,7 +117,8 @@ double unevenness(const Deal& deal, int ranks) {
       load[static_cast<std::size_t>(deal.owner[tile])] += deal.particles[tile];
       total += deal.particles[tile];
     }
-  return static_cast<double>(ranks) * static_cast<double>(std::ranges::max(load)) / static_cast<double>(total);
+  return static_cast<double>(ranks) * static_cast<double>(std::ranges::max(load)) /
+         static_cast<double>(total);
 }
 
 bool RankShare::is_mine(std::size_t tile) const {

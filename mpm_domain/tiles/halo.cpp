@@ -70,7 +70,8 @@ void Halo::Direction::resize(std::size_t fields) {
     numbers[r].resize(fields * length[r]);
 }
 
-Halo::Halo(const TileMap& tiles, std::span<const std::size_t> filled, const RankShare& share) : share_(share) {
+Halo::Halo(const TileMap& tiles, std::span<const std::size_t> filled, const RankShare& share)
+    : share_(share) {
   const int me = share.ranks->rank();
   out_.pieces.resize(filled.size());
   for (std::size_t n = 0; n < filled.size(); ++n) {

@@ -46,7 +46,7 @@ public:
   void pack(std::size_t n, const double* window); ///< of the n-th filled tile, a tile of the rim
   void send();
   void wait();
-  void unpack(std::size_t n, double* window) const; ///< of the n-th remote tile, into a window of zeros
+  void unpack(std::size_t n, double* window) const;       ///< of the n-th remote tile, into a window of zeros
   RowRange rows(std::size_t n) const { return rows_[n]; } ///< that unpack() may touch
 
 private:

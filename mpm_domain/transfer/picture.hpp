@@ -1,7 +1,8 @@
 #pragma once
 
-// Particles as output sees them: those of the domain or, where ranks share it, a copy on rank 0 of all that the
-// ranks have, or of those that monitors follow. Ranks bring it up to date when something is to be written.
+// Particles as output sees them: those of the domain or, where ranks share it, a copy on rank 0 of all that
+// the ranks have, or of those that monitors follow. Ranks bring it up to date when something is to be
+// written.
 
 #include "mpm_domain/particles/share_out.hpp"
 

@@ -44,7 +44,8 @@ void ImperviousFaces::close(Domain& domain) {
   for (const BoundaryFace& face : boundary.faces())
     if (domain.sets[face.set].traits.flowing)
       for (int level = 0; level < domain.lattice_count(); ++level)
-        close_nodes(domain.lattice(level), face.side, line_of(face, place_of(face, domain.sets[face.set])), grid);
+        close_nodes(domain.lattice(level), face.side, line_of(face, place_of(face, domain.sets[face.set])),
+                    grid);
   reactions_.clear();
   for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
     const BoundaryFace& face = boundary.faces()[f];

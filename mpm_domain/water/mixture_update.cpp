@@ -68,7 +68,8 @@ MixtureUpdate update_mixture(Domain& domain, double dt, std::span<const NodeRang
   const double without = empty_water(domain);
   const double density = density_of_water(domain);
   const double gravity = domain.spec.gravity;
-  const auto [moving, fallen, relieved, dragged] = sum_over_rows<4>(domain, rows, [&](const NodeRange& nodes) {
+  const auto [moving, fallen, relieved,
+              dragged] = sum_over_rows<4>(domain, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     Lanes weight_work{}; // over the step, downwards
     Lanes relief{};

@@ -41,7 +41,8 @@ void yield(Spec& spec) {
 /// A slope down to half the height, whose upper tiles are empty or nearly so.
 void slope(Spec& spec) {
   spec.gravity = 9.81;
-  spec.regions.front().polygon = {{0.0, -40.0}, {100.0, -40.0}, {100.0, -25.0}, {60.0, -25.0}, {40.0, 0.0}, {0.0, 0.0}};
+  spec.regions.front().polygon = {{0.0, -40.0},  {100.0, -40.0}, {100.0, -25.0},
+                                  {60.0, -25.0}, {40.0, 0.0},    {0.0, 0.0}};
 }
 
 /// Two soils, one upon the other, of which one is damped.
@@ -62,7 +63,12 @@ const Model models[] = {
     {"Elastic", [](Spec&) {}, 40},
     {"Yielding", yield, 40},
     {"OwnBoxes", [](Spec& spec) { spec.boxes = mpm_domain::ParticleBoxes::deforming; }, 40},
-    {"Usl", [](Spec& spec) { spec.scheme.order = mpm_domain::StepOrder::usl; spec.scheme.fraction = 0.4; }, 20},
+    {"Usl",
+     [](Spec& spec) {
+       spec.scheme.order = mpm_domain::StepOrder::usl;
+       spec.scheme.fraction = 0.4;
+     },
+     20},
     {"Flip", [](Spec& spec) { spec.scheme.transfer = mpm_domain::Transfer::flip; }, 20},
     {"Layers", layers, 40},
     {"MatchedLayers", add_layers, 40},

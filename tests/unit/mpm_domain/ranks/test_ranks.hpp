@@ -17,6 +17,6 @@ inline mpm_domain::Communicator* test_ranks() {
 } // namespace tremolo::test_support
 
 /// Skips a test that needs ranks where there are none.
-#define TREMOLO_NEED_RANKS()                                                                                           \
-  if (test_support::test_ranks() == nullptr)                                                                           \
+#define TREMOLO_NEED_RANKS()                                                                                 \
+  if (test_support::test_ranks() == nullptr)                                                                 \
   GTEST_SKIP() << "this test is for ranks that mpirun starts, in a build with TREMOLO_MPI"
