@@ -106,7 +106,7 @@ endfunction()
 
 # tremolo_rank_test(name RANKS 2 3 ... LABELS fast ... SOURCES a.cpp ... DEPENDS tremolo::x ... [TIMEOUT seconds])
 # A GoogleTest program whose processes are the ranks of one domain; run by mpirun with each number of them. Without MPI
-# it runs alone and skips its tests.
+# it runs alone and skips its tests. More than two ranks are more than CI has cores, and no longer fast.
 function(tremolo_rank_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "RANKS;SOURCES;DEPENDS;LABELS" ${ARGN})
   tremolo_wants_test(wanted ${ARG_LABELS})
@@ -131,7 +131,15 @@ function(tremolo_rank_test name)
     endif()
   endforeach()
   # Open MPI asks for these where the user is root, as in a container.
-  set_tests_properties(${tests} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
+  foreach(test ${tests})
+    string(REGEX MATCH "[0-9]+$" ranks ${test})
+    set(labels ${ARG_LABELS})
+    if(ranks GREATER 2)
+      set(labels verification)
+    endif()
+    set_tests_properties(${test} PROPERTIES LABELS "${labels}")
+  endforeach()
+  set_tests_properties(${tests} PROPERTIES TIMEOUT ${ARG_TIMEOUT}
     SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]"
     ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
 endfunction()
