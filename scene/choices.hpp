@@ -57,14 +57,14 @@ constexpr auto words(OdeMethod) {
 }
 
 enum class SourceModel {
-  wave,      ///< plane waves in layers, frequency domain
-  fe,        ///< finite-element column
-  ode,       ///< column by the method of lines, SUNDIALS
-  oblique,   ///< column of oblique waves, time domain
-  eql,       ///< equivalent-linear layers
-  mpm,       ///< a domain of one periodic column
-  recording, ///< a free field recorded earlier
-  external,  ///< a program of the user
+  wave,          ///< plane waves in layers, frequency domain
+  fe,            ///< finite-element column
+  ode,           ///< column by the method of lines, SUNDIALS
+  oblique,       ///< column of oblique waves, time domain
+  eql,           ///< equivalent-linear layers
+  mpm,           ///< a domain of one periodic column
+  recording,     ///< a free field recorded earlier
+  external,      ///< a program of the user
   shaking_table, ///< a rigid base that moves as it is told
 };
 constexpr auto words(SourceModel) {

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/clocks/ticks.hpp"
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/grid/held_nodes.hpp"
 #include "mpm_domain/tiles/totals.hpp"
 
 #include <fmt/format.h>

@@ -17,8 +17,9 @@
 //
 // Work is that of the frame: the base itself does none, and inertia does -m dV/dt . v.
 
-#include "mpm_domain/boundary/held_nodes.hpp"
 #include "mpm_domain/fields/node_fields.hpp"
+#include "mpm_domain/spec/lattice.hpp"
+#include "mpm_domain/spec/vector.hpp"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "mpm_domain/gravity/gravity_stage.hpp"
 
-#include "mpm_domain/boundary/held_nodes.hpp"
 #include "mpm_domain/dispersion/fullness.hpp"
+#include "mpm_domain/grid/held_nodes.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/step/time_step.hpp"

@@ -49,16 +49,16 @@ Table motion() {
           choice<Wave>("wave", "Type of the incident wave."),
           {.name = "angle_deg",
            .unit = "degrees",
-           .meaning = "Angle of incidence from the vertical, travelling to +x, +y. Required unless the "
-                      "base is a shaking table.",
+           .meaning = "Angle of incidence from the vertical, travelling to +x, +y.",
+           .otherwise = "required, but of a shaking table",
            .range = {.low = 0.0, .high = 90.0, .high_open = true}},
           {.name = "reference",
            .type = Type::numbers,
            .unit = "m",
            .meaning =
                "Where the incident wave has exactly this motion: of its polarisation SV (cos, -sin), P (sin, "
-               "cos) of the angle for `incident`; `outcrop` and `within` at the top of the half-space. "
-               "Required unless the base is a shaking table.",
+               "cos) of the angle for `incident`; `outcrop` and `within` at the top of the half-space.",
+           .otherwise = "required, but of a shaking table",
            .count = 2,
            .form = "[x, y]"},
       }};

@@ -100,10 +100,11 @@ namespace {
 
 /// Surface and half-space, which a free field needs and a shaking table has not.
 void read_ends_of_ground(Document& document, Findings& findings, Case& scene) {
-  for (const char* name : {"surface", "halfspace"})
+  for (const auto& [name, what] : {std::pair("surface", "the free surface of the free field"),
+                                   std::pair("halfspace", "the half-space below the free field")})
     if (!scene.boundary.has_shaking_table() && !document.has(name))
-      findings.add(name, fmt::format("missing table [{}]: {}", name,
-                                     "the ground of the free field, unless the base is a shaking table"));
+      findings.add(name,
+                   fmt::format("missing table [{}]: {}, unless the base is a shaking table", name, what));
   if (document.has("surface"))
     scene.surface_level = document.table("surface").number("level");
   if (!document.has("halfspace"))

@@ -9,7 +9,8 @@
 namespace tremolo::scene {
 
 void reference_lies_in_halfspace(const Case& scene, Findings& findings) {
-  if (scene.boundary.has_shaking_table() || !findings.sound("motion.reference") || !findings.sound("surface.level"))
+  if (scene.boundary.has_shaking_table() || !findings.sound("motion.reference") ||
+      !findings.sound("surface.level"))
     return;
   const double y = scene.motion.reference.y;
   const auto check = [&](const LateralBoundary& side, const char* where) {

@@ -132,8 +132,10 @@ TEST(Keys, UnknownKeyFarFromAllListsThem) {
 TEST(Keys, MissingKeyAndTable) {
   EXPECT_THAT(errors_of(with("size = 1.0\n", "")),
               ElementsAre("case.toml:21:1: [mesh] missing 'size', number m: Cell size h."));
-  EXPECT_THAT(errors_of(with("[surface]\nlevel = 0.0\n", "")),
-              ElementsAre("case.toml:1:1: missing table [surface]: The free surface of the free field."));
+  EXPECT_THAT(
+      errors_of(with("[surface]\nlevel = 0.0\n", "")),
+      ElementsAre("case.toml:1:1: missing table [surface]: the free surface of the free field, unless "
+                  "the base is a shaking table"));
 }
 
 TEST(Keys, WrongType) {
