@@ -1,7 +1,6 @@
 // What reduced dispersion makes of pulses, beside the scheme without it, on grounds that docs/dispersion.md
 // lists. A Ricker pulse of particle velocity; N cells to its wavelength at the peak of the spectrum; steps of
-// 0.6 h/c_p, less where soil is damped; relative L2 error of velocity.
-// Prints CSV:
+// 0.6 h/c_p, less where soil is damped; relative L2 error of velocity. Prints CSV:
 //
 //     cost_dispersion > dispersion.csv
 
