@@ -5,10 +5,13 @@
 // the scattered field. The canyon's surface is y = -depth exp(-x^2/(2 sigma^2)).
 
 #include "mpm_domain/step/stepper.hpp"
+#include "mpm_domain/transfer/gather.hpp"
 #include "tests/support/plane_wave.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <span>
@@ -26,6 +29,7 @@ struct Canyon {
   bool layers = true; ///< matched layers on all sides instead of dashpots
   int layer_cells = 10;
   mpm_domain::Transfer transfer = mpm_domain::Transfer::apic;
+  mpm_domain::Dispersion dispersion = mpm_domain::Dispersion::plain;
   double canyon_depth = 16.0; ///< m
   double sigma = 10.0;        ///< m
   bool notch = false; ///< a notch as deep and 2.4 sigma wide instead: its walls lie on lines of a grid of 4 m
@@ -36,6 +40,11 @@ inline constexpr double sampling = 0.02;    ///< s
 inline constexpr double before_pulse = 0.5; ///< s: a Ricker pulse of 2.5 Hz has not begun then
 
 inline constexpr materials::Elasticity canyon_ground{1800.0, 187.2e6, 0.3}; ///< c_s = 200 m/s
+
+/// Elevation of the ground of a Gaussian canyon, m.
+inline double canyon_surface(const Canyon& canyon, double x) {
+  return -canyon.canyon_depth * std::exp(-0.5 * std::pow(x / canyon.sigma, 2));
+}
 
 inline mpm_domain::Spec canyon_spec(const Canyon& canyon) {
   using mpm_domain::Side;
@@ -49,11 +58,12 @@ inline mpm_domain::Spec canyon_spec(const Canyon& canyon) {
     for (const auto& [x, y] : {std::pair(1.2, 0.0), {1.2, -1.0}, {-1.2, -1.0}, {-1.2, 0.0}})
       ground.polygon.push_back({x * canyon.sigma, y * canyon.canyon_depth});
   for (double x = 5.0 * canyon.sigma; !canyon.notch && x >= -5.0 * canyon.sigma; x -= 0.25)
-    ground.polygon.push_back({x, -canyon.canyon_depth * std::exp(-0.5 * std::pow(x / canyon.sigma, 2))});
+    ground.polygon.push_back({x, canyon_surface(canyon, x)});
   ground.polygon.push_back({spec.box.x_min, 0.0});
   spec.regions = {ground};
   spec.threads = 1;
   spec.scheme.transfer = canyon.transfer;
+  spec.scheme.dispersion = canyon.dispersion;
   spec.scheme.dt = sampling / std::ceil(sampling / (0.32 * canyon.cell_size / canyon_ground.p_wave_speed()));
   spec.layer_cells = canyon.layer_cells;
   if (canyon.layers)
@@ -74,42 +84,58 @@ inline PlaneWave canyon_wave(double angle_deg) {
   return wave;
 }
 
-/// Velocities of the particles of one run that lie in a box, at equal times: one row a sample, in the order
-/// of the particles' places.
+/// Mean velocities of the particles of one run in squares of a box, at equal times: one row a sample, in the
+/// order of the squares' places.
 using Seen = std::vector<std::vector<eq6::Vector>>;
 
-/// @param watched particles that start in it are watched
-inline Seen run_canyon(const Canyon& canyon, const mpm_domain::Box& watched) {
+/// @param watched  squares that lie in it are watched
+/// @param side     of the squares, m, which are full of soil; 0: half a cell, the room of one particle
+inline Seen run_canyon(const Canyon& canyon, const mpm_domain::Box& watched, double side = 0.0) {
   mpm_domain::Domain domain(canyon_spec(canyon));
   const PlaneWave wave = canyon_wave(canyon.angle_deg);
   const double way = 0.5 * canyon.width * std::sin(wave.angle) + canyon.depth * std::cos(wave.angle);
+  // Half a step late, so that velocities, which belong to the middle of steps, are those of the samples'
+  // times.
   const double start = -sampling * std::ceil((way / wave.vs + before_pulse) / sampling);
-  mpm_domain::Stepper stepper(domain, start, [&](long, double t, auto, std::span<eq6::FreeField> field) {
-    for (std::size_t f = 0; f < field.size(); ++f) {
-      const auto [x, y] = domain.boundary.faces()[f].position;
-      field[f] = wave.at(x, y, t);
-    }
-  });
+  const double half_step = 0.5 * *domain.spec.scheme.dt;
+  mpm_domain::Stepper stepper(domain, start + half_step,
+                              [&](long, double t, auto, std::span<eq6::FreeField> field) {
+                                for (std::size_t f = 0; f < field.size(); ++f) {
+                                  const auto [x, y] = domain.boundary.faces()[f].position;
+                                  field[f] = wave.at(x, y, t);
+                                }
+                              });
   const mpm_domain::Particles& set = domain.sets.front();
-  std::map<std::pair<long, long>, std::uint32_t> by_place;
-  for (std::size_t k = 0; k < set.size(); ++k)
-    if (set.x[k] > watched.x_min && set.x[k] < watched.x_max && set.y[k] > watched.y_min)
-      by_place[{std::lround(8.0 * set.x[k] / canyon.cell_size),
-                std::lround(8.0 * set.y[k] / canyon.cell_size)}] = set.id[k];
-  const long between = std::lround(0.02 / stepper.dt());
+  const double square = side > 0.0 ? side : 0.5 * canyon.cell_size;
+  std::map<std::pair<long, long>, std::vector<std::uint32_t>> by_place;
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    const double i = std::floor(set.x[k] / square);
+    const double j = std::floor(set.y[k] / square);
+    const double lowest = canyon_surface(canyon, square * std::min(std::abs(i), std::abs(i + 1.0)));
+    const bool is_full = side == 0.0 || square * (j + 1.0) <= lowest;
+    if (is_full && set.x[k] > watched.x_min && set.x[k] < watched.x_max && set.y[k] > watched.y_min)
+      by_place[{std::lround(i), std::lround(j)}].push_back(set.id[k]);
+  }
+  const long between = std::lround(sampling / stepper.dt());
   Seen seen;
-  while (stepper.time() < canyon.end) {
+  while (stepper.velocity_time() < canyon.end - half_step) {
     stepper.step();
-    if (stepper.steps() % between != 0 || stepper.time() < -before_pulse - 0.5 * sampling)
+    if (stepper.steps() % between != 0 || stepper.velocity_time() < -before_pulse - half_step)
       continue;
     std::vector<eq6::Vector>& sample = seen.emplace_back();
-    for (const auto& [place, id] : by_place)
-      sample.push_back({set.vx[set.index_of[id]], set.vy[set.index_of[id]]});
+    for (const auto& [place, ids] : by_place) {
+      eq6::Vector& mean = sample.emplace_back();
+      for (const std::uint32_t id : ids) {
+        const mpm_domain::Vector v = particle_velocity(domain, set, set.index_of[id]);
+        mean.x += v.x / double(ids.size());
+        mean.y += v.y / double(ids.size());
+      }
+    }
   }
   return seen;
 }
 
-/// Relative L2 difference over all particles and samples.
+/// Relative L2 difference over all squares and samples.
 inline double relative_difference(const Seen& a, const Seen& b) {
   double difference = 0.0;
   double norm = 0.0;
