@@ -2,7 +2,7 @@
 
 #include "mpm_domain/clocks/ticks.hpp"
 #include "mpm_domain/domain.hpp"
-#include "mpm_domain/grid/held_nodes.hpp"
+#include "mpm_domain/spec/held_nodes.hpp"
 #include "mpm_domain/tiles/totals.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +39,8 @@ void RigidBase::follow_sort(const Domain& domain) {
     const Lattice& lattice = domain.lattice(level);
     for (int j = 0; j < lattice.ny; ++j)
       for (int i = 0; i < lattice.nx; ++i)
-        if (const Hold hold = hold_of(lattice, i, j, domain.spec); hold != Hold::none)
+        if (const Hold hold = hold_of(lattice, i, j, domain.spec, HeldNodes::on_and_behind);
+            hold != Hold::none)
           (hold == Hold::all ? all_ : across_).push_back(lattice.index(i, j));
   }
 }

@@ -1,9 +1,9 @@
 #include "mpm_domain/gravity/gravity_stage.hpp"
 
 #include "mpm_domain/dispersion/fullness.hpp"
-#include "mpm_domain/grid/held_nodes.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/spec/held_nodes.hpp"
 #include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/tiles/cell_means.hpp"
 #include "mpm_domain/transfer/gather.hpp"
@@ -39,7 +39,7 @@ void find_supports(const Domain& domain, const Lattice& lattice, Supports& suppo
       if (domain.grid.mass[n] <= empty)
         continue;
       supports.full[n] = 1;
-      const Hold hold = hold_of(lattice, i, j, domain.spec);
+      const Hold hold = hold_of(lattice, i, j, domain.spec, HeldNodes::on_lines);
       supports.fixed_y[n] = hold == Hold::all;
       supports.fixed_x[n] = hold != Hold::none;
       if (hold != Hold::none)

@@ -11,17 +11,23 @@ namespace tremolo::mpm_domain {
 enum class Hold {
   none,
   across, ///< u_x = 0: the node may slide along a side
-  all,    ///< at the base, or below it
+  all,    ///< at the base
 };
+
+/// Which nodes are held: those on the lines of base and sides, or those behind them too.
+enum class HeldNodes { on_lines, on_and_behind };
 
 /// How a node (column, row) of a lattice is held by the model's base and, unless they are periodic, its
 /// sides.
-inline Hold hold_of(const Lattice& lattice, int column, int row, const Spec& spec) {
+inline Hold hold_of(const Lattice& lattice, int column, int row, const Spec& spec, HeldNodes which) {
   const double near = 1e-6 * lattice.h;
-  if (lattice.y0 + row * lattice.h < spec.box.y_min + near)
+  const auto is_held = [&](double behind) { // m behind a line
+    return which == HeldNodes::on_lines ? std::abs(behind) < near : behind > -near;
+  };
+  if (is_held(spec.box.y_min - (lattice.y0 + row * lattice.h)))
     return Hold::all;
   const double x = lattice.x0 + column * lattice.h;
-  const bool side = !spec.periodic() && (x < spec.box.x_min + near || x > spec.box.x_max - near);
+  const bool side = !spec.periodic() && (is_held(spec.box.x_min - x) || is_held(x - spec.box.x_max));
   return side ? Hold::across : Hold::none;
 }
 
