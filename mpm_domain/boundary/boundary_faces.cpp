@@ -5,6 +5,7 @@
 #include "mpm_domain/particles/wave_speed.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -162,31 +163,41 @@ void sharpen_along(const Domain& domain, const BoundaryFace& face, const FacePla
   const auto columns = static_cast<std::size_t>(lattice.nx);
   const bool along_x = face.side == Side::base;
   const std::size_t step = along_x ? 1 : columns;
+  const std::size_t across = along_x ? columns : 1;
   const NodeField& chi = along_x ? domain.grid.inside_x : domain.grid.inside_y;
-  const double place = along_x ? Axis(lattice.x0, lattice.h).cells(at.centre.x)
-                               : Axis(lattice.y0, lattice.h).cells(at.centre.y);
+  const double centre = along_x ? Axis(lattice.x0, lattice.h).cells(at.centre.x)
+                                : Axis(lattice.y0, lattice.h).cells(at.centre.y);
+  // The nodes stand on one line along the face or on two neighbouring ones, four on each at most.
+  std::size_t first_node = weights.front().node;
+  for (const FaceWeight& weight : weights)
+    first_node = std::min(first_node, weight.node);
+  const std::size_t corner = first_node - lattice.first;
+  const double first_place = static_cast<double>(along_x ? corner % columns : corner / columns);
+  const auto line_of = [&](std::size_t node) {
+    return static_cast<std::size_t>(along_x ? node - first_node > 3 : (node - first_node) % columns > 0);
+  };
+  const auto place_of = [&](std::size_t node, std::size_t line) {
+    return (node - first_node - line * across) / step;
+  };
   double moment = 0.0;
   for (const auto& [node, w] : weights) {
-    const std::size_t n = node - lattice.first;
-    moment += w * std::pow(static_cast<double>(along_x ? n % columns : n / columns) - place, 2);
+    const double apart = first_place + static_cast<double>(place_of(node, line_of(node))) - centre;
+    moment += w * apart * apart;
   }
-  FaceWeights sharp;
-  const auto add = [&](std::size_t node, double w) {
-    const auto found = std::ranges::find(sharp, node, &FaceWeight::node);
-    if (found == sharp.end())
-      sharp.push_back({node, w});
-    else
-      found->w += w;
-  };
+  std::array<std::array<double, 8>, 2> sharp{}; // [line][1 + place]
   for (const auto& [node, w] : weights) {
+    const std::size_t line = line_of(node);
+    const std::size_t place = place_of(node, line);
     const double taken = 0.5 * moment * chi[node] * w;
-    add(node, w + 2.0 * taken);
-    if (taken != 0.0) {
-      add(node - step, -taken);
-      add(node + step, -taken);
-    }
+    sharp[line][place] -= taken;
+    sharp[line][place + 1] += w + 2.0 * taken;
+    sharp[line][place + 2] -= taken;
   }
-  weights.swap(sharp);
+  weights.clear();
+  for (std::size_t line = 0; line < sharp.size(); ++line)
+    for (std::size_t place = 0; place < sharp[line].size(); ++place)
+      if (sharp[line][place] != 0.0)
+        weights.push_back({first_node + line * across + place * step - step, sharp[line][place]});
 }
 
 /// The nodes that tied ones follow take their place.
