@@ -90,7 +90,7 @@ std::size_t source_index(const std::vector<SourceProcess>& sources, Side side) {
     if (std::ranges::find(sources[i].serves, side, &Served::side) != sources[i].serves.end())
       return i;
   throw std::invalid_argument(
-      fmt::format("the case has no free field at the {}: [boundary] sides are others", name(side)));
+      fmt::format("the case has no free field at the {}: its sides are periodic, or walls", name(side)));
 }
 
 std::string program(const FreeFieldModel& field) {
