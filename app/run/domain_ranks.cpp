@@ -1,13 +1,11 @@
 #include "app/run/domain_ranks.hpp"
 
+#include "app/run/on_path.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -15,22 +13,6 @@
 #include <unistd.h>
 
 namespace tremolo::app {
-
-namespace fs = std::filesystem;
-
-namespace {
-
-/// The file of a program that the shell would find; empty if there is none.
-fs::path on_path(const std::string& program) {
-  const char* const path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (const fs::path file = fs::path(folder) / program; ::access(file.c_str(), X_OK) == 0)
-      return file;
-  return {};
-}
-
-} // namespace
 
 void check_ranks(const scene::Case& scene, const DomainRanks& ranks) {
   if (ranks.count == 1)

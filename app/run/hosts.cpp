@@ -1,5 +1,7 @@
 #include "app/run/hosts.hpp"
 
+#include "app/run/on_path.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -25,10 +27,8 @@ std::string environment(const char* name) {
 }
 
 std::string found_on_path(const std::string& program) {
-  std::istringstream folders(environment("PATH"));
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (const auto file = fs::path(folder) / program; ::access(file.c_str(), X_OK) == 0)
-      return file.string();
+  if (const fs::path file = on_path(program); !file.empty())
+    return file.string();
   throw std::runtime_error(
       fmt::format("[hosts] asks for {}, which is not on this machine's PATH: install it", program));
 }
