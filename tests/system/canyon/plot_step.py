@@ -11,8 +11,9 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).resolve().parents[3] / "python"), str(Path(__file__).parent)]
 
 import numpy as np
+from elastic_ground import GROUND
 from half_space_uneven import UnevenGround
-from step_case import GROUND, PLACES, TRENCH_ENDS, amplification, frequency, response, trench, write
+from step_case import PLACES, TRENCH_ENDS, amplification, frequency, response, starts, trench, write
 from tremolo import Run, style
 
 SCENES = ((0, "right", "0°"), (15, "right", "15°, towards the lower ground"), (15, "left", "15°, towards the upper ground"))
@@ -29,7 +30,7 @@ def main():
             subprocess.run([tremolo, "run", write(folder / f"{name}.toml", angle, falling, 1.0), "--out", folder / name], check=True)
         run = Run(folder / name)
         series = [run.monitor(f"place {i}") for i in range(len(PLACES))]
-        place = np.array([[s["x"][0] - s["ux"][0], s["y"][0] - s["uy"][0]] for s in series])[SHOWN : SHOWN + 1]
+        place = starts(series)[SHOWN : SHOWN + 1]
         ground = UnevenGround(GROUND, trench(falling), 1.25, TRENCH_ENDS[falling])
         shares = np.arange(0.04, 0.42, 0.02)
         exact = [amplification(angle, h, place, ground.transfer(frequency(h), np.radians([angle]), place)[0][0])[0] for h in shares]

@@ -1,11 +1,11 @@
 """A smooth step of the ground's surface, 10 m high and 45 degrees steep, under an SV pulse, as a case."""
 
 import numpy as np
-from half_space_uneven import Medium, Trench, flat_ground
+from elastic_ground import GROUND, Pulse, head
+from half_space_uneven import Trench, flat_ground
 
 HEIGHT = 10.0  # m
-GROUND = Medium(density=1800.0, vs=200.0, vp=370.0)
-VELOCITY, FREQUENCY, ARRIVAL = 0.01, 4.0, 0.9  # m/s, Hz, s: of the incident wave at (0, 0)
+pulse = Pulse(velocity=0.01, frequency=4.0, arrival=0.9)
 HALF_WIDTH, DEPTH = 160.0, 60.0  # m, of the box
 OTHER = 500.0  # m, to the far edge of the trench of which this step is the near one
 TRENCH_ENDS = {"right": (-300.0, OTHER + 300.0), "left": (-OTHER - 300.0, 300.0)}  # m, of points without traction
@@ -13,28 +13,6 @@ ETA = 3.0  # 1/s, of the complex frequencies at which motions are compared
 PLACES = (-30.0, -20.0, -10.0, -5.0, 0.0, 10.0, 20.0)  # m, of monitors from the middle of the step; the upper ground is at the left
 
 CASE = """
-title = "step"
-
-[motion]
-pulse = {{ shape = "ricker", frequency = {frequency}, time = {arrival}, velocity = {velocity} }}
-wave = "SV"
-angle_deg = {angle}
-reference = [0.0, 0.0]
-
-[surface]
-level = 0.0
-
-[halfspace]
-density = {ground.density}
-vs = {ground.vs}
-vp = {ground.vp}
-
-[soil.ground]
-model = "linear_elastic"
-density = {ground.density}
-vs = {ground.vs}
-vp = {ground.vp}
-
 [[region]]
 soil = "ground"
 polygon = [[-{width}, -{depth}], [{width}, -{depth}], {surface}]
@@ -75,24 +53,23 @@ def write(file, angle_deg, falling, size):
     levels = np.where(np.abs(x) > 5.0 * HEIGHT, np.where(side * x < 0.0, 0.0, -HEIGHT), shape.level(x))
     surface = ", ".join(f"[{a:.4f}, {b:.6f}]" for a, b in zip(x, levels))
     left, right = (0.0, -HEIGHT) if falling == "right" else (-HEIGHT, 0.0)
-    text = CASE.format(frequency=FREQUENCY, arrival=ARRIVAL, velocity=VELOCITY, angle=angle_deg, size=size, ground=GROUND,
-                       width=HALF_WIDTH, depth=DEPTH, surface=surface, left=left, right=right)
+    text = head("step", pulse, angle_deg)
+    text += CASE.format(size=size, width=HALF_WIDTH, depth=DEPTH, surface=surface, left=left, right=right)
     places = side * np.array(PLACES)
     text += "".join(MONITOR.format(name=f"place {i}", x=x, y=shape.level(x) - 0.25 * size) for i, x in enumerate(places))
     file.write_text(text)
     return file
 
 
-def pulse(t):
-    """Velocity of the incident wave at (0, 0), m/s."""
-    a = (np.pi * FREQUENCY * (t - ARRIVAL)) ** 2
-    return VELOCITY * (1.0 - 2.0 * a) * np.exp(-a)
-
-
 def frequency(share):
     """s = eta + i omega where H is this share of the length of shear waves: exp(-eta t) takes away what the trench's other edge sends,
     which arrives more than a second late."""
     return ETA + 2j * np.pi * share * GROUND.vs / HEIGHT
+
+
+def starts(series):
+    """Where the monitors of these series began, [monitors, 2], m."""
+    return np.array([[s["x"][0] - s["ux"][0], s["y"][0] - s["uy"][0]] for s in series])
 
 
 def response(series, share):

@@ -14,7 +14,8 @@ TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
 import numpy as np
-from canyon_case import DEPTH, GROUND, SIGMA, pulse, write
+from canyon_case import DEPTH, SIGMA, pulse, write
+from elastic_ground import GROUND
 from half_space_uneven import Forces, Gaussian, UnevenGround, bessel_k
 from tremolo import Run
 

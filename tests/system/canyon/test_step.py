@@ -15,8 +15,9 @@ TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
 import numpy as np
+from elastic_ground import GROUND
 from half_space_uneven import UnevenGround
-from step_case import GROUND, PLACES, TRENCH_ENDS, amplification, frequency, response, trench, write
+from step_case import PLACES, TRENCH_ENDS, amplification, frequency, response, starts, trench, write
 from tremolo import Run
 
 SIZES = (2.0, 1.0)  # m, of cells
@@ -32,8 +33,7 @@ class Step(unittest.TestCase):
     def setUpClass(cls):
         folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="tremolo_test_")))
         cls.series = {(*scene, size): cls.series_of(folder, *scene, size) for size in SIZES for scene in SCENES}
-        cls.places = {key: np.array([[s["x"][0] - s["ux"][0], s["y"][0] - s["uy"][0]] for s in series])
-                      for key, series in cls.series.items()}
+        cls.places = {key: starts(series) for key, series in cls.series.items()}
         cls.exact = {}  # velocities [angles, points, 2] at the monitors of both sizes, then at the crest
         for falling, shares in (("right", CREST_SHARES), ("left", SHARES)):
             ground = UnevenGround(GROUND, trench(falling), 1.25, TRENCH_ENDS[falling])
