@@ -13,6 +13,7 @@ import h5py
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "runs"))
 import small_case
+from processes import alive
 
 HERE = Path(__file__).resolve().parent
 PROGRAMS = {"tremolo-wave", "tremolo-column", "tremolo-domain", "rogue_source.py"}
@@ -188,11 +189,3 @@ class Attack:
 
     def numbers(self):
         return results(self.out)[1]
-
-
-def alive(pid):
-    """Running or stopped; a zombie is gone."""
-    try:
-        return Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] not in "ZX"
-    except OSError:
-        return False

@@ -16,18 +16,12 @@ TREMOLO, SOURCE, BUILD = sys.argv.pop(1), Path(sys.argv.pop(1)), sys.argv.pop(1)
 sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parents[1] / "resume")]
 
 from broken_run import SlopeWorkspace, checkpoints, differences, with_checkpoints
+from processes import alive, children
 from small_case import refine
 
 
-def children(process):
-    try:
-        return [int(child) for child in Path(f"/proc/{process}/task/{process}/children").read_text().split()]
-    except FileNotFoundError:
-        return []
-
-
 def variable(process, name):
-    """Of the environment of a process; None without it, or without the process."""
+    """A variable in the environment of a process; None without it, or without the process."""
     try:
         values = dict(line.split("=", 1) for line in Path(f"/proc/{process}/environ").read_text().split("\0") if "=" in line)
     except (FileNotFoundError, ProcessLookupError):
@@ -44,13 +38,6 @@ def ranks_of(launcher):
             if rank is not None:
                 found[int(rank)] = process
     return found
-
-
-def is_alive(process):
-    try:
-        return Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
-    except FileNotFoundError:
-        return False
 
 
 @unittest.skipUnless(BUILD == "mpi", "this build has no MPI")
@@ -78,9 +65,9 @@ class Ranks(unittest.TestCase):
             self.assertLess(time.monotonic() - began, 10.0, "longer than the coupler promises")
         self.assertEqual(1, run.returncode, output)
         deadline = time.monotonic() + 5.0
-        while any(map(is_alive, ranks.values())) and time.monotonic() < deadline:
+        while any(map(alive, ranks.values())) and time.monotonic() < deadline:
             time.sleep(0.01)
-        self.assertEqual([], [process for process in ranks.values() if is_alive(process)])
+        self.assertEqual([], [process for process in ranks.values() if alive(process)])
         return folder, output
 
     def test_give_the_bits_of_one(self):

@@ -17,6 +17,7 @@ TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
 from run_files import wait_for_frames
+from processes import children
 from small_case import Workspace
 from tremolo import Run
 
@@ -26,10 +27,6 @@ LONG = {"duration": 60.0, "every": 0.01}
 def start(work, **options):
     return subprocess.Popen([TREMOLO, "run", str(work.case), "--out", str(work.path / "run")], text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
-
-
-def children(pid):
-    return [int(p) for p in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
 
 
 def program(pid):
