@@ -4,7 +4,6 @@
 #include "motion/band_limited.hpp"
 #include "motion/record.hpp"
 #include "scene/plan/layers.hpp"
-#include "scene/plan/wave/motion.hpp"
 #include "wavefield/incident_motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
@@ -60,9 +59,7 @@ double surface_level(const scene::Case& scene, const wavefield::LayeredHalfSpace
 
 std::string motion_levels_text(const scene::Case& scene) {
   if (scene.boundary.has_shaking_table()) {
-    const scene::Motion motion = scene::motion(scene.motion);
-    const double level = peak_level({[motion](double t) { return motion.velocity(t); }, motion.begin(),
-                                     motion.end(), motion.highest_frequency()});
+    const double level = peak_level(wavefield::signal_of(scene::motion(scene.motion)));
     return fmt::format("motion: peak acceleration {} of the shaking table\n", level_text(level));
   }
   const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, scene.boundary.left));

@@ -28,11 +28,6 @@ DampingModel damping_model(const scene::Damping& damping) {
   throw std::logic_error("a damping model without a name");
 }
 
-Signal signal_of(const scene::Motion& motion) {
-  return {[motion](double t) { return motion.velocity(t); }, motion.begin(), motion.end(),
-          motion.highest_frequency()};
-}
-
 /// The incident motion of a record that begins like `within`. A record of velocities rises in its first 0.1
 /// s, so it is given zeros there.
 Signal smooth(const Deconvolution& deconvolution, double dt, const scene::Motion& within) {
@@ -46,6 +41,11 @@ Signal smooth(const Deconvolution& deconvolution, double dt, const scene::Motion
 }
 
 } // namespace
+
+Signal signal_of(const scene::Motion& motion) {
+  return {[motion](double t) { return motion.velocity(t); }, motion.begin(), motion.end(),
+          motion.highest_frequency()};
+}
 
 LayeredHalfSpace ground_from_case(const scene::Case& scene, const std::vector<scene::Layer>& layers) {
   const auto& deep = scene.halfspace;

@@ -4,6 +4,7 @@
 
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
+#include "scene/plan/wave/motion.hpp"
 #include "wavefield/layers/layered_field.hpp"
 
 #include <string>
@@ -15,6 +16,9 @@ namespace tremolo::wavefield {
 LayeredHalfSpace ground_from_case(const scene::Case& scene, const std::vector<scene::Layer>& layers);
 
 Incidence incidence_from_case(const scene::Case& scene);
+
+/// A motion as a signal, m/s.
+Signal signal_of(const scene::Motion& motion);
 
 /// The incident wave's velocity along its polarisation at the reference point, m/s: the motion of the case,
 /// or what makes the outcrop or the top of the half-space under `ground` move like it.

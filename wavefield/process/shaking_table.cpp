@@ -2,16 +2,14 @@
 
 #include "scene/plan/service.hpp"
 #include "scene/plan/wave/motion.hpp"
+#include "wavefield/process/descriptions.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace tremolo::wavefield {
 
 namespace {
-
-/// Samples per period of the highest frequency, between which the velocity is a Hermite polynomial.
-constexpr double samples_per_period = 20.0;
 
 /// dV/dt by central differences of fourth order (m/s2), whose error here is 1e-8 of the largest.
 double rate(const scene::Motion& motion, double time, double interval) {
@@ -27,19 +25,10 @@ void serve_shaking_table(const scene::Case& scene, const scene::SourceProcess& s
                          const coupler::ParticipantOptions& options) {
   const scene::Motion motion = scene::motion(scene.motion);
   const scene::Service service = scene::service(scene, source, 0.0);
-  const scene::ServedLine& line = service.lines.front();
-  const double dt = 1.0 / (samples_per_period * motion.highest_frequency());
-  const double start = service.start_time - 2.0 * dt;
-  coupler::SourceClient client(
-      options,
-      {{.name = std::string(scene::name(line.field)),
-        .y = line.levels,
-        .x_reference = service.x_line,
-        .slowness_x = 0.0,
-        .start_time = start,
-        .time_step = dt,
-        .step_count =
-            static_cast<std::uint64_t>(std::ceil((service.end_time - service.start_time) / dt)) + 4}});
+  const double dt = served_interval(motion.highest_frequency());
+  const std::vector<coupler::FieldDescription> fields = descriptions(service, 0.0, dt);
+  const double start = fields.front().start_time;
+  coupler::SourceClient client(options, fields);
   const std::size_t direction = scene.motion.wave == scene::Wave::sv ? 0 : 1;
   client.serve([&](std::size_t, std::uint64_t step, std::span<double> values) {
     const double time = start + static_cast<double>(step) * dt;

@@ -7,6 +7,7 @@
 #include "scene/plan/service.hpp"
 #include "scene/plan/wave/motion.hpp"
 #include "wavefield/layers/long_field.hpp"
+#include "wavefield/process/descriptions.hpp"
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/served_steps.hpp"
 #include "wavefield/process/shaking_table.hpp"
@@ -25,31 +26,11 @@ namespace tremolo::wavefield {
 
 namespace {
 
-/// Samples per period of the highest frequency. The Hermite interpolation between them errs by (omega
-/// dt)^4/384: at a third of that frequency, where motions end in practice, by 3e-7.
-constexpr double samples_per_period = 20.0;
-
 /// Levels computed between two signs of life.
 constexpr std::size_t levels_per_beat = 32;
 
 /// Of all steps of the levels that are computed together.
 constexpr std::size_t most_lot_bytes = std::size_t{32} << 20;
-
-std::vector<coupler::FieldDescription> descriptions(const scene::Service& service, double slowness_x,
-                                                    double dt) {
-  std::vector<coupler::FieldDescription> fields;
-  for (const scene::ServedLine& line : service.lines)
-    fields.push_back(
-        {.name = std::string(scene::name(line.field)),
-         .y = line.levels,
-         .x_reference = service.x_line,
-         .slowness_x = slowness_x,
-         .start_time = service.start_time - 2.0 * dt,
-         .time_step = dt,
-         .step_count =
-             static_cast<std::uint64_t>(std::ceil((service.end_time - service.start_time) / dt)) + 4});
-  return fields;
-}
 
 /// The field at all its levels, some at a time, with a sign of life after each piece of time: a long record
 /// takes a while.
@@ -95,7 +76,7 @@ void run(const coupler::ParticipantOptions& options) {
   if (source.field.model == scene::SourceModel::shaking_table)
     return serve_shaking_table(scene, source, options);
   const wavefield::LayeredField field = field_of(scene, source);
-  const double dt = 1.0 / (samples_per_period * scene::motion(scene.motion).highest_frequency());
+  const double dt = served_interval(scene::motion(scene.motion).highest_frequency());
   const std::vector<coupler::FieldDescription> fields =
       descriptions(scene::service(scene, source, field.slowness_x()), field.slowness_x(), dt);
 
