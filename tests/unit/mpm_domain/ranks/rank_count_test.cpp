@@ -3,6 +3,7 @@
 
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
+#include "tests/support/box_models.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/saved_state.hpp"
 #include "tests/unit/mpm_domain/ranks/test_ranks.hpp"
@@ -20,7 +21,9 @@ namespace {
 using mpm_domain::Domain;
 using mpm_domain::Spec;
 using mpm_domain::Stepper;
+using test_support::add_layers;
 using test_support::SavedState;
+using test_support::yield;
 
 /// A box of 100 m by 40 m of 1 m cells, 4 x 6 tiles of its soil, changed into one of the models.
 struct Model {
@@ -29,14 +32,6 @@ struct Model {
   int steps;
   mpm_domain::Vector drift = {}; ///< velocity of the whole scene, m/s
 };
-
-/// Clay weak enough to yield in the wave.
-void yield(Spec& spec) {
-  materials::MohrCoulomb clay;
-  clay.elastic = materials::elasticity(spec.soils.front().law);
-  clay.cohesion_peak = clay.cohesion_residual = 100.0;
-  spec.soils.front().law = clay;
-}
 
 /// A slope down to half the height, whose upper tiles are empty or nearly so.
 void slope(Spec& spec) {
@@ -52,11 +47,6 @@ void layers(Spec& spec) {
   spec.soils.back().damping_time = 1e-3;
   spec.regions = {{0, {{0.0, -17.0}, {100.0, -17.0}, {100.0, 0.0}, {0.0, 0.0}}},
                   {1, {{0.0, -40.0}, {100.0, -40.0}, {100.0, -17.0}, {0.0, -17.0}}}};
-}
-
-void add_layers(Spec& spec) {
-  using enum mpm_domain::Side;
-  spec.matched_sides = {left, right, base};
 }
 
 const Model models[] = {

@@ -1,5 +1,6 @@
 // Same case, same build: the same bits, whatever the number of threads.
 
+#include "tests/support/box_models.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/saved_state.hpp"
 
@@ -11,7 +12,9 @@ namespace tremolo {
 namespace {
 
 using mpm_domain::Spec;
+using test_support::add_layers;
 using test_support::SavedState;
+using test_support::yield;
 
 /// A box of 44 m by 40 m of 1 m cells, tiles beside and above each other, changed into one of the models.
 struct Model {
@@ -26,11 +29,6 @@ void refine(Spec& spec) {
 
 void follow_soil(Spec& spec) {
   spec.boxes = mpm_domain::ParticleBoxes::deforming;
-}
-
-void add_layers(Spec& spec) {
-  using enum mpm_domain::Side;
-  spec.matched_sides = {left, right, base};
 }
 
 void reduce_dispersion(Spec& spec) {
@@ -49,14 +47,6 @@ void put_into_container(Spec& spec) {
 void subcycle(Spec& spec) {
   refine(spec);
   spec.scheme.subcycle = true;
-}
-
-/// Clay weak enough to yield in the wave.
-void yield(Spec& spec) {
-  materials::MohrCoulomb clay;
-  clay.elastic = materials::elasticity(spec.soils.front().law);
-  clay.cohesion_peak = clay.cohesion_residual = 100.0;
-  spec.soils.front().law = clay;
 }
 
 /// Water in the lower half, where it flows or not.
