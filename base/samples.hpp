@@ -1,6 +1,6 @@
 #pragma once
 
-// What is asked of the samples of any history.
+// Functions for the samples of any history.
 
 #include "base/require.hpp"
 

@@ -173,21 +173,21 @@ void sharpen_along(const Domain& domain, const BoundaryFace& face, const FacePla
     first_node = std::min(first_node, weight.node);
   const std::size_t corner = first_node - lattice.first;
   const double first_place = static_cast<double>(along_x ? corner % columns : corner / columns);
-  const auto line_of = [&](std::size_t node) {
+  const auto line_at = [&](std::size_t node) {
     return static_cast<std::size_t>(along_x ? node - first_node > 3 : (node - first_node) % columns > 0);
   };
-  const auto place_of = [&](std::size_t node, std::size_t line) {
+  const auto place_at = [&](std::size_t node, std::size_t line) {
     return (node - first_node - line * across) / step;
   };
   double moment = 0.0;
   for (const auto& [node, w] : weights) {
-    const double apart = first_place + static_cast<double>(place_of(node, line_of(node))) - centre;
+    const double apart = first_place + static_cast<double>(place_at(node, line_at(node))) - centre;
     moment += w * apart * apart;
   }
   std::array<std::array<double, 8>, 2> sharp{}; // [line][1 + place]
   for (const auto& [node, w] : weights) {
-    const std::size_t line = line_of(node);
-    const std::size_t place = place_of(node, line);
+    const std::size_t line = line_at(node);
+    const std::size_t place = place_at(node, line);
     const double taken = 0.5 * moment * chi[node] * w;
     sharp[line][place] -= taken;
     sharp[line][place + 1] += w + 2.0 * taken;

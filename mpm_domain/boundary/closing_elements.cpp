@@ -16,7 +16,7 @@ const double reach = std::sqrt(0.2); // b
 /// The numbers of a State in a checkpoint.
 constexpr std::size_t numbers_per_face = 10;
 
-/// Of a wave whose direction of motion has a component along the normal and one across it: P and S.
+/// A value for P waves along the normal and one for S waves across it, by the directions of the axes.
 Vector by_direction(const Vector& normal, double p, double s) {
   return normal.x != 0.0 ? Vector{p, s} : Vector{s, p};
 }

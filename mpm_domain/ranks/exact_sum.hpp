@@ -23,7 +23,7 @@ public:
   /// The sum, to the last bit or the one before it; NaN if a number was not finite.
   double value() const;
 
-  /// What it consists of. The sum of two sums is that of their parts, one by one.
+  /// Its digits. Two sums are added by adding their digits one by one.
   std::span<std::int64_t> parts() { return parts_; }
 
 private:

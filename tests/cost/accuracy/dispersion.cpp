@@ -183,8 +183,8 @@ test_support::Seen canyon(double cell_size, Dispersion dispersion) {
   return run_canyon(canyon, {-64.0, -48.0, 64.0, 0.0}, 4.0);
 }
 
-/// What is left of the reflected and of the transmitted pulse where soil of the same density and of 1/ratio
-/// of the wave speed lies on the column. Both come from the closed form,
+/// Relative errors of the pulses that are reflected by, and let into, soil on top of the column with the same
+/// density and 1/ratio of the wave speed. The exact pulses follow from
 ///
 ///     R = (ratio - 1)/(ratio + 1),      T = 1 + R.
 struct AtInterface {
