@@ -187,6 +187,11 @@ void Boundary::follow_sort(const Domain& domain) {
     share_.emplace(domain, faces_);
 }
 
+void Boundary::tell_ranks(Domain& domain) {
+  if (share_)
+    share_->tell(domain, faces_);
+}
+
 bool Boundary::is_due(int first_due, std::size_t f) const {
   return clock_[f] >= first_due;
 }
@@ -210,8 +215,6 @@ void Boundary::weigh(const Domain& domain, const ClockNodes& nodes, std::size_t 
 
 void Boundary::exchange(Domain& domain, const ClockNodes& nodes, const FreeFieldSource& source, long step,
                         double time) {
-  if (share_)
-    share_->share_places(domain, faces_);
   for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
     weigh(domain, nodes, f, true);
     v_exchange_[f] = velocity_at(domain.grid, weights_[f]);
@@ -374,7 +377,7 @@ void Boundary::correct_dashpots(Domain& domain, const Ticks& ticks, const ClockN
   }
 }
 
-void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
+BoundaryWork Boundary::follow_update(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
   const int first_due = ticks.first_due();
   const Grid& grid = domain.grid;
   if (domain.has_pore_pressure()) {
@@ -382,34 +385,32 @@ void Boundary::book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes)
     for (std::size_t f = 0; f < faces_.size(); ++f)
       v_kicked_[f] = velocity_after_at(grid, weights_[f]);
   }
-  EnergyLedger& energy = domain.energy;
-  std::vector<FaceWork> works((faces_.size() + faces_per_task - 1) / faces_per_task);
+  std::vector<BoundaryWork> works((faces_.size() + faces_per_task - 1) / faces_per_task);
   domain.workers.run(works.size(), [&](std::size_t task) {
     const std::size_t first = task * faces_per_task;
     works[task] = work_of(first, std::min(first + faces_per_task, faces_.size()), grid, ticks, nodes);
   });
-  for (const FaceWork& work : works) {
-    energy.static_ += work.held;
-    energy.dashpots += work.dashpots;
-    energy.input += work.input;
-  }
+  BoundaryWork total;
+  for (const BoundaryWork& work : works)
+    total += work;
   for (int clock = first_due; clock < static_cast<int>(dashpots_.size()); ++clock) {
     const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
-    energy.dashpots +=
+    total.dashpots +=
         0.5 * ticks.kick_of(clock) *
         (dashpots.power(grid.vx_before, grid.vy_before) + dashpots.power(grid.vx_after, grid.vy_after));
   }
+  return total;
 }
 
-Boundary::FaceWork Boundary::work_of(std::size_t begin, std::size_t end, const Grid& grid, const Ticks& ticks,
-                                     const ClockNodes& nodes) const {
+BoundaryWork Boundary::work_of(std::size_t begin, std::size_t end, const Grid& grid, const Ticks& ticks,
+                               const ClockNodes& nodes) const {
   const int first_due = ticks.first_due();
   const bool one_clock = nodes.one_clock();
   std::array<Vector, most_clocks> v_of; // of the face's nodes by clock, mean over the update, m/s
   std::array<double, most_clocks> kick{};
   for (int clock = 0; clock < ticks.clocks(); ++clock)
     kick[static_cast<std::size_t>(clock)] = ticks.kick_of(clock);
-  FaceWork work;
+  BoundaryWork work;
   for (std::size_t f = begin; f < end; ++f) {
     const BoundaryFace& face = faces_[f];
     std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
@@ -447,17 +448,18 @@ Boundary::FaceWork Boundary::work_of(std::size_t begin, std::size_t end, const G
   return work;
 }
 
-double Boundary::remap_power(const Grid& grid, const ClockNodes& nodes, int clock) const {
-  double power = 0.0;
-  for (const std::size_t n : nodes_.all())
-    if (nodes.clock_of(n) == clock)
-      power += on_nodes_x_[n] * (grid.vx_after[n] - grid.vx_strain[n]) +
-               on_nodes_y_[n] * (grid.vy_after[n] - grid.vy_strain[n]);
-  if (static_cast<std::size_t>(clock) < dashpots_.size()) {
-    const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
-    power += dashpots.power(grid.vx_after, grid.vy_after) - dashpots.power(grid.vx_strain, grid.vy_strain);
+void Boundary::take_off_remap_power(const Domain& domain, const ClockNodes& nodes, int clock,
+                                    ExactSum& power) const {
+  const Grid& grid = domain.grid;
+  const auto of_clock = static_cast<std::size_t>(clock);
+  const ConsistentDashpots* const dashpots = of_clock < dashpots_.size() ? &dashpots_[of_clock] : nullptr;
+  for (const std::size_t n : nodes_.all()) {
+    if (nodes.clock_of(n) != clock || !domain.counts({n, n + 1}))
+      continue;
+    const Vector corrected = dashpots ? dashpots->force_on(n) : Vector{};
+    power.add((on_nodes_x_[n] + corrected.x) * (grid.vx_strain[n] - grid.vx_after[n]) +
+              (on_nodes_y_[n] + corrected.y) * (grid.vy_strain[n] - grid.vy_after[n]));
   }
-  return power;
 }
 
 } // namespace tremolo::mpm_domain

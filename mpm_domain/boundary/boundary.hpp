@@ -40,6 +40,7 @@
 #include "mpm_domain/boundary/periodic_springs.hpp"
 #include "mpm_domain/boundary/rigid_base.hpp"
 #include "mpm_domain/fields/node_fields.hpp"
+#include "mpm_domain/ranks/exact_sum.hpp"
 
 #include <functional>
 #include <optional>
@@ -56,6 +57,20 @@ class Ticks;
 /// once a step; faces that a spring ties to the opposite side are left as they are.
 using FreeFieldSource =
     std::function<void(long step, double time, std::span<const Vector> v, std::span<eq6::FreeField> field)>;
+
+/// Work of the boundary in an update, J/m.
+struct BoundaryWork {
+  double held = 0.0; ///< of the static part
+  double dashpots = 0.0;
+  double input = 0.0;
+
+  BoundaryWork& operator+=(const BoundaryWork& more) {
+    held += more.held;
+    dashpots += more.dashpots;
+    input += more.input;
+    return *this;
+  }
+};
 
 /// What dashpots see of v- after a step that ended with v+ (see above), m/s.
 inline Vector without_residual(Vector before, Vector last_after) {
@@ -93,10 +108,8 @@ public:
   std::span<const std::size_t> shared_nodes() const {
     return share_ ? share_->nodes() : std::span<const std::size_t>();
   }
-  void share_sums(NodeFields& grid, SumRange fields) {
-    if (share_)
-      share_->share_sums(grid, fields);
-  }
+  /// After a scatter: tells ranks where the faces are, and the sums at these nodes.
+  void tell_ranks(Domain& domain);
 
   /// The passes of a step. At its first tick: velocities of the faces and free field, then what matched
   /// layers make of it.
@@ -106,11 +119,11 @@ public:
   /// At every tick: evaluates Eq. (6) at the faces that are due and adds it to the nodes' forces and
   /// dashpots.
   void apply(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
-  /// After the update: books the work of the boundary by its parts.
-  void book(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
-  /// Power (W/m) of the boundary's forces on the difference between v+ and the remapped velocity, at the
-  /// nodes of one clock.
-  double remap_power(const Grid& grid, const ClockNodes& nodes, int clock) const;
+  /// After the update: the work of the boundary by its parts, the same on all ranks.
+  BoundaryWork follow_update(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+  /// Takes off the power (W/m) of the boundary's forces on the difference between v+ and the remapped
+  /// velocity, at the nodes of one clock that count on this rank.
+  void take_off_remap_power(const Domain& domain, const ClockNodes& nodes, int clock, ExactSum& power) const;
 
   /// What the last exchange found per face: v^m (m/s) and the free field.
   std::span<const Vector> velocities() const { return v_exchange_; }
@@ -165,13 +178,6 @@ private:
     Vector dashpot; ///< Pa s
   };
 
-  /// Work of faces in an update, J/m.
-  struct FaceWork {
-    double held = 0.0; ///< of the static part
-    double dashpots = 0.0;
-    double input = 0.0;
-  };
-
   void set_levels(const std::vector<double>& levels);
   void set_layer_sums(const std::vector<double>& sums);
   std::vector<double> kicked() const;
@@ -186,8 +192,8 @@ private:
   void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
   void find_loads(int clock, const Ticks& ticks);
   /// Work of faces [begin, end) in the last update.
-  FaceWork work_of(std::size_t begin, std::size_t end, const Grid& grid, const Ticks& ticks,
-                   const ClockNodes& nodes) const;
+  BoundaryWork work_of(std::size_t begin, std::size_t end, const Grid& grid, const Ticks& ticks,
+                       const ClockNodes& nodes) const;
   void correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
 
   std::vector<BoundaryFace> faces_;

@@ -44,9 +44,23 @@ std::vector<std::size_t> nodes_near(const Domain& domain, std::span<const Bounda
 
 } // namespace
 
+auto BoundaryShare::told_places(const Domain& domain, std::span<const BoundaryFace> faces) {
+  return Told{&faces_, 4,
+              [this, &domain, faces](std::size_t f, double* numbers) {
+                const FacePlace& place = places_[f] = place_of(faces[f], domain.sets[faces[f].set]);
+                numbers[0] = place.centre.x;
+                numbers[1] = place.centre.y;
+                numbers[2] = place.half.x;
+                numbers[3] = place.half.y;
+              },
+              [this](std::size_t f, const double* numbers) {
+                places_[f] = {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+              }};
+}
+
 BoundaryShare::BoundaryShare(const Domain& domain, std::span<const BoundaryFace> faces)
     : faces_(owners_of_faces(domain, faces), *domain.share->ranks), places_(faces.size()) {
-  share_places(domain, faces);
+  tell_all(*domain.share->ranks, numbers_, told_places(domain, faces));
   nodes_ = nodes_near(domain, faces, places_);
   const auto columns = static_cast<std::size_t>(domain.grid.nx);
   std::vector<int> owner;
@@ -56,32 +70,18 @@ BoundaryShare::BoundaryShare(const Domain& domain, std::span<const BoundaryFace>
   sums_ = SharedList(owner, *domain.share->ranks);
 }
 
-void BoundaryShare::share_places(const Domain& domain, std::span<const BoundaryFace> faces) {
-  faces_.share(
-      4,
-      [&](std::size_t f, double* numbers) {
-        const FacePlace& place = places_[f] = place_of(faces[f], domain.sets[faces[f].set]);
-        numbers[0] = place.centre.x;
-        numbers[1] = place.centre.y;
-        numbers[2] = place.half.x;
-        numbers[3] = place.half.y;
-      },
-      [&](std::size_t f, const double* numbers) {
-        places_[f] = {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
-      });
-}
-
-void BoundaryShare::share_sums(NodeFields& grid, SumRange fields) {
-  sums_.share(
-      fields.end - fields.first,
-      [&](std::size_t n, double* numbers) {
-        for (std::size_t f = fields.first; f < fields.end; ++f)
-          *numbers++ = (grid.*particle_sums[f])[nodes_[n]];
-      },
-      [&](std::size_t n, const double* numbers) {
-        for (std::size_t f = fields.first; f < fields.end; ++f)
-          (grid.*particle_sums[f])[nodes_[n]] = *numbers++;
-      });
+void BoundaryShare::tell(Domain& domain, std::span<const BoundaryFace> faces) {
+  NodeFields& grid = domain.grid;
+  const Told sums{&sums_, dry_sums.end - dry_sums.first,
+                  [&](std::size_t n, double* numbers) {
+                    for (std::size_t f = dry_sums.first; f < dry_sums.end; ++f)
+                      *numbers++ = (grid.*particle_sums[f])[nodes_[n]];
+                  },
+                  [&](std::size_t n, const double* numbers) {
+                    for (std::size_t f = dry_sums.first; f < dry_sums.end; ++f)
+                      (grid.*particle_sums[f])[nodes_[n]] = *numbers++;
+                  }};
+  tell_all(*domain.share->ranks, numbers_, told_places(domain, faces), sums);
 }
 
 } // namespace tremolo::mpm_domain

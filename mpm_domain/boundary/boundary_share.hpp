@@ -22,19 +22,19 @@ public:
   /// To be made by all ranks after each sort.
   BoundaryShare(const Domain& domain, std::span<const BoundaryFace> faces);
 
-  /// Tells where the faces are now.
-  void share_places(const Domain& domain, std::span<const BoundaryFace> faces);
+  /// Tells where the faces are now, and the sums of dry soil at the nodes, in one message.
+  void tell(Domain& domain, std::span<const BoundaryFace> faces);
   const FacePlace& place(std::size_t face) const { return places_[face]; }
-
-  /// Tells the sums of the given fields at the nodes.
-  void share_sums(NodeFields& grid, SumRange fields);
   std::span<const std::size_t> nodes() const { return nodes_; } ///< rising
 
 private:
+  auto told_places(const Domain& domain, std::span<const BoundaryFace> faces);
+
   SharedList faces_;
   std::vector<FacePlace> places_;
   std::vector<std::size_t> nodes_;
   SharedList sums_; ///< at nodes_
+  std::vector<double> numbers_;
 };
 
 } // namespace tremolo::mpm_domain

@@ -36,6 +36,8 @@ public:
   /// @param dt time that the forces act for, s
   void correct(Domain& domain, std::span<const FaceWeights> weights, double dt);
 
+  /// g of a node that faces touch, N/m.
+  Vector force_on(std::size_t node) const { return {x_.g[node], y_.g[node]}; }
   /// Power of g on velocities of the grid's nodes, W/m.
   double power(const NodeField& vx, const NodeField& vy) const;
 

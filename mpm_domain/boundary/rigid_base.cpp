@@ -20,14 +20,13 @@ Vector after(Vector start, double time, Vector rate) {
 
 /// Sum over the nodes of these rows.
 template <typename OfNode>
-double sum_over(Domain& domain, std::span<const NodeRange> rows, const OfNode& of_node) {
-  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& row) {
+Sums<1> sum_over(Domain& domain, std::span<const NodeRange> rows, const OfNode& of_node) {
+  return sum_over_rows<1>(domain, rows, [&](const NodeRange& row) {
     double sum = 0.0;
     for (std::size_t n = row.begin; n < row.end; ++n)
       sum += of_node(n);
     return std::array{sum};
   });
-  return total;
 }
 
 } // namespace
@@ -86,21 +85,21 @@ void RigidBase::push(Domain& domain, const Ticks& ticks, int clock, std::span<co
   bear(nodes);
 }
 
-double RigidBase::power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
+Sums<1> RigidBase::power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
   const NodeFields& nodes = domain.grid;
   const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
-  return -0.5 * sum_over(domain, rows, [&](std::size_t n) {
-    return nodes.mass[n] *
+  return sum_over(domain, rows, [&](std::size_t n) {
+    return -0.5 * nodes.mass[n] *
            (a.x * (nodes.vx_before[n] + nodes.vx_after[n]) + a.y * (nodes.vy_before[n] + nodes.vy_after[n]));
   });
 }
 
-double RigidBase::remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
+Sums<1> RigidBase::remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
   const NodeFields& nodes = domain.grid;
   const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
-  return -sum_over(domain, rows, [&](std::size_t n) {
+  return sum_over(domain, rows, [&](std::size_t n) {
     return nodes.mass[n] *
-           (a.x * (nodes.vx_after[n] - nodes.vx_strain[n]) + a.y * (nodes.vy_after[n] - nodes.vy_strain[n]));
+           (a.x * (nodes.vx_strain[n] - nodes.vx_after[n]) + a.y * (nodes.vy_strain[n] - nodes.vy_after[n]));
   });
 }
 

@@ -18,6 +18,7 @@
 // Work is that of the frame: the base itself does none, and inertia does -m dV/dt . v.
 
 #include "mpm_domain/fields/node_fields.hpp"
+#include "mpm_domain/ranks/exact_sum.hpp"
 #include "mpm_domain/spec/lattice.hpp"
 #include "mpm_domain/spec/vector.hpp"
 
@@ -48,10 +49,10 @@ public:
   void move(Vector velocity, double dt, int clocks);
   /// Adds the inertia of a clock's kick to the forces of its nodes, in these rows, that are free.
   void push(Domain& domain, const Ticks& ticks, int clock, std::span<const NodeRange> rows);
-  /// Power (W/m) of that inertia on the mean velocity of an update.
-  double power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
-  /// Power (W/m) of that inertia on the difference between v+ and the remapped velocity.
-  double remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
+  /// Power (W/m) of that inertia on the mean velocity of an update; the sum of one rank.
+  Sums<1> power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
+  /// Likewise on the difference between v+ and the remapped velocity.
+  Sums<1> remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
 
   /// Motion of the base at the time at which particles' velocities and places are told, half a step before
   /// the end of the step just made.

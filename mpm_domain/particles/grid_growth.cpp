@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -41,8 +42,9 @@ Box room_of(const Grid& grid) {
 
 /// The box around those of all ranks.
 Box over_ranks(const Domain& domain, const Box& box) {
-  return {least_of_ranks(domain, box.x_min), least_of_ranks(domain, box.y_min),
-          largest_of_ranks(domain, box.x_max), largest_of_ranks(domain, box.y_max)};
+  std::array<double, 4> outwards{-box.x_min, -box.y_min, box.x_max, box.y_max};
+  take_largest(domain, outwards);
+  return {-outwards[0], -outwards[1], outwards[2], outwards[3]};
 }
 
 /// How far the sides with faces let soil go: beyond the outermost of them by overflow_cells.

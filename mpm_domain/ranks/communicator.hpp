@@ -28,10 +28,11 @@ public:
   /// Returns when all messages of send() and receive() have come through.
   virtual void wait() = 0;
 
-  /// Every number becomes its sum, least or largest value over all ranks.
+  /// Every number becomes its sum, or its largest value, over all ranks.
   virtual void add(std::span<std::int64_t> numbers) = 0;
-  virtual void least(std::span<double> numbers) = 0;
   virtual void largest(std::span<double> numbers) = 0;
+  /// Both, in one message.
+  virtual void add_and_find_largest(std::span<std::int64_t> sums, std::span<double> largest) = 0;
 
   /// Every rank has filled its own part of `numbers`, which consists of the parts of ranks 0, 1, ...; then
   /// all have all.

@@ -37,6 +37,12 @@ void ExactSum::add(double number) {
   digit[2] += sign * static_cast<std::int64_t>(high >> digit_bits);
 }
 
+ExactSum& ExactSum::operator+=(const ExactSum& more) {
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    parts_[k] += more.parts_[k];
+  return *this;
+}
+
 double ExactSum::value() const {
   if (parts_.back() != 0)
     return std::numeric_limits<double>::quiet_NaN();

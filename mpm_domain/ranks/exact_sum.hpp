@@ -19,6 +19,7 @@ class ExactSum {
 public:
   /// @pre fewer than 2^30 numbers are added, those of other sums included
   void add(double number);
+  ExactSum& operator+=(const ExactSum& more);
 
   /// The sum, to the last bit or the one before it; NaN if a number was not finite.
   double value() const;
@@ -31,5 +32,8 @@ private:
   std::array<std::int64_t, digits + 1>
       parts_{}; ///< digits, carries not yet taken; numbers that are not finite
 };
+
+template <std::size_t count>
+using Sums = std::array<ExactSum, count>;
 
 } // namespace tremolo::mpm_domain

@@ -2,6 +2,8 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <bit>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -38,6 +40,22 @@ bool has_others() {
 constexpr std::chrono::microseconds alert{100};
 constexpr std::chrono::microseconds nap{50};
 
+/// How two messages become one: the number of sums, these, which are added, then the bits of doubles, of
+/// which the larger is kept.
+void add_and_largest(void* from, void* to, int* /*count*/, MPI_Datatype* type) {
+  const auto* const in = static_cast<const std::int64_t*>(from);
+  auto* const inout = static_cast<std::int64_t*>(to);
+  int bytes = 0;
+  MPI_Type_size(*type, &bytes);
+  const std::size_t numbers = static_cast<std::size_t>(bytes) / sizeof(std::int64_t);
+  const std::size_t sums_end = 1 + static_cast<std::size_t>(inout[0]);
+  for (std::size_t i = 1; i < sums_end; ++i)
+    inout[i] += in[i];
+  for (std::size_t i = sums_end; i < numbers; ++i)
+    inout[i] =
+        std::bit_cast<std::int64_t>(std::max(std::bit_cast<double>(inout[i]), std::bit_cast<double>(in[i])));
+}
+
 /// Errors of MPI end all ranks: that is its default.
 class MpiCommunicator : public Communicator {
 public:
@@ -47,13 +65,14 @@ public:
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &given);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    MPI_Op_create(add_and_largest, 1, &both_);
   }
   ~MpiCommunicator() override {
     // Others may wait for this rank.
     if (std::uncaught_exceptions() > 0)
       MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
-    else
-      MPI_Finalize();
+    MPI_Op_free(&both_);
+    MPI_Finalize();
   }
 
   int rank() const override { return rank_; }
@@ -84,8 +103,28 @@ public:
                    &requests_.emplace_back());
     wait();
   }
-  void least(std::span<double> numbers) override { reduce(numbers, MPI_MIN); }
-  void largest(std::span<double> numbers) override { reduce(numbers, MPI_MAX); }
+  void largest(std::span<double> numbers) override {
+    MPI_Iallreduce(MPI_IN_PLACE, numbers.data(), length(numbers.size()), MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD,
+                   &requests_.emplace_back());
+    wait();
+  }
+  void add_and_find_largest(std::span<std::int64_t> sums, std::span<double> largest) override {
+    std::vector<std::int64_t> numbers{static_cast<std::int64_t>(sums.size())};
+    numbers.insert(numbers.end(), sums.begin(), sums.end());
+    for (const double number : largest)
+      numbers.push_back(std::bit_cast<std::int64_t>(number));
+    MPI_Datatype all = MPI_DATATYPE_NULL;
+    MPI_Type_contiguous(length(numbers.size()), MPI_INT64_T, &all);
+    MPI_Type_commit(&all);
+    MPI_Iallreduce(MPI_IN_PLACE, numbers.data(), 1, all, both_, MPI_COMM_WORLD, &requests_.emplace_back());
+    wait();
+    MPI_Type_free(&all);
+    auto next = numbers.begin() + 1;
+    for (std::int64_t& sum : sums)
+      sum = *next++;
+    for (double& number : largest)
+      number = std::bit_cast<double>(*next++);
+  }
 
   void share(std::span<double> numbers, std::span<const int> counts) override {
     length(numbers.size());
@@ -125,15 +164,10 @@ public:
   }
 
 private:
-  void reduce(std::span<double> numbers, MPI_Op how) {
-    MPI_Iallreduce(MPI_IN_PLACE, numbers.data(), length(numbers.size()), MPI_DOUBLE, how, MPI_COMM_WORLD,
-                   &requests_.emplace_back());
-    wait();
-  }
-
   int rank_ = 0;
   int size_ = 1;
   std::vector<MPI_Request> requests_;
+  MPI_Op both_ = MPI_OP_NULL; ///< add_and_largest()
 };
 
 } // namespace

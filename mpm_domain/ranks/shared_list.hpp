@@ -3,54 +3,72 @@
 #include "mpm_domain/ranks/communicator.hpp"
 
 #include <cstddef>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
-/// Entries of a list that all ranks have, of which each is known to one rank. share() tells it to all.
+/// Entries of a list that all ranks have, of which each is known to one rank.
 class SharedList {
 public:
   SharedList() = default;
   /// @param owner  the rank that knows an entry, by entry; nobody: left out
-  SharedList(const std::vector<int>& owner, Communicator& ranks) : ranks_(&ranks) {
-    counts_.resize(static_cast<std::size_t>(ranks.size()));
-    for (int rank = 0; rank < ranks.size(); ++rank)
-      for (std::size_t entry = 0; entry < owner.size(); ++entry)
-        if (owner[entry] == rank) {
-          entries_.push_back(entry);
-          ++counts_[static_cast<std::size_t>(rank)];
-        }
-    for (int rank = 0; rank < ranks.rank(); ++rank)
-      own_ += static_cast<std::size_t>(counts_[static_cast<std::size_t>(rank)]);
+  SharedList(const std::vector<int>& owner, const Communicator& ranks)
+      : of_rank_(static_cast<std::size_t>(ranks.size())) {
+    for (std::size_t entry = 0; entry < owner.size(); ++entry)
+      if (owner[entry] != nobody)
+        of_rank_[static_cast<std::size_t>(owner[entry])].push_back(entry);
   }
 
   static constexpr int nobody = -1;
 
-  /// @param width  numbers of an entry
-  /// @param read   (entry, numbers) gives those of an entry that this rank knows
-  /// @param write  (entry, numbers) takes those of another
-  template <typename Read, typename Write>
-  void share(std::size_t width, const Read& read, const Write& write) {
-    numbers_.resize(width * entries_.size());
-    std::vector<int> lengths = counts_;
-    for (int& length : lengths)
-      length *= static_cast<int>(width);
-    const auto mine = static_cast<std::size_t>(counts_[static_cast<std::size_t>(ranks_->rank())]);
-    for (std::size_t i = own_; i < own_ + mine; ++i)
-      read(entries_[i], &numbers_[width * i]);
-    ranks_->share(numbers_, lengths);
-    for (std::size_t i = 0; i < entries_.size(); ++i)
-      if (i < own_ || i >= own_ + mine)
-        write(entries_[i], &std::as_const(numbers_)[width * i]);
-  }
+  std::span<const std::size_t> known_to(std::size_t rank) const { return of_rank_[rank]; }
 
 private:
-  Communicator* ranks_ = nullptr;
-  std::vector<std::size_t> entries_; ///< those of rank 0, 1, ...
-  std::vector<int> counts_;          ///< by rank
-  std::size_t own_ = 0;              ///< where this rank's begin
-  std::vector<double> numbers_;
+  std::vector<std::vector<std::size_t>> of_rank_;
 };
+
+/// What ranks tell of a list.
+template <typename Read, typename Write>
+struct Told {
+  const SharedList* list;
+  std::size_t width; ///< numbers of an entry
+  Read read;         ///< (entry, numbers) gives those of an entry that this rank knows
+  Write write;       ///< (entry, numbers) takes those of another
+};
+
+/// All ranks tell each other what they know of some lists, in one message.
+/// @param numbers  room for it
+template <typename... Lists>
+void tell_all(Communicator& ranks, std::vector<double>& numbers, const Lists&... lists) {
+  const auto me = static_cast<std::size_t>(ranks.rank());
+  std::vector<int> lengths;
+  for (std::size_t rank = 0; rank < static_cast<std::size_t>(ranks.size()); ++rank)
+    lengths.push_back(static_cast<int>(((lists.width * lists.list->known_to(rank).size()) + ...)));
+  numbers.resize(static_cast<std::size_t>(std::accumulate(lengths.begin(), lengths.end(), 0)));
+  // act(list, entry, its numbers) for what a rank knows.
+  const auto walk = [&](std::size_t rank, double* next, const auto& act) {
+    const auto walk_list = [&](const auto& told) {
+      for (const std::size_t entry : told.list->known_to(rank)) {
+        act(told, entry, next);
+        next += told.width;
+      }
+    };
+    (walk_list(lists), ...);
+    return next;
+  };
+  const int before = std::accumulate(lengths.begin(), lengths.begin() + ranks.rank(), 0);
+  walk(me, numbers.data() + before,
+       [](const auto& told, std::size_t entry, double* its) { told.read(entry, its); });
+  ranks.share(numbers, lengths);
+  double* next = numbers.data();
+  for (std::size_t rank = 0; rank < lengths.size(); ++rank)
+    next = rank == me ? next + lengths[rank]
+                      : walk(rank, next, [](const auto& told, std::size_t entry, const double* its) {
+                          told.write(entry, its);
+                        });
+}
 
 } // namespace tremolo::mpm_domain

@@ -1,7 +1,6 @@
 #include "mpm_domain/step/grid_update.hpp"
 
 #include "mpm_domain/kernel/lanes.hpp"
-#include "mpm_domain/tiles/totals.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -21,10 +20,10 @@ Vectors velocities(const Grid& grid, std::size_t n, Group group, const Lanes& m,
 
 } // namespace
 
-double grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
+Sums<1> grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
-  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
+  return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Lanes m = group.load(&grid.mass[n]);
@@ -35,14 +34,13 @@ double grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
     });
     return std::array{sum(kinetic)};
   });
-  return total;
 }
 
-double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
+Sums<1> remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
-  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
+  return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes power{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Lanes m = group.load(&grid.mass[n]);
@@ -54,14 +52,13 @@ double remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
     });
     return std::array{sum(power)};
   });
-  return total;
 }
 
-GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> rows) {
+Sums<3> update_grid(Domain& domain, double dt, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
-  const auto [moving, fallen, relieved] = sum_over_rows<3>(domain, rows, [&](const NodeRange& nodes) {
+  return sum_over_rows<3>(domain, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     Lanes weight_work{}; // of the weight per m/s2, downwards
     Lanes relief{};
@@ -86,9 +83,8 @@ GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> row
       kick(grid.force_x, grid.dashpot_x, grid.vx_before, grid.ax, grid.vx_after);
       weight_work -= m * kick(grid.force_y, grid.dashpot_y, grid.vy_before, grid.ay, grid.vy_after);
     });
-    return std::array{sum(kinetic), sum(weight_work), sum(relief)};
+    return std::array{sum(kinetic), dt * gravity * sum(weight_work), 0.5 * dt * dt * sum(relief)};
   });
-  return {moving, dt * gravity * fallen, 0.5 * dt * dt * relieved};
 }
 
 } // namespace tremolo::mpm_domain

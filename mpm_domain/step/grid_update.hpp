@@ -1,9 +1,9 @@
 #pragma once
 
 // What happens on the nodes themselves between the transfers. All functions work on the rows of nodes that
-// they are given; tied nodes are left alone (grid/tied_nodes.hpp).
+// they are given; tied nodes are left alone (grid/tied_nodes.hpp). What they return are sums of one rank.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 
 #include <span>
 
@@ -11,17 +11,20 @@ namespace tremolo::mpm_domain {
 
 /// v- = p/m; nodes without soil rest.
 /// @returns the nodes' kinetic energy, J/m
-double grid_velocities(Domain& domain, std::span<const NodeRange> nodes);
+Sums<1> grid_velocities(Domain& domain, std::span<const NodeRange> nodes);
 
 /// u = p/m of the particles' new momenta, the velocity that strains the soil. For musl.
 /// @returns power of the nodal forces, weight aside, on what v+ differs from u by, W/m
-double remap_velocities(Domain& domain, std::span<const NodeRange> nodes);
+Sums<1> remap_velocities(Domain& domain, std::span<const NodeRange> nodes);
 
 /// What the update of nodes adds up, J/m.
 struct GridUpdate {
-  double kinetic = 0.0; ///< K(v+)
-  double gravity_work = 0.0;
-  double dashpot_relief = 0.0; ///< work of -C (v+ - v-)/2, the implicit part of the lumped dashpots
+  double kinetic; ///< K(v+)
+  double gravity_work;
+  double dashpot_relief; ///< work of -C (v+ - v-)/2, the implicit part of the lumped dashpots
+
+  explicit GridUpdate(const std::array<double, 3>& totals)
+      : kinetic(totals[0]), gravity_work(totals[1]), dashpot_relief(totals[2]) {}
 };
 
 /// v+ from (m/dt + C/2) (v+ - v-) = f, with C the boundary dashpots lumped to the node.
@@ -30,6 +33,7 @@ struct GridUpdate {
 /// small the mass of a node, |v+ - v-| stays below 2 |f|/C: a boundary node that has lost nearly all its soil
 /// remains stable.
 /// @param dt time that the forces act for, s
-GridUpdate update_grid(Domain& domain, double dt, std::span<const NodeRange> nodes);
+/// @returns the parts of a GridUpdate
+Sums<3> update_grid(Domain& domain, double dt, std::span<const NodeRange> nodes);
 
 } // namespace tremolo::mpm_domain

@@ -32,7 +32,12 @@ double fastest_particle(const Domain& domain) {
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       speed = std::max(speed, std::hypot(set.vx[k], set.vy[k]));
-  return largest_of_ranks(domain, speed);
+  take_largest(domain, {&speed, 1});
+  return speed;
+}
+
+Communicator* ranks_of(const Domain& domain) {
+  return domain.share ? domain.share->ranks : nullptr;
 }
 
 } // namespace
@@ -40,13 +45,14 @@ double fastest_particle(const Domain& domain) {
 Stepper::Stepper(Domain& domain, double start_time, FreeFieldSource free_field)
     : domain_(domain), free_field_(std::move(free_field)), time_(start_time),
       max_speed_(fastest_particle(domain)), ticks_(domain.clocks.count()), nodes_(domain),
-      shared_(domain, ticks_, nodes_), kinetic_(static_cast<std::size_t>(ticks_.clocks())),
-      kicks_(kinetic_.size()) {
+      shared_(domain, ticks_, nodes_), bookings_(ranks_of(domain)),
+      kinetic_(static_cast<std::size_t>(ticks_.clocks())), kicks_(kinetic_.size()) {
   if (!free_field_ && !domain.boundary.faces().empty())
     throw std::invalid_argument("a domain with boundary faces needs to be told their free field");
   domain.boundary.build_supports(domain);
   passes_ = recipe();
-  dt_ = next_time_step(domain_, max_speed_, 0.0);
+  find_bounds();
+  dt_ = next_time_step(domain_, bounds_, max_speed_, 0.0);
 }
 
 std::vector<Pass> Stepper::recipe() {
@@ -99,6 +105,8 @@ std::vector<Pass> Stepper::recipe() {
   if (domain_.contact.any())
     add("bodies", &Stepper::move_bodies);
   add("accelerations", &Stepper::gather_accelerations);
+  if (domain_.share)
+    add("totals over ranks", &Stepper::settle);
   return passes;
 }
 
@@ -127,7 +135,9 @@ void Stepper::step() {
 
 void Stepper::choose_step() {
   const double before = dt_;
-  dt_ = next_time_step(domain_, max_speed_, before);
+  if (!domain_.share)
+    bounds_ = step_bounds(domain_);
+  dt_ = next_time_step(domain_, bounds_, max_speed_, before);
   kick_ = 0.5 * (before + dt_);
   ticks_.set_step(dt_, kick_);
 }
@@ -162,7 +172,7 @@ void Stepper::scatter_particles() {
     shared_.keep(clock);
   }
   shared_.add_steady();
-  domain_.boundary.share_sums(domain_.grid, dry_sums);
+  domain_.boundary.tell_ranks(domain_);
   if (const auto& base = domain_.boundary.rigid_base())
     base->stop(domain_.grid);
 }
@@ -181,21 +191,18 @@ void Stepper::scatter_forces() {
 }
 
 void Stepper::find_velocities() {
-  double gained = 0.0;
-  for (int clock = ticks_.first_due(); clock < ticks_.clocks(); ++clock)
-    gained += grid_velocities(domain_, nodes_.of(clock)) - kinetic_of(clock);
-  if (domain_.has_flow())
-    gained += water_velocities(domain_, nodes_.of(0));
-  book_transfer(gained);
-}
-
-/// Kinetic energy of the grid that a transfer from the particles has brought; before the first, all of it.
-void Stepper::book_transfer(double kinetic_gain) {
+  // Kinetic energy of the grid that a transfer from the particles has brought; before the first, all of it.
   EnergyLedger& energy = domain_.energy;
-  if (steps_ == 0 && ticks_.is_first())
-    energy.kinetic_start = kinetic_gain;
-  else
-    energy.transfer += kinetic_gain;
+  const bool starts = steps_ == 0 && ticks_.is_first();
+  if (starts)
+    energy.kinetic_start = 0.0;
+  double& gained = starts ? energy.kinetic_start : energy.transfer;
+  for (int clock = ticks_.first_due(); clock < ticks_.clocks(); ++clock)
+    bookings_.add(grid_velocities(domain_, nodes_.of(clock)),
+                  [this, &gained, clock](const auto& kinetic) { gained += kinetic[0] - kinetic_of(clock); });
+  if (domain_.has_flow())
+    bookings_.add(water_velocities(domain_, nodes_.of(0)),
+                  [&gained](const auto& kinetic) { gained += kinetic[0]; });
 }
 
 void Stepper::exchange() {
@@ -217,28 +224,31 @@ void Stepper::react() {
 }
 
 void Stepper::update() {
-  EnergyLedger& energy = domain_.energy;
   for (int clock = ticks_.first_due(); clock < ticks_.clocks(); ++clock) {
     const double kick = ticks_.kick_of(clock);
-    const GridUpdate sums = update_grid(domain_, kick, nodes_.of(clock));
     kicks_[static_cast<std::size_t>(clock)] = kick;
-    kinetic_of(clock) = sums.kinetic;
-    energy.gravity += sums.gravity_work;
-    energy.dashpots += sums.dashpot_relief;
+    bookings_.add(update_grid(domain_, kick, nodes_.of(clock)), [this, clock](const auto& totals) {
+      const GridUpdate update(totals);
+      kinetic_of(clock) = update.kinetic;
+      domain_.energy.gravity += update.gravity_work;
+      domain_.energy.dashpots += update.dashpot_relief;
+    });
   }
   if (!domain_.contact.any())
     finish_update();
 }
 
 void Stepper::update_with_flow() {
-  EnergyLedger& energy = domain_.energy;
   walls_.close(domain_);
   kicks_.front() = ticks_.kick_of(0);
-  const MixtureUpdate sums = update_mixture(domain_, kicks_.front(), nodes_.of(0));
-  kinetic_.front() = sums.kinetic;
-  energy.gravity += sums.gravity_work;
-  energy.dashpots += sums.dashpot_relief;
-  energy.drag += sums.drag;
+  bookings_.add(update_mixture(domain_, kicks_.front(), nodes_.of(0)), [this](const auto& totals) {
+    const MixtureUpdate update(totals);
+    EnergyLedger& energy = domain_.energy;
+    kinetic_.front() = update.kinetic;
+    energy.gravity += update.gravity_work;
+    energy.dashpots += update.dashpot_relief;
+    energy.drag += update.drag;
+  });
   if (!domain_.contact.any())
     finish_update();
 }
@@ -255,17 +265,26 @@ void Stepper::meet_bodies() {
 }
 
 void Stepper::finish_update() {
-  EnergyLedger& energy = domain_.energy;
-  energy.kinetic = std::accumulate(kinetic_.begin(), kinetic_.end(), 0.0) + domain_.contact.kinetic_energy();
-  if (!std::isfinite(energy.kinetic))
-    throw std::runtime_error(
-        fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
-  domain_.boundary.book(domain_, ticks_, nodes_);
+  const BoundaryWork work = domain_.boundary.follow_update(domain_, ticks_, nodes_);
+  bookings_.add([this, work] {
+    EnergyLedger& energy = domain_.energy;
+    energy.kinetic =
+        std::accumulate(kinetic_.begin(), kinetic_.end(), 0.0) + domain_.contact.kinetic_energy();
+    if (!std::isfinite(energy.kinetic))
+      throw std::runtime_error(
+          fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
+    energy.static_ += work.held;
+    energy.dashpots += work.dashpots;
+    energy.input += work.input;
+  });
   if (const auto& base = domain_.boundary.rigid_base())
     for (int clock = ticks_.first_due(); clock < ticks_.clocks(); ++clock)
-      energy.input += ticks_.kick_of(clock) * base->power(domain_, clock, nodes_.of(clock));
+      bookings_.add(base->power(domain_, clock, nodes_.of(clock)),
+                    [this, kick = ticks_.kick_of(clock)](const auto& power) {
+                      domain_.energy.input += kick * power[0];
+                    });
   if (domain_.has_flow())
-    energy.drag -= kicks_.front() * walls_.open(domain_);
+    domain_.energy.drag -= kicks_.front() * walls_.open(domain_);
   shared_.follow_update();
 }
 
@@ -302,7 +321,6 @@ void Stepper::scatter_momenta() {
     add_particles(domain_, ScatterPart::momentum, clock);
     fold(domain_, ScatterPart::momentum, nodes_.ties_of(clock));
   }
-  domain_.boundary.share_sums(domain_.grid, sums_between(Sum::momentum_x, Sum::momentum_y));
   if (const auto& base = domain_.boundary.rigid_base())
     base->stop(domain_.grid);
 }
@@ -314,16 +332,21 @@ void Stepper::scatter_momenta() {
 // the other half of the power on it belongs to that step, and is booked here with the stresses of this one.
 void Stepper::remap() {
   for (int clock = ticks_.first_ending(); clock < ticks_.clocks(); ++clock) {
-    double power = remap_velocities(domain_, nodes_.of(clock)) -
-                   domain_.boundary.remap_power(domain_.grid, nodes_, clock);
+    Sums<1> power = remap_velocities(domain_, nodes_.of(clock));
+    domain_.boundary.take_off_remap_power(domain_, nodes_, clock, power[0]);
     if (const auto& base = domain_.boundary.rigid_base())
-      power -= base->remap_power(domain_, clock, nodes_.of(clock));
-    domain_.energy.transfer += 0.5 * kicks_[static_cast<std::size_t>(clock)] * power;
+      power[0] += base->remap_power(domain_, clock, nodes_.of(clock))[0];
+    book_transfer(0.5 * kicks_[static_cast<std::size_t>(clock)], power);
   }
   if (domain_.has_flow())
-    domain_.energy.transfer += 0.5 * kicks_.front() * remap_flux(domain_, nodes_.of(0));
+    book_transfer(0.5 * kicks_.front(), remap_flux(domain_, nodes_.of(0)));
   if (domain_.contact.any())
     domain_.energy.transfer += kicks_.front() * domain_.contact.meet_remapped(domain_);
+}
+
+/// Books a time (s) times a power (W/m).
+void Stepper::book_transfer(double time, const Sums<1>& power) {
+  bookings_.add(power, [this, time](const auto& total) { domain_.energy.transfer += time * total[0]; });
 }
 
 void Stepper::sharpen() {
@@ -332,9 +355,11 @@ void Stepper::sharpen() {
 
 /// The update and the remap have booked all of the weight.
 void Stepper::book_lift() {
-  domain_.energy.gravity += kicks_.front() * lift_power(domain_, nodes_.of(0));
+  bookings_.add(lift_power(domain_, nodes_.of(0)), [this, kick = kicks_.front()](const auto& power) {
+    domain_.energy.gravity += kick * power[0];
+  });
   if (domain_.spec.scheme.order == StepOrder::musl)
-    domain_.energy.transfer -= 0.5 * kicks_.front() * lift_remap_power(domain_, nodes_.of(0));
+    book_transfer(-0.5 * kicks_.front(), lift_remap_power(domain_, nodes_.of(0)));
 }
 
 /// The pressures of a step follow from the velocities that strain the soil, and from the flux of both where
@@ -362,7 +387,7 @@ void Stepper::gather_rest() {
   const GatherParts rest = drifts
                                ? GatherParts{.drift = true, .strain = true, .remapped = true, .sharp = sharp}
                                : GatherParts{.position = true, .strain = true, .remapped = true};
-  GatherSums sums;
+  GatherTotals sums;
   for (int clock = ticks_.clocks() - 1; clock >= ticks_.first_ending(); --clock) {
     shared_.take_mean(clock);
     prolong(domain_, NodeGroup::velocity, nodes_.ties_of(clock));
@@ -384,12 +409,35 @@ void Stepper::gather_accelerations() {
   prolong(domain_, NodeGroup::acceleration, domain_.soil_ties);
 }
 
-void Stepper::book(const GatherSums& sums) {
-  domain_.energy.elastic += sums.elastic;
-  domain_.energy.plastic += sums.plastic;
-  domain_.energy.viscous += sums.viscous;
-  if (sums.max_speed > 0.0)
-    max_speed_ = sums.max_speed;
+void Stepper::book(const GatherTotals& sums) {
+  bookings_.add(sums.works, [this](const auto& works) {
+    domain_.energy.elastic += works[0];
+    domain_.energy.plastic += works[1];
+    domain_.energy.viscous += works[2];
+  });
+  fastest_moved_ = sums.max_speed;
+  if (!domain_.share)
+    follow_fastest();
+}
+
+void Stepper::follow_fastest() {
+  if (fastest_moved_ > 0.0)
+    max_speed_ = fastest_moved_;
+}
+
+void Stepper::find_bounds() {
+  bounds_ = step_bounds(domain_);
+  take_largest(domain_, bounds_);
+}
+
+/// One message has what this step books and what bounds the next one.
+void Stepper::settle() {
+  bounds_ = step_bounds(domain_);
+  bounds_.push_back(fastest_moved_);
+  bookings_.settle(bounds_);
+  fastest_moved_ = bounds_.back();
+  bounds_.pop_back();
+  follow_fastest();
 }
 
 double Stepper::updates_per_step() const {

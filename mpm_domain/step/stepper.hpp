@@ -5,6 +5,8 @@
 #include "mpm_domain/clocks/ticks.hpp"
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/state.hpp"
+#include "mpm_domain/step/time_step.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 #include "mpm_domain/water/impervious_faces.hpp"
@@ -85,6 +87,7 @@ public:
     max_speed_ = numbers[3];
     moved_ = numbers[4];
     kinetic_ = numbers_of_size(from, "stepper.kinetic", kinetic_.size());
+    find_bounds();
     nodes_ = ClockNodes(domain_);
     if (ticks_.clocks() > 1) {
       nodes_.restore(domain_, from);
@@ -122,8 +125,12 @@ private:
   void move_bodies();
   void gather_accelerations();
 
-  void book_transfer(double kinetic_gain);
-  void book(const GatherSums& sums);
+  void settle();
+
+  void book_transfer(double time, const Sums<1>& power);
+  void book(const GatherTotals& sums);
+  void follow_fastest();
+  void find_bounds();
   double updates_per_step() const;
   double& kinetic_of(int clock) { return kinetic_[static_cast<std::size_t>(clock)]; }
 
@@ -134,11 +141,14 @@ private:
   double kick_ = 0.0;
   long steps_ = 0;
   double max_speed_ = 0.0;
-  double moved_ = 0.0; ///< bound on any particle's way since the last sort, m
+  double fastest_moved_ = 0.0; ///< particle of this rank that the last gather has moved, m/s
+  StepBounds bounds_;          ///< of the next step, of all ranks
+  double moved_ = 0.0;         ///< bound on any particle's way since the last sort, m
   double updates_ = 0.0;
   Ticks ticks_;
   ClockNodes nodes_;
   SharedNodes shared_;
+  Bookings bookings_;
   ImperviousFaces walls_;
   std::vector<double> kinetic_; ///< K(v+) of each clock's nodes after their last update, J/m
   std::vector<double> kicks_;   ///< time that the forces of that update acted for, s

@@ -2,7 +2,6 @@
 
 #include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/spec/limits.hpp"
-#include "mpm_domain/tiles/totals.hpp"
 
 #include <fmt/format.h>
 
@@ -38,38 +37,26 @@ Limit lesser(const Limit& one, const Limit& other) {
   return other.step < one.step ? other : one;
 }
 
-/// The least limit of all ranks, of which only that rank knows what sets it.
-Limit over_ranks(const Domain& domain, const Limit& limit) {
-  const double step = least_of_ranks(domain, limit.step);
-  return limit.step == step ? limit : Limit{step};
-}
-
 /// The least of steps_of(clock) times the critical step over all particles, where h is the size of the finest
-/// cells that a particle touches.
-/// @param speed  the waves that count
+/// cells that a particle touches. Limits fall with c and with the damping time, so the largest will do.
 template <typename StepsOf>
-Limit least_step(Domain& domain, double max_speed, const StepsOf& steps_of, double FastestWaves::*speed) {
+Limit least_step(const Domain& domain, const StepBounds& bounds, double max_speed, const StepsOf& steps_of) {
   const double share = share_of(domain.spec.scheme.order);
-  std::vector<Limit> least(domain.block_count());
-  domain.workers.run(least.size(), [&](std::size_t block) {
-    const double h = domain.lattice(domain.level_of_block(block)).h;
-    const double steps = steps_of(domain.clock_of_block(block));
-    const auto see = [&](Particles& set, const ParticleRange& range) {
-      if (range.begin == range.end)
-        return;
-      const FastestWaves waves = fastest_waves(set, range);
-      const double c = waves.*speed;
-      const double undamped = largest_courant_number * h / (c + max_speed);
-      const double damping = damping_of_fastest(set, waves.in_skeleton, c);
-      least[block] = lesser(least[block], {steps * damped_step(undamped, damping, share), h, c, damping});
-    };
-    for (Particles& set : domain.sets) {
-      see(set, set.in_block(block));
-      if (domain.mesh)
-        see(set, set.in_block(domain.block_count() + block));
-    }
-  });
-  return over_ranks(domain, *std::ranges::min_element(least, {}, &Limit::step));
+  Limit least;
+  std::size_t entry = 0;
+  for (std::size_t set = 0; set < domain.sets.size(); ++set)
+    for (int level = 0; level < domain.lattice_count(); ++level)
+      for (int clock = 0; clock < domain.clocks.count(); ++clock, ++entry) {
+        const double c = bounds[2 * entry];
+        const double damping = bounds[2 * entry + 1];
+        if (c < 0.0)
+          continue;
+        const double h = domain.lattice(level).h;
+        const double undamped = largest_courant_number * h / (c + max_speed);
+        const double steps = steps_of(clock);
+        least = lesser(least, {steps * damped_step(undamped, damping, share), h, c, damping});
+      }
+  return least;
 }
 
 /// Where all particles take the same step.
@@ -87,9 +74,7 @@ Limit layer_step(const Spec& spec) {
   return {largest_courant_number * spec.cell_size / c, spec.cell_size, c};
 }
 
-[[noreturn]] void refuse(const Domain& domain, double dt, Limit limit, double max_speed) {
-  for (double Limit::*what : {&Limit::h, &Limit::c, &Limit::damping_time})
-    limit.*what = largest_of_ranks(domain, limit.*what);
+[[noreturn]] void refuse(const Domain& domain, double dt, const Limit& limit, double max_speed) {
   const bool has_clocks = domain.clocks.count() > 1;
   const char* undamped = "0.65 h/(c_p + |v|)";
   std::string formula =
@@ -104,30 +89,72 @@ Limit layer_step(const Spec& spec) {
       dt, has_clocks ? " of the coarsest level" : "", limit.step, formula, limit.h, limit.c, max_speed));
 }
 
-/// The limit of soil in motion if all particles take the same step.
-Limit uniform_limit(Domain& domain, double max_speed) {
-  return lesser(least_step(domain, max_speed, one_step, &FastestWaves::in_soil), layer_step(domain.spec));
+/// The limit if all particles take the same step.
+Limit uniform_limit(const Domain& domain, const StepBounds& bounds, double max_speed) {
+  return lesser(least_step(domain, bounds, max_speed, one_step), layer_step(domain.spec));
 }
 
 /// The limit of clock 0 where every clock keeps to that of its own particles.
-Limit subcycled_limit(Domain& domain, double max_speed) {
+Limit subcycled_limit(const Domain& domain, const StepBounds& bounds, double max_speed) {
   const auto steps_of = [](int clock) { return static_cast<double>(1 << clock); };
-  return lesser(least_step(domain, max_speed, steps_of, &FastestWaves::in_soil), layer_step(domain.spec));
+  return lesser(least_step(domain, bounds, max_speed, steps_of), layer_step(domain.spec));
+}
+
+constexpr double no_particles = -1.0;
+
+void take_largest(const StepBounds& from, std::size_t from_entry, StepBounds& to, std::size_t entry) {
+  for (std::size_t i = 0; i < 2; ++i)
+    to[2 * entry + i] = std::max(to[2 * entry + i], from[2 * from_entry + i]);
+}
+
+StepBounds bounds_of(Domain& domain, double FastestWaves::*speed) {
+  const std::size_t sets = domain.sets.size();
+  std::vector<StepBounds> of_block(domain.block_count(), StepBounds(2 * sets, no_particles));
+  domain.workers.run(of_block.size(), [&](std::size_t block) {
+    for (std::size_t s = 0; s < sets; ++s) {
+      Particles& set = domain.sets[s];
+      const auto see = [&](const ParticleRange& range) {
+        if (range.begin == range.end)
+          return;
+        const FastestWaves waves = fastest_waves(set, range);
+        const double c = waves.*speed;
+        take_largest({c, damping_of_fastest(set, waves.in_skeleton, c)}, 0, of_block[block], s);
+      };
+      see(set.in_block(block));
+      if (domain.mesh)
+        see(set.in_block(domain.block_count() + block));
+    }
+  });
+  const auto lattices = static_cast<std::size_t>(domain.lattice_count());
+  const auto clocks = static_cast<std::size_t>(domain.clocks.count());
+  StepBounds bounds(2 * sets * lattices * clocks, no_particles);
+  for (std::size_t block = 0; block < of_block.size(); ++block) {
+    const auto level = static_cast<std::size_t>(domain.level_of_block(block));
+    const auto clock = static_cast<std::size_t>(domain.clock_of_block(block));
+    for (std::size_t s = 0; s < sets; ++s)
+      take_largest(of_block[block], s, bounds, (s * lattices + level) * clocks + clock);
+  }
+  return bounds;
 }
 
 } // namespace
 
+StepBounds step_bounds(Domain& domain) {
+  return bounds_of(domain, &FastestWaves::in_soil);
+}
+
 double critical_time_step(Domain& domain, double max_speed) {
-  return uniform_limit(domain, max_speed).step;
+  return uniform_limit(domain, step_bounds(domain), max_speed).step;
 }
 
 double critical_skeleton_step(Domain& domain) {
-  return lesser(least_step(domain, 0.0, one_step, &FastestWaves::in_skeleton), layer_step(domain.spec)).step;
+  return uniform_limit(domain, bounds_of(domain, &FastestWaves::in_skeleton), 0.0).step;
 }
 
-double next_time_step(Domain& domain, double max_speed, double last) {
+double next_time_step(const Domain& domain, const StepBounds& bounds, double max_speed, double last) {
   const Scheme& scheme = domain.spec.scheme;
-  const Limit limit = scheme.subcycle ? subcycled_limit(domain, max_speed) : uniform_limit(domain, max_speed);
+  const Limit limit =
+      scheme.subcycle ? subcycled_limit(domain, bounds, max_speed) : uniform_limit(domain, bounds, max_speed);
   // No particle of a mesh with clocks comes near cells of another level before the next sort.
   const double way = scheme.subcycle && max_speed > 0.0 ? 0.5 * domain.sort_distance() / max_speed
                                                         : std::numeric_limits<double>::infinity();

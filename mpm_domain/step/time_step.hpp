@@ -12,9 +12,19 @@
 
 #include "mpm_domain/domain.hpp"
 
+#include <vector>
+
 namespace tremolo::mpm_domain {
 
-/// The critical time step if all particles take the same, s.
+/// What bounds the step, two numbers by set, then by lattice, then by clock: the speed of the fastest waves
+/// (m/s; -1 if there are no particles), and the largest time of what damps these (s). Those of several ranks
+/// together are the largest.
+using StepBounds = std::vector<double>;
+
+/// The bounds of the particles of this rank.
+StepBounds step_bounds(Domain& domain);
+
+/// The critical time step of this rank if all particles take the same, s.
 double critical_time_step(Domain& domain, double max_speed);
 
 /// Likewise where pore pressures stay as they are, as under gravity, s.
@@ -24,8 +34,9 @@ double critical_skeleton_step(Domain& domain);
 /// steps of their own it is that of clock 0, so that every clock keeps to the limit of its own particles and
 /// no particle comes near cells of another level before the next sort. A last step that is still close to
 /// this is kept, since leapfrog is of second order only while the step stays the same.
+/// @param bounds of the particles of all ranks
 /// @param last the step before, 0 if there was none
 /// @throws std::invalid_argument for a step over the limit
-double next_time_step(Domain& domain, double max_speed, double last);
+double next_time_step(const Domain& domain, const StepBounds& bounds, double max_speed, double last);
 
 } // namespace tremolo::mpm_domain

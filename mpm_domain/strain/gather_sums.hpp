@@ -1,10 +1,12 @@
 #pragma once
 
+#include "mpm_domain/ranks/exact_sum.hpp"
+
 #include <algorithm>
 
 namespace tremolo::mpm_domain {
 
-/// Sums over the particles of a gather, and their largest speed.
+/// Sums over some particles of a gather, and their largest speed.
 struct GatherSums {
   double elastic = 0.0;   ///< work of the stresses on elastic strain, J/m
   double plastic = 0.0;   ///< work of the stresses on plastic strain, J/m
@@ -15,6 +17,25 @@ struct GatherSums {
     elastic += more.elastic;
     plastic += more.plastic;
     viscous += more.viscous;
+    max_speed = std::max(max_speed, more.max_speed);
+    return *this;
+  }
+};
+
+/// Those of all particles of one rank.
+struct GatherTotals {
+  Sums<3> works; ///< elastic, plastic, viscous, J/m
+  double max_speed = 0.0;
+
+  void add(const GatherSums& more) {
+    works[0].add(more.elastic);
+    works[1].add(more.plastic);
+    works[2].add(more.viscous);
+    max_speed = std::max(max_speed, more.max_speed);
+  }
+  GatherTotals& operator+=(const GatherTotals& more) {
+    for (std::size_t i = 0; i < works.size(); ++i)
+      works[i] += more.works[i];
     max_speed = std::max(max_speed, more.max_speed);
     return *this;
   }

@@ -7,30 +7,27 @@
 
 namespace tremolo::mpm_domain {
 
-void add_over_ranks(const Domain& domain, std::span<ExactSum> sums) {
-  if (!domain.share)
+void take_largest(const Domain& domain, std::span<double> numbers) {
+  if (domain.share)
+    domain.share->ranks->largest(numbers);
+}
+
+void Bookings::settle(std::span<double> largest) {
+  if (ranks_ == nullptr)
     return;
   std::vector<std::int64_t> parts;
-  for (ExactSum& sum : sums)
+  for (ExactSum& sum : sums_)
     parts.insert(parts.end(), sum.parts().begin(), sum.parts().end());
-  domain.share->ranks->add(parts);
+  ranks_->add_and_find_largest(parts, largest);
   auto next = parts.begin();
-  for (ExactSum& sum : sums) {
+  for (ExactSum& sum : sums_) {
     std::copy_n(next, sum.parts().size(), sum.parts().begin());
     next += static_cast<std::ptrdiff_t>(sum.parts().size());
   }
-}
-
-double largest_of_ranks(const Domain& domain, double number) {
-  if (domain.share)
-    domain.share->ranks->largest({&number, 1});
-  return number;
-}
-
-double least_of_ranks(const Domain& domain, double number) {
-  if (domain.share)
-    domain.share->ranks->least({&number, 1});
-  return number;
+  for (const std::function<void()>& book : waiting_)
+    book();
+  sums_.clear();
+  waiting_.clear();
 }
 
 } // namespace tremolo::mpm_domain

@@ -4,7 +4,6 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/strain/cell_dilatation.hpp"
 #include "mpm_domain/strain/strain_update.hpp"
-#include "mpm_domain/tiles/totals.hpp"
 #include "mpm_domain/transfer/samples.hpp"
 #include "mpm_domain/transfer/sharp_transfer.hpp"
 #include "mpm_domain/transfer/wide_squares.hpp"
@@ -182,19 +181,8 @@ GatherSums gather_across_tile(Domain& domain, const AcrossTile& tile, double dt)
                          : gather_set<parts, false>(domain, tile, dt, waiting);
 }
 
-GatherSums totals_of(const Domain& domain, std::span<const GatherSums> sums) {
-  std::vector<std::array<double, 3>> works;
-  double max_speed = 0.0;
-  for (const GatherSums& sum : sums) {
-    works.push_back({sum.elastic, sum.plastic, sum.viscous});
-    max_speed = std::max(max_speed, sum.max_speed);
-  }
-  const auto [elastic, plastic, viscous] = totals(domain, std::span<const std::array<double, 3>>(works));
-  return {elastic, plastic, viscous, largest_of_ranks(domain, max_speed)};
-}
-
 template <GatherParts parts>
-GatherSums gather_tiles(Domain& domain, double dt, int clock) {
+GatherTotals gather_tiles(Domain& domain, double dt, int clock) {
   ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
   const std::span<const std::size_t> filled = tiles.sums.filled();
   std::vector<GatherSums> sums(filled.size() + tiles.across.size());
@@ -221,7 +209,11 @@ GatherSums gather_tiles(Domain& domain, double dt, int clock) {
     });
   }
   constexpr bool adds_up = parts.strain || parts.position || parts.drift;
-  return adds_up ? totals_of(domain, sums) : GatherSums{};
+  GatherTotals totals;
+  if (adds_up)
+    for (const GatherSums& sum : sums)
+      totals.add(sum);
+  return totals;
 }
 
 constexpr GatherParts all_parts{.velocity = true, .position = true, .strain = true};
@@ -235,7 +227,7 @@ constexpr GatherParts sharp_strain_part{.strain = true, .remapped = true, .sharp
 
 } // namespace
 
-GatherSums gather(Domain& domain, double dt, GatherParts parts, int clock) {
+GatherTotals gather(Domain& domain, double dt, GatherParts parts, int clock) {
   if (parts == all_parts)
     return gather_tiles<all_parts>(domain, dt, clock);
   if (parts == velocity_part)
@@ -255,8 +247,8 @@ GatherSums gather(Domain& domain, double dt, GatherParts parts, int clock) {
   throw std::logic_error("gather: no step asks for this combination of parts");
 }
 
-GatherSums gather(Domain& domain, double dt, GatherParts parts) {
-  GatherSums total;
+GatherTotals gather(Domain& domain, double dt, GatherParts parts) {
+  GatherTotals total;
   for (int clock = 0; clock < domain.clocks.count(); ++clock)
     total += gather(domain, dt, parts, clock);
   return total;

@@ -27,10 +27,10 @@ struct GatherParts {
 /// symmetric part of A - A^2/2, the rotation its skew part. Volumes grow by det(I + A), to second order in A;
 /// boxes that follow the soil by I + A (particle_boxes.hpp).
 /// @throws std::logic_error for a combination of parts that no step uses
-GatherSums gather(Domain& domain, double dt, GatherParts parts, int clock);
+GatherTotals gather(Domain& domain, double dt, GatherParts parts, int clock);
 
 /// Gathers for the particles of all clocks over the same step dt (s).
-GatherSums gather(Domain& domain, double dt, GatherParts parts);
+GatherTotals gather(Domain& domain, double dt, GatherParts parts);
 
 /// The velocity of the soil at particle k of one set after the last update, m/s, for output: that of the
 /// particle, with reduced dispersion without what its mean over nodes has taken (sharp_transfer.hpp).

@@ -1,7 +1,6 @@
 #include "mpm_domain/water/mixture_update.hpp"
 
 #include "mpm_domain/kernel/lanes.hpp"
-#include "mpm_domain/tiles/totals.hpp"
 #include "mpm_domain/water/mixture_kick.hpp"
 
 #include <algorithm>
@@ -40,10 +39,10 @@ Lanes porosity(const MixtureNodes& nodes) {
 
 } // namespace
 
-double water_velocities(Domain& domain, std::span<const NodeRange> rows) {
+Sums<1> water_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double without = empty_water(domain);
-  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
+  return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Lanes m = group.load(&grid.water_mass[n]);
@@ -59,17 +58,15 @@ double water_velocities(Domain& domain, std::span<const NodeRange> rows) {
     });
     return std::array{sum(kinetic)};
   });
-  return total;
 }
 
-MixtureUpdate update_mixture(Domain& domain, double dt, std::span<const NodeRange> rows) {
+Sums<4> update_mixture(Domain& domain, double dt, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double without = empty_water(domain);
   const double density = density_of_water(domain);
   const double gravity = domain.spec.gravity;
-  const auto [moving, fallen, relieved,
-              dragged] = sum_over_rows<4>(domain, rows, [&](const NodeRange& nodes) {
+  return sum_over_rows<4>(domain, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     Lanes weight_work{}; // over the step, downwards
     Lanes relief{};
@@ -104,9 +101,8 @@ MixtureUpdate update_mixture(Domain& domain, double dt, std::span<const NodeRang
                              grid.wy_before, grid.ay, grid.vy_after, grid.wy_after);
       weight_work -= gravity * m.solid_mass * mid;
     });
-    return std::array{sum(kinetic), sum(weight_work), sum(relief), sum(drag)};
+    return std::array{sum(kinetic), dt * sum(weight_work), 0.5 * dt * dt * sum(relief), dt * sum(drag)};
   });
-  return {moving, dt * fallen, 0.5 * dt * dt * relieved, dt * dragged};
 }
 
 void find_flux(Domain& domain, std::span<const NodeRange> rows) {
@@ -127,12 +123,12 @@ void find_flux(Domain& domain, std::span<const NodeRange> rows) {
   });
 }
 
-double remap_flux(Domain& domain, std::span<const NodeRange> rows) {
+Sums<1> remap_flux(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double without = empty_water(domain);
   const double density = density_of_water(domain);
-  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
+  return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes power{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const MixtureNodes m = masses(grid, n, group, density, empty, without);
@@ -155,33 +151,31 @@ double remap_flux(Domain& domain, std::span<const NodeRange> rows) {
     });
     return std::array{sum(power)};
   });
-  return total;
 }
 
 namespace {
 
-/// Sum of lift (a + factor b), W/m
-double power_of_lift(Domain& domain, std::span<const NodeRange> rows, const NodeField& a, double factor,
-                     const NodeField& b) {
+/// Sum of lift (factor_a a + factor_b b), W/m
+Sums<1> power_of_lift(Domain& domain, std::span<const NodeRange> rows, double factor_a, const NodeField& a,
+                      double factor_b, const NodeField& b) {
   const Grid& grid = domain.grid;
-  const auto [total] = sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
+  return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes power{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
-      power += group.load(&grid.lift[n]) * (group.load(&a[n]) + factor * group.load(&b[n]));
+      power += group.load(&grid.lift[n]) * (factor_a * group.load(&a[n]) + factor_b * group.load(&b[n]));
     });
     return std::array{sum(power)};
   });
-  return total;
 }
 
 } // namespace
 
-double lift_power(Domain& domain, std::span<const NodeRange> rows) {
-  return 0.5 * power_of_lift(domain, rows, domain.grid.vy_before, 1.0, domain.grid.vy_after);
+Sums<1> lift_power(Domain& domain, std::span<const NodeRange> rows) {
+  return power_of_lift(domain, rows, 0.5, domain.grid.vy_before, 0.5, domain.grid.vy_after);
 }
 
-double lift_remap_power(Domain& domain, std::span<const NodeRange> rows) {
-  return power_of_lift(domain, rows, domain.grid.vy_after, -1.0, domain.grid.vy_strain);
+Sums<1> lift_remap_power(Domain& domain, std::span<const NodeRange> rows) {
+  return power_of_lift(domain, rows, 1.0, domain.grid.vy_after, -1.0, domain.grid.vy_strain);
 }
 
 } // namespace tremolo::mpm_domain

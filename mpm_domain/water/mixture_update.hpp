@@ -2,7 +2,7 @@
 
 // What happens on the nodes below the water table between the transfers, in the place of, or after, what
 // happens on nodes of dry soil (step/grid_update.hpp). All functions work on the rows of nodes that they are
-// given. Nodes without water take part as dry ones.
+// given. Nodes without water take part as dry ones. What they return are sums of one rank.
 //
 // The kinetic energy of both phases changes by
 //
@@ -11,7 +11,7 @@
 // velocities being means over the step. F' . v_s holds the power of stresses, boundary and weight; n f . w is
 // the power of the excess pressure on the flow of water; the rest is what the drag dissipates.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 
 #include <span>
 
@@ -19,19 +19,23 @@ namespace tremolo::mpm_domain {
 
 /// v_f- = p_f/m_f; that of the grains where there is no water.
 /// @returns kinetic energy of the water, J/m
-double water_velocities(Domain& domain, std::span<const NodeRange> nodes);
+Sums<1> water_velocities(Domain& domain, std::span<const NodeRange> nodes);
 
 /// What the update of nodes adds up, J/m.
 struct MixtureUpdate {
-  double kinetic = 0.0; ///< of grains and water
-  double gravity_work = 0.0;
-  double dashpot_relief = 0.0; ///< as in GridUpdate
-  double drag = 0.0;           ///< dissipated by drag, and by closed faces
+  double kinetic; ///< of grains and water
+  double gravity_work;
+  double dashpot_relief; ///< as in GridUpdate
+  double drag;           ///< dissipated by drag, and by closed faces
+
+  explicit MixtureUpdate(const std::array<double, 4>& totals)
+      : kinetic(totals[0]), gravity_work(totals[1]), dashpot_relief(totals[2]), drag(totals[3]) {}
 };
 
 /// v_s+ and v_f+ (mixture_kick.hpp).
 /// @param dt time that the forces act for, s
-MixtureUpdate update_mixture(Domain& domain, double dt, std::span<const NodeRange> nodes);
+/// @returns the parts of a MixtureUpdate
+Sums<4> update_mixture(Domain& domain, double dt, std::span<const NodeRange> nodes);
 
 /// The flux v_s + n w that changes pore pressures, of v+ (usl).
 void find_flux(Domain& domain, std::span<const NodeRange> nodes);
@@ -39,13 +43,13 @@ void find_flux(Domain& domain, std::span<const NodeRange> nodes);
 /// Likewise of the velocities of the particles' new momenta (musl).
 /// @returns power of the excess pressure on the difference between the flow after the update and that of the
 /// flux, W/m
-double remap_flux(Domain& domain, std::span<const NodeRange> nodes);
+Sums<1> remap_flux(Domain& domain, std::span<const NodeRange> nodes);
 
 /// Power of the weight that water takes off on the mean of the velocity before and after the update, W/m. The
 /// update has booked the whole weight of what moves with the grains.
-double lift_power(Domain& domain, std::span<const NodeRange> nodes);
+Sums<1> lift_power(Domain& domain, std::span<const NodeRange> nodes);
 
 /// Likewise on the difference between the velocity after the update and the remapped one, W/m.
-double lift_remap_power(Domain& domain, std::span<const NodeRange> nodes);
+Sums<1> lift_remap_power(Domain& domain, std::span<const NodeRange> nodes);
 
 } // namespace tremolo::mpm_domain

@@ -139,14 +139,14 @@ TEST_F(HardCase09, AStepThatDoesNotFollowTheStiffnessGrows) {
       stiffen(domain);
     scatter(domain, ScatterPart::both);
     grid_velocities(domain, domain.soil_rows);
-    const GridUpdate update = update_grid(domain, dt, domain.soil_rows);
-    if (!std::isfinite(update.kinetic) || update.kinetic > 1e10) {
-      after = update.kinetic;
+    const double kinetic = update_grid(domain, dt, domain.soil_rows)[0].value();
+    if (!std::isfinite(kinetic) || kinetic > 1e10) {
+      after = kinetic;
       break;
     }
     gather(domain, dt, {.velocity = true});
     gather(domain, dt, {.strain = true});
-    (step < 500 ? before : after) = std::max(step < 500 ? before : after, update.kinetic);
+    (step < 500 ? before : after) = std::max(step < 500 ? before : after, kinetic);
   }
   breaks("a step chosen from the first stiffness: kinetic energy after over before", after / before, 1e6);
 }

@@ -79,10 +79,8 @@ public:
         set.vy[k] = model.drift.y;
       }
     domain_.boundary.build_supports(domain_);
-    if (ranks != nullptr)
-      share_out(domain_, *ranks);
     wave_.angle = 0.2;
-    stepper_.emplace(domain_, 0.9, test_support::plane_wave_source(domain_, wave_, true, model.drift));
+    start(ranks);
   }
 
   void steps(int count) {
@@ -100,13 +98,18 @@ public:
   void load(const SavedState& saved, mpm_domain::Communicator* ranks) {
     domain_.share.reset();
     restore(domain_, saved);
-    if (ranks != nullptr)
-      share_out(domain_, *ranks);
+    start(ranks);
     stepper_->restore(saved);
   }
   const Domain& domain() const { return domain_; }
 
 private:
+  void start(mpm_domain::Communicator* ranks) {
+    if (ranks != nullptr)
+      share_out(domain_, *ranks);
+    stepper_.emplace(domain_, 0.9, test_support::plane_wave_source(domain_, wave_, true, model_.drift));
+  }
+
   static Spec spec_of(const Model& model, int threads) {
     Spec spec = test_support::elastic_box(100.0, 40.0, 1.0);
     model.change(spec);
