@@ -261,7 +261,8 @@ std::span<const Particles> Domain::sets_of_body(std::size_t body) const {
 }
 
 bool Domain::has_pore_pressure() const {
-  return std::ranges::any_of(sets, [](const Particles& set) { return set.traits.wet && set.size() > 0; });
+  return std::ranges::any_of(sets,
+                             [](const Particles& set) { return set.traits.wet && !set.index_of.empty(); });
 }
 
 double Domain::half_size(int level) const {

@@ -187,21 +187,21 @@ void Boundary::follow_sort(const Domain& domain) {
     share_.emplace(domain, faces_);
 }
 
-void Boundary::tell_ranks(Domain& domain) {
+void Boundary::read_soil(Domain& domain) {
+  soil_.resize(faces_.size());
   if (share_)
-    share_->tell(domain, faces_);
+    return share_->tell(domain, faces_, soil_);
+  for_faces(domain.workers, faces_.size(),
+            [&](std::size_t f) { soil_[f] = soil_at(faces_[f], domain.sets[faces_[f].set]); });
 }
 
 bool Boundary::is_due(int first_due, std::size_t f) const {
   return clock_[f] >= first_due;
 }
 
-/// The face's weights at its present place, and at the first tick its clock.
+/// The face's weights at the place of its soil, and at the first tick its clock.
 void Boundary::weigh(const Domain& domain, const ClockNodes& nodes, std::size_t f, bool first_tick) {
-  if (share_)
-    face_weights(domain, faces_[f], share_->place(f), weights_[f]);
-  else
-    face_weights(domain, faces_[f], weights_[f]);
+  face_weights(domain, faces_[f], soil_[f].place, weights_[f]);
   if (domain.clocks.count() == 1)
     return;
   std::erase_if(weights_[f],
@@ -230,7 +230,7 @@ void Boundary::exchange(Domain& domain, const ClockNodes& nodes, const FreeField
   for (std::size_t f = 0; f < faces_.size(); ++f)
     evaluate(f);
   if (domain.has_pore_pressure())
-    follow_lean(domain);
+    follow_lean();
 }
 
 /// Reactions of the elements behind the faces.
@@ -244,14 +244,14 @@ void Boundary::close(double time) {
     }
 }
 
-void Boundary::follow_lean(const Domain& domain) {
+void Boundary::follow_lean() {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const BoundaryFace& face = faces_[f];
     if (face.side == Side::base || face.support == Support::opposite_face)
       continue;
-    const double turned = -face.ground.normal.x * lean(domain, faces_, f); // n_y of the leaning side
+    const double turned = -face.ground.normal.x * lean(faces_, soil_, f); // n_y of the leaning side
     traction_[f].dynamic.x += turned * free_field_[f].stress.xy;
-    traction_[f].dynamic.y += turned * overburden(domain.sets[face.set], face);
+    traction_[f].dynamic.y += turned * soil_[f].syy;
   }
 }
 

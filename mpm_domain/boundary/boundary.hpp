@@ -108,8 +108,10 @@ public:
   std::span<const std::size_t> shared_nodes() const {
     return share_ ? share_->nodes() : std::span<const std::size_t>();
   }
-  /// After a scatter: tells ranks where the faces are, and the sums at these nodes.
-  void tell_ranks(Domain& domain);
+  /// After a scatter: reads the soil at the faces. Ranks tell each other of it, and of the sums at the shared
+  /// nodes.
+  void read_soil(Domain& domain);
+  std::span<const FaceSoil> soil() const { return soil_; } ///< by face
 
   /// The passes of a step. At its first tick: velocities of the faces and free field, then what matched
   /// layers make of it.
@@ -188,7 +190,7 @@ private:
   void add_to_layer_mean(std::size_t face);
   void evaluate(std::size_t face);
   void close(double time);
-  void follow_lean(const Domain& domain);
+  void follow_lean();
   void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
   void find_loads(int clock, const Ticks& ticks);
   /// Work of faces [begin, end) in the last update.
@@ -205,6 +207,7 @@ private:
   bool supported_ = false;
   std::optional<BoundaryShare> share_; ///< between ranks
 
+  std::vector<FaceSoil> soil_;
   std::vector<FaceWeights> weights_; ///< as of the start of each face's present step
   std::vector<int> clock_;
   std::vector<eq6::FreeField> free_field_;

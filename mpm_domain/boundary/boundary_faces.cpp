@@ -83,6 +83,12 @@ FacePlace place_of(const BoundaryFace& face, const Particles& set) {
   return {{set.x[k], set.y[k]}, half_sides(set, k)};
 }
 
+FaceSoil soil_at(const BoundaryFace& face, const Particles& set) {
+  const std::size_t k = set.index_of[face.id];
+  const double excess = set.traits.wet ? set.water->excess(set.pore_pressure[k], set.y[k]) : 0.0;
+  return {place_of(face, set), set.x[k] - set.x_initial[k], set.syy[k] - excess, excess};
+}
+
 mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place) {
   const auto& [centre, half] = place;
   mesh::Rectangle line{centre.x - half.x, centre.y - half.y, centre.x + half.x, centre.y + half.y};
@@ -129,24 +135,13 @@ int level_of(const Domain& domain, const BoundaryFace& face) {
   return on_one ? touched.finest : BoundaryFace::unknown;
 }
 
-double lean(const Domain& domain, std::span<const BoundaryFace> faces, std::size_t f) {
+double lean(std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil, std::size_t f) {
   const Side side = faces[f].side;
   const std::size_t lower = f > 0 && faces[f - 1].side == side ? f - 1 : f;
   const std::size_t upper = f + 1 < faces.size() && faces[f + 1].side == side ? f + 1 : f;
   if (lower == upper)
     return 0.0;
-  const auto moved = [&](const BoundaryFace& face) {
-    const Particles& set = domain.sets[face.set];
-    const std::size_t k = set.index_of[face.id];
-    return set.x[k] - set.x_initial[k];
-  };
-  return (moved(faces[upper]) - moved(faces[lower])) / (faces[upper].position.y - faces[lower].position.y);
-}
-
-double overburden(const Particles& set, const BoundaryFace& face) {
-  const std::size_t k = set.index_of[face.id];
-  const bool has_pressure = set.traits.wet;
-  return set.syy[k] - (has_pressure ? set.water->excess(set.pore_pressure[k], set.y[k]) : 0.0);
+  return (soil[upper].moved - soil[lower].moved) / (faces[upper].position.y - faces[lower].position.y);
 }
 
 namespace {

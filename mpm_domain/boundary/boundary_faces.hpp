@@ -79,14 +79,20 @@ struct FacePlace {
 };
 FacePlace place_of(const BoundaryFace& face, const Particles& set);
 
+/// The soil at a face: its particle.
+struct FaceSoil {
+  FacePlace place;
+  double moved = 0.0;  ///< along x, m
+  double syy = 0.0;    ///< total where there is pore water and over that of the water at rest, Pa
+  double excess = 0.0; ///< pore pressure over that of the water at rest, Pa
+};
+FaceSoil soil_at(const BoundaryFace& face, const Particles& set);
+
 /// The side of its particle's box that a face covers: a line.
 mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place);
 
 /// du_x/dy of a side at a face, by its neighbours. Faces are in the order of find_faces().
-double lean(const Domain& domain, std::span<const BoundaryFace> faces, std::size_t face);
-
-/// Vertical stress at a face, total where there is pore water and over that of the water at rest, Pa
-double overburden(const Particles& set, const BoundaryFace& face);
+double lean(std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil, std::size_t face);
 
 /// Weights of a face with its particle at a place, or at its present one, of nodes that are not tied.
 void face_weights(const Domain& domain, const BoundaryFace& face, const FacePlace& place,

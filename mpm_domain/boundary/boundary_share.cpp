@@ -3,6 +3,7 @@
 #include "mpm_domain/domain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -22,14 +23,29 @@ std::vector<int> owners_of_faces(const Domain& domain, std::span<const BoundaryF
   return {owner.begin(), owner.end()};
 }
 
+/// What ranks tell of the soil at faces.
+auto told_soil(const Domain& domain, std::span<const BoundaryFace> faces, const SharedList& list,
+               std::span<FaceSoil> soil) {
+  return Told{
+      &list, 7,
+      [&domain, faces, soil](std::size_t f, double* numbers) {
+        const auto& [place, moved, syy, excess] = soil[f] = soil_at(faces[f], domain.sets[faces[f].set]);
+        const auto& [centre, half] = place;
+        std::ranges::copy(std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess}, numbers);
+      },
+      [soil](std::size_t f, const double* numbers) {
+        soil[f] = {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}}, numbers[4], numbers[5], numbers[6]};
+      }};
+}
+
 /// The nodes that faces may touch while particles move by the distance between two sorts.
 std::vector<std::size_t> nodes_near(const Domain& domain, std::span<const BoundaryFace> faces,
-                                    std::span<const FacePlace> places) {
+                                    std::span<const FaceSoil> soil) {
   const Lattice& lattice = domain.grid;
   const auto cell = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
   std::vector<std::size_t> nodes;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const mesh::Rectangle line = line_of(faces[f], places[f]);
+    const mesh::Rectangle line = line_of(faces[f], soil[f].place);
     const bool own_boxes = domain.sets[faces[f].set].has_own_boxes();
     const double way = (own_boxes ? 2.0 : 1.0) * domain.sort_distance(); // as in reach_of()
     for (int j = cell(line.y_min - way, lattice.y0); j <= cell(line.y_max + way, lattice.y0) + 1; ++j)
@@ -44,24 +60,11 @@ std::vector<std::size_t> nodes_near(const Domain& domain, std::span<const Bounda
 
 } // namespace
 
-auto BoundaryShare::told_places(const Domain& domain, std::span<const BoundaryFace> faces) {
-  return Told{&faces_, 4,
-              [this, &domain, faces](std::size_t f, double* numbers) {
-                const FacePlace& place = places_[f] = place_of(faces[f], domain.sets[faces[f].set]);
-                numbers[0] = place.centre.x;
-                numbers[1] = place.centre.y;
-                numbers[2] = place.half.x;
-                numbers[3] = place.half.y;
-              },
-              [this](std::size_t f, const double* numbers) {
-                places_[f] = {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
-              }};
-}
-
 BoundaryShare::BoundaryShare(const Domain& domain, std::span<const BoundaryFace> faces)
-    : faces_(owners_of_faces(domain, faces), *domain.share->ranks), places_(faces.size()) {
-  tell_all(*domain.share->ranks, numbers_, told_places(domain, faces));
-  nodes_ = nodes_near(domain, faces, places_);
+    : faces_(owners_of_faces(domain, faces), *domain.share->ranks) {
+  std::vector<FaceSoil> soil(faces.size());
+  tell_all(*domain.share->ranks, numbers_, told_soil(domain, faces, faces_, soil));
+  nodes_ = nodes_near(domain, faces, soil);
   const auto columns = static_cast<std::size_t>(domain.grid.nx);
   std::vector<int> owner;
   for (const std::size_t node : nodes_)
@@ -70,18 +73,22 @@ BoundaryShare::BoundaryShare(const Domain& domain, std::span<const BoundaryFace>
   sums_ = SharedList(owner, *domain.share->ranks);
 }
 
-void BoundaryShare::tell(Domain& domain, std::span<const BoundaryFace> faces) {
+void BoundaryShare::tell(Domain& domain, std::span<const BoundaryFace> faces, std::span<FaceSoil> soil) {
   NodeFields& grid = domain.grid;
-  const Told sums{&sums_, dry_sums.end - dry_sums.first,
+  std::vector<NodeField*> fields;
+  for (const SumRange& range : scattered_sums(domain.grid.traits))
+    for (std::size_t f = range.first; f < range.end; ++f)
+      fields.push_back(&(grid.*particle_sums[f]));
+  const Told sums{&sums_, fields.size(),
                   [&](std::size_t n, double* numbers) {
-                    for (std::size_t f = dry_sums.first; f < dry_sums.end; ++f)
-                      *numbers++ = (grid.*particle_sums[f])[nodes_[n]];
+                    for (const NodeField* field : fields)
+                      *numbers++ = (*field)[nodes_[n]];
                   },
                   [&](std::size_t n, const double* numbers) {
-                    for (std::size_t f = dry_sums.first; f < dry_sums.end; ++f)
-                      (grid.*particle_sums[f])[nodes_[n]] = *numbers++;
+                    for (NodeField* field : fields)
+                      (*field)[nodes_[n]] = *numbers++;
                   }};
-  tell_all(*domain.share->ranks, numbers_, told_places(domain, faces), sums);
+  tell_all(*domain.share->ranks, numbers_, told_soil(domain, faces, faces_, soil), sums);
 }
 
 } // namespace tremolo::mpm_domain

@@ -22,16 +22,13 @@ public:
   /// To be made by all ranks after each sort.
   BoundaryShare(const Domain& domain, std::span<const BoundaryFace> faces);
 
-  /// Tells where the faces are now, and the sums of dry soil at the nodes, in one message.
-  void tell(Domain& domain, std::span<const BoundaryFace> faces);
-  const FacePlace& place(std::size_t face) const { return places_[face]; }
+  /// Tells of the soil at the faces, and the sums at the nodes, in one message.
+  /// @param soil  by face; takes what all ranks tell
+  void tell(Domain& domain, std::span<const BoundaryFace> faces, std::span<FaceSoil> soil);
   std::span<const std::size_t> nodes() const { return nodes_; } ///< rising
 
 private:
-  auto told_places(const Domain& domain, std::span<const BoundaryFace> faces);
-
   SharedList faces_;
-  std::vector<FacePlace> places_;
   std::vector<std::size_t> nodes_;
   SharedList sums_; ///< at nodes_
   std::vector<double> numbers_;

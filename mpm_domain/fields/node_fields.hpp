@@ -208,6 +208,13 @@ constexpr SumRange sums_between(Sum first, Sum last) {
 /// The sums that particles above the water table have.
 inline constexpr SumRange dry_sums = sums_between(Sum::mass, Sum::force_y);
 
+/// What a scatter of soil with these traits sums up: soil, then what its water adds.
+constexpr std::array<SumRange, 2> scattered_sums(NodeTraits traits) {
+  const SumRange of_water = traits.flowing ? sums_between(Sum::water_mass, Sum::pore_volume)
+                                           : sums_between(Sum::lift, Sum::pore_volume);
+  return {dry_sums, traits.wet ? of_water : SumRange{0, 0}};
+}
+
 /// act(field) for every field of a group.
 template <typename Act>
 constexpr void for_group(NodeFields& fields, NodeGroup group, const Act& act) {

@@ -119,14 +119,10 @@ void unpack(std::vector<Particles>& sets, std::size_t tiles, const std::vector<P
 std::optional<std::string> not_for_ranks(const Spec& spec) {
   if (!spec.refine.empty())
     return "a mesh of several levels";
-  if (spec.water)
-    return "soil below a water table";
   if (!spec.structures.empty())
     return "a structure";
   if (spec.sides == Sides::periodic || spec.sides == Sides::periodic_springs)
     return "a domain with periodic sides";
-  if (spec.rigid_base)
-    return "a domain on a shaking table";
   if (spec.scheme.dispersion == Dispersion::reduced)
     return "a domain with reduced dispersion";
   return std::nullopt;

@@ -14,7 +14,7 @@
 namespace tremolo::mpm_domain {
 
 /// @throws std::invalid_argument naming what of a domain ranks cannot share yet: a mesh of several levels,
-/// water, structures, periodic sides, reduced dispersion
+/// structures, periodic sides, reduced dispersion
 void require_shareable(const Spec& spec);
 
 /// Leaves a whole domain, which is the same on all ranks, with this rank's share of it. What stands behind

@@ -172,17 +172,19 @@ void Stepper::scatter_particles() {
     shared_.keep(clock);
   }
   shared_.add_steady();
-  domain_.boundary.tell_ranks(domain_);
+  domain_.boundary.read_soil(domain_);
   if (const auto& base = domain_.boundary.rigid_base())
     base->stop(domain_.grid);
 }
 
 void Stepper::scatter_wet_particles() {
   scatter_mixture(domain_, nodes_.of(0), nodes_.ties_of(0));
+  domain_.boundary.read_soil(domain_);
 }
 
 void Stepper::scatter_motion() {
   scatter(domain_, ScatterPart::motion);
+  domain_.boundary.read_soil(domain_);
 }
 
 void Stepper::scatter_forces() {
@@ -284,7 +286,9 @@ void Stepper::finish_update() {
                       domain_.energy.input += kick * power[0];
                     });
   if (domain_.has_flow())
-    domain_.energy.drag -= kicks_.front() * walls_.open(domain_);
+    bookings_.add([this, work_of_walls = kicks_.front() * walls_.open(domain_)] {
+      domain_.energy.drag -= work_of_walls;
+    });
   shared_.follow_update();
 }
 
@@ -368,8 +372,8 @@ void Stepper::find_pressures() {
   const Grid& grid = domain_.grid;
   const bool remapped = domain_.spec.scheme.order == StepOrder::musl;
   const auto update = [&](const NodeField& flux_x, const NodeField& flux_y) {
-    domain_.energy.pore +=
-        update_pressures(domain_, ticks_.dt_of(0), flux_x, flux_y, nodes_.of(0), nodes_.ties_of(0));
+    bookings_.add(update_pressures(domain_, ticks_.dt_of(0), flux_x, flux_y, nodes_.of(0), nodes_.ties_of(0)),
+                  [this](const auto& work) { domain_.energy.pore += work[0]; });
   };
   if (domain_.has_flow()) {
     if (!remapped)

@@ -41,19 +41,18 @@ void ImperviousFaces::close(Domain& domain) {
   Grid& grid = domain.grid;
   const Boundary& boundary = domain.boundary;
   for_group(grid, NodeGroup::openness, [](NodeField& open) { std::ranges::fill(open, 1.0); });
-  for (const BoundaryFace& face : boundary.faces())
+  for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
+    const BoundaryFace& face = boundary.faces()[f];
     if (domain.sets[face.set].traits.flowing)
       for (int level = 0; level < domain.lattice_count(); ++level)
-        close_nodes(domain.lattice(level), face.side, line_of(face, place_of(face, domain.sets[face.set])),
-                    grid);
+        close_nodes(domain.lattice(level), face.side, line_of(face, boundary.soil()[f].place), grid);
+  }
   reactions_.clear();
   for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
     const BoundaryFace& face = boundary.faces()[f];
-    const Particles& set = domain.sets[face.set];
-    if (!set.traits.flowing)
+    if (!domain.sets[face.set].traits.flowing)
       continue;
-    const std::size_t k = set.index_of[face.id];
-    const double load = -face.length * set.water->excess(set.pore_pressure[k], set.y[k]);
+    const double load = -face.length * boundary.soil()[f].excess;
     const Vector n = face.ground.normal;
     for (const auto& [node, w] : boundary.weights(f)) {
       const Vector force{load * w * n.x * grid.open_x[node], load * w * n.y * grid.open_y[node]};

@@ -9,7 +9,7 @@
 
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -192,27 +192,24 @@ double take_pressures(Domain& domain, Particles& p, std::size_t begin, std::size
   return sum(work);
 }
 
-double take_pressures(Domain& domain) {
-  constexpr std::size_t part = 4096; // particles
-  struct Task {
-    Particles* set;
-    std::size_t begin, end;
-  };
-  std::vector<Task> tasks;
-  for (Particles& p : domain.sets)
-    for (std::size_t k = 0; is_wet(p) && k < p.size(); k += part)
-      tasks.push_back({&p, k, std::min(k + part, p.size())});
-  std::vector<double> works(tasks.size());
-  domain.workers.run(tasks.size(), [&](std::size_t task) {
-    works[task] = take_pressures(domain, *tasks[task].set, tasks[task].begin, tasks[task].end);
+/// Likewise for all particles of this rank. Tiles are the parts, which are the same for any ranks.
+Sums<1> take_pressures(Domain& domain) {
+  const std::size_t blocks = domain.block_count() + domain.across_block_count();
+  std::vector<std::array<double, 1>> works(blocks);
+  domain.workers.run(blocks, [&](std::size_t block) {
+    for (Particles& p : domain.sets)
+      if (is_wet(p)) {
+        const ParticleRange range = p.in_block(block);
+        works[block][0] += take_pressures(domain, p, range.begin, range.end);
+      }
   });
-  return std::accumulate(works.begin(), works.end(), 0.0);
+  return sums_of(std::span<const std::array<double, 1>>(works));
 }
 
 } // namespace
 
-double update_pressures(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y,
-                        std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
+Sums<1> update_pressures(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y,
+                         std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     if (is_wet(domain.sets[s]))
       domain.waiting_pressures[s].resize(domain.sets[s].size());

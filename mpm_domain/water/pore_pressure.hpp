@@ -29,7 +29,7 @@
 // K_f can only fall. What a cell gives another by it is the compression of the water alone, p_e/K_f: balance
 // of momentum brings back any pressure that skeleton and weight require.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 
 #include <span>
 
@@ -40,7 +40,7 @@ namespace tremolo::mpm_domain {
 /// @param flux_x,flux_y  v_s + n w at the nodes, tied ones too, m/s
 /// @param ties           rows of the prolongation whose tied nodes particles touch
 /// @returns the work that the pressures take up, J/m
-double update_pressures(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y,
-                        std::span<const NodeRange> nodes, std::span<const std::size_t> ties);
+Sums<1> update_pressures(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y,
+                         std::span<const NodeRange> nodes, std::span<const std::size_t> ties);
 
 } // namespace tremolo::mpm_domain

@@ -106,9 +106,7 @@ constexpr std::array momenta{NodeGroup::momentum, NodeGroup::water_momentum};
 void scatter_mixture(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
   const std::span groups = std::span(of_mixture).first(domain.has_flow() ? of_mixture.size() : without_flow);
   clear_groups(domain, groups, nodes);
-  const std::array fields{dry_sums,
-                          domain.has_flow() ? sums_between(Sum::water_mass, Sum::pore_volume) : numbers};
-  add_mixture<Motion::mass_and_momentum, true>(domain, fields);
+  add_mixture<Motion::mass_and_momentum, true>(domain, scattered_sums(domain.grid.traits));
   for (const NodeGroup group : groups)
     fold(domain, group, ties);
 }

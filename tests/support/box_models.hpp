@@ -19,4 +19,17 @@ inline void add_layers(mpm_domain::Spec& spec) {
   spec.matched_sides = {left, right, base};
 }
 
+inline void put_into_container(mpm_domain::Spec& spec) {
+  spec.sides = mpm_domain::Sides::container;
+  spec.rigid_base = true;
+}
+
+/// Water in the lower half, where it flows or not.
+inline void add_water(mpm_domain::Spec& spec, materials::Drainage drainage) {
+  spec.gravity = 9.81;
+  spec.water = {-20.0, {}};
+  spec.soils.front().pores = {
+      .porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3, .drainage = drainage};
+}
+
 } // namespace tremolo::test_support

@@ -62,6 +62,7 @@ void load(Domain& domain, const FreeFieldSource& source) {
   Ticks ticks(1);
   ticks.set_step(dt, dt);
   const ClockNodes nodes(domain);
+  domain.boundary.read_soil(domain);
   domain.boundary.exchange(domain, nodes, source, 0, 0.0);
   domain.boundary.apply(domain, ticks, nodes);
 }

@@ -102,6 +102,7 @@ TEST(ConsistentDashpots, AreThoseOfTheBoundary) {
   const ClockNodes nodes(domain);
   for (BoundaryFace& face : domain.boundary.faces())
     face.held = traction_on(face);
+  domain.boundary.read_soil(domain);
   domain.boundary.exchange(
       domain, nodes, [](long, double, auto, auto field) { std::ranges::fill(field, eq6::FreeField{}); }, 0,
       0.0);

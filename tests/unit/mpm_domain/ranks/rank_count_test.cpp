@@ -22,6 +22,8 @@ using mpm_domain::Domain;
 using mpm_domain::Spec;
 using mpm_domain::Stepper;
 using test_support::add_layers;
+using test_support::add_water;
+using test_support::put_into_container;
 using test_support::SavedState;
 using test_support::yield;
 
@@ -63,6 +65,16 @@ const Model models[] = {
     {"Layers", layers, 40},
     {"MatchedLayers", add_layers, 40},
     {"Slope", slope, 40},
+    {"Container", [](Spec& spec) { put_into_container(spec), yield(spec); }, 40},
+    {"Undrained", [](Spec& spec) { add_water(spec, materials::Drainage::undrained), yield(spec); }, 40},
+    {"Wet", [](Spec& spec) { add_water(spec, materials::Drainage::coupled); }, 40},
+    {"WetUsl",
+     [](Spec& spec) {
+       add_water(spec, materials::Drainage::coupled);
+       spec.scheme.order = mpm_domain::StepOrder::usl;
+       spec.scheme.fraction = 0.4;
+     },
+     20},
     // Over several tiles: particles change ranks, tiles are dealt anew, the grid grows.
     {"Drifting", [](Spec& spec) { yield(spec); }, 120, {120.0, 40.0}},
     {"FallingSlope", [](Spec& spec) { slope(spec), yield(spec); }, 120, {-80.0, -60.0}},

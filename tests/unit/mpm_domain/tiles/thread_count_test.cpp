@@ -13,6 +13,8 @@ namespace {
 
 using mpm_domain::Spec;
 using test_support::add_layers;
+using test_support::add_water;
+using test_support::put_into_container;
 using test_support::SavedState;
 using test_support::yield;
 
@@ -39,22 +41,9 @@ void make_periodic(Spec& spec) {
   spec.sides = mpm_domain::Sides::periodic;
 }
 
-void put_into_container(Spec& spec) {
-  spec.sides = mpm_domain::Sides::container;
-  spec.rigid_base = true;
-}
-
 void subcycle(Spec& spec) {
   refine(spec);
   spec.scheme.subcycle = true;
-}
-
-/// Water in the lower half, where it flows or not.
-void add_water(Spec& spec, materials::Drainage drainage) {
-  spec.gravity = 9.81;
-  spec.water = {-20.0, {}};
-  spec.soils.front().pores = {
-      .porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3, .drainage = drainage};
 }
 
 const Model models[] = {
