@@ -11,6 +11,7 @@ from rank_lab import RankAttack, has_mpi
 RANKS = (2, 3, 4)
 # Where kills of a campaign fall, and how many of them.
 PHASES = {"start-up": 0.2, "gravity stage": 0.2, "steps": 0.35, "a checkpoint": 0.15, "leaving": 0.1}
+SLOW = VERDICT + 2.0  # s: ranks that are more than processors
 NO_MPI = "not tried: this build has no MPI"
 
 
@@ -54,7 +55,7 @@ def await_moment(faults, run, phase):
         await_until(lambda: run.ended() or run.checkpoints(), "a checkpoint")
         time.sleep(chance.uniform(0.0, 0.02))
     else:
-        await_until(lambda: run.ended() or run.frames() >= 15, "the last frames")
+        await_until(lambda: run.ended() or run.frames() >= 5, "the last frames")
         time.sleep(chance.uniform(0.0, 0.8))
     run.participants()
 
@@ -110,7 +111,7 @@ def stopped_rank(faults):
         with RankAttack(faults.tremolo, 3, **BRIEF) as run:
             run.await_phase("stepping")
             run.stop(f"rank {rank}")
-            seconds.append(run.must_fail(r"the hub waits for the velocities of step \d+ of domain 'domain'.*last sign of life", VERDICT))
+            seconds.append(run.must_fail(r"the hub waits for the velocities of step \d+ of domain 'domain'.*last sign of life", SLOW))
     return f"rank 0: {seconds[0]:.2f} s, rank 2: {seconds[1]:.2f} s"
 
 
@@ -122,7 +123,7 @@ def stopped_rank_in_gravity(faults):
         await_moment(faults, run, "gravity stage")
         run.stop("rank 1")
         # What the ranks have to do before they miss it comes on top.
-        return f"{run.must_fail('domain', VERDICT + timed(faults).file):.2f} s"
+        return f"{run.must_fail('domain', SLOW + timed(faults).file):.2f} s"
 
 
 @fault("SIGSTOP of each rank and of mpirun for 1 s, then SIGCONT", "the same bits as undisturbed")
@@ -169,3 +170,13 @@ def failing_rank(faults):
     failing(faults, 0)
     failing(faults, 2)
     return "told, of rank 0 and of rank 2"
+
+
+@fault("Ctrl-C in a run of ranks", "files closed, exit status 130, nothing of it is left")
+def interrupted_ranks(faults):
+    if not timed(faults).has_mpi:
+        return NO_MPI
+    with RankAttack(faults.tremolo, 3, duration=60.0) as run:
+        run.await_phase("stepping")
+        run.process.send_signal(signal.SIGINT)
+        return f"{run.must_fail('interrupted by Ctrl-C', 10.0, status=130):.2f} s"

@@ -10,6 +10,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "runs"))
 from fault_lab import Attack, require, results
 from processes import alive, ranks_below, variable
 
+DURATION = 0.5  # s: some 270 steps
 CHECKPOINTS = '\n[checkpoint]\nevery_steps = 40\n'
 
 
@@ -19,7 +20,7 @@ class RankAttack(Attack):
     def __init__(self, tremolo, ranks, **options):
         self.count = ranks
         self._shared_memory = None
-        super().__init__(tremolo, more=CHECKPOINTS, options=of_ranks(ranks), **options)
+        super().__init__(tremolo, more=CHECKPOINTS, options=of_ranks(ranks), **{"duration": DURATION, **options})
 
     def participants(self):
         super().participants()
