@@ -226,6 +226,25 @@ void require_known(const CLI::App& app, std::string_view word) {
   throw Exit{refused};
 }
 
+/// A line for each option that the command does not have and others do.
+std::string where_options_belong(const CLI::App& app, const std::vector<std::string>& words) {
+  const auto commands = app.get_subcommands({});
+  const auto meant = std::ranges::find(commands, words.front(), &CLI::App::get_name);
+  std::string lines;
+  for (const auto& word : words) {
+    const auto name = word.substr(0, word.find('='));
+    if (meant == commands.end() || !name.starts_with("--") || (*meant)->get_option_no_throw(name) != nullptr)
+      continue;
+    std::string having;
+    for (const CLI::App* command : commands)
+      if (command->get_option_no_throw(name) != nullptr && name != "--help")
+        having += fmt::format("{}`tremolo {}`", having.empty() ? "" : ", ", command->get_name());
+    if (!having.empty())
+      lines += fmt::format("{} is an option of {}, not of `tremolo {}`\n", name, having, words.front());
+  }
+  return lines;
+}
+
 } // namespace
 
 int run_command_line(int argc, char** argv, const std::string& program, const std::string& description,
@@ -244,7 +263,9 @@ int run_command_line(int argc, char** argv, const std::string& program, const st
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : refused;
+    const int status = app.exit(error);
+    std::fputs(where_options_belong(app, std::vector<std::string>(argv + 1, argv + argc)).c_str(), stderr);
+    return status == 0 ? 0 : refused;
   }
   return 0;
 }

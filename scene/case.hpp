@@ -254,11 +254,25 @@ struct Host {
   bool operator==(const Host&) const = default;
 };
 
+/// A machine beside that of the run on which ranks of the domain run.
+struct RankMachine {
+  std::string name;
+  std::optional<int> most; ///< ranks that it takes; absent: as many as the machine of the run has processors
+};
+
+/// [hosts.domain]: where the ranks of the domain run, however many they are.
+struct RankHosts {
+  StartRanksBy start = StartRanksBy::ssh;
+  std::vector<RankMachine> machines; ///< of ssh
+  std::string options;               ///< of mpirun
+};
+
 /// [hosts]
 struct Hosts {
-  std::string endpoint;       ///< where processes on other machines reach the run
-  std::string slurm_options;  ///< of the job that `tremolo sbatch` writes
-  std::map<Side, Host> sides; ///< those that are served from elsewhere; empty: all processes run here
+  std::string endpoint;            ///< where processes on other machines reach the run
+  std::string slurm_options;       ///< of the job that `tremolo sbatch` writes
+  std::map<Side, Host> sides;      ///< those that are served from elsewhere; empty: all sources run here
+  std::optional<RankHosts> domain; ///< absent: all ranks run here
 };
 
 /// [checkpoint]

@@ -121,6 +121,14 @@ constexpr auto words(StartBy) {
   return word_table<StartBy>({{StartBy::ssh, "ssh"}, {StartBy::slurm, "slurm"}, {StartBy::join, "join"}});
 }
 
+enum class StartRanksBy {
+  ssh,  ///< mpirun, through ssh to each machine
+  slurm ///< mpirun, on the nodes of the Slurm job that it runs in
+};
+constexpr auto words(StartRanksBy) {
+  return word_table<StartRanksBy>({{StartRanksBy::ssh, "ssh"}, {StartRanksBy::slurm, "slurm"}});
+}
+
 enum class OutputField {
   displacement,
   velocity,

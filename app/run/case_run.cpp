@@ -2,12 +2,13 @@
 
 #include "app/commands.hpp"
 #include "app/output_place.hpp"
-#include "app/run/hosts.hpp"
+#include "app/run/hosts/hosts.hpp"
 #include "app/run/participant_program.hpp"
 #include "app/run/run_display.hpp"
 #include "app/run/run_lock.hpp"
 #include "base/printable.hpp"
 #include "base/text_file.hpp"
+#include "coupler/launch/private_folder.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "coupler/recording/exchange_recorder.hpp"
 #include "coupler/wire/handshake/messages.hpp"
@@ -48,10 +49,10 @@ void place_elsewhere(const scene::Case& scene, const CaseRun& run, coupler::Laun
 }
 
 /// "tremolo-wave", and who starts it where it does not run here, or as how many ranks.
-std::string description(const coupler::ProcessSpec& process, const DomainRanks& ranks) {
+std::string description(const coupler::ProcessSpec& process, const scene::Case& scene, const CaseRun& run) {
   const auto program = process.program.filename().string();
-  if (process.role == coupler::Role::domain && ranks.count > 1)
-    return fmt::format("{:<18} as {} ranks", "tremolo-domain", ranks.count);
+  if (process.role == coupler::Role::domain && run.ranks.count > 1)
+    return fmt::format("{:<18} {}", "tremolo-domain", ranks_text(scene, run.ranks, run.local));
   if (!process.elsewhere)
     return program;
   return fmt::format("{:<18} {}", program,
@@ -59,7 +60,9 @@ std::string description(const coupler::ProcessSpec& process, const DomainRanks& 
                                                            : "by " + process.elsewhere->started_by);
 }
 
-coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run) {
+/// @param shared_memory  folder for ranks
+coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run,
+                                      const fs::path& shared_memory) {
   coupler::LaunchOptions options;
   options.case_file = scene.file;
   options.out = run.folder;
@@ -83,7 +86,8 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& r
                                .role = coupler::Role::domain,
                                .program = located("tremolo-domain"),
                                .threads = run.threads});
-  start_as_ranks(options.processes.back(), run.ranks);
+  start_as_ranks(options.processes.back(), scene, run.ranks, run.local, shared_memory,
+                 options.deadlines.connect);
   place_elsewhere(scene, run, options);
   return options;
 }
@@ -229,13 +233,16 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
   scene.file = run.folder / "case.toml";
   if (!run.resume)
     write_text_file(scene.file, scene.text);
-  auto options = launch_options(scene, run);
+  std::optional<coupler::PrivateFolder> shared_memory;
+  if (run.ranks.count > 1)
+    shared_memory.emplace(shared_memory_parent());
+  auto options = launch_options(scene, run, shared_memory ? shared_memory->path() : fs::path());
   ProgressLine line;
   options.on_progress = [&](const coupler::Progress& progress) { line.show(progress); };
   options.note = [&](const std::string& note) { line.note(note); };
   fmt::print("{}\n", scene.title);
   for (const auto& process : options.processes)
-    fmt::print("  {:<12} {}\n", process.name, description(process, run.ranks));
+    fmt::print("  {:<12} {}\n", process.name, description(process, scene, run));
   fmt::print("results in {}, mode {}\n", run.folder.string(), coupler::name(options.mode));
   std::fflush(stdout);
   const fs::path file = run.folder / "run.h5";

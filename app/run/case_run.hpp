@@ -3,7 +3,7 @@
 // One run of a case: its text is written into the run's folder, so that the folder says what was computed;
 // then the processes of its plan are started and watched to their end.
 
-#include "app/run/domain_ranks.hpp"
+#include "app/run/hosts/domain_ranks.hpp"
 #include "coupler/launch/launcher.hpp"
 #include "scene/case.hpp"
 

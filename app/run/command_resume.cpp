@@ -41,13 +41,13 @@ void resume(const ResumeArguments& arguments) {
         folder.string(), case_file.string()));
   const auto scene = scene::load(case_file);
   const std::string mode(coupler::name(set->run.mode)); // the command line may have chosen it
-  check_ranks(scene, arguments.local.ranks);
+  check_ranks(scene, arguments.local.ranks, arguments.local.local);
   coupler::require_same_run(*set, identity_of(scene, mode));
   fmt::print("going on from step {}, {:.6g} s\n", set->step, set->time);
   const auto summaries = run_case(scene, {.folder = folder,
                                           .mode = mode,
                                           .transport = arguments.local.transport,
-                                          .threads = arguments.local.threads_of_domain(),
+                                          .threads = arguments.local.threads_of_domain(scene),
                                           .keys = arguments.local.keys,
                                           .local = arguments.local.local,
                                           .ranks = arguments.local.ranks,

@@ -107,13 +107,13 @@ void run(const RunArguments& arguments) {
                                                    .replays = replays(arguments.replays)});
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
-  check_ranks(scene, arguments.local.ranks);
+  check_ranks(scene, arguments.local.ranks, arguments.local.local);
   const auto folder = new_folder(arguments);
   fmt::print("  {}{}", motion_levels_text(scene), scene::remarks_text(scene));
   const auto summaries = run_case(scene, {.folder = folder,
                                           .mode = arguments.mode,
                                           .transport = arguments.local.transport,
-                                          .threads = arguments.local.threads_of_domain(),
+                                          .threads = arguments.local.threads_of_domain(scene),
                                           .keys = arguments.local.keys,
                                           .local = arguments.local.local,
                                           .ranks = arguments.local.ranks});

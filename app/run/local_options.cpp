@@ -30,7 +30,7 @@ void add_local_options(Command& command, LocalOptions& options) {
       ->between(1, most_ranks)
       ->capture_default_str();
   command.add_flag("--oversubscribe", options.ranks.oversubscribe,
-                   "Start more ranks than the machine has processors");
+                   "Start more ranks than the machines have processors");
 }
 
 } // namespace tremolo::app

@@ -3,7 +3,7 @@
 // What the command line says about how a run's processes are started and talk; `run` and `resume` share it.
 
 #include "app/command_line.hpp"
-#include "app/run/domain_ranks.hpp"
+#include "app/run/hosts/domain_ranks.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -25,8 +25,10 @@ struct LocalOptions {
   std::optional<int> threads; ///< of the domain, or of each of its ranks
   DomainRanks ranks;
 
-  /// Without --threads the domain has those of the machine, which its ranks share.
-  int threads_of_domain() const { return threads.value_or(std::max(1, machine_threads() / ranks.count)); }
+  /// Without --threads the domain has those of the machine, which its ranks here share.
+  int threads_of_domain(const scene::Case& scene) const {
+    return threads.value_or(std::max(1, machine_threads() / ranks_here(scene, ranks, local)));
+  }
 };
 
 /// @param options  outlives the command

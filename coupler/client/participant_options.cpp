@@ -18,12 +18,9 @@ namespace {
 
 constexpr const char* session_variable = "TREMOLO_SESSION";
 
-std::uint64_t session_of_environment() {
+std::optional<std::uint64_t> session_of_environment() {
   const char* session = std::getenv(session_variable);
-  if (session == nullptr)
-    throw std::runtime_error(fmt::format(
-        "{} is not set: the run that starts this process gives it its session there", session_variable));
-  return session_from(session);
+  return session == nullptr ? std::nullopt : std::optional(session_from(session));
 }
 
 } // namespace
@@ -51,7 +48,14 @@ std::vector<std::string> command_line(const ParticipantOptions& options) {
 }
 
 std::vector<std::string> environment(const ParticipantOptions& options) {
-  return {fmt::format("{}={}", session_variable, session_text(options.session))};
+  return {fmt::format("{}={}", session_variable, session_text(session_of(options)))};
+}
+
+std::uint64_t session_of(const ParticipantOptions& options) {
+  if (!options.session)
+    throw std::runtime_error(fmt::format(
+        "{} is not set: the run that starts this process gives it its session there", session_variable));
+  return *options.session;
 }
 
 int participant_main(const std::string& program, const std::string& description, int argc, char** argv,

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,10 @@ struct Deadlines {
 
 struct ParticipantOptions {
   std::filesystem::path case_file;
-  std::string name;          ///< unique in the run, e.g. "left"
-  std::string endpoint;      ///< of the hub
-  std::uint64_t session = 0; ///< random number of the run
+  std::string name;     ///< unique in the run, e.g. "left"
+  std::string endpoint; ///< of the hub
+  /// Random number of the run; absent in a process that does not speak to the hub itself.
+  std::optional<std::uint64_t> session{};
   int threads = 1;
   std::filesystem::path out; ///< the run's folder; a participant that writes nothing ignores it
   Deadlines deadlines;
@@ -45,6 +47,9 @@ std::vector<std::string> command_line(const ParticipantOptions& options);
 
 /// What stands in the participant's environment beside that of the launcher, NAME=VALUE each.
 std::vector<std::string> environment(const ParticipantOptions& options);
+
+/// @throws std::runtime_error where there is none, with the variable that should hold it
+std::uint64_t session_of(const ParticipantOptions& options);
 
 /// The body of a participant's main: reads command line and environment, runs, and turns every exception into
 /// one line "program: message" on stderr.

@@ -53,7 +53,7 @@ public:
   bool ends_within(double wait_s);
 
   [[nodiscard]] const ChildProcess& process() const { return process_; }
-  [[nodiscard]] std::uint64_t session() const { return options_.session; }
+  [[nodiscard]] std::uint64_t session() const { return session_of(options_); }
 
   /// How the process ended and its last lines.
   [[nodiscard]] std::string last_words() const;

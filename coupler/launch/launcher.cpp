@@ -111,7 +111,9 @@ private:
                                                                   : std::filesystem::path()};
     const auto common = command_line(told);
     words.insert(words.end(), common.begin(), common.end());
-    return {std::move(words), environment(told)};
+    auto variables = environment(told);
+    variables.insert(variables.end(), process.environment.begin(), process.environment.end());
+    return {std::move(words), std::move(variables)};
   }
 
   void wait_for_news() {

@@ -34,6 +34,7 @@ struct ProcessSpec {
   std::filesystem::path program;
   int threads = 1;
   std::vector<std::string> arguments{};
+  std::vector<std::string> environment{}; ///< NAME=VALUE each, beside the run's own
   std::optional<Elsewhere> elsewhere{};
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <filesystem>
+#include "coupler/launch/private_folder.hpp"
+
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,23 +17,17 @@ enum class Transport {
 /// @throws std::invalid_argument naming the value and those that exist
 Transport transport_from(std::string_view name);
 
-/// The address that the hub of one run binds. For ipc it owns a fresh folder of mode 0700 under
-/// $XDG_RUNTIME_DIR or the temporary folder, so no other user can connect and no other run can take the
-/// address over; removed at the end. The folder holds a file that the run locks: what a killed run has left
-/// is recognised by its free lock and removed by the next one.
+/// The address that the hub of one run binds. For ipc it owns a private folder under $XDG_RUNTIME_DIR or the
+/// temporary folder, so no other user can connect and no other run can take the address over.
 class RunEndpoint {
 public:
   /// @throws Error if the folder cannot be made or its path is too long for a socket
   explicit RunEndpoint(Transport transport);
-  ~RunEndpoint();
-  RunEndpoint(const RunEndpoint&) = delete;
-  RunEndpoint& operator=(const RunEndpoint&) = delete;
 
   [[nodiscard]] const std::string& address() const { return address_; }
 
 private:
-  std::filesystem::path folder_;
-  int lock_ = -1;
+  std::optional<PrivateFolder> folder_;
   std::string address_;
 };
 

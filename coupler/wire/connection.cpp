@@ -24,8 +24,8 @@ void free_values(void* values, void* /*hint*/) {
 
 Connection::Connection(const ParticipantOptions& options)
     : context_(std::make_unique<zmq::context_t>(new_context(1))), name_(options.name),
-      case_text_(read_text_file(options.case_file)), session_(options.session), deadlines_(options.deadlines),
-      last_heard_(Clock::now()) {
+      case_text_(read_text_file(options.case_file)), session_(session_of(options)),
+      deadlines_(options.deadlines), last_heard_(Clock::now()) {
   try {
     std::optional<CurveKeys> keys;
     if (!options.keys.empty())

@@ -4,7 +4,8 @@
 // faces with what the coupler brings.
 //
 // mpirun may have started it as several ranks (docs/ranks.md). Each builds the whole domain and brings it to
-// rest, and then keeps its share. Only rank 0 knows the coupler and writes results.
+// rest, and then keeps its share. Only rank 0 knows the coupler and writes results; it runs on the machine of
+// the run, the others there or on machines that share its folder.
 
 #include "coupler/participant.hpp"
 #include "mpm_domain/boundary/static_traction.hpp"
@@ -13,7 +14,9 @@
 #include "mpm_domain/process/checkpoints.hpp"
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/coupled_faces.hpp"
+#include "mpm_domain/process/rank_inputs.hpp"
 #include "mpm_domain/process/run_output.hpp"
+#include "mpm_domain/process/shared_memory.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 #include "mpm_domain/ranks/mpi_communicator.hpp"
 #include "mpm_domain/state.hpp"
@@ -24,15 +27,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include <unistd.h>
 
 namespace tremolo::mpm_domain {
 
@@ -193,6 +200,8 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
 
 void run_share(const coupler::ParticipantOptions& options, const scene::Case& scene, const scene::Plan& plan,
                coupler::DomainClient* client, Communicator* ranks) {
+  if (ranks != nullptr)
+    require_same_inputs(*ranks, scene, plan, options);
   const Spec spec = spec_from_case(scene, options.threads);
   if (ranks != nullptr)
     require_shareable(spec);
@@ -205,23 +214,48 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), ranks);
 }
 
-void run(const coupler::ParticipantOptions& options) {
+std::string this_machine() {
+  std::array<char, 256> name{};
+  ::gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+/// What the ranks besides the first one do.
+void run_as_helper(const coupler::ParticipantOptions& options, Communicator& ranks) {
+  try {
+    const scene::Case scene = scene::load(options.case_file);
+    run_share(options, scene, scene::plan(scene), nullptr, &ranks);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "rank {} of the domain, on {}: {}\n", ranks.rank(), this_machine(), error.what());
+    // Where all ranks fail alike the first one tells it.
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    throw;
+  }
+}
+
+/// @param count  of the ranks that mpirun has been asked for
+std::unique_ptr<Communicator> joined_ranks(int count) {
+  if (count == 1)
+    return nullptr;
+  use_shared_memory_of_run();
+  auto ranks = join_ranks();
+  if (const int found = ranks ? ranks->size() : 1; found != count)
+    throw std::runtime_error(fmt::format("this is one of {} ranks that mpirun has started, but MPI finds {}: "
+                                         "mpirun must be of the Open MPI that "
+                                         "tremolo was built with",
+                                         count, found));
+  return ranks;
+}
+
+void run(const coupler::ParticipantOptions& options, int rank_count) {
+  const std::unique_ptr<Communicator> ranks = joined_ranks(rank_count);
+  if (ranks && ranks->rank() > 0)
+    return run_as_helper(options, *ranks);
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   if (const auto source = std::ranges::find(plan.sources, options.name, &scene::SourceProcess::name);
       source != plan.sources.end())
     return serve_column(scene, plan, *source, options);
-  const std::unique_ptr<Communicator> ranks = join_ranks();
-  if (ranks && ranks->rank() > 0) {
-    try {
-      return run_share(options, scene, plan, nullptr, ranks.get());
-    } catch (const std::exception& error) {
-      fmt::print(stderr, "rank {} of the domain: {}\n", ranks->rank(), error.what());
-      // Where all ranks fail alike the first one tells it.
-      std::this_thread::sleep_for(std::chrono::milliseconds(500));
-      throw;
-    }
-  }
   coupler::DomainClient client(options);
   try {
     run_share(options, scene, plan, &client, ranks.get());
@@ -235,7 +269,11 @@ void run(const coupler::ParticipantOptions& options) {
 } // namespace tremolo::mpm_domain
 
 int main(int argc, char** argv) {
-  return tremolo::coupler::participant_main("tremolo-domain",
-                                            "The Material Point Method domain of a tremolo run.", argc, argv,
-                                            tremolo::mpm_domain::run);
+  std::string ranks = "1";
+  return tremolo::coupler::participant_main(
+      "tremolo-domain", "The Material Point Method domain of a tremolo run.", argc, argv,
+      [&](const tremolo::coupler::ParticipantOptions& options) {
+        tremolo::mpm_domain::run(options, std::stoi(ranks));
+      },
+      {{"--ranks", "how many ranks share the domain, this one being one of them", ranks}});
 }

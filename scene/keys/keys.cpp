@@ -80,6 +80,7 @@ std::string type_text(const Key& key) {
     return "integer";
   case Type::choice:
     return "string";
+  case Type::texts:
   case Type::choices:
     return "array of strings";
   case Type::boolean:

@@ -17,6 +17,7 @@ enum class Type {
   number,
   integer,
   choice,  ///< one of Key::choices
+  texts,   ///< an array of at least one text, each at most once
   choices, ///< an array of them, each at most once
   boolean, ///< true or false
   numbers, ///< an array of Key::count numbers

@@ -41,20 +41,42 @@ Table host(std::string_view name, std::string_view meaning) {
                 .when = {"start", {scene::name(StartBy::ssh), scene::name(StartBy::slurm)}}}}};
 }
 
+Table rank_hosts() {
+  Key start = choice<StartRanksBy>(
+      "start", "Who starts the ranks of `tremolo run --ranks N`. `ssh`: mpirun, through ssh to the other "
+               "machines. `slurm`: mpirun, on the nodes of the Slurm job that the run is.");
+  start.required = true;
+  return {
+      .name = "hosts.domain",
+      .meaning = "Where ranks of the domain run, see docs/ranks.md; how many they are, `--ranks` says. Rank "
+                 "0 and those after it run where `tremolo run` is called, the others on these machines.",
+      .keys = {start,
+               {.name = "machines",
+                .type = Type::texts,
+                .meaning = "Machines beside that of the run, as ssh knows them. `node2:8` takes at most "
+                           "eight ranks; `node2` takes as many as the machine of the run has processors.",
+                .required = true,
+                .when = {"start", {scene::name(StartRanksBy::ssh)}}},
+               {.name = "options",
+                .type = Type::text,
+                .meaning = "Options of mpirun, separated by blanks, such as `--mca btl_tcp_if_include ib0`.",
+                .otherwise = "none"}}};
+}
+
 } // namespace
 
 std::vector<Table> hosts_keys() {
   return {
       {.name = "hosts",
-       .meaning = "Which free fields are computed on other machines, see docs/cluster.md. The domain runs "
-                  "where `tremolo run` is called.",
+       .meaning = "Which free fields are computed on other machines, and where ranks of the domain run, see "
+                  "docs/cluster.md. The domain itself, or its rank 0, runs where `tremolo run` is called.",
        .keys = {{.name = "endpoint",
                  .type = Type::text,
                  .meaning = "Where processes on other machines reach this run: `tcp://ADDRESS:PORT`. "
                             "ADDRESS is a number of this machine, the name of one of its network "
                             "interfaces, or `*`, all of them; others are then told this machine's name. "
                             "PORT may be `*`, any free one.",
-                 .required = true},
+                 .otherwise = "needed where a side is placed"},
                 {.name = "slurm_options",
                  .type = Type::text,
                  .meaning = "Options of the job that `tremolo sbatch` writes, separated by blanks, such as "
@@ -62,7 +84,8 @@ std::vector<Table> hosts_keys() {
                  .otherwise = "none"}}},
       host("hosts.left", "Where the free field of the left side is computed."),
       host("hosts.right", "Where that of the right side is."),
-      host("hosts.base", "Where that of the base is.")};
+      host("hosts.base", "Where that of the base is."),
+      rank_hosts()};
 }
 
 } // namespace tremolo::scene

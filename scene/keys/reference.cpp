@@ -150,6 +150,11 @@ ordered_json value_schema(const Key& key) {
     return {{"type", "string"}, {"enum", key.choices}};
   case Type::boolean:
     return {{"type", "boolean"}};
+  case Type::texts: {
+    auto schema = array_schema({{"type", "string"}, {"minLength", 1}}, 1);
+    schema["uniqueItems"] = true;
+    return schema;
+  }
   case Type::choices: {
     auto schema = array_schema({{"type", "string"}, {"enum", key.choices}}, 0);
     schema["uniqueItems"] = true;

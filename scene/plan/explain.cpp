@@ -76,6 +76,21 @@ std::string cell_sizes_text(const std::vector<Level>& levels) {
                             : fmt::format("{} to {} m", levels.front().cell_size, levels.back().cell_size);
 }
 
+/// Where ranks of the domain run, if there are any.
+std::string ranks_text(const Case& scene) {
+  if (!scene.hosts.domain)
+    return {};
+  const RankHosts& hosts = *scene.hosts.domain;
+  std::string text = "    its ranks with --ranks N: ";
+  if (hosts.start == StartRanksBy::slurm)
+    return text + "on the nodes of the Slurm job\n";
+  text += "here";
+  for (const RankMachine& machine : hosts.machines)
+    text +=
+        fmt::format(", {}{}", machine.name, machine.most ? fmt::format(" (at most {})", *machine.most) : "");
+  return text + ", through ssh\n";
+}
+
 std::string steps_text(int steps) {
   return steps == 1 ? "1 step" : fmt::format("{} steps", steps);
 }
@@ -139,6 +154,7 @@ std::string explain(const Case& scene, const Plan& plan) {
     text += fmt::format("  {:<4}{:<20}{}{}\n", effect.on ? "on" : "off", effect.name, effect.why,
                         cost_text(effect));
   text += fmt::format("\nProcesses\n  {:<16}{:<18}particles, boundary faces\n", "tremolo-domain", "domain");
+  text += ranks_text(scene);
   for (const SourceProcess& source : plan.sources)
     text += fmt::format("  {:<16}{:<18}model {}{}; serves {}\n", program(source.field), source.name,
                         name(source.field.model), ground_text(scene, source), sides_text(source));

@@ -43,7 +43,7 @@ bool is_of_water(OutputField field) {
 Output read_output(Document& document, const Case& scene, Findings& findings) {
   const auto table = document.table("output");
   Output output{table.number("every_s"), table.number("history_every_s"), {}};
-  for (const auto& field : table.choices("fields"))
+  for (const auto& field : table.texts("fields"))
     output.fields.push_back(value_named<OutputField>(field).value());
   if (!scene.water) {
     const auto of_water = std::ranges::find_if(output.fields, is_of_water);

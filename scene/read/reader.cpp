@@ -232,6 +232,8 @@ std::optional<TableReader::Value> TableReader::convert(const Key& key, const tom
     return convert_series(key, node);
   case Type::polygon:
     return convert_polygon(key, node);
+  case Type::texts:
+    return convert_texts(key, node);
   case Type::choices:
     return convert_choices(key, node);
   }
@@ -369,6 +371,25 @@ std::optional<TableReader::Value> TableReader::convert_polygon(const Key& key, c
   return polygon;
 }
 
+std::optional<TableReader::Value> TableReader::convert_texts(const Key& key, const toml::node& node) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr)
+    return refuse(key, node,
+                  fmt::format("'{}' must be an {}, found {}", key.name, type_text(key), type_name(node)));
+  if (array->empty())
+    return refuse(key, node, fmt::format("'{}' is empty", key.name));
+  std::vector<std::string> values;
+  for (const toml::node& element : *array) {
+    auto value = convert_text(key, element);
+    if (!value)
+      return std::nullopt;
+    if (std::ranges::find(values, *value) != values.end())
+      return refuse(key, element, fmt::format("'{}' stands twice in '{}'", *value, key.name));
+    values.push_back(std::move(*value));
+  }
+  return values;
+}
+
 std::optional<TableReader::Value> TableReader::convert_choices(const Key& key, const toml::node& node) {
   const toml::array* array = node.as_array();
   if (array == nullptr)
@@ -419,7 +440,7 @@ std::vector<double> TableReader::numbers(std::string_view key) const {
 Polygon TableReader::polygon(std::string_view key) const {
   return get<Polygon>(key);
 }
-std::vector<std::string> TableReader::choices(std::string_view key) const {
+std::vector<std::string> TableReader::texts(std::string_view key) const {
   return get<std::vector<std::string>>(key);
 }
 

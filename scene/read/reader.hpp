@@ -76,7 +76,8 @@ public:
   std::vector<double> numbers(std::string_view key) const;
   Point point(std::string_view key) const;
   Polygon polygon(std::string_view key) const;
-  std::vector<std::string> choices(std::string_view key) const;
+  /// Of Type::texts or Type::choices.
+  std::vector<std::string> texts(std::string_view key) const;
 
   /// The table below this one, where the file has it: `circle` of [[structure]] by the spec
   /// "structure.circle".
@@ -106,6 +107,7 @@ private:
   std::optional<Value> convert_elements(const Key& key, const toml::array& array);
   std::optional<Value> convert_series(const Key& key, const toml::node& node);
   std::optional<Value> convert_polygon(const Key& key, const toml::node& node);
+  std::optional<Value> convert_texts(const Key& key, const toml::node& node);
   std::optional<Value> convert_choices(const Key& key, const toml::node& node);
   std::nullopt_t refuse(const Key& key, const toml::node& node, std::string text);
   template <class T>

@@ -57,6 +57,7 @@ constexpr std::array rules = {
     Rule{Severity::error, lines_lie_in_soil},
     Rule{Severity::error, sliding_masses_hold_soil},
     Rule{Severity::error, hosts_can_meet},
+    Rule{Severity::error, ranks_can_be_placed},
 
     Rule{Severity::warning, mesh_resolves_pulse},
     Rule{Severity::warning, wave_arrives_after_start},

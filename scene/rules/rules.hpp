@@ -98,6 +98,8 @@ void monitors_lie_in_soil(const Case& scene, Findings& findings);
 void monitors_lie_on_structures(const Case& scene, Findings& findings);
 /// [hosts] places sides, one host for a process, at an endpoint that other machines can be told.
 void hosts_can_meet(const Case& scene, Findings& findings);
+/// [hosts.domain] names machines, each once.
+void ranks_can_be_placed(const Case& scene, Findings& findings);
 
 /// Cells are small enough for the frequencies of the pulse.
 void mesh_resolves_pulse(const Case& scene, Findings& findings);

@@ -48,7 +48,7 @@ soiltest::Path read_path(const TableReader& table, const std::filesystem::path& 
   std::ifstream stream(name);
   try {
     constexpr double kilopascal = 1e3;
-    return soiltest::read_path(stream, table.choices("by_stress"),
+    return soiltest::read_path(stream, table.texts("by_stress"),
                                table.text("stress_unit") == "kPa" ? kilopascal : 1.0);
   } catch (const std::invalid_argument& error) {
     findings.add(table.path("file"), fmt::format("{}: {}", name.string(), error.what()));

@@ -30,9 +30,13 @@ void hosts_can_meet(const Case& scene, Findings& findings) {
                     "(10.0.0.1 or [fd00::1]), the name of a network interface, or *; PORT from 1 to "
                     "65535, or *",
                     hosts.endpoint));
+  if (hosts.endpoint.empty() && !hosts.sides.empty() && findings.sound("hosts.endpoint"))
+    findings.add("hosts", "missing 'endpoint': processes on other machines need the address of this run, "
+                          "tcp://ADDRESS:PORT");
   if (!hosts.endpoint.empty() && hosts.sides.empty())
-    findings.add("hosts",
-                 "no process is placed: say where 'left', 'right' or 'base' runs, or remove the table");
+    findings.add("hosts", fmt::format("no process is placed: say where 'left', 'right' or 'base' runs, or "
+                                      "remove {}",
+                                      hosts.domain ? "'endpoint', which ranks do not need" : "the table"));
   for (const auto& [side, host] : hosts.sides)
     if (is_no_host(host.address))
       findings.add(key_of(side) + ".host",

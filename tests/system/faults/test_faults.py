@@ -12,7 +12,7 @@ import time
 import traceback
 from concurrent.futures import ThreadPoolExecutor
 
-import machine_faults, process_faults, rogue_faults  # they register themselves
+import machine_faults, process_faults, rank_faults, rogue_faults  # they register themselves
 from faults import FAULTS, Faults
 
 tremolo, clock, *rest = sys.argv[1:]
@@ -20,7 +20,7 @@ seed = int(rest[0]) if rest else random.SystemRandom().randrange(1 << 32)
 names = rest[1:]
 print(f"seed {seed}", flush=True)
 faults = Faults(tremolo, clock, seed)
-faults.slope(), faults.box()
+faults.slope(), faults.box(), rank_faults.timed(faults)
 failed = []
 printing = threading.Lock()
 

@@ -82,12 +82,13 @@ def inside(namespace, words):
 
 
 def put_stubs(folder, namespace=None):
-    """`ssh` and `srun` that run the command in a namespace, where it outlives them when they are killed, as on another machine."""
-    go = " ".join(inside(namespace, ["setsid", "--wait"]))
+    """`ssh` and `srun` that run the command in a namespace, where it outlives them when they are killed, as on another machine. ssh
+    takes nothing of the environment there, srun all."""
+    go = {"ssh": inside(namespace, ["setsid", "--wait", "env", "-i", 'PATH="$PATH"']), "srun": inside(namespace, ["setsid", "--wait"])}
     stubs = {"ssh": 'while [ "$1" != "--" ]; do shift; done; shift 2', "srun": 'while [ "${1#-}" != "$1" ]; do shift; done'}
-    starts = {"ssh": 'sh -c "$1"', "srun": '"$@"'}
+    starts = {"ssh": 'sh -c "$*"', "srun": '"$@"'}
     folder.mkdir(exist_ok=True)
     for name, words in stubs.items():
-        (folder / name).write_text(f"#!/bin/sh\n{words}\nexec {go} {starts[name]}\n")
+        (folder / name).write_text(f"#!/bin/sh\n{words}\nexec {' '.join(go[name])} {starts[name]}\n")
         (folder / name).chmod(0o755)
     return folder

@@ -16,28 +16,13 @@ TREMOLO, SOURCE, BUILD = sys.argv.pop(1), Path(sys.argv.pop(1)), sys.argv.pop(1)
 sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parents[1] / "resume")]
 
 from broken_run import SlopeWorkspace, checkpoints, differences, with_checkpoints
-from processes import alive, children
+from processes import alive, children, ranks_below
 from small_case import refine
-
-
-def variable(process, name):
-    """A variable in the environment of a process; None without it, or without the process."""
-    try:
-        values = dict(line.split("=", 1) for line in Path(f"/proc/{process}/environ").read_text().split("\0") if "=" in line)
-    except (FileNotFoundError, ProcessLookupError):
-        return None
-    return values.get(name)
 
 
 def ranks_of(launcher):
     """Process ids by rank."""
-    found = {}
-    for child in children(launcher):
-        for process in children(child):
-            rank = variable(process, "OMPI_COMM_WORLD_RANK")
-            if rank is not None:
-                found[int(rank)] = process
-    return found
+    return {rank: process for child in children(launcher) for rank, process in ranks_below(child).items()}
 
 
 @unittest.skipUnless(BUILD == "mpi", "this build has no MPI")

@@ -1,4 +1,4 @@
-"""A Slurm of one node on this machine: munged, slurmctld and slurmd of its own in a temporary folder, on free ports.
+"""A small Slurm on this machine: munged, slurmctld and slurmd of its own in a temporary folder, on free ports.
 
 Everything runs as the user who runs the test; nothing that the machine's own Slurm has is read or written.
 """
@@ -12,7 +12,7 @@ import tempfile
 import time
 from pathlib import Path
 
-PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "sinfo")
+PROGRAMS = ("munged", "slurmctld", "slurmd", "srun", "sbatch", "squeue", "scancel", "sinfo")
 FOLDERS = "/usr/sbin:/usr/bin"  # daemons of Debian are not on every user's path
 READY = 60.0  # s
 
@@ -24,13 +24,12 @@ SlurmdUser={user}
 AuthType=auth/munge
 AuthInfo=socket={folder}/munge.socket
 SlurmctldPort={controller}
-SlurmdPort={daemon}
 StateSaveLocation={folder}/state
-SlurmdSpoolDir={folder}/spool
+SlurmdSpoolDir={folder}/spool.%n
 SlurmctldPidFile={folder}/slurmctld.pid
-SlurmdPidFile={folder}/slurmd.pid
+SlurmdPidFile={folder}/slurmd.%n.pid
 SlurmctldLogFile={folder}/slurmctld.log
-SlurmdLogFile={folder}/slurmd.log
+SlurmdLogFile={folder}/slurmd.%n.log
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
@@ -39,8 +38,8 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 SchedulerParameters=sched_interval=1
 ReturnToService=2
-NodeName={host} NodeAddr=127.0.0.1 CPUs={cores} State=UNKNOWN
-PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
+{nodes}
+PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """
 
 
@@ -60,9 +59,12 @@ def _free_ports(count):
 
 
 class SmallSlurm:
-    """Starts the three daemons; `environment` is that of commands which use them. Ends them on leaving."""
+    """Starts the daemons; `environment` is that of commands which use them. Ends them on leaving. `nodes` of them are this machine:
+    the first has its name."""
 
-    def __init__(self):
+    def __init__(self, nodes=1):
+        host = socket.gethostname().split(".")[0]
+        self.nodes = [host, *(f"{host}-{number}" for number in range(2, nodes + 1))]
         self._place = tempfile.TemporaryDirectory(prefix="tremolo_slurm_")
         self.folder = Path(self._place.name)
         self.environment = {**os.environ, "PATH": f"{os.environ['PATH']}:{FOLDERS}", "SLURM_CONF": str(self.folder / "slurm.conf")}
@@ -78,23 +80,24 @@ class SmallSlurm:
 
     def _start(self):
         self.folder.chmod(0o755)  # munged wants a socket that all can reach
-        for name in ("state", "spool"):
-            (self.folder / name).mkdir(mode=0o755)
+        (self.folder / "state").mkdir(mode=0o755)
         key = self.folder / "munge.key"
         key.write_bytes(secrets.token_bytes(1024))
         key.chmod(0o600)
-        controller, daemon = _free_ports(2)
+        controller, *daemons = _free_ports(1 + len(self.nodes))
         user = subprocess.run(["id", "-un"], capture_output=True, text=True, check=True).stdout.strip()
         (self.folder / "slurm.conf").write_text(CONF.format(
-            host=socket.gethostname().split(".")[0], user=user, folder=self.folder, controller=controller, daemon=daemon,
-            cores=len(os.sched_getaffinity(0))))
+            host=self.nodes[0], user=user, folder=self.folder, controller=controller,
+            nodes="\n".join(f"NodeName={node} NodeHostname={self.nodes[0]} NodeAddr=127.0.0.1 Port={port} "
+                            f"CPUs={len(os.sched_getaffinity(0))} State=UNKNOWN" for node, port in zip(self.nodes, daemons))))
         self._launch("munged", "--foreground", "--force", f"--key-file={key}", f"--socket={self.folder}/munge.socket",
                      f"--pid-file={self.folder}/munged.pid", f"--log-file={self.folder}/munged.log",
                      f"--seed-file={self.folder}/munged.seed", "--num-threads=1")
         self._wait("munged", lambda: (self.folder / "munge.socket").exists())
         self._launch("slurmctld", "-D", "-c")
-        self._launch("slurmd", "-D")
-        self._wait("a node", lambda: "idle" in self.command("sinfo", "--noheader", "--format=%t").stdout)
+        for node in self.nodes:
+            self._launch("slurmd", "-D", "-N", node)
+        self._wait("its nodes", lambda: f"{len(self.nodes)} idle" in self.command("sinfo", "--noheader", "--format=%D %t").stdout)
 
     def _launch(self, name, *options):
         log = open(self.folder / f"{name}.out", "w")

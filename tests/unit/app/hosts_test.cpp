@@ -1,4 +1,4 @@
-#include "app/run/hosts.hpp"
+#include "app/run/hosts/hosts.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <array>

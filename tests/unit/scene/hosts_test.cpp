@@ -76,11 +76,61 @@ TEST(Hosts, WhatCannotBeMeantIsRefused) {
   EXPECT_THAT(errors_of(hosts("left = { start = \"ssh\" }")), ElementsAre(HasSubstr("missing 'host'")));
   EXPECT_THAT(errors_of(hosts("left = { start = \"slurm\", host = \"a\" }")),
               ElementsAre(HasSubstr("'host' does not apply to start = \"slurm\", only to ssh")));
-  EXPECT_THAT(errors_of(hosts("left = { start = \"join\" }\ndomain = { start = \"join\" }")),
-              ElementsAre(HasSubstr("unknown key 'domain'")));
+  EXPECT_THAT(errors_of(hosts("left = { start = \"join\" }\ntop = { start = \"join\" }")),
+              ElementsAre(HasSubstr("unknown key 'top'")));
   for (const auto* bad : {"-oProxyCommand=x", "node2 rm", "'node2'"})
     EXPECT_THAT(errors_of(hosts(std::string("left = { start = \"ssh\", host = \"") + bad + "\" }")),
                 ElementsAre(HasSubstr("is not one that ssh can go to")));
+}
+
+std::string ranks_on(const std::string& keys) {
+  return plus("[hosts.domain]\n" + keys + "\n");
+}
+
+TEST(Hosts, RanksHaveMachinesAndNoEndpoint) {
+  const auto scene = parsed(ranks_on("start = \"ssh\"\nmachines = [\"node2\", \"n-3.a:8\"]"));
+  ASSERT_TRUE(scene.hosts.domain);
+  ASSERT_EQ(scene.hosts.domain->machines.size(), 2U);
+  EXPECT_EQ(scene.hosts.domain->machines[0].name, "node2");
+  EXPECT_FALSE(scene.hosts.domain->machines[0].most);
+  EXPECT_EQ(scene.hosts.domain->machines[1].name, "n-3.a");
+  EXPECT_EQ(scene.hosts.domain->machines[1].most, 8);
+  EXPECT_THAT(explain(scene, plan(scene)),
+              HasSubstr("its ranks with --ranks N: here, node2, n-3.a (at most 8), through ssh"));
+  const auto job = parsed(ranks_on("start = \"slurm\""));
+  EXPECT_EQ(job.hosts.domain->start, StartRanksBy::slurm);
+  EXPECT_THAT(explain(job, plan(job)), HasSubstr("its ranks with --ranks N: on the nodes of the Slurm job"));
+}
+
+TEST(Hosts, MachinesOfRanksThatCannotBeMeantAreRefused) {
+  const auto machines = [](const std::string& list) {
+    return ranks_on("start = \"ssh\"\nmachines = " + list);
+  };
+  EXPECT_THAT(errors_of(ranks_on("start = \"ssh\"")),
+              ElementsAre(HasSubstr("[hosts.domain] missing 'machines', array of strings")));
+  EXPECT_THAT(errors_of(ranks_on("start = \"slurm\"\nmachines = [\"a\"]")),
+              ElementsAre(HasSubstr("'machines' does not apply to start = \"slurm\", only to ssh")));
+  EXPECT_THAT(errors_of(ranks_on("start = \"join\"")),
+              ElementsAre(HasSubstr("case.toml:32:9: [hosts.domain] 'start' = \"join\" is not known")));
+  EXPECT_THAT(errors_of(machines("\"node2\"")),
+              ElementsAre(HasSubstr("'machines' must be an array of strings")));
+  EXPECT_THAT(errors_of(machines("[]")), ElementsAre(HasSubstr("'machines' is empty")));
+  EXPECT_THAT(errors_of(machines("[1]")),
+              ElementsAre(HasSubstr("'machines' must be a string, found an integer")));
+  EXPECT_THAT(errors_of(machines("[\"a\", \"a\"]")),
+              ElementsAre(HasSubstr("'a' stands twice in 'machines'")));
+  EXPECT_THAT(
+      errors_of(machines("[\"a\", \"a:2\"]")),
+      ElementsAre(
+          "case.toml:33:12: [hosts.domain] 'a' stands twice in 'machines': give it one number of ranks"));
+  for (const auto* bad : {"me@node2", "a_b", "-x", "node2,node3", "node2:", "node2:8x", "[fd00::1]"})
+    EXPECT_THAT(errors_of(machines("[\"" + std::string(bad) + "\"]")),
+                ElementsAre(HasSubstr("must be NAME or NAME:RANKS")))
+        << bad;
+  for (const auto* bad : {"node2:0", "node2:-1", "node2:5000"})
+    EXPECT_THAT(errors_of(machines("[\"" + std::string(bad) + "\"]")),
+                ElementsAre(HasSubstr("ranks must be in [1, 4096]")))
+        << bad;
 }
 
 TEST(Hosts, DataFilesAreThoseThatTheCaseNames) {

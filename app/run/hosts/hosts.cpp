@@ -1,45 +1,19 @@
-#include "app/run/hosts.hpp"
+#include "app/run/hosts/hosts.hpp"
 
-#include "app/run/on_path.hpp"
+#include "app/run/hosts/words.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 #include <stdexcept>
-#include <string_view>
-#include <vector>
 
 namespace tremolo::app {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-using Words = std::vector<std::string>;
-
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? "" : value;
-}
-
-std::string found_on_path(const std::string& program) {
-  if (const fs::path file = on_path(program); !file.empty())
-    return file.string();
-  throw std::runtime_error(
-      fmt::format("[hosts] asks for {}, which is not on this machine's PATH: install it", program));
-}
-
-Words words_of(const std::string& text) {
-  std::istringstream stream(text);
-  Words words;
-  for (std::string word; stream >> word;)
-    words.push_back(word);
-  return words;
-}
 
 /// As one word for a shell.
 std::string quoted(const std::string& text) {
@@ -54,11 +28,6 @@ std::string shell_line(const scene::Host& host, const std::string& participant, 
                        const std::string& endpoint, const std::string& run) {
   return fmt::format("{} join {} --role {} --keys {} --run {}", host.command, quoted(endpoint),
                      quoted(participant), quoted(host.keys.empty() ? keys.string() : host.keys), run);
-}
-
-Words joined(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
 }
 
 coupler::Elsewhere through_ssh(const scene::Host& host, const std::string& participant, const fs::path& keys,

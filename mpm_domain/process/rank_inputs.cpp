@@ -1,0 +1,72 @@
+#include "mpm_domain/process/rank_inputs.hpp"
+
+#include "base/text_file.hpp"
+#include "scene/text/files.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Those that the domain reads: recordings are its sources' business, and large.
+std::vector<std::filesystem::path> own_files(const scene::Case& scene, const scene::Plan& plan) {
+  auto files = scene::data_files(scene);
+  std::erase_if(files, [&](const auto& file) {
+    return std::ranges::any_of(plan.sources, [&](const scene::SourceProcess& source) {
+      return source.field.model == scene::SourceModel::recording &&
+             std::filesystem::absolute(source.field.file).lexically_normal() == file;
+    });
+  });
+  return files;
+}
+
+/// A double holds it exactly.
+double crc(const std::string& text) {
+  return static_cast<double>(
+      ::crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size())); // NOLINT: zlib's type of bytes
+}
+
+struct Input {
+  std::string name;
+  double crc;
+};
+
+} // namespace
+
+void require_same_inputs(Communicator& ranks, const scene::Case& scene, const scene::Plan& plan,
+                         const coupler::ParticipantOptions& options) {
+  std::vector<Input> inputs{{"build of tremolo", crc(TREMOLO_VERSION " " TREMOLO_BUILD_FLAGS)},
+                            {options.case_file.string(), crc(scene.text)}};
+  // With another case the files may be others, of another number.
+  const auto compare = [&] {
+    std::vector<double> numbers;
+    for (const Input& input : inputs)
+      numbers.push_back(input.crc);
+    ranks.follow_first(numbers);
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      if (numbers[i] != inputs[i].crc)
+        throw std::runtime_error(fmt::format("{} is another one than that of rank 0: machines of a run need "
+                                             "one build of tremolo, and folders that "
+                                             "they share",
+                                             inputs[i].name));
+  };
+  compare();
+  inputs.clear();
+  for (const auto& file : own_files(scene, plan))
+    inputs.push_back({file.string(), crc(read_text_file(file))});
+  if (!options.resume.empty()) {
+    const auto file = options.resume / (options.name + ".h5");
+    inputs.push_back({file.string(), crc(read_text_file(file))});
+  }
+  compare();
+}
+
+} // namespace tremolo::mpm_domain
