@@ -189,7 +189,7 @@ public:
     }
     require_new("/boundary");
     constexpr std::size_t datasets = 8;
-    const Handle group = create_group(root(), "boundary", datasets);
+    const Handle group = create_group_of_long_attributes(root(), "boundary", datasets); // `source`
     const Place place{group.get(), path_};
     const std::array<hsize_t, 2> vectors{count, 2};
     const std::array<hsize_t, 1> scalars{count};

@@ -158,6 +158,13 @@ Handle created(const std::filesystem::path& file, const std::filesystem::path& t
           H5Fclose};
 }
 
+Handle group_with(Place place, std::string_view name, const Handle& properties) {
+  const std::string key(name);
+  return {checked(H5Gcreate2(place.object, key.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+                  place.file, fmt::format("create group {}", name)),
+          H5Gclose};
+}
+
 } // namespace
 
 Handle string_type(std::size_t size) {
@@ -185,11 +192,15 @@ Handle group_properties(std::size_t expected_links) {
 }
 
 Handle create_group(Place place, std::string_view name, std::size_t expected_links) {
-  const std::string key(name);
-  return {checked(H5Gcreate2(place.object, key.c_str(), H5P_DEFAULT, group_properties(expected_links).get(),
-                             H5P_DEFAULT),
-                  place.file, fmt::format("create group {}", name)),
-          H5Gclose};
+  return group_with(place, name, group_properties(expected_links));
+}
+
+Handle create_group_of_long_attributes(Place place, std::string_view name, std::size_t expected_links) {
+  const Handle properties = group_properties(expected_links);
+  // Only a header of version 2 keeps long attributes beside itself, and to keep their order asks for that
+  // one.
+  H5Pset_attr_creation_order(properties.get(), H5P_CRT_ORDER_TRACKED);
+  return group_with(place, name, properties);
 }
 
 void write_array(Place place, std::string_view name, std::span<const hsize_t> shape,

@@ -37,6 +37,9 @@ Handle group_properties(std::size_t expected_links);
 /// Creates a group under `place`.
 Handle create_group(Place place, std::string_view name, std::size_t expected_links);
 
+/// A group some of whose attributes may take more than the 64 KiB that HDF5 has for one by default.
+Handle create_group_of_long_attributes(Place place, std::string_view name, std::size_t expected_links);
+
 /// Writes an array of `shape`; `compress` shuffles and deflates it in chunks, where it has
 /// rows.
 void write_array(Place place, std::string_view name, std::span<const hsize_t> shape,

@@ -1,3 +1,4 @@
+#include "results/hdf5/hdf5_read.hpp"
 #include "sample_run.hpp"
 
 #include <gmock/gmock.h>
@@ -42,6 +43,23 @@ void write_full_run(const std::filesystem::path& file, std::size_t frames) {
                           {"seconds", "s", std::vector<double>{1.5, 2.5}},
                           {"calls", "1", std::vector<std::int64_t>{10, 20}}}});
   run.finish();
+}
+
+/// Sources of 9,000 faces are 135 kB of names.
+TEST(RunFile, HasRoomForTheSourcesOfManyFaces) {
+  const Folder folder;
+  BoundaryFaces many;
+  constexpr std::size_t count = 9000;
+  many.position.assign(2 * count, 1.0);
+  many.normal.assign(2 * count, 0.0);
+  many.length.assign(count, 0.25);
+  for (std::size_t f = 0; f < count; ++f)
+    many.source.push_back(f % 2 == 0 ? "left-right-base" : "base");
+  RunWriter run(folder / "run.h5", description);
+  run.set_boundary(many);
+  run.finish();
+  const FileReader file(folder / "run.h5", "run file");
+  EXPECT_EQ(file.attribute_as<std::vector<std::string>>("/boundary", "source"), many.source);
 }
 
 TEST(RunFile, ReturnsWhatWasWritten) {
