@@ -215,7 +215,7 @@ TEST_F(DeconvolveCommand, TakesTheGroundOfASide) {
   EXPECT_EQ(deconvolve(site(rock_record), "--model wave").status, 0);
   const auto exact = read_record(folder / "rock.csv").samples;
   std::string text = site(rock_record);
-  text.replace(text.find("thickness = 10.0"), 16, "thickness = 25.0");
+  text.replace(text.find("thickness = 10.0"), 16, "thickness = 5.0");
   text += R"([boundary]
 left = { model = "fe" }
 base = { model = "wave" }
