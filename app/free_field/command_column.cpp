@@ -115,14 +115,28 @@ std::vector<double> all_levels(const scene::Case& scene, const scene::SourceProc
   return scene::with_interfaces(std::move(levels), source.surface, scene::layers(scene, source), 0.0);
 }
 
-/// Depths of the histories: those asked for, otherwise surface, interfaces and base.
+/// Whether two layers are slices of one soil whose properties vary over depth.
+bool slices_of_one_soil(const scene::Case& scene, const scene::Layer& above, const scene::Layer& below) {
+  return above.soil && below.soil && above.wet == below.wet &&
+         std::ranges::any_of(scene.soil_profiles, [&](const scene::SoilProfile& soil) {
+           return soil.has(*above.soil) && soil.has(*below.soil);
+         });
+}
+
+/// Depths of the histories: those asked for, otherwise surface, interfaces and base. Slices of one soil have
+/// no interface between them.
 std::vector<double> depths_of(const scene::Case& scene, const scene::SourceProcess& source,
                               const Options& options) {
   if (!options.depths.empty())
     return options.depths;
+  const std::vector<scene::Layer>& layers = scene::layers(scene, source);
   std::vector<double> depths{0.0};
-  for (const scene::Layer& layer : scene::layers(scene, source))
-    depths.push_back(depths.back() + layer.thickness);
+  double depth = 0.0;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    depth += layers[i].thickness;
+    if (i + 1 == layers.size() || !slices_of_one_soil(scene, layers[i], layers[i + 1]))
+      depths.push_back(depth);
+  }
   return depths;
 }
 

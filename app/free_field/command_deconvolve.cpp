@@ -16,8 +16,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace tremolo::app {
 namespace {
@@ -29,6 +31,7 @@ struct Options {
   std::string scene;
   std::string file;
   std::string model;
+  std::string side;
   RecordOptions read;
   double depth = 0.0;
   double cutoff = 15.0;
@@ -64,6 +67,29 @@ MotionKind kind_of(const Options& options, const scene::Case& scene) {
   return scene.motion.kind;
 }
 
+/// The ground that the record stands on: that of [[profile]] under [surface], or of a side.
+struct Ground {
+  scene::Case scene;
+  scene::SourceProcess source;
+};
+
+Ground ground_of(const Options& options) {
+  const auto model = options.model == "eql" ? scene::SourceModel::eql : scene::SourceModel::wave;
+  const scene::FreeFieldModel field{model, {}};
+  if (options.side.empty()) {
+    auto scene = scene::load_ground(options.scene, model, std::nullopt);
+    const double surface = scene.surface_level;
+    return {std::move(scene), {.name = "column", .field = field, .surface = surface}};
+  }
+  const auto side = options.side == "right" ? scene::Side::right : scene::Side::left;
+  auto scene = scene::load_ground(options.scene, model, side);
+  const scene::LateralBoundary& at = side == scene::Side::right ? scene.boundary.right : scene.boundary.left;
+  scene::SourceProcess source{.name = "column", .field = field, .surface = at.surface};
+  if (!at.own_profile.empty())
+    source.profile = side;
+  return {std::move(scene), std::move(source)};
+}
+
 void draw(const DeconvolvedMotion& motion, const motion::Record& written, const Options& options) {
   constexpr double damping = 0.05;
   const TemporaryFolder scratch;
@@ -82,11 +108,9 @@ void draw(const DeconvolvedMotion& motion, const motion::Record& written, const 
 }
 
 void run(const Options& options) {
-  const auto model = options.model == "eql" ? scene::SourceModel::eql : scene::SourceModel::wave;
-  const auto scene = scene::load_ground(options.scene, model);
+  const auto [scene, source] = ground_of(options);
   const MotionKind kind = kind_of(options, scene);
   const GroundRecord given{record_of(options), options.depth, options.cutoff};
-  const scene::SourceProcess source{.name = "column", .field = {model, {}}, .surface = scene.surface_level};
   fmt::print("{}", scene::remarks_text(scene));
   for (const std::string& note : scene::linearised_soils(scene, source))
     fmt::print("{}\n", note);
@@ -124,6 +148,11 @@ void add_deconvolve(Command& app) {
                    "wave: layers at small strain; eql: equivalent linear, iterated under the record")
       ->required()
       ->one_of({"wave", "eql"});
+  command
+      ->add_option("--side", options->side,
+                   "left or right: the layers and surface of this side's free field (default: [[profile]] "
+                   "under [surface])")
+      ->one_of({"left", "right"});
   add_record_options(*command, options->read);
   command->add_option("--depth", options->depth, "Depth of the sensor below the surface, m")
       ->non_negative()

@@ -4,6 +4,7 @@
 #include "app/free_field/deconvolution.hpp"
 
 #include "base/samples.hpp"
+#include "scene/plan/layers.hpp"
 #include "wavefield/incident_motion.hpp"
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/ground_from_case.hpp"
@@ -29,7 +30,7 @@ motion::Record acceleration(std::vector<double> samples, double dt, std::optiona
 wavefield::LayeredHalfSpace ground_under(const scene::Case& scene, const scene::SourceProcess& source,
                                          const wavefield::RecordedMotion& record, DeconvolvedMotion& result) {
   if (source.field.model == scene::SourceModel::wave)
-    return wavefield::ground_from_case(scene, scene.profile);
+    return wavefield::ground_from_case(scene, scene::layers(scene, source));
   auto iterated = wavefield::equivalent_linear_from_case(scene, source, record);
   result.iteration = wavefield::summary(iterated);
   if (!iterated.converged)
@@ -50,7 +51,7 @@ wavefield::LayeredHalfSpace ground_under(const scene::Case& scene, const scene::
 
 DeconvolvedMotion deconvolved(const scene::Case& scene, const scene::SourceProcess& source,
                               const GroundRecord& given) {
-  if (scene.profile.empty())
+  if (scene::layers(scene, source).empty())
     throw std::invalid_argument(fmt::format(
         "{}: to deconvolve needs layers, and this ground is the [halfspace] alone: [[profile]] gives some",
         scene.file.string()));

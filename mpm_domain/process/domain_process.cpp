@@ -124,6 +124,8 @@ public:
   }
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
     output_.finish(stepper, gravity_seconds, waiting_seconds);
+    if (const auto warning = output_.warning())
+      fmt::print("warning: {}\n", *warning);
     std::vector<coupler::PassTime> passes{{"gravity stage", gravity_seconds}};
     for (const Pass& pass : stepper.passes())
       passes.push_back({pass.name, pass.seconds});

@@ -244,7 +244,7 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
                      std::span<const std::string> face_sources)
     : scene_(scene), domain_(domain), picture_(picture),
       writer_(directory / "run.h5", description(scene, plan)), bodies_(scene, domain, writer_),
-      sliding_masses_(scene, writer_) {
+      sliding_masses_(scene, writer_), lost_hold_(scene, domain.boundary) {
   const scene::Box& box = scene.mesh.box;
   writer_.attribute("mesh_size", scene.mesh.size);
   writer_.attribute("particle_size", 2.0 * domain.half_size());
@@ -403,7 +403,9 @@ void RunOutput::write_boundary(const Stepper& stepper) {
     const Vector t = boundary.traction(f);
     traction.insert(traction.end(), {t.x, t.y});
   }
-  writer_.append_boundary(stepper.time() - stepper.dt(), {v_free, v_domain, traction});
+  const double time = stepper.time() - stepper.dt();
+  lost_hold_.add(time, domain_.boundary.velocities(), domain_.boundary.free_field());
+  writer_.append_boundary(time, {v_free, v_domain, traction});
 }
 
 void RunOutput::save(results::CheckpointWriter& checkpoint) {
@@ -411,6 +413,7 @@ void RunOutput::save(results::CheckpointWriter& checkpoint) {
   checkpoint.write("output.rows", std::array<std::uint64_t, 2>{history_rows_, writer_.frame_count()});
   checkpoint.write("output.times", std::array{next_history_, next_frame_, last_history_, last_frame_});
   bodies_.save(checkpoint);
+  lost_hold_.save(checkpoint);
 }
 
 void RunOutput::take_over(const std::filesystem::path& before, const results::CheckpointReader& checkpoint) {
@@ -426,6 +429,7 @@ void RunOutput::take_over(const std::filesystem::path& before, const results::Ch
   last_history_ = times.at(2);
   last_frame_ = times.at(3);
   bodies_.restore(checkpoint);
+  lost_hold_.restore(checkpoint);
 }
 
 void RunOutput::take_over_histories(const results::RunReader& before, std::size_t rows, std::size_t frames) {

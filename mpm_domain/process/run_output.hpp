@@ -2,6 +2,7 @@
 
 #include "mpm_domain/process/body_output.hpp"
 #include "mpm_domain/process/followed_point.hpp"
+#include "mpm_domain/process/lost_hold.hpp"
 #include "mpm_domain/process/sliding_mass_output.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
@@ -10,6 +11,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,6 +41,9 @@ public:
 
   /// Writes the last state and the timings, and closes the file as complete.
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds);
+
+  /// What a user should know of the run that has ended, a sentence.
+  std::optional<std::string> warning() const { return lost_hold_.warning(); }
 
   /// Writes what an output that goes on from here needs, besides the file as it is now.
   void save(results::CheckpointWriter& checkpoint);
@@ -73,6 +78,7 @@ private:
   results::RunWriter writer_;
   BodyOutput bodies_;
   SlidingMassOutput sliding_masses_;
+  LostHold lost_hold_;
   results::TimeSeries* energy_ = nullptr;
   results::TimeSeries* table_ = nullptr; ///< motion of a shaking table
   std::vector<Followers> followers_;

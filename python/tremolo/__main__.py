@@ -202,10 +202,11 @@ def _parser():
     taken = add("extract", extract, "Tables of a run: histories, profiles along lines, spectral ratios, Newmark's displacement.")
     taken.add_argument("run", help="folder of the run, or its run.h5")
     taken.add_argument("--point", action="append", metavar="POINT",
-                       help="whose history is written: the name of a monitor, LINE#NUMBER, or X,Y for the nearest point stored "
-                       "(--point=X,Y where X is negative); may be repeated (default: all monitors)")
+                       help="whose history is written: the name of a monitor, LINE#NUMBER, or X,Y for the soil that began there, "
+                       "through the frames where no history is stored (--point=X,Y where X is negative); may be repeated (default: "
+                       "all monitors)")
     taken.add_argument("--base", metavar="POINT",
-                       help="a point, likewise: displacements are also written relative to it, and spectral ratios over it; its "
+                       help="a point whose history is stored: displacements are also written relative to it, and spectral ratios over it; its "
                        "motion is that of the rigid block")
     taken.add_argument("--ky", type=float, nargs="+", metavar="K", help="yield coefficients, in parts of gravity: Newmark's "
                        "displacement of each [[sliding_mass]]")

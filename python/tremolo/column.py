@@ -29,9 +29,14 @@ def read(path):
         return levels, histories, table(file["profile"]), table(file["spectra"]), table(file["transfer"])
 
 
+def known(values):
+    """With gaps where a ratio says nothing, which the file has as 0."""
+    return np.where(values > 0.0, values, np.nan)
+
+
 def draw_profile(ax, profile, column, label, scale=1.0):
     depth = profile["y"].max() - profile["y"]
-    ax.plot(scale * profile[column], depth)
+    ax.plot(scale * (known(profile[column]) if column == "stress_ratio" else profile[column]), depth)
     ax.set(xlabel=label, xlim=(0, None))
     ax.invert_yaxis()
 
@@ -75,8 +80,7 @@ def draw(path):
     axes["sa"].legend()
     for name, text in (("surface_to_outcrop", "surface / outcrop"), ("surface_to_base", "surface / base")):
         if name in transfer:
-            known = transfer[name] > 0
-            axes["tf"].plot(transfer["frequency"][known], transfer[name][known], label=text, linewidth=0.8)
+            axes["tf"].plot(transfer["frequency"], known(transfer[name]), label=text, linewidth=0.8)
     axes["tf"].set(xlabel="frequency (Hz)", ylabel="Fourier amplitude ratio", ylim=(0, None))
     shown = transfer["frequency"][transfer["surface_to_base"] > 0]
     axes["tf"].set_xlim(0, min(shown.max(), 25.0) if len(shown) else 25.0)

@@ -6,6 +6,8 @@
 #include "scene/rules/rules.hpp"
 #include "scene/text/text.hpp"
 
+#include <fmt/format.h>
+
 namespace tremolo::scene {
 
 namespace {
@@ -18,7 +20,16 @@ bool has_shaking_table(const toml::table& root) {
   return root.at_path("boundary.base.model").value<std::string_view>() == name(SourceModel::shaking_table);
 }
 
-Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecord record) {
+/// [boundary.left] and [boundary.right], of which one is asked for.
+void read_sides(Document& document, Side asked, Findings& findings, Case& scene) {
+  read_boundary(document, findings, scene);
+  if (!scene.boundary.has_lateral_fields())
+    findings.add("boundary", fmt::format("the {} side is asked for, but sides = \"{}\" have no free field",
+                                         name(asked), name(scene.boundary.sides)));
+}
+
+Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecord record,
+                 std::optional<Side> side) {
   Findings findings(file.string());
   Case scene;
   scene.file = file;
@@ -36,8 +47,10 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
   if (document.has("stage"))
     read_stages(document, findings, scene);
   auto& [sides, left, right, base] = scene.boundary;
-  left.field.model = right.field.model = base.field.model = model;
   left.surface = right.surface = scene.surface_level;
+  if (side)
+    read_sides(document, *side, findings, scene);
+  left.field.model = right.field.model = base.field.model = model;
   slice_soils(root, profiles, findings, scene);
   if (record == CaseRecord::needed)
     record_is_readable(scene, findings);
@@ -89,11 +102,11 @@ Case load(const std::filesystem::path& file) {
 }
 
 Case load_free_field(const std::filesystem::path& file, SourceModel model) {
-  return read_ground(file, model, CaseRecord::needed);
+  return read_ground(file, model, CaseRecord::needed, std::nullopt);
 }
 
-Case load_ground(const std::filesystem::path& file, SourceModel model) {
-  return read_ground(file, model, CaseRecord::to_be_made);
+Case load_ground(const std::filesystem::path& file, SourceModel model, std::optional<Side> side) {
+  return read_ground(file, model, CaseRecord::to_be_made, side);
 }
 
 } // namespace tremolo::scene

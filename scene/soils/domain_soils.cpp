@@ -42,9 +42,8 @@ std::vector<ToldSoil> told_soils(const Case& scene) {
   std::vector<ToldSoil> told;
   for (std::size_t i = 0; i < scene.soils.size(); ++i) {
     const Soil& soil = scene.soils[i];
-    const auto profile = std::ranges::find_if(scene.soil_profiles, [&](const SoilProfile& one) {
-      return i >= one.first && i < one.first + one.slices();
-    });
+    const auto profile =
+        std::ranges::find_if(scene.soil_profiles, [&](const SoilProfile& one) { return one.has(i); });
     if (profile == scene.soil_profiles.end()) {
       told.push_back({soil.name, soil});
       continue;

@@ -21,6 +21,8 @@ struct SoilProfile {
   std::vector<VaryingKey> keys;
 
   std::size_t slices() const { return levels.size() - 1; }
+  /// Whether an index into Case::soils is that of a slice.
+  bool has(std::size_t soil) const { return soil >= first && soil < first + slices(); }
 };
 
 } // namespace tremolo::scene

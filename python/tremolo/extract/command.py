@@ -25,6 +25,9 @@ def _ratios(folder, wanted, base, draw):
     for point in wanted:
         if point.name == base.name:
             continue
+        if point.of_frames:
+            yield f"{point.name}: frames are too far apart for its spectral ratios; they need the history of a [[monitor]]"
+            continue
         fourier, response = ratios.fourier(point.series, base.series), ratios.response(point.series, base.series)
         yield tables.write(folder / tables.file_name("fourier_ratio", point.name, "over", base.name), fourier)
         yield tables.write(folder / tables.file_name("response_ratio", point.name, "over", base.name), response)
@@ -110,6 +113,9 @@ def carry_out(arguments):
     base = None
     if arguments.base:
         base, said = points.find(run, arguments.base)
+        if base.of_frames:
+            raise ValueError(f"{run.path}: stores no history near {arguments.base}, and that of a base cannot be taken from frames: put a "
+                             "[[monitor]] there into the case and run it again")
         if said:
             yield said
     wanted = {}
@@ -120,7 +126,8 @@ def carry_out(arguments):
         wanted[point.name] = point
     wanted = list(wanted.values()) if arguments.point else points.monitors(run)
     if not wanted and not run.lines and not run.sliding_masses:
-        raise ValueError(f"{run.path}: stores no histories: put [[monitor]], [[line]] or [[sliding_mass]] into the case and run it again")
+        raise ValueError(f"{run.path}: stores no histories: put [[monitor]], [[line]] or [[sliding_mass]] into the case and run it again, "
+                         "or follow soil through the frames with --point X,Y")
     if arguments.ky:
         _require_newmark(run, arguments.ky)
         sign = _downslope(run, arguments.downslope)

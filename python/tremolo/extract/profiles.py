@@ -20,15 +20,20 @@ def with_unit(column, unit):
     return f"{column}_{suffix}" if suffix else column
 
 
+def _common_rows(series, base):
+    """How many rows of a history lie within the time of another's."""
+    return int(np.count_nonzero(series["time"] <= base["time"][-1]))
+
+
 def relative_displacement(series, base):
-    """u of a point minus u of another, [rows, 2], m, over the rows that both have."""
-    rows = min(len(series), len(base))
-    return np.column_stack([series[name][:rows] - base[name][:rows] for name in ("ux", "uy")])
+    """u of a point minus u of another at its times, [rows, 2], m, over the rows that both have."""
+    time = series["time"][: _common_rows(series, base)]
+    return np.column_stack([series[name][: len(time)] - np.interp(time, base["time"], base[name]) for name in ("ux", "uy")])
 
 
 def history(series, base=None):
     """Columns of a point's history: name with unit -> array; relative to the base where there is one."""
-    rows = len(series) if base is None else min(len(series), len(base))
+    rows = len(series) if base is None else _common_rows(series, base)
     table = {with_unit(column, series.units[column]): series[column][:rows] for column in series.columns}
     if base is not None:
         moved = relative_displacement(series, base)

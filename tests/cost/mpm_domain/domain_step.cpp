@@ -9,6 +9,9 @@
 //   softening/<c>                 Mohr-Coulomb that softens, cohesion c (Pa), each particle with its own
 //                                 dilatation: `yielding` tells the share of particles that yield in a step
 //   mean_dilatation/<c>           the same with the mean dilatation of cells
+//   slices/<n>                    the square in n horizontal slices, each a soil of its own, as soils that
+//   vary
+//                                 over depth are cut: 160 have the height of a cell
 //   graded                        cells of 1, 0.5 and 0.25 m, a third of the depth or less each
 //   particles/<case>/<n>/<t>      cost against their number, with t threads, and the bytes that one takes:
 //                                 `arrays` its own, `peak` the memory of the process, grid, filling and
@@ -138,6 +141,17 @@ void mean_dilatation(benchmark::State& run) {
   softening_soil(run, mpm_domain::Dilatation::cell);
 }
 
+void slices(benchmark::State& run, Transfer transfer, StepOrder order) {
+  mpm_domain::Spec spec = square(cells, elastic(), transfer, order, 1);
+  const auto count = run.range(0);
+  spec.soils.assign(static_cast<std::size_t>(count), spec.soils.front());
+  for (std::int64_t i = 1; i < count; ++i)
+    spec.regions.front().cuts.push_back(spec.box.y_max *
+                                        (1.0 - static_cast<double>(i) / static_cast<double>(count)));
+  Shaken shaken(spec);
+  step_on(run, shaken);
+}
+
 /// Three levels, in bands, with about as many particles as the square.
 mpm_domain::Spec bands(Transfer transfer, StepOrder order, int threads) {
   mpm_domain::Spec spec = square(cells, elastic(), transfer, order, threads);
@@ -230,6 +244,8 @@ BENCHMARK_CAPTURE(domain, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK_CAPTURE(boxes_follow, usl_apic, Transfer::apic, StepOrder::usl);
 BENCHMARK_CAPTURE(boxes_follow, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK(reduced_dispersion);
+BENCHMARK_CAPTURE(slices, usl_flip, Transfer::flip, StepOrder::usl)->Arg(1)->Arg(20)->Arg(80)->Arg(160);
+BENCHMARK_CAPTURE(slices, musl_apic, Transfer::apic, StepOrder::musl)->Arg(1)->Arg(20)->Arg(80)->Arg(160);
 BENCHMARK_CAPTURE(graded, usl_flip, Transfer::flip, StepOrder::usl);
 BENCHMARK_CAPTURE(graded, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK_CAPTURE(threads, usl_flip, Mesh::uniform, Transfer::flip, StepOrder::usl)

@@ -23,6 +23,7 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path.insert(0, str(SOURCE / "python"))
 
 from tremolo import Run
+from tremolo.extract import followed, points
 from tremolo.histories import even_steps
 from tremolo.report import spectra
 
@@ -35,7 +36,7 @@ surface = { level = 0.0 }
 halfspace = { density = 1900.0, vs = 400.0, vp = 800.0 }
 mesh = { size = 0.5, box = [0.0, -20.0, 4.0, 0.0] }
 boundary = { sides = "periodic", base = { model = "wave" } }
-output = { history_every_s = 0.002, every_s = 1.0 }
+output = { history_every_s = 0.002, every_s = 0.05 }
 profile = [{ soil = "layer", thickness = 10.0 }]
 stage = [{ kind = "gravity" }, { kind = "shaking", duration_s = 3.0 }]
 [soil.layer]
@@ -116,6 +117,26 @@ class Layer(unittest.TestCase):
             later, earlier, known = waves(z)
             self.assertLess(error(point["vx"][known], (later + earlier) / 2.0), 0.005, f"z = {z}")
             self.assertLess(error(point["gxy"][known], (later - earlier) / (2.0 * SPEED)), 0.005, f"z = {z}")
+
+    def test_soil_followed_through_frames_moves_and_strains_as_a_monitor(self):
+        for name in ("surface", "shaft#10"):
+            stored = points.find(run, name)[0]
+            found = followed.series(run, stored.start)
+            self.assertEqual(61, len(found))
+            self.assertEqual(stored.series.columns, [column for column in stored.series.columns if column in found.columns])
+            for column in stored.series.columns[1:]:
+                history = stored.series[column]
+                # Between the rows of a history, 0.002 s apart, lines: within (w dt)^2 / 8 of a motion at 10 Hz.
+                np.testing.assert_allclose(found[column], np.interp(found["time"], time, history), atol=2e-3 * np.abs(history).max() + 1e-12,
+                                           err_msg=f"{name}, {column}")
+
+    def test_any_place_has_a_history(self):
+        told = tremolo("extract", "run", "--point", "0.9,-3.1")
+        self.assertIn("0.9,-3.1: no history is stored there; the soil that began at 0.875,-3.125 is followed through the frames, every 0.05 s", told)
+        found = table("history_0.9,-3.1.csv")
+        later, earlier = waves(3.125)[:2]
+        exact = np.interp(found["time_s"], time[: len(later)], (later + earlier) / 2.0)
+        self.assertLess(error(found["vx_m_s"][:-2], exact[:-2]), 0.005)
 
     def test_rest_stress_is_the_weight_above(self):
         for point in run.line("shaft"):

@@ -159,6 +159,39 @@ class Outcrop(unittest.TestCase):
             self.assertEqual(known, "surface_to_outcrop" in transfer, angle)
 
 
+class OverDepth(unittest.TestCase):
+    """Two soils, of which the upper one is cut into eight slices."""
+
+    ground = """
+[mesh]
+size = 1.0
+box = [0.0, -20.0, 10.0, 0.0]
+
+[[profile]]
+thickness = 8.0
+soil = "sand"
+
+[[profile]]
+thickness = 12.0
+density = 1800.0
+vs = 300.0
+vp = 600.0
+
+[soil.sand]
+model = "linear_elastic"
+density = 1800.0
+vs = { depth = [0.0, 8.0], value = [150.0, 250.0] }
+vp = 600.0
+"""
+
+    def test_slices_have_no_histories_of_their_own(self):
+        with ColumnWorkspace(TREMOLO, ground=self.ground, motion=PULSE.format(0.1), size=0.5) as work:
+            work.histories("wave", "--duration", "0.1")
+            self.assertEqual([0.0, -8.0, -20.0], list(column.read(work.path / "wave.h5")[0]))
+            work.histories("wave", "--duration", "0.1", "--depths", "0,3.5")
+            self.assertEqual([0.0, -3.5], list(column.read(work.path / "wave.h5")[0]))
+
+
 class Notes(unittest.TestCase):
     def test_soil_that_a_model_takes_as_linear_is_named(self):
         with ColumnWorkspace(TREMOLO, ground=CLAY, motion=PULSE.format(0.1), size=0.5) as work:

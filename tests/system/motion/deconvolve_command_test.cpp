@@ -209,6 +209,34 @@ TEST_F(DeconvolveCommand, TakesASensorInTheGround) {
   EXPECT_NEAR(largest, exact, 2e-3 * exact);
 }
 
+/// The right side's ground is that of site(), 3 m higher, and [[profile]] another one.
+TEST_F(DeconvolveCommand, TakesTheGroundOfASide) {
+  write_record(surface(site(pulse)));
+  EXPECT_EQ(deconvolve(site(rock_record), "--model wave").status, 0);
+  const auto exact = read_record(folder / "rock.csv").samples;
+  std::string text = site(rock_record);
+  text.replace(text.find("thickness = 10.0"), 16, "thickness = 5.0");
+  text += R"([boundary]
+left = { model = "fe" }
+base = { model = "wave" }
+[boundary.right]
+model = "wave"
+surface = 3.0
+profile = [{ thickness = 6.0, soil = "clay" }, { thickness = 10.0, soil = "sand" }]
+)";
+  const auto [status, output] = deconvolve(text, "--model wave --side right");
+  ASSERT_EQ(status, 0) << output;
+  EXPECT_EQ(read_record(folder / "rock.csv").samples, exact);
+  EXPECT_EQ(deconvolve(text, "--model wave --side left").status, 0);
+  EXPECT_NE(read_record(folder / "rock.csv").samples, exact);
+  const std::string periodic =
+      site(rock_record) + "[boundary]\nsides = \"periodic\"\nbase = { model = \"wave\" }\n";
+  EXPECT_THAT(deconvolve(periodic, "--model wave --side left").output,
+              HasSubstr("the left side is asked for, but sides = \"periodic\" have no free field"));
+  EXPECT_THAT(deconvolve(site(rock_record), "--model wave --side left").output,
+              HasSubstr("missing table [boundary.left]"));
+}
+
 TEST_F(DeconvolveCommand, RefusesInOneLine) {
   const auto up = surface(site(pulse));
   write_record(up);

@@ -4,9 +4,12 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <string>
 
 namespace {
@@ -84,9 +87,44 @@ TEST(Commands, VersionAndHelpEndWithZero) {
   EXPECT_THAT(run_tremolo("--help").output, HasSubstr("explain"));
 }
 
+/// A Ricker pulse of 3 Hz, v = V (1 - 2a) exp(-a), a = (w t)^2, under a layer with a quarter of the rock's
+/// impedance, in which its echoes do not meet: largest 2 V w sqrt(a) (3 - 2a) exp(-a) at a = (3 - sqrt(6))/2
+/// as incident wave, twice that at an outcrop and 4/(1 + 1/4) of it at the surface.
 TEST(Commands, CheckAndExplainPrintHowStrongTheMotionIs) {
-  for (const char* command : {"check ", "explain "})
-    EXPECT_THAT(run_tremolo(command + box).output, HasSubstr("motion: peak acceleration ")) << command;
+  const auto file = scratch("strong_case.toml");
+  std::ofstream(file) << R"(
+title = "layer on rock"
+motion = { pulse = { shape = "ricker", frequency = 3.0, time = 0.5, velocity = 0.1 }, wave = "SV", angle_deg = 0.0, reference = [0.0, -30.0] }
+surface = { level = 0.0 }
+halfspace = { density = 2000.0, vs = 540.0, vp = 1080.0 }
+mesh = { size = 1.0, box = [0.0, -30.0, 8.0, 0.0] }
+boundary = { left = { model = "wave" }, right = { model = "wave" }, base = { model = "wave" } }
+profile = [{ soil = "layer", thickness = 30.0 }]
+stage = [{ kind = "shaking", duration_s = 1.0 }]
+soil.layer = { model = "linear_elastic", density = 1800.0, vs = 150.0, vp = 300.0 }
+region = [{ soil = "layer", polygon = [[0.0, -30.0], [8.0, -30.0], [8.0, 0.0], [0.0, 0.0]] }]
+)";
+  constexpr double w = 3.0 * std::numbers::pi;
+  const double a = 0.5 * (3.0 - std::sqrt(6.0));
+  const double peak = 2.0 * 0.1 * w * std::sqrt(a) * (3.0 - 2.0 * a) * std::exp(-a);
+  constexpr double near = 0.01; // the largest sample of a series may lie beside the peak
+  for (const char* command : {"check ", "explain "}) {
+    const std::string output = run_tremolo(command + file.string()).output;
+    const auto line = output.find("motion: peak acceleration ");
+    ASSERT_NE(line, std::string::npos) << output;
+    double incident = 0.0, outcrop = 0.0, surface = 0.0;
+    ASSERT_EQ(
+        std::sscanf(output.c_str() + line,
+                    "motion: peak acceleration %lf m/s2 (%*f g) as incident wave, %lf m/s2 (%*f g) at an "
+                    "outcrop, %lf m/s2 (%*f g) at the surface",
+                    &incident, &outcrop, &surface),
+        3)
+        << output.substr(line);
+    EXPECT_NEAR(incident, peak, near * peak);
+    EXPECT_NEAR(outcrop, 2.0 * peak, near * 2.0 * peak);
+    EXPECT_NEAR(surface, 3.2 * peak, near * 3.2 * peak);
+  }
+  std::filesystem::remove(file);
 }
 
 TEST(Commands, ExplainHandsOutTheResolvedCaseAsJson) {

@@ -279,7 +279,7 @@ class Command(unittest.TestCase):
 
     def test_mistakes_are_named(self):
         for arguments, words in ((("--point", "crst"), "stores no point 'crst'; it has crest, shaft#0 to #10. A place is written X,Y"),
-                                 (("--point", "0,0"), "stores no history near 0,0: the nearest is that of"),
+                                 (("--point", "0,0"), "stores no history near 0,0, and has no frames with displacements by which"),
                                  (("--ky", "-0.1"), "--ky -0.1: a yield coefficient is a number above 0"),
                                  (("--ky", "nan"), "--ky nan: a yield coefficient is a number above 0")):
             status, _, err = self.extract(*arguments)
@@ -305,6 +305,85 @@ class Command(unittest.TestCase):
             np.testing.assert_array_equal([[30.0, 0.0], [45.0, 10.0], [30.0, 12.0]], run.sliding_mass("wedge").outline)
             with self.assertRaisesRegex(KeyError, "no line 'x'; it has shaft"):
                 run.line("x")
+
+
+def write_frames(path, table=None):
+    """A standing shear wave u_x = A cos(k z) sin(w t), z below y = 10 m, which turns nothing, in particles of 0.5 m that a frame
+    may name in any order and cut in halves. `table`: the displacement, velocity and acceleration of a shaking table over time."""
+    x, y = (grid.ravel() for grid in np.meshgrid(np.arange(40.25, 45.0, 0.5), np.arange(0.25, 10.0, 0.5)))
+    k, times = OMEGA / SPEED, np.arange(0.0, 1.0, 0.02)
+    order = np.random.default_rng(1)
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"schema_version": np.bytes_("1.2"), "title": np.bytes_("frames"), "status": np.bytes_("complete"),
+                           "mesh_size": 1.0, "particle_size": 0.5, "soil_names": np.array([b"sand"])})
+        file.create_group("monitors")
+        for number, t in enumerate(times):
+            start = np.column_stack([x, y])
+            if number % 3 == 1:  # the particles on the left are cut, far from those that are followed
+                start = np.vstack([start, start[x < 41.0] + 0.01])
+            start = order.permutation(start)
+            z = 10.0 - start[:, 1]
+            shape = np.column_stack([np.cos(k * z), np.zeros_like(z)]) * AMPLITUDE
+            fields = {"position": start + shape * np.sin(OMEGA * t), "displacement": shape * np.sin(OMEGA * t),
+                      "velocity": shape * OMEGA * np.cos(OMEGA * t), "acceleration": -shape * OMEGA**2 * np.sin(OMEGA * t),
+                      "stress": np.column_stack([-z, -2.0 * z, -3.0 * z, 0.0 * z]), "soil": np.zeros(len(z), dtype=np.int32)}
+            frame = file.create_group(f"frames/{number:04}")
+            frame.attrs["time"] = t
+            for name, values in fields.items():
+                frame[name] = values
+        if table is not None:
+            fine = np.arange(0.0, 1.0, 0.002)
+            u, v, a = table(fine)
+            zero = np.zeros_like(fine)
+            columns = {"time": "s", "ux": "m", "uy": "m", "vx": "m/s", "vy": "m/s", "ax": "m/s2", "ay": "m/s2"}
+            write_series(file, "shaking_table", columns, np.column_stack([fine, u, zero, v, zero, a, zero]))
+    return times
+
+
+class FollowedThroughFrames(unittest.TestCase):
+    """A place without a monitor: its history is that of the wave, whatever the order of the particles."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = Path(self.folder.name)
+
+    def test_history_is_that_of_the_wave(self):
+        times = write_frames(self.path / "run.h5")
+        with Run(self.path) as run:
+            point, said = points.find(run, "43.3,4.8")
+        self.assertTrue(point.of_frames)
+        self.assertIn("the soil that began at 43.25,4.75 is followed through the frames, every 0.02 s", said)
+        found, z, k = point.series, 10.0 - 4.75, OMEGA / SPEED
+        np.testing.assert_allclose(found["time"], times, atol=1e-12)
+        np.testing.assert_allclose(found["ux"], AMPLITUDE * np.cos(k * z) * np.sin(OMEGA * times), atol=1e-9)
+        np.testing.assert_allclose(found["x"], 43.25 + found["ux"], atol=1e-9)
+        np.testing.assert_allclose(found["ax"], -(OMEGA**2) * found["ux"], atol=1e-9)
+        np.testing.assert_allclose(found["szz"], -3.0 * z, atol=1e-9)
+        # The fit over the particles 0.5 m above and below: the wave's strain times sin(kd)/(kd).
+        strain = AMPLITUDE * k * np.sin(k * z) * np.sin(OMEGA * times) * np.sin(0.5 * k) / (0.5 * k)
+        np.testing.assert_allclose(found["gxy"], strain, atol=1e-9)
+        self.assertEqual("Pa", found.units["sxy"])
+
+    def test_history_on_a_shaking_table_is_in_space(self):
+        times = write_frames(self.path / "run.h5", table=lambda t: (0.3 * t, 0.3 + 0.0 * t, 0.0 * t))
+        with Run(self.path) as run:
+            found = points.find(run, "43.25,9.75")[0].series
+        moved = AMPLITUDE * np.cos(0.25 * OMEGA / SPEED) * np.sin(OMEGA * times)
+        np.testing.assert_allclose(found["ux"], moved + 0.3 * times, atol=1e-9)
+        np.testing.assert_allclose(found["x"], 43.25 + moved, atol=1e-9)  # places are those on the table, as of monitors
+
+    def test_command_writes_it_and_leaves_out_what_frames_cannot_say(self):
+        times = write_frames(self.path / "run.h5")
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            self.assertEqual(0, main(["extract", str(self.path), "--point", "43.25,4.75"]), err.getvalue())
+            found = read_csv(self.path / "tables" / "history_43.25,4.75.csv")
+            np.testing.assert_allclose(found["time_s"], times, atol=1e-8)
+            self.assertEqual(1, main(["extract", str(self.path), "--point", "50,4.75"]))
+            self.assertEqual(1, main(["extract", str(self.path), "--point", "43,4", "--base", "43,1"]))
+        self.assertIn("there is no soil at 50,4.75: the nearest began at 44.75,4.75, 5.25 m away", err.getvalue())
+        self.assertIn("that of a base cannot be taken from frames: put a [[monitor]] there", err.getvalue())
 
 
 if __name__ == "__main__":

@@ -163,6 +163,41 @@ TEST(ViscousDampingOnLevels, HasItsRatioAndIsBooked) {
   }
 }
 
+/// Clay without friction, which takes the mean dilatation of its cells, viscous stress and law alike.
+Spec clay_strip(double damping_time, double cohesion) {
+  Spec spec = strip(damping_time, Transfer::apic);
+  materials::MohrCoulomb clay;
+  clay.elastic = soil;
+  clay.cohesion_peak = clay.cohesion_residual = cohesion;
+  spec.soils.front().law = clay;
+  return spec;
+}
+
+TEST(ViscousDampingUnderTheMeanDilatation, HasItsRatio) {
+  constexpr double ratio = 0.05;
+  for (const bool shear : {true, false}) {
+    const StandingWave wave{shear, 1};
+    Domain domain(clay_strip(2.0 * ratio / wave.frequency(), 1e6));
+    const History history = run(domain, wave, 3.0);
+    EXPECT_EQ(history.energy.plastic, 0.0);
+    EXPECT_NEAR(damping_ratio(history) / ratio, 1.0, 0.01) << shear;
+    EXPECT_LT(history.residual, 0.01) << shear;
+  }
+}
+
+/// The shear stress of the wave, rho c v = 16 Pa, is twice what the clay bears.
+TEST(ViscousDampingUnderTheMeanDilatation, IsBookedBesideThePlasticWork) {
+  const StandingWave wave{true, 1};
+  Domain domain(clay_strip(2.0 * 0.05 / wave.frequency(), 8.0));
+  const History history = run(domain, wave, 3.0);
+  const EnergyLedger& energy = history.energy;
+  EXPECT_GT(energy.plastic, 0.1 * energy.kinetic_start);
+  EXPECT_GT(energy.viscous, 0.1 * energy.kinetic_start);
+  EXPECT_LT(history.residual, 0.01);
+  EXPECT_NEAR((energy.plastic + energy.viscous + energy.kinetic + energy.elastic) / energy.kinetic_start, 1.0,
+              0.02);
+}
+
 INSTANTIATE_TEST_SUITE_P(Waves, ViscousDamping,
                          testing::Combine(testing::Bool(), testing::Values(Transfer::apic, Transfer::flip)));
 
