@@ -124,12 +124,28 @@ std::vector<std::string> soil_names(const Spec& spec) {
   return names;
 }
 
-Frame collect(const Domain& domain, const Picture& picture, double dt) {
+/// Makes room for so many particles, so that no array grows to twice what it needs.
+void reserve(Frame& frame, std::size_t particles) {
+  for (std::vector<double>* vectors : {&frame.position, &frame.displacement, &frame.acceleration})
+    vectors->reserve(2 * particles);
+  frame.soil.reserve(particles);
+  for (CarriedField& field : frame.carried)
+    field.values.reserve(field.components.size() * particles);
+  for (std::vector<double>& state : frame.states)
+    state.reserve(particles);
+}
+
+/// @param has_water  whether there is a water table, without which no field of the pore water is written
+Frame collect(const Domain& domain, const Picture& picture, double dt, bool has_water) {
   const std::vector<std::string> names = soil_names(domain.spec);
   Frame frame;
   frame.carried = carried_fields(domain);
   frame.variables = all_state_variables(domain);
   frame.states.resize(frame.variables.size());
+  std::size_t particles = 0;
+  for (const Particles& set : picture.sets_of_soil())
+    particles += set.size();
+  reserve(frame, particles);
   for (std::size_t s = 0; s < domain.soil_sets; ++s) {
     const Particles& set = picture.sets()[s];
     const auto name = static_cast<std::int32_t>(std::ranges::find(names, set.soil) - names.begin());
@@ -146,6 +162,12 @@ Frame collect(const Domain& domain, const Picture& picture, double dt) {
     }
     columns["vx"] = &vx;
     columns["vy"] = &vy;
+    std::vector<std::vector<const std::vector<double>*>> carried; // by field and component
+    for (const CarriedField& field : frame.carried) {
+      std::vector<const std::vector<double>*>& components = carried.emplace_back();
+      for (const std::string& component : field.components)
+        components.push_back(columns.at(component));
+    }
     for (const std::uint32_t k : set.index_of) {
       if (k == Particles::nowhere)
         continue;
@@ -155,12 +177,14 @@ Frame collect(const Domain& domain, const Picture& picture, double dt) {
       const Vector moved = displacement(set, k, dt);
       frame.displacement.insert(frame.displacement.end(), {moved.x, moved.y});
       frame.acceleration.insert(frame.acceleration.end(), {acceleration.x, acceleration.y});
-      for (CarriedField& field : frame.carried)
-        for (const std::string& component : field.components)
-          field.values.push_back((*columns.at(component))[k]);
-      add_water(frame.water, set, k);
+      for (std::size_t f = 0; f < carried.size(); ++f)
+        for (const std::vector<double>* component : carried[f])
+          frame.carried[f].values.push_back((*component)[k]);
+      if (has_water)
+        add_water(frame.water, set, k);
       frame.soil.push_back(name);
-      frame.size.push_back(2.0 * set.half_size);
+      if (domain.mesh)
+        frame.size.push_back(2.0 * set.half_size);
       for (std::size_t v = 0; v < frame.variables.size(); ++v)
         frame.states[v].push_back(state_value(set, k, frame.variables[v].name));
     }
@@ -343,7 +367,7 @@ void RunOutput::write_history(const Stepper& stepper) {
 }
 
 void RunOutput::write_frame(const Stepper& stepper) {
-  const Frame frame = collect(domain_, picture_, stepper.dt());
+  const Frame frame = collect(domain_, picture_, stepper.dt(), scene_.water.has_value());
   std::vector<results::Field> fields{{"position", "m", 2, frame.position}, {"soil", "1", 1, frame.soil}};
   if (domain_.mesh)
     fields.push_back({"size", "m", 1, frame.size});
