@@ -10,8 +10,9 @@
 //                                 dilatation: `yielding` tells the share of particles that yield in a step
 //   mean_dilatation/<c>           the same with the mean dilatation of cells
 //   graded                        cells of 1, 0.5 and 0.25 m, a third of the depth or less each
-//   particles/<n>                 cost against their number, with the bytes that one takes: `arrays` its own,
-//                                 `peak` the memory of the process, grid, filling and sorting included
+//   particles/<case>/<n>/<t>      cost against their number, with t threads, and the bytes that one takes:
+//                                 `arrays` its own, `peak` the memory of the process, grid, filling and
+//                                 sorting included
 //   triad                         a = b + s c over 3 x 64 MiB: what the memory gives, 24 bytes a number
 
 #include "mpm_domain/step/stepper.hpp"
@@ -187,11 +188,13 @@ void forget_peak() {
   std::ofstream("/proc/self/clear_refs") << 5;
 }
 
-void particles(benchmark::State& run) {
+/// @param run  number of particles, threads
+void particles(benchmark::State& run, Transfer transfer, StepOrder order) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(run.range(0)) / 4.0)));
   forget_peak();
   const double before = memory("VmRSS");
-  Shaken shaken(square(side, elastic(), Transfer::flip, StepOrder::usl, 1));
+  Shaken shaken(square(side, elastic(), transfer, order, static_cast<int>(run.range(1))));
+  shaken.stepper.step(); // the first one touches memory that the kernel has yet to give
   step_on(run, shaken);
   run.counters["arrays"] = bytes_a_particle(shaken.domain.sets.front());
   run.counters["peak"] = (memory("VmHWM") - before) / static_cast<double>(shaken.domain.particle_count());
@@ -247,7 +250,12 @@ BENCHMARK_CAPTURE(threads, graded_musl_apic, Mesh::graded, Transfer::apic, StepO
     ->UseRealTime();
 BENCHMARK(softening)->Arg(100)->Arg(1000)->Arg(1400)->Arg(2000);
 BENCHMARK(mean_dilatation)->Arg(100)->Arg(1000)->Arg(1400)->Arg(2000);
-BENCHMARK(particles)->Arg(10'000)->Arg(102'400)->Arg(1'000'000)->Arg(10'000'000);
+BENCHMARK_CAPTURE(particles, usl_flip, Transfer::flip, StepOrder::usl)
+    ->ArgsProduct({{10'000, 102'400, 1'000'000, 10'000'000}, {1}});
+BENCHMARK_CAPTURE(particles, musl_apic, Transfer::apic, StepOrder::musl)
+    ->ArgsProduct({{102'400, 1'000'000, 10'000'000}, {1, 2}})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK(triad);
 
 } // namespace
