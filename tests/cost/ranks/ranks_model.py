@@ -149,7 +149,7 @@ class Measured:
         return Machine(
             f"measured, {threads} core{'s' if threads > 1 else ''} a node",
             particles / without,
-            max(0.0, self.of("seconds", threads=threads) - without) / faces,
+            sum(self.of(f"pass: boundary {part}", threads=threads) for part in ("exchange", "tractions")) / faces,
             min(there.values()),
             min(there.values()) / 2,  # both ends of a message share memory: half the latency is each one's work
             large / there[large],

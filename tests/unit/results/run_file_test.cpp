@@ -58,7 +58,7 @@ TEST(RunFile, HasRoomForTheSourcesOfManyFaces) {
   RunWriter run(folder / "run.h5", description);
   run.set_boundary(many);
   run.finish();
-  const FileReader file(folder / "run.h5");
+  const FileReader file(folder / "run.h5", "run file");
   EXPECT_EQ(file.attribute_as<std::vector<std::string>>("/boundary", "source"), many.source);
 }
 
