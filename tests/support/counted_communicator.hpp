@@ -18,8 +18,8 @@ namespace tremolo::test_support {
 class CountedCommunicator : public mpm_domain::Communicator {
 public:
   /// What ranks do together, and wait(), which ends what send() and receive() have begun.
-  enum class Kind { wait, add, least, largest, share, follow_first, swap };
-  static constexpr std::array<std::string_view, 7> names = {"wait",  "add",          "least", "largest",
+  enum class Kind { wait, add, largest, totals, share, follow_first, swap };
+  static constexpr std::array<std::string_view, 7> names = {"wait",  "add",          "largest", "totals",
                                                             "share", "follow_first", "swap"};
 
   struct Count {
@@ -47,11 +47,12 @@ public:
   void add(std::span<std::int64_t> numbers) override {
     timed(Kind::add, numbers.size_bytes(), [&] { ranks_.add(numbers); });
   }
-  void least(std::span<double> numbers) override {
-    timed(Kind::least, numbers.size_bytes(), [&] { ranks_.least(numbers); });
-  }
   void largest(std::span<double> numbers) override {
     timed(Kind::largest, numbers.size_bytes(), [&] { ranks_.largest(numbers); });
+  }
+  void add_and_find_largest(std::span<std::int64_t> sums, std::span<double> largest) override {
+    timed(Kind::totals, sums.size_bytes() + largest.size_bytes(),
+          [&] { ranks_.add_and_find_largest(sums, largest); });
   }
   void share(std::span<double> numbers, std::span<const int> counts) override {
     timed(Kind::share, numbers.size_bytes(), [&] { ranks_.share(numbers, counts); });

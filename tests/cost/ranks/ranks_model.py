@@ -25,7 +25,8 @@ from dataclasses import dataclass, replace
 
 import rank_tiles
 
-FIELDS = 5 + 2  # mass, momentum and force, then momentum again (musl)
+SUMS = 5  # mass, momentum and force
+FIELDS = SUMS + 2  # then momentum again (musl)
 NUMBER = 8  # bytes
 SCATTERS = 2
 MEAN_SHAPE = 1.4  # c of rank_tiles.py
@@ -50,7 +51,7 @@ class Calls:
     """Collective exchanges of a step, and the bytes of each kind."""
 
     share: float
-    totals: float  # add, least, largest
+    totals: float  # add, largest, and both together
     follow_first: float
     totals_bytes: float  # all calls together
 
@@ -75,8 +76,8 @@ def halo_bytes(particles, ranks):
 
 
 def share_bytes(columns, rows):
-    """Places of all faces, and sums at all nodes near them."""
-    return NUMBER * (4 * rank_tiles.faces(columns, rows) + FIELDS * rank_tiles.boundary_nodes(columns, rows))
+    """What is told of the soil at all faces, and sums at all nodes near them."""
+    return NUMBER * (7 * rank_tiles.faces(columns, rows) + SUMS * rank_tiles.boundary_nodes(columns, rows))
 
 
 def follow_first_bytes(columns, rows):
@@ -129,7 +130,7 @@ class Measured:
         return self.of(name, self.ranks)
 
     def calls(self):
-        kinds = ("add", "least", "largest")
+        kinds = ("add", "largest", "totals")
         return Calls(
             self.shared("share calls"),
             sum(self.shared(f"{kind} calls") for kind in kinds),
@@ -197,7 +198,7 @@ def print_check(measured):
     rows_of_table.append(["measured", f"{1e3 * time:.3f}"])
     rows_of_table.append(["predicted over measured", f"{total / time:.3f}"])
     table([f"{columns} x {rows} cells, {ranks} ranks", "ms"], rows_of_table)
-    waits = {kind: measured.shared(f"{kind} seconds") for kind in ("wait", "share", "follow_first", "add", "least", "largest")}
+    waits = {kind: measured.shared(f"{kind} seconds") for kind in ("wait", "share", "follow_first", "add", "largest", "totals")}
     table(["in exchanges, fullest rank", "ms"], [[kind, f"{1e3 * seconds:.3f}"] for kind, seconds in waits.items()])
     one, two = measured.of("seconds"), measured.of("seconds", threads=2)
     print(f"updates a second, million: one thread {measured.of('particles') / one / 1e6:.2f}, two threads "
