@@ -26,7 +26,8 @@ constexpr double abort_grace_s = 1.0;
 /// The same when the user interrupts: there is no hurry then, and a second Ctrl-C ends it at once.
 constexpr double interrupt_grace_s = 10.0;
 constexpr double last_words_s = 0.1;
-constexpr std::size_t shown_lines = 8;
+/// A rank of the domain that fails writes its reason before the eight lines that MPI_Abort has.
+constexpr std::size_t shown_lines = 16;
 
 std::uint64_t random_number() {
   std::random_device device;

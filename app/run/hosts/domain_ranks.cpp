@@ -4,7 +4,7 @@
 #include "app/run/hosts/words.hpp"
 #include "base/temporary_parent.hpp"
 #include "mpm_domain/particles/share_out.hpp"
-#include "mpm_domain/process/shared_memory.hpp"
+#include "mpm_domain/process/ranks/shared_memory.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 
 #include <fmt/format.h>
@@ -178,8 +178,8 @@ void start_as_ranks(coupler::ProcessSpec& domain, const scene::Case& scene, cons
   words = joined(words, {domain.program.string(), "--ranks", std::to_string(ranks.count)});
   domain.arguments.insert(domain.arguments.begin(), words.begin(), words.end());
   domain.program = on_path("mpirun");
-  // Ranks have no files to close: they need no time before they are killed. Those of a machine that is cut off end
-  // within half a minute. What the user sets on the command line counts more.
+  // Ranks have no files to close: they need no time before they are killed. Those of a machine that is cut
+  // off end within half a minute. What the user sets on the command line counts more.
   domain.environment = {"OMPI_MCA_odls_base_sigkill_timeout=0", "OMPI_MCA_oob_tcp_keepalive_time=5",
                         "OMPI_MCA_oob_tcp_keepalive_intvl=5", "OMPI_MCA_oob_tcp_keepalive_probes=5"};
   domain.environment.push_back(fmt::format("{}={}", mpm_domain::shared_memory_variable, folder.string()));

@@ -1,4 +1,4 @@
-#include "mpm_domain/process/rank_inputs.hpp"
+#include "mpm_domain/process/ranks/rank_inputs.hpp"
 
 #include "base/text_file.hpp"
 #include "scene/text/files.hpp"
