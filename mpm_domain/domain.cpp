@@ -43,7 +43,8 @@ void check_structures(const Spec& spec) {
                       structure.name));
 }
 
-/// What reduced dispersion asks of the rest of the spec.
+/// What reduced dispersion asks of the rest of the spec. That soil which yields should do without is a rule
+/// of scenes alone, since it runs.
 void check_dispersion(const Spec& spec) {
   if (spec.scheme.transfer != Transfer::apic || spec.scheme.order != StepOrder::musl ||
       spec.particles_per_cell < 2 || spec.boxes != ParticleBoxes::fixed || !spec.refine.empty() ||
@@ -53,11 +54,6 @@ void check_dispersion(const Spec& spec) {
         "direction, boxes that keep their size, cells of one size, sides without springs, and a domain "
         "without "
         "water and structures");
-  for (const Soil& soil : spec.soils)
-    if (const materials::Response response = materials::traits(soil.law).response;
-        response != materials::Response::elastic && response != materials::Response::hysteretic)
-      throw std::invalid_argument(
-          fmt::format("reduced dispersion is for elastic and hysteretic soil, which '{}' is not", soil.name));
 }
 
 /// What a rigid base asks of the rest of the spec.
