@@ -244,7 +244,8 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
                      std::span<const std::string> face_sources)
     : scene_(scene), domain_(domain), picture_(picture),
       writer_(directory / "run.h5", description(scene, plan)), bodies_(scene, domain, writer_),
-      sliding_masses_(scene, writer_), lost_hold_(scene, domain.boundary) {
+      sliding_masses_(scene, writer_),
+      lost_hold_(domain.boundary, scene.boundary.base.form != scene::BaseForm::incident, scene.mesh.size) {
   const scene::Box& box = scene.mesh.box;
   writer_.attribute("mesh_size", scene.mesh.size);
   writer_.attribute("particle_size", 2.0 * domain.half_size());
@@ -408,12 +409,16 @@ void RunOutput::write_boundary(const Stepper& stepper) {
   writer_.append_boundary(time, {v_free, v_domain, traction});
 }
 
+std::optional<std::string> RunOutput::warning() const {
+  return scene_.gravity ? lost_hold_.warning() : std::nullopt;
+}
+
 void RunOutput::save(results::CheckpointWriter& checkpoint) {
   writer_.sync();
   checkpoint.write("output.rows", std::array<std::uint64_t, 2>{history_rows_, writer_.frame_count()});
   checkpoint.write("output.times", std::array{next_history_, next_frame_, last_history_, last_frame_});
   bodies_.save(checkpoint);
-  lost_hold_.save(checkpoint);
+  checkpoint.write("output.lost_hold", lost_hold_.state());
 }
 
 void RunOutput::take_over(const std::filesystem::path& before, const results::CheckpointReader& checkpoint) {
@@ -429,7 +434,7 @@ void RunOutput::take_over(const std::filesystem::path& before, const results::Ch
   last_history_ = times.at(2);
   last_frame_ = times.at(3);
   bodies_.restore(checkpoint);
-  lost_hold_.restore(checkpoint);
+  lost_hold_.set_state(checkpoint.numbers("output.lost_hold"));
 }
 
 void RunOutput::take_over_histories(const results::RunReader& before, std::size_t rows, std::size_t frames) {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "mpm_domain/boundary/lost_hold.hpp"
 #include "mpm_domain/process/body_output.hpp"
 #include "mpm_domain/process/followed_point.hpp"
-#include "mpm_domain/process/lost_hold.hpp"
 #include "mpm_domain/process/sliding_mass_output.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
@@ -43,7 +43,7 @@ public:
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds);
 
   /// What a user should know of the run that has ended, a sentence.
-  std::optional<std::string> warning() const { return lost_hold_.warning(); }
+  std::optional<std::string> warning() const;
 
   /// Writes what an output that goes on from here needs, besides the file as it is now.
   void save(results::CheckpointWriter& checkpoint);

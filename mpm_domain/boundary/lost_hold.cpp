@@ -1,15 +1,15 @@
-#include "mpm_domain/process/lost_hold.hpp"
+#include "mpm_domain/boundary/lost_hold.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
-LostHold::LostHold(const scene::Case& scene, const Boundary& boundary)
-    : scene_(scene), boundary_(boundary), moved_(boundary.faces().size()) {}
+LostHold::LostHold(const Boundary& boundary, bool total_base, double far)
+    : boundary_(boundary), total_base_(total_base), far_(far), moved_(boundary.faces().size()) {}
 
 void LostHold::add(double time, std::span<const Vector> domain, std::span<const eq6::FreeField> free_field) {
   for (std::size_t f = 0; f < moved_.size(); ++f) {
@@ -21,8 +21,7 @@ void LostHold::add(double time, std::span<const Vector> domain, std::span<const 
 }
 
 bool LostHold::counts(const BoundaryFace& face) const {
-  return scene_.gravity && face.support == Support::dashpots &&
-         (face.side != Side::base || scene_.boundary.base.form != scene::BaseForm::incident);
+  return face.support == Support::dashpots && (face.side != Side::base || total_base_);
 }
 
 std::optional<std::string> LostHold::warning() const {
@@ -31,7 +30,7 @@ std::optional<std::string> LostHold::warning() const {
   for (std::size_t f = 0; f < moved_.size(); ++f)
     if (counts(faces[f]) && (!farthest || std::abs(moved_[f]) > std::abs(moved_[*farthest])))
       farthest = f;
-  if (!farthest || !(std::abs(moved_[*farthest]) > scene_.mesh.size))
+  if (!farthest || !(std::abs(moved_[*farthest]) > far_))
     return std::nullopt;
   const auto& [x, y] = faces[*farthest].position;
   return fmt::format(
@@ -44,14 +43,16 @@ std::optional<std::string> LostHold::warning() const {
       x, y);
 }
 
-void LostHold::save(results::CheckpointWriter& checkpoint) const {
-  checkpoint.write("output.lost_hold", moved_);
-  checkpoint.write("output.lost_hold_time", std::array{last_});
+std::vector<double> LostHold::state() const {
+  std::vector<double> state = moved_;
+  state.push_back(last_);
+  return state;
 }
 
-void LostHold::restore(const results::CheckpointReader& checkpoint) {
-  moved_ = checkpoint.numbers("output.lost_hold");
-  last_ = checkpoint.numbers("output.lost_hold_time").at(0);
+void LostHold::set_state(std::vector<double> state) {
+  last_ = state.back();
+  state.pop_back();
+  moved_ = std::move(state);
 }
 
 } // namespace tremolo::mpm_domain
