@@ -22,7 +22,7 @@ struct GatherSums {
   }
 };
 
-/// Those of all particles of one rank.
+/// Sums over all particles of one rank, and their largest speed.
 struct GatherTotals {
   Sums<3> works; ///< elastic, plastic, viscous, J/m
   double max_speed = 0.0;

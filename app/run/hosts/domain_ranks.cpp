@@ -31,7 +31,7 @@ std::optional<StartRanksBy> start_elsewhere(const scene::Case& scene, bool local
   return local || !scene.hosts.domain ? std::nullopt : std::optional(scene.hosts.domain->start);
 }
 
-/// Those of [hosts.domain] that ssh reaches.
+/// The machines of [hosts.domain] that ssh reaches.
 std::vector<scene::RankMachine> machines(const scene::Case& scene, bool local) {
   return start_elsewhere(scene, local) == StartRanksBy::ssh ? scene.hosts.domain->machines
                                                             : std::vector<scene::RankMachine>{};

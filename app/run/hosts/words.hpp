@@ -16,7 +16,7 @@ std::string environment(const char* name);
 /// The file of a program that the shell would find; empty if there is none.
 std::filesystem::path on_path(const std::string& program);
 
-/// The same of one that [hosts] asks for.
+/// The file of a program that [hosts] asks for.
 /// @throws std::runtime_error if there is none
 std::string found_on_path(const std::string& program);
 

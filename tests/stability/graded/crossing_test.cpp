@@ -30,13 +30,13 @@ Spec strip() {
   return spec;
 }
 
-struct Sums {
+struct Conserved {
   double mass = 0.0;
   Vector momentum;
 };
 
-Sums sums_of(const Domain& domain) {
-  Sums sum;
+Conserved conserved_by(const Domain& domain) {
+  Conserved sum;
   for (const Particles& p : domain.sets)
     for (std::size_t k = 0; k < p.size(); ++k) {
       sum.mass += p.mass[k];
@@ -95,7 +95,7 @@ struct Flight {
 /// Ten rounds.
 Flight fly(Domain& domain, double drift) {
   const auto count = static_cast<double>(domain.particle_count());
-  const Sums start = sums_of(domain);
+  const Conserved start = conserved_by(domain);
   const double vibration = vibration_of(domain, start.momentum.x / start.mass);
   Stepper stepper(domain, 0.0, no_traction(domain));
   Flight flight;
@@ -105,7 +105,7 @@ Flight fly(Domain& domain, double drift) {
     residual.after_step(domain.energy);
   }
   flight.missed_energy = residual.largest() / vibration;
-  const Sums end = sums_of(domain);
+  const Conserved end = conserved_by(domain);
   for (const Particles& p : domain.sets)
     for (const double sxx : p.sxx)
       flight.stress = std::max(flight.stress, std::abs(sxx));

@@ -92,7 +92,7 @@ TEST_F(RanksElsewhere, SshGoesToTheMachinesAfterThisOne) {
   const auto domain = started(3);
   EXPECT_THAT(domain.arguments, Contains("localhost:1,node2:1,node3:1"));
   EXPECT_THAT(domain.arguments,
-              Contains((folder_ / "ssh") + " -n -x -o BatchMode=yes -o ConnectTimeout=30 --"));
+              Contains((folder_ / "ssh").string() + " -n -x -o BatchMode=yes -o ConnectTimeout=30 --"));
   EXPECT_THAT(domain.arguments, IsSupersetOf({"btl_tcp_if_include", "ib0"}));
   EXPECT_THAT(started(3, true).arguments, Not(Contains(HasSubstr("node2")))) << "--local";
 }

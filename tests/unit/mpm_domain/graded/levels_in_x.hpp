@@ -48,12 +48,12 @@ inline void disturb(Domain& domain) {
     }
 }
 
-struct Sums {
+struct Conserved {
   double mass = 0.0, volume = 0.0, px = 0.0, py = 0.0, spin = 0.0, kinetic = 0.0;
 };
 
-inline Sums sums_of(const Domain& domain) {
-  Sums sum;
+inline Conserved conserved_by(const Domain& domain) {
+  Conserved sum;
   for (const Particles& p : domain.sets)
     for (std::size_t k = 0; k < p.size(); ++k) {
       const double m = p.mass[k];

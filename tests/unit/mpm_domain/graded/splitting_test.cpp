@@ -47,10 +47,10 @@ TEST_P(Splitting, KeepsMassVolumeMomentumAndSpin) {
   Domain domain(levels_in_x());
   disturb(domain);
   shift(domain, 5.3);
-  const Sums before = sums_of(domain);
+  const Conserved before = conserved_by(domain);
   const std::size_t cut = split_particles(domain);
   ASSERT_GT(cut, 0U);
-  const Sums after = sums_of(domain);
+  const Conserved after = conserved_by(domain);
   EXPECT_NEAR(after.mass, before.mass, 1e-14 * before.mass);
   EXPECT_NEAR(after.volume, before.volume, 1e-14 * before.volume);
   EXPECT_NEAR(after.px, before.px, 1e-14 * before.mass);
@@ -153,14 +153,14 @@ TEST(SplittingOnTheWay, ABlockKeepsItsMotionThroughAllLevels) {
     Domain domain(spec);
     for (double& v : domain.sets[0].vx)
       v = 20.0;
-    const Sums before = sums_of(domain);
+    const Conserved before = conserved_by(domain);
     const std::size_t count = domain.particle_count();
     Stepper stepper(domain, 0.0, test_support::no_traction(domain));
     while (stepper.time() < 0.42)
       stepper.step();
     EXPECT_EQ(domain.particle_count(), domain.sets[2].size()); // 9.4 m and more: all on the finest level
     EXPECT_EQ(domain.particle_count(), 16U * count);
-    const Sums after = sums_of(domain);
+    const Conserved after = conserved_by(domain);
     EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
     EXPECT_NEAR(after.px, before.px, 1e-12 * before.px);
     for (const Particles& set : domain.sets)
@@ -179,7 +179,7 @@ TEST(GradedGrowth, ABlockThatFliesOutOfTheGridTakesItAlong) {
   for (Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       set.vy[k] = 30.0;
-  const Sums before = sums_of(domain);
+  const Conserved before = conserved_by(domain);
   const int rows = domain.grid.ny;
   Stepper stepper(domain, 0.0, test_support::no_traction(domain));
   while (stepper.time() < 0.5)
@@ -188,7 +188,7 @@ TEST(GradedGrowth, ABlockThatFliesOutOfTheGridTakesItAlong) {
   EXPECT_EQ(domain.mesh->tree().finest_in({2.0, 10.0, 4.0, 11.0}), 1);
   EXPECT_EQ(domain.mesh->tree().finest_in({6.5, -5.0, 7.0, -4.0}), 1);
   EXPECT_EQ(domain.mesh->tree().finest_in({9.5, -5.0, 10.0, -4.0}), 2);
-  const Sums after = sums_of(domain);
+  const Conserved after = conserved_by(domain);
   EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
   EXPECT_NEAR(after.py, before.py, 1e-12 * before.py);
   for (const Particles& set : domain.sets)
