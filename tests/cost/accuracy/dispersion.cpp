@@ -21,6 +21,7 @@
 #include <numbers>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -171,14 +172,19 @@ double beside_finest(double cells, Dispersion dispersion, const std::map<double,
   });
 }
 
-/// Mean velocities of blocks of 4 m around a canyon under a wave of 30 degrees that is 80 m long.
-test_support::Seen canyon(double cell_size, Dispersion dispersion) {
+/// What a wave of 30 degrees that is 80 m long meets at the surface.
+enum class Surface { canyon, notch, flat };
+
+/// Mean velocities of blocks of 4 m under it. The walls of the notch lie along the cells.
+test_support::Seen under(Surface surface, double cell_size, Dispersion dispersion) {
   const test_support::Canyon canyon{.cell_size = cell_size,
                                     .width = 128.0,
                                     .depth = 48.0,
                                     .angle_deg = 30.0,
                                     .layers = false,
                                     .dispersion = dispersion,
+                                    .canyon_depth = surface == Surface::flat ? 0.0 : 16.0,
+                                    .notch = surface == Surface::notch,
                                     .end = 1.0};
   return run_canyon(canyon, {-64.0, -48.0, 64.0, 0.0}, 4.0);
 }
@@ -245,9 +251,13 @@ int main() {
   const std::map<double, double> finest = velocities_of_hysteretic(128.0, Dispersion::plain);
   for (const double cells : {8.0, 12.0, 16.0, 32.0})
     print("SV into hysteretic soil", cells, [&](Dispersion d) { return beside_finest(cells, d, finest); });
-  const test_support::Seen finest_canyon = canyon(0.5, Dispersion::plain);
-  for (const double cell_size : {4.0, 2.0, 1.0})
-    print("SV at 30 degrees under a canyon", 80.0 / cell_size, [&](Dispersion d) {
-      return test_support::relative_difference(canyon(cell_size, d), finest_canyon);
-    });
+  for (const auto& [scene, surface] : {std::pair("SV at 30 degrees under a canyon", Surface::canyon),
+                                       std::pair("SV at 30 degrees under a notch", Surface::notch),
+                                       std::pair("SV at 30 degrees under flat ground", Surface::flat)}) {
+    const test_support::Seen finest_cells = under(surface, 0.5, Dispersion::plain);
+    for (const double cell_size : {4.0, 2.0, 1.0})
+      print(scene, 80.0 / cell_size, [&](Dispersion d) {
+        return test_support::relative_difference(under(surface, cell_size, d), finest_cells);
+      });
+  }
 }
