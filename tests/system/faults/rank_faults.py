@@ -33,6 +33,10 @@ class Timed:
             self.results = run.numbers()
 
 
+def is_of_ranks(fault):
+    return fault.check.__module__ == __name__
+
+
 def timed(faults):
     if not hasattr(faults, "ranks"):
         faults.ranks = Timed(faults)
