@@ -191,8 +191,14 @@ void Boundary::read_soil(Domain& domain) {
   soil_.resize(faces_.size());
   if (share_)
     return share_->tell(domain, faces_, soil_);
-  for_faces(domain.workers, faces_.size(),
-            [&](std::size_t f) { soil_[f] = soil_at(faces_[f], domain.sets[faces_[f].set]); });
+  const bool leans = domain.has_pore_pressure();
+  for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
+    const Particles& set = domain.sets[faces_[f].set];
+    if (leans)
+      soil_[f] = soil_at(faces_[f], set);
+    else
+      soil_[f].place = place_of(faces_[f], set); // all that dry soil needs
+  });
 }
 
 bool Boundary::is_due(int first_due, std::size_t f) const {

@@ -102,37 +102,38 @@ Limit subcycled_limit(const Domain& domain, const StepBounds& bounds, double max
 
 constexpr double no_particles = -1.0;
 
-void take_largest(const StepBounds& from, std::size_t from_entry, StepBounds& to, std::size_t entry) {
-  for (std::size_t i = 0; i < 2; ++i)
-    to[2 * entry + i] = std::max(to[2 * entry + i], from[2 * from_entry + i]);
-}
-
 StepBounds bounds_of(Domain& domain, double FastestWaves::*speed) {
-  const std::size_t sets = domain.sets.size();
-  std::vector<StepBounds> of_block(domain.block_count(), StepBounds(2 * sets, no_particles));
-  domain.workers.run(of_block.size(), [&](std::size_t block) {
-    for (std::size_t s = 0; s < sets; ++s) {
-      Particles& set = domain.sets[s];
+  const std::size_t numbers = 2 * domain.sets.size(); // of a block
+  std::vector<double> of_blocks(domain.block_count() * numbers, no_particles);
+  domain.workers.run(domain.block_count(), [&](std::size_t block) {
+    double* next = &of_blocks[block * numbers];
+    for (Particles& set : domain.sets) {
       const auto see = [&](const ParticleRange& range) {
         if (range.begin == range.end)
           return;
         const FastestWaves waves = fastest_waves(set, range);
         const double c = waves.*speed;
-        take_largest({c, damping_of_fastest(set, waves.in_skeleton, c)}, 0, of_block[block], s);
+        next[0] = std::max(next[0], c);
+        next[1] = std::max(next[1], damping_of_fastest(set, waves.in_skeleton, c));
       };
       see(set.in_block(block));
       if (domain.mesh)
         see(set.in_block(domain.block_count() + block));
+      next += 2;
     }
   });
   const auto lattices = static_cast<std::size_t>(domain.lattice_count());
   const auto clocks = static_cast<std::size_t>(domain.clocks.count());
-  StepBounds bounds(2 * sets * lattices * clocks, no_particles);
-  for (std::size_t block = 0; block < of_block.size(); ++block) {
+  StepBounds bounds(numbers * lattices * clocks, no_particles);
+  const double* next = of_blocks.data();
+  for (std::size_t block = 0; block < domain.block_count(); ++block) {
     const auto level = static_cast<std::size_t>(domain.level_of_block(block));
     const auto clock = static_cast<std::size_t>(domain.clock_of_block(block));
-    for (std::size_t s = 0; s < sets; ++s)
-      take_largest(of_block[block], s, bounds, (s * lattices + level) * clocks + clock);
+    for (std::size_t s = 0; s < domain.sets.size(); ++s, next += 2) {
+      double* const bound = &bounds[2 * ((s * lattices + level) * clocks + clock)];
+      bound[0] = std::max(bound[0], next[0]);
+      bound[1] = std::max(bound[1], next[1]);
+    }
   }
   return bounds;
 }
