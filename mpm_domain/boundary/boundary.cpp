@@ -188,17 +188,13 @@ void Boundary::follow_sort(const Domain& domain) {
 }
 
 void Boundary::read_soil(Domain& domain) {
+  if (!share_ && !domain.has_pore_pressure())
+    return; // places are all that dry soil needs of its faces
   soil_.resize(faces_.size());
   if (share_)
     return share_->tell(domain, faces_, soil_);
-  const bool leans = domain.has_pore_pressure();
-  for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
-    const Particles& set = domain.sets[faces_[f].set];
-    if (leans)
-      soil_[f] = soil_at(faces_[f], set);
-    else
-      soil_[f].place = place_of(faces_[f], set); // all that dry soil needs
-  });
+  for_faces(domain.workers, faces_.size(),
+            [&](std::size_t f) { soil_[f] = soil_at(faces_[f], domain.sets[faces_[f].set]); });
 }
 
 bool Boundary::is_due(int first_due, std::size_t f) const {
@@ -207,7 +203,10 @@ bool Boundary::is_due(int first_due, std::size_t f) const {
 
 /// The face's weights at the place of its soil, and at the first tick its clock.
 void Boundary::weigh(const Domain& domain, const ClockNodes& nodes, std::size_t f, bool first_tick) {
-  face_weights(domain, faces_[f], soil_[f].place, weights_[f]);
+  if (soil_.empty())
+    face_weights(domain, faces_[f], weights_[f]);
+  else
+    face_weights(domain, faces_[f], soil_[f].place, weights_[f]);
   if (domain.clocks.count() == 1)
     return;
   std::erase_if(weights_[f],
