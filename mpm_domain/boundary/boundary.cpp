@@ -453,18 +453,26 @@ BoundaryWork Boundary::work_of(std::size_t begin, std::size_t end, const Grid& g
   return work;
 }
 
-void Boundary::take_off_remap_power(const Domain& domain, const ClockNodes& nodes, int clock,
+void Boundary::take_off_remap_power(Domain& domain, const ClockNodes& nodes, int clock,
                                     ExactSum& power) const {
   const Grid& grid = domain.grid;
   const auto of_clock = static_cast<std::size_t>(clock);
   const ConsistentDashpots* const dashpots = of_clock < dashpots_.size() ? &dashpots_[of_clock] : nullptr;
-  for (const std::size_t n : nodes_.all()) {
-    if (nodes.clock_of(n) != clock || !domain.counts({n, n + 1}))
-      continue;
-    const Vector corrected = dashpots ? dashpots->force_on(n) : Vector{};
-    power.add((on_nodes_x_[n] + corrected.x) * (grid.vx_strain[n] - grid.vx_after[n]) +
-              (on_nodes_y_[n] + corrected.y) * (grid.vy_strain[n] - grid.vy_after[n]));
-  }
+  const std::span<const std::size_t> all = nodes_.all();
+  constexpr std::size_t nodes_per_task = 256;
+  std::vector<ExactSum> parts((all.size() + nodes_per_task - 1) / nodes_per_task);
+  domain.workers.run(parts.size(), [&](std::size_t task) {
+    const std::size_t first = task * nodes_per_task;
+    for (const std::size_t n : all.subspan(first, std::min(nodes_per_task, all.size() - first))) {
+      if (nodes.clock_of(n) != clock || !domain.counts({n, n + 1}))
+        continue;
+      const Vector corrected = dashpots ? dashpots->force_on(n) : Vector{};
+      parts[task].add((on_nodes_x_[n] + corrected.x) * (grid.vx_strain[n] - grid.vx_after[n]) +
+                      (on_nodes_y_[n] + corrected.y) * (grid.vy_strain[n] - grid.vy_after[n]));
+    }
+  });
+  for (const ExactSum& part : parts)
+    power += part;
 }
 
 } // namespace tremolo::mpm_domain

@@ -111,7 +111,8 @@ public:
   /// After a scatter: reads the soil at the faces. Ranks tell each other of it, and of the sums at the shared
   /// nodes.
   void read_soil(Domain& domain);
-  std::span<const FaceSoil> soil() const { return soil_; } ///< by face
+  /// By face, where there is pore water or where ranks share the domain; else empty.
+  std::span<const FaceSoil> soil() const { return soil_; }
 
   /// The passes of a step. At its first tick: velocities of the faces and free field, then what matched
   /// layers make of it.
@@ -125,7 +126,7 @@ public:
   BoundaryWork follow_update(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
   /// Takes off the power (W/m) of the boundary's forces on the difference between v+ and the remapped
   /// velocity, at the nodes of one clock that count on this rank.
-  void take_off_remap_power(const Domain& domain, const ClockNodes& nodes, int clock, ExactSum& power) const;
+  void take_off_remap_power(Domain& domain, const ClockNodes& nodes, int clock, ExactSum& power) const;
 
   /// What the last exchange found per face: v^m (m/s) and the free field.
   std::span<const Vector> velocities() const { return v_exchange_; }
