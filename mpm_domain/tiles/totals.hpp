@@ -44,7 +44,7 @@ Sums<count> sum_over_rows(Domain& domain, std::span<const NodeRange> rows, const
   return sums_of(std::span<const std::array<double, count>>(sums));
 }
 
-/// What is booked in a step, in its order. In one process everything is booked at once.
+/// Keeps the bookings of a step in their order. In one process everything is booked at once.
 class Bookings {
 public:
   /// @param ranks  null where there is one process

@@ -76,7 +76,7 @@ public:
   std::vector<double> numbers(std::string_view key) const;
   Point point(std::string_view key) const;
   Polygon polygon(std::string_view key) const;
-  /// Of Type::texts or Type::choices.
+  /// The texts of a key of Type::texts or Type::choices.
   std::vector<std::string> texts(std::string_view key) const;
 
   /// The table below this one, where the file has it: `circle` of [[structure]] by the spec
