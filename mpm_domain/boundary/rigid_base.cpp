@@ -20,7 +20,7 @@ Vector after(Vector start, double time, Vector rate) {
 
 /// Sum over the nodes of these rows.
 template <typename OfNode>
-Sums<1> sum_over(Domain& domain, std::span<const NodeRange> rows, const OfNode& of_node) {
+ExactSums<1> sum_over(Domain& domain, std::span<const NodeRange> rows, const OfNode& of_node) {
   return sum_over_rows<1>(domain, rows, [&](const NodeRange& row) {
     double sum = 0.0;
     for (std::size_t n = row.begin; n < row.end; ++n)
@@ -85,7 +85,7 @@ void RigidBase::push(Domain& domain, const Ticks& ticks, int clock, std::span<co
   bear(nodes);
 }
 
-Sums<1> RigidBase::power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
+ExactSums<1> RigidBase::power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
   const NodeFields& nodes = domain.grid;
   const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
   return sum_over(domain, rows, [&](std::size_t n) {
@@ -94,7 +94,7 @@ Sums<1> RigidBase::power(Domain& domain, int clock, std::span<const NodeRange> r
   });
 }
 
-Sums<1> RigidBase::remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
+ExactSums<1> RigidBase::remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
   const NodeFields& nodes = domain.grid;
   const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
   return sum_over(domain, rows, [&](std::size_t n) {

@@ -50,9 +50,9 @@ public:
   /// Adds the inertia of a clock's kick to the forces of its nodes, in these rows, that are free.
   void push(Domain& domain, const Ticks& ticks, int clock, std::span<const NodeRange> rows);
   /// Power (W/m) of that inertia on the mean velocity of an update; the sum of one rank.
-  Sums<1> power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
+  ExactSums<1> power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
   /// Likewise on the difference between v+ and the remapped velocity.
-  Sums<1> remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
+  ExactSums<1> remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
 
   /// Motion of the base at the time at which particles' velocities and places are told, half a step before
   /// the end of the step just made.

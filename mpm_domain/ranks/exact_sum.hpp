@@ -34,6 +34,6 @@ private:
 };
 
 template <std::size_t count>
-using Sums = std::array<ExactSum, count>;
+using ExactSums = std::array<ExactSum, count>;
 
 } // namespace tremolo::mpm_domain

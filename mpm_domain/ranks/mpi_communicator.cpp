@@ -27,12 +27,9 @@ int length(std::size_t count) {
   return static_cast<int>(count);
 }
 
-/// Whether mpirun, or srun, has started this process with others.
+/// Whether mpirun has started this process with others.
 bool has_others() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"})
-    if (std::getenv(name) != nullptr) // NOLINT(concurrency-mt-unsafe): no thread runs yet
-      return true;
-  return false;
+  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr; // NOLINT(concurrency-mt-unsafe): no thread runs yet
 }
 
 /// How long a rank looks out for a message before it sleeps between two looks. MPI itself never sleeps, which

@@ -20,7 +20,7 @@ Vectors velocities(const Grid& grid, std::size_t n, Group group, const Lanes& m,
 
 } // namespace
 
-Sums<1> grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
+ExactSums<1> grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
@@ -36,7 +36,7 @@ Sums<1> grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
   });
 }
 
-Sums<1> remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
+ExactSums<1> remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;
@@ -54,7 +54,7 @@ Sums<1> remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
   });
 }
 
-Sums<3> update_grid(Domain& domain, double dt, std::span<const NodeRange> rows) {
+ExactSums<3> update_grid(Domain& domain, double dt, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double gravity = domain.spec.gravity;

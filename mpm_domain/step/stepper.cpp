@@ -336,7 +336,7 @@ void Stepper::scatter_momenta() {
 // the other half of the power on it belongs to that step, and is booked here with the stresses of this one.
 void Stepper::remap() {
   for (int clock = ticks_.first_ending(); clock < ticks_.clocks(); ++clock) {
-    Sums<1> power = remap_velocities(domain_, nodes_.of(clock));
+    ExactSums<1> power = remap_velocities(domain_, nodes_.of(clock));
     domain_.boundary.take_off_remap_power(domain_, nodes_, clock, power[0]);
     if (const auto& base = domain_.boundary.rigid_base())
       power[0] += base->remap_power(domain_, clock, nodes_.of(clock))[0];
@@ -349,7 +349,7 @@ void Stepper::remap() {
 }
 
 /// Books a time (s) times a power (W/m).
-void Stepper::book_transfer(double time, const Sums<1>& power) {
+void Stepper::book_transfer(double time, const ExactSums<1>& power) {
   bookings_.add(power, [this, time](const auto& total) { domain_.energy.transfer += time * total[0]; });
 }
 

@@ -127,7 +127,7 @@ private:
 
   void settle();
 
-  void book_transfer(double time, const Sums<1>& power);
+  void book_transfer(double time, const ExactSums<1>& power);
   void book(const GatherTotals& sums);
   void follow_fastest();
   void find_bounds();

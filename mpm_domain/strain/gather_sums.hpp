@@ -24,7 +24,7 @@ struct GatherSums {
 
 /// Sums over all particles of one rank, and their largest speed.
 struct GatherTotals {
-  Sums<3> works; ///< elastic, plastic, viscous, J/m
+  ExactSums<3> works; ///< elastic, plastic, viscous, J/m
   double max_speed = 0.0;
 
   void add(const GatherSums& more) {

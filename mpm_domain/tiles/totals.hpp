@@ -23,8 +23,8 @@ void take_largest(const Domain& domain, std::span<double> numbers);
 
 /// Adds up the numbers of all parts of this rank.
 template <std::size_t count>
-Sums<count> sums_of(std::span<const std::array<double, count>> parts) {
-  Sums<count> sums;
+ExactSums<count> sums_of(std::span<const std::array<double, count>> parts) {
+  ExactSums<count> sums;
   for (const std::array<double, count>& part : parts)
     for (std::size_t i = 0; i < count; ++i)
       sums[i].add(part[i]);
@@ -34,7 +34,7 @@ Sums<count> sums_of(std::span<const std::array<double, count>> parts) {
 /// Runs `row_sum(nodes)` for all rows of nodes and adds up what it returns for those that count on this rank,
 /// `count` numbers each.
 template <std::size_t count, typename RowSum>
-Sums<count> sum_over_rows(Domain& domain, std::span<const NodeRange> rows, const RowSum& row_sum) {
+ExactSums<count> sum_over_rows(Domain& domain, std::span<const NodeRange> rows, const RowSum& row_sum) {
   std::vector<std::array<double, count>> sums(rows.size());
   domain.workers.run(sums.size(), [&](std::size_t row) {
     const std::array<double, count> sum = row_sum(rows[row]);
@@ -52,7 +52,7 @@ public:
 
   /// Calls book(totals of all ranks).
   template <std::size_t count, typename Book>
-  void add(const Sums<count>& sums, Book book) {
+  void add(const ExactSums<count>& sums, Book book) {
     if (ranks_ == nullptr)
       return book(values_of<count>(sums));
     const std::size_t first = sums_.size();
@@ -64,7 +64,7 @@ public:
   /// Calls book() after what has been added before.
   template <typename Book>
   void add(Book book) {
-    add(Sums<0>{}, [book = std::move(book)](const std::array<double, 0>&) { book(); });
+    add(ExactSums<0>{}, [book = std::move(book)](const std::array<double, 0>&) { book(); });
   }
 
   /// Exchanges and books all that waits, in one message; the numbers become the largest of all ranks. Does

@@ -39,7 +39,7 @@ Lanes porosity(const MixtureNodes& nodes) {
 
 } // namespace
 
-Sums<1> water_velocities(Domain& domain, std::span<const NodeRange> rows) {
+ExactSums<1> water_velocities(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double without = empty_water(domain);
   return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
@@ -60,7 +60,7 @@ Sums<1> water_velocities(Domain& domain, std::span<const NodeRange> rows) {
   });
 }
 
-Sums<4> update_mixture(Domain& domain, double dt, std::span<const NodeRange> rows) {
+ExactSums<4> update_mixture(Domain& domain, double dt, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double without = empty_water(domain);
@@ -123,7 +123,7 @@ void find_flux(Domain& domain, std::span<const NodeRange> rows) {
   });
 }
 
-Sums<1> remap_flux(Domain& domain, std::span<const NodeRange> rows) {
+ExactSums<1> remap_flux(Domain& domain, std::span<const NodeRange> rows) {
   Grid& grid = domain.grid;
   const double empty = empty_mass(domain);
   const double without = empty_water(domain);
@@ -156,8 +156,8 @@ Sums<1> remap_flux(Domain& domain, std::span<const NodeRange> rows) {
 namespace {
 
 /// Sum of lift (factor_a a + factor_b b), W/m
-Sums<1> power_of_lift(Domain& domain, std::span<const NodeRange> rows, double factor_a, const NodeField& a,
-                      double factor_b, const NodeField& b) {
+ExactSums<1> power_of_lift(Domain& domain, std::span<const NodeRange> rows, double factor_a,
+                           const NodeField& a, double factor_b, const NodeField& b) {
   const Grid& grid = domain.grid;
   return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
     Lanes power{};
@@ -170,11 +170,11 @@ Sums<1> power_of_lift(Domain& domain, std::span<const NodeRange> rows, double fa
 
 } // namespace
 
-Sums<1> lift_power(Domain& domain, std::span<const NodeRange> rows) {
+ExactSums<1> lift_power(Domain& domain, std::span<const NodeRange> rows) {
   return power_of_lift(domain, rows, 0.5, domain.grid.vy_before, 0.5, domain.grid.vy_after);
 }
 
-Sums<1> lift_remap_power(Domain& domain, std::span<const NodeRange> rows) {
+ExactSums<1> lift_remap_power(Domain& domain, std::span<const NodeRange> rows) {
   return power_of_lift(domain, rows, 1.0, domain.grid.vy_after, -1.0, domain.grid.vy_strain);
 }
 

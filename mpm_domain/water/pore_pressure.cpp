@@ -193,7 +193,7 @@ double take_pressures(Domain& domain, Particles& p, std::size_t begin, std::size
 }
 
 /// Likewise for all particles of this rank. Tiles are the parts, which are the same for any ranks.
-Sums<1> take_pressures(Domain& domain) {
+ExactSums<1> take_pressures(Domain& domain) {
   const std::size_t blocks = domain.block_count() + domain.across_block_count();
   std::vector<std::array<double, 1>> works(blocks);
   domain.workers.run(blocks, [&](std::size_t block) {
@@ -208,8 +208,8 @@ Sums<1> take_pressures(Domain& domain) {
 
 } // namespace
 
-Sums<1> update_pressures(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y,
-                         std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
+ExactSums<1> update_pressures(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y,
+                              std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     if (is_wet(domain.sets[s]))
       domain.waiting_pressures[s].resize(domain.sets[s].size());
