@@ -1,9 +1,13 @@
 #pragma once
 
 // A strip footing on clay, whose load is the weight of a block as wide: stiff and bonded to the clay, a rough
-// rigid footing, or soft as a liquid in shear, a uniform pressure.
+// rigid footing, or soft as a liquid in shear, a uniform pressure. On clay of one strength it carries
+// (2 + pi) c (Prandtl), rough or smooth, whatever Poisson's ratio.
 
 #include "tests/verification/mpm_domain/limit_loads/static_limit.hpp"
+
+#include <numbers>
+#include <ostream>
 
 namespace tremolo::mpm_domain::test {
 
@@ -31,6 +35,25 @@ inline Spec footing_on_clay(double cell_size, double pressure, double stiffness)
       {0, {{0.0, -clay_depth}, {right, -clay_depth}, {right, 0.0}, {0.0, 0.0}}},
       {1, {{side, 0.0}, {side + footing_width, 0.0}, {side + footing_width, block}, {side, block}}}};
   return spec;
+}
+
+struct Footing {
+  bool rough;
+  double cell_size; ///< m
+  double poisson;   ///< of the clay
+
+  friend void PrintTo(const Footing& f, std::ostream* out) {
+    *out << (f.rough ? "rough" : "smooth") << ", cells of " << f.cell_size << " m, nu " << f.poisson;
+  }
+};
+
+/// @param load  over (2 + pi) c
+inline bool stands(const Footing& footing, double load) {
+  constexpr double cohesion = 20e3; // Pa
+  Spec spec = footing_on_clay(footing.cell_size, load * (2.0 + std::numbers::pi) * cohesion,
+                              footing.rough ? 2e8 : 2e5);
+  spec.soils.front().law = light_clay(footing.poisson, cohesion);
+  return carries_its_weight(spec, 15.0);
 }
 
 } // namespace tremolo::mpm_domain::test

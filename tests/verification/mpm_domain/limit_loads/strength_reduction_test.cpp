@@ -1,10 +1,9 @@
-// Factors of safety by strength reduction, against Griffiths and Lane (1999, Geotechnique 49, 387-403,
-// example 2: a slope of 2 to 1 on a layer of half its height, c = 0.05 gamma H, phi = 20 degrees, F = 1.4)
-// and against Taylor's stability number (1948), by which undrained clay of strength F N gamma H has the
-// factor F.
+// Factors of safety by strength reduction, against Griffiths and Lane (1999, a slope on a layer of half its
+// height) and against Taylor's stability number (1948), by which undrained clay of strength F N gamma H has
+// the factor F (known_slopes.hpp).
 
 #include "mpm_domain/gravity/strength_reduction.hpp"
-#include "tests/verification/mpm_domain/limit_loads/slope.hpp"
+#include "tests/verification/mpm_domain/limit_loads/known_slopes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,31 +14,16 @@
 namespace tremolo::mpm_domain {
 namespace {
 
-using test::degree;
-using test::height;
-using test::Slope;
-
-Spec griffiths_and_lane() {
-  constexpr double density = 2000.0;
-  return test::spec_of(
-      {std::atan(0.5) / degree, 1.5, 1.0},
-      test::perfectly_plastic({density, 100e6, 0.3}, 0.05 * density * test::gravity * height, 20.0 * degree));
-}
-
 /// 45 degrees, clay over rock at 1.5 times the height, F times the strength that just carries it.
 Spec taylor(double factor, double poisson = 0.495) {
-  constexpr double density = 1800.0;
-  constexpr double number = 0.174;
-  return test::spec_of({45.0, 1.5, 1.0},
-                       test::perfectly_plastic({density, 20e6, poisson},
-                                               factor * number * density * test::gravity * height, 0.0));
+  return test::spec_of(test::ClaySlope{{45.0, 1.5, 1.0}, poisson}, factor);
 }
 
 TEST(StrengthReduction, FindsTheFactorOfGriffithsAndLane) {
   std::vector<StrengthTrial> trials;
-  const auto found = factor_of_safety(griffiths_and_lane(), 0.02,
+  const auto found = factor_of_safety(spec_of(test::SandySlope{1.5, 1.0, 0.3}, 1.0), 0.02,
                                       [&](const StrengthTrial& trial) { trials.push_back(trial); });
-  EXPECT_NEAR(found.stands, 1.4, 0.05 * 1.4);
+  EXPECT_NEAR(found.stands, test::griffiths_and_lane, 0.05 * test::griffiths_and_lane);
   EXPECT_LE(found.fails, 1.02 * found.stands);
   EXPECT_GT(found.fails, found.stands);
   EXPECT_EQ(trials.front().factor, 1.0);
