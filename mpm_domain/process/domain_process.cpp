@@ -124,15 +124,24 @@ public:
   }
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
     output_.finish(stepper, gravity_seconds, waiting_seconds);
-    if (const auto warning = output_.warning())
-      fmt::print("warning: {}\n", *warning);
+    warn();
     std::vector<coupler::PassTime> passes{{"gravity stage", gravity_seconds}};
     for (const Pass& pass : stepper.passes())
       passes.push_back({pass.name, pass.seconds});
     client_.finish(passes, stepper.particle_updates());
   }
+  void abort(const std::string& reason) {
+    output_.abort(reason);
+    warn();
+  }
 
 private:
+  /// Tells what a user should know of the whole run.
+  void warn() const {
+    if (const auto warning = output_.warning())
+      fmt::print("warning: {}\n", *warning);
+  }
+
   coupler::DomainClient& client_;
   Domain& domain_;
   const Picture& picture_;
@@ -195,7 +204,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
       speaker->finish(stepper, gravity_seconds, waiting_seconds);
   } catch (const std::exception& error) {
     if (speaker)
-      speaker->output().abort(error.what());
+      speaker->abort(error.what());
     throw;
   }
 }

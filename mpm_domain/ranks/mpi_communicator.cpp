@@ -32,9 +32,10 @@ bool has_others() {
   return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr; // NOLINT(concurrency-mt-unsafe): no thread runs yet
 }
 
-/// How long a rank looks out for a message before it sleeps between two looks. MPI itself never sleeps, which
-/// holds up others where ranks are more than free processors.
-constexpr std::chrono::microseconds alert{100};
+/// How long a rank looks out for a message, giving way to others, before it sleeps between two looks. It
+/// wakes up a tenth of a millisecond late, so that it should not sleep in a step whose work is well shared
+/// out. MPI itself never sleeps, which holds up others where ranks are more than free processors.
+constexpr std::chrono::microseconds alert{1000};
 constexpr std::chrono::microseconds nap{50};
 
 /// How two messages become one: the number of sums, these, which are added, then the bits of doubles, of
@@ -89,8 +90,12 @@ public:
     const Clock::time_point start = Clock::now();
     for (int done = 0; done == 0;) {
       MPI_Testall(length(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE);
-      if (done == 0 && Clock::now() - start > alert)
+      if (done != 0)
+        break;
+      if (Clock::now() - start > alert)
         std::this_thread::sleep_for(nap);
+      else
+        std::this_thread::yield();
     }
     requests_.clear();
   }
