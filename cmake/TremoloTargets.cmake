@@ -1,16 +1,5 @@
 # One way to declare a library, a program and a test, so that every folder's CMakeLists reads alike.
 
-# tremolo_together(target source ...): compiles the sources of a folder as one.
-function(tremolo_together target)
-  if(TREMOLO_TOGETHER)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-    foreach(file ${ARGN})
-      cmake_path(GET file PARENT_PATH group)
-      set_source_files_properties(${file} PROPERTIES UNITY_GROUP "${group}_")
-    endforeach()
-  endif()
-endfunction()
-
 # tremolo_library(name SOURCES a.cpp ... DEPENDS tremolo::x ... [PRIVATE_DEPENDS ...] [TOGETHER])
 # Makes target tremolo_<name> with alias tremolo::<name>; headers are included as "<folder>/<file>.hpp".
 # Without SOURCES the library is header-only. TOGETHER compiles the files of a folder as one: for libraries of many
@@ -29,8 +18,12 @@ function(tremolo_library name)
     endif()
     target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${options} ${ARG_PRIVATE_DEPENDS})
     target_precompile_headers(${target} REUSE_FROM ${headers})
-    if(ARG_TOGETHER)
-      tremolo_together(${target} ${ARG_SOURCES})
+    if(ARG_TOGETHER AND TREMOLO_TOGETHER)
+      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+      foreach(file ${ARG_SOURCES})
+        cmake_path(GET file PARENT_PATH group)
+        set_source_files_properties(${file} PROPERTIES UNITY_GROUP "${group}_")
+      endforeach()
     endif()
     set(scope PUBLIC)
   else()
@@ -49,15 +42,12 @@ function(tremolo_library name)
           FILES_MATCHING PATTERN "*.hpp" PATTERN process EXCLUDE)
 endfunction()
 
-# tremolo_program(name SOURCES main.cpp ... DEPENDS tremolo::x ... [TOGETHER]): an installed executable in <build>/bin.
+# tremolo_program(name SOURCES main.cpp ... DEPENDS tremolo::x ...): an installed executable in <build>/bin.
 function(tremolo_program name)
-  cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES} $<TARGET_OBJECTS:tremolo_cpu_check>)
   target_link_libraries(${name} PRIVATE tremolo_light_options ${ARG_DEPENDS})
   target_precompile_headers(${name} REUSE_FROM ${TREMOLO_LIGHT_HEADERS})
-  if(ARG_TOGETHER)
-    tremolo_together(${name} ${ARG_SOURCES})
-  endif()
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   install(TARGETS ${name})
 endfunction()

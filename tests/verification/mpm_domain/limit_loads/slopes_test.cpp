@@ -38,8 +38,8 @@ INSTANTIATE_TEST_SUITE_P(Meshes, Taylor,
 
 /// What the mean over a cell is there for.
 TEST(Locking, MakesASlopeStandAtHalfItsStrengthWhereParticlesSeeTheirOwnDilatation) {
-  EXPECT_TRUE(stands({{45.0, 2.0, 2.0}, 0.495, Dilatation::particle}, 0.6));
-  EXPECT_FALSE(stands({{45.0, 2.0, 2.0}, 0.495, Dilatation::cell}, 0.95));
+  EXPECT_TRUE(stands(ClaySlope{{45.0, 2.0, 2.0}, 0.495, Dilatation::particle}, 0.6));
+  EXPECT_FALSE(stands(ClaySlope{{45.0, 2.0, 2.0}, 0.495, Dilatation::cell}, 0.95));
 }
 
 class GriffithsAndLane : public testing::TestWithParam<SandySlope> {};
