@@ -21,5 +21,3 @@ if(TREMOLO_SANITIZE) # other options than the rest
   tremolo_precompile(light_headers DEPENDS tremolo_light_options HEADERS ${TREMOLO_STD_HEADERS})
   set(TREMOLO_LIGHT_HEADERS tremolo_light_headers)
 endif()
-tremolo_precompile(app_headers DEPENDS tremolo_light_options fmt::fmt
-  HEADERS ${TREMOLO_STD_HEADERS} <fmt/format.h>)
