@@ -16,6 +16,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace tremolo::app {
 namespace {
@@ -83,9 +84,15 @@ Named the_motion(const Options& options, const motion::ReadAs& as) {
 void draw(const Named& named, const Options& options) {
   const TemporaryFolder scratch;
   write_tables(named.record, options.damping, scratch.path());
-  const int status = run_python("motion-picture", {scratch.path().string(), options.picture, "--title",
-                                                   fs::path(named.name).filename().string(), "--damping",
-                                                   fmt::format("{}", options.damping)});
+  std::vector<std::string> words{scratch.path().string(),
+                                 options.picture,
+                                 "--title",
+                                 fs::path(named.name).filename().string(),
+                                 "--damping",
+                                 fmt::format("{}", options.damping)};
+  if (!options.steps.target.empty())
+    words.insert(words.end(), {"--target", options.steps.target});
+  const int status = run_python("motion-picture", words);
   if (status != 0)
     throw std::runtime_error(fmt::format("{}: the picture was not drawn", options.picture));
 }

@@ -1,5 +1,6 @@
 #include "mpm_domain/process/checkpoints.hpp"
 
+#include "coupler/wire/error.hpp"
 #include "mpm_domain/state.hpp"
 
 #include <fmt/format.h>
@@ -32,6 +33,8 @@ void Checkpoints::save(coupler::DomainClient& client, const Domain& domain, std:
       mpm_domain::save(domain, sets, file);
       stepper.save(file);
     });
+  } catch (const coupler::Aborted&) {
+    throw; // not of the checkpoint, but of the run
   } catch (const std::runtime_error& error) {
     fmt::print("warning: no checkpoint at step {}: {}\n", stepper.steps(), error.what());
     std::fflush(stdout);

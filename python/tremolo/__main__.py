@@ -118,7 +118,7 @@ def soiltest_picture(arguments):
 
 
 def motion_picture(arguments):
-    yield motion.picture(arguments.folder, arguments.out, arguments.title, arguments.damping)
+    yield motion.picture(arguments.folder, arguments.out, arguments.title, arguments.damping, arguments.target)
 
 
 def deconvolution_picture(arguments):
@@ -238,6 +238,7 @@ def _parser():
     shaken.add_argument("out", help="the picture")
     shaken.add_argument("--title", default="")
     shaken.add_argument("--damping", type=float, default=0.05, help="of the response spectrum")
+    shaken.add_argument("--target", help="table of the spectrum that the motion was matched to")
     taken_down = add("deconvolution-picture", deconvolution_picture,
                      "Picture of a deconvolution, from the tables of `tremolo deconvolve`.")
     taken_down.add_argument("folder", help="holds histories, response and fourier of record and written motion")

@@ -9,6 +9,7 @@ from fault_lab import Attack
 
 GONE = 2.0  # s, from a death to the end of the last process
 DEADLINE = 2.0  # s, the step deadline where it is to pass
+PROMPT = 5.0  # s, from a signal to the end of the last process: less than the grace of 10 s that the domain has
 # Survivors have 1 s to close their files; the machine may be loaded.
 VERDICT = DEADLINE + 3.0
 # A wait begins when the domain has used up what it holds: little, with this window.

@@ -5,7 +5,7 @@ import signal
 import time
 
 from fault_lab import alive, await_until, require
-from faults import BRIEF, GONE, SLOPE_SOURCES, VERDICT, fault
+from faults import BRIEF, GONE, PROMPT, SLOPE_SOURCES, VERDICT, fault
 
 
 def kill_once(faults, victim, phase):
@@ -71,7 +71,15 @@ def interrupted(faults):
     with faults.attack(duration=60.0) as run:
         run.await_phase("stepping")
         run.process.send_signal(signal.SIGINT)
-        return f"{run.must_fail('interrupted by Ctrl-C', 10.0, status=130):.2f} s"
+        return f"{run.must_fail('interrupted by Ctrl-C', PROMPT, status=130):.2f} s"
+
+
+@fault("Ctrl-C while a checkpoint is saved", "the same")
+def interrupted_at_a_checkpoint(faults):
+    with faults.attack(duration=60.0, more="\n[checkpoint]\nevery_steps = 1\n") as run:
+        run.await_phase("stepping")
+        run.process.send_signal(signal.SIGINT)
+        return f"{run.must_fail('interrupted by Ctrl-C', PROMPT, status=130):.2f} s"
 
 
 @fault("SIGTERM", "files closed, exit status 143")
@@ -79,7 +87,7 @@ def terminated(faults):
     with faults.attack(duration=60.0) as run:
         run.await_phase("stepping")
         run.process.send_signal(signal.SIGTERM)
-        return f"{run.must_fail('interrupted by SIGTERM', 10.0, status=143):.2f} s"
+        return f"{run.must_fail('interrupted by SIGTERM', PROMPT, status=143):.2f} s"
 
 
 @fault("SIGSTOP of each process for 1 s, then SIGCONT", "the same bits as undisturbed")

@@ -5,7 +5,7 @@ import signal
 import time
 
 from fault_lab import await_until, require
-from faults import BRIEF, DEADLINE, GONE, VERDICT, fault
+from faults import BRIEF, DEADLINE, GONE, PROMPT, VERDICT, fault
 from rank_lab import RankAttack, has_mpi
 
 RANKS = (2, 3, 4)
@@ -190,4 +190,4 @@ def interrupted_ranks(faults):
     with RankAttack(faults.tremolo, 3, duration=60.0) as run:
         run.await_phase("stepping")
         run.process.send_signal(signal.SIGINT)
-        return f"{run.must_fail('interrupted by Ctrl-C', 10.0, status=130):.2f} s"
+        return f"{run.must_fail('interrupted by Ctrl-C', PROMPT, status=130):.2f} s"

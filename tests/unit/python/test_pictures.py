@@ -12,7 +12,7 @@ import matplotlib.image
 import numpy as np
 
 import synthetic_run
-from tremolo import Run, bodies, comparison, histories, pore_pressure, style
+from tremolo import Run, bodies, comparison, histories, motion, pore_pressure, style
 from tremolo.pictures import fronts, maps
 from tremolo.__main__ import main
 
@@ -50,6 +50,16 @@ class Pictures(unittest.TestCase):
         self.assertEqual((status, error), (0, ""))
         names = ["model.png", "acceleration.png", "shear_bands.png", "monitor_crest.png", "energy.png", "fronts.png"]
         self.expect_pictures(paths, names)
+
+    def test_motion_beside_the_spectrum_that_it_was_matched_to(self):
+        (self.folder / "target.csv").write_text("period,acceleration_g\n0.1,0.5\n1.0,0.2\n")
+        spectrum = {"period": np.array([0.1, 1.0]), "acceleration": np.array([4.8, 2.0])}
+        figure, ax = style.plt.subplots()
+        motion._draw_response(ax, spectrum, 0.05, self.folder / "target.csv")
+        drawn = {line.get_label(): line.get_ydata() for line in ax.get_lines()}
+        style.plt.close(figure)
+        np.testing.assert_allclose(drawn["target"], [4.903325, 1.96133])
+        np.testing.assert_allclose(drawn["motion"], [4.8, 2.0])
 
     def test_plot_of_ground_with_pore_water(self):
         (self.folder / "wet").mkdir()

@@ -38,7 +38,7 @@ inline bool stands(const GrowingClay& ground, double load) {
   }
   spec.soils.push_back(block);
   spec.regions.back().soil = slices;
-  return carries_its_weight(spec, 15.0);
+  return carries_its_weight(spec, rough_patience);
 }
 
 } // namespace tremolo::mpm_domain::test

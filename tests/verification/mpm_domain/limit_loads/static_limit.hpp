@@ -19,7 +19,9 @@ inline materials::MohrCoulomb perfectly_plastic(const materials::Elasticity& ela
   return law;
 }
 
-/// @param patience  s of relaxation after which it has failed; some 50 periods of the body
+/// @param patience  s of relaxation after which it has failed: well over what bodies that stand take, 5 %
+/// away
+///                  from their limit
 inline bool carries_its_weight(const Spec& spec, double patience) {
   Domain domain(spec);
   try {
