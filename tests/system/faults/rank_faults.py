@@ -11,12 +11,13 @@ from rank_lab import RankAttack, has_mpi
 RANKS = (2, 3, 4)
 # Where kills of a campaign fall, and how many of them.
 PHASES = {"start-up": 0.2, "gravity stage": 0.2, "steps": 0.35, "a checkpoint": 0.15, "leaving": 0.1}
+FRAMES = 5  # of all that a run writes, so many are there shortly before its end
 SLOW = VERDICT + 2.0  # s: ranks that are more than processors
 NO_MPI = "not tried: this build has no MPI"
 
 
 class Timed:
-    """A run of ranks that nobody disturbs: its results, and when its ranks are there, its first file, and its end, s."""
+    """A run of ranks that nobody disturbs: its results, and when its ranks are there, its first file, its last frames, and its end, s."""
 
     def __init__(self, faults):
         with RankAttack(faults.tremolo, 3) as run:
@@ -28,6 +29,8 @@ class Timed:
             self.ranks = clock()
             run.await_phase("mapping")
             self.file = clock()
+            await_until(lambda: run.ended() or run.frames() >= FRAMES, "the last frames")
+            self.last_frames = clock()
             run.must_succeed()
             self.end = clock()
             self.results = run.numbers()
@@ -51,7 +54,7 @@ def await_moment(faults, run, phase):
         await_until(lambda: run.ended() or "rank 0" in run.participants(), "a rank")
         time.sleep(chance.uniform(0.0, 0.3))
     elif phase == "gravity stage":
-        until(chance.uniform(whole.ranks + 0.3, whole.file))
+        until(chance.uniform(whole.ranks, whole.file))
     elif phase == "steps":
         run.await_phase("mapping")
         time.sleep(chance.uniform(0.0, 0.8 * (whole.end - whole.file)))
@@ -59,8 +62,8 @@ def await_moment(faults, run, phase):
         await_until(lambda: run.ended() or run.checkpoints(), "a checkpoint")
         time.sleep(chance.uniform(0.0, 0.02))
     else:
-        await_until(lambda: run.ended() or run.frames() >= 5, "the last frames")
-        time.sleep(chance.uniform(0.0, 0.8))
+        await_until(lambda: run.ended() or run.frames() >= FRAMES, "the last frames")
+        time.sleep(chance.uniform(0.0, whole.end - whole.last_frames))
     run.participants()
 
 
