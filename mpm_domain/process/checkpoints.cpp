@@ -1,6 +1,5 @@
 #include "mpm_domain/process/checkpoints.hpp"
 
-#include "coupler/wire/error.hpp"
 #include "mpm_domain/state.hpp"
 
 #include <fmt/format.h>
