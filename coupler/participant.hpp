@@ -22,6 +22,7 @@
 #include "coupler/mapping/face_exchange.hpp"
 #include "coupler/mapping/timing.hpp"
 #include "coupler/wire/connection.hpp"
+#include "coupler/wire/error.hpp"
 #include "coupler/wire/field.hpp"
 #include "coupler/wire/mode.hpp"
 #include "results/checkpoint_file.hpp"
