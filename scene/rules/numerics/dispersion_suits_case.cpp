@@ -59,7 +59,7 @@ void dispersion_suits_case(const Case& scene, Findings& findings) {
   if (findings.sound("soil"))
     if (const Soil* soil = unsuited_soil(scene))
       refuse(fmt::format("is for elastic and hysteretic soil: slopes that yield, as soil '{}' may, fail "
-                         "seconds early with the strains that it reads",
+                         "seconds early with it",
                          soil->name));
 }
 
