@@ -56,9 +56,10 @@ inline Spec spec_of(const ClaySlope& of, double strength) {
   return spec;
 }
 inline bool stands(const ClaySlope& of, double strength) {
-  // On deep ground slopes of 30 and 45 degrees take up to 21 s to come to rest, all others less than 5 s.
+  // On deep ground slopes of 30 and 45 degrees take up to 21 s to come to rest (the finest mesh at
+  // 45 degrees and nu = 0.495 takes 47 s), all others less than 5 s.
   const bool slow = of.slope.angle_deg < 60.0 && of.slope.depth_factor > 1.0;
-  return carries_its_weight(spec_of(of, strength), slow ? 40.0 : 10.0);
+  return carries_its_weight(spec_of(of, strength), slow ? 60.0 : 10.0);
 }
 
 inline constexpr double griffiths_and_lane = 1.4;
