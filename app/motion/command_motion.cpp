@@ -8,6 +8,7 @@
 #include "app/python.hpp"
 #include "app/temporary_folder.hpp"
 #include "motion/make/recipe.hpp"
+#include "motion/read/read_spectrum.hpp"
 #include "motion/read/write.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +17,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace tremolo::app {
 namespace {
@@ -84,15 +84,11 @@ Named the_motion(const Options& options, const motion::ReadAs& as) {
 void draw(const Named& named, const Options& options) {
   const TemporaryFolder scratch;
   write_tables(named.record, options.damping, scratch.path());
-  std::vector<std::string> words{scratch.path().string(),
-                                 options.picture,
-                                 "--title",
-                                 fs::path(named.name).filename().string(),
-                                 "--damping",
-                                 fmt::format("{}", options.damping)};
   if (!options.steps.target.empty())
-    words.insert(words.end(), {"--target", options.steps.target});
-  const int status = run_python("motion-picture", words);
+    write_target_spectrum(motion::read_spectrum(options.steps.target), scratch.path() / "target.csv");
+  const int status = run_python("motion-picture", {scratch.path().string(), options.picture, "--title",
+                                                   fs::path(named.name).filename().string(), "--damping",
+                                                   fmt::format("{}", options.damping)});
   if (status != 0)
     throw std::runtime_error(fmt::format("{}: the picture was not drawn", options.picture));
 }

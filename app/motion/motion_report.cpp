@@ -81,6 +81,13 @@ void write_response_spectrum(const motion::Record& record, double damping,
   write_text_file(file, text);
 }
 
+void write_target_spectrum(const motion::TargetSpectrum& target, const std::filesystem::path& file) {
+  std::string text = "period,acceleration\n";
+  for (std::size_t i = 0; i < target.periods.size(); ++i)
+    text += fmt::format("{:.9g},{:.9g}\n", target.periods[i], target.acceleration[i]);
+  write_text_file(file, text);
+}
+
 void write_fourier_spectrum(const motion::Record& record, const std::filesystem::path& file) {
   std::string text = "frequency,amplitude\n";
   for (const auto& [frequency, amplitude] :

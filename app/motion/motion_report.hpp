@@ -2,6 +2,7 @@
 
 // What `tremolo motion` says of a motion: its measures as text, its histories and spectra as tables.
 
+#include "motion/mend/spectral_match.hpp"
 #include "motion/record.hpp"
 
 #include <filesystem>
@@ -25,6 +26,9 @@ void write_histories(const motion::Record& record, const std::filesystem::path& 
 /// period (s), displacement (m), pseudo-velocity (m/s) and pseudo-acceleration (m/s2) at PEER's periods from
 /// 0.01 to 10 s and at 200 even on a logarithmic axis.
 void write_response_spectrum(const motion::Record& record, double damping, const std::filesystem::path& file);
+
+/// period (s), acceleration (m/s2).
+void write_target_spectrum(const motion::TargetSpectrum& target, const std::filesystem::path& file);
 
 /// frequency (Hz), amplitude (m/s) of the acceleration.
 void write_fourier_spectrum(const motion::Record& record, const std::filesystem::path& file);

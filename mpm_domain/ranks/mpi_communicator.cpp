@@ -88,7 +88,7 @@ public:
   void wait() override {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    for (int done = 0; done == 0;) {
+    for (int done = 0;;) {
       MPI_Testall(length(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE);
       if (done != 0)
         break;

@@ -118,7 +118,7 @@ def soiltest_picture(arguments):
 
 
 def motion_picture(arguments):
-    yield motion.picture(arguments.folder, arguments.out, arguments.title, arguments.damping, arguments.target)
+    yield motion.picture(arguments.folder, arguments.out, arguments.title, arguments.damping)
 
 
 def deconvolution_picture(arguments):
@@ -234,11 +234,10 @@ def _parser():
     verified = add("verify-picture", verify_picture, "Picture of a verification: error map and histories.")
     verified.add_argument("path", help="verify.json, or its folder")
     shaken = add("motion-picture", motion_picture, "Picture of a motion, from the tables of `tremolo motion`.")
-    shaken.add_argument("folder", help="holds histories.csv, response.csv and fourier.csv")
+    shaken.add_argument("folder", help="holds histories.csv, response.csv and fourier.csv, and perhaps target.csv")
     shaken.add_argument("out", help="the picture")
     shaken.add_argument("--title", default="")
     shaken.add_argument("--damping", type=float, default=0.05, help="of the response spectrum")
-    shaken.add_argument("--target", help="table of the spectrum that the motion was matched to")
     taken_down = add("deconvolution-picture", deconvolution_picture,
                      "Picture of a deconvolution, from the tables of `tremolo deconvolve`.")
     taken_down.add_argument("folder", help="holds histories, response and fourier of record and written motion")

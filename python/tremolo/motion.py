@@ -7,7 +7,6 @@ import numpy as np
 from tremolo import style
 
 HISTORIES = {"a": "acceleration (m/s²)", "v": "velocity (m/s)", "d": "displacement (m)"}
-STANDARD_GRAVITY = 9.80665  # m/s²
 
 
 def _table(path):
@@ -30,17 +29,10 @@ def _draw_histories(axes, series):
     axes["d"].set_xlabel("t (s)")
 
 
-def _target(path):
-    """Periods (s) and accelerations (m/s²) of a target spectrum, as `tremolo motion --match` takes it."""
-    table = _table(path)
-    in_g = "acceleration_g" in table.dtype.names
-    return table["period"], table["acceleration_g"] * STANDARD_GRAVITY if in_g else table["acceleration"]
-
-
 def _draw_response(ax, spectrum, damping, target):
     ax.semilogx(spectrum["period"], spectrum["acceleration"], label="motion")
-    if target:
-        ax.semilogx(*_target(target), "--", color=style.COLOURS[1], label="target")
+    if target is not None:
+        ax.semilogx(target["period"], target["acceleration"], "--", color=style.COLOURS[1], label="target")
         ax.legend(fontsize=8)
     ax.set(xlabel="period (s)", ylabel=f"spectral acceleration,\n{100.0 * damping:g} % damping (m/s²)", ylim=(0, None))
     ax.set_xlim(spectrum["period"][0], spectrum["period"][-1])
@@ -54,8 +46,8 @@ def _draw_fourier(ax, spectrum):
     ax.set(xlabel="frequency (Hz)", ylabel="Fourier amplitude\nof the acceleration (m/s)", ylim=(1e-4 * top, 2.0 * top))
 
 
-def picture(folder, path, title, damping, target=None):
-    """Draws histories.csv, response.csv and fourier.csv of the folder, and the table of a target spectrum if there is one;
+def picture(folder, path, title, damping):
+    """Draws histories.csv, response.csv and fourier.csv of the folder, and target.csv where the motion was matched to one;
     returns the path of the picture."""
     folder = Path(folder)
     figure = style.plt.figure(figsize=(9.0, 5.0), layout="constrained")
@@ -63,7 +55,8 @@ def picture(folder, path, title, damping, target=None):
     axes = dict(zip(HISTORIES, left.subplots(len(HISTORIES), 1, sharex=True)))
     response, fourier = right.subplots(2, 1)
     _draw_histories(axes, _table(folder / "histories.csv"))
-    _draw_response(response, _table(folder / "response.csv"), damping, target)
+    _draw_response(response, _table(folder / "response.csv"), damping,
+                   _table(folder / "target.csv") if (folder / "target.csv").exists() else None)
     _draw_fourier(fourier, _table(folder / "fourier.csv"))
     figure.suptitle(title, fontsize=10)
     path = Path(path)

@@ -84,6 +84,16 @@ TEST_F(MotionCommand, MatchesATargetSpectrumAndSaysHowNear) {
   EXPECT_THAT(refused.output, HasSubstr("a step of 0.05 s resolves periods from 0.25 s"));
 }
 
+/// A table that separates its columns in another way is drawn as it is read.
+TEST_F(MotionCommand, DrawsTheTargetSpectrum) {
+  std::ofstream(folder / "target.csv")
+      << "# acceleration_g; period\n0.3; 0.1\n0.6; 0.2\n0.6; 0.6\n0.2; 1.5\n";
+  const auto outcome =
+      run_tremolo("motion " + file.string() + " --match " + path("target.csv") + " --plot " + path("m.png"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_GT(std::filesystem::file_size(folder / "m.png"), 10000U);
+}
+
 TEST_F(MotionCommand, WarnsOfAResidualVelocityAndCorrectsIt) {
   const auto drifting = folder.write("d.csv", "t,a (m/s2)\n0,1\n0.1,-0.9\n0.2,1\n0.3,0.5\n0.4,0\n");
   const auto outcome = run_tremolo("motion " + drifting.string());

@@ -52,10 +52,10 @@ class Pictures(unittest.TestCase):
         self.expect_pictures(paths, names)
 
     def test_motion_beside_the_spectrum_that_it_was_matched_to(self):
-        (self.folder / "target.csv").write_text("period,acceleration_g\n0.1,0.5\n1.0,0.2\n")
+        target = {"period": np.array([0.1, 1.0]), "acceleration": np.array([4.903325, 1.96133])}
         spectrum = {"period": np.array([0.1, 1.0]), "acceleration": np.array([4.8, 2.0])}
         figure, ax = style.plt.subplots()
-        motion._draw_response(ax, spectrum, 0.05, self.folder / "target.csv")
+        motion._draw_response(ax, spectrum, 0.05, target)
         drawn = {line.get_label(): line.get_ydata() for line in ax.get_lines()}
         style.plt.close(figure)
         np.testing.assert_allclose(drawn["target"], [4.903325, 1.96133])
