@@ -78,7 +78,8 @@ endfunction()
 # tremolo_gtest_program(target sources dependencies): a GoogleTest program, not yet a test.
 function(tremolo_gtest_program target sources dependencies)
   add_executable(${target} ${sources})
-  target_link_libraries(${target} PRIVATE tremolo_light_options ${dependencies} GTest::gmock GTest::gtest_main)
+  target_link_libraries(${target} PRIVATE tremolo_light_options ${dependencies} tremolo_test_paths GTest::gmock
+                                          GTest::gtest_main)
   target_precompile_headers(${target} REUSE_FROM tremolo_test_headers)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
 endfunction()
@@ -94,8 +95,7 @@ function(tremolo_test name)
   endif()
   tremolo_timeout(ARG_TIMEOUT "${ARG_TIMEOUT}")
   tremolo_gtest_program(test_${name} "${ARG_SOURCES}" "${ARG_DEPENDS}")
-  target_compile_definitions(test_${name} PRIVATE
-    TREMOLO_SOURCE_DIR="${PROJECT_SOURCE_DIR}" TREMOLO_BIN_DIR="${PROJECT_BINARY_DIR}/bin" ${ARG_DEFINITIONS})
+  target_compile_definitions(test_${name} PRIVATE ${ARG_DEFINITIONS})
   if(ARG_PROGRAMS)
     add_dependencies(test_${name} ${ARG_PROGRAMS})
   endif()
@@ -152,7 +152,7 @@ function(tremolo_rank_test name)
 endfunction()
 
 # tremolo_benchmark(name SOURCES a.cpp ... DEPENDS tremolo::x ...): a Google Benchmark program in <build>/bin/cost.
-# Built with everything else so that it cannot rot; run by hand, never by ctest.
+# The preset "cost" builds it, "lint" as well; run by hand, never by ctest.
 function(tremolo_benchmark name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(cost_${name} ${ARG_SOURCES})

@@ -7,7 +7,7 @@
 set -euo pipefail
 
 packages=(
-  build-essential cmake ninja-build pkg-config git
+  build-essential cmake ninja-build pkg-config git ccache
   libeigen3-dev libfftw3-dev libgsl-dev libsundials-dev              # mathematics
   libopenmpi-dev openmpi-bin                                         # ranks that share a domain
   libzmq3-dev cppzmq-dev nlohmann-json3-dev zlib1g-dev               # exchange between processes

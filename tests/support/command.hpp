@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/paths.hpp"
+
 #include <array>
 #include <cstdio>
 #include <string>
@@ -14,7 +16,7 @@ struct Outcome {
 
 /// Runs the built `tremolo` as a user calls it.
 inline Outcome run_tremolo(const std::string& arguments) {
-  const std::string command = TREMOLO_BIN_DIR "/tremolo " + arguments + " 2>&1";
+  const std::string command = program_dir() + "/tremolo " + arguments + " 2>&1";
   Outcome outcome{-1, ""};
   std::FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr)

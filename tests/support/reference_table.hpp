@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/paths.hpp"
+
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -14,7 +16,7 @@ namespace tremolo::testing {
 inline std::filesystem::path reference_folder() {
   const char* folder = std::getenv("TREMOLO_REFERENCE");
   return folder ? std::filesystem::path(folder)
-                : std::filesystem::path(TREMOLO_SOURCE_DIR) / ".." / "shared" / "reference";
+                : std::filesystem::path(source_dir()) / ".." / "shared" / "reference";
 }
 
 /// The numeric rows of a comma-separated file; comment lines (#) and the line of names are left out.

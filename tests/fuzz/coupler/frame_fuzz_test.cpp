@@ -1,6 +1,7 @@
 // Seeded mutations of valid frames. None may be accepted, unless the mutation gave back the very bytes.
 
 #include "coupler/wire/frame.hpp"
+#include "tests/support/paths.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -99,7 +100,7 @@ TEST(FrameFuzz, NoMutatedHeaderIsAcceptedWithARightChecksum) {
 TEST(FrameFuzz, CorpusIsRefusedButForTheValidFrames) {
   int files = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(TREMOLO_SOURCE_DIR "/tests/fuzz/coupler/corpus")) {
+       std::filesystem::directory_iterator(source_dir() + "/tests/fuzz/coupler/corpus")) {
     std::ifstream in(entry.path(), std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     const bool accepted = std::holds_alternative<Frame>(decode(std::as_bytes(std::span(text)), expected));

@@ -6,6 +6,7 @@
 
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
+#include "tests/support/paths.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -26,14 +27,14 @@ void expect_cases_or_errors(const std::filesystem::path& file, double least) {
 class CaseFuzz : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CaseFuzz, MutationsAreReadOrRefused) {
-  expect_cases_or_errors(std::string(TREMOLO_SOURCE_DIR "/cases/") + GetParam() + "/case.toml", 0.05);
+  expect_cases_or_errors(source_dir() + "/cases/" + GetParam() + "/case.toml", 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, CaseFuzz, ::testing::Values("halfspace_box", "slope_oblique"));
 
 /// All keys of structures, and nothing that may change without harm.
 TEST(StructureFuzz, MutationsAreReadOrRefused) {
-  expect_cases_or_errors(TREMOLO_SOURCE_DIR "/tests/fuzz/scene/structures.toml", 0.005);
+  expect_cases_or_errors(source_dir() + "/tests/fuzz/scene/structures.toml", 0.005);
 }
 
 } // namespace

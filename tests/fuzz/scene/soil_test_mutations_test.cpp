@@ -5,6 +5,7 @@
 
 #include "scene/soil_test.hpp"
 #include "scene/soils/soil_report.hpp"
+#include "tests/support/paths.hpp"
 
 namespace tremolo::scene {
 namespace {
@@ -22,7 +23,7 @@ void PrintTo(const Shipped& shipped, std::ostream* stream) {
 class SoilTestFuzz : public ::testing::TestWithParam<Shipped> {};
 
 TEST_P(SoilTestFuzz, MutationsAreReadOrRefused) {
-  const std::string folder = TREMOLO_SOURCE_DIR "/cases/soiltests";
+  const std::string folder = source_dir() + "/cases/soiltests";
   const std::string path = folder + "/" + GetParam().name + ".toml";
   testing::expect_read_or_refused(path, 20261121, 1000, [&](const std::string& text) {
     const auto file = parse_soil_test(text, "test.toml", folder, GetParam().use);

@@ -1,6 +1,7 @@
 // `tremolo wave` as a user calls it: the closed forms of the reference files, and what it refuses.
 
 #include "tests/support/command.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/reference_table.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -117,7 +118,7 @@ TEST(WaveCommand, TakesWholeCasesToo) {
   const TemporaryFolder folder;
   const auto points = folder.write("points.csv", "x,y\n0,0\n");
   const auto [status, output] =
-      run_tremolo("wave " TREMOLO_SOURCE_DIR "/cases/halfspace_box/case.toml --points " + points.string() +
+      run_tremolo("wave " + source_dir() + "/cases/halfspace_box/case.toml --points " + points.string() +
                   " --times 0:1:0.1 --out " + (folder / "out.csv").string());
   EXPECT_EQ(status, 0) << output;
   EXPECT_EQ(read_table(folder / "out.csv").size(), 11);

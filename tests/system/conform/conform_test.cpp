@@ -1,6 +1,8 @@
 // `tremolo conform` passes the template of docs/own-free-field.md, and fails each fault in the row that is
 // about it.
 
+#include "tests/support/paths.hpp"
+
 #include <array>
 #include <cstdio>
 #include <fmt/format.h>
@@ -22,7 +24,7 @@ struct Outcome {
 };
 
 Outcome conform(const std::string& arguments) {
-  const std::string command = fmt::format("{}/tremolo conform {} 2>&1", TREMOLO_BIN_DIR, arguments);
+  const std::string command = fmt::format("{}/tremolo conform {} 2>&1", program_dir(), arguments);
   FILE* pipe = ::popen(command.c_str(), "r");
   Outcome outcome;
   std::array<char, 4096> buffer{};
@@ -43,7 +45,7 @@ TEST(Conform, TemplatePassesEveryCheck) {
 }
 
 TEST(Conform, TremoloWavePasses) {
-  const auto [status, text] = conform(TREMOLO_BIN_DIR "/tremolo-wave");
+  const auto [status, text] = conform(program_dir() + "/tremolo-wave");
   EXPECT_EQ(status, 0) << text;
   EXPECT_THAT(text, HasSubstr("14 passed"));
 }
@@ -81,7 +83,7 @@ TEST(Conform, SourceWithoutAFaultPasses) {
 
 TEST(Conform, ProgramThatEndsAtOnceShowsItsLastWords) {
   const auto [status, text] =
-      conform("--case " TREMOLO_SOURCE_DIR "/cases/halfspace_box/case.toml -- " MY_FIELD " --no-such-option");
+      conform("--case " + source_dir() + "/cases/halfspace_box/case.toml -- " MY_FIELD " --no-such-option");
   EXPECT_EQ(status, 1);
   EXPECT_THAT(text, ContainsRegex("FAIL  starts and says HELLO .*exited with code 2"));
   EXPECT_THAT(text, HasSubstr("--no-such-option"));

@@ -5,6 +5,7 @@
 #include "results/free_field_recording.hpp"
 #include "scene/plan/service.hpp"
 #include "tests/support/flat_case.hpp"
+#include "tests/support/paths.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -72,7 +73,7 @@ protected:
   }
 
   coupler::ProbeOptions program() const {
-    return {.command = {TREMOLO_BIN_DIR "/tremolo-recording", "--file", (folder_ / "field.h5").string()},
+    return {.command = {program_dir() + "/tremolo-recording", "--file", (folder_ / "field.h5").string()},
             .case_file = folder_ / "case.toml",
             .name = "left-right-base",
             .folder = folder_,

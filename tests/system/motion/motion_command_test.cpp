@@ -6,6 +6,7 @@
 #include "motion/read/write.hpp"
 #include "motion/spectra.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/reference_table.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -123,10 +124,10 @@ TEST_F(MotionCommand, MakesPulsesAndTheMotionOfTheSlope) {
   EXPECT_EQ(read_record(folder / "p.AT2").kind, MotionKind::within);
 
   const auto slope = run_tremolo(
-      "motion --synthesise " TREMOLO_SOURCE_DIR "/cases/slope_oblique/motion.toml --out " + path("s.AT2"));
+      "motion --synthesise " + source_dir() + "/cases/slope_oblique/motion.toml --out " + path("s.AT2"));
   EXPECT_EQ(slope.status, 0) << slope.output;
   EXPECT_EQ(read_record(folder / "s.AT2").samples,
-            read_record(TREMOLO_SOURCE_DIR "/cases/slope_oblique/motion.AT2").samples);
+            read_record(source_dir() + "/cases/slope_oblique/motion.AT2").samples);
 }
 
 TEST_F(MotionCommand, AUnitThatTheHeaderDeniesIsTold) {

@@ -3,6 +3,7 @@
 
 #include "scene/soils/soil_library.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +22,7 @@ using ::testing::StartsWith;
 using tremolo::testing::run_tremolo;
 using tremolo::testing::TemporaryFolder;
 
-const std::string shipped = TREMOLO_SOURCE_DIR "/cases/soiltests/";
+const std::string shipped = source_dir() + "/cases/soiltests/";
 
 /// A short cyclic test of strong cycles.
 const std::string cyclic = R"(title = "strong cycles"

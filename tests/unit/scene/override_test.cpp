@@ -1,6 +1,7 @@
 #include "scene/read/override.hpp"
 
 #include "case_text.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gmock/gmock.h>
 
@@ -140,12 +141,12 @@ TEST(Override, RecordOfAPulseIsRefused) {
 }
 
 TEST(Override, TextMeansTheSameInAnotherFolder) {
-  const auto scene = load(TREMOLO_SOURCE_DIR "/cases/slope_oblique/case.toml");
+  const auto scene = load(source_dir() + "/cases/slope_oblique/case.toml");
   const auto moved =
       parse(overridden_text(scene, {.record = {}, .angle_deg = 0.0, .model = {}}), "case.toml", "/nowhere");
   EXPECT_EQ(moved.motion.angle_deg, 0.0);
   EXPECT_EQ(std::get<MotionFile>(moved.motion.source).path,
-            TREMOLO_SOURCE_DIR "/cases/slope_oblique/motion.AT2");
+            source_dir() + "/cases/slope_oblique/motion.AT2");
   EXPECT_EQ(moved.regions.size(), scene.regions.size());
 }
 

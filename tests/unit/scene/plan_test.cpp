@@ -1,6 +1,7 @@
 #include "case_text.hpp"
 
 #include "scene/plan/plan.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gmock/gmock.h>
 
@@ -107,7 +108,7 @@ TEST(Plan, EffectsFollowTheCase) {
 
 TEST(Plan, ShippedCasesAreGood) {
   for (const auto* name : {"halfspace_box", "slope_oblique"}) {
-    const auto scene = load(std::string(TREMOLO_SOURCE_DIR "/cases/") + name + "/case.toml");
+    const auto scene = load(source_dir() + "/cases/" + name + "/case.toml");
     EXPECT_THAT(explain(scene, plan(scene)), ::testing::HasSubstr(scene.title));
   }
 }

@@ -3,6 +3,7 @@
 #include "scene/keys/reference.hpp"
 
 #include "scene/keys/keys.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace tremolo::scene {
 namespace {
 
 std::string committed(std::string_view name) {
-  std::ifstream stream(std::string(TREMOLO_SOURCE_DIR "/docs/").append(name));
+  std::ifstream stream(source_dir() + "/docs/" + std::string(name));
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();

@@ -5,6 +5,7 @@
 #include "scene/plan/plan.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/soils/soil_report.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gmock/gmock.h>
 
@@ -277,7 +278,7 @@ TEST(Library, ModelOfASoilStays) {
 }
 
 TEST(Library, SoilOfTheSlopeCaseIsThatOfTheCase) {
-  const auto slope = load(TREMOLO_SOURCE_DIR "/cases/slope_oblique/uniform.toml");
+  const auto slope = load(source_dir() + "/cases/slope_oblique/uniform.toml");
   const auto* soil = library_soil("slope_softening");
   ASSERT_NE(soil, nullptr);
   for (const auto& [key, value] : *soil->keys)

@@ -7,6 +7,7 @@
 #include "scene/plan/plan.hpp"
 #include "scene/soils/domain_soils.hpp"
 #include "scene/soils/level_ground.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gmock/gmock.h>
 
@@ -177,7 +178,7 @@ TEST(SoilOverDepth, TheStepIsThatOfTheStiffestSliceOfTheDomain) {
 }
 
 TEST(SoilOverDepth, TheExampleOfTheManualIsACase) {
-  const Case scene = load(TREMOLO_SOURCE_DIR "/docs/examples/over_depth/case.toml");
+  const Case scene = load(source_dir() + "/docs/examples/over_depth/case.toml");
   EXPECT_EQ(scene.soils.size(), 24U);
   EXPECT_EQ(scene.profile.size(), 24U);
   EXPECT_NEAR(vs_of(scene.soils[0]), 111.25, 1e-9);

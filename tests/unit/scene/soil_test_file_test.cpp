@@ -2,6 +2,7 @@
 
 #include "scene/soil_test.hpp"
 #include "scene/text/errors.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -213,7 +214,7 @@ TEST(Calibration, SaysWhatIsMissingOrCannotBe) {
 TEST(SoilTestFile, ShippedTestsAreGood) {
   for (const char* folder : {"/cases/soiltests", "/docs/materials/tests"}) {
     int count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(TREMOLO_SOURCE_DIR) + folder))
+    for (const auto& entry : std::filesystem::directory_iterator(source_dir() + folder))
       if (entry.path().extension() == ".toml") {
         const bool fits = entry.path().string().find("calibration") != std::string::npos;
         EXPECT_NO_THROW(load_soil_test(entry.path(), fits ? SoilTestUse::calibration : SoilTestUse::test))

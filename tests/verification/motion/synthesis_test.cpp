@@ -2,6 +2,7 @@
 
 #include "motion/make/recipe.hpp"
 #include "motion/read/write.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 namespace tremolo::motion {
 namespace {
 
-const std::filesystem::path folder = TREMOLO_SOURCE_DIR "/cases/slope_oblique";
+const std::filesystem::path folder = source_dir() + "/cases/slope_oblique";
 
 SynthesisRecipe slope() {
   return std::get<SynthesisRecipe>(read_recipe(folder / "motion.toml").what);
