@@ -52,7 +52,8 @@ function(tremolo_program name)
   install(TARGETS ${name})
 endfunction()
 
-# tremolo_wants_test(RESULT label ...): whether the build makes tests with these labels (TREMOLO_TEST_LABELS).
+# tremolo_wants_test(RESULT label ...): whether the build makes tests with these labels (TREMOLO_TEST_LABELS,
+# TREMOLO_TEST_LABELS_LEFT_OUT).
 function(tremolo_wants_test result)
   set(wanted FALSE)
   foreach(label ${ARGN})
@@ -60,8 +61,16 @@ function(tremolo_wants_test result)
       set(wanted TRUE)
     endif()
   endforeach()
+  foreach(label ${ARGN})
+    if(label IN_LIST TREMOLO_TEST_LABELS_LEFT_OUT)
+      set(wanted FALSE)
+    endif()
+  endforeach()
   set(${result} ${wanted} PARENT_SCOPE)
 endfunction()
+
+# The time that a test of acceptance may take, s.
+set(TREMOLO_ACCEPTANCE_TIMEOUT 14400)
 
 # tremolo_timeout(RESULT seconds): the time that a test may take, 300 s unless said otherwise. Instrumented programs take
 # five to twenty times as long.
@@ -85,10 +94,12 @@ function(tremolo_gtest_program target sources dependencies)
 endfunction()
 
 # tremolo_test(name LABELS fast|verification|stability|system|fuzz ... SOURCES a.cpp ... DEPENDS tremolo::x ...
-#              [PROGRAMS those that the test starts ...] [DEFINITIONS X="y" ...] [TIMEOUT seconds])
-# A GoogleTest program; each TEST becomes a ctest entry carrying the labels.
+#              [PROGRAMS those that the test starts ...] [DEFINITIONS X="y" ...] [TIMEOUT seconds] [TOGETHER])
+# A GoogleTest program; each TEST becomes a ctest entry carrying the labels. A test whose name contains "Acceptance"
+# takes too long for the suite: it carries the label acceptance alone and may take hours (scripts/acceptance.sh).
+# TOGETHER compiles four files as one, for their headers take longer to compile than the tests do themselves.
 function(tremolo_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPENDS;LABELS;PROGRAMS;DEFINITIONS" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER" "TIMEOUT" "SOURCES;DEPENDS;LABELS;PROGRAMS;DEFINITIONS" ${ARGN})
   tremolo_wants_test(wanted ${ARG_LABELS})
   if(NOT wanted)
     return()
@@ -96,6 +107,9 @@ function(tremolo_test name)
   tremolo_timeout(ARG_TIMEOUT "${ARG_TIMEOUT}")
   tremolo_gtest_program(test_${name} "${ARG_SOURCES}" "${ARG_DEPENDS}")
   target_compile_definitions(test_${name} PRIVATE ${ARG_DEFINITIONS})
+  if(ARG_TOGETHER AND TREMOLO_TOGETHER)
+    set_target_properties(test_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
+  endif()
   if(ARG_PROGRAMS)
     add_dependencies(test_${name} ${ARG_PROGRAMS})
   endif()
@@ -105,6 +119,10 @@ function(tremolo_test name)
   file(WRITE ${properties} "if(test_${name}_names)
   set_tests_properties(\${test_${name}_names} PROPERTIES
     LABELS \"${ARG_LABELS}\" TIMEOUT ${ARG_TIMEOUT} SKIP_REGULAR_EXPRESSION [=[\\[  SKIPPED \\]]=])
+  list(FILTER test_${name}_names INCLUDE REGEX Acceptance)
+endif()
+if(test_${name}_names)
+  set_tests_properties(\${test_${name}_names} PROPERTIES LABELS acceptance TIMEOUT ${TREMOLO_ACCEPTANCE_TIMEOUT})
 endif()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${properties})
 endfunction()
@@ -176,9 +194,13 @@ endfunction()
 set(TREMOLO_PYTHON /usr/bin/python3)
 
 # tremolo_python_test(name SCRIPT x.py LABELS fast ... [ARGS a b ...] [TIMEOUT seconds])
-# A Python script that fails by its exit status.
+# A Python script that fails by its exit status. Further ARGS may name the classes of tests that it runs, so that those
+# which take too long for the suite are a test of their own, called <name>.Acceptance and with that label alone.
 function(tremolo_python_test name)
   cmake_parse_arguments(ARG "" "SCRIPT;TIMEOUT" "LABELS;ARGS" ${ARGN})
+  if(ARG_LABELS STREQUAL acceptance)
+    set(ARG_TIMEOUT ${TREMOLO_ACCEPTANCE_TIMEOUT})
+  endif()
   tremolo_timeout(ARG_TIMEOUT "${ARG_TIMEOUT}")
   tremolo_wants_test(wanted ${ARG_LABELS})
   if(NOT wanted)

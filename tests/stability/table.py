@@ -3,7 +3,7 @@
 
     tests/stability/table.py BUILD [PAGE]
 
-runs all tests of label stability that are called after a hard case in BUILD and writes what they have measured
+runs all tests of BUILD that are called after a hard case, those of acceptance among them, and writes what they have measured
 (tests/support/hard_case.hpp) between the markers of PAGE, or prints it."""
 
 import os
@@ -12,8 +12,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.append(str(pathlib.Path(__file__).parents[1] / "support"))
+import measured_rows
+
 BEGIN = "<!-- measured by tests/stability/table.py -->"
-END = "<!-- end -->"
 
 
 def margin(measured, relation, bound):
@@ -23,16 +25,6 @@ def margin(measured, relation, bound):
     if relation == "<":
         return f"{bound / measured:.3g}" if measured > 0 else "-"
     return f"{measured / bound:.3g}"
-
-
-def worst_of(rows):
-    """Several rows of one kind in a test become their worst."""
-    worst = {}
-    for suite, test, kind, what, measured, relation, bound, unit in rows:
-        key = (f"{suite}.{test}", kind, what, relation, bound, unit)
-        better = min if relation == ">=" else max
-        worst[key] = better(worst.get(key, float(measured)), float(measured))
-    return worst
 
 
 def bounds_table(worst):
@@ -64,16 +56,15 @@ def main():
         sys.exit(__doc__)
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "rows"
-        done = subprocess.run(["ctest", "-L", "stability", "-R", "hard_cases|HardCase"], cwd=sys.argv[1],
-                              env={**os.environ, "TREMOLO_HARD_CASES": str(file)}, check=False)
-        if not file.exists():
+        done = subprocess.run(["ctest", "-L", "stability|acceptance", "-R", "hard_cases|HardCase"], cwd=sys.argv[1],
+                              env={**os.environ, measured_rows.VARIABLE: str(file)}, check=False)
+        rows = measured_rows.read(file)
+        if not rows:
             sys.exit("no hard case has run")
-        worst = worst_of([line.split("\t") for line in file.read_text().splitlines()])
+        worst = measured_rows.worst_of(rows)
     text = f"{bounds_table(worst)}\n\n### Monitors\n\n{monitors_table(worst)}"
     if len(sys.argv) == 3:
-        page = pathlib.Path(sys.argv[2])
-        old = page.read_text()
-        page.write_text(old[:old.index(BEGIN) + len(BEGIN)] + "\n" + text + "\n" + old[old.index(END):])
+        measured_rows.write_between(sys.argv[2], BEGIN, text)
     else:
         print(text)
     sys.exit(done.returncode)

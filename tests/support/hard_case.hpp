@@ -5,7 +5,8 @@
 //
 //     suite, test, kind, what, measured, relation, bound, unit        (separated by tabs)
 //
-// from which tests/stability/table.py makes the tables of docs/stability.md.
+// from which tests/stability/table.py makes the tables of docs/stability.md, and tests/acceptance/table.py
+// that of docs/validation/acceptance.md.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // A rough strip footing on clay whose strength grows with depth. Its load is that of slip lines, which for a
 // smooth footing are compared with published values first. More meshes: cost_limit_loads.
 
+#include "tests/verification/mpm_domain/limit_loads/expect_limit.hpp"
 #include "tests/verification/mpm_domain/limit_loads/growing_strength.hpp"
 #include "tests/verification/mpm_domain/limit_loads/slip_lines.hpp"
 
@@ -31,14 +32,15 @@ struct Meshed {
 class DavisAndBooker : public testing::TestWithParam<Meshed> {};
 
 TEST_P(DavisAndBooker, RoughFootingCarriesTheLoadOfSlipLines) {
-  EXPECT_TRUE(stands(GetParam().ground, 0.95));
-  EXPECT_FALSE(stands(GetParam().ground, GetParam().fails_at));
+  expect_stands(GetParam().ground, 0.95, true);
+  expect_stands(GetParam().ground, GetParam().fails_at, false);
 }
 
 // The footing asks for finer cells than Prandtl's: on 16 it carries 5 to 10 % too much.
-INSTANTIATE_TEST_SUITE_P(Meshes, DavisAndBooker,
-                         testing::Values(Meshed{{0.25, 0.3}, 1.10}, Meshed{{0.2, 0.3}},
-                                         Meshed{{1.0 / 6.0, 0.3}}, Meshed{{0.2, 0.495}}));
+INSTANTIATE_TEST_SUITE_P(Meshes, DavisAndBooker, testing::Values(Meshed{{0.25, 0.3}, 1.10}));
+
+INSTANTIATE_TEST_SUITE_P(AcceptanceMeshes, DavisAndBooker,
+                         testing::Values(Meshed{{0.2, 0.3}}, Meshed{{1.0 / 6.0, 0.3}}, Meshed{{0.2, 0.495}}));
 
 } // namespace
 } // namespace tremolo::mpm_domain

@@ -80,8 +80,10 @@ inline Spec spec_of(const SandySlope& of, double factor) {
                  perfectly_plastic({density, 100e6, of.poisson}, 0.05 * density * gravity * height / factor,
                                    std::atan(std::tan(20.0 * degree) / factor)));
 }
-inline bool stands(const SandySlope& of, double factor) {
-  return carries_its_weight(spec_of(of, factor), 5.0); // those that stand come to rest within 1 s
+/// @param share  of Griffiths and Lane's factor, by which the strength is divided
+inline bool stands(const SandySlope& of, double share) {
+  // Those that stand come to rest within 1 s.
+  return carries_its_weight(spec_of(of, share * griffiths_and_lane), 5.0);
 }
 
 } // namespace tremolo::mpm_domain::test
