@@ -193,19 +193,23 @@ endfunction()
 # The system's own interpreter: the one that has the Debian packages python3-numpy, python3-h5py, ...
 set(TREMOLO_PYTHON /usr/bin/python3)
 
-# tremolo_python_test(name SCRIPT x.py LABELS fast ... [ARGS a b ...] [TIMEOUT seconds])
-# A Python script that fails by its exit status. Further ARGS may name the classes of tests that it runs, so that those
-# which take too long for the suite are a test of their own, called <name>.Acceptance and with that label alone.
+# tremolo_python_test(name SCRIPT x.py LABELS fast ... [ARGS a b ...] [TIMEOUT seconds] [ACCEPTANCE])
+# A Python script that fails by its exit status. ACCEPTANCE: its classes of tests whose names contain "Acceptance" take
+# too long for the suite and are a test of their own, <name>.Acceptance, with the label acceptance alone.
 function(tremolo_python_test name)
-  cmake_parse_arguments(ARG "" "SCRIPT;TIMEOUT" "LABELS;ARGS" ${ARGN})
-  if(ARG_LABELS STREQUAL acceptance)
-    set(ARG_TIMEOUT ${TREMOLO_ACCEPTANCE_TIMEOUT})
-  endif()
+  cmake_parse_arguments(ARG "ACCEPTANCE" "SCRIPT;TIMEOUT" "LABELS;ARGS" ${ARGN})
   tremolo_timeout(ARG_TIMEOUT "${ARG_TIMEOUT}")
   tremolo_wants_test(wanted ${ARG_LABELS})
   if(NOT wanted)
     return()
   endif()
-  add_test(NAME ${name} COMMAND ${TREMOLO_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_SCRIPT} ${ARG_ARGS})
+  set(script ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_SCRIPT})
+  if(ARG_ACCEPTANCE)
+    set(rows ${PROJECT_SOURCE_DIR}/tests/support/rows.py)
+    add_test(NAME ${name}.Acceptance COMMAND ${TREMOLO_PYTHON} -B ${rows} acceptance ${script} ${ARG_ARGS})
+    set_tests_properties(${name}.Acceptance PROPERTIES LABELS acceptance TIMEOUT ${TREMOLO_ACCEPTANCE_TIMEOUT})
+    set(script ${rows} suite ${script})
+  endif()
+  add_test(NAME ${name} COMMAND ${TREMOLO_PYTHON} -B ${script} ${ARG_ARGS})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()

@@ -59,7 +59,7 @@ class Method(unittest.TestCase):
         self.assertLess(np.abs(coarse - fine).max(), 1e-4 * np.abs(fine).max())
 
 
-class SmallBox(unittest.TestCase):
+class AcceptanceSmallBox(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="tremolo_test_")))
