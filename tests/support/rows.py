@@ -8,15 +8,24 @@ import sys
 import unittest
 from pathlib import Path
 
-ACCEPTANCE = {"suite": False, "acceptance": True}[sys.argv[1]]
+WHICH = sys.argv[1]
+ACCEPTANCE = {"suite": False, "acceptance": True}[WHICH]
 load = unittest.TestLoader.loadTestsFromTestCase
+chosen = []
 
 
 def load_chosen(loader, case):
-    return load(loader, case) if ("Acceptance" in case.__name__) == ACCEPTANCE else loader.suiteClass()
+    if ("Acceptance" in case.__name__) != ACCEPTANCE:
+        return loader.suiteClass()
+    chosen.extend(loader.getTestCaseNames(case))
+    return load(loader, case)
 
 
 unittest.TestLoader.loadTestsFromTestCase = load_chosen
 sys.argv = sys.argv[2:]
 sys.path[0] = str(Path(sys.argv[0]).parent)
-runpy.run_path(sys.argv[0], run_name="__main__")
+try:
+    runpy.run_path(sys.argv[0], run_name="__main__")
+finally:
+    if not chosen:
+        sys.exit(f"rows.py: {sys.argv[0]} has no tests of {WHICH}")

@@ -28,7 +28,7 @@ CREST = np.array([[-x, trench("right").level(-x) - 0.25] for x in (10.0, 7.5, 5.
 SCENES = ((0, "right"), (15, "right"), (15, "left"))  # angle, where the ground is lower: ahead of the wave or behind it
 
 
-class AcceptanceStep(unittest.TestCase):
+class Step(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="tremolo_test_")))
