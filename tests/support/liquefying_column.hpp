@@ -133,11 +133,11 @@ private:
   }
 };
 
-/// Root mean square over 25 s and all depths by which r_u differs.
-inline double apart(const LiquefactionHistory& a, const LiquefactionHistory& b) {
+/// Root mean square until a time and over all depths by which r_u differs.
+inline double apart(const LiquefactionHistory& a, const LiquefactionHistory& b, double until) {
   double squares = 0.0;
   int count = 0;
-  for (; 0.02 * count < 25.0; ++count)
+  for (; 0.02 * count < until; ++count)
     for (std::size_t i = 0; i < depths.size(); ++i) {
       const double difference = a.ratio_at(i, 0.02 * count) - b.ratio_at(i, 0.02 * count);
       squares += difference * difference / depths.size();

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <ostream>
 #include <span>
 #include <vector>
 
@@ -26,14 +27,16 @@ constexpr materials::Elasticity rock{2200.0, 3.1768e9, 0.25}; // c_s = 760 m/s
 
 struct Run {
   double angle_deg = 0.0;
-  bool incident = false; ///< at the base; or the total field
+  double cell_size = 1.0; ///< m
+  bool incident = false;  ///< at the base; or the total field
   bool layers = false;
   bool below = true; ///< the base's dashpots are those of the rock
 };
 
 /// Relative L2 error of all particles' velocities over a pulse and its echoes.
 double error(const Run& run) {
-  constexpr double h = 0.5, width = 30.0;
+  constexpr double width = 30.0;
+  const double h = run.cell_size;
   Spec spec;
   spec.box = {0.0, -thickness, width, 0.0};
   spec.cell_size = h;
@@ -102,21 +105,33 @@ double error(const Run& run) {
   return std::sqrt(difference / norm);
 }
 
-class HardCase38 : public testing::TestWithParam<double> {};
+struct Row {
+  double angle_deg;
+  double cell_size; ///< m
+
+  friend void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.angle_deg << " degrees, cells of " << row.cell_size << " m";
+  }
+};
+
+class HardCase38 : public testing::TestWithParam<Row> {};
 
 // At an angle the incident wave alone asks dashpots to take up the free field's own reflections, which they
 // cannot do completely, whatever their impedance (docs/boundaries.md).
 TEST_P(HardCase38, SoilOnRockEndingAtTheInterface) {
-  const double angle = GetParam();
+  const auto [angle, h] = GetParam();
   bounded(fmt::format("incident wave at the base, {} degrees", angle),
-          error({.angle_deg = angle, .incident = true}), angle > 5.0 ? 0.02 : 0.01);
-  bounded(fmt::format("total field at the base, {} degrees", angle), error({.angle_deg = angle}), 0.01);
+          error({.angle_deg = angle, .cell_size = h, .incident = true}), angle > 5.0 ? 0.02 : 0.01);
+  bounded(fmt::format("total field at the base, {} degrees", angle),
+          error({.angle_deg = angle, .cell_size = h}), 0.01);
   bounded(fmt::format("total field before matched layers, {} degrees", angle),
-          error({.angle_deg = angle, .layers = true}), 0.01);
+          error({.angle_deg = angle, .cell_size = h, .layers = true}), 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Angles, HardCase38, testing::Values(0.0, 5.0, 10.0, 15.0),
-                         [](const auto& test) { return std::to_string(static_cast<int>(test.param)); });
+INSTANTIATE_TEST_SUITE_P(Angles, HardCase38, testing::Values(Row{10.0, 1.0}));
+
+INSTANTIATE_TEST_SUITE_P(AcceptanceAngles, HardCase38,
+                         testing::Values(Row{0.0, 0.5}, Row{5.0, 0.5}, Row{10.0, 0.5}, Row{15.0, 0.5}));
 
 TEST(HardCase38, DashpotsOfTheSoil) {
   breaks("the soil's impedance, incident wave at 0 degrees", error({.incident = true, .below = false}), 0.2);
