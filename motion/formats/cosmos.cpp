@@ -46,7 +46,7 @@ Stated stated_in_section(const Lines& lines) {
 std::string station_channel(std::string_view text) {
   text = text.substr(0, text.find('('));
   text.remove_prefix(std::min(text.find_first_not_of("nN: "), text.size()));
-  return std::string(trimmed(text));
+  return squeezed(text);
 }
 
 Trace channel(Lines& lines) {
@@ -56,8 +56,8 @@ Trace channel(Lines& lines) {
   while (!says(lines.text(), "INTEGER-HEADER")) {
     if (const auto sta = after(lines.text(), "STA CHA"))
       name = station_channel(*sta);
-    if (const auto filter = after(lines.text(), "RECORD FILTERED"))
-      trace.baseline += fmt::format(", filtered {}", trimmed(*filter));
+    if (const auto filter = after(lines.text(), "RECORD "); begins(lines.text(), "RECORD FILTERED"))
+      trace.baseline += fmt::format(", {}", squeezed(*filter));
     next(lines);
   }
   announced(lines);

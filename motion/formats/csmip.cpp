@@ -39,12 +39,12 @@ std::optional<StatedPeak> peak_in(std::string_view line, std::string_view quanti
 void read_text(std::string_view line, Channel& channel) {
   constexpr std::array<std::string_view, 3> quantities = {"ACCELERATION", "VELOCITY", "DISPLACEMENT"};
   if (begins(line, "CHAN ") || begins(line, "COMP "))
-    channel.name = trimmed(line.substr(0, line.find("   ")));
+    channel.name = squeezed(line.substr(0, line.find("    ")));
   for (std::size_t i = 0; i < quantities.size(); ++i)
     if (const auto peak = peak_in(line, quantities[i]))
       channel.peaks[i] = peak;
   if (says(line, "FILTERED"))
-    channel.baseline = trimmed(line);
+    channel.baseline = squeezed(line);
   else if (says(line, "BASELINE-CORRECTED") || says(line, "BASELINE CORRECTED"))
     channel.baseline +=
         fmt::format("{}baseline-corrected by the network", channel.baseline.empty() ? "" : "; ");

@@ -19,7 +19,7 @@ Trace channel(Lines& lines) {
   bool unit = false;
   while (!begins(trimmed(lines.text()), "RMS ACCEL")) {
     if (begins(lines.text(), "CHAN "))
-      trace.component = trimmed(lines.text().substr(0, lines.text().find("   ")));
+      trace.component = squeezed(lines.text().substr(0, lines.text().find("(STA")));
     if (const auto points = number_after(lines.text(), "NO. OF POINTS"))
       count = points->value;
     unit = unit || says(lines.text(), "SEC AND G/10");

@@ -226,6 +226,8 @@ std::vector<Trace> read_table(Lines& lines, const ReadAs& as) {
       continue;
     }
     if (!begun) {
+      if (line.find(';') != std::string::npos && line.find(',') != std::string::npos)
+        lines.refuse(decimal_commas);
       rows.columns = cells.size();
       header = header_of(above, rows.columns);
       rows.column = column_of(lines, as, header, rows.columns);

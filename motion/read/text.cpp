@@ -59,6 +59,16 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
+std::string squeezed(std::string_view text) {
+  std::string result;
+  for (const char c : trimmed(text))
+    if (std::isspace(static_cast<unsigned char>(c)) == 0)
+      result.push_back(c);
+    else if (result.back() != ' ')
+      result.push_back(' ');
+  return result;
+}
+
 bool says(std::string_view line, std::string_view capitals) {
   return upper(line).find(capitals) != std::string::npos;
 }

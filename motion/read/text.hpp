@@ -39,6 +39,9 @@ private:
 /// Without the blanks at both ends.
 std::string_view trimmed(std::string_view text);
 
+/// With one blank between words, and none at the ends.
+std::string squeezed(std::string_view text);
+
 /// Whether a line holds, or begins with, a text in capitals; the line may be in either case.
 bool says(std::string_view line, std::string_view capitals);
 bool begins(std::string_view line, std::string_view capitals);

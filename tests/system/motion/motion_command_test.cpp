@@ -49,11 +49,11 @@ TEST_F(MotionCommand, SaysWhatItReadAndTakesComponentsApart) {
   std::ofstream(folder / "three.V2") << ::tremolo::testing::csmip_text();
   const auto open = run_tremolo("motion " + path("three.V2"));
   EXPECT_NE(open.status, 0);
-  EXPECT_THAT(open.output, HasSubstr("holds 3 components: say which (--component): 1 'CHAN  1:  45 DEG'"));
+  EXPECT_THAT(open.output, HasSubstr("holds 3 components: say which (--component): 1 'CHAN 1: 45 DEG'"));
   const auto outcome = run_tremolo("motion " + path("three.V2") + " --component 2 --out " + path("two.csv"));
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_THAT(outcome.output,
-              HasSubstr("  read as                CSMIP; 'CHAN  2:  90 DEG' of 3 components; unit "
+              HasSubstr("  read as                CSMIP; 'CHAN 2: 90 DEG' of 3 components; unit "
                         "cm/s2 as the file says; baseline: ACCELEROGRAM BANDPASS FILTERED"));
   EXPECT_EQ(read_record(folder / "two.csv").samples[2], -6.0);
   // Towards the perpendicular component by 90 degrees is that component.

@@ -118,7 +118,7 @@ TEST(Networks, ChannelsOfOneNameHaveNumbers) {
   for (const char* name : {"CHAN  2:  90 DEG\n", "CHAN  3:  135 DEG\n"})
     text = replaced(text, name, "CHAN  1:  45 DEG\n");
   EXPECT_THAT(error_of(text, "x.V2"),
-              HasSubstr("1 'CHAN  1:  45 DEG', 2 'CHAN  1:  45 DEG (2)', 3 'CHAN  1:  45 DEG (3)'"));
+              HasSubstr("1 'CHAN 1: 45 DEG', 2 'CHAN 1: 45 DEG (2)', 3 'CHAN 1: 45 DEG (3)'"));
   expect_samples(parsed(text, "x.V2", {.component = "3"}), 3.0, "third");
 }
 
@@ -189,6 +189,10 @@ TEST(Columns, OfATableAreChosenByNumberOrName) {
   EXPECT_THAT(error_of(plain, "x.txt"), HasSubstr("(--column): 2 to 3"));
   EXPECT_EQ(parsed("time (s) acceleration (m / s2) vel\n0 1 2\n0.01 3 4\n", "x.txt", {.column = "2"}).unit,
             Unit::m_s2);
+}
+
+TEST(Columns, DecimalCommasAreNamed) {
+  EXPECT_THAT(error_of("Time (s);Acc (g)\n0;0,1\n0,01;0,2\n", "x.csv"), HasSubstr("x.csv:2: decimal commas"));
 }
 
 TEST(Columns, TheFirstIsATime) {
