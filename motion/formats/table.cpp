@@ -248,7 +248,7 @@ std::vector<Trace> read_table(Lines& lines, const ReadAs& as) {
     trace.stated.quantity = trace.stated.quantity ? trace.stated.quantity : header.comment.quantity;
   }
   const auto& [column_unit, comment_unit] = std::pair(trace.stated.unit, header.comment.unit);
-  if (comment_unit && column_unit != comment_unit)
+  if (comment_unit && column_unit && *column_unit != *comment_unit)
     header.comment.strange =
         fmt::format("{} in a comment, {} in the name of the column", name(*comment_unit), name(*column_unit));
   if (!header.comment.strange.empty())

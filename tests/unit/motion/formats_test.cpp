@@ -202,6 +202,9 @@ TEST(Columns, TheFirstIsATime) {
   EXPECT_THAT(error_of("hours,a (g)\n0,1\n1,2\n", "x.csv"), HasSubstr("it must be the time"));
   EXPECT_THAT(error_of("# units: 1000 g\nt,acc\n0,1\n1,2\n", "x.csv"), HasSubstr("1000 g"));
   EXPECT_EQ(parsed("# units: milli-g\nt,acc\n0,1\n1,2\n", "x.csv").samples[1], 2e-3);
+  EXPECT_THAT(error_of("# units: milli-g\nt,acc (mili g)\n0,1\n1,2\n", "x.csv"), HasSubstr("'acc (mili g)'"));
+  EXPECT_THAT(error_of("# units: milli-g\nt,acc (g)\n0,1\n1,2\n", "x.csv"),
+              HasSubstr("0.001 g in a comment"));
   EXPECT_THAT(error_of("# scale factor 0.5\nt,acc (g)\n0,1\n1,2\n", "x.csv"), HasSubstr("scale factor 0.5"));
 }
 
