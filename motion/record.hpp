@@ -12,6 +12,7 @@
 
 #include "base/words.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -67,17 +68,41 @@ Quantity quantity_of(Unit unit);
 /// What one of the unit is in m/s2, m/s or m.
 double in_si(Unit unit);
 
+/// A unit as a file may have it: `factor` times one of ours, "milli-g" is 1e-3 g and "mm/s2" 1e-3 m/s2.
+struct ScaledUnit {
+  Unit unit = Unit::m_s2;
+  double factor = 1.0;
+
+  bool operator==(const ScaledUnit&) const = default;
+};
+
+/// "g", "0.001 g".
+std::string name(const ScaledUnit& unit);
+
+double in_si(const ScaledUnit& unit);
+
 /// m/s2, m/s or m.
 Unit si_unit(Quantity quantity);
+
+/// What a file said of the record that was read from it; all empty where no file was read.
+struct Origin {
+  std::string format;              ///< "PEER", "K-NET, KiK-net"
+  std::string component;           ///< as the file calls it; empty where it names none
+  std::size_t components = 1;      ///< of the file
+  std::string unit;                ///< "cm/s2 as the file says", "g, PEER's own", "g as told"
+  std::string baseline;            ///< what was done to it before or while reading; empty where nobody says
+  std::vector<std::string> doubts; ///< each worth a warning
+};
 
 /// Samples at 0, dt, 2 dt, ...
 struct Record {
   Unit unit = Unit::m_s2;
-  std::optional<MotionKind> kind; ///< nothing where nobody has said
-  double dt = 0.0;                ///< s
-  std::vector<double> samples;    ///< in `unit`
+  std::optional<MotionKind> kind = std::nullopt; ///< nothing where nobody has said
+  double dt = 0.0;                               ///< s
+  std::vector<double> samples = {};              ///< in `unit`
   /// What the file calls the unit, where its reader was told another one.
-  std::optional<Unit> overruled_unit = std::nullopt;
+  std::optional<ScaledUnit> overruled_unit = std::nullopt;
+  Origin origin = {};
 
   Quantity quantity() const { return quantity_of(unit); }
 };

@@ -7,6 +7,7 @@
 #include "app/output_place.hpp"
 #include "app/python.hpp"
 #include "app/temporary_folder.hpp"
+#include "motion/plausible.hpp"
 #include "motion/read/read.hpp"
 #include "motion/read/write.hpp"
 #include "scene/ground.hpp"

@@ -8,6 +8,7 @@
 #include "app/python.hpp"
 #include "app/temporary_folder.hpp"
 #include "motion/make/recipe.hpp"
+#include "motion/plausible.hpp"
 #include "motion/read/read_spectrum.hpp"
 #include "motion/read/write.hpp"
 
@@ -125,6 +126,8 @@ void work_on(const Options& options) {
     print_match(*matched, steps);
   if (!overruled.empty())
     fmt::print(stderr, "tremolo: warning: {}: {}\n", named.name, overruled);
+  for (const std::string& doubt : motion::doubts(named.record))
+    fmt::print(stderr, "tremolo: warning: {}: {}\n", named.name, doubt);
   if (const auto warning = motion_warning(named.record); !warning.empty())
     fmt::print(stderr, "tremolo: warning: {}: {}\n", named.name, warning);
   if (!options.out.empty())
@@ -151,6 +154,10 @@ void add_steps(Command& command, Options& options) {
   auto* rotate = command.add_option("--rotate", steps.rotate_deg,
                                     "1. Component along an axis at DEG degrees from this one towards --with");
   auto* with = command.add_option("--with", steps.other, "   File of the perpendicular component");
+  command
+      .add_option("--with-component", steps.other_component,
+                  "   Its component or column, where the file has several")
+      ->needs(with);
   rotate->needs(with);
   with->needs(rotate);
   auto* baseline = command.add_option(

@@ -21,6 +21,19 @@ motion::Record acceleration_of(const motion::Record& record) {
   return motion::with_unit(record, motion::Unit::m_s2);
 }
 
+/// "  read as                PEER; unit g as the file says"; empty where no file was read.
+std::string origin_line(const motion::Origin& origin) {
+  if (origin.format.empty())
+    return "";
+  std::string text = fmt::format("  {:<22} {}", "read as", origin.format);
+  if (!origin.component.empty())
+    text += fmt::format("; '{}'{}", origin.component,
+                        origin.components > 1 ? fmt::format(" of {} components", origin.components) : "");
+  text += fmt::format("; unit {}", origin.unit);
+  text += fmt::format("; baseline: {}\n", origin.baseline.empty() ? "nothing is said" : origin.baseline);
+  return text;
+}
+
 } // namespace
 
 std::string motion_report(const motion::Record& record, const std::string& name) {
@@ -30,6 +43,7 @@ std::string motion_report(const motion::Record& record, const std::string& name)
       fmt::format("{}: {} in {}, {} samples every {} s ({:g} s), {}\n", name, motion::name(record.quantity()),
                   motion::name(record.unit), count, record.dt, static_cast<double>(count - 1) * record.dt,
                   record.kind ? motion::name(*record.kind) : "not said whether incident, outcrop or within");
+  text += origin_line(record.origin);
   const auto add = [&text](const char* measure, double value, const char* unit,
                            const std::string& note = "") {
     text += fmt::format("  {:<22}{:>12.5g} {}{}\n", measure, value, unit, note);

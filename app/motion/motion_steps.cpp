@@ -10,7 +10,11 @@
 namespace tremolo::app {
 namespace {
 
-motion::Record rotated(motion::Record record, const MotionSteps& steps, const motion::ReadAs& as) {
+motion::Record rotated(motion::Record record, const MotionSteps& steps, motion::ReadAs as) {
+  // The first component's number or name is not the other one's.
+  const bool column = !as.column.empty();
+  as.column = column ? steps.other_component : "";
+  as.component = column ? "" : steps.other_component;
   const auto other = motion::converted(motion::read_record(steps.other, as), record.unit);
   if (other.dt != record.dt)
     throw std::invalid_argument(fmt::format("{}: its step of {} s is not that of the first component, {} s",

@@ -14,6 +14,7 @@ namespace tremolo::app {
 
 struct MotionSteps {
   std::string other;                ///< file of the component perpendicular to the first
+  std::string other_component;      ///< component or column of that file
   std::optional<double> rotate_deg; ///< from the first component towards the other
   std::optional<int> baseline;      ///< degree
   motion::BaselineFit fit = motion::BaselineFit::velocity;

@@ -10,15 +10,18 @@
 namespace tremolo::app {
 
 /// The files that can be read, as the texts of options name them.
-inline constexpr const char* record_formats = "PEER AT2, VT2 or DT2; two columns of time and value; or HDF5";
+inline constexpr const char* record_formats = "PEER, K-NET, SMC, COSMOS, CSMIP, GeoNet, ESM and other "
+                                              "networks' texts, a table of time and values, or HDF5";
 
 /// What the file may leave open; empty where it is not told.
 struct RecordOptions {
   std::string quantity;
   std::string unit;
+  std::string component;
+  std::string column;
 };
 
-/// --quantity and --unit.
+/// --quantity, --unit, --component and --column.
 void add_record_options(Command& command, RecordOptions& options);
 
 /// @throws std::invalid_argument for a quantity or unit that is not known

@@ -1,5 +1,7 @@
 #include "motion/record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -67,6 +69,15 @@ Quantity quantity_of(Unit unit) {
 
 double in_si(Unit unit) {
   return entry(unit).si;
+}
+
+std::string name(const ScaledUnit& unit) {
+  return unit.factor == 1.0 ? std::string(name(unit.unit))
+                            : fmt::format("{:g} {}", unit.factor, name(unit.unit));
+}
+
+double in_si(const ScaledUnit& unit) {
+  return unit.factor * in_si(unit.unit);
 }
 
 Unit si_unit(Quantity quantity) {

@@ -1,10 +1,11 @@
 #include "motion/read/read.hpp"
 
 #include "base/unreadable.hpp"
-#include "motion/read/read_formats.hpp"
+#include "motion/formats/formats.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string_view>
@@ -13,27 +14,21 @@ namespace tremolo::motion {
 
 namespace {
 
-/// A header is at most this long.
-constexpr std::size_t most_header_lines = 50;
+/// A header is recognised by what stands in these.
+constexpr std::size_t most_header_lines = 64;
 
-bool has_peer_header(std::istream& stream, const std::filesystem::path& file) {
-  Lines lines(stream, file);
-  while (lines.number() < most_header_lines && lines.next())
-    if (peer_header(lines.text()))
-      return true;
-  return false;
-}
-
-bool is_peer(std::istream& stream, const std::filesystem::path& file) {
-  const std::string extension = upper(file.extension().string());
-  if (extension == ".CSV")
-    return false;
-  if (extension == ".AT2" || extension == ".VT2" || extension == ".DT2")
-    return true;
-  const bool found = has_peer_header(stream, file);
+void rewind(std::istream& stream) {
   stream.clear();
   stream.seekg(0);
-  return found;
+}
+
+Head head_of(std::istream& stream, const std::filesystem::path& file) {
+  Head head{.file = file, .lines = {}};
+  Lines lines(stream, file);
+  while (lines.number() < most_header_lines && lines.next())
+    head.lines.push_back(lines.text());
+  rewind(stream);
+  return head;
 }
 
 bool is_hdf5(std::istream& stream) {
@@ -41,25 +36,36 @@ bool is_hdf5(std::istream& stream) {
   std::array<char, signature.size()> begin{};
   stream.read(begin.data(), begin.size());
   const bool found = stream && std::string_view(begin.data(), begin.size()) == signature;
-  stream.clear();
-  stream.seekg(0);
+  rewind(stream);
   return found;
 }
 
 } // namespace
 
 Record parse_record(std::istream& stream, const std::filesystem::path& file, const ReadAs& as) {
-  const bool peer = is_peer(stream, file);
+  const Head head = head_of(stream, file);
+  const Format& format =
+      *std::ranges::find_if(formats(), [&](const Format& one) { return one.recognises(head); });
+  if (format.read == nullptr)
+    throw RecordError(fmt::format("{}: {}: {}", file.string(), format.name, format.instead));
+  if (!as.column.empty() && !format.columns)
+    throw RecordError(
+        fmt::format("{}: {}: no table of columns; --component chooses", file.string(), format.name));
+  if (!as.component.empty() && format.columns)
+    throw RecordError(fmt::format("{}: a table; --column chooses", file.string()));
   Lines lines(stream, file);
-  return peer ? read_peer(lines, as) : read_table(lines, as);
+  return chosen(format.read(lines, as), format.name, file, as, format.peer_units);
 }
 
 Record read_record(const std::filesystem::path& file, const ReadAs& as) {
   if (const auto why = why_unreadable(file); !why.empty())
     throw RecordError(fmt::format("{}: {}", file.string(), why));
   std::ifstream stream(file, std::ios::binary);
-  if (is_hdf5(stream))
+  if (is_hdf5(stream)) {
+    if (!as.column.empty() || !as.component.empty())
+      throw RecordError(fmt::format("{}: HDF5: one motion, without columns or components", file.string()));
     return read_hdf5(file, as);
+  }
   return parse_record(stream, file, as);
 }
 

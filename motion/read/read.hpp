@@ -1,18 +1,12 @@
 #pragma once
 
-// Readers. A file is HDF5 by its signature; .AT2, .VT2 and .DT2 are PEER text, .csv is a table of time and
-// value; any other name is PEER text where one of the first lines holds NPTS and DT, otherwise such a table.
-//
-// PEER:  header lines, one with NPTS and DT ("NPTS= 2000, DT= .0200 SEC", "4096 0.0100 NPTS, DT", any
-//        spelling), then the samples, in fixed or free columns.
-// Table: "time (s), acceleration (g)" (optional, may be commented with #), then a time and a value a line,
-//        separated by comma, semicolon or blanks; times from 0 in equal steps.
-// HDF5:  dataset "motion" of one dimension with attributes dt (s), unit, and optionally quantity and kind:
-//            f["motion"] = samples
-//            f["motion"].attrs.update(dt=0.005, unit="m/s2", kind="outcrop")
+// Reading a motion from a file. The format is found in the file (motion/formats has a table of them), and in
+// the extension where that says more: .AT2, .VT2 and .DT2 are PEER text, .csv is a table of time and values
+// unless a network's header opens it.
 //
 // What a motion is follows from the name's extension and the header's words where they are unambiguous; what
-// they leave open must be said by ReadAs.
+// they leave open must be said by ReadAs. A header that may name a factor or a unit and is not wholly
+// understood is refused.
 
 #include "motion/record.hpp"
 
@@ -29,6 +23,10 @@ struct ReadAs {
   std::optional<Quantity> quantity;
   std::optional<Unit> unit;
   std::optional<MotionKind> kind;
+  /// Of a file with several components: its number from 1, its name, or a part that only its name has.
+  std::string component = {};
+  /// Of a table: the number from 1 of the column of values, its name, or a part that only its name has.
+  std::string column = {};
 };
 
 /// More samples, or a longer line, are refused before they are read.

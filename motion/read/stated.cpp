@@ -7,49 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <set>
-#include <vector>
+#include <cmath>
 
 namespace tremolo::motion {
 
 namespace {
-
-/// Words of letters, digits and the signs that units are written with. "acc_g", "v_cm_s" and "cm/s/s" come
-/// out as ACC G, V CM/S and CM/S/S.
-std::vector<std::string> unit_words(std::string_view text) {
-  std::vector<std::string> found(1);
-  for (const char c : upper(text)) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/' || c == '*' || c == '^' ||
-        static_cast<unsigned char>(c) >= 0x80)
-      found.back().push_back(c);
-    else if (!found.back().empty())
-      found.emplace_back();
-  }
-  for (std::size_t i = 1; i < found.size(); ++i) {
-    const bool length = found[i - 1] == "M" || found[i - 1] == "CM";
-    if (length && (found[i] == "S" || found[i] == "S2")) {
-      found[i] = found[i - 1] + "/" + found[i];
-      found[i - 1].clear();
-    }
-  }
-  std::erase(found, "");
-  return found;
-}
-
-std::optional<Quantity> quantity_begun_by(std::string_view word) {
-  if (word.starts_with("ACC"))
-    return Quantity::acceleration;
-  if (word.starts_with("VEL"))
-    return Quantity::velocity;
-  if (word.starts_with("DISP"))
-    return Quantity::displacement;
-  return std::nullopt;
-}
-
-template <class T>
-std::optional<T> only(const std::set<T>& found) {
-  return found.size() == 1 ? std::optional(*found.begin()) : std::nullopt;
-}
 
 [[noreturn]] void ask(const std::string& place, const std::string& text) {
   throw RecordError(fmt::format("{}: {}", place, text));
@@ -81,6 +43,19 @@ Quantity settled_quantity(const Stated& by_name, const Stated& by_header, const 
   return a ? *a : *b;
 }
 
+/// Puts the samples into the unit without its factor.
+void take(Record& record, const ScaledUnit& unit, const std::string& place) {
+  record.unit = unit.unit;
+  const double largest = largest_sample / in_si(unit);
+  for (std::size_t i = 0; i < record.samples.size(); ++i) {
+    if (!(std::abs(record.samples[i]) <= largest))
+      ask(place, fmt::format("sample {} is {:g} {}, must be within {:g} {}", i + 1, record.samples[i],
+                             name(unit), largest_sample, name(si_unit(record.quantity()))));
+    if (unit.factor != 1.0)
+      record.samples[i] *= unit.factor;
+  }
+}
+
 } // namespace
 
 Stated stated_by_name(const std::filesystem::path& file) {
@@ -95,36 +70,20 @@ Stated stated_by_name(const std::filesystem::path& file) {
   return stated;
 }
 
-Stated stated_in(std::string_view text) {
-  std::set<Quantity> quantities;
-  std::set<Unit> units;
-  std::set<MotionKind> kinds;
-  for (const std::string& word : unit_words(text)) {
-    if (const auto unit = unit_named(word))
-      units.insert(*unit);
-    else if (const auto kind = kind_named(word))
-      kinds.insert(*kind);
-    else if (const auto quantity = quantity_begun_by(word))
-      quantities.insert(*quantity);
-  }
-  Stated stated{.quantity = only(quantities), .unit = only(units), .kind = only(kinds), .strange_unit = {}};
-  if (stated.unit && stated.quantity && quantity_of(*stated.unit) != *stated.quantity)
-    return {.kind = stated.kind};
-  if (stated.unit && quantities.empty())
-    stated.quantity = quantity_of(*stated.unit);
-  return stated;
-}
-
 Stated stated_in_peer(std::string_view line) {
   const std::string text = upper(line);
   const auto units = text.find("UNITS");
   if (units == std::string::npos)
     return {};
   // What follows the unit's sentence, such as filter points, does not speak of the samples.
-  const auto end = text.find_first_of(".;", units);
-  Stated stated = stated_in(text.substr(0, end));
+  std::size_t end = units;
+  while (end < line.size() && line[end] != ';' &&
+         !(line[end] == '.' &&
+           (end + 1 == line.size() || std::isspace(static_cast<unsigned char>(line[end + 1])) != 0)))
+    ++end;
+  Stated stated = stated_in(line.substr(0, end), units);
   if (!stated.unit)
-    stated.strange_unit = shown(text.substr(units, end == std::string::npos ? end : end - units));
+    stated.strange = shown(trimmed(line.substr(units, end - units)));
   return stated;
 }
 
@@ -137,22 +96,33 @@ void settle(Record& record, const Stated& by_name, const Stated& by_header, cons
             bool fallback_to_peer, const std::string& place) {
   if (!(record.dt >= finest_step && record.dt <= coarsest_step))
     ask(place, fmt::format("a step of {} s, must be from {} to {} s", record.dt, finest_step, coarsest_step));
+  if (!as.unit && !by_header.strange.empty())
+    ask(place,
+        fmt::format("'{}' is not wholly understood as a unit: say which (--unit), and a factor by --scale",
+                    by_header.strange));
   const Quantity quantity = settled_quantity(by_name, by_header, as, place);
   record.kind = as.kind ? as.kind : by_header.kind;
+  ScaledUnit unit;
   if (as.unit) {
-    record.unit = *as.unit;
-    if (by_header.unit && *by_header.unit != *as.unit)
+    unit = {*as.unit};
+    record.origin.unit = fmt::format("{} as told", name(unit));
+    if (by_header.unit && *by_header.unit != unit)
       record.overruled_unit = by_header.unit;
-  } else if (by_header.unit && quantity_of(*by_header.unit) == quantity) {
-    record.unit = *by_header.unit;
-  } else if (!by_header.strange_unit.empty()) {
-    ask(place, fmt::format("'{}': no unit that is known; say which (--unit)", by_header.strange_unit));
+    if (!by_header.strange.empty())
+      record.origin.doubts.push_back(fmt::format(
+          "the samples are taken in {} as told; the header says '{}', which is not wholly understood",
+          name(unit), by_header.strange));
+  } else if (by_header.unit && quantity_of(by_header.unit->unit) == quantity) {
+    unit = *by_header.unit;
+    record.origin.unit = fmt::format("{} as the file says", name(unit));
   } else if (fallback_to_peer) {
-    record.unit = peer_unit(quantity);
+    unit = {peer_unit(quantity)};
+    record.origin.unit = fmt::format("{}, PEER's own, as the file names none", name(unit));
   } else {
     ask(place,
         fmt::format("the header does not name the unit of the {}: say which (--unit)", name(quantity)));
   }
+  take(record, unit, place);
 }
 
 } // namespace tremolo::motion

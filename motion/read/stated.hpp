@@ -4,6 +4,7 @@
 // the caller says.
 
 #include "motion/read/read.hpp"
+#include "motion/read/units.hpp"
 
 #include <filesystem>
 #include <string>
@@ -15,19 +16,11 @@ namespace tremolo::motion {
 inline constexpr double finest_step = 1e-5;
 inline constexpr double coarsest_step = 10.0;
 
-struct Stated {
-  std::optional<Quantity> quantity;
-  std::optional<Unit> unit;
-  std::optional<MotionKind> kind;
-  std::string strange_unit; ///< announced as a unit, but not known
-};
+/// m/s2, m/s or m; no motion of the ground comes near.
+inline constexpr double largest_sample = 1e6;
 
 /// By extension: .AT2 acceleration, .VT2 velocity, .DT2 displacement.
 Stated stated_by_name(const std::filesystem::path& file);
-
-/// From a text that speaks of this motion alone, such as the name of a column, or what follows "IN UNITS OF".
-/// Where words contradict each other they say nothing.
-Stated stated_in(std::string_view text);
 
 /// From a header line of a PEER file, e.g. "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: ...":
 /// such a line names the units; others say nothing.
@@ -36,8 +29,10 @@ Stated stated_in_peer(std::string_view line);
 /// PEER's own unit of a quantity: g, cm/s, cm.
 Unit peer_unit(Quantity quantity);
 
-/// Puts unit and kind into the record. @param fallback_to_peer a missing unit is PEER's
-/// @throws RecordError that says what is missing or contradicts
+/// Puts unit, kind and what is to be said of the unit into the record, whose samples are in the unit that the
+/// header states, and takes the unit's factor.
+/// @param fallback_to_peer a missing unit is PEER's
+/// @throws RecordError that says what is missing or contradicts, or which sample is out of range
 void settle(Record& record, const Stated& by_name, const Stated& by_header, const ReadAs& as,
             bool fallback_to_peer, const std::string& place);
 

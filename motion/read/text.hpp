@@ -36,6 +36,36 @@ private:
   std::size_t number_ = 0;
 };
 
+/// Without the blanks at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// With one blank between words, and none at the ends.
+std::string squeezed(std::string_view text);
+
+/// Whether a line holds, or begins with, a text in capitals; the line may be in either case.
+bool says(std::string_view line, std::string_view capitals);
+bool begins(std::string_view line, std::string_view capitals);
+
+/// What stands behind a text in capitals; nothing where the line does not hold it.
+std::optional<std::string_view> after(std::string_view line, std::string_view capitals);
+
+/// A number as printed.
+struct Printed {
+  double value = 0.0;
+  double rounding = 0.0; ///< half of its last digit
+};
+
+/// The first number behind a text in capitals, with only blanks and signs such as ':' or '=' between, or a
+/// unit in brackets.
+std::optional<Printed> number_after(std::string_view line, std::string_view capitals);
+
+/// Numbers in fields of `width` characters, which may touch, from as many lines as `count` of them need.
+/// @throws RecordError where a field is no number, or the text ends
+std::vector<double> fixed_fields(Lines& lines, std::size_t width, std::size_t count);
+
+/// The width of a field in a format as Fortran writes it: 10 of "(8F10.3)"; nothing where there is none.
+std::optional<std::size_t> field_width(std::string_view format);
+
 /// What stands between blanks, commas, semicolons and equals signs.
 std::vector<std::string_view> words(std::string_view line);
 

@@ -1,7 +1,7 @@
 #include "motion/read/write.hpp"
 
 #include "base/text_file.hpp"
-#include "motion/read/read_formats.hpp"
+#include "motion/formats/formats.hpp"
 #include "motion/read/stated.hpp"
 #include "motion/read/text.hpp"
 

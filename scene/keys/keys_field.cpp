@@ -17,8 +17,9 @@ Table motion() {
           {.name = "file",
            .type = Type::text,
            .meaning =
-               "Record, relative to the case file: PEER format (AT2, VT2, DT2), a table of time and value, "
-               "or HDF5. "
+               "Record, relative to the case file: PEER format (AT2, VT2, DT2), the text of a network "
+               "(K-NET, SMC, "
+               "COSMOS, CSMIP, GeoNet, ESM, ...), a table of time and values, or HDF5. "
                "The motion is the band-limited function through the samples: its spectrum is the record's up "
                "to its Nyquist frequency. Velocities rise with a half cosine over the first 0.1 s; after the "
                "last sample a half cosine takes the velocity to zero within 1 s.",
@@ -33,6 +34,16 @@ Table motion() {
            .meaning = "Unit of the file's samples; only with `file`.",
            .otherwise = "as the file says",
            .choices = all_words<motion::Unit>()},
+          {.name = "component",
+           .type = Type::text,
+           .meaning = "Which component of a file that holds several: its number from 1, its name or a part "
+                      "of it; only with `file`.",
+           .otherwise = "the only one"},
+          {.name = "column",
+           .type = Type::text,
+           .meaning = "Which column of a table holds the motion: its number from 1, its name or a part of "
+                      "it; only with `file`.",
+           .otherwise = "the second of two"},
           {.name = "scale",
            .unit = "1",
            .meaning = "Factor on the record; only with `file`.",

@@ -35,7 +35,7 @@ void read_motion(Document& document, Findings& findings, Case& scene) {
   }
   if (pulse) {
     scene.motion.source = read_pulse(document);
-    for (const char* key : {"quantity", "unit", "scale"})
+    for (const char* key : {"quantity", "unit", "scale", "component", "column"})
       if (table.given(key))
         findings.add(table.path(key), fmt::format("'{}' does not apply to 'pulse', only to 'file'", key));
     return;
@@ -49,7 +49,9 @@ void read_motion(Document& document, Findings& findings, Case& scene) {
   scene.motion.source = MotionFile{scene.directory / table.text("file"),
                                    {.quantity = motion::quantity_named(table.text("quantity")),
                                     .unit = motion::unit_named(table.text("unit")),
-                                    .kind = scene.motion.kind},
+                                    .kind = scene.motion.kind,
+                                    .component = table.text("component"),
+                                    .column = table.text("column")},
                                    table.number("scale")};
 }
 

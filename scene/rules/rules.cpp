@@ -63,6 +63,7 @@ constexpr std::array rules = {
     Rule{Severity::warning, wave_arrives_after_start},
     Rule{Severity::warning, motion_ends_before_run},
     Rule{Severity::warning, unit_is_that_of_header},
+    Rule{Severity::warning, record_is_plausible},
     Rule{Severity::warning, record_ends_at_rest},
     Rule{Severity::warning, incident_base_has_dashpots},
     Rule{Severity::warning, models_know_nonlinear_soil},

@@ -109,6 +109,8 @@ void wave_arrives_after_start(const Case& scene, Findings& findings);
 void motion_ends_before_run(const Case& scene, Findings& findings);
 /// The case and the record's header give the same unit.
 void unit_is_that_of_header(const Case& scene, Findings& findings);
+/// PGA, PGV and step of the motion's record are those of a strong motion.
+void record_is_plausible(const Case& scene, Findings& findings);
 /// The motion's record ends without a velocity.
 void record_ends_at_rest(const Case& scene, Findings& findings);
 /// A base that takes the incident wave alone has no matched layer.

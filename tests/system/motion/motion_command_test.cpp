@@ -6,6 +6,7 @@
 #include "motion/read/write.hpp"
 #include "motion/spectra.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/network_texts.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/reference_table.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -42,6 +43,32 @@ TEST_F(MotionCommand, PrintsTheMeasures) {
   EXPECT_THAT(outcome.output, HasSubstr("velocity in m/s, 500 samples every 0.01 s (4.99 s), outcrop\n"));
   EXPECT_THAT(outcome.output, HasSubstr("  PGV                            0.3 m/s\n"));
   EXPECT_EQ(outcome.output.find("warning"), std::string::npos) << outcome.output;
+}
+
+TEST_F(MotionCommand, SaysWhatItReadAndTakesComponentsApart) {
+  std::ofstream(folder / "three.V2") << ::tremolo::testing::csmip_text();
+  const auto open = run_tremolo("motion " + path("three.V2"));
+  EXPECT_NE(open.status, 0);
+  EXPECT_THAT(open.output, HasSubstr("holds 3 components: say which (--component): 1 'CHAN 1: 45 DEG'"));
+  const auto outcome = run_tremolo("motion " + path("three.V2") + " --component 2 --out " + path("two.csv"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(outcome.output,
+              HasSubstr("  read as                CSMIP; 'CHAN 2: 90 DEG' of 3 components; unit "
+                        "cm/s2 as the file says; baseline: ACCELEROGRAM BANDPASS FILTERED"));
+  EXPECT_EQ(read_record(folder / "two.csv").samples[2], -6.0);
+  // Towards the perpendicular component by 90 degrees is that component.
+  const auto rotated = run_tremolo("motion " + path("three.V2") + " --component 1 --rotate 90 --with " +
+                                   path("three.V2") + " --with-component 3 --out " + path("three.csv"));
+  EXPECT_EQ(rotated.status, 0) << rotated.output;
+  EXPECT_NEAR(read_record(folder / "three.csv").samples[2], -9.0, 1e-12);
+}
+
+TEST_F(MotionCommand, WarnsOfMotionsThatNoEarthquakeMakes) {
+  std::ofstream(folder / "large.csv") << "t,acc (g)\n0,0\n0.01,3\n0.02,0\n";
+  const auto outcome = run_tremolo("motion " + path("large.csv"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(outcome.output,
+              HasSubstr("warning: " + path("large.csv") + ": PGA 3 g, above 2 g: likely another unit"));
 }
 
 TEST_F(MotionCommand, ProcessesAndWrites) {
@@ -123,8 +150,8 @@ TEST_F(MotionCommand, MakesPulsesAndTheMotionOfTheSlope) {
   EXPECT_EQ(pulse.status, 0) << pulse.output;
   EXPECT_EQ(read_record(folder / "p.AT2").kind, MotionKind::within);
 
-  const auto slope = run_tremolo(
-      "motion --synthesise " + source_dir() + "/cases/slope_oblique/motion.toml --out " + path("s.AT2"));
+  const auto slope = run_tremolo("motion --synthesise " + source_dir() +
+                                 "/cases/slope_oblique/motion.toml --out " + path("s.AT2"));
   EXPECT_EQ(slope.status, 0) << slope.output;
   EXPECT_EQ(read_record(folder / "s.AT2").samples,
             read_record(source_dir() + "/cases/slope_oblique/motion.AT2").samples);

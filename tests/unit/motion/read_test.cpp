@@ -69,8 +69,10 @@ TEST(Peer, WhatIsLeftOpenIsAskedFor) {
             Unit::cm_s);
   EXPECT_EQ(error_of(peer("ACCELERATION IN UNITS OF G"), "x.AT2", {.quantity = Quantity::velocity}),
             "x.AT2:3: the file holds acceleration, not velocity");
-  EXPECT_EQ(error_of(peer("ACCELERATION IN UNITS OF FURLONG"), "x.AT2"),
-            "x.AT2:3: 'UNITS OF FURLONG': no unit that is known; say which (--unit)");
+  EXPECT_EQ(
+      error_of(peer("ACCELERATION IN UNITS OF FURLONG"), "x.AT2"),
+      "x.AT2:3: 'UNITS OF FURLONG' is not wholly understood as a unit: say which (--unit), and a factor by "
+      "--scale");
   EXPECT_EQ(error_of(peer("x"), "x.AT2", {.quantity = Quantity::acceleration, .unit = Unit::cm}),
             "x.AT2:3: cm is not a unit of acceleration");
 }
@@ -141,12 +143,14 @@ TEST(Table, RoundedTimesGiveTheStepThatIsMeant) {
 TEST(Table, SaysWhatIsWrongAndWhere) {
   const std::string head = "t,a (g)\n";
   EXPECT_EQ(error_of(head + "0,1\n.1\n", "x.csv"), "x.csv:3: a time and a value are needed, found 1 columns");
-  EXPECT_EQ(error_of(head + "0,1,2\n", "x.csv"), "x.csv:2: a time and a value are needed, found 3 columns");
+  EXPECT_EQ(error_of(head + "0,1,2\n", "x.csv"), "x.csv:2: a time and a value are needed, found 3 columns: "
+                                                 "say which holds the motion (--column): 2 to 3");
   EXPECT_EQ(error_of(head + "0,1\n.1,inf\n", "x.csv"), "x.csv:3: 'inf' is not a finite number");
   EXPECT_EQ(error_of(head + "0,1\n.1,2\n.1,3\n", "x.csv"), "x.csv:4: time 0.1 s does not come after 0.1 s");
   EXPECT_EQ(error_of(head + "0,1\n.1,2\n.4,3\n", "x.csv"),
             "x.csv:3: time 0.1 s, expected 0.2 s: the steps must be equal, 0.2 s on average here");
-  EXPECT_EQ(error_of(head + ".1,1\n.2,2\n", "x.csv"), "x.csv:2: the first time is 0.1 s, must be 0");
+  EXPECT_EQ(error_of(head + ".1,1\n.2,2\n", "x.csv"),
+            "x.csv:2: the first time is 0.1 s, must be 0; a spectrum is no motion");
   EXPECT_EQ(error_of(head + "0,1\n", "x.csv"), "x.csv:2: 1 samples, at least 2 are needed");
   EXPECT_EQ(
       error_of("0,1\n.1,2\n", "x.csv"),

@@ -103,6 +103,31 @@ TEST(Rules, AFileNeedsAWordForItsMotion) {
   std::filesystem::remove(file);
 }
 
+TEST(Rules, RecordIsPlausible) {
+  const auto pulse = "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }";
+  const auto file = std::filesystem::path(::testing::TempDir()) / "rules_plausible.csv";
+  const auto text = with(pulse, "file = \"" + file.string() + "\"\nkind = \"outcrop\"");
+  std::ofstream(file) << "time (s),acc (g)\n0,0\n0.01,0.1\n0.02,0\n0.03,-0.2\n0.04,0\n0.05,0.1\n0.06,0\n";
+  EXPECT_THAT(remarks_of(text), Not(Contains(HasSubstr("PGA"))));
+  EXPECT_THAT(
+      remarks_of(with("kind = \"outcrop\"", "kind = \"outcrop\"\nscale = 100.0", text)),
+      Contains(HasSubstr("case.toml:3:8: warning: [motion] rules_plausible.csv: PGA 20 g, above 2 g")));
+  std::filesystem::remove(file);
+}
+
+TEST(Rules, AColumnOfTheRecordIsChosen) {
+  const auto pulse = "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }";
+  const auto file = std::filesystem::path(::testing::TempDir()) / "rules_columns.csv";
+  const auto text = with(pulse, "file = \"" + file.string() + "\"\nkind = \"outcrop\"");
+  std::ofstream(file) << "time (s),N-S (g),E-W (g)\n0,0,0\n0.01,0.1,0.2\n0.02,0,0\n";
+  EXPECT_THAT(errors_of(text),
+              ElementsAre(HasSubstr("say which holds the motion (--column): 2 'N-S (g)', 3 'E-W (g)'")));
+  EXPECT_THAT(errors_of(with("kind = \"outcrop\"", "kind = \"outcrop\"\ncolumn = \"E-W\"", text)), IsEmpty());
+  EXPECT_THAT(errors_of(with("[motion]\n", "[motion]\ncolumn = \"2\"\n")),
+              ElementsAre(HasSubstr("'column' does not apply to 'pulse', only to 'file'")));
+  std::filesystem::remove(file);
+}
+
 TEST(Rules, RecordEndsAtRest) {
   const auto pulse = "pulse = { shape = \"ricker\", frequency = 3.0, time = 1.0, velocity = 0.1 }";
   const auto file = std::filesystem::path(::testing::TempDir()) / "rules_residual.AT2";

@@ -1,5 +1,4 @@
-#include "motion/read/read_formats.hpp"
-#include "motion/read/stated.hpp"
+#include "motion/formats/formats.hpp"
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -138,16 +137,17 @@ Record read_hdf5(const std::filesystem::path& file, const ReadAs& as) {
     refuse(file, "has no dataset 'motion'");
   Record record;
   record.dt = step_of(dataset.get(), file);
+  const auto unit = word_of(dataset.get(), "unit", scaled_unit, file);
   Stated stated{.quantity = word_of(dataset.get(), "quantity", quantity_named, file),
-                .unit = word_of(dataset.get(), "unit", unit_named, file),
-                .kind = word_of(dataset.get(), "kind", kind_named, file),
-                .strange_unit = {}};
-  if (stated.unit && stated.quantity && quantity_of(*stated.unit) != *stated.quantity)
-    refuse(file, fmt::format("unit '{}' is not one of {}", name(*stated.unit), name(*stated.quantity)));
-  if (stated.unit)
-    stated.quantity = quantity_of(*stated.unit);
-  settle(record, {}, stated, as, false, file.string());
+                .unit = unit,
+                .kind = word_of(dataset.get(), "kind", kind_named, file)};
+  if (unit && stated.quantity && quantity_of(unit->unit) != *stated.quantity)
+    refuse(file, fmt::format("unit '{}' is not one of {}", name(*unit), name(*stated.quantity)));
+  if (unit)
+    stated.quantity = quantity_of(unit->unit);
   record.samples = samples_of(dataset.get(), file);
+  record.origin.format = "HDF5";
+  settle(record, {}, stated, as, false, file.string());
   return record;
 }
 

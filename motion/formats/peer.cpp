@@ -1,5 +1,4 @@
-#include "motion/read/read_formats.hpp"
-#include "motion/read/stated.hpp"
+#include "motion/formats/formats.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +7,6 @@
 namespace tremolo::motion {
 
 namespace {
-
-constexpr const char* decimal_commas =
-    "decimal commas: numbers are written with a point, 0.123 instead of 0,123";
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -41,40 +37,8 @@ void add(Stated& known, const Stated& more) {
     known.unit = more.unit;
   if (more.kind)
     known.kind = more.kind;
-  if (!more.strange_unit.empty())
-    known.strange_unit = more.strange_unit;
-}
-
-/// Whether each comma stands in front of a digit, and no number has a point: "0,123 -,045".
-bool has_decimal_commas(std::string_view line) {
-  bool found = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '.')
-      return false;
-    if (line[i] != ',')
-      continue;
-    if (i + 1 == line.size() || !is_digit(line[i + 1]))
-      return false;
-    found = true;
-  }
-  return found;
-}
-
-void read_samples(Lines& lines, std::size_t count, std::vector<double>& samples) {
-  while (lines.next()) {
-    if (has_decimal_commas(lines.text()))
-      lines.refuse(decimal_commas);
-    for (const auto word : words(lines.text())) {
-      const auto value = number(word);
-      if (!value)
-        lines.refuse(fmt::format("'{}' is not a finite number", shown(word)));
-      if (samples.size() == count)
-        lines.refuse(fmt::format("the header says NPTS = {} but there are more samples", count));
-      samples.push_back(*value);
-    }
-  }
-  if (samples.size() != count)
-    lines.refuse(fmt::format("the header says NPTS = {} but there are {} samples", count, samples.size()));
+  if (!more.strange.empty())
+    known.strange = more.strange;
 }
 
 } // namespace
@@ -109,21 +73,20 @@ std::optional<PeerHeader> peer_header(std::string_view line) {
   return PeerHeader{*count, *dt};
 }
 
-Record read_peer(Lines& lines, const ReadAs& as) {
-  Stated by_header;
+std::vector<Trace> read_peer(Lines& lines, const ReadAs&) {
+  Trace trace;
   std::optional<PeerHeader> header;
   while (!header && lines.next()) {
-    add(by_header, stated_in_peer(lines.text()));
+    add(trace.stated, stated_in_peer(lines.text()));
     header = peer_header(lines.text());
   }
   if (!header)
     lines.refuse("no header line with NPTS and DT");
   check(*header, lines);
-  Record record{.dt = header->dt};
-  settle(record, stated_by_name(lines.file()), by_header, as, true,
-         fmt::format("{}:{}", lines.file().string(), lines.number()));
-  read_samples(lines, static_cast<std::size_t>(header->count), record.samples);
-  return record;
+  trace.dt = header->dt;
+  trace.line = lines.number();
+  read_samples(lines, static_cast<std::size_t>(header->count), trace.samples);
+  return {std::move(trace)};
 }
 
 } // namespace tremolo::motion
