@@ -8,16 +8,19 @@
 
 namespace tremolo::freefield {
 
-/// Block-tridiagonal matrix of 2 x 2 blocks, factored by Gaussian elimination without pivoting across blocks;
-/// not necessarily symmetric.
+/// Block-tridiagonal matrix of Size x Size blocks, factored by Gaussian elimination without pivoting across
+/// blocks; not necessarily symmetric.
+template <int Size>
 class BlockTridiagonal {
 public:
+  using Block = Eigen::Matrix<double, Size, Size>;
+
   explicit BlockTridiagonal(std::size_t blocks) : diagonal_(blocks), lower_(blocks - 1), upper_(blocks - 1) {}
 
   /// A block pair of the matrix: row i+1, column i is lower(i), row i, column i+1 is upper(i).
-  Eigen::Matrix2d& diagonal(std::size_t i) { return diagonal_[i]; }
-  Eigen::Matrix2d& lower(std::size_t i) { return lower_[i]; }
-  Eigen::Matrix2d& upper(std::size_t i) { return upper_[i]; }
+  Block& diagonal(std::size_t i) { return diagonal_[i]; }
+  Block& lower(std::size_t i) { return lower_[i]; }
+  Block& upper(std::size_t i) { return upper_[i]; }
 
   /// Replaces the matrix by its factors; not finite where the matrix is singular.
   void factor() {
@@ -28,9 +31,11 @@ public:
     }
   }
 
-  /// Solves for a right-hand side of two values a block, in place, once factored.
+  /// Solves for a right-hand side of Size values a block, in place, once factored.
   void solve(std::vector<double>& x) const {
-    const auto block = [&](std::size_t i) { return Eigen::Map<Eigen::Vector2d>(x.data() + 2 * i); };
+    const auto block = [&](std::size_t i) {
+      return Eigen::Map<Eigen::Vector<double, Size>>(x.data() + Size * i);
+    };
     const std::size_t last = diagonal_.size() - 1;
     for (std::size_t i = 0; i < last; ++i)
       block(i + 1) -= lower_[i] * block(i);
@@ -40,7 +45,7 @@ public:
   }
 
 private:
-  std::vector<Eigen::Matrix2d> diagonal_, lower_, upper_;
+  std::vector<Block> diagonal_, lower_, upper_;
 };
 
 } // namespace tremolo::freefield

@@ -54,11 +54,12 @@ double FeNewton::residual(const FeElements& elements, const FeState& begin, cons
   return std::abs(g[worst]);
 }
 
-BlockTridiagonal FeNewton::jacobian(const FeElements& elements, double dt, const std::vector<Stiffness>& soil,
-                                    const std::vector<Stiffness>& initial) const {
+BlockTridiagonal<2> FeNewton::jacobian(const FeElements& elements, double dt,
+                                       const std::vector<Stiffness>& soil,
+                                       const std::vector<Stiffness>& initial) const {
   const std::size_t nodes = elements.freedoms() / 2;
   const double weight = 1.0 + hht_.alpha;
-  BlockTridiagonal j(nodes);
+  BlockTridiagonal<2> j(nodes);
   for (std::size_t i = 0; i < nodes; ++i) {
     const auto entry = [&](std::size_t f) {
       return elements.mass()[f] + weight * hht_.gamma * dt * elements.dashpots()[f];

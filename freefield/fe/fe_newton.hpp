@@ -62,13 +62,13 @@ public:
 private:
   struct Factored {
     double dt = 0.0;
-    BlockTridiagonal matrix;
+    BlockTridiagonal<2> matrix;
   };
 
   double residual(const FeElements& elements, const FeState& begin, const FeState& end,
                   std::vector<double>& g);
-  BlockTridiagonal jacobian(const FeElements& elements, double dt, const std::vector<Stiffness>& soil,
-                            const std::vector<Stiffness>& initial) const;
+  BlockTridiagonal<2> jacobian(const FeElements& elements, double dt, const std::vector<Stiffness>& soil,
+                               const std::vector<Stiffness>& initial) const;
 
   HhtParameters hht_;
   Tangent tangent_;

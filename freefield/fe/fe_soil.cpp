@@ -87,10 +87,11 @@ materials::Points FeSoil::points(SoilState& state, const Block& block) const {
           .dwxy = no_strain_.data() + first};
 }
 
-void FeSoil::update(SoilState& state, const std::vector<double>& deyy,
+void FeSoil::update(SoilState& state, const std::vector<double>& dexx, const std::vector<double>& deyy,
                     const std::vector<double>& dgxy) const {
   for (const Block& block : blocks_) {
     materials::Points moved = points(state, block);
+    moved.dexx = dexx.data() + block.first;
     moved.deyy = deyy.data() + block.first;
     moved.dgxy = dgxy.data() + block.first;
     materials::update(block.law, moved);

@@ -31,7 +31,11 @@ public:
   const SoilState& initial() const { return initial_; }
 
   /// Advances a state by one step of strain.
-  void update(SoilState& state, const std::vector<double>& deyy, const std::vector<double>& dgxy) const;
+  void update(SoilState& state, const std::vector<double>& deyy, const std::vector<double>& dgxy) const {
+    update(state, no_strain_, deyy, dgxy);
+  }
+  void update(SoilState& state, const std::vector<double>& dexx, const std::vector<double>& deyy,
+              const std::vector<double>& dgxy) const;
 
   /// The stiffness at small strain.
   const std::vector<Stiffness>& initial_stiffness() const { return initial_stiffness_; }

@@ -4,8 +4,10 @@
 //     4/h^2 times that of  [ M + Q (1-n_I)^2   Q n_I (1-n_I) ]  relative to  diag((1-n) rho_s, n rho_f)
 //                          [ Q n_I (1-n_I)     Q n_I^2       ]
 //
-// over elements and their nodes: without jumps of porosity 4 c_1^2/h^2. Damping that lags half a step behind
-// takes the step from 2/omega to (2/omega)(sqrt(1 + xi^2) - xi), xi the ratio of damping at omega.
+// over elements and their nodes: without jumps of porosity 4 c_1^2/h^2. Where fields depend on t - s x, waves
+// travel along y with 1/sqrt(1/c_1^2 - s^2) in place of c_1 (marched/marched_trial.cpp). Damping that lags
+// half a step behind takes the step from 2/omega to (2/omega)(sqrt(1 + xi^2) - xi), xi the ratio of damping
+// at omega.
 
 #include "freefield/twophase/step_limit.hpp"
 
@@ -33,13 +35,26 @@ double damped(double omega, double viscous_rate) {
 
 } // namespace
 
-double step_limit(const WetGrid& grid, const std::vector<double>& p_moduli) {
+double fast_wave_speed(const WetGrid& grid, std::size_t e, double p_modulus) {
+  double speed2 = 0.0;
+  for (const std::size_t i : {e, e + 1}) {
+    const double n = grid.elements[e].flows() ? grid.nodes[i].porosity() : 0.0;
+    speed2 = std::max(speed2, fastest(grid.elements[e], p_modulus, n));
+  }
+  return std::sqrt(speed2);
+}
+
+double step_limit(const WetGrid& grid, const std::vector<double>& p_moduli, double slowness_x) {
   double limit = std::numeric_limits<double>::infinity();
   for (std::size_t e = 0; e < grid.elements.size(); ++e) {
     const WetElement& element = grid.elements[e];
     const double scale = 2.0 / element.length;
     const auto limit_of = [&](double speed2, double modulus) {
-      return damped(scale * std::sqrt(speed2), element.beta * scale * scale * modulus / element.solid_share);
+      const double left = 1.0 - slowness_x * slowness_x * speed2;
+      if (left <= 0.0)
+        return 0.0;
+      return damped(scale * std::sqrt(speed2 / left),
+                    element.beta * scale * scale * modulus / (left * element.solid_share));
     };
     for (const std::size_t i : {e, e + 1}) {
       const double n = element.flows() ? grid.nodes[i].porosity() : 0.0;

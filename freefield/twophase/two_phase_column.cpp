@@ -21,6 +21,7 @@
 
 #include "base/require.hpp"
 #include "freefield/twophase/step_limit.hpp"
+#include "freefield/twophase/wet_checks.hpp"
 
 #include <fmt/format.h>
 
@@ -34,17 +35,7 @@ namespace {
 constexpr long steps_between_checks = 16;
 
 const Profile& checked(const Profile& profile, const TwoPhaseSettings& settings) {
-  validate(profile);
-  require(settings.time_step > 0.0 && std::isfinite(settings.time_step), "time step of the column",
-          settings.time_step, "positive, in s");
-  require(std::isfinite(settings.start_time), "start time of the column", settings.start_time, "finite");
-  if (std::ranges::any_of(profile.layers, [](const Layer& layer) { return layer.damping_ratio > 0.0; }))
-    validate(settings.damping);
-  const bool flows = std::ranges::any_of(profile.layers, [](const Layer& layer) {
-    return layer.pores && layer.pores->drainage == materials::Drainage::coupled;
-  });
-  require(!flows || profile.gravity > 0.0, "gravity where water flows", profile.gravity,
-          "positive, in m/s2: hydraulic conductivity is made for it");
+  validate_march(profile, settings.damping, settings.time_step, settings.start_time);
   return profile;
 }
 
@@ -101,8 +92,9 @@ void TwoPhaseColumn::step() {
   remember();
   count_power();
   if (steps_ % steps_between_checks == 0) {
-    check_pores();
-    check_step();
+    require_pores(grid_, mesh_, time());
+    soil_.p_moduli(state_, modulus_);
+    require_stable(settings_.time_step, step_limit(grid_, modulus_), time());
   }
 }
 
@@ -237,35 +229,8 @@ void TwoPhaseColumn::remember() {
   }
 }
 
-void TwoPhaseColumn::check_pores() const {
-  constexpr double least = 0.01, most = 0.95;
-  for (std::size_t e = 0; e < grid_.elements.size(); ++e) {
-    const WetElement& element = grid_.elements[e];
-    const double n = element.porosity();
-    if (element.bulk_modulus > 0.0 && !(n >= least && n <= most))
-      throw std::runtime_error(fmt::format("the soil of the free-field column has strained so much that its "
-                                           "porosity is {:.4g} at y = {:.4g} m "
-                                           "and {:.4g} s, from {:.4g}; it must stay in [{:g}, {:g}]",
-                                           n, 0.5 * (mesh_.node_y[e] + mesh_.node_y[e + 1]), time(),
-                                           1.0 - element.grain_share, least, most));
-  }
-}
-
-/// Stiffness that goes with pressure can multiply in dilation.
-void TwoPhaseColumn::check_step() {
-  soil_.p_moduli(state_, modulus_);
-  const double limit = step_limit(grid_, modulus_);
-  if (settings_.time_step > limit)
-    throw std::runtime_error(fmt::format(
-        "the soil of the free-field column has become so stiff, with its pressure, that at {:.4g} s "
-        "steps of {:.4g} s are no longer stable, the limit is {:.4g} s; choose a smaller step",
-        time(), settings_.time_step, limit));
-}
-
 void TwoPhaseColumn::sample(std::span<const double> y, std::span<ColumnSample> samples) const {
-  if (y.size() != samples.size())
-    throw std::invalid_argument("number of samples is " + std::to_string(samples.size()) +
-                                ", must be that of the levels, " + std::to_string(y.size()));
+  require_same_size(y, samples);
   const double scale = 0.5 / settings_.time_step;
   for (std::size_t i = 0; i < y.size(); ++i) {
     const auto place = mesh_.at(y[i], from_below(y, i) ? ColumnMesh::Side::below : ColumnMesh::Side::above);
@@ -286,13 +251,8 @@ void TwoPhaseColumn::sample(std::span<const double> y, std::span<ColumnSample> s
 }
 
 std::string TwoPhaseColumn::report() const {
-  std::string text = fmt::format("{} steps of {:.4g} s, soil and water", steps_, settings_.time_step);
-  constexpr double nothing = 1e-6; // J/m2: a micrometre a second in a thousand metres of soil
-  const WetEnergy spent = energy();
-  if (spent.given() > nothing)
-    text += fmt::format("; of the energy given, {:.4g} J/m2, {:.2g} % is missing", spent.given(),
-                        100.0 * std::abs(spent.missing()) / spent.given());
-  return text;
+  return fmt::format("{} steps of {:.4g} s, soil and water", steps_, settings_.time_step) +
+         missing_energy(energy());
 }
 
 } // namespace tremolo::freefield

@@ -67,8 +67,6 @@ private:
   Phases kick_x(std::size_t node, double force) const;
   Phases kick_y(std::size_t node, const NodeForce& force) const;
   void remember();
-  void check_step();
-  void check_pores() const;
   void count_strain(std::size_t element, double shear, double vertical);
   void count_power();
   Power power() const;

@@ -1,0 +1,284 @@
+#include "freefield/marched/marched_column.hpp"
+
+#include "base/require.hpp"
+#include "freefield/twophase/step_limit.hpp"
+#include "freefield/twophase/wet_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace tremolo::freefield {
+namespace {
+
+constexpr long steps_between_checks = 16;
+
+/// What is wrong where the wave does not travel on through an element; empty where it does.
+std::string critical(const ColumnMesh& mesh, const WetGrid& grid, const std::vector<double>& moduli,
+                     double slowness) {
+  for (std::size_t e = 0; e < grid.elements.size(); ++e) {
+    const double speed = fast_wave_speed(grid, e, moduli[e]);
+    if (slowness * speed >= 1.0)
+      return fmt::format(
+          "the wave is critical in layer {} from the top, at y = {:.4g} m: its horizontal slowness is "
+          "{:.6g} s/m, and must be below 1/c_1 = {:.6g} s/m, c_1 the speed of the fast P wave there",
+          mesh.element_layer[e] + 1, 0.5 * (mesh.node_y[e] + mesh.node_y[e + 1]), slowness, 1.0 / speed);
+  }
+  return {};
+}
+
+void require_not_critical(const ColumnMesh& mesh, const WetGrid& grid, const std::vector<double>& moduli,
+                          double slowness) {
+  if (const std::string reason = critical(mesh, grid, moduli, slowness); !reason.empty())
+    throw std::invalid_argument(reason + "; choose a smaller angle");
+}
+
+const Profile& checked(const Profile& profile, const MarchedSettings& settings) {
+  validate_march(profile, settings.damping, settings.time_step, settings.start_time);
+  require(settings.tolerance > 0.0 && settings.tolerance <= 1e-2, "tolerance of the column's steps",
+          settings.tolerance, "in (0, 0.01]");
+  return profile;
+}
+
+MarchedScheme scheme_of(const MarchedSettings& settings, const WetGrid& grid, const BaseImpedance& base) {
+  MarchedScheme scheme{settings.slowness_x, settings.time_step, settings.base, {}};
+  for (const WetNode& node : grid.nodes)
+    scheme.dashpots.push_back(node.mass_damping * Eigen::Matrix2d::Identity());
+  if (settings.base == BaseKind::compliant)
+    scheme.dashpots.front() += base.outgoing;
+  return scheme;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double value : values)
+    most = std::max(most, std::abs(value));
+  return most;
+}
+
+} // namespace
+
+double marched_step_limit(const Profile& profile, double max_element_size, double slowness_x,
+                          const Damping& damping, double growth) {
+  validate(profile);
+  const ColumnMesh mesh = mesh_profile(profile, max_element_size);
+  const FeSoil soil(profile, mesh);
+  SoilState state = soil.initial();
+  std::vector<double> moduli;
+  soil.p_moduli(state, moduli);
+  for (double& modulus : moduli)
+    modulus *= growth;
+  const WetGrid grid = wet_grid(profile, mesh, damping, false);
+  require_not_critical(mesh, grid, moduli, slowness_x);
+  return step_limit(grid, moduli, slowness_x);
+}
+
+MarchedColumn::MarchedColumn(const Profile& profile, const MarchedSettings& settings, InputVelocity input)
+    : settings_(settings), mesh_(mesh_profile(checked(profile, settings), settings.max_element_size)),
+      soil_(profile, mesh_), input_(std::move(input)),
+      base_(base_impedance(profile.half_space, settings.slowness_x)),
+      state_(wet_grid(profile, mesh_, settings.damping, false), soil_), trial_(soil_, state_),
+      tangent_(mesh_.elements()), u_(mesh_.node_y.size(), Eigen::Vector2d::Zero()),
+      increment_(MarchedTrial::values * mesh_.elements()), increment_before_(increment_),
+      residual_(increment_) {
+  if (!input_)
+    throw std::invalid_argument("the column has no input motion");
+  scheme_ = scheme_of(settings_, state_.grid, base_);
+  // The laws' stress contains that at rest.
+  constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
+  for (const auto* stress : {&state_.soil.sxx, &state_.soil.syy, &state_.soil.szz})
+    rounding_ = std::max(rounding_, roundings * largest(*stress));
+  damped_ = std::ranges::any_of(state_.grid.elements, [](const WetElement& e) { return e.beta > 0.0; });
+  soil_.p_moduli(state_.soil, modulus_);
+  require_not_critical(mesh_, state_.grid, modulus_, settings_.slowness_x);
+  const double limit = step_limit(state_.grid, modulus_, settings_.slowness_x);
+  require(settings_.time_step <= limit, "time step of the column", settings_.time_step,
+          "at most " + shortest(limit) + " s, its stability limit at this angle");
+  tangent_.factor(scheme_, state_.grid, modulus_);
+  for (MarchedSnapshot& snapshot : snapshots_) {
+    snapshot.slowness = settings_.slowness_x;
+    snapshot.u = u_;
+    snapshot.velocity = state_.velocity;
+    snapshot.force.assign(u_.size(), Eigen::Vector2d::Zero());
+    snapshot.fluid_force.assign(u_.size(), 0.0);
+    snapshot.stress = state_.stress;
+    snapshot.modulus = modulus_;
+  }
+}
+
+Eigen::Vector2d MarchedColumn::input(double time) const {
+  const Velocity v = input_(time);
+  return {v.x, v.y};
+}
+
+BaseDrive MarchedColumn::drive() const {
+  const auto now = static_cast<double>(steps_);
+  if (settings_.base == BaseKind::rigid)
+    return {.half = input(time_of(now + 0.5)), .whole = input(time_of(now + 1.0))};
+  return {.traction = base_.incident * input(time_of(now + 1.0))};
+}
+
+void MarchedColumn::step() {
+  if (damped_)
+    soil_.p_moduli(state_.soil, modulus_);
+  trial_.begin(scheme_, state_, drive(), modulus_);
+  converge();
+  for (std::size_t i = 0; i < u_.size(); ++i)
+    u_[i] += settings_.time_step * trial_.half()[i].solid;
+  ++steps_;
+  count_work();
+  trial_.accept(scheme_, state_);
+  remember();
+  stretch();
+  if (steps_ % steps_between_checks == 0)
+    check();
+}
+
+/// Newton's iteration with the elastic tangent, from the increments of the last two steps. Where a law has
+/// corners the tangent misleads it: from the sixth correction on a correction is halved while it makes things
+/// worse.
+void MarchedColumn::converge() {
+  constexpr int most = 60, plain = 5, halvings = 6;
+  std::vector<double> x(increment_.size());
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] = 2.0 * increment_[k] - increment_before_[k];
+  const auto evaluate = [&](const std::vector<double>& trial) {
+    ++evaluations_;
+    trial_.evaluate(scheme_, state_, trial, residual_);
+    return largest(residual_);
+  };
+  const auto tolerated = [&](double residual) {
+    // The increments as the laws made them: a bad start must not count.
+    double size = largest_increment_;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      size = std::max(size, std::abs(x[k] + residual_[k]));
+    return residual <= settings_.tolerance * size + rounding_;
+  };
+  double residual = evaluate(x);
+  for (int i = 0; !tolerated(residual) && i < most; ++i) {
+    std::vector<double> correction = residual_;
+    tangent_.solve(correction);
+    const std::vector<double> from = x;
+    const double before = residual;
+    double share = 1.0;
+    for (int h = 0;; ++h, share *= 0.5) {
+      for (std::size_t k = 0; k < x.size(); ++k)
+        x[k] = from[k] + share * correction[k];
+      residual = evaluate(x);
+      if (i < plain || residual < before || h == halvings)
+        break;
+    }
+  }
+  const bool converged = tolerated(residual);
+  increment_before_.swap(increment_);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    increment_[k] = x[k] + residual_[k];
+  largest_increment_ = std::max(largest_increment_, largest(increment_));
+  if (!converged) {
+    ++unconverged_;
+    largest_residual_ = std::max(largest_residual_, residual / largest_increment_);
+  }
+}
+
+/// Elements take their new lengths and porosities; water that comes or goes takes its velocity along.
+void MarchedColumn::stretch() {
+  std::vector<double> lengths(mesh_.elements());
+  for (std::size_t e = 0; e < lengths.size(); ++e)
+    lengths[e] = state_.grid.elements[e].length_at_rest + u_[e + 1].y() - u_[e].y();
+  const std::vector<WetNode> before = state_.grid.nodes;
+  set_lengths(state_.grid, lengths);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const WetNode& node = state_.grid.nodes[i];
+    const Eigen::Vector2d fluid = state_.velocity[i].solid + state_.velocity[i].relative;
+    state_.momenta[i].mixture += (node.fluid - before[i].fluid) * fluid;
+    state_.momenta[i].fluid += (node.full - before[i].full) * fluid;
+  }
+}
+
+void MarchedColumn::remember() {
+  std::ranges::rotate(snapshots_, snapshots_.end() - 1);
+  MarchedSnapshot& now = snapshots_.front();
+  now.u = u_;
+  now.velocity = state_.velocity;
+  now.modulus = modulus_;
+  now.stress = state_.stress;
+  for (std::size_t e = 0; e < now.stress.size(); ++e) {
+    const Eigen::Vector2d& viscous = trial_.viscous()[e];
+    now.stress[e].xx += state_.grid.elements[e].lateral_ratio * viscous.y();
+    now.stress[e].yy += viscous.y();
+    now.stress[e].xy += viscous.x();
+  }
+  double finite = 0.0; // a sum that is not finite if one of its terms is not
+  for (std::size_t i = 0; i < u_.size(); ++i) {
+    now.force[i] =
+        scheme_.held(i)
+            ? Eigen::Vector2d((3.0 * base_bracket_[0] - 4.0 * base_bracket_[1] + base_bracket_[2]) /
+                              (2.0 * settings_.time_step))
+            : trial_.total_force(scheme_, state_, i);
+    finite += now.force[i].sum() + state_.velocity[i].relative.sum();
+    const WetNode& node = state_.grid.nodes[i];
+    // Of a sealed node: what its grains, which the water follows, take.
+    now.fluid_force[i] =
+        node.sealed ? node.full *
+                          (3.0 * now.velocity[i].solid.y() - 4.0 * snapshots_[1].velocity[i].solid.y() +
+                           snapshots_[2].velocity[i].solid.y()) /
+                          (2.0 * settings_.time_step)
+                    : trial_.fluid_force(state_, i);
+  }
+  if (!std::isfinite(finite)) {
+    const Eigen::Vector2d v = input(time());
+    throw std::runtime_error("the motion of the free-field column is no longer finite; input velocity " +
+                             shortest(v.x()) + ", " + shortest(v.y()) + " m/s");
+  }
+}
+
+/// Stiffness that goes with pressure can multiply in dilation.
+void MarchedColumn::check() {
+  require_pores(state_.grid, mesh_, time());
+  soil_.p_moduli(state_.soil, modulus_);
+  if (const std::string reason = critical(mesh_, state_.grid, modulus_, settings_.slowness_x);
+      !reason.empty())
+    throw std::runtime_error(
+        fmt::format("at {:.4g} s, as the soil has stiffened with its pressure, {}", time(), reason));
+  require_stable(settings_.time_step, step_limit(state_.grid, modulus_, settings_.slowness_x), time());
+  tangent_.factor(scheme_, state_.grid, modulus_);
+}
+
+void MarchedColumn::sample(std::span<const double> y, std::span<ColumnSample> samples) const {
+  require_same_size(y, samples);
+  const double scale = 0.5 / settings_.time_step;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const auto place = mesh_.at(y[i], from_below(y, i) ? ColumnMesh::Side::below : ColumnMesh::Side::above);
+    samples[i] = snapshots_[0].at(mesh_, state_.grid, place);
+    const ColumnSample before = snapshots_[1].at(mesh_, state_.grid, place);
+    const ColumnSample long_before = snapshots_[2].at(mesh_, state_.grid, place);
+    const auto rate = [&](double ColumnSample::*value) {
+      return scale * (3.0 * samples[i].*value - 4.0 * before.*value + long_before.*value);
+    };
+    samples[i].vx_rate = rate(&ColumnSample::vx);
+    samples[i].vy_rate = rate(&ColumnSample::vy);
+    samples[i].sxx_rate = rate(&ColumnSample::sxx);
+    samples[i].syy_rate = rate(&ColumnSample::syy);
+    samples[i].sxy_rate = rate(&ColumnSample::sxy);
+  }
+}
+
+double MarchedColumn::evaluations_per_step() const {
+  return steps_ == 0 ? 0.0 : static_cast<double>(evaluations_) / static_cast<double>(steps_);
+}
+
+std::string MarchedColumn::report() const {
+  std::string text = fmt::format("{} steps of {:.4g} s, {:.1f} calls of the soils' laws a step", steps_,
+                                 settings_.time_step, evaluations_per_step());
+  if (unconverged_ > 0)
+    text += fmt::format(
+        "; {} steps did not converge, with a residual of up to {:.2g} of the largest increment of "
+        "stress",
+        unconverged_, largest_residual_);
+  return text + missing_energy(energy());
+}
+
+} // namespace tremolo::freefield

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "freefield/column.hpp"
+#include "freefield/fe/column_mesh.hpp"
+#include "freefield/profile.hpp"
+#include "freefield/twophase/wet_energy.hpp"
+#include "freefield/twophase/wet_grid.hpp"
+
+#include <span>
+#include <string>
+
+namespace tremolo::freefield {
+
+/// What every column of soil and water asks of its ground and its steps.
+/// @throws std::invalid_argument naming the quantity, its value and the allowed range
+void validate_march(const Profile& profile, const Damping& damping, double time_step, double start_time);
+
+/// @throws std::runtime_error where an element has strained so much that its porosity has left 0.01 to 0.95
+void require_pores(const WetGrid& grid, const ColumnMesh& mesh, double time);
+
+/// Stiffness that goes with pressure can multiply in dilation.
+/// @throws std::runtime_error if the step is over the limit
+void require_stable(double time_step, double limit, double time);
+
+/// @throws std::invalid_argument if the levels to sample are not as many as the samples
+void require_same_size(std::span<const double> y, std::span<const ColumnSample> samples);
+
+/// The end of a column's report: how much of the energy given is missing; empty where nothing was given.
+std::string missing_energy(const WetEnergy& spent);
+
+} // namespace tremolo::freefield
