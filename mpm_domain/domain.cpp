@@ -6,6 +6,7 @@
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/spec/limits.hpp"
+#include "mpm_domain/transfer/out_of_reach.hpp"
 
 #include <fmt/format.h>
 
@@ -224,7 +225,8 @@ void weigh_across(Domain& domain, int slowest_clock) {
     AcrossWeights& weights = due[task]->weights;
     weights.clear();
     for (std::size_t k = weights.first(); k < weights.end(); ++k)
-      weights.add(domain.basis_cells, box_of(domain.sets[due[task]->set], k));
+      if (const Particles& p = domain.sets[due[task]->set]; !weights.add(domain.basis_cells, box_of(p, k)))
+        refuse_stray(p, k, domain.sort_distance());
   });
 }
 

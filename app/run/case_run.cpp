@@ -172,10 +172,11 @@ std::string resume_hint(const fs::path& folder, const std::optional<coupler::Che
                      folder.string());
 }
 
-/// A domain that was killed could not say so in its file; the launcher does it for it.
-void mark_aborted(const fs::path& file, const std::string& reason) {
-  if (fs::exists(file) && results::RunReader(file).status() == "running")
-    results::mark_aborted(file, reason);
+/// A domain that was killed could not say so in its file; the launcher does it for it. One that has crashed
+/// had lost its memory, whatever it has written: its results do not count as complete.
+void mark_aborted(const fs::path& file, const coupler::RunFailed& failure) {
+  if (fs::exists(file) && (failure.domain_crashed() || results::RunReader(file).status() == "running"))
+    results::mark_aborted(file, failure.what());
 }
 
 /// What a process warned of in its log.
@@ -262,7 +263,7 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
     line.note(failure.what());
     if (recorder)
       recorder->finish(failure.what());
-    mark_aborted(file, failure.what());
+    mark_aborted(file, failure);
     line.note(resume_hint(run.folder, failure.refuses_checkpoint() ? run.resume : std::nullopt));
     throw Exit{failure.exit_status()};
   }

@@ -163,6 +163,11 @@ bool ChildProcess::succeeded() const {
   return status_ && WIFEXITED(*status_) && WEXITSTATUS(*status_) == 0;
 }
 
+bool ChildProcess::crashed() const {
+  constexpr int by_signal = 128; // and the signal's number: how a shell, or mpirun, passes on another's end
+  return status_ && !killed_ && (WIFSIGNALED(*status_) || WEXITSTATUS(*status_) > by_signal);
+}
+
 std::string ChildProcess::ending() const {
   if (!status_)
     return "is running";

@@ -43,6 +43,8 @@ public:
   [[nodiscard]] bool succeeded() const;
   /// By kill(): it did not end by itself.
   [[nodiscard]] bool killed() const { return killed_; }
+  /// After the end: whether a signal that was not ours ended it, or one that it stands for (mpirun).
+  [[nodiscard]] bool crashed() const;
   /// How it ended: "exited with code 3", "was killed by signal 9 (Killed)", or by kill().
   [[nodiscard]] std::string ending() const;
   /// From start to end, s.

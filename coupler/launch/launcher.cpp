@@ -183,7 +183,7 @@ private:
                                     [&](const auto& child) { return child->name() == failure.participant; });
     if (found == children_.end()) {
       stop_all(failure.text);
-      throw RunFailed(failure.text, 1, failure.refuses_checkpoint);
+      throw RunFailed(failure.text, 1, circumstances(failure));
     }
     const auto& culprit = *found;
     const bool died = failure.text.empty();
@@ -197,12 +197,17 @@ private:
     // What it has told the hub stands in its log too.
     std::erase_if(lines, [&](const auto& line) { return !died && line.ends_with(failure.text); });
     if (!died && lines.empty())
-      throw RunFailed(text, 1, failure.refuses_checkpoint);
+      throw RunFailed(text, 1, circumstances(failure));
     text += lines.empty() ? fmt::format("; '{}' wrote nothing", culprit->name())
                           : fmt::format("; the last lines of '{}':", culprit->name());
     for (const auto& line : lines)
       text += "\n    " + line;
-    throw RunFailed(text, 1, failure.refuses_checkpoint);
+    throw RunFailed(text, 1, circumstances(failure));
+  }
+
+  /// After stop_all().
+  FailureCircumstances circumstances(const Failure& failure) {
+    return {failure.refuses_checkpoint, domain_process().crashed()};
   }
 
   [[noreturn]] void stop_interrupted(int signal) {

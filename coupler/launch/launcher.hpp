@@ -63,19 +63,26 @@ struct ProcessSummary {
   ParticipantReport report;
 };
 
+struct FailureCircumstances {
+  bool refuses_checkpoint = false;
+  bool domain_crashed = false;
+};
+
 /// The run did not end well; the text names the culprit, how it ended and its last lines.
 class RunFailed : public Error {
 public:
-  RunFailed(const std::string& text, int exit_status, bool refuses_checkpoint = false)
-      : Error(text), exit_status_(exit_status), refuses_checkpoint_(refuses_checkpoint) {}
+  RunFailed(const std::string& text, int exit_status, FailureCircumstances circumstances = {})
+      : Error(text), exit_status_(exit_status), circumstances_(circumstances) {}
   /// For the shell: 1, or 128 + signal if the user interrupted the run.
   [[nodiscard]] int exit_status() const { return exit_status_; }
   /// Whether it failed over the checkpoint that it was to go on from.
-  [[nodiscard]] bool refuses_checkpoint() const { return refuses_checkpoint_; }
+  [[nodiscard]] bool refuses_checkpoint() const { return circumstances_.refuses_checkpoint; }
+  /// Whether a signal has ended the domain: nobody knows then what its results are worth.
+  [[nodiscard]] bool domain_crashed() const { return circumstances_.domain_crashed; }
 
 private:
   int exit_status_;
-  bool refuses_checkpoint_;
+  FailureCircumstances circumstances_;
 };
 
 /// Runs all processes to their end. On Ctrl-C or SIGTERM all are told to close their files; a second Ctrl-C

@@ -1,6 +1,7 @@
 #include "mpm_domain/contact/contact.hpp"
 
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/transfer/out_of_reach.hpp"
 
 #include <fmt/format.h>
 
@@ -88,6 +89,14 @@ double Contact::kinetic_energy() const {
   return energy;
 }
 
+double Contact::fastest_point() const {
+  double speed2 = 0.0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (const Vector& point : surface(b).points())
+      speed2 = std::max(speed2, square(bodies_[b].motion().at(bodies_[b].arm(point))));
+  return std::sqrt(speed2);
+}
+
 BodyForces Contact::forces(std::size_t body) const {
   BodyForces forces;
   forces.weight = loads_[body];
@@ -129,8 +138,38 @@ void Contact::follow_sort(const Domain& domain) {
   follow_particles(domain);
   // Particles reach two cells; both they and the body move until the next sort.
   const double margin = 4.0 * domain.finest_lattice().h + 2.0 * domain.sort_distance();
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
     nodes_[b].follow_sort(domain, surface(b), margin);
+    refuse_beyond_grid(domain, b);
+    if (domain.mesh)
+      refuse_coarse_cells(domain, b);
+  }
+}
+
+void Contact::refuse_beyond_grid(const Domain& domain, std::size_t body) const {
+  const Grid& grid = domain.grid;
+  const mesh::Rectangle box = surface(body).bounds();
+  if (box.x_max < grid.x0 || box.x_min > grid.x0 + (grid.nx - 1) * grid.h || box.y_max < grid.y0)
+    throw OutOfReach(
+        fmt::format("structure '{}' has left the model: its centre is at x = {:.6g} m, y = {:.6g} "
+                    "m; a model that reaches farther holds it",
+                    bodies_[body].name(), bodies_[body].centre().x, bodies_[body].centre().y));
+}
+
+void Contact::refuse_coarse_cells(const Domain& domain, std::size_t body) const {
+  const int finest = domain.soil_lattice_count() - 1;
+  for (const NearParticle& near : nodes_[body].near()) {
+    const Particles& p = domain.sets[near.set];
+    const Vector place{p.x[near.index], p.y[near.index]};
+    if (surface(body).nearest(place).distance > domain.finest_lattice().h)
+      continue;
+    const GradedMesh::Touched touched = domain.mesh->touched(box_of(p, near.index));
+    if (touched.coarsest < finest || touched.quarter)
+      throw OutOfReach(fmt::format(
+          "structure '{}' has come within a cell of soil on cells larger than the finest, at x = {:.6g} m, "
+          "y = {:.6g} m, and meets soil on the finest alone: refine the mesh as far as it goes",
+          bodies_[body].name(), place.x, place.y));
+  }
 }
 
 void Contact::find_nodes(Domain& domain, bool bonded) {
@@ -222,14 +261,14 @@ void Contact::refuse_elastic_corners() const {
           bodies_[std::min(c.a, c.b)].name(), bodies_[std::max(c.a, c.b)].name()));
 }
 
+// The sweeps begin with the changes that nodes have: none where they have just been found, those of the last
+// step in the gravity stage. Two heavy bodies that light nodes tie to each other need thousands of sweeps,
+// which the gravity stage so has.
 void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) {
   constexpr int sweeps = 50;
   constexpr double tolerance = 1e-12; // of the largest speed
   const bool alone =
       corners_.empty() && std::ranges::all_of(shared_, [](const auto& of_body) { return of_body.empty(); });
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    for (ContactNode& c : nodes_[b].nodes())
-      c.solid_change = c.water_change = c.body_change = {};
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     double change = 0.0;
     double speed = 0.0;
@@ -396,8 +435,9 @@ double Contact::meet_remapped(Domain& domain) {
   return power;
 }
 
-void Contact::move(Domain& domain, double dt) {
+double Contact::move(Domain& domain, double dt) {
   follow_particles(domain);
+  double farthest = 0.0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!elastic_[b])
       bodies_[b].move(dt);
@@ -413,28 +453,31 @@ void Contact::move(Domain& domain, double dt) {
         continue;
       p.x[k] += out * nearest.normal.x;
       p.y[k] += out * nearest.normal.y;
+      farthest = std::max(farthest, out);
       ++pushed_out_;
     }
   }
+  return farthest;
 }
 
+// Whether nodes have been found before, then the number and the sets of each.
 std::vector<double> Contact::node_state(std::size_t body) const {
-  std::vector<double> state;
+  std::vector<double> state{nodes_[body].placed() ? 1.0 : 0.0};
   for (const ContactNode& c : nodes(body))
     state.insert(state.end(), {static_cast<double>(c.node), c.tied ? 1.0 : 0.0, static_cast<double>(c.slip)});
   return state;
 }
 
 void Contact::set_node_state(std::size_t body, const std::vector<double>& state) {
-  std::vector<ContactNode>& nodes = nodes_[body].nodes();
   constexpr std::size_t numbers = 3; // of a node
-  nodes.assign(state.size() / numbers, {});
+  std::vector<ContactNode> nodes(state.size() / numbers);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const double* const of_node = state.data() + n * numbers;
+    const double* const of_node = state.data() + 1 + n * numbers;
     nodes[n].node = static_cast<std::size_t>(of_node[0]);
     nodes[n].tied = of_node[1] != 0.0;
     nodes[n].slip = static_cast<int>(of_node[2]);
   }
+  nodes_[body].go_on_from(std::move(nodes), !state.empty() && state.front() != 0.0);
 }
 
 } // namespace tremolo::mpm_domain

@@ -57,6 +57,8 @@ public:
   const std::vector<ContactNode>& nodes(std::size_t body) const { return nodes_[body].nodes(); }
   BodyForces forces(std::size_t body) const;
   double kinetic_energy() const; ///< of the rigid bodies, J/m
+  /// Speed of the fastest point of all surfaces, those of elastic bodies moving as a whole, m/s.
+  double fastest_point() const;
   /// Root of the mean square of a body's speed in the gravity stage, m/s.
   double speed(const Domain& domain, std::size_t body) const;
   /// Particles that had to be brought back out of bodies, over all steps.
@@ -79,7 +81,8 @@ public:
   /// Moves the rigid bodies for dt (s), lets the elastic ones follow their particles, and brings back
   /// to their surface particles that lie in them by more than half of
   /// their half side.
-  void move(Domain& domain, double dt);
+  /// @returns the longest way back of a particle, m
+  double move(Domain& domain, double dt);
 
   /// Finds the contact nodes of the gravity stage, in which nothing moves.
   void begin_rest(Domain& domain);
@@ -131,6 +134,10 @@ private:
   double solve_rigid(std::size_t body, const RigidMotion& trial, bool bonded);
   double solve_elastic(std::size_t body, bool bonded);
   void refuse_elastic_corners() const;
+  /// @throws OutOfReach if a body has left the grid over a side or the base
+  void refuse_beyond_grid(const Domain& domain, std::size_t body) const;
+  /// @throws OutOfReach if a body has come to cells on which it does not meet soil
+  void refuse_coarse_cells(const Domain& domain, std::size_t body) const;
   ContactWork add_changes(Domain& domain, double dt);
   ContactWork book_body(const Grid& grid, std::size_t body, const RigidMotion& middle, double dt) const;
   /// A body's own part of relax().

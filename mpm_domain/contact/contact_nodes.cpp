@@ -169,7 +169,7 @@ void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector
       while (known != before.end() && known->node < node)
         ++known;
       ContactNode& found = nodes_.emplace_back();
-      bool was_tied = before.empty(); // where structures are wished in place
+      bool was_tied = !placed_; // structures are wished in place
       if (known != before.end() && known->node == node) {
         found.tied = known->tied;
         found.slip = known->slip;
@@ -195,6 +195,7 @@ void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector
       found.closed = found.gap <= (was_tied ? opening : gaps.closing) * lattice.h;
       of_nodes_.push_back(sums);
     }
+  placed_ = true;
   if (own == nullptr)
     bear_on(surface, centre, lattice.h);
 }

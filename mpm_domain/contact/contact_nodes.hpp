@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -97,6 +98,13 @@ public:
   void take_relaxing(const Domain& domain, double dt);
 
   std::vector<ContactNode>& nodes() { return nodes_; }
+  /// Whether nodes have been found before; until then a body stands where it is wished, tied to the soil.
+  bool placed() const { return placed_; }
+  /// Goes on from nodes of which number and sets are known.
+  void go_on_from(std::vector<ContactNode> nodes, bool placed) {
+    nodes_ = std::move(nodes);
+    placed_ = placed;
+  }
   const std::vector<ContactNode>& nodes() const { return nodes_; }
   bool has(std::size_t node) const {
     return std::ranges::binary_search(nodes_, node, {}, &ContactNode::node);
@@ -149,6 +157,7 @@ private:
   std::vector<Sums> sums_;
   std::vector<Sums> of_nodes_; ///< of nodes_, in their order
   std::vector<ContactNode> nodes_;
+  bool placed_ = false;
 };
 
 } // namespace tremolo::mpm_domain

@@ -64,11 +64,12 @@ void AcrossWeights::clear() {
   per_moments_.clear();
 }
 
-void AcrossWeights::add(const BasisCells& table, const mesh::Rectangle& box) {
+bool AcrossWeights::add(const BasisCells& table, const mesh::Rectangle& box) {
   const std::size_t n = start_.size() - 1;
   const double x = 0.5 * (box.x_min + box.x_max);
   const double y = 0.5 * (box.y_min + box.y_max);
   const double per_area = 1.0 / box.area();
+  double covered = 0.0; // share of the box
   Lanes dxx{};
   Lanes dyy{};
   for (std::size_t c = cells_start_[n]; c < cells_start_[n + 1]; ++c) {
@@ -76,6 +77,7 @@ void AcrossWeights::add(const BasisCells& table, const mesh::Rectangle& box) {
     const std::optional<BoxPart> part = part_in(cell, box, per_area);
     if (!part)
       continue;
+    covered += part->share;
     std::uint32_t place = cells_[c].first_place;
     for (std::uint32_t four = cell.first; four < cell.end; ++four, ++place) {
       const FourNodes& nodes = table.four(four);
@@ -88,6 +90,7 @@ void AcrossWeights::add(const BasisCells& table, const mesh::Rectangle& box) {
   }
   start_.push_back(weights_.size());
   per_moments_.push_back({1.0 / sum(dxx), 1.0 / sum(dyy)});
+  return covered > 1.0 - 1e-6;
 }
 
 } // namespace tremolo::mpm_domain

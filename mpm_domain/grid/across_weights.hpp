@@ -45,7 +45,8 @@ public:
   void clear();
   /// Computes the weights of the next particle. A node appears once for every part of the box that touches
   /// it.
-  void add(const BasisCells& cells, const mesh::Rectangle& box);
+  /// @returns whether all of the box lies in cells that were expected
+  bool add(const BasisCells& cells, const mesh::Rectangle& box);
 
   /// Particles [first, end).
   std::size_t first() const { return first_; }

@@ -8,6 +8,7 @@
 #include "mpm_domain/step/grid_update.hpp"
 #include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/tiles/totals.hpp"
+#include "mpm_domain/transfer/out_of_reach.hpp"
 #include "mpm_domain/transfer/sharp_transfer.hpp"
 #include "mpm_domain/water/mixture_update.hpp"
 #include "mpm_domain/water/pore_pressure.hpp"
@@ -27,8 +28,9 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-double fastest_particle(const Domain& domain) {
-  double speed = 0.0;
+/// Particles, and points of structures: both must not go far from one sort to the next.
+double fastest_point(const Domain& domain) {
+  double speed = domain.contact.fastest_point();
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       speed = std::max(speed, std::hypot(set.vx[k], set.vy[k]));
@@ -44,7 +46,7 @@ Communicator* ranks_of(const Domain& domain) {
 
 Stepper::Stepper(Domain& domain, double start_time, FreeFieldSource free_field)
     : domain_(domain), free_field_(std::move(free_field)), time_(start_time),
-      max_speed_(fastest_particle(domain)), ticks_(domain.clocks.count()), nodes_(domain),
+      max_speed_(fastest_point(domain)), ticks_(domain.clocks.count()), nodes_(domain),
       shared_(domain, ticks_, nodes_), bookings_(ranks_of(domain)),
       kinetic_(static_cast<std::size_t>(ticks_.clocks())), kicks_(kinetic_.size()) {
   if (!free_field_ && !domain.boundary.faces().empty())
@@ -123,10 +125,14 @@ void Stepper::run(std::span<Pass> passes) {
 
 void Stepper::step() {
   constexpr std::size_t once = 2; // time step and sort
-  run(std::span(passes_).first(once));
-  do
-    run(std::span(passes_).subspan(once));
-  while (ticks_.next());
+  try {
+    run(std::span(passes_).first(once));
+    do
+      run(std::span(passes_).subspan(once));
+    while (ticks_.next());
+  } catch (const OutOfReach& error) {
+    throw std::runtime_error(fmt::format("{} (t = {:.6g} s, step {})", error.what(), time_, steps_));
+  }
   moved_ += max_speed_ * dt_;
   updates_ += updates_per_step();
   time_ += dt_;
@@ -402,7 +408,7 @@ void Stepper::gather_rest() {
 }
 
 void Stepper::move_bodies() {
-  domain_.contact.move(domain_, dt_);
+  moved_ += domain_.contact.move(domain_, dt_);
 }
 
 /// Accelerations are for output alone.
@@ -419,7 +425,7 @@ void Stepper::book(const GatherTotals& sums) {
     domain_.energy.plastic += works[1];
     domain_.energy.viscous += works[2];
   });
-  fastest_moved_ = sums.max_speed;
+  fastest_moved_ = std::max(sums.max_speed, domain_.contact.fastest_point());
   if (!domain_.share)
     follow_fastest();
 }

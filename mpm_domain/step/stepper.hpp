@@ -141,9 +141,9 @@ private:
   double kick_ = 0.0;
   long steps_ = 0;
   double max_speed_ = 0.0;
-  double fastest_moved_ = 0.0; ///< particle of this rank that the last gather has moved, m/s
+  double fastest_moved_ = 0.0; ///< speed of particles of this rank and of structures in the step, m/s
   StepBounds bounds_;          ///< of the next step, of all ranks
-  double moved_ = 0.0;         ///< bound on any particle's way since the last sort, m
+  double moved_ = 0.0;         ///< bound on the way of particles and structures since the last sort, m
   double updates_ = 0.0;
   Ticks ticks_;
   ClockNodes nodes_;

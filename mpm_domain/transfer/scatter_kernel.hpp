@@ -221,15 +221,16 @@ template <std::size_t count, std::size_t rows, typename ValuesOf>
 /// @returns the rows of the lattice that the particles touch
 template <Company company, Motion motion, bool force, Around around, typename Boxes>
 [[gnu::flatten]] RowRange scatter_range(const Particles& p, const ParticleRange& range,
-                                        const Lattice& lattice, const NodeArray& nodes, double* window,
+                                        const Lattice& lattice, const NodeBlock& place, double* window,
                                         double gravity) {
   constexpr std::size_t rows = Boxes::rows;
+  const NodeArray nodes(place);
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const Boxes boxes(p, lattice, x_axis);
   const Lanes g = all(p.weight_share * gravity);
   ChunkWeights<rows> w;
-  FirstRows seen;
+  FirstNodes seen(place, rows);
   ChunkStore store;
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t count = std::min(chunk, range.end - k);
@@ -237,6 +238,8 @@ template <Company company, Motion motion, bool force, Around around, typename Bo
       take_weights<force, motion != Motion::none && around != Around::uniform>(
           p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
     });
+    if (!seen.in_window())
+      refuse_stray(p, k, k + count, place, x_axis, y_axis, boxes);
     Arrays soil = SoilPhase::arrays<force>(p, k, count, window, store);
     if constexpr (around == Around::bilinear) {
       soil.cross_x = &p.cross_x[k];
@@ -258,7 +261,7 @@ template <Company company, Motion motion, bool force, Around around, typename Bo
       scatter_numbers<2>(k, count, w, window + static_cast<std::size_t>(Sum::lift) * window_nodes,
                          [&](std::size_t of, auto group) { return numbers_of_water(p, of, group, gravity); });
   }
-  return seen.stencils(rows);
+  return seen.rows();
 }
 
 /// Scatters numbers of the particles of a range.
@@ -267,21 +270,24 @@ template <Company company, Motion motion, bool force, Around around, typename Bo
 /// @returns the rows of the lattice that the particles touch
 template <std::size_t count, typename Boxes, typename ValuesOf>
 [[gnu::flatten]] RowRange scatter_scalars(const Particles& p, const ParticleRange& range,
-                                          const Lattice& lattice, const NodeArray& nodes, double* window,
+                                          const Lattice& lattice, const NodeBlock& place, double* window,
                                           const ValuesOf& values_of) {
+  const NodeArray nodes(place);
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const Boxes boxes(p, lattice, x_axis);
   ChunkWeights<Boxes::rows> w;
-  FirstRows seen;
+  FirstNodes seen(place, Boxes::rows);
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t part = std::min(chunk, range.end - k);
     by_fours(0, part, [&](std::size_t c, auto group) {
       take_weights<false, false>(p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
     });
+    if (!seen.in_window())
+      refuse_stray(p, k, k + part, place, x_axis, y_axis, boxes);
     scatter_numbers<count>(k, part, w, window, values_of);
   }
-  return seen.stencils(Boxes::rows);
+  return seen.rows();
 }
 
 /// Scatters the particles of a set in a tile, by the boxes and velocities that the set has.
@@ -292,17 +298,17 @@ RowRange scatter_set(const Domain& domain, const Particles& p, int clock, std::s
   if (range.begin == range.end)
     return {};
   const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
-  const NodeArray nodes(domain.tiles.window(tile));
+  const NodeBlock place = domain.tiles.window(tile);
   const double gravity = domain.spec.gravity;
   if constexpr (company == Company::none && !force)
     if (p.traits.bilinear)
-      return scatter_range<company, motion, force, Around::bilinear, OneSquare>(p, range, lattice, nodes,
+      return scatter_range<company, motion, force, Around::bilinear, OneSquare>(p, range, lattice, place,
                                                                                 window, gravity);
   return for_boxes(p, [&]<typename Boxes>() {
     return p.traits.affine
-               ? scatter_range<company, motion, force, Around::affine, Boxes>(p, range, lattice, nodes,
+               ? scatter_range<company, motion, force, Around::affine, Boxes>(p, range, lattice, place,
                                                                               window, gravity)
-               : scatter_range<company, motion, force, Around::uniform, Boxes>(p, range, lattice, nodes,
+               : scatter_range<company, motion, force, Around::uniform, Boxes>(p, range, lattice, place,
                                                                                window, gravity);
   });
 }
@@ -316,7 +322,7 @@ RowRange scatter_scalars(const Domain& domain, const Particles& p, int clock, st
     return {};
   return for_boxes(p, [&]<typename Boxes>() {
     return scatter_scalars<count, Boxes>(p, range, domain.tiles.lattice(domain.tiles.level_of(tile)),
-                                         NodeArray(domain.tiles.window(tile)),
+                                         domain.tiles.window(tile),
                                          window + static_cast<std::size_t>(first) * window_nodes, values_of);
   });
 }

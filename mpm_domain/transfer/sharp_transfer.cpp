@@ -18,23 +18,26 @@ namespace {
 /// The internal forces of a range of particles.
 /// @returns the rows of the lattice that they touch
 [[gnu::flatten]] RowRange scatter_wide(const Particles& p, const ParticleRange& range, const Lattice& lattice,
-                                       const NodeArray& nodes, double* window, const NodeFields& fields) {
+                                       const NodeBlock& place, double* window, const NodeFields& fields) {
+  const NodeArray nodes(place);
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const WideSquares boxes(p, lattice, fields);
   ChunkWeights<WideSquares::rows> w;
-  FirstRows seen;
+  FirstNodes seen(place, WideSquares::rows);
   ChunkStore store;
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t count = std::min(chunk, range.end - k);
     by_fours(0, count, [&](std::size_t c, auto group) {
       take_weights<true, false>(p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
     });
+    if (!seen.in_window())
+      refuse_stray(p, k, k + count, place, x_axis, y_axis, boxes);
     const Arrays soil = SoilPhase::arrays<true>(p, k, count, window, store);
     constexpr Lanes no_weight{};
     scatter_phase<SoilPhase::pull, Motion::none, true, Around::uniform>(soil, count, w, lattice.h, no_weight);
   }
-  return seen.stencils(WideSquares::rows);
+  return seen.rows();
 }
 
 } // namespace
@@ -49,7 +52,7 @@ void scatter_sharp_forces(Domain& domain) {
         if (range.begin == range.end)
           return RowRange{};
         return scatter_wide(p, range, domain.tiles.lattice(domain.tiles.level_of(tile)),
-                            NodeArray(domain.tiles.window(tile)), window, domain.grid);
+                            domain.tiles.window(tile), window, domain.grid);
       },
       [](AcrossTile&) {});
   fold(domain, NodeGroup::force);
