@@ -135,8 +135,13 @@ struct NamedTable {
 };
 
 /// Creates an HDF5 file of tables, e.g. verify.h5.
+/// @param content  what they are, e.g. "verification": an attribute of the root
 /// @throws std::runtime_error where the file cannot be written
-void write_tables(const std::filesystem::path& file, std::span<const NamedTable> tables);
+void write_tables(const std::filesystem::path& file, std::string_view content,
+                  std::span<const NamedTable> tables);
+
+/// The attribute `content` of a file, which says what it is; empty where it has none or is no HDF5 file.
+std::string content_of(const std::filesystem::path& file);
 
 /// Reads a run file, complete or not.
 ///
