@@ -1,11 +1,17 @@
 #include "app/output_place.hpp"
 
+#include "motion/read/write.hpp"
+#include "results/run_file.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace tremolo::app {
 
@@ -29,11 +35,54 @@ std::string obstacle(const fs::path& folder) {
   return "";
 }
 
+/// Another name of a file counts as the file.
+bool is_one_of(const fs::path& file, const std::vector<fs::path>& files) {
+  return std::ranges::any_of(files, [&](const fs::path& other) {
+    std::error_code not_there;
+    return fs::equivalent(file, other, not_there);
+  });
+}
+
 } // namespace
 
-void require_writable(const fs::path& out) {
-  const auto refuse = [&out](const std::string& why) {
-    throw std::runtime_error(fmt::format("--out {}: {}", out.string(), why));
+IsOwn begins_with(std::string words) {
+  return [words = std::move(words)](const fs::path& file) { return head_of(file).starts_with(words); };
+}
+
+IsOwn has_words(std::string words) {
+  return [words = std::move(words)](const fs::path& file) {
+    return head_of(file).find(words) != std::string::npos;
+  };
+}
+
+IsOwn has_content(std::string content) {
+  return
+      [content = std::move(content)](const fs::path& file) { return results::content_of(file) == content; };
+}
+
+bool is_written_motion(const fs::path& file) {
+  return motion::is_written_record(head_of(file));
+}
+
+bool is_picture_of_tremolo(const fs::path& file) {
+  using namespace std::string_view_literals;
+  const std::string head = head_of(file); // with the text that python/tremolo/outputs.py puts there
+  return head.starts_with("\x89PNG"sv) && head.find("tEXtSoftware\0tremolo"sv) != std::string::npos;
+}
+
+std::string head_of(const fs::path& file) {
+  constexpr std::size_t enough = 4096;
+  std::string head(enough, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), enough);
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  return head;
+}
+
+void require_writable(const fs::path& out, const std::vector<fs::path>& inputs, const IsOwn& is_own,
+                      std::string_view option) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error(fmt::format("{} {}: {}", option, out.string(), why));
   };
   std::error_code trouble;
   if (fs::is_directory(out, trouble))
@@ -42,8 +91,19 @@ void require_writable(const fs::path& out) {
   if (!fs::is_directory(folder, trouble))
     refuse(fmt::format("there is no folder {}", folder.string()));
   const bool exists = fs::exists(out, trouble);
+  if (exists && is_one_of(out, inputs))
+    refuse("is a file that this command reads; give another name");
+  if (fs::is_regular_file(out, trouble) && fs::file_size(out, trouble) > 0 && !is_own(out))
+    refuse("exists and is not a file that this command wrote; give another name, or remove it");
   if (access((exists ? out : folder).c_str(), W_OK) != 0)
     refuse(fmt::format("no permission to write {}", exists ? "to it" : "in its folder"));
+}
+
+void require_writable_in(const fs::path& folder, const std::vector<OwnFile>& files,
+                         const std::vector<fs::path>& inputs) {
+  for (const auto& [name, is_own] : files)
+    if (fs::exists(folder / name))
+      require_writable(folder / name, inputs, is_own);
 }
 
 bool make_folder(const fs::path& folder) {

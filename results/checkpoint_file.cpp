@@ -108,6 +108,11 @@ void CheckpointWriter::write(const std::string& name, std::span<const std::uint6
       [&](Place root) { write_checked(root, name, H5T_NATIVE_UINT64, values.size(), values.data()); });
 }
 
+void CheckpointWriter::write_text(const std::string& name, std::string_view text) {
+  implementation_->guarded(
+      [&](Place root) { write_checked(root, name, H5T_NATIVE_CHAR, text.size(), text.data()); });
+}
+
 void CheckpointWriter::close() {
   implementation_->close();
 }
@@ -149,6 +154,11 @@ std::vector<double> CheckpointReader::numbers(const std::string& name) const {
 
 std::vector<std::uint64_t> CheckpointReader::integers(const std::string& name) const {
   return implementation_->values<std::uint64_t>(name, H5T_NATIVE_UINT64);
+}
+
+std::string CheckpointReader::text(const std::string& name) const {
+  const auto characters = implementation_->values<char>(name, H5T_NATIVE_CHAR);
+  return {characters.begin(), characters.end()};
 }
 
 } // namespace tremolo::results

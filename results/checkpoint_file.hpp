@@ -14,7 +14,7 @@
 namespace tremolo::results {
 
 /// Version of what the files of a set hold; a set of another version is refused.
-inline constexpr std::string_view checkpoint_schema_version = "1.2";
+inline constexpr std::string_view checkpoint_schema_version = "1.3";
 
 /// What a file belongs to. It is read again only where all of it is the same.
 struct CheckpointIdentity {
@@ -36,6 +36,7 @@ public:
   /// Names may be used once.
   void write(const std::string& name, std::span<const double> values);
   void write(const std::string& name, std::span<const std::uint64_t> values);
+  void write_text(const std::string& name, std::string_view text);
 
   /// Waits until the disk has everything.
   void close();
@@ -56,6 +57,7 @@ public:
 
   [[nodiscard]] std::vector<double> numbers(const std::string& name) const;
   [[nodiscard]] std::vector<std::uint64_t> integers(const std::string& name) const;
+  [[nodiscard]] std::string text(const std::string& name) const;
 
 private:
   class Implementation;

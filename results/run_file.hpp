@@ -12,6 +12,7 @@
 // A process that dies at any moment leaves a file that opens and holds everything up to the last flush
 // (docs/output-format.md, "After a crash"). One thread at a time may use a writer; there is no global state.
 
+#include "results/run_checksums.hpp"
 #include "results/run_data.hpp"
 
 #include <cstddef>
@@ -48,9 +49,9 @@ public:
 
 private:
   friend class RunWriter;
-  TimeSeries(std::string path, std::size_t columns) : path_(std::move(path)), columns_(columns) {}
+  TimeSeries(Checksum of_none, std::size_t columns) : checksum_(std::move(of_none)), columns_(columns) {}
 
-  std::string path_;
+  Checksum checksum_;
   std::size_t columns_;
   std::vector<double> pending_; ///< rows that wait for the flush
 };
@@ -111,6 +112,9 @@ public:
 
   std::size_t frame_count() const;
 
+  /// Of all rows and frames so far, those that wait for a flush too.
+  std::vector<Checksum> checksums() const;
+
 private:
   class Implementation;
   std::unique_ptr<Implementation> implementation_;
@@ -131,8 +135,13 @@ struct NamedTable {
 };
 
 /// Creates an HDF5 file of tables, e.g. verify.h5.
+/// @param content  what they are, e.g. "verification": an attribute of the root
 /// @throws std::runtime_error where the file cannot be written
-void write_tables(const std::filesystem::path& file, std::span<const NamedTable> tables);
+void write_tables(const std::filesystem::path& file, std::string_view content,
+                  std::span<const NamedTable> tables);
+
+/// The attribute `content` of a file, which says what it is; empty where it has none or is no HDF5 file.
+std::string content_of(const std::filesystem::path& file);
 
 /// Reads a run file, complete or not.
 ///

@@ -58,48 +58,52 @@ std::size_t point_count(std::span<const Field> fields, std::string_view what, st
   return points;
 }
 
-/// The four growing arrays of /boundary.
-struct BoundaryDatasets {
-  BoundaryDatasets(Place group, hsize_t faces)
-      : face_count(faces), time(group, "time", {}),
-        free_field_velocity(group, "free_field_velocity", std::array{faces, hsize_t{2}}),
-        domain_velocity(group, "domain_velocity", std::array{faces, hsize_t{2}}),
-        traction(group, "traction", std::array{faces, hsize_t{2}}) {}
+/// A growing array of /boundary, and its rows that wait for a flush.
+struct BoundaryDataset {
+  BoundaryDataset(Place group, std::string_view name, std::span<const hsize_t> row_shape,
+                  std::string_view unit)
+      : dataset(group, name, row_shape), checksum{fmt::format("/boundary/{}", name)} {
+    write_attribute({dataset.id(), group.file}, "unit", std::string(unit));
+  }
 
-  std::size_t face_count;
-  GrowingDataset time;
-  GrowingDataset free_field_velocity;
-  GrowingDataset domain_velocity;
-  GrowingDataset traction;
-  std::vector<double> pending_time;
-  std::vector<double> pending_free_field_velocity;
-  std::vector<double> pending_domain_velocity;
-  std::vector<double> pending_traction;
-
-  std::size_t waiting() const {
-    return pending_time.size() + pending_free_field_velocity.size() + pending_domain_velocity.size() +
-           pending_traction.size();
+  void keep(std::span<const double> row) {
+    if (row.size() != dataset.row_size()) {
+      throw std::invalid_argument(fmt::format("{} has {} values where {} faces need {}", checksum.path,
+                                              row.size(), dataset.row_size() / 2, dataset.row_size()));
+    }
+    pending.insert(pending.end(), row.begin(), row.end());
+    checksum.add(row);
   }
 
   void write_pending() {
-    const auto move_to = [](GrowingDataset& dataset, std::vector<double>& rows) {
-      dataset.append(rows);
-      rows.clear();
-    };
-    move_to(free_field_velocity, pending_free_field_velocity);
-    move_to(domain_velocity, pending_domain_velocity);
-    move_to(traction, pending_traction);
-    move_to(time, pending_time);
+    dataset.append(pending);
+    pending.clear();
   }
+
+  GrowingDataset dataset;
+  Checksum checksum;
+  std::vector<double> pending;
 };
+
+/// What grows below /boundary; the time is written last.
+std::vector<BoundaryDataset> boundary_datasets(Place group, hsize_t faces) {
+  const std::array<hsize_t, 2> vectors{faces, 2};
+  std::vector<BoundaryDataset> datasets;
+  datasets.emplace_back(group, "free_field_velocity", vectors, "m/s");
+  datasets.emplace_back(group, "domain_velocity", vectors, "m/s");
+  datasets.emplace_back(group, "traction", vectors, "Pa");
+  datasets.emplace_back(group, "time", std::span<const hsize_t>(), "s");
+  return datasets;
+}
 
 } // namespace
 
 void TimeSeries::append(std::span<const double> row) {
   if (row.size() != columns_) {
     throw std::invalid_argument(
-        fmt::format("a row of {} has {} values where {} are needed", path_, row.size(), columns_));
+        fmt::format("a row of {} has {} values where {} are needed", checksum_.path, row.size(), columns_));
   }
+  checksum_.add(row);
   pending_.insert(pending_.end(), row.begin(), row.end());
 }
 
@@ -197,30 +201,18 @@ public:
     write_array(place, "normal", vectors, std::span(faces.normal), "1", false);
     write_array(place, "length", scalars, std::span(faces.length), "m", false);
     write_attribute(place, "source", faces.source);
-    boundary_.emplace(place, count);
-    write_attribute({boundary_->time.id(), path_}, "unit", std::string("s"));
-    write_attribute({boundary_->free_field_velocity.id(), path_}, "unit", std::string("m/s"));
-    write_attribute({boundary_->domain_velocity.id(), path_}, "unit", std::string("m/s"));
-    write_attribute({boundary_->traction.id(), path_}, "unit", std::string("Pa"));
+    boundary_ = boundary_datasets(place, count);
   }
 
   void append_boundary(double time, const BoundarySample& exchange) {
-    if (!boundary_) {
+    if (boundary_.empty()) {
       throw std::invalid_argument("the boundary faces must be declared before their exchange is written");
     }
-    const auto keep = [&](std::vector<double>& pending, std::span<const double> values,
-                          std::string_view name) {
-      if (values.size() != 2 * boundary_->face_count) {
-        throw std::invalid_argument(fmt::format("{} has {} values where {} faces need {}", name,
-                                                values.size(), boundary_->face_count,
-                                                2 * boundary_->face_count));
-      }
-      pending.insert(pending.end(), values.begin(), values.end());
-    };
-    keep(boundary_->pending_free_field_velocity, exchange.free_field_velocity, "free_field_velocity");
-    keep(boundary_->pending_domain_velocity, exchange.domain_velocity, "domain_velocity");
-    keep(boundary_->pending_traction, exchange.traction, "traction");
-    boundary_->pending_time.push_back(time);
+    auto dataset = boundary_.begin();
+    for (const std::span<const double> row : {exchange.free_field_velocity, exchange.domain_velocity,
+                                              exchange.traction, std::span<const double>(&time, 1)}) {
+      (dataset++)->keep(row);
+    }
   }
 
   /// The frame is written and flushed before anything refers to it; then one link makes it part of the run.
@@ -236,6 +228,10 @@ public:
       publish(unlinked_frame(time, contact, nodes), *contact_, name);
     }
     publish(unlinked_frame(time, fields, particles), frames_, name);
+    frames_written_.push_back(checksum_of_fields("/frames/" + name, time, fields));
+    if (!contact.empty()) {
+      frames_written_.push_back(checksum_of_fields("/contact/" + name, time, contact));
+    }
     ++frame_count_;
     std::vector<XdmfField> xdmf_fields;
     for (const Field& field : fields) {
@@ -255,15 +251,18 @@ public:
       dataset.append(buffer->pending_);
       buffer->pending_.clear();
     }
-    if (boundary_) {
-      boundary_->write_pending();
+    for (BoundaryDataset& dataset : boundary_) {
+      dataset.write_pending();
     }
     flush_file(file_, path_);
   }
 
   void flush_if_large() {
     constexpr std::size_t most_waiting = (std::size_t{1} << 20) / sizeof(double);
-    std::size_t waiting = boundary_ ? boundary_->waiting() : 0;
+    std::size_t waiting = 0;
+    for (const BoundaryDataset& dataset : boundary_) {
+      waiting += dataset.pending.size();
+    }
     for (const auto& [buffer, dataset] : series_) {
       waiting += buffer->pending_.size();
     }
@@ -279,6 +278,18 @@ public:
   }
 
   std::size_t frame_count() const { return frame_count_; }
+
+  std::vector<Checksum> checksums() const {
+    std::vector<Checksum> all;
+    for (const auto& [buffer, dataset] : series_) {
+      all.push_back(buffer->checksum_);
+    }
+    for (const BoundaryDataset& dataset : boundary_) {
+      all.push_back(dataset.checksum);
+    }
+    all.insert(all.end(), frames_written_.begin(), frames_written_.end());
+    return all;
+  }
 
 private:
   struct Series {
@@ -311,7 +322,7 @@ private:
   }
 
   void close_handles() {
-    boundary_.reset();
+    boundary_.clear();
     series_.clear();
     monitors_ = Handle();
     contact_.reset();
@@ -326,7 +337,8 @@ private:
   std::optional<Handle> contact_;
   Handle monitors_;
   std::vector<Series> series_;
-  std::optional<BoundaryDatasets> boundary_;
+  std::vector<BoundaryDataset> boundary_;
+  std::vector<Checksum> frames_written_; ///< of particles and contact nodes
   std::size_t frame_count_ = 0;
   XdmfFile xdmf_;
 };
@@ -344,7 +356,8 @@ void RunWriter::attribute(std::string_view name, const AttributeValue& value) {
 TimeSeries& RunWriter::add_series(std::string_view path, std::span<const std::string> columns,
                                   std::span<const std::string> units, std::span<const Attribute> attributes) {
   implementation_->require_no_frame("a series");
-  std::unique_ptr<TimeSeries> series(new TimeSeries(std::string(path), columns.size()));
+  std::unique_ptr<TimeSeries> series(
+      new TimeSeries(checksum_of_series(path, columns, units), columns.size()));
   TimeSeries* added = nullptr;
   implementation_->guarded(
       [&] { added = &implementation_->add_series(path, columns, units, attributes, std::move(series)); });
@@ -391,6 +404,10 @@ void RunWriter::abort(std::string_view reason) {
 
 std::size_t RunWriter::frame_count() const {
   return implementation_->frame_count();
+}
+
+std::vector<Checksum> RunWriter::checksums() const {
+  return implementation_->checksums();
 }
 
 } // namespace tremolo::results

@@ -1,11 +1,13 @@
 // What is written to files of tables and to runs whose process has ended.
 
+#include "results/hdf5/hdf5_read.hpp"
 #include "results/hdf5/hdf5_write.hpp"
 #include "results/run_file.hpp"
 #include "results/run_status.hpp"
 
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <string>
 
 namespace tremolo::results {
@@ -35,10 +37,20 @@ void mark_aborted(const std::filesystem::path& file, std::string_view reason) {
   flush_file(run, file);
 }
 
-void write_tables(const std::filesystem::path& file, std::span<const NamedTable> tables) {
+void write_tables(const std::filesystem::path& file, std::string_view content,
+                  std::span<const NamedTable> tables) {
   const Handle created = create_file(file);
+  write_attribute({created.get(), file}, "content", std::string(content));
   for (const NamedTable& named : tables) {
     add_table(created, file, named.path, named.table);
+  }
+}
+
+std::string content_of(const std::filesystem::path& file) {
+  try {
+    return FileReader(file, "file").attribute_as<std::string>("/", "content");
+  } catch (const std::runtime_error&) {
+    return "";
   }
 }
 

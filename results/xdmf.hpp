@@ -4,6 +4,7 @@
 // HDF5 file.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -24,17 +25,15 @@ public:
   /// @param run_file the HDF5 file, which is written to the same folder
   explicit XdmfFile(const std::filesystem::path& run_file);
 
-  /// Adds a frame whose fields lie in `group` of the HDF5 file and replaces the XDMF file in one move.
+  /// Adds a frame whose fields lie in `group` of the HDF5 file, in one write over the end of the XDMF file.
   /// @throws std::runtime_error with file and reason
   void add_frame(double time, std::string_view group, std::size_t particles,
                  std::span<const XdmfField> fields);
 
 private:
-  void replace() const;
-
   std::filesystem::path file_;
   std::string heavy_data_; ///< name of the HDF5 file
-  std::string frames_;     ///< the grids so far
+  std::uintmax_t end_ = 0; ///< of the last frame in the file
 };
 
 } // namespace tremolo::results

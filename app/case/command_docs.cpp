@@ -22,17 +22,24 @@ struct Options {
   bool manual = false;
 };
 
+/// Pages keep their first words from version to version.
+void write_page(const fs::path& file, const std::string& text) {
+  constexpr std::size_t first_words = 10;
+  require_writable(file, {}, begins_with(text.substr(0, first_words)), "FOLDER");
+  write_text_file(file, text);
+}
+
 void write_reference(const CommandTable& table, const fs::path& folder) {
   for (const scene::Reference& reference : scene::references()) {
-    write_text_file(folder / reference.page, scene::markdown(reference));
-    write_text_file(folder / reference.schema, scene::json_schema(reference));
+    write_page(folder / reference.page, scene::markdown(reference));
+    write_page(folder / reference.schema, scene::json_schema(reference));
   }
-  write_text_file(folder / "commands.md", command_page(table));
+  write_page(folder / "commands.md", command_page(table));
 }
 
 void write_in_new_folder(const fs::path& file, const std::string& text) {
   make_folder(file.parent_path());
-  write_text_file(file, text);
+  write_page(file, text);
 }
 
 /// Where man(1) and the shells look for them below share/ of an installation.

@@ -73,6 +73,9 @@ std::optional<Cost> finished(const fs::path& folder, const std::string& text) {
 }
 
 Cost run_rung(const Rung& rung, const fs::path& folder, int threads) {
+  if (fs::exists(folder) && !fs::exists(folder / "case.toml"))
+    throw std::runtime_error(
+        fmt::format("{} holds no run; choose another --out, or remove the folder", folder.string()));
   fs::remove_all(folder); // of a run that did not end
   Cost cost;
   for (const auto& process :
@@ -176,6 +179,11 @@ void study_cost(const Options& options) {
   const auto cases = ladder(given, knobs);
   require_rungs(cases, knobs);
   make_folder(options.out);
+  require_writable_in(options.out,
+                      {{"cost.json", has_words("\"error_of\": ")},
+                       {"cost.csv", has_words(cost_columns)},
+                       {"cost.png", is_picture_of_tremolo}},
+                      {options.case_file});
 
   CostStudy study{.title = given.title,
                   .error_of = {},

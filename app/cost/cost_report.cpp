@@ -142,7 +142,7 @@ std::string to_csv(const CostStudy& study) {
   std::string text;
   for (const Knob& knob : study.knobs)
     text += knob.key + ",";
-  text += "relative_error,phase_lag_s,cpu_s,particle_updates,front\n";
+  text += fmt::format("{}\n", cost_columns);
   const auto front = on_front(study);
   for (std::size_t i = 0; i < study.rungs.size(); ++i) {
     const CostRung& rung = study.rungs[i];

@@ -12,6 +12,9 @@
 
 namespace tremolo::app {
 
+/// The last columns of cost.csv, behind the knobs.
+inline constexpr const char* cost_columns = "relative_error,phase_lag_s,cpu_s,particle_updates,front";
+
 /// A rung and what became of it.
 struct CostRung {
   std::vector<std::string> values; ///< one a knob

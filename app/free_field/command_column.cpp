@@ -30,6 +30,8 @@
 namespace tremolo::app {
 namespace {
 
+constexpr const char* column_content = "column";
+
 struct Options {
   std::string scene;
   std::string model;
@@ -222,7 +224,7 @@ void compute(const Options& options) {
     shown.push_back(static_cast<std::size_t>(above - series.levels.begin()) - 1);
   }
   const auto tables = column_tables(scene, source, series, shown);
-  results::write_tables(options.out, tables);
+  results::write_tables(options.out, column_content, tables);
   print_summary(series, scene, options);
   if (has_pore_pressure(scene, source))
     fmt::print("{}", water_summary(scene, source, series));
@@ -232,6 +234,22 @@ void compute(const Options& options) {
     print_strengths(scene);
   if (options.plot && run_python("column", {options.out}) != 0)
     throw Exit{1};
+}
+
+/// Whose files it reads shows only when the case is read.
+void require_places(const Options& options) {
+  const std::vector<std::filesystem::path> inputs{options.scene};
+  if (!options.record.empty())
+    return require_writable(options.record, inputs, has_content("free field"), "--record");
+  const std::filesystem::path out = options.out;
+  if (out.extension() != ".h5")
+    throw std::runtime_error(
+        fmt::format("--out {}: holds HDF5 tables, so its name must end with .h5", out.string()));
+  require_writable(out, inputs, has_content(column_content));
+  for (const char* ending : {".png", "_water.png"})
+    if (options.plot)
+      require_writable(out.parent_path() / (out.stem().string() + ending), inputs, is_picture_of_tremolo,
+                       "--plot");
 }
 
 } // namespace
@@ -285,7 +303,7 @@ void add_column(Command& app) {
   command->callback([options] {
     if (options->out.empty() && options->record.empty())
       throw_required("--out or --record");
-    require_writable(options->record.empty() ? options->out : options->record);
+    require_places(*options);
     if (options->record.empty())
       compute(*options);
     else

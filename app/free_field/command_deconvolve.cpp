@@ -21,6 +21,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace tremolo::app {
 namespace {
@@ -91,13 +92,17 @@ Ground ground_of(const Options& options) {
   return {std::move(scene), std::move(source)};
 }
 
+fs::path picture_of(const Options& options) {
+  return fs::path(options.out).replace_extension(".png");
+}
+
 void draw(const DeconvolvedMotion& motion, const motion::Record& written, const Options& options) {
   constexpr double damping = 0.05;
   const TemporaryFolder scratch;
   for (const auto& [record, name] : {std::pair(&motion.recorded, "record"), std::pair(&written, "written")}) {
     write_tables(*record, damping, scratch.path() / name);
   }
-  const fs::path picture = fs::path(options.out).replace_extension(".png");
+  const fs::path picture = picture_of(options);
   const int status = run_python(
       "deconvolution-picture",
       {scratch.path().string(), picture.string(), "--kind", std::string(motion::name(*written.kind)),
@@ -173,7 +178,10 @@ void add_deconvolve(Command& app) {
       ->required();
   command->add_flag("--plot", options->plot, "Draw OUT.png beside the file");
   command->callback([options] {
-    require_writable(options->out);
+    const std::vector<fs::path> inputs{options->scene, options->file};
+    require_writable(options->out, inputs, is_written_motion);
+    if (options->plot)
+      require_writable(picture_of(*options), inputs, is_picture_of_tremolo, "--plot");
     run(*options);
   });
 }

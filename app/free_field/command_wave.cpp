@@ -3,14 +3,17 @@
 
 #include "app/commands.hpp"
 #include "app/free_field/points_file.hpp"
+#include "app/output_place.hpp"
 #include "base/text_file.hpp"
 #include "scene/case.hpp"
+#include "scene/text/files.hpp"
 #include "wavefield/layers/transfer.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -29,6 +32,11 @@ struct Options {
   bool transfer = false;
   bool wrap_around = false;
 };
+
+constexpr const char* field_heading = "t,x,y,ux,uy,vx,vy,sxx,syy,sxy\n";
+constexpr const char* transfer_heading =
+    "frequency_hz,re_ux,im_ux,re_uy,im_uy,re_within_ux,im_within_ux,re_within_uy,im_within_uy,"
+    "re_to_outcrop,im_to_outcrop,re_to_within,im_to_within\n";
 
 /// Points whose histories are held at once; it bounds the memory, not the answer.
 constexpr std::size_t points_at_once = 64;
@@ -57,7 +65,7 @@ void write_field(const Options& options, const scene::Case& scene) {
   const wavefield::Quantities quantities{.strain = false, .rates = false};
 
   TextFile table(options.out);
-  table.add("t,x,y,ux,uy,vx,vy,sxx,syy,sxy\n");
+  table.add(field_heading);
   for (std::size_t begin = 0; begin < points.size(); begin += points_at_once) {
     const auto some = std::span(points).subspan(begin, std::min(points_at_once, points.size() - begin));
     const auto histories = field.sample(some, times, wavefield::Part::total, quantities);
@@ -77,8 +85,7 @@ void write_transfer(const Options& options, const scene::Case& scene) {
   const auto rows = wavefield::surface_transfer(ground, incidence.wave, incidence.angle_rad, frequencies);
 
   TextFile table(options.out);
-  table.add("frequency_hz,re_ux,im_ux,re_uy,im_uy,re_within_ux,im_within_ux,re_within_uy,im_within_uy,"
-            "re_to_outcrop,im_to_outcrop,re_to_within,im_to_within\n");
+  table.add(transfer_heading);
   for (const wavefield::SurfaceTransfer& row : rows) {
     table.add(fmt::format("{:.12g}", row.frequency_hz));
     for (const std::complex<double> value :
@@ -94,6 +101,11 @@ void run(const Options& options) {
   if (!options.transfer && (options.points.empty() || options.times.empty()))
     throw std::invalid_argument("tremolo wave needs --points and --times, or --transfer");
   const scene::Case scene = scene::load_free_field(options.scene, scene::SourceModel::wave);
+  std::vector<std::filesystem::path> inputs = scene::data_files(scene);
+  inputs.insert(inputs.end(), {options.scene, options.points});
+  require_writable(options.out, inputs, [](const std::filesystem::path& file) {
+    return begins_with(field_heading)(file) || begins_with(transfer_heading)(file);
+  });
   if (options.transfer)
     write_transfer(options, scene);
   else

@@ -5,6 +5,7 @@
 #include "app/motion/motion_report.hpp"
 #include "app/motion/motion_steps.hpp"
 #include "app/motion/record_options.hpp"
+#include "app/output_place.hpp"
 #include "app/python.hpp"
 #include "app/temporary_folder.hpp"
 #include "motion/make/recipe.hpp"
@@ -18,6 +19,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace tremolo::app {
 namespace {
@@ -105,9 +107,22 @@ void print_match(const Matched& matched, const MotionSteps& steps) {
                100.0 * matched.after, 100.0 * motion::MatchSettings{}.tolerance);
 }
 
+void require_places(const Options& options) {
+  const std::vector<fs::path> inputs{options.file, options.recipe, options.steps.other, options.steps.target};
+  if (!options.out.empty())
+    require_writable(options.out, inputs, is_written_motion);
+  if (!options.response.empty())
+    require_writable(options.response, inputs, begins_with(response_heading), "--response");
+  if (!options.fourier.empty())
+    require_writable(options.fourier, inputs, begins_with(fourier_heading), "--fourier");
+  if (!options.picture.empty())
+    require_writable(options.picture, inputs, is_picture_of_tremolo, "--plot");
+}
+
 void work_on(const Options& options) {
   if (options.file.empty() == options.recipe.empty())
     throw std::invalid_argument("motion: a FILE or --synthesise RECIPE is needed, and not both");
+  require_places(options);
   auto as = read_as(options.read);
   as.kind = chosen(options.kind, motion::kind_named, "--kind");
   Named named = the_motion(options, as);

@@ -87,7 +87,7 @@ void write_histories(const motion::Record& record, const std::filesystem::path& 
 void write_response_spectrum(const motion::Record& record, double damping,
                              const std::filesystem::path& file) {
   const auto a = acceleration_of(record).samples;
-  std::string text = "period,displacement,velocity,acceleration\n";
+  std::string text = response_heading;
   for (const auto& one : motion::response_spectrum(
            a, record.dt, motion::tabulated_periods(shortest_period, longest_period, periods), damping))
     text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", one.period, one.displacement, one.velocity,
@@ -103,7 +103,7 @@ void write_target_spectrum(const motion::TargetSpectrum& target, const std::file
 }
 
 void write_fourier_spectrum(const motion::Record& record, const std::filesystem::path& file) {
-  std::string text = "frequency,amplitude\n";
+  std::string text = fourier_heading;
   for (const auto& [frequency, amplitude] :
        motion::fourier_spectrum(acceleration_of(record).samples, record.dt))
     text += fmt::format("{:.9g},{:.9g}\n", frequency, amplitude);

@@ -10,6 +10,10 @@
 
 namespace tremolo::app {
 
+/// First lines of the tables.
+inline constexpr const char* response_heading = "period,displacement,velocity,acceleration\n";
+inline constexpr const char* fourier_heading = "frequency,amplitude\n";
+
 /// Quantity, unit, step and kind, then a measure a line.
 std::string motion_report(const motion::Record& record, const std::string& name);
 

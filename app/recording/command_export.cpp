@@ -1,6 +1,7 @@
 // tremolo export: a recorded free field, or what the domain of a recorded run gave back, as a table.
 
 #include "app/commands.hpp"
+#include "app/output_place.hpp"
 #include "app/recording/recording_name.hpp"
 #include "base/text_file.hpp"
 #include "results/exchange_file.hpp"
@@ -21,6 +22,15 @@ namespace tremolo::app {
 
 namespace {
 
+constexpr const char* field_heading = "time,y,vx,vy,sxx,syy,sxy\n";
+constexpr const char* domain_heading = "time,x,y,vx,vy\n";
+constexpr const char* lockstep_heading = "time,x,y,vx,vy,tx,ty\n";
+
+bool is_table(const std::filesystem::path& file) {
+  return begins_with(field_heading)(file) || begins_with(domain_heading)(file) ||
+         begins_with(lockstep_heading)(file);
+}
+
 struct Options {
   std::string recording;
   std::string out;
@@ -30,9 +40,7 @@ struct Options {
 /// Numbers are written with as many digits as give the same bits when they are read again.
 class Table {
 public:
-  Table(const std::string& file, std::string_view columns) : file_(file) {
-    file_.add(fmt::format("{}\n", columns));
-  }
+  Table(const std::string& file, std::string_view heading) : file_(file) { file_.add(heading); }
 
   template <class Numbers>
   void add(const Numbers& numbers) {
@@ -75,7 +83,7 @@ std::size_t field_index(const results::FreeFieldRecording& recording, const std:
 void write_free_field(const results::FreeFieldRecording& recording, std::size_t number,
                       const Options& options) {
   const results::RecordedField& field = recording.fields()[number];
-  Table table(options.out, "time,y,vx,vy,sxx,syy,sxy");
+  Table table(options.out, field_heading);
   std::vector<double> values(field.levels.size() * results::recorded_values);
   for (std::uint64_t step = 0; step < field.step_count; ++step) {
     recording.read(number, step, values);
@@ -93,7 +101,7 @@ void write_free_field(const results::FreeFieldRecording& recording, std::size_t 
 void write_domain(const results::ExchangeReader& exchange, const Options& options) {
   const auto& faces = exchange.description().faces;
   const bool lockstep = exchange.description().mode == "lockstep";
-  Table table(options.out, lockstep ? "time,x,y,vx,vy,tx,ty" : "time,x,y,vx,vy");
+  Table table(options.out, lockstep ? lockstep_heading : domain_heading);
   for (std::uint64_t step = 0; step < exchange.domain_steps(); ++step) {
     const auto velocities = exchange.velocities(step);
     const auto tractions = lockstep ? exchange.tractions(step) : std::vector<double>{};
@@ -111,6 +119,7 @@ void write_domain(const results::ExchangeReader& exchange, const Options& option
 
 void run(const Options& options) {
   const RecordingName name = recording_named(options.recording);
+  require_writable(options.out, {name.file}, is_table, "OUT");
   if (!name.exchange) {
     const results::FreeFieldRecording recording(name.file);
     const std::string field = options.field.empty() ? "total" : options.field;

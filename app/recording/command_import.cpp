@@ -1,6 +1,7 @@
 // tremolo import: what another program computed becomes a recording that can be served.
 
 #include "app/commands.hpp"
+#include "app/output_place.hpp"
 #include "app/recording/import_motion.hpp"
 #include "results/free_field_recording.hpp"
 
@@ -64,6 +65,9 @@ ReadMotion read(const Options& options, bool depth_down) {
 }
 
 void run(const Options& options) {
+  std::vector<fs::path> inputs = options.files;
+  inputs.push_back(options.points);
+  require_writable(options.out, inputs, has_content("free field"));
   const Conventions conventions = conventions_from(options);
   const ReadMotion motion = read(options, conventions.depth_down);
   const coupler::ServedSeries series = field_from(motion, conventions);

@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/run/case_run.hpp"
+#include "app/run/earlier_results.hpp"
 #include "app/run/local_options.hpp"
 #include "app/run/run_display.hpp"
 #include "base/printable.hpp"
@@ -28,10 +29,10 @@ void resume(const ResumeArguments& arguments) {
   const fs::path case_file = folder / "case.toml";
   if (!fs::exists(case_file))
     throw std::runtime_error(fmt::format("{} is no folder of a run: it has no case.toml", folder.string()));
-  if (has_all_results(folder))
+  const auto [set, damaged] = coupler::find_sets(folder / "checkpoints");
+  if (earlier_results_are_complete(folder, set))
     throw std::runtime_error(
         fmt::format("the run in {} is complete: there is nothing to go on with", folder.string()));
-  const auto [set, damaged] = coupler::find_sets(folder / "checkpoints");
   for (const auto& what : damaged)
     fmt::print(stderr, "tremolo: warning: {}\n", printable(what));
   if (!set)

@@ -30,6 +30,10 @@ struct Options {
   int threads = machine_threads();
 };
 
+constexpr const char* trials_heading = "factor,stands,unbalanced_over_applied_force\n";
+constexpr const char* mechanism_heading =
+    "x_m,y_m,size_m,vx_over_fastest,vy_over_fastest,equivalent_plastic_strain\n";
+
 mpm_domain::Spec spec_of(const Options& options) {
   const auto scene = scene::load(options.case_file);
   if (!scene.gravity)
@@ -50,24 +54,33 @@ mpm_domain::Spec spec_of(const Options& options) {
 }
 
 std::string trials_text(const std::vector<mpm_domain::StrengthTrial>& trials) {
-  std::string text = "factor,stands,unbalanced_over_applied_force\n";
+  std::string text = trials_heading;
   for (const auto& trial : trials)
     text += fmt::format("{:.6g},{},{:.3g}\n", trial.factor, trial.stands ? 1 : 0, trial.residual);
   return text;
 }
 
 std::string mechanism_text(const std::vector<mpm_domain::MovingPoint>& mechanism) {
-  std::string text = "x_m,y_m,size_m,vx_over_fastest,vy_over_fastest,equivalent_plastic_strain\n";
+  std::string text = mechanism_heading;
   for (const auto& point : mechanism)
     text += fmt::format("{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g}\n", point.place.x, point.place.y,
                         point.size, point.velocity.x, point.velocity.y, point.plastic_strain);
   return text;
 }
 
+void require_place(const Options& options) {
+  make_folder(options.out);
+  require_writable_in(options.out,
+                      {{"safety.csv", begins_with(trials_heading)},
+                       {"mechanism.csv", begins_with(mechanism_heading)},
+                       {"mechanism.png", is_picture_of_tremolo}},
+                      {options.case_file});
+}
+
 void find(const Options& options) {
   const auto spec = spec_of(options);
   if (!options.out.empty())
-    make_folder(options.out);
+    require_place(options);
   std::vector<mpm_domain::StrengthTrial> trials;
   const auto safety = mpm_domain::factor_of_safety(spec, options.tolerance, [&](const auto& trial) {
     trials.push_back(trial);

@@ -100,12 +100,14 @@ std::string soil_table(const scene::SoilTestFile& file, double contraction_rate)
   return text;
 }
 
+constexpr const char* fitted_by = "# contraction_rate fitted by tremolo calibrate:";
+
 std::string provenance(const scene::SoilTestFile& file, const soiltest::Calibration& found) {
   const auto& target = *file.target;
   return fmt::format(
-      "# {}\n# contraction_rate fitted by tremolo calibrate: {} in {:.4g} cycles at a stress ratio of\n"
+      "# {}\n{} {} in {:.4g} cycles at a stress ratio of\n"
       "# {}\n# ({}, {}, vertical stress {:.4g} Pa, K0 {:.3g}); error of the strength {:+.2f} %\n",
-      file.title, soiltest::name(target.criterion), target.cycles, target_text(file),
+      file.title, fitted_by, soiltest::name(target.criterion), target.cycles, target_text(file),
       soiltest::name(file.test.kind), soiltest::name(file.test.drainage), file.test.initial.vertical_stress,
       file.test.initial.k0, 100.0 * found.strength_error);
 }
@@ -113,7 +115,7 @@ std::string provenance(const scene::SoilTestFile& file, const soiltest::Calibrat
 void calibrate(const Options& options) {
   const auto file = scene::load_soil_test(options.test, scene::SoilTestUse::calibration);
   if (!options.out.empty())
-    require_writable(options.out);
+    require_writable(options.out, {options.test}, has_words(fitted_by));
   fmt::print("{}{}", soil_text(file), notes_text(file));
   if (std::ranges::any_of(file.values, [](const auto& value) { return value.key.starts_with("loading."); }))
     fmt::print("  note: [loading] is for `tremolo soiltest`; a calibration applies the cycles of [target]\n");

@@ -39,7 +39,7 @@ SoilTestRun run_at_place(const scene::SoilTestFile& file) {
 void test_soil(const Options& options) {
   const auto file = scene::load_soil_test(options.test, scene::SoilTestUse::test);
   if (!options.out.empty())
-    check_output_name(options.out, file);
+    check_output(options.out, file, options.plot);
   if (options.plot && std::filesystem::path(options.out).extension() != ".h5")
     throw std::runtime_error("--plot draws from an HDF5 file: give --out a name that ends with .h5");
   fmt::print("{}", soil_text(file));

@@ -18,6 +18,8 @@ namespace {
 
 using results::Table;
 
+constexpr const char* soiltest_content = "soil test";
+
 std::string number_of(std::size_t index) {
   return fmt::format("{:03}", index);
 }
@@ -183,11 +185,16 @@ Table loops(const std::vector<soiltest::Loop>& closed) {
            {"ru", "1", values(&Loop::pore_pressure_ratio)}}};
 }
 
+std::string heading(const Table& table) {
+  std::string names;
+  for (const Table::Column& column : table.columns)
+    names += (&column == &table.columns.front() ? "" : ",") + column.name;
+  return names + "\n";
+}
+
 void write_csv(const std::filesystem::path& out, const Table& table) {
   TextFile file(out);
-  for (const Table::Column& column : table.columns)
-    file.add((&column == &table.columns.front() ? "" : ",") + column.name);
-  file.add("\n");
+  file.add(heading(table));
   const auto rows = std::get<std::vector<double>>(table.columns.front().values).size();
   for (std::size_t i = 0; i < rows; ++i) {
     for (const Table::Column& column : table.columns)
@@ -226,14 +233,19 @@ std::vector<results::NamedTable> soiltest_tables(const scene::SoilTestFile& file
   return tables;
 }
 
-void check_output_name(const std::filesystem::path& out, const scene::SoilTestFile& file) {
+void check_output(const std::filesystem::path& out, const scene::SoilTestFile& file, bool plot) {
   if (out.extension() != ".h5" && out.extension() != ".csv")
     throw std::runtime_error(fmt::format("--out {}: must end with .h5 or .csv", out.string()));
   if (out.extension() == ".csv" && specimens(file) > 1)
     throw std::runtime_error(
         fmt::format("--out {}: .csv takes the history of one test, but {} asks for {}; use .h5", out.string(),
                     file.file.string(), specimens(file)));
-  require_writable(out);
+  const bool table = out.extension() == ".csv";
+  require_writable(out, {file.file},
+                   table ? begins_with(heading(history(file.soil.law, {}))) : has_content(soiltest_content));
+  if (plot)
+    require_writable(std::filesystem::path(out).replace_extension(".png"), {file.file}, is_picture_of_tremolo,
+                     "--plot");
 }
 
 void write_soiltest(const std::filesystem::path& out, const scene::SoilTestFile& file,
@@ -241,7 +253,7 @@ void write_soiltest(const std::filesystem::path& out, const scene::SoilTestFile&
   if (out.extension() == ".csv")
     write_csv(out, history(file.soil.law, run.specimens.front().result.history));
   else
-    results::write_tables(out, soiltest_tables(file, run));
+    results::write_tables(out, soiltest_content, soiltest_tables(file, run));
 }
 
 } // namespace tremolo::app

@@ -44,9 +44,11 @@ namespace tremolo::app {
 
 std::vector<results::NamedTable> soiltest_tables(const scene::SoilTestFile& file, const SoilTestRun& run);
 
-/// Refuses a name that is neither .h5 nor .csv, and .csv for more than one test.
+/// Refuses a name that is neither .h5 nor .csv, .csv for more than one test, and a place that must not be
+/// written to.
+/// @param plot  whether a picture goes beside it
 /// @throws std::runtime_error saying so
-void check_output_name(const std::filesystem::path& out, const scene::SoilTestFile& file);
+void check_output(const std::filesystem::path& out, const scene::SoilTestFile& file, bool plot);
 
 /// By the extension of the name.
 /// @throws std::runtime_error where the file cannot be written

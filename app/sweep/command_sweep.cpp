@@ -71,6 +71,7 @@ scene::Axis made_motions(const scene::Study& study, const fs::path& folder) {
   for (int i = 0; i < study.motions->count; ++i) {
     const auto made = motion::synthesise(recipe);
     const fs::path file = motions / fmt::format("seed_{}.AT2", made.recipe.seed);
+    require_writable(file, {}, is_written_motion);
     motion::write_record(made.record, file, {"SYNTHETIC MOTION", fmt::format("SEED {}", made.recipe.seed)});
     axis.values.push_back({fmt::format("\"{}\"", file.string()),
                            fmt::format("\"{}\"", file.filename().string()), study.motions->place});
@@ -92,6 +93,13 @@ void sweep(const Options& options) {
   const fs::path folder = options.out.empty() ? fs::path("sweeps") / study_name(options.study) : options.out;
   make_folder(folder);
   const RunLock lock(folder);
+  require_writable_in(folder,
+                      {{"sweep.json", has_words("\n \"study\": ")},
+                       {"sweep.csv", begins_with("run,")},
+                       {"sweep.h5", has_content("sweep")},
+                       {"sweep.png", is_picture_of_tremolo},
+                       {"histories.png", is_picture_of_tremolo}},
+                      {options.study, study.case_file});
   if (study.motions) {
     axes.insert(axes.begin(), made_motions(study, folder));
     runs = planned_runs(study, axes, given);

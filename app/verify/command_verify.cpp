@@ -25,6 +25,7 @@ fs::path run_file(const fs::path& run) {
 
 void verify_run(const fs::path& run) {
   const fs::path file = run_file(run);
+  require_report_writable(file);
   const results::RunReader reader(file);
   const scene::Case scene = scene::parse(reader.case_text(), file / "case", file.parent_path());
   const auto verification = [&] {

@@ -1,4 +1,6 @@
 #include "app/verify/verification_report.hpp"
+
+#include "app/output_place.hpp"
 #include "base/text_file.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +10,9 @@
 
 namespace tremolo::app {
 namespace {
+
+constexpr const char* json_beginning = "{\n  \"schema_version\": ";
+constexpr const char* verification_content = "verification";
 
 nlohmann::ordered_json to_json(const Verification& verification, const scene::Case& scene,
                                const std::string& run_name) {
@@ -82,12 +87,21 @@ std::string text(const Verification& verification, const scene::Case& scene) {
   return out;
 }
 
+void require_report_writable(const std::filesystem::path& run_file) {
+  const std::filesystem::path folder = run_file.parent_path();
+  require_writable_in(folder,
+                      {{"verify.json", begins_with(json_beginning)},
+                       {"verify.h5", has_content(verification_content)},
+                       {"verify.png", is_picture_of_tremolo}},
+                      {run_file});
+}
+
 void write_report(const Verification& verification, const scene::Case& scene,
                   const std::filesystem::path& run_file) {
   const std::filesystem::path folder = run_file.parent_path();
   write_text_file(folder / "verify.json",
                   to_json(verification, scene, run_file.filename().string()).dump(2) + "\n");
-  results::write_tables(folder / "verify.h5", tables(verification));
+  results::write_tables(folder / "verify.h5", verification_content, tables(verification));
 }
 
 } // namespace tremolo::app

@@ -1,6 +1,6 @@
 #include "coupler/wire/frame.hpp"
 
-#include "coupler/wire/crc32.hpp"
+#include "base/crc32.hpp"
 
 #include <algorithm>
 #include <array>

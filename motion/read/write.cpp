@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tremolo::motion {
 
 namespace {
@@ -50,6 +52,22 @@ std::string csv_text(const Record& record) {
   for (std::size_t i = 0; i < record.samples.size(); ++i)
     text += fmt::format("{},{}\n", static_cast<double>(i) * record.dt, record.samples[i]);
   return text;
+}
+
+bool is_written_record(std::string_view head) {
+  constexpr std::string_view heading = "time (s),";
+  if (head.starts_with(heading)) {
+    const auto quantities = {Quantity::acceleration, Quantity::velocity, Quantity::displacement};
+    return std::ranges::any_of(quantities, [&](Quantity quantity) {
+      return head.substr(heading.size()).starts_with(fmt::format("{} (", name(quantity)));
+    });
+  }
+  const std::size_t first = head.find('\n');
+  const std::size_t second = first == std::string_view::npos ? first : head.find('\n', first + 1);
+  if (second == std::string_view::npos)
+    return false;
+  const std::string title = upper(std::string(head.substr(0, second)));
+  return title.find("TREMOLO") != std::string::npos || title.substr(first + 1).starts_with("SEED ");
 }
 
 void write_record(const Record& record, const std::filesystem::path& file, const Title& title) {

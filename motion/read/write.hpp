@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace tremolo::motion {
 
@@ -18,6 +19,9 @@ std::string peer_text(const Record& record, const Title& title);
 
 /// A line of names with the unit, then time and value in the shortest form that reads back to the same bits.
 std::string csv_text(const Record& record);
+
+/// Whether a file with this beginning is one that write_record() wrote.
+bool is_written_record(std::string_view head);
 
 /// By extension: .AT2, .VT2, .DT2 in PEER's unit of that quantity, .csv in the record's unit.
 /// @throws std::invalid_argument for another extension, std::runtime_error where it cannot be written

@@ -1,5 +1,8 @@
 #include "mpm_domain/process/run_output.hpp"
 
+#include "results/run_checksums.hpp"
+#include "results/stored_fields.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -192,39 +195,6 @@ Frame collect(const Domain& domain, const Picture& picture, double dt, bool has_
   return frame;
 }
 
-/// Fields as they are read, to be written again.
-class StoredFields {
-public:
-  /// @param read  a field by its name
-  template <typename Read>
-  StoredFields(const std::vector<std::string>& names, const Read& read) : names_(names) {
-    data_.reserve(names.size());
-    integers_.resize(names.size());
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      data_.push_back(read(names[i]));
-      if (data_[i].integers)
-        for (const double value : data_[i].values)
-          integers_[i].push_back(static_cast<std::int32_t>(value));
-    }
-  }
-
-  std::vector<results::Field> fields() const {
-    std::vector<results::Field> fields;
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      fields.push_back(
-          {names_[i], data_[i].unit, data_[i].components, std::span<const double>(data_[i].values)});
-      if (data_[i].integers)
-        fields.back().values = std::span<const std::int32_t>(integers_[i]);
-    }
-    return fields;
-  }
-
-private:
-  std::vector<std::string> names_;
-  std::vector<results::FieldData> data_;
-  std::vector<std::vector<std::int32_t>> integers_;
-};
-
 results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std::string> sources) {
   results::BoundaryFaces faces;
   for (std::size_t f = 0; f < domain.boundary.faces().size(); ++f) {
@@ -416,6 +386,7 @@ std::optional<std::string> RunOutput::warning() const {
 void RunOutput::save(results::CheckpointWriter& checkpoint) {
   writer_.sync();
   checkpoint.write("output.rows", std::array<std::uint64_t, 2>{history_rows_, writer_.frame_count()});
+  checkpoint.write_text(std::string(results::checksums_name), results::checksum_text(writer_.checksums()));
   checkpoint.write("output.times", std::array{next_history_, next_frame_, last_history_, last_frame_});
   bodies_.save(checkpoint);
   checkpoint.write("output.lost_hold", lost_hold_.state());
@@ -475,10 +446,11 @@ void RunOutput::take_over_frame(const results::RunReader& before, std::size_t fr
   std::ranges::stable_sort(names, {}, [](const std::string& name) {
     return std::ranges::find(field_order, name) - field_order.begin();
   });
-  const StoredFields particles(names,
-                               [&](const std::string& name) { return before.frame_field(frame, name); });
-  const StoredFields contact(before.contact_fields(frame),
-                             [&](const std::string& name) { return before.contact_field(frame, name); });
+  const results::StoredFields particles(
+      names, [&](const std::string& name) { return before.frame_field(frame, name); });
+  const results::StoredFields contact(before.contact_fields(frame), [&](const std::string& name) {
+    return before.contact_field(frame, name);
+  });
   writer_.write_frame(before.frame_times().at(frame), particles.fields(), contact.fields());
 }
 

@@ -7,8 +7,8 @@ import json
 import sys
 from pathlib import Path
 
-from tremolo import (bodies, column, comparison, cost, deconvolution, failure, histories, motion, pore_pressure, swap,
-                     timeline, verification)
+from tremolo import (bodies, column, comparison, cost, deconvolution, failure, histories, motion, outputs, pore_pressure,
+                     swap, timeline, verification)
 from tremolo.pictures import fronts, maps, mechanism, preview
 from tremolo.soil_test import drawing, record
 from tremolo.extract import command as extract_command
@@ -151,7 +151,8 @@ def command_table(arguments):
     """What each command takes, as JSON: `tremolo` writes its manual from it."""
     table = {name: [_option(action) for action in command._actions if action.dest != "help"]
              for name, command in _parser().commands.items()}
-    Path(arguments.path).write_text(json.dumps(table))
+    beginning = json.dumps(dict.fromkeys(list(table)[:1], []))[:-2]
+    outputs.writable(arguments.path, beginning=beginning).write_text(json.dumps(table))
     return []
 
 

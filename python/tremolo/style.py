@@ -7,6 +7,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from tremolo import outputs
+
 DIVERGING = "RdBu_r"
 SEQUENTIAL = "viridis"
 # Okabe & Ito (2008): distinguishable with every kind of colour vision.
@@ -96,8 +98,8 @@ def fill_particles(ax, position, values, size, **colouring):
 
 
 def save(figure, folder, name):
-    """Writes the picture and returns its path."""
-    path = folder / name
-    figure.savefig(path)
+    """Writes the picture and returns its path. Raises ValueError where there is a file that is none of tremolo's pictures."""
+    path = outputs.writable(folder / name)
+    figure.savefig(path, metadata={"Software": outputs.SOFTWARE} if path.suffix == ".png" else None)
     plt.close(figure)
     return path

@@ -35,6 +35,7 @@ FileReader::FileReader(std::filesystem::path path, std::string_view what) : path
   prepare_hdf5();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(access.get(), false, true);
+  H5Pset_evict_on_close(access.get(), true); // as a writer in this process has it
   file_ = Handle(
       checked(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access.get()), path_, fmt::format("open the {}", what)),
       H5Fclose);

@@ -17,6 +17,8 @@ namespace {
 
 /// Rows of a compressed chunk: large enough to compress well, small enough to be read in part.
 constexpr hsize_t chunk_rows = 65536;
+/// Bytes of an array that is worth a chunk: the index of chunks takes 2.6 kB in the file.
+constexpr std::size_t fewest_chunk_bytes = 8192;
 
 /// Strings of equal length, one after the other.
 std::string packed(std::span<const std::string> strings, std::size_t length) {
@@ -79,7 +81,7 @@ void write_dataset(Place place, std::string_view name, hid_t type, hid_t space, 
                    const void* data, std::string_view unit) {
   const std::string key(name);
   const std::string action = fmt::format("write {}", name);
-  const Handle dataset(
+  Handle dataset(
       checked(H5Dcreate2(place.object, key.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
               place.file, action),
       H5Dclose);
@@ -87,6 +89,7 @@ void write_dataset(Place place, std::string_view name, hid_t type, hid_t space, 
   if (!unit.empty()) {
     write_attribute({dataset.get(), place.file}, "unit", std::string(unit));
   }
+  checked(H5Dclose(dataset.release()), place.file, action); // writes its metadata
 }
 
 struct ColumnWriter {
@@ -109,9 +112,11 @@ struct ColumnWriter {
   }
 };
 
-/// Metadata reaches the disk only when the file is flushed; array values reach it at once, so that nothing on
-/// disk ever refers to values that are not there. Blocks are allocated one by one: the file never has to
-/// shrink.
+/// Metadata of groups and of open datasets reaches the disk only when the file is flushed, since the cache
+/// evicts none of it; array values reach it at once, so that nothing on disk ever refers to values that are
+/// not there. An object that is closed takes its metadata with it to the disk and out of memory, which else
+/// would grow with every frame: nothing refers to it before its group is flushed. Blocks are allocated one by
+/// one: the file never has to shrink.
 Handle access_properties() {
   Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5AC_cache_config_t cache{};
@@ -122,6 +127,7 @@ Handle access_properties() {
   cache.flash_incr_mode = H5C_flash_incr__off;
   cache.decr_mode = H5C_decr__off;
   H5Pset_mdc_config(properties.get(), &cache);
+  H5Pset_evict_on_close(properties.get(), true);
   H5Pset_cache(properties.get(), 0, 0, 0, 0.0);
   H5Pset_sieve_buf_size(properties.get(), 0);
   H5Pset_meta_block_size(properties.get(), 0);
@@ -209,12 +215,14 @@ void write_array(Place place, std::string_view name, std::span<const hsize_t> sh
   const int rank = static_cast<int>(shape.size());
   const Handle space(H5Screate_simple(rank, shape.data(), nullptr), H5Sclose);
   const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  if (compress && shape[0] > 0) {
+  const std::size_t bytes = std::visit([](auto span) { return span.size_bytes(); }, values);
+  if (compress && bytes >= fewest_chunk_bytes) {
     std::vector<hsize_t> chunk(shape.begin(), shape.end());
     chunk[0] = std::min(chunk[0], chunk_rows);
     H5Pset_chunk(properties.get(), rank, chunk.data());
     H5Pset_shuffle(properties.get());
     H5Pset_deflate(properties.get(), 1);
+    H5Pset_fletcher32(properties.get());
   }
   const bool real = std::holds_alternative<std::span<const double>>(values);
   const void* data = std::visit([](auto span) { return static_cast<const void*>(span.data()); }, values);

@@ -40,8 +40,8 @@ Handle create_group(Place place, std::string_view name, std::size_t expected_lin
 /// A group some of whose attributes may take more than the 64 KiB that HDF5 has for one by default.
 Handle create_group_of_long_attributes(Place place, std::string_view name, std::size_t expected_links);
 
-/// Writes an array of `shape`; `compress` shuffles and deflates it in chunks, where it has
-/// rows.
+/// Writes an array of `shape`; `compress` shuffles, deflates and checksums it in chunks, where that makes it
+/// smaller.
 void write_array(Place place, std::string_view name, std::span<const hsize_t> shape,
                  const std::variant<std::span<const double>, std::span<const std::int32_t>>& values,
                  std::string_view unit, bool compress);

@@ -1,6 +1,6 @@
 #include "coupler/wire/handshake/messages.hpp"
 
-#include "coupler/wire/crc32.hpp"
+#include "base/crc32.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"
 

@@ -1,8 +1,11 @@
 """Tables as comma-separated files: a heading with the unit at the end of each name, then numbers; empty where there is none."""
 
 import csv
+import io
 
 import numpy as np
+
+from tremolo import outputs
 
 
 def file_name(*words):
@@ -12,7 +15,9 @@ def file_name(*words):
 
 def write(path, table):
     """table: name -> array, all of one length. Returns the path."""
-    with open(path, "w", newline="", encoding="utf-8") as stream:
+    heading = io.StringIO()
+    csv.writer(heading).writerow(table)
+    with open(outputs.writable(path, beginning=heading.getvalue()), "w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream)
         writer.writerow(table)
         for row in zip(*table.values()):

@@ -11,6 +11,8 @@ from pathlib import Path
 TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parent)]
 
+import h5py
+import numpy as np
 from broken_run import (BoxWorkspace, checkpoints, differences, exchange_differences, killed, model, record, resumed, whole_run,
                         with_checkpoints)
 
@@ -57,6 +59,30 @@ class Damaged(unittest.TestCase):
                 self.assertEqual([], differences(folder, self.whole))
                 self.assertEqual([], exchange_differences(folder, self.whole))
                 self.assertNotIn("json.exception", result.stderr)
+
+    def test_a_damaged_run_file_is_named_before_anything_starts(self):
+        for name, at in {"energy": (3, 1), "monitors/surface": (5, 4), "boundary/traction": (2, 0, 1), "frames/0000/velocity": (7, 1)}.items():
+            with self.subTest(name):
+                folder = self.copy(f"bad_{name.replace('/', '_')}")
+                with h5py.File(folder / "run.h5", "r+") as file:
+                    file[name][at] = np.nextafter(file[name][at], np.inf)
+                before = (folder / "run.h5").read_bytes()
+                self.refused(folder, name.rsplit("/", 1)[0] if name.startswith("frames") else name)
+                self.assertEqual(before, (folder / "run.h5").read_bytes())
+
+    def test_a_run_file_that_cannot_be_read_is_named_before_anything_starts(self):
+        for damage in (halved, Path.unlink):
+            folder = self.copy(f"run_{damage.__name__}")
+            damage(folder / "run.h5")
+            self.refused(folder, "run.h5")
+
+    def refused(self, folder, word):
+        result = resumed(self.work, folder)
+        self.assertNotEqual(0, result.returncode, result.stdout)
+        for part in (word, "cannot go on", f"tremolo run {folder / 'case.toml'}"):
+            self.assertIn(part, result.stderr)
+        self.assertNotIn("tremolo resume", result.stderr)
+        self.assertNotIn("going on from step", result.stdout)
 
     def test_folders_that_are_no_sets_are_left_alone(self):
         folder = self.copy("strange")

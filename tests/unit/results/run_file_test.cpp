@@ -164,7 +164,7 @@ TEST(RunFile, WritesFilesOfTables) {
   const std::vector<NamedTable> tables{
       {"/points", {{{"name", "", std::vector<std::string>{"toe"}}, {"x", "m", std::vector<double>{30.0}}}}},
       {"/histories/toe", {{{"time", "s", std::vector<double>{0.0, 0.5}}}}}};
-  write_tables(folder / "verify.h5", tables);
+  write_tables(folder / "verify.h5", "verification", tables);
   const hid_t file = H5Fopen((folder / "verify.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t time = H5Dopen2(file, "/histories/toe/time", H5P_DEFAULT);
   std::array<double, 2> values{};

@@ -4,7 +4,7 @@
 // divided, by zlib (V. Gopal et al., Fast CRC computation for generic polynomials using PCLMULQDQ
 // instruction, Intel, 2009). Five times as fast as zlib alone; each frame is summed three times on its way.
 
-#include "coupler/wire/crc32.hpp"
+#include "base/crc32.hpp"
 
 #include <zlib.h>
 
@@ -12,7 +12,7 @@
 #include <immintrin.h>
 #endif
 
-namespace tremolo::coupler {
+namespace tremolo {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::uint32_t crc32(std::uint32_t crc, std::span<const std::byte> bytes) {
   return by_zlib(crc, bytes);
 }
 
-} // namespace tremolo::coupler
+} // namespace tremolo

@@ -1,4 +1,4 @@
-#include "coupler/wire/crc32.hpp"
+#include "base/crc32.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tremolo::coupler {
+namespace tremolo {
 namespace {
 
 std::uint32_t by_zlib(std::uint32_t crc, std::span<const std::byte> bytes) {
@@ -32,4 +32,4 @@ TEST(Crc32, IsThatOfZlibAtEveryLengthAlignmentAndStart) {
 }
 
 } // namespace
-} // namespace tremolo::coupler
+} // namespace tremolo

@@ -1,0 +1,39 @@
+"""Where a command may write: never over a file that it reads, nor over one that is not its own.
+
+`app/output_place.hpp` does the same for the commands that are programs.
+"""
+
+from pathlib import Path
+
+SOFTWARE = "tremolo"  # of the text in pictures that names what drew them
+PAGE = ": tremolo report</title>"
+HEAD = 4096  # bytes that tell whose a file is
+
+
+def _is_own(path, beginning):
+    with open(path, "rb") as stream:
+        head = stream.read(HEAD)
+    if path.suffix == ".png":
+        return head.startswith(b"\x89PNG") and b"tEXtSoftware\0" + SOFTWARE.encode() in head
+    if path.suffix == ".html":
+        return PAGE.encode() in head
+    return bool(beginning) and head.startswith(beginning.encode())
+
+
+def writable(path, inputs=(), beginning=""):
+    """Returns the path of a file that a command may write.
+
+    inputs: files that the command reads
+    beginning: of a table, its heading; a picture (.png) and a page (.html) are known by what tremolo puts into them
+    Raises ValueError for a folder, for an input, and for a file that exists and was not written by such a command.
+    """
+    path = Path(path)
+    if path.is_dir():
+        raise ValueError(f"{path}: is a folder; give the name of a file")
+    if not path.exists():
+        return path
+    if any(Path(other).exists() and path.samefile(other) for other in inputs):
+        raise ValueError(f"{path}: is a file that this command reads; give another name")
+    if path.is_file() and path.stat().st_size > 0 and not _is_own(path, beginning):
+        raise ValueError(f"{path}: exists and is not a file that this command wrote; give another name, or remove it")
+    return path

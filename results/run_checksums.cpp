@@ -1,0 +1,155 @@
+#include "results/run_checksums.hpp"
+
+#include "base/crc32.hpp"
+#include "results/run_file.hpp"
+#include "results/stored_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+namespace tremolo::results {
+namespace {
+
+constexpr std::string_view frames = "/frames/";
+constexpr std::string_view contact = "/contact/";
+constexpr std::string_view boundary = "/boundary/";
+
+template <class Number>
+std::uint32_t extended(std::uint32_t crc, std::span<const Number> values) {
+  return crc32(crc, std::as_bytes(values));
+}
+
+/// A text, and where it ends.
+std::uint32_t extended(std::uint32_t crc, std::string_view text) {
+  const std::size_t size = text.size();
+  return extended(extended(crc, std::span(text)), std::span(&size, 1));
+}
+
+std::size_t number_in(std::string_view digits) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size())
+    throw std::runtime_error(fmt::format("'{}' is no whole number", digits));
+  return value;
+}
+
+/// Takes the checksums of a file as it is.
+class Taken {
+public:
+  explicit Taken(const std::filesystem::path& file) : run_(file) {}
+
+  Checksum like(const Checksum& known) {
+    const std::string_view path = known.path;
+    if (path.starts_with(frames))
+      return fields(known, path.substr(frames.size()), &RunReader::frame_fields, &RunReader::frame_field);
+    if (path.starts_with(contact))
+      return fields(known, path.substr(contact.size()), &RunReader::contact_fields,
+                    &RunReader::contact_field);
+    if (path.starts_with(boundary))
+      return beginning({known.path}, exchange(path.substr(boundary.size())), known.numbers);
+    const SeriesData data = run_.series(path);
+    return beginning(checksum_of_series(path, data.columns, data.units), data.values, known.numbers);
+  }
+
+private:
+  /// Of the first numbers, or of all where there are fewer.
+  static Checksum beginning(Checksum checksum, const std::vector<double>& values, std::size_t numbers) {
+    checksum.add(std::span(values).first(std::min(numbers, values.size())));
+    return checksum;
+  }
+
+  template <class Names, class Read>
+  Checksum fields(const Checksum& known, std::string_view number, Names names, Read read) {
+    const std::size_t frame = number_in(number);
+    const StoredFields stored((run_.*names)(frame),
+                              [&](const std::string& name) { return (run_.*read)(frame, name); });
+    return checksum_of_fields(known.path, run_.frame_times().at(frame), stored.fields());
+  }
+
+  const std::vector<double>& exchange(std::string_view name) {
+    if (!boundary_)
+      boundary_ = run_.boundary();
+    return name == "time"                  ? boundary_->time
+           : name == "free_field_velocity" ? boundary_->free_field_velocity
+           : name == "domain_velocity"     ? boundary_->domain_velocity
+                                           : boundary_->traction;
+  }
+
+  RunReader run_;
+  std::optional<BoundaryHistory> boundary_;
+};
+
+} // namespace
+
+void Checksum::add(std::span<const double> values) {
+  numbers += values.size();
+  crc = extended(crc, values);
+}
+
+Checksum checksum_of_series(std::string_view path, std::span<const std::string> columns,
+                            std::span<const std::string> units) {
+  Checksum checksum{std::string(path)};
+  for (const auto& texts : {columns, units})
+    for (const std::string& text : texts)
+      checksum.crc = extended(checksum.crc, text);
+  return checksum;
+}
+
+Checksum checksum_of_fields(std::string_view path, double time, std::span<const Field> fields) {
+  std::vector<const Field*> by_name;
+  for (const Field& field : fields)
+    by_name.push_back(&field);
+  std::ranges::sort(by_name, {}, [](const Field* field) { return field->name; });
+  Checksum checksum{std::string(path)};
+  checksum.crc = extended(checksum.crc, std::span<const double>(&time, 1));
+  for (const Field* field : by_name) {
+    checksum.crc = extended(extended(checksum.crc, field->name), field->unit);
+    std::visit(
+        [&](auto values) {
+          const std::array shape{field->components, sizeof values.front(), values.size()};
+          checksum.crc = extended(extended(checksum.crc, std::span<const std::size_t>(shape)), values);
+          checksum.numbers += values.size();
+        },
+        field->values);
+  }
+  return checksum;
+}
+
+std::string checksum_text(std::span<const Checksum> checksums) {
+  std::string text;
+  for (const Checksum& checksum : checksums)
+    text += fmt::format("{:08x} {} {}\n", checksum.crc, checksum.numbers, checksum.path);
+  return text;
+}
+
+std::vector<Checksum> checksums_from(std::string_view text) {
+  std::vector<Checksum> checksums;
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    Checksum checksum;
+    words >> std::hex >> checksum.crc >> std::dec >> checksum.numbers >> std::ws;
+    if (!words || !std::getline(words, checksum.path))
+      throw std::runtime_error(fmt::format("'{}' is no checksum of a dataset", line));
+    checksums.push_back(std::move(checksum));
+  }
+  return checksums;
+}
+
+void require_undamaged(const std::filesystem::path& file, std::span<const Checksum> checksums) {
+  Taken taken(file);
+  for (const Checksum& known : checksums)
+    if (const Checksum found = taken.like(known); found != known)
+      throw std::runtime_error(
+          fmt::format("{} is not what was written: CRC-32 {:08x} over {} numbers, it was {:08x} over {}",
+                      known.path, found.crc, found.numbers, known.crc, known.numbers));
+}
+
+} // namespace tremolo::results

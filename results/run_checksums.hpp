@@ -1,0 +1,51 @@
+#pragma once
+
+// Checksums of what a run file holds, so that a resumed run, which copies it, notices any damage. A
+// checkpoint keeps those of the file as it was then (docs/checkpoints.md): one for every series and every
+// dataset of /boundary over the numbers that it had, one for every group of fields in /frames and /contact.
+
+#include "results/run_data.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tremolo::results {
+
+/// The array of a checkpoint that holds them as text.
+inline constexpr std::string_view checksums_name = "output.checksums";
+
+/// The checksum of a dataset that grows, or of a group of fields, which is written once.
+struct Checksum {
+  std::string path;
+  std::size_t numbers = 0; ///< from the beginning, which it is taken over
+  std::uint32_t crc = 0;   ///< CRC-32
+
+  /// Goes on over the numbers that follow.
+  void add(std::span<const double> values);
+
+  friend bool operator==(const Checksum&, const Checksum&) = default;
+};
+
+/// Of a series without rows: names and units of its columns count.
+Checksum checksum_of_series(std::string_view path, std::span<const std::string> columns,
+                            std::span<const std::string> units);
+
+/// Of fields at a time: it, and names, units, components, types and values in the order of names.
+Checksum checksum_of_fields(std::string_view path, double time, std::span<const Field> fields);
+
+/// A line each: CRC-32, count of numbers, path.
+std::string checksum_text(std::span<const Checksum> checksums);
+/// @throws std::runtime_error where the text is none of checksum_text()
+std::vector<Checksum> checksums_from(std::string_view text);
+
+/// Reads all that the checksums are of. It is to be done in a process of its own: the library may crash on a
+/// damaged file.
+/// @throws std::exception naming the dataset that cannot be read, or is not as it was
+void require_undamaged(const std::filesystem::path& file, std::span<const Checksum> checksums);
+
+} // namespace tremolo::results
