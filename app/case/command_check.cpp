@@ -16,7 +16,7 @@ namespace {
 void check_case(const std::string& file) {
   const auto scene = scene::load(file);
   const auto plan = scene::plan(scene);
-  start_columns(scene, plan);
+  start_free_fields(scene, plan);
   fmt::print("{}: ok, {} particles, {} steps of {:.3g} s, processes: domain", file, plan.particles,
              plan.steps, plan.dt);
   for (const auto& source : plan.sources)

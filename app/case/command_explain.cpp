@@ -86,7 +86,7 @@ void add_explain(Command& app) {
       return explain_column(*file, *column, *values);
     const auto scene = scene::load(*file);
     const auto plan = scene::plan(scene);
-    start_columns(scene, plan);
+    start_free_fields(scene, plan);
     if (*json) {
       fmt::print("{}\n", scene::resolved_json(scene, plan));
       return;

@@ -94,20 +94,49 @@ std::string start_column(const ColumnGround& ground) {
   }
 }
 
-void start_columns(const scene::Case& scene, const scene::Plan& plan) {
+namespace {
+
+/// Whether its ground lets go of the wave, which the surface shows.
+void start_waves(const scene::Case& scene, const scene::SourceProcess& source) {
+  if (std::ranges::none_of(
+          source.serves, [](const scene::Served& served) { return served.field == scene::BaseForm::total; }))
+    return;
+  const wavefield::LayeredField field = wavefield::field_from_case(scene, source);
+  const scene::Service service = scene::service(scene, source, field.slowness_x());
+  const std::array surface{wavefield::Point{service.x_line, source.surface}};
+  const wavefield::TimeGrid ends{service.start_time, service.end_time - service.start_time, 2};
+  field.sample(surface, ends, wavefield::Part::total,
+               {.displacement = false, .stress = false, .strain = false});
+}
+
+void start_source(const scene::Case& scene, const scene::SourceProcess& source) {
   using enum scene::SourceModel;
-  for (const scene::SourceProcess& source : plan.sources) {
-    if (source.field.model != fe && source.field.model != ode && source.field.model != oblique)
-      continue;
+  switch (source.field.model) {
+  case wave:
+    return start_waves(scene, source);
+  case fe:
+  case ode:
+  case oblique: {
+    const scene::Service service = scene::service(scene, source, freefield::slowness_from_case(scene));
+    freefield::column_from_case(scene, source, service.x_line, service.start_time);
+    return;
+  }
+  default:
+    return;
+  }
+}
+
+} // namespace
+
+void start_free_fields(const scene::Case& scene, const scene::Plan& plan) {
+  for (const scene::SourceProcess& source : plan.sources)
     try {
-      const scene::Service service = scene::service(scene, source, freefield::slowness_from_case(scene));
-      freefield::column_from_case(scene, source, service.x_line, service.start_time);
+      start_source(scene, source);
     } catch (const std::exception& refusal) {
       throw std::runtime_error(fmt::format("{}: [boundary.{}] model = \"{}\": {}", scene.file.string(),
                                            scene::name(source.serves.front().side),
                                            scene::name(source.field.model), refusal.what()));
     }
-  }
 }
 
 std::string layers_text(const ColumnGround& ground) {

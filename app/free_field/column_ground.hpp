@@ -45,9 +45,9 @@ wavefield::TimeGrid column_times(const ColumnGround& ground, std::optional<doubl
 /// @throws as free_field_series() before its first step
 std::string start_column(const ColumnGround& ground);
 
-/// Builds the columns (fe, ode, oblique) of a complete case as their processes do.
+/// Builds the free fields wave, fe, ode and oblique of a complete case as their processes do.
 /// @throws std::runtime_error that names the side and says why one cannot be built
-void start_columns(const scene::Case& scene, const scene::Plan& plan);
+void start_free_fields(const scene::Case& scene, const scene::Plan& plan);
 
 /// Layers from the surface down, in lines.
 std::string layers_text(const ColumnGround& ground);

@@ -83,25 +83,29 @@ protected:
   std::optional<scene::Case> read(const Draw& draw) const {
     const std::string text = case_text(draw);
     try {
-      auto scene = scene::parse(text, "case.toml", folder_ / "");
-      app::start_columns(scene, scene::plan(scene));
-      return scene;
+      return scene::parse(text, "case.toml", folder_ / "");
     } catch (const scene::CaseErrors& errors) {
       for (const scene::Finding& error : errors.errors())
         EXPECT_TRUE(names_a_key(text, error)) << described(draw) << "\n" << error.message();
-    } catch (const std::exception& error) {
-      const std::string what = error.what();
-      EXPECT_TRUE(what.starts_with("case.toml: [boundary.")) << described(draw) << "\n" << what;
     }
     return std::nullopt;
   }
 
-  void expect_starts(const scene::Case& scene, const Draw& draw) const {
+  /// @returns whether `check` passes the case
+  static bool expect_starts(const scene::Case& scene, const Draw& draw) {
+    try {
+      app::start_free_fields(scene, scene::plan(scene));
+    } catch (const std::exception& error) {
+      const std::string what = error.what();
+      EXPECT_TRUE(what.starts_with("case.toml: [boundary.")) << described(draw) << "\n" << what;
+      return false;
+    }
     try {
       start_processes(scene);
     } catch (const std::exception& error) {
       ADD_FAILURE() << described(draw) << "\n" << error.what() << "\n" << case_text(draw);
     }
+    return true;
   }
 
   /// What `check --column` passes, `column` runs.
@@ -172,7 +176,9 @@ TEST_F(Agreement, CasesOfAllPairsStart) {
   Random random(20261125);
   OpenPairs open;
   std::size_t rows = 0, columns = 0, impossible = 0;
-  while (open.count() > 0) {
+  const std::size_t all = open.count();
+  const std::size_t most = std::getenv("TREMOLO_AGREEMENT_CASES") != nullptr ? all : 60;
+  while (open.count() > 0 && rows < most) {
     const auto at = std::uniform_int_distribution<std::size_t>(0, open.count() - 1)(random);
     const Pair pair = *std::next(open.all().begin(), static_cast<std::ptrdiff_t>(at));
     const auto row = row_with(pair, open, random, [&](const Draw& draw) { return read(draw).has_value(); });
@@ -181,16 +187,21 @@ TEST_F(Agreement, CasesOfAllPairsStart) {
       open.give_up(pair);
       continue;
     }
+    if (!expect_starts(*read(*row), *row)) {
+      open.give_up(pair);
+      continue;
+    }
     ++rows;
     open.close(*row);
-    expect_starts(*read(*row), *row);
     columns += expect_columns_run(*row);
     if (HasFailure())
       return;
   }
-  std::printf("%zu cases and %zu columns, %zu pairs are refused\n", rows, columns, impossible);
-  EXPECT_GT(rows, 50u);
-  EXPECT_GT(columns, rows);
+  std::printf("%zu cases and %zu columns; of %zu pairs %zu are refused, %zu are left\n", rows, columns, all,
+              impossible, open.count());
+  EXPECT_GE(rows, std::min<std::size_t>(most, 60));
+  EXPECT_LT(open.count(), all / 2);
+  EXPECT_GT(columns, rows / 3);
 }
 
 TEST_F(Agreement, ShippedColumnsRun) {
@@ -219,10 +230,8 @@ TEST_F(Agreement, RandomCasesStart) {
     for (std::size_t f = 0; f < draw.size(); ++f)
       if (changes(random))
         draw[f] = std::uniform_int_distribution<std::size_t>(0, factors()[f].values.size() - 1)(random);
-    if (const auto scene = read(draw)) {
-      ++sound;
-      expect_starts(*scene, draw);
-    }
+    if (const auto scene = read(draw))
+      sound += expect_starts(*scene, draw) ? 1 : 0;
     columns += expect_columns_run(draw);
   }
   std::printf("%zu cases: %zu started, %zu columns ran, the others were refused\n", cases, sound, columns);
