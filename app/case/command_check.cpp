@@ -1,5 +1,5 @@
 #include "app/commands.hpp"
-#include "app/free_field/column_ground.hpp"
+#include "app/free_field/column/column_ground.hpp"
 #include "app/free_field/motion_levels.hpp"
 
 #include "scene/plan/plan.hpp"

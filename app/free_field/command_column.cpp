@@ -1,7 +1,7 @@
 // tremolo column: the free field of a case alone, by any model, as engineers look at it.
 
 #include "app/commands.hpp"
-#include "app/free_field/column_ground.hpp"
+#include "app/free_field/column/column_ground.hpp"
 #include "app/free_field/column_recording.hpp"
 #include "app/free_field/column_report.hpp"
 #include "app/free_field/free_field_series.hpp"

@@ -3,7 +3,7 @@
 // What the processes of a run do first, in one process: everything is built as tremolo-wave, tremolo-column
 // and tremolo-domain build it, and makes three steps.
 
-#include "app/free_field/column_ground.hpp"
+#include "app/free_field/column/column_ground.hpp"
 #include "scene/case.hpp"
 
 namespace tremolo::testing {

@@ -1,4 +1,4 @@
-#include "app/free_field/column_ground.hpp"
+#include "app/free_field/column/column_ground.hpp"
 
 #include "freefield/process/column_from_case.hpp"
 #include "mpm_domain/process/column_from_case.hpp"
