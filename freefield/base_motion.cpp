@@ -1,21 +1,43 @@
 #include "freefield/base_motion.hpp"
 
+#include "freefield/profile.hpp"
+
 namespace tremolo::freefield {
 namespace {
 
 BaseComponent advanced(const BaseComponent& before, double middle, double end, double step) {
   return {.displacement = before.displacement + step / 6.0 * (before.velocity + 4.0 * middle + end),
           .velocity = end,
-          .acceleration = (3.0 * end - 4.0 * middle + before.velocity) / step};
+          .acceleration = (3.0 * end - 4.0 * middle + before.velocity) / step,
+          .reference = end};
 }
 
 } // namespace
 
-BaseMotion advanced(BaseKind kind, const InputVelocity& input, const BaseMotion& before, double time,
-                    double step) {
+Rise rise_to_damped_soil(const Profile& profile) {
+  Rise rise;
+  for (auto layer = profile.layers.rbegin(); layer != profile.layers.rend(); ++layer) {
+    if (layer->damping_ratio > 0.0)
+      return rise;
+    rise.x += layer->thickness / layer->soil.s_wave_speed();
+    rise.y += layer->thickness / layer->soil.p_wave_speed();
+  }
+  return {}; // nothing is damped
+}
+
+Velocity reference_velocity(BaseKind kind, const InputVelocity& input, const Rise& rise, double time) {
+  if (kind == BaseKind::rigid)
+    return input(time);
+  return {2.0 * input(time - rise.x).x, 2.0 * input(time - rise.y).y};
+}
+
+BaseMotion advanced(BaseKind kind, const InputVelocity& input, const Rise& rise, const BaseMotion& before,
+                    double time, double step) {
   const Velocity end = input(time + step);
+  const Velocity reference = reference_velocity(kind, input, rise, time + step);
   if (kind == BaseKind::compliant)
-    return {.x = {.velocity = end.x}, .y = {.velocity = end.y}};
+    return {.x = {.velocity = end.x, .reference = reference.x},
+            .y = {.velocity = end.y, .reference = reference.y}};
   const Velocity middle = input(time + 0.5 * step);
   return {advanced(before.x, middle.x, end.x, step), advanced(before.y, middle.y, end.y, step)};
 }

@@ -46,7 +46,8 @@ struct Profile {
   double hydrostatic_pressure(double y) const;
 };
 
-/// c = alpha rho + beta E per layer, which gives the layer's damping ratio at both frequencies.
+/// c = alpha rho + beta E per layer, alpha rho on the velocity relative to the rock below (base_motion.hpp),
+/// which gives the layer's damping ratio at both frequencies.
 struct RayleighDamping {
   double first_frequency_hz = 0.0;
   double second_frequency_hz = 0.0;

@@ -1,16 +1,15 @@
 // tremolo column: the free field of a case alone, by any model, as engineers look at it.
 
 #include "app/commands.hpp"
+#include "app/free_field/column/column_ground.hpp"
 #include "app/free_field/column_recording.hpp"
 #include "app/free_field/column_report.hpp"
 #include "app/free_field/free_field_series.hpp"
 #include "app/free_field/water_tables.hpp"
 #include "app/output_place.hpp"
 #include "app/python.hpp"
-#include "freefield/process/column_from_case.hpp"
 #include "results/run_file.hpp"
 #include "scene/plan/layers.hpp"
-#include "scene/plan/wave/motion.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/read/override.hpp"
 #include "scene/soils/domain_soils.hpp"
@@ -19,7 +18,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -44,20 +42,6 @@ struct Options {
   bool plot = false;
 };
 
-constexpr std::array models = {scene::SourceModel::wave,    scene::SourceModel::fe,  scene::SourceModel::ode,
-                               scene::SourceModel::oblique, scene::SourceModel::eql, scene::SourceModel::mpm};
-
-scene::SourceModel model_of(const Options& options) {
-  return *std::ranges::find(models, options.model, [](scene::SourceModel m) { return scene::name(m); });
-}
-
-/// A free field to compute, and where it stands.
-struct Ground {
-  scene::Case scene;
-  scene::SourceProcess source;
-  double x = 0.0; ///< m
-};
-
 scene::Side side_of(const Options& options) {
   return options.side == "right" ? scene::Side::right : scene::Side::left;
 }
@@ -66,41 +50,25 @@ scene::Side side_of(const Options& options) {
 scene::Case with_model(const Options& options) {
   const scene::Case given = scene::load(options.scene);
   const auto text =
-      scene::overridden_text(given, {.record = {}, .angle_deg = {}, .model = model_of(options)});
+      scene::overridden_text(given, {.record = {}, .angle_deg = {}, .model = column_model(options.model)});
   return scene::parse(text, given.file, given.directory);
 }
 
 /// The profile of the case, for which only its tables are needed; or that of a side.
-Ground ground_of(const Options& options) {
-  if (options.side.empty()) {
-    auto scene = scene::load_free_field(options.scene, model_of(options));
-    const scene::SourceProcess source{
-        .name = "column", .field = {model_of(options), {}}, .surface = scene.surface_level};
-    const double x = scene.motion.reference.x;
-    return {std::move(scene), source, x};
-  }
+ColumnGround ground_of(const Options& options) {
+  if (options.side.empty())
+    return column_ground(options.scene, column_model(options.model));
   auto scene = with_model(options);
   const auto source = scene::source_of(scene::plan(scene), side_of(options));
   const double x = side_of(options) == scene::Side::left ? scene.mesh.box.x_min : scene.mesh.box.x_max;
   return {std::move(scene), source, x};
 }
 
-double deepest(const scene::Case& scene, const scene::SourceProcess& source) {
-  const double base = scene::base_level(source.surface, scene::layers(scene, source));
-  if (base < source.surface)
-    return base;
-  throw std::runtime_error(
-      fmt::format("{}: a column needs layers, and this ground is the [halfspace] alone; [[profile]] gives "
-                  "some, or [[boundary.left.profile]] those of a side, which are computed with --side left "
-                  "or --side right",
-                  scene.file.string()));
-}
-
 /// Even levels for the peak profiles, interfaces twice, and those asked for.
 std::vector<double> all_levels(const scene::Case& scene, const scene::SourceProcess& source,
                                const std::vector<double>& depths) {
   constexpr int intervals = 100;
-  const double base = deepest(scene, source);
+  const double base = deepest_level(scene, source);
   std::vector<double> levels;
   levels.reserve(intervals + 1 + depths.size());
   for (int i = 0; i < intervals; ++i)
@@ -140,31 +108,6 @@ std::vector<double> depths_of(const scene::Case& scene, const scene::SourceProce
       depths.push_back(depth);
   }
   return depths;
-}
-
-/// Histories of this many times at all levels take some 3 GB.
-constexpr double most_times = 2e5;
-
-wavefield::TimeGrid times_of(const Ground& ground, const Options& options) {
-  const auto& [scene, source, x] = ground;
-  const auto motion = scene::motion(scene.motion);
-  const double delay = freefield::slowness_from_case(scene) * (x - scene.motion.reference.x);
-  const double start = std::min(0.0, motion.begin() + delay);
-  // A wave that has gone up and down the column four times has left it for practical purposes.
-  double crossing = 0.0;
-  for (const scene::Layer& layer : scene::layers(scene, source))
-    crossing += layer.thickness / layer.elastic.s_wave_speed();
-  const double end = options.duration.value_or(motion.end() + std::max(0.0, delay) + 8.0 * crossing);
-  if (!(end > start && std::isfinite(end)))
-    throw std::runtime_error(fmt::format("--duration: {} s, must be finite and > {:.4g} s", end, start));
-  const double dt = options.every.value_or(std::min(0.005, 0.25 / motion.highest_frequency()));
-  const double steps = std::floor((end - start) / dt + 1e-9);
-  if (!(steps >= 1.0 && steps < most_times))
-    throw std::runtime_error(fmt::format(
-        "--every: {:.4g} s makes {:.3g} times from {:.4g} to {:.4g} s, allowed are 2 to {:.0e}: --every from "
-        "{:.3g} to {:.3g} s, or another --duration",
-        dt, steps + 1.0, start, end, most_times, (end - start) / (most_times - 1.0), end - start));
-  return {start, dt, static_cast<std::size_t>(steps) + 1};
 }
 
 void print_summary(const FreeFieldSeries& series, const scene::Case& scene, const Options& options) {
@@ -208,15 +151,15 @@ void record(const Options& options) {
 }
 
 void compute(const Options& options) {
-  const Ground ground = ground_of(options);
+  const ColumnGround ground = ground_of(options);
   const auto& [scene, source, x] = ground;
   const auto depths = depths_of(scene, source, options);
   fmt::print("{}", scene::remarks_text(scene));
   if (scene.water)
     fmt::print("{}", scene::water_text(scene));
   print_linearised(scene, source);
-  const auto series =
-      free_field_series(scene, source, all_levels(scene, source, depths), times_of(ground, options), x);
+  const auto series = free_field_series(scene, source, all_levels(scene, source, depths),
+                                        column_times(ground, options.duration, options.every), x);
   std::vector<std::size_t> shown;
   for (const double depth : depths) {
     // The last of equal levels: above an interface.
@@ -259,17 +202,13 @@ void add_column(Command& app) {
       "column",
       "The free field of a case alone: histories, peak profiles, spectra, transfer functions, loops");
   const auto options = std::make_shared<Options>();
-  std::vector<std::string> names;
-  names.reserve(models.size());
-  for (const auto model : models)
-    names.emplace_back(scene::name(model));
   command
       ->add_option("CASE", options->scene,
                    "Case file; needs [motion], [surface], [halfspace] and [[profile]], for mpm also [mesh]")
       ->required();
   command->add_option("--model", options->model, "Free-field model: wave, fe, ode, oblique, eql or mpm")
       ->required()
-      ->one_of(names);
+      ->one_of(column_model_names());
   command
       ->add_option(
           "--side", options->side,

@@ -7,7 +7,7 @@ namespace tremolo::freefield {
 FeElements::FeElements(const Profile& profile, const ColumnMesh& mesh, const Damping& damping, BaseKind base)
     : base_(base), impedance_x_(profile.half_space.density * profile.half_space.s_wave_speed()),
       impedance_y_(profile.half_space.density * profile.half_space.p_wave_speed()),
-      mass_(2 * mesh.node_y.size()), dashpots_(mass_.size()) {
+      mass_(2 * mesh.node_y.size()), mass_damping_(mass_.size()) {
   elements_.reserve(mesh.elements());
   for (std::size_t e = 0; e < mesh.elements(); ++e) {
     const Layer& layer = profile.layers[mesh.element_layer[e]];
@@ -18,9 +18,10 @@ FeElements::FeElements(const Profile& profile, const ColumnMesh& mesh, const Dam
     const double half_mass = 0.5 * soil.density * mesh.length(e);
     for (std::size_t freedom = 2 * e; freedom < 2 * e + 4; ++freedom) {
       mass_[freedom] += half_mass;
-      dashpots_[freedom] += c.alpha * half_mass;
+      mass_damping_[freedom] += c.alpha * half_mass;
     }
   }
+  dashpots_ = mass_damping_;
   inverse_mass_.reserve(mass_.size());
   for (const double mass : mass_)
     inverse_mass_.push_back(1.0 / mass);
@@ -41,7 +42,7 @@ void FeElements::strains(const Vector& du, Vector& deyy, Vector& dgxy) const {
 void FeElements::resistance(const FeSoil& soil, const SoilState& state, const Vector& stress_velocity,
                             const Vector& v, const BaseMotion& base, Vector& r) const {
   for (std::size_t i = 0; i < r.size(); ++i)
-    r[i] = dashpots_[i] * v[i];
+    r[i] = dashpots_[i] * v[i] - mass_damping_[i] * (i % 2 == 0 ? base.x : base.y).reference;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const FeElement& element = elements_[e];
     const double scale = 1.0 / element.length;

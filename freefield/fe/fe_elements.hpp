@@ -4,11 +4,12 @@
 // freedom a node, x and y, stored as u[2 i], u[2 i + 1]; element e with length h joins nodes e and e+1,
 //
 //     gxy = (ux_{e+1} - ux_e)/h,   eyy = (uy_{e+1} - uy_e)/h,
-//     m a + r = 0,   r = [tau_below - tau_above] + c v - f,   tau = sigma - sigma_0 + beta D_0 d eps/dt,
+//     m a + r = 0,   r = [tau_below - tau_above] + c (v - v_ref) - f,   tau = sigma - sigma_0 + beta D_0 d
+//     eps/dt,
 //
 // tau = (sxy, syy) on a face with normal +y, sigma_0 the geostatic stress, which balances gravity, D_0 = (G,
-// M) at small strain, c = alpha m, and at a compliant base c += rho c_0 and f = 2 rho c_0 v_incident. Strains
-// are small and stresses are not rotated with the soil.
+// M) at small strain, c = alpha m, v_ref of base_motion.hpp; a compliant base adds rho c_0 (v - 2 v_incident)
+// to its node. Strains are small and stresses are not rotated with the soil.
 
 #include "freefield/base_motion.hpp"
 #include "freefield/fe/column_mesh.hpp"
@@ -44,12 +45,14 @@ public:
   const FeElement& operator[](std::size_t element) const { return elements_[element]; }
   const Vector& mass() const { return mass_; } ///< kg/m2
   const Vector& inverse_mass() const { return inverse_mass_; }
-  const Vector& dashpots() const { return dashpots_; } ///< Pa s/m
+  const Vector& dashpots() const { return dashpots_; } ///< mass-proportional ones and the base's, Pa s/m
+  const Vector& mass_damping() const { return mass_damping_; } ///< alpha times mass, Pa s/m
 
   /// Strain increments of a displacement increment.
   void strains(const Vector& du, Vector& deyy, Vector& dgxy) const;
 
-  /// r of the header, Pa: elements' stresses with the damping stress of `stress_velocity`, dashpots with `v`.
+  /// r of the header, Pa: elements' stresses with the damping stress of `stress_velocity`, dashpots with `v`
+  /// and v_ref of `base`.
   void resistance(const FeSoil& soil, const SoilState& state, const Vector& stress_velocity, const Vector& v,
                   const BaseMotion& base, Vector& r) const;
 
@@ -63,6 +66,7 @@ private:
   double impedance_y_;
   Vector mass_;
   Vector inverse_mass_;
+  Vector mass_damping_;
   Vector dashpots_;
 };
 

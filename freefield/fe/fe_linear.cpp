@@ -38,7 +38,7 @@ double central_difference_limit(const Profile& profile, const ColumnMesh& mesh, 
 }
 
 LinearColumn::LinearColumn(const Profile& profile, const ColumnMesh& mesh, const FeColumnSettings& settings)
-    : mesh_(mesh), base_kind_(settings.base), dt_(settings.time_step),
+    : mesh_(mesh), base_kind_(settings.base), rise_(rise_to_damped_soil(profile)), dt_(settings.time_step),
       shear_(elements(profile, mesh, settings.damping, shear), scalar_settings(profile, settings, shear)),
       dilation_(elements(profile, mesh, settings.damping, dilation),
                 scalar_settings(profile, settings, dilation)) {
@@ -48,7 +48,7 @@ LinearColumn::LinearColumn(const Profile& profile, const ColumnMesh& mesh, const
 }
 
 void LinearColumn::step(const InputVelocity& input, double time) {
-  base_ = advanced(base_kind_, input, base_, time, dt_);
+  base_ = advanced(base_kind_, input, rise_, base_, time, dt_);
   shear_.step(base_.x);
   dilation_.step(base_.y);
 }

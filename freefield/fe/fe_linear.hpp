@@ -26,6 +26,7 @@ public:
 private:
   ColumnMesh mesh_;
   BaseKind base_kind_;
+  Rise rise_;
   double dt_;
   std::vector<double> lateral_ratio_; ///< lambda/M, one an element
   ScalarColumn shear_;

@@ -1,6 +1,7 @@
 // Central differences as in scalar_column.cpp; the soil's update replaces K u. Between element centres:
 //
-//     stress on horizontal faces: from the centre with d tau/dy = rho (a + alpha v) of the nearer node;
+//     stress on horizontal faces: from the centre with d tau/dy = rho (a + alpha (v - v_ref)) of the nearer
+//     node, v_ref of base_motion.hpp;
 //     sxx: lambda/M syy, and what yield adds to it at the centres, interpolated;
 //     strain: interpolated between centres.
 //
@@ -28,8 +29,9 @@ double at_centres(const ColumnMesh::Centres& c, double lower, double upper) {
 
 NonlinearColumn::NonlinearColumn(const Profile& profile, const ColumnMesh& mesh,
                                  const FeColumnSettings& settings)
-    : mesh_(mesh), settings_(settings), elements_(profile, mesh, settings.damping, settings.base),
-      soil_(profile, mesh), newton_(settings.hht_alpha, settings.tangent, settings.newton_tolerance),
+    : mesh_(mesh), settings_(settings), rise_(rise_to_damped_soil(profile)),
+      elements_(profile, mesh, settings.damping, settings.base), soil_(profile, mesh),
+      newton_(settings.hht_alpha, settings.tangent, settings.newton_tolerance),
       state_(elements_.freedoms(), soil_.initial()), before_(elements_.freedoms()), du_(elements_.freedoms()),
       deyy_(elements_.count()), dgxy_(elements_.count()), acceleration_(elements_.freedoms()),
       jerk_(elements_.freedoms()) {
@@ -39,11 +41,14 @@ NonlinearColumn::NonlinearColumn(const Profile& profile, const ColumnMesh& mesh,
 }
 
 void NonlinearColumn::step(const InputVelocity& input, double time) {
+  const BaseMotion base_before = state_.base;
   if (settings_.integrator == Integrator::newmark)
     step_implicit(input, time, settings_.time_step, 0);
   else
     step_explicit(input, time);
   const double per_step = 1.0 / settings_.time_step;
+  reference_rate_ = {(state_.base.x.reference - base_before.x.reference) * per_step,
+                     (state_.base.y.reference - base_before.y.reference) * per_step};
   double finite = 0.0; // a sum that is not finite if one of its terms is not
   for (std::size_t i = 0; i < acceleration_.size(); ++i) {
     const double before = acceleration_[i];
@@ -62,7 +67,7 @@ void NonlinearColumn::step(const InputVelocity& input, double time) {
 void NonlinearColumn::step_explicit(const InputVelocity& input, double time) {
   const double dt = settings_.time_step;
   before_ = static_cast<const FeMotion&>(state_);
-  state_.base = advanced(settings_.base, input, before_.base, time, dt);
+  state_.base = advanced(settings_.base, input, rise_, before_.base, time, dt);
   for (std::size_t i = 0; i < du_.size(); ++i) {
     state_.u[i] += dt * before_.v[i] + 0.5 * dt * dt * before_.a[i];
     state_.stress_velocity[i] = before_.v[i] + dt * before_.a[i];
@@ -85,7 +90,7 @@ void NonlinearColumn::step_explicit(const InputVelocity& input, double time) {
 
 void NonlinearColumn::step_implicit(const InputVelocity& input, double time, double dt, int halvings) {
   FeState end = state_;
-  end.base = advanced(settings_.base, input, state_.base, time, dt);
+  end.base = advanced(settings_.base, input, rise_, state_.base, time, dt);
   if (newton_.step(elements_, soil_, state_, dt, largest_traction_, end)) {
     std::swap(state_, end);
     account(end, dt);
@@ -118,17 +123,21 @@ void NonlinearColumn::account(const FeMotion& before, double dt) {
     const Velocity t1 = elements_.base_traction(state_.v, state_.base);
     base_work_ += 0.5 * dt * ((t0.x + t1.x) * mean_velocity(0) + (t0.y + t1.y) * mean_velocity(1));
   }
+  const std::array reference{0.5 * (before.base.x.reference + state_.base.x.reference),
+                             0.5 * (before.base.y.reference + state_.base.y.reference)};
+  for (std::size_t i = 0; i < elements_.freedoms(); ++i) {
+    const double relative = mean_velocity(i) - reference[i % 2];
+    damping_ += dt * elements_.mass_damping()[i] * relative * relative;
+    base_work_ -= dt * elements_.mass_damping()[i] * relative * reference[i % 2];
+  }
   for (std::size_t e = 0; e < elements_.count(); ++e) {
     const FeElement& element = elements_[e];
-    if (element.alpha == 0.0 && element.damping_time == 0.0)
+    if (element.damping_time == 0.0)
       continue;
-    const double half_mass = 0.5 * element.density * element.length;
     for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
-      const double below = mean_velocity(2 * e + c);
-      const double above = mean_velocity(2 * e + 2 + c);
+      const double difference = mean_velocity(2 * e + 2 + c) - mean_velocity(2 * e + c);
       const double viscosity = c == 0 ? element.shear_viscosity : element.dilation_viscosity;
-      damping_ += dt * (viscosity / element.length * (above - below) * (above - below) +
-                        element.alpha * half_mass * (below * below + above * above));
+      damping_ += dt * viscosity / element.length * difference * difference;
     }
   }
 }
@@ -200,13 +209,16 @@ void NonlinearColumn::sample_stress(const ColumnMesh::Place& place, const Column
   const CentreStress& now = centre_stress_[0];
   const std::size_t nearer = 2 * (place.fraction < 0.5 ? e : e + 1);
   const double mass_from_centre = element.density * element.length * (place.fraction - 0.5);
+  const std::array reference{state_.base.x.reference, state_.base.y.reference};
   const auto traction = [&](double soil, double viscosity, std::size_t c) {
     return soil + viscosity * gradient(state_.stress_velocity, e, c) +
-           mass_from_centre * (acceleration_[nearer + c] + element.alpha * state_.v[nearer + c]);
+           mass_from_centre *
+               (acceleration_[nearer + c] + element.alpha * (state_.v[nearer + c] - reference[c]));
   };
   const auto traction_rate = [&](double soil, double viscosity, std::size_t c) {
     return soil + viscosity * gradient(acceleration_, e, c) +
-           mass_from_centre * (jerk_[nearer + c] + element.alpha * acceleration_[nearer + c]);
+           mass_from_centre *
+               (jerk_[nearer + c] + element.alpha * (acceleration_[nearer + c] - reference_rate_[c]));
   };
   const auto yielded = [&](std::size_t i) { return now.sxx[i] - elements_[i].lateral_ratio * now.syy[i]; };
   const auto yielded_rate = [&](std::size_t i) {

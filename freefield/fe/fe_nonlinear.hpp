@@ -46,12 +46,14 @@ private:
 
   ColumnMesh mesh_;
   FeColumnSettings settings_;
+  Rise rise_;
   FeElements elements_;
   FeSoil soil_;
   FeNewton newton_;
   FeState state_;
   FeMotion before_;                           ///< a step ago
   std::vector<double> du_, deyy_, dgxy_;      ///< increments of an explicit step; m, 1
+  std::array<double, 2> reference_rate_{};    ///< of v_ref over the step, x and y, m/s2
   std::vector<double> acceleration_, jerk_;   ///< of the equation of motion at the step's end; m/s2, m/s3
   std::array<CentreStress, 3> centre_stress_; ///< now, one and two steps ago
   double largest_traction_ = 0.0;             ///< so far, Pa

@@ -1,13 +1,14 @@
 // Semi-discrete form, per m2 of plan area: nodes i from the base up, elements e with strain
 // eps = (u_{i+1} - u_i)/h; m_i and the alpha part of c_i are lumped,
 //
-//     m_i a_i + c_i v_i = tau_above - tau_below,   tau_e = E (eps + beta deps/dt),
+//     m_i a_i + c_i (v_i - v_ref) = tau_above - tau_below,   tau_e = E (eps + beta deps/dt),
 //
-// and at the base node the traction of the half-space (Joyner and Chen 1975, BSSA 65(5), 1315-1336)
+// v_ref of base_motion.hpp, and at the base node the traction of the half-space (Joyner and Chen 1975, BSSA
+// 65(5), 1315-1336)
 //
 //     t = -rho c (v_0 - 2 v_incident).
 //
-// or a prescribed motion, u_0(t). With r = K u + beta K v + c v - f, which is all but inertia:
+// or a prescribed motion, u_0(t). With r = K u + beta K v + c (v - v_ref) - f, which is all but inertia:
 //
 // Hilber, Hughes and Taylor, beta_N = (1 - alpha)^2/4, gamma = 1/2 - alpha (alpha = 0: average acceleration):
 //     u' = u + dt v + dt^2 ((1/2 - beta_N) a + beta_N a'),   v' = v + dt ((1 - gamma) a + gamma a')
@@ -26,8 +27,8 @@
 //     dt < sqrt(4 beta^2 + (h/c)^2) - 2 beta.
 //
 // Stress between nodes: tau is second-order accurate at the element's centre, and d tau/dy = rho (a + alpha
-// v) carries it to the rest of the element with the motion of the nearer node. This is the node's own
-// equation of motion, so tau is continuous across nodes and layer interfaces, 0 at the surface and the
+// (v - v_ref)) carries it to the rest of the element with the motion of the nearer node. This is the node's
+// own equation of motion, so tau is continuous across nodes and layer interfaces, 0 at the surface and the
 // dashpot's at the base.
 
 #include "freefield/oblique/scalar_column.hpp"
@@ -60,16 +61,17 @@ void require_stable(double time_step, double limit) {
 ScalarColumn::ScalarColumn(std::vector<ScalarElement> elements, const ScalarSettings& settings)
     : elements_(std::move(elements)), settings_(settings),
       hht_(HhtParameters::from_alpha(settings.hht_alpha)), mass_(elements_.size() + 1),
-      dashpots_(mass_.size()), u_(mass_.size()), v_(mass_.size()), a_(mass_.size()),
+      mass_damping_(mass_.size()), u_(mass_.size()), v_(mass_.size()), a_(mass_.size()),
       motion_acceleration_(mass_.size()), jerk_(mass_.size()), resistance_(mass_.size()),
       stress_velocity_(mass_.size()) {
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const double half_mass = 0.5 * elements_[e].density * elements_[e].length;
     for (const std::size_t node : {e, e + 1}) {
       mass_[node] += half_mass;
-      dashpots_[node] += elements_[e].alpha * half_mass;
+      mass_damping_[node] += elements_[e].alpha * half_mass;
     }
   }
+  dashpots_ = mass_damping_;
   if (!rigid())
     dashpots_[0] += settings_.base_impedance;
   if (settings_.integrator == Integrator::newmark) {
@@ -83,6 +85,7 @@ void ScalarColumn::step(const BaseComponent& base) {
   const Vector u_before = u_;
   const Vector v_before = v_;
   const Vector acceleration_before = motion_acceleration_;
+  const double reference_before = base_.reference;
   const double resistance_before = resistance_[0];
   base_ = base;
   if (settings_.integrator == Integrator::newmark)
@@ -93,7 +96,8 @@ void ScalarColumn::step(const BaseComponent& base) {
     motion_acceleration_[i] = i == 0 && rigid() ? base_.acceleration : -resistance_[i] / mass_[i];
     jerk_[i] = (motion_acceleration_[i] - acceleration_before[i]) / settings_.time_step;
   }
-  account(u_before, v_before, resistance_before);
+  reference_rate_ = (base_.reference - reference_before) / settings_.time_step;
+  account(u_before, v_before, resistance_before, reference_before);
   if (!std::all_of(a_.begin(), a_.end(), [](double a) { return std::isfinite(a); })) {
     throw std::runtime_error("the motion of the free-field column is no longer finite; input velocity " +
                              shortest(base.velocity) + " m/s");
@@ -109,7 +113,7 @@ ScalarColumn::Vector ScalarColumn::resistance(const Vector& u, const Vector& v,
                                               const Vector& dashpot_velocity) const {
   Vector force(u.size());
   for (std::size_t i = 0; i < u.size(); ++i)
-    force[i] = dashpots_[i] * dashpot_velocity[i];
+    force[i] = dashpots_[i] * dashpot_velocity[i] - mass_damping_[i] * base_.reference;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const double stress = element_stress(e, u, v);
     force[e] -= stress;
@@ -166,7 +170,7 @@ void ScalarColumn::step_newmark() {
   hold_base();
   stress_velocity_ = v_;
   if (rigid())
-    resistance_[0] = dashpots_[0] * v_[0] - element_stress(0, u_, v_);
+    resistance_[0] = mass_damping_[0] * (v_[0] - base_.reference) - element_stress(0, u_, v_);
 }
 
 /// L D L^T of the tridiagonal Newmark matrix, once. The row of a prescribed base is that of the identity.
@@ -210,8 +214,10 @@ void ScalarColumn::solve_newmark(Vector& x) const {
 
 /// Work and dissipation of a step by the trapezoidal rule: exact for average acceleration, second order
 /// otherwise. A dashpot's traction is -c v + f; the resistance of a prescribed base is its traction less its
-/// inertia.
-void ScalarColumn::account(const Vector& u_before, const Vector& v_before, double resistance_before) {
+/// inertia. Mass-proportional damping takes c (v - v_ref)^2, and what moves its dashpots with v_ref gives -c
+/// (v - v_ref) v_ref.
+void ScalarColumn::account(const Vector& u_before, const Vector& v_before, double resistance_before,
+                           double reference_before) {
   const double dt = settings_.time_step;
   const auto mean_velocity = [&](std::size_t i) { return 0.5 * (v_before[i] + v_[i]); };
   const double half_base_mass = 0.5 * mass_[0];
@@ -223,14 +229,16 @@ void ScalarColumn::account(const Vector& u_before, const Vector& v_before, doubl
     spent_.base_work += dt * 0.5 * (base_traction_ + traction) * mean_velocity(0);
     base_traction_ = traction;
   }
+  const double reference = 0.5 * (reference_before + base_.reference);
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    const double relative = mean_velocity(i) - reference;
+    spent_.damping += dt * mass_damping_[i] * relative * relative;
+    spent_.base_work -= dt * mass_damping_[i] * relative * reference;
+  }
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const ScalarElement& element = elements_[e];
-    const double below = mean_velocity(e);
-    const double above = mean_velocity(e + 1);
-    const double difference = above - below;
-    const double half_mass = 0.5 * element.density * element.length;
-    spent_.damping += dt * (element.beta * element.modulus / element.length * difference * difference +
-                            element.alpha * half_mass * (below * below + above * above));
+    const double difference = mean_velocity(e + 1) - mean_velocity(e);
+    spent_.damping += dt * element.beta * element.modulus / element.length * difference * difference;
   }
 }
 
@@ -258,9 +266,11 @@ ScalarSample ScalarColumn::sample(std::size_t e, double fraction) const {
   return {.velocity = interpolate(v_),
           .acceleration = interpolate(motion_acceleration_),
           .traction = element.modulus * (gradient(u_) + element.beta * gradient(stress_velocity_)) +
-                      mass_from_centre * (motion_acceleration_[nearer] + element.alpha * v_[nearer]),
+                      mass_from_centre *
+                          (motion_acceleration_[nearer] + element.alpha * (v_[nearer] - base_.reference)),
           .traction_rate = element.modulus * (gradient(v_) + element.beta * gradient(motion_acceleration_)) +
-                           mass_from_centre * (jerk_[nearer] + element.alpha * motion_acceleration_[nearer]),
+                           mass_from_centre * (jerk_[nearer] + element.alpha * (motion_acceleration_[nearer] -
+                                                                                reference_rate_)),
           .displacement = interpolate(u_)};
 }
 

@@ -33,7 +33,8 @@ struct ColumnEnergy {
   double strain = 0.0;    ///< elastic
   double plastic = 0.0;   ///< taken by the soil's hysteresis, of which Masing loops give some back
   double damping = 0.0;   ///< dissipated by the soil's small-strain damping
-  double base_work = 0.0; ///< work of the traction on the base
+  double base_work = 0.0; ///< work of the traction on the base, and of what moves the dashpots of
+                          ///< mass-proportional damping with v_ref (base_motion.hpp)
 };
 
 /// One element of a column of scalar waves.
@@ -90,18 +91,20 @@ private:
   void step_newmark();
   void factor_newmark();
   void solve_newmark(Vector& right_hand_side) const;
-  /// K u + beta K v + c v - f: what the soil, the dashpots and the half-space resist with, Pa.
+  /// K u + beta K v + c (v - v_ref) - f: what the soil, the dashpots and the half-space resist with, Pa.
   Vector resistance(const Vector& u, const Vector& v, const Vector& dashpot_velocity) const;
   double element_stress(std::size_t element, const Vector& u, const Vector& v) const;
   bool rigid() const { return settings_.base == BaseKind::rigid; }
   void hold_base();
   double base_traction() const { return settings_.base_impedance * (2.0 * base_.velocity - v_[0]); }
-  void account(const Vector& u_before, const Vector& v_before, double resistance_before);
+  void account(const Vector& u_before, const Vector& v_before, double resistance_before,
+               double reference_before);
 
   std::vector<ScalarElement> elements_;
   ScalarSettings settings_;
   HhtParameters hht_;
   Vector mass_;                           ///< kg/m2
+  Vector mass_damping_;                   ///< alpha times mass, Pa s/m
   Vector dashpots_;                       ///< mass-proportional damping, and the base's impedance, Pa s/m
   Vector factor_below_, factor_diagonal_; ///< L D L^T of the Newmark matrix: L's subdiagonal, D
   Vector u_, v_, a_;                      ///< m, m/s, m/s2
@@ -110,8 +113,9 @@ private:
   Vector resistance_;                     ///< at the step's end, Pa
   Vector stress_velocity_; ///< that the damping stress of the elements takes: v_, or its extrapolation, m/s
   BaseComponent base_;
-  double base_traction_ = 0.0; ///< of the half-space at the step's end, Pa
-  ColumnEnergy spent_;         ///< work and dissipation so far
+  double reference_rate_ = 0.0; ///< of v_ref over the step, m/s2
+  double base_traction_ = 0.0;  ///< of the half-space at the step's end, Pa
+  ColumnEnergy spent_;          ///< work and dissipation so far
 };
 
 /// The largest stable step of central differences, s (derived in scalar_column.cpp).

@@ -1,6 +1,7 @@
 #include "freefield/ode/ode_column.hpp"
 
 #include "base/require.hpp"
+#include "freefield/base_motion.hpp"
 #include "freefield/ode/ode_backbone.hpp"
 #include "freefield/ode/ode_polarisation.hpp"
 
@@ -35,7 +36,8 @@ enum class Wave { shear, dilation };
 
 std::unique_ptr<OdePolarisation> polarisation(Wave wave, const Profile& profile,
                                               const OdeColumnSettings& settings,
-                                              std::function<double(double)> input) {
+                                              std::function<double(double)> input,
+                                              std::function<double(double)> reference) {
   const auto modulus = [wave](const Elasticity& soil) {
     return wave == Wave::shear ? soil.shear_modulus() : soil.p_modulus();
   };
@@ -51,9 +53,9 @@ std::unique_ptr<OdePolarisation> polarisation(Wave wave, const Profile& profile,
       nonlinear.push_back({e, *backbone});
   }
   const double impedance = std::sqrt(profile.half_space.density * modulus(profile.half_space));
-  return std::make_unique<OdePolarisation>(grid, std::move(cells),
-                                           OdeBase{settings.base, impedance, std::move(input)},
-                                           OdeSoil(std::move(nonlinear)), settings);
+  return std::make_unique<OdePolarisation>(
+      grid, std::move(cells), OdeBase{settings.base, impedance, std::move(input), std::move(reference)},
+      OdeSoil(std::move(nonlinear)), settings);
 }
 
 } // namespace
@@ -63,8 +65,15 @@ OdeColumn::OdeColumn(const Profile& profile, const OdeColumnSettings& settings, 
   check(profile, settings);
   if (!input)
     throw std::invalid_argument("the column has no input motion");
-  shear_ = polarisation(Wave::shear, profile, settings, [input](double time) { return input(time).x; });
-  dilation_ = polarisation(Wave::dilation, profile, settings, [input](double time) { return input(time).y; });
+  const auto reference = [input, base = settings.base, rise = rise_to_damped_soil(profile)](double time) {
+    return reference_velocity(base, input, rise, time);
+  };
+  shear_ = polarisation(
+      Wave::shear, profile, settings, [input](double time) { return input(time).x; },
+      [reference](double time) { return reference(time).x; });
+  dilation_ = polarisation(
+      Wave::dilation, profile, settings, [input](double time) { return input(time).y; },
+      [reference](double time) { return reference(time).y; });
   for (const Layer& layer : profile.layers)
     lateral_ratio_.push_back(layer.soil.lame() / layer.soil.p_modulus());
 }

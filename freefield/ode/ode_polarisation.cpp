@@ -1,6 +1,6 @@
 // Between nodes: velocity is linear; stress goes from where its cell has it to the level by the equation of
-// motion of the nearer node, d tau/dy = rho f with f = dv/dt + alpha v = (tau_i - tau_{i-1})/m_i. This makes
-// it continuous from cell to cell and zero at the surface.
+// motion of the nearer node, d tau/dy = rho f with f = dv/dt + alpha (v - v_ref) = (tau_i - tau_{i-1})/m_i.
+// This makes it continuous from cell to cell and zero at the surface.
 
 #include "freefield/ode/ode_polarisation.hpp"
 

@@ -1,8 +1,8 @@
 // Per m2 of plan area, nodes i of mass m_i (half of the cells beside it), cells e of length l_e between nodes
 // e and e + 1, tau_n = 0 at the free surface:
 //
-//     de_e/dt = (v_{e+1} - v_e)/l_e,   m_i (dv_i/dt + alpha_i v_i) = tau_i - tau_{i-1},
-//     tau_e = sigma(e_e) + E beta de_e/dt.
+//     de_e/dt = (v_{e+1} - v_e)/l_e,   m_i (dv_i/dt + alpha_i (v_i - v_ref)) = tau_i - tau_{i-1},
+//     tau_e = sigma(e_e) + E beta de_e/dt,   v_ref of base_motion.hpp.
 //
 // The strain is the unknown and the stress follows from it. With the stress as the unknown, dtau/dt = E_t
 // de/dt, the right-hand side would jump wherever the tangent E_t does; sigma(e) has kinks there only, and
@@ -18,6 +18,8 @@
 // rigid: r = 0 and w = v_inc in the same formulas.
 
 #include "freefield/ode/ode_system.hpp"
+
+#include <algorithm>
 
 namespace tremolo::freefield {
 
@@ -40,6 +42,7 @@ OdeSystem::OdeSystem(std::vector<OdeCell> cells, OdeBase base, OdeSoil soil)
   }
   for (std::size_t i = 0; i < mass_.size(); ++i)
     alpha_[i] /= mass_[i];
+  drags_ = std::ranges::any_of(alpha_, [](double alpha) { return alpha > 0.0; });
   if (base_.kind == BaseKind::compliant)
     base_ratio_ = cells_[0].modulus * cells_[0].beta / (cells_[0].length * base_.impedance);
 }
@@ -77,6 +80,7 @@ double OdeSystem::lowest_stress(double time, State y) const {
 
 void OdeSystem::march(double time, State y, Derivative rate, double damping) const {
   const double lowest = lowest_stress(time, y);
+  const double reference = drags_ ? base_.reference(time) : 0.0;
   double below = base_velocity(time, y, lowest);
   double above = y[velocity_index(1)];
   double stress = lowest + viscosity(0) * (damping * above - undamped_base_velocity(time, lowest));
@@ -90,9 +94,9 @@ void OdeSystem::march(double time, State y, Derivative rate, double damping) con
     stress = soil_stress(time, e, y[strain_index(e)], strain_rate) +
              damping * cells_[e].modulus * cells_[e].beta * strain_rate;
     rate[strain_index(e)] = strain_rate;
-    rate[velocity_index(e)] = (stress - stress_below) / mass_[e] - alpha_[e] * below;
+    rate[velocity_index(e)] = (stress - stress_below) / mass_[e] - alpha_[e] * (below - reference);
   }
-  rate[velocity_index(cells_.size())] = -stress / mass_.back() - alpha_.back() * above;
+  rate[velocity_index(cells_.size())] = -stress / mass_.back() - alpha_.back() * (above - reference);
 }
 
 void OdeSystem::damping_part(State y, Derivative rate) const {

@@ -18,11 +18,13 @@ struct OdeCell {
   double beta = 0.0;    ///< stiffness-proportional damping, s
 };
 
-/// What the column stands on: rho c of the half-space (Pa s/m) and the input motion (m/s).
+/// What the column stands on: rho c of the half-space (Pa s/m), the input motion (m/s) and what
+/// mass-proportional damping is relative to, v_ref of base_motion.hpp (m/s).
 struct OdeBase {
   BaseKind kind = BaseKind::compliant;
   double impedance = 0.0;
   std::function<double(double)> velocity;
+  std::function<double(double)> reference;
 };
 
 /// The ordinary differential equations of one polarisation, with the state
@@ -97,6 +99,7 @@ private:
   std::vector<std::size_t> soil_index_; ///< of a cell in soil_, or their number
   std::vector<double> mass_, alpha_;    ///< of the nodes, kg/m2 and 1/s
   double base_ratio_ = 0.0; ///< r: viscosity of the lowest cell over the half-space's impedance, rigid: 0
+  bool drags_ = false;      ///< whether any alpha is above 0
   std::vector<double> strain_, rate_; ///< scratch of accept()
 };
 

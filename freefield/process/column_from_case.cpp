@@ -110,6 +110,14 @@ double default_step(const scene::Case& scene, const Profile& profile, const FeCo
   return crossing;
 }
 
+/// @param limit  of central differences, s
+void require_step(const scene::Case& scene, double limit) {
+  if (!(*scene.fe.dt < limit))
+    throw std::invalid_argument(fmt::format("[fe] 'dt' = {} s, must be below {:.4g} s, the limit of central "
+                                            "differences for this column; without 'dt' it chooses its own",
+                                            *scene.fe.dt, limit));
+}
+
 std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profile, const ColumnInput& input,
                                   double start) {
   FeColumnSettings settings;
@@ -121,6 +129,8 @@ std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profi
       scene.fe.tangent == scene::NewtonTangent::consistent ? Tangent::consistent : Tangent::initial;
   settings.base = input.base;
   settings.time_step = scene.fe.dt ? *scene.fe.dt : default_step(scene, profile, settings);
+  if (scene.fe.dt && settings.integrator == Integrator::central_difference)
+    require_step(scene, central_difference_limit(profile, settings.max_element_size, settings.damping));
   // Two steps ahead for the exchange to interpolate.
   settings.start_time = start - 2.0 * settings.time_step;
   return std::make_unique<FeColumn>(profile, settings, input.velocity);
@@ -134,8 +144,12 @@ std::unique_ptr<Column> two_phase_column(const scene::Case& scene, const Profile
   settings.max_element_size = scene.fe.element_size;
   settings.damping = damping_from_case(scene);
   settings.base = input.base;
-  settings.time_step = scene.fe.dt.value_or(
-      fraction_of_limit * two_phase_step_limit(profile, settings.max_element_size, settings.damping, growth));
+  const auto limit = [&](double factor) {
+    return two_phase_step_limit(profile, settings.max_element_size, settings.damping, factor);
+  };
+  if (scene.fe.dt)
+    require_step(scene, limit(1.0));
+  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_of_limit * limit(growth);
   settings.start_time = start - 2.0 * settings.time_step;
   return std::make_unique<TwoPhaseColumn>(profile, settings, input.velocity);
 }
@@ -183,18 +197,11 @@ std::unique_ptr<Column> oblique_column(const scene::Case& scene, const Profile& 
   return std::make_unique<ObliqueColumn>(profile, settings, input.velocity);
 }
 
-void require_size(const scene::Case& scene, double size, const char* key) {
-  if (!(size > 0.0))
-    throw std::invalid_argument(
-        fmt::format("{}: {} is needed where there is no [mesh]", scene.file.string(), key));
-}
-
 } // namespace
 
 std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::SourceProcess& source,
                                          double x_line, double needed_from) {
-  const auto made = [&](double size, const char* key, auto make, Water water = Water::in_total_stress) {
-    require_size(scene, size, key);
+  const auto made = [&](double size, auto make, Water water = Water::in_total_stress) {
     const Profile profile = profile_from_case(scene, source, size, water);
     const ColumnInput input = input_from_case(scene, source, x_line, profile.base_level());
     return make(scene, profile, input, std::min(needed_from, input.begin));
@@ -202,12 +209,12 @@ std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::
   switch (source.field.model) {
   case scene::SourceModel::fe:
     if (scene.water)
-      return made(scene.fe.element_size, "[fe] element_size", two_phase_column, Water::two_phases);
-    return made(scene.fe.element_size, "[fe] element_size", fe_column);
+      return made(scene.fe.element_size, two_phase_column, Water::two_phases);
+    return made(scene.fe.element_size, fe_column);
   case scene::SourceModel::ode:
-    return made(scene.ode.cell_size, "[ode] cell_size", ode_column);
+    return made(scene.ode.cell_size, ode_column);
   case scene::SourceModel::oblique:
-    return made(scene.oblique.cell_size, "[oblique] cell_size", oblique_column);
+    return made(scene.oblique.cell_size, oblique_column);
   default:
     throw std::invalid_argument(fmt::format("model \"{}\" is not a column", scene::name(source.field.model)));
   }

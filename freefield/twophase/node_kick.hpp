@@ -3,8 +3,8 @@
 // One component of the velocities of solid and fluid at a node, from t - dt/2 to t + dt/2. With the force F
 // on grains and water together and F~ on the unit of fluid volume at t,
 //
-//     m_s a_s + m_f a_f = F - C v,        v the mean velocity of both, C the dashpots,
-//     m~_f a_f = F~ - d w,                w = v_f - v_s.
+//     m_s a_s + m_f a_f = F - C v,        v the mean velocity of both, C the dashpots; F holds what moves
+//     them, m~_f a_f = F~ - d w,                w = v_f - v_s.
 //
 // Drag is implicit: with a* = F~/m~_f, b = (1 + m_f/m_s) a* - F/m_s and lambda = (d/m~_f)(1 + m_f/m_s),
 //

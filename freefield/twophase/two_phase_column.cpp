@@ -56,6 +56,7 @@ double two_phase_step_limit(const Profile& profile, double max_element_size, con
 
 TwoPhaseColumn::TwoPhaseColumn(const Profile& profile, const TwoPhaseSettings& settings, InputVelocity input)
     : settings_(settings), mesh_(mesh_profile(checked(profile, settings), settings.max_element_size)),
+      rise_(rise_to_damped_soil(profile)),
       grid_(wet_grid(profile, mesh_, settings.damping, settings.base == BaseKind::compliant)),
       soil_(profile, mesh_), input_(std::move(input)), state_(soil_.initial()), u_(mesh_.node_y.size()),
       v_(u_.size()), before_(u_.size()), excess_(mesh_.elements()), deyy_(excess_.size()),
@@ -172,10 +173,11 @@ Phases TwoPhaseColumn::kick_y(std::size_t i, const NodeForce& force) const {
 /// Velocities half a step ahead of the present time, from those half a step behind and the present forces.
 void TwoPhaseColumn::kick() {
   const std::size_t last = grid_.elements.size();
+  reference_ = reference_velocity(settings_.base, input_, rise_, time());
   const Velocity incident = settings_.base == BaseKind::compliant ? input_(time()) : Velocity{};
   for (std::size_t i = 0; i <= last; ++i) {
-    double fx = 0.0;
-    NodeForce fy;
+    double fx = grid_.nodes[i].mass_damping * reference_.x;
+    NodeForce fy{.mixture = grid_.nodes[i].mass_damping * reference_.y};
     if (i < last) {
       fx += shear_[i];
       fy.mixture += vertical_[i] - pressure_[i];
@@ -187,7 +189,7 @@ void TwoPhaseColumn::kick() {
       fy.fluid += grid_.elements[i - 1].flows() ? pressure_[i - 1] : 0.0;
     }
     if (i == 0) {
-      base_force_ = {fx, fy.mixture};
+      base_force_ = {shear_[0], vertical_[0] - pressure_[0]};
       fx += 2.0 * grid_.impedance_x * incident.x;
       fy.mixture += 2.0 * grid_.impedance_y * incident.y;
       if (settings_.base_pressure)
@@ -203,6 +205,7 @@ void TwoPhaseColumn::kick() {
 void TwoPhaseColumn::remember() {
   std::rotate(snapshots_.begin(), snapshots_.end() - 1, snapshots_.end());
   WetSnapshot& now = snapshots_.front();
+  now.reference = {reference_.x, reference_.y};
   const double per_step = 1.0 / settings_.time_step;
   double finite = 0.0; // a sum that is not finite if one of its terms is not
   for (std::size_t i = 0; i < u_.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "freefield/base_motion.hpp"
 #include "freefield/column.hpp"
 #include "freefield/fe/column_mesh.hpp"
 #include "freefield/fe/fe_soil.hpp"
@@ -74,6 +75,7 @@ private:
 
   TwoPhaseSettings settings_;
   ColumnMesh mesh_;
+  Rise rise_;
   WetGrid grid_;
   FeSoil soil_;
   InputVelocity input_;
@@ -87,6 +89,7 @@ private:
   std::vector<double> shear_, vertical_, pressure_; ///< at the centres, damping included, Pa
   std::vector<double> sxy_before_, syy_before_;     ///< of the soil a step ago, Pa
   std::vector<double> lengths_;                     ///< of the elements, m
+  Velocity reference_;                              ///< v_ref at the present time, m/s
   std::array<double, 2> base_force_{};              ///< of the lowest element on the base node, Pa
   std::array<WetSnapshot, 3> snapshots_;            ///< now, one and two steps ago
   WetEnergy spent_;                                 ///< without the kinetic energy; elastic with plastic work

@@ -50,8 +50,12 @@ TwoPhaseColumn::Power TwoPhaseColumn::power() const {
       const double solid = 0.5 * (before_[i][c].solid + after.solid);
       const double w = 0.5 * (before_[i][c].fluid + after.fluid) - solid;
       power.drag += node.porosity() * node.drag * (after.fluid - after.solid) * w;
-      if (!held)
-        power.damping += node.mass_damping * (solid + node.fluid / node.mass() * w) * solid;
+      if (!held) {
+        const double reference = c == 0 ? reference_.x : reference_.y;
+        const double drag = node.mass_damping * (solid + node.fluid / node.mass() * w - reference);
+        power.damping += drag * (solid - reference);
+        power.base -= drag * reference;
+      }
       if (i == 0)
         power.base += base_traction(c) * solid;
       if (i == 0 && c == 1 && settings_.base_pressure)

@@ -11,7 +11,9 @@ namespace tremolo::freefield {
 /// and what is missing is the error of the integration in time, of second order in the step, and what water
 /// carries along as it flows, in proportion to strain.
 struct WetEnergy {
-  double base = 0.0;    ///< work of the base on the column, and of pressure that drives water in there
+  /// work of the base on the column, of pressure that drives water in there, and of what moves the dashpots
+  /// of mass-proportional damping with v_ref (base_motion.hpp)
+  double base = 0.0;
   double load = 0.0;    ///< work of the load on the surface
   double gravity = 0.0; ///< work of the weight, under water the buoyant one, on soil that settles
   double kinetic = 0.0; ///< of grains and water

@@ -2,7 +2,8 @@
 //
 //     p = p_e - (y - y_c) (rho_f a_f + (rho_f g/k) n_I w_I)    where water flows; a_f = a_s at a sealed node
 //     p = p_e - Q/(M + Q) (syy - syy_e), total stress,         where it does not
-//     sxy, syy (total) = those of the centre + (y - y_c) [(1-n) rho_s a_s + n rho_f a_f + alpha rho v_s]
+//     sxy, syy (total) = those of the centre + (y - y_c) [(1-n) rho_s a_s + n rho_f a_f + alpha rho (v_s -
+//                                         v_ref)],   v_ref of base_motion.hpp
 //     velocity of grains and water together = v_s + rho_f n w/rho
 //     sxx = lambda/M of the effective syy, and what yield adds to it at the centres, interpolated, less p
 
@@ -34,10 +35,11 @@ WetStress stress_at(const WetSnapshot& snapshot, const ColumnMesh& mesh, const W
   if (element.flows())
     stress.pressure -=
         from_centre * (element.fluid_density * snapshot.a_fluid[i].y + element.resistance * snapshot.flux[i]);
-  stress.sxy =
-      snapshot.sxy[e] + from_centre * inertia(snapshot.a[i].x, snapshot.a_fluid[i].x, snapshot.v[i].x);
-  stress.syy = snapshot.syy[e] - snapshot.pressure[e] +
-               from_centre * inertia(snapshot.a[i].y, snapshot.a_fluid[i].y, snapshot.v[i].y);
+  stress.sxy = snapshot.sxy[e] + from_centre * inertia(snapshot.a[i].x, snapshot.a_fluid[i].x,
+                                                       snapshot.v[i].x - snapshot.reference.x);
+  stress.syy =
+      snapshot.syy[e] - snapshot.pressure[e] +
+      from_centre * inertia(snapshot.a[i].y, snapshot.a_fluid[i].y, snapshot.v[i].y - snapshot.reference.y);
   stress.pressure -= element.undrained_share * (stress.syy - (snapshot.syy[e] - snapshot.pressure[e]));
   const ColumnMesh::Centres centres = mesh.centres(place);
   const double yielded =

@@ -14,6 +14,7 @@ struct WetSnapshot {
     double x = 0.0, y = 0.0;
   };
 
+  Vector reference; ///< v_ref of base_motion.hpp, m/s
   // At the nodes.
   std::vector<Vector> u;       ///< displacement of the solid, m
   std::vector<Vector> v;       ///< velocity of the solid, m/s

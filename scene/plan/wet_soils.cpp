@@ -98,7 +98,7 @@ std::string water_text(const Case& scene) {
                   "as undrained; soil there:\n",
                   scene.water->level);
   for (const Soil& soil : one_of_each_name(soils))
-    text += soil_text(soil, scene.water->fluid, scene.gravity->acceleration);
+    text += soil_text(soil, scene.water->fluid, scene.gravity.value_or(GravityStage{}).acceleration);
   return text;
 }
 

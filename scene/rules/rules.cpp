@@ -22,6 +22,7 @@ constexpr std::array rules = {
     Rule{Severity::error, regions_lie_in_mesh},
     Rule{Severity::error, regions_are_apart},
     Rule{Severity::error, regions_hold_particles},
+    Rule{Severity::error, faces_carry_gravity},
     Rule{Severity::error, soil_reaches_boundaries},
     Rule{Severity::error, sides_can_be_periodic},
     Rule{Severity::error, shaking_table_suits_case},

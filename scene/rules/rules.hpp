@@ -30,6 +30,8 @@ void regions_are_simple(const Case& scene, Findings& findings);
 void regions_lie_in_mesh(const Case& scene, Findings& findings);
 /// Polygons do not overlap.
 void regions_are_apart(const Case& scene, Findings& findings);
+/// What gravity leaves at the nodes of the boundary has faces that take it over.
+void faces_carry_gravity(const Case& scene, Findings& findings);
 /// No region is so small or thin that all particles' places pass it by.
 void regions_hold_particles(const Case& scene, Findings& findings);
 /// Soil reaches along both sides up to the free field's surface, and along the whole base.
@@ -56,6 +58,8 @@ void sand_has_weight(const Case& scene, Findings& findings);
 void reference_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A base that takes the incident wave alone lies in the half-space.
 void incident_base_lies_in_halfspace(const Case& scene, Findings& findings);
+/// A column that is computed alone has a size of its cells; that of a complete case is half of its mesh's.
+void columns_have_cells(const Case& scene, Findings& findings);
 /// A fixed time step does not exceed the critical one.
 void time_step_is_stable(const Case& scene, Findings& findings);
 /// Where particles take the transfer FLIP, free surfaces lie on lines between cells.

@@ -3,18 +3,25 @@
 // Exact response of a damped, layered column of scalar waves on an elastic half-space to an incident Ricker
 // velocity pulse: the second method that columns are compared with.
 //
-// Per frequency, exp(i w t): E* = E (1 + i w beta), rho* = rho (1 + alpha/(i w)), k = w sqrt(rho*/E*). At a
-// depth z below the top of a layer, with v_0 and tau_0 there,
+// Per frequency, exp(i w t), of rho (dv/dt + alpha (v - v_ref)) = d tau/dy: E* = E (1 + i w beta), rho* = rho
+// (1 + alpha/(i w)), k = w sqrt(rho*/E*). A layer that moves as one without stress has v = p = alpha v_ref/(i
+// w
+// + alpha). At a depth z below the top of a layer, with v_0 and tau_0 there,
 //
-//     v = v_0 cos kz + B sin kz,   tau = E* k/(i w) (v_0 sin kz - B cos kz),   B = -i w tau_0/(E* k).
+//     v = p + (v_0 - p) cos kz + B sin kz,   tau = E* k/(i w) ((v_0 - p) sin kz - B cos kz),   B = -i w
+//     tau_0/(E* k).
 //
-// tau = 0 at the surface; at the base the half-space's traction, tau = Z (v - 2 v_incident), Z = rho c.
-// The time series are direct Fourier sums with a period long enough for the response to die out.
+// tau = 0 at the surface; at the base the half-space's traction, tau = Z (v - 2 v_incident), Z = rho c. v_ref
+// is the outcrop motion, 2 v_incident, at the bottom of the lowest layer with alpha: later than at the base
+// by the time of the wave through the undamped layers between. Linear in (v_surface, v_incident): two
+// solutions, (1, 0) and (0, 1), make v_incident = 1. The time series are direct Fourier sums with a period
+// long enough for the response to die out.
 
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace tremolo::testing {
@@ -66,29 +73,45 @@ private:
     Complex velocity, stress;
   };
 
-  static State below(const ScalarLayer& layer, State top, double z, double w) {
+  static State below(const ScalarLayer& layer, State top, Complex reference, double z, double w) {
     const Complex iw(0.0, w);
     const Complex modulus = layer.modulus * (1.0 + iw * layer.beta);
     const Complex k = w * std::sqrt(layer.density * (1.0 + layer.alpha / iw) / modulus);
     const Complex b = -iw * top.stress / (modulus * k);
-    return {top.velocity * std::cos(k * z) + b * std::sin(k * z),
-            modulus * k / iw * (top.velocity * std::sin(k * z) - b * std::cos(k * z))};
+    const Complex p = layer.alpha * reference / (iw + layer.alpha);
+    return {p + (top.velocity - p) * std::cos(k * z) + b * std::sin(k * z),
+            modulus * k / iw * ((top.velocity - p) * std::sin(k * z) - b * std::cos(k * z))};
+  }
+
+  /// State at a depth and at the base under a surface that moves with v, with the outcrop motion v_ref.
+  std::pair<State, State> column(Complex v, Complex reference, double depth, double w) const {
+    State state = {v, 0.0};
+    State at_depth = state;
+    double top = 0.0;
+    for (const ScalarLayer& layer : layers_) {
+      if (depth >= top)
+        at_depth = below(layer, state, reference, std::min(depth - top, layer.thickness), w);
+      state = below(layer, state, reference, layer.thickness, w);
+      top += layer.thickness;
+    }
+    return {at_depth, state};
+  }
+
+  /// From the base up to the lowest layer with alpha, s.
+  double rise() const {
+    double time = 0.0;
+    for (auto layer = layers_.rbegin(); layer != layers_.rend() && layer->alpha == 0.0; ++layer)
+      time += layer->thickness * std::sqrt(layer->density / layer->modulus);
+    return time;
   }
 
   /// Velocity and stress at a depth per unit incident velocity.
   State transfer(double depth, double w) const {
-    State state = {1.0, 0.0};
-    State at_depth = state;
-    double top = 0.0;
-    for (const ScalarLayer& layer : layers_) {
-      if (depth >= top) {
-        at_depth = below(layer, state, std::min(depth - top, layer.thickness), w);
-      }
-      state = below(layer, state, layer.thickness, w);
-      top += layer.thickness;
-    }
-    const Complex incident = 0.5 * (state.velocity - state.stress / impedance_);
-    return {at_depth.velocity / incident, at_depth.stress / incident};
+    const auto [own, own_base] = column(1.0, 0.0, depth, w);
+    const auto [led, led_base] = column(0.0, std::polar(2.0, -w * rise()), depth, w);
+    const auto incident = [&](State base) { return 0.5 * (base.velocity - base.stress / impedance_); };
+    const Complex surface = (1.0 - incident(led_base)) / incident(own_base);
+    return {surface * own.velocity + led.velocity, surface * own.stress + led.stress};
   }
 
   std::vector<ScalarLayer> layers_;

@@ -22,7 +22,7 @@ DampingModel damping_model(const scene::Damping& damping) {
   case scene::DampingModel::kjartansson:
     return DampingModel::kjartansson;
   case scene::DampingModel::none:
-  case scene::DampingModel::rayleigh: // refused by the case's rules wherever a layer is damped
+  case scene::DampingModel::rayleigh:
     return DampingModel::none;
   }
   throw std::logic_error("a damping model without a name");
@@ -53,12 +53,15 @@ LayeredHalfSpace ground_from_case(const scene::Case& scene, const std::vector<sc
   ground.half_space = {deep.density, deep.s_wave_speed(), deep.p_wave_speed()};
   ground.half_space_damping = scene.halfspace_damping;
   ground.damping = {damping_model(scene.damping), scene.damping.reference_hz.value_or(0.0)};
+  // Rayleigh's is that of columns, which have it in their equations. What they ask of this ground is the
+  // incident wave, which no layer has met.
+  const bool by_column = scene.damping.model == scene::DampingModel::rayleigh;
   for (const scene::Layer& layer : layers)
     ground.layers.push_back({.thickness = layer.thickness,
                              .density = layer.elastic.density,
                              .vs = layer.elastic.s_wave_speed(),
                              .vp = layer.elastic.p_wave_speed(),
-                             .damping = layer.damping});
+                             .damping = by_column ? 0.0 : layer.damping});
   return ground;
 }
 

@@ -76,7 +76,7 @@ void damping_suits_models(const Case& scene, Findings& findings) {
                     scene.halfspace_damping));
   const bool any_damped = damped(layers(scene, left)) || damped(layers(scene, right));
   if (model == DampingModel::rayleigh) {
-    if (any_damped && std::ranges::any_of(sources, in_frequency_domain))
+    if ((any_damped || scene.halfspace_damping > 0.0) && std::ranges::any_of(sources, in_frequency_domain))
       findings.add("damping.model", "model = \"rayleigh\" is for columns; models \"wave\" and \"eql\" know "
                                     "\"kelvin_voigt\", \"hysteretic\", \"shake\" and \"kjartansson\"");
     return;

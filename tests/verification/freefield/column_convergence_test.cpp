@@ -41,6 +41,21 @@ Profile two_layers() {
           .half_space = Elasticity::from_wave_speeds(2200.0, 800.0, 1500.0)};
 }
 
+/// The base below rock that has no damping.
+Profile rock_below() {
+  Profile profile = two_layers();
+  profile.layers[1].thickness = 10.0;
+  profile.layers.push_back({12.0, profile.half_space, 0.0});
+  return profile;
+}
+
+/// Layers that follow laws, linear ones here, take another path than those without.
+Profile with_laws(Profile profile) {
+  for (Layer& layer : profile.layers)
+    layer.law = tremolo::materials::LinearElastic{layer.soil};
+  return profile;
+}
+
 /// The exact column of one polarisation.
 LayeredColumn exact(const Profile& profile, const Damping& damping, double (Elasticity::*modulus)() const) {
   std::vector<tremolo::testing::ScalarLayer> layers;
@@ -165,6 +180,15 @@ TEST(FeColumnConvergence, TwoLayersRayleighByNewmark) {
 
 TEST(FeColumnConvergence, TwoLayersRayleighByCentralDifferences) {
   expect_second_order(two_layers(), {0.5, 2e-4, Integrator::central_difference, RayleighDamping{1.0, 6.0}},
+                      3e-3);
+}
+
+TEST(FeColumnConvergence, RayleighOverUndampedRock) {
+  expect_second_order(rock_below(), {0.5, 1e-3, Integrator::newmark, RayleighDamping{1.0, 6.0}}, 3e-3);
+}
+
+TEST(FeColumnConvergence, LawsWithRayleighByNewmark) {
+  expect_second_order(with_laws(rock_below()), {0.5, 1e-3, Integrator::newmark, RayleighDamping{1.0, 6.0}},
                       3e-3);
 }
 

@@ -1,4 +1,4 @@
-// Order of the column by the method of lines against the exact response of two Kelvin-Voigt layers on an
+// Order of the column by the method of lines against the exact response of two damped layers on an
 // elastic half-space to a pulse in both polarisations: velocity, stress and their rates, on nodes, between
 // them, at the interface and at the base.
 
@@ -23,7 +23,6 @@ using Exact = tremolo::testing::LayeredColumn;
 constexpr double pulse_frequency = 3.0, pulse_time = 0.5, interval = 0.02;
 constexpr std::size_t intervals = 90;
 constexpr std::array<double, 7> depths = {0.0, 0.3, 3.0, 8.0, 15.2, 29.7, 30.0};
-const Damping damping = KelvinVoigtDamping{3.0};
 
 double pulse(double t) {
   const double a = std::pow(std::numbers::pi * pulse_frequency * (t - pulse_time), 2);
@@ -37,7 +36,7 @@ Profile two_layers() {
 }
 
 /// Of one polarisation, of which `modulus` is the modulus.
-Exact exact(const Profile& profile, double (Elasticity::*modulus)() const) {
+Exact exact(const Profile& profile, const Damping& damping, double (Elasticity::*modulus)() const) {
   std::vector<tremolo::testing::ScalarLayer> layers;
   for (const Layer& layer : profile.layers) {
     const DampingCoefficients c = coefficients(damping, layer.damping_ratio);
@@ -52,13 +51,14 @@ constexpr std::array<const char*, 8> names = {"vx", "sxy", "vx rate", "sxy rate"
 using Values = std::array<double, names.size()>;
 
 /// Histories at each of the depths.
-std::array<std::vector<Values>, depths.size()> exact_histories(const Profile& profile) {
+std::array<std::vector<Values>, depths.size()> exact_histories(const Profile& profile,
+                                                               const Damping& damping) {
   std::vector<double> times;
   for (std::size_t i = 1; i <= intervals; ++i) {
     times.push_back(interval * static_cast<double>(i));
   }
-  const Exact shear = exact(profile, &Elasticity::shear_modulus);
-  const Exact dilation = exact(profile, &Elasticity::p_modulus);
+  const Exact shear = exact(profile, damping, &Elasticity::shear_modulus);
+  const Exact dilation = exact(profile, damping, &Elasticity::p_modulus);
   std::array<std::vector<Values>, depths.size()> histories;
   for (std::size_t d = 0; d < depths.size(); ++d) {
     const auto x = shear.at(depths[d], times);
@@ -72,8 +72,8 @@ std::array<std::vector<Values>, depths.size()> exact_histories(const Profile& pr
 }
 
 /// Largest errors over depths and times, relative to the peaks.
-Values errors(const Profile& profile, const std::array<std::vector<Values>, depths.size()>& expected,
-              double cell) {
+Values errors(const Profile& profile, const Damping& damping,
+              const std::array<std::vector<Values>, depths.size()>& expected, double cell) {
   OdeColumnSettings settings;
   settings.max_cell_size = cell;
   settings.time_step = interval;
@@ -104,17 +104,25 @@ Values errors(const Profile& profile, const std::array<std::vector<Values>, dept
   return error;
 }
 
-TEST(OdeColumnConvergence, SecondOrderInTwoKelvinVoigtLayersRatesIncluded) {
+void expect_second_order(const Damping& damping) {
   const Profile profile = two_layers();
-  const auto expected = exact_histories(profile);
-  const Values coarse = errors(profile, expected, 0.5);
-  const Values fine = errors(profile, expected, 0.25);
+  const auto expected = exact_histories(profile, damping);
+  const Values coarse = errors(profile, damping, expected, 0.5);
+  const Values fine = errors(profile, damping, expected, 0.25);
   for (std::size_t q = 0; q < names.size(); ++q) {
     const double order = std::log2(coarse[q] / fine[q]);
     std::printf("%-9s %.2e %.2e order %.2f\n", names[q], coarse[q], fine[q], order);
     EXPECT_GT(order, 1.9) << names[q];
     EXPECT_LT(fine[q], 2e-3) << names[q];
   }
+}
+
+TEST(OdeColumnConvergence, SecondOrderInTwoKelvinVoigtLayersRatesIncluded) {
+  expect_second_order(KelvinVoigtDamping{3.0});
+}
+
+TEST(OdeColumnConvergence, SecondOrderInTwoRayleighLayersRatesIncluded) {
+  expect_second_order(RayleighDamping{1.0, 6.0});
 }
 
 } // namespace

@@ -97,7 +97,26 @@ TEST(Rules, ObliqueColumnEndsAtTheFirstCriticalAngle) {
       ElementsAre(
           "case.toml:25:18: [boundary.left] model = \"oblique\" is possible below 33.56 degrees only, "
           "where no P wave of this profile is beyond its critical angle, but [motion] angle_deg = "
-          "33.6; use model = \"wave\""));
+          "33.6; use model = \"wave\" or \"eql\", or angle_deg = 0"));
+}
+
+/// Frictional soil under an oblique wave: neither `fe`, which takes no angle, nor `oblique`, which takes no
+/// such soil, sends to the other.
+TEST(Rules, RefusalsNameModelsThatTakeTheCase) {
+  const auto sand =
+      with("left = { model = \"wave\" }", "left = { model = \"fe\" }",
+           with("right = { model = \"wave\" }", "right = { model = \"oblique\" }",
+                plus("[soil.clay]\nmodel = \"drucker_prager\"\ndensity = 1700.0\nvs = 80.0\nvp = "
+                     "150.0\ncohesion = 5e3\nfriction_deg = 30.0\n[[profile]]\nthickness = "
+                     "10.0\nsoil = \"clay\"\n")));
+  const std::string ways =
+      "; use model = \"wave\" or \"eql\", which take soil that yields as linear elastic, or "
+      "angle_deg = 0";
+  EXPECT_THAT(errors_of(with("angle_deg = 0.0", "angle_deg = 10.0", sand)),
+              ElementsAre(::testing::EndsWith("but [motion] angle_deg = 10" + ways),
+                          ::testing::EndsWith("but soil 'clay' is drucker_prager" + ways +
+                                              " with model = \"fe\" or \"mpm\"")));
+  EXPECT_THAT(errors_of(sand), ElementsAre(::testing::EndsWith("use model = \"fe\" or \"mpm\"")));
 }
 
 TEST(Rules, AColumnOfTheDomainsCellsTakesVerticalWavesAndWholeParticles) {

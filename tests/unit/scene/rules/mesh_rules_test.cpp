@@ -100,5 +100,17 @@ TEST(Rules, MeshResolvesFrequencies) {
   EXPECT_THAT(remarks_of(std::string(flat_case)), Not(Contains(HasSubstr("level by level"))));
 }
 
+TEST(Rules, FacesCarryWhatGravityLeaves) {
+  const auto one = [](std::string text) {
+    return with("size = 1.0\n", "size = 1.0\nparticles_per_cell = 1\n", text);
+  };
+  const auto heavy = with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]");
+  EXPECT_THAT(errors_of(heavy), IsEmpty());
+  EXPECT_THAT(errors_of(one(std::string(flat_case))), IsEmpty());
+  EXPECT_THAT(errors_of(one(heavy)),
+              ElementsAre(::testing::HasSubstr(
+                  "[mesh] 'particles_per_cell' = 1 with a [[stage]] of kind = \"gravity\"")));
+}
+
 } // namespace
 } // namespace tremolo::scene::testing

@@ -45,6 +45,11 @@ TEST(Rules, AMotionWithinTheGroundIsThatOfTheTopOfTheHalfSpace) {
           "top of the half-space, y = -4"));
   EXPECT_THAT(errors_of(within(with("left = { model = \"fe\" }", "left = { model = \"eql\" }", to_the_base))),
               ElementsAre(::testing::HasSubstr("takes an incident or outcrop motion")));
+  const auto wave = with("left = { model = \"fe\" }", "left = { model = \"wave\" }", to_the_base);
+  EXPECT_THAT(errors_of(within(wave)), ElementsAre(::testing::HasSubstr("needs damped layers")));
+  EXPECT_THAT(
+      errors_of(within(wave) + "damping = 0.02\n[damping]\nmodel = \"kelvin_voigt\"\nreference_hz = 3.0\n"),
+      IsEmpty());
 }
 
 TEST(Rules, ReferenceLiesInHalfspace) {

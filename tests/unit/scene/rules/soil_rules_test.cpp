@@ -34,6 +34,9 @@ TEST(Rules, DampingSuitsModels) {
   EXPECT_THAT(errors_of(waves + "[damping]\nmodel = \"hysteretic\"\n"), IsEmpty());
   EXPECT_THAT(errors_of(waves + "[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n"),
               ElementsAre(::testing::HasSubstr("model = \"rayleigh\" is for columns")));
+  EXPECT_THAT(errors_of(with("[halfspace]\n", "[halfspace]\ndamping = 0.01\n") +
+                        "[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n"),
+              ElementsAre(::testing::HasSubstr("model = \"rayleigh\" is for columns")));
 }
 
 constexpr std::string_view clay = "[soil.clay]\nmodel = \"mkz\"\ndensity = 1700.0\nvs = 80.0\nvp = 150.0\n";

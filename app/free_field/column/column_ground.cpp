@@ -1,0 +1,162 @@
+#include "app/free_field/column/column_ground.hpp"
+
+#include "freefield/process/column_from_case.hpp"
+#include "mpm_domain/process/column_from_case.hpp"
+#include "scene/plan/layers.hpp"
+#include "scene/plan/service.hpp"
+#include "scene/plan/wave/motion.hpp"
+#include "wavefield/process/field_from_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+namespace tremolo::app {
+
+std::vector<std::string> column_model_names() {
+  std::vector<std::string> names;
+  for (const auto model : column_models)
+    names.emplace_back(scene::name(model));
+  return names;
+}
+
+scene::SourceModel column_model(std::string_view name) {
+  return *std::ranges::find(column_models, name, [](scene::SourceModel model) { return scene::name(model); });
+}
+
+ColumnGround column_ground(const std::filesystem::path& file, scene::SourceModel model) {
+  auto scene = scene::load_free_field(file, model);
+  const scene::SourceProcess source{.name = "column", .field = {model, {}}, .surface = scene.surface_level};
+  deepest_level(scene, source);
+  const double x = scene.motion.reference.x;
+  return {std::move(scene), source, x};
+}
+
+double deepest_level(const scene::Case& scene, const scene::SourceProcess& source) {
+  const double base = scene::base_level(source.surface, scene::layers(scene, source));
+  if (base < source.surface)
+    return base;
+  throw std::runtime_error(
+      fmt::format("{}: a column needs layers, and this ground is the [halfspace] alone; [[profile]] gives "
+                  "some, or [[boundary.left.profile]] those of a side, which are computed with --side left "
+                  "or --side right",
+                  scene.file.string()));
+}
+
+wavefield::TimeGrid column_times(const ColumnGround& ground, std::optional<double> duration,
+                                 std::optional<double> every) {
+  /// Histories of this many times at all levels take some 3 GB.
+  constexpr double most_times = 2e5;
+  const auto& [scene, source, x] = ground;
+  const auto motion = scene::motion(scene.motion);
+  const double delay = freefield::slowness_from_case(scene) * (x - scene.motion.reference.x);
+  const double start = std::min(0.0, motion.begin() + delay);
+  // A wave that has gone up and down the column four times has left it for practical purposes.
+  double crossing = 0.0;
+  for (const scene::Layer& layer : scene::layers(scene, source))
+    crossing += layer.thickness / layer.elastic.s_wave_speed();
+  const double end = duration.value_or(motion.end() + std::max(0.0, delay) + 8.0 * crossing);
+  if (!(end > start && std::isfinite(end)))
+    throw std::runtime_error(fmt::format("--duration: {} s, must be finite and > {:.4g} s", end, start));
+  const double dt = every.value_or(std::min(0.005, 0.25 / motion.highest_frequency()));
+  const double steps = std::floor((end - start) / dt + 1e-9);
+  if (!(steps >= 1.0 && steps < most_times))
+    throw std::runtime_error(fmt::format(
+        "--every: {:.4g} s makes {:.3g} times from {:.4g} to {:.4g} s, allowed are 2 to {:.0e}: --every from "
+        "{:.3g} to {:.3g} s, or another --duration",
+        dt, steps + 1.0, start, end, most_times, (end - start) / (most_times - 1.0), end - start));
+  return {start, dt, static_cast<std::size_t>(steps) + 1};
+}
+
+std::string start_column(const ColumnGround& ground) {
+  const auto& [scene, source, x] = ground;
+  const wavefield::TimeGrid times = column_times(ground);
+  const auto of_steps = [](const freefield::Column& column) {
+    return fmt::format("steps of {:.3g} s", column.time_step());
+  };
+  switch (source.field.model) {
+  case scene::SourceModel::eql: {
+    const auto result = wavefield::equivalent_linear_from_case(scene, source);
+    wavefield::field_from_case(scene, source, result);
+    return wavefield::summary(result);
+  }
+  case scene::SourceModel::wave:
+    wavefield::field_from_case(scene, source);
+    return "plane waves";
+  case scene::SourceModel::mpm:
+    return of_steps(*mpm_domain::column_from_case(scene, source, x, times.start));
+  default:
+    return of_steps(*freefield::column_from_case(scene, source, x, times.start));
+  }
+}
+
+namespace {
+
+/// Whether its ground lets go of the wave, which the surface shows.
+void start_waves(const scene::Case& scene, const scene::SourceProcess& source) {
+  if (std::ranges::none_of(
+          source.serves, [](const scene::Served& served) { return served.field == scene::BaseForm::total; }))
+    return;
+  const wavefield::LayeredField field = wavefield::field_from_case(scene, source);
+  const scene::Service service = scene::service(scene, source, field.slowness_x());
+  const std::array surface{wavefield::Point{service.x_line, source.surface}};
+  const wavefield::TimeGrid ends{service.start_time, service.end_time - service.start_time, 2};
+  field.sample(surface, ends, wavefield::Part::total,
+               {.displacement = false, .stress = false, .strain = false});
+}
+
+void start_source(const scene::Case& scene, const scene::SourceProcess& source) {
+  using enum scene::SourceModel;
+  switch (source.field.model) {
+  case wave:
+    return start_waves(scene, source);
+  case fe:
+  case ode:
+  case oblique: {
+    const scene::Service service = scene::service(scene, source, freefield::slowness_from_case(scene));
+    freefield::column_from_case(scene, source, service.x_line, service.start_time);
+    return;
+  }
+  default:
+    return;
+  }
+}
+
+} // namespace
+
+void start_free_fields(const scene::Case& scene, const scene::Plan& plan) {
+  for (const scene::SourceProcess& source : plan.sources)
+    try {
+      start_source(scene, source);
+    } catch (const std::exception& refusal) {
+      throw std::runtime_error(fmt::format("{}: [boundary.{}] model = \"{}\": {}", scene.file.string(),
+                                           scene::name(source.serves.front().side),
+                                           scene::name(source.field.model), refusal.what()));
+    }
+}
+
+std::string layers_text(const ColumnGround& ground) {
+  const auto& [scene, source, x] = ground;
+  std::string text = fmt::format("  {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}  {}\n", "top (m)", "bottom", "kg/m3",
+                                 "Vs (m/s)", "Vp (m/s)", "damping", "soil");
+  double top = source.surface;
+  const auto line = [&](double bottom, const materials::Elasticity& e, double damping,
+                        std::string_view name) {
+    text += fmt::format("  {:>9.4g} {:>9.4g} {:>9.4g} {:>9.4g} {:>9.4g} {:>8.3g}  {}\n", top, bottom,
+                        e.density, e.s_wave_speed(), e.p_wave_speed(), damping, name);
+    top = bottom;
+  };
+  for (const scene::Layer& layer : scene::layers(scene, source))
+    line(top - layer.thickness, layer.elastic, layer.damping,
+         layer.soil ? fmt::format("{}, {}{}", scene.soils[*layer.soil].name,
+                                  materials::name(scene.soils[*layer.soil].law), layer.wet ? ", wet" : "")
+                    : "linear elastic");
+  line(-std::numeric_limits<double>::infinity(), scene.halfspace, scene.halfspace_damping, "half-space");
+  return text;
+}
+
+} // namespace tremolo::app

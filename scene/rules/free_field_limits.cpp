@@ -1,0 +1,183 @@
+#include "scene/rules/free_field_limits.hpp"
+
+#include "scene/plan/layers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace tremolo::scene {
+
+namespace {
+
+using enum SourceModel;
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr std::array computed = {wave, fe, ode, oblique, eql, mpm};
+
+bool in_frequency_domain(SourceModel model) {
+  return model == wave || model == eql;
+}
+
+/// The largest P-wave speed that an oblique column meets, m/s. At a horizontal slowness of 1/c_p or more the
+/// column's initial-value problem is ill posed.
+double fastest(const Case& scene, const std::vector<Layer>& layers) {
+  double speed = scene.halfspace.p_wave_speed();
+  for (const Layer& layer : layers)
+    speed = std::max(speed, layer.elastic.p_wave_speed());
+  return speed;
+}
+
+bool damped(const std::vector<Layer>& layers) {
+  return std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; });
+}
+
+std::string refused_angle(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
+  const double angle = scene.motion.angle_deg;
+  if ((model == fe || model == ode || model == mpm) && angle != 0.0)
+    return fmt::format("model = \"{}\" knows vertical incidence only, but [motion] angle_deg = {}",
+                       name(model), angle);
+  if (model != oblique)
+    return {};
+  const double incident =
+      scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
+  const double speed = fastest(scene, layers);
+  if (std::sin(angle * degree) * speed < incident)
+    return {};
+  return fmt::format("model = \"oblique\" is possible below {:.2f} degrees only, where no P wave of this "
+                     "profile is beyond its critical angle, but [motion] angle_deg = {}",
+                     std::asin(incident / speed) / degree, angle);
+}
+
+/// `wave` takes a motion within the ground up again by division, which undamped layers have no answer for.
+std::string refused_kind(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
+  if (scene.motion.kind != motion::MotionKind::within)
+    return {};
+  if (model == eql || model == oblique || model == mpm)
+    return fmt::format("model = \"{}\" takes an incident or outcrop motion, not one within the ground",
+                       name(model));
+  if (model == wave && !layers.empty() && !damped(layers))
+    return "model = \"wave\" under a motion within the ground needs damped layers: undamped ones resonate "
+           "on it without end; give them 'damping'";
+  return {};
+}
+
+/// A column of the domain's particles ends where a particle does.
+std::string refused_surface(const Case& scene, SourceModel model, double surface) {
+  if (model != mpm || !(scene.mesh.size > 0.0))
+    return {};
+  const double size = scene.mesh.particle_size();
+  const double particles = (surface - scene.mesh.box.y_min) / size;
+  if (particles >= 1.0 && std::abs(particles - std::round(particles)) < 1e-6)
+    return {};
+  return fmt::format(
+      "model = \"mpm\" stacks particles of {} m from the base of the model, y = {}, to the surface, y = "
+      "{}: their distance must be a multiple of it",
+      size, scene.mesh.box.y_min, surface);
+}
+
+/// Whether shear stress follows from shear strain alone.
+bool in_one_shear(const materials::Law& law) {
+  return materials::traits(law).response == materials::Response::elastic || materials::shear_backbone(law);
+}
+
+/// What `damping_suits_models` refuses.
+bool refused_damping(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
+  if (in_frequency_domain(model))
+    return scene.damping.model == DampingModel::rayleigh && (damped(layers) || scene.halfspace_damping > 0.0);
+  return scene.halfspace_damping > 0.0;
+}
+
+bool takes(const Case& scene, SourceModel model, double surface, const std::vector<Layer>& layers) {
+  return refused_wave(scene, model, surface, layers).empty() && refused_soil(scene, model, layers).empty() &&
+         !refused_damping(scene, model, layers) && (model != mpm || scene.mesh.size > 0.0);
+}
+
+/// "wave", "oblique" or "eql"
+std::string listed(const std::vector<SourceModel>& models) {
+  std::string text;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    text += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == models.size() ? " or " : ", ", name(models[i]));
+  return text;
+}
+
+std::vector<SourceModel> all_that_take(const Case& scene, double surface, const std::vector<Layer>& layers) {
+  std::vector<SourceModel> models;
+  for (const SourceModel model : computed)
+    if (takes(scene, model, surface, layers))
+      models.push_back(model);
+  return models;
+}
+
+/// Whether the frequency domain takes a layer that yields as linear elastic.
+bool is_linearised(const Case& scene, const std::vector<Layer>& layers) {
+  return std::ranges::any_of(layers, [&](const Layer& layer) {
+    return layer.soil && !scene.soils[*layer.soil].curves &&
+           materials::traits(scene.soils[*layer.soil].law).response != materials::Response::elastic;
+  });
+}
+
+} // namespace
+
+std::string refused_wave(const Case& scene, SourceModel model, double surface,
+                         const std::vector<Layer>& layers) {
+  for (std::string why : {refused_angle(scene, model, layers), refused_kind(scene, model, layers),
+                          refused_surface(scene, model, surface)})
+    if (!why.empty())
+      return why;
+  return {};
+}
+
+std::string refused_soil(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
+  if (model == oblique && damped(layers))
+    return "model = \"oblique\" takes layers without viscous damping, with which waves of one slowness have "
+           "no well-posed column";
+  for (const Layer& layer : layers) {
+    if (!layer.soil)
+      continue;
+    const Soil& soil = scene.soils[*layer.soil];
+    const bool column = model == fe || model == ode || model == oblique;
+    const bool two_phase = model == fe && scene.water;
+    if (column && !two_phase && materials::traits(soil.law).remembers_initial_stress)
+      return fmt::format("model = \"{}\" gives its soil no memory of the geostatic stress, with which {} "
+                         "(soil '{}') begins",
+                         name(model), materials::name(soil.law), soil.name);
+    if ((model == ode || model == oblique) && !in_one_shear(soil.column_law))
+      return fmt::format("model = \"{}\" takes linear and hysteretic soil, but soil '{}' is {}", name(model),
+                         soil.name, materials::name(soil.law));
+  }
+  return {};
+}
+
+std::string other_ways(const Case& scene, SourceModel model, double surface,
+                       const std::vector<Layer>& layers) {
+  std::string text;
+  const bool yields = is_linearised(scene, layers);
+  std::vector<SourceModel> models = all_that_take(scene, surface, layers);
+  if (yields && !std::ranges::all_of(models, in_frequency_domain))
+    std::erase_if(models, in_frequency_domain); // others know that it yields
+  if (!models.empty()) {
+    text = "; use model = " + listed(models);
+    if (yields && in_frequency_domain(models.front()))
+      text += fmt::format(", which take{} soil that yields as linear elastic", models.size() == 1 ? "s" : "");
+  }
+  if (scene.motion.angle_deg == 0.0)
+    return text;
+  Case upright = scene;
+  upright.motion.angle_deg = 0.0;
+  std::vector<SourceModel> others = all_that_take(upright, surface, layers);
+  std::erase_if(others, [&](SourceModel other) {
+    return in_frequency_domain(other) || std::ranges::find(models, other) != models.end();
+  });
+  if (others.empty())
+    return text;
+  text += text.empty() ? "; use angle_deg = 0" : ", or angle_deg = 0";
+  if (std::ranges::find(others, model) == others.end())
+    text += " with model = " + listed(others);
+  return text;
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,113 @@
+// Permanent displacement under damping in proportion to mass: a rock that moves on by 1 m as a wave of 1 m
+// in its incident part says takes the ground with it by 2 m, and a rigid base that moves by 1 m by 1 m,
+// whatever the damping.
+
+#include "freefield/fe/fe_column.hpp"
+#include "freefield/ode/ode_column.hpp"
+#include "freefield/twophase/two_phase_column.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+namespace {
+
+using namespace tremolo::freefield;
+namespace materials = tremolo::materials;
+using materials::Elasticity;
+
+constexpr double rise_time = 2.0; // s
+constexpr double duration = 15.0; // s
+constexpr double permanent = 1.0; // m, of the incident wave
+
+/// Half as much downwards.
+Velocity fling(double t) {
+  const double v = t < 0.0 || t > rise_time
+                       ? 0.0
+                       : permanent / rise_time * (1.0 - std::cos(2.0 * std::numbers::pi * t / rise_time));
+  return {v, -0.5 * v};
+}
+
+/// Two damped layers on rock that goes on above the base.
+Profile ground() {
+  const auto rock = Elasticity::from_wave_speeds(2200.0, 800.0, 1500.0);
+  return {.layers = {{4.0, Elasticity::from_wave_speeds(1700.0, 150.0, 320.0), 0.05},
+                     {6.0, Elasticity::from_wave_speeds(1900.0, 250.0, 500.0), 0.02},
+                     {5.0, rock, 0.0}},
+          .half_space = rock};
+}
+
+const RayleighDamping rayleigh{1.0, 6.0};
+
+void expect_displacement(Column& column, double expected) {
+  while (column.time() < duration)
+    column.step();
+  const std::array levels{column.base_level(), 0.5 * column.base_level(), column.surface_level()};
+  std::array<ColumnSample, levels.size()> samples;
+  column.sample(levels, samples);
+  for (const ColumnSample& sample : samples) {
+    EXPECT_NEAR(sample.ux, expected, 1e-4);
+    EXPECT_NEAR(sample.uy, -0.5 * expected, 1e-4);
+  }
+}
+
+FeColumnSettings fe(Integrator integrator, BaseKind base = BaseKind::compliant) {
+  return {.max_element_size = 1.0,
+          .time_step = integrator == Integrator::newmark ? 4e-3 : 2.5e-4,
+          .integrator = integrator,
+          .damping = rayleigh,
+          .base = base};
+}
+
+TEST(Fling, IsWholeInLinearFiniteElements) {
+  for (const Integrator integrator : {Integrator::newmark, Integrator::central_difference}) {
+    FeColumn over_rock(ground(), fe(integrator), fling);
+    expect_displacement(over_rock, 2.0 * permanent);
+    FeColumn on_rigid_base(ground(), fe(integrator, BaseKind::rigid), fling);
+    expect_displacement(on_rigid_base, permanent);
+  }
+}
+
+TEST(Fling, IsWholeInNonlinearFiniteElements) {
+  for (const Integrator integrator : {Integrator::newmark, Integrator::central_difference}) {
+    Profile profile = ground();
+    profile.layers[0].law = materials::LinearElastic{profile.layers[0].soil};
+    FeColumn column(profile, fe(integrator), fling);
+    expect_displacement(column, 2.0 * permanent);
+  }
+}
+
+TEST(Fling, IsWholeByTheMethodOfLines) {
+  for (const OdeMethod method : {OdeMethod::bdf, OdeMethod::imex, OdeMethod::explicit_runge_kutta}) {
+    OdeColumnSettings settings;
+    settings.max_cell_size = 1.0;
+    settings.time_step = 0.05;
+    settings.method = method;
+    settings.relative_tolerance = 1e-6;
+    settings.absolute_tolerance = 1e-8;
+    settings.damping = rayleigh;
+    OdeColumn column(ground(), settings, fling);
+    expect_displacement(column, 2.0 * permanent);
+  }
+}
+
+TEST(Fling, IsWholeInTwoPhases) {
+  for (const BaseKind base : {BaseKind::compliant, BaseKind::rigid}) {
+    Profile profile = ground();
+    profile.gravity = 9.81;
+    profile.water = WaterTable{-4.0, {}};
+    Layer& wet = profile.layers[1];
+    wet.pores = materials::PoreSpace{.porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3};
+    wet.soil.density = materials::saturated_density(*wet.pores, profile.water->fluid);
+    const TwoPhaseSettings settings{.max_element_size = 1.0,
+                                    .time_step = 0.8 * two_phase_step_limit(profile, 1.0, rayleigh),
+                                    .damping = rayleigh,
+                                    .base = base};
+    TwoPhaseColumn column(profile, settings, fling);
+    expect_displacement(column, base == BaseKind::rigid ? permanent : 2.0 * permanent);
+  }
+}
+
+} // namespace
