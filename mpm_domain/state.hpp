@@ -4,45 +4,21 @@
 // is given this state goes on with the same bits. The grid is not part of it: every step makes it anew from
 // the particles; only its extent is, since it may have grown.
 //
-// A Writer has write(name, values) for std::vector<double> and std::vector<std::uint64_t>; a Reader has
-// numbers(name) and integers(name). Those of results/checkpoint_file.hpp are such.
+// fields/saved_numbers.hpp says what a Writer and a Reader are.
 
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/fields/saved_numbers.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace tremolo::mpm_domain {
-
-/// Reads an array that must have a known length.
-/// @throws std::runtime_error if it has another
-template <class Reader>
-std::vector<double> numbers_of_size(const Reader& from, const std::string& name, std::size_t size) {
-  std::vector<double> values = from.numbers(name);
-  if (values.size() != size)
-    throw std::runtime_error(
-        fmt::format("the checkpoint holds {} numbers of {}, the domain has {}", values.size(), name, size));
-  return values;
-}
-
-template <class Number, class Writer>
-void write_integers(Writer& to, const std::string& name, const std::vector<Number>& values) {
-  to.write(name, std::vector<std::uint64_t>(values.begin(), values.end()));
-}
-
-template <class Number, class Reader>
-void read_integers(const Reader& from, const std::string& name, std::vector<Number>& values) {
-  values.clear();
-  for (const std::uint64_t value : from.integers(name))
-    values.push_back(static_cast<Number>(value));
-}
 
 template <class Writer>
 void save(const Particles& set, const std::string& name, Writer& to) {

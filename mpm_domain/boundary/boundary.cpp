@@ -2,7 +2,7 @@
 
 #include "mpm_domain/clocks/clock_nodes.hpp"
 #include "mpm_domain/clocks/ticks.hpp"
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <fmt/format.h>
 
@@ -141,12 +141,12 @@ void Boundary::set_kicked(const std::vector<double>& numbers) {
     v_kicked_.push_back({numbers[i], numbers[i + 1]});
 }
 
-void Boundary::build_supports(const Domain& domain) {
+void Boundary::build_supports(const Ground& ground) {
   if (supported_)
     return;
   supported_ = true;
-  for (const Side side : domain.spec.matched_sides)
-    layers_.emplace_back(domain, side);
+  for (const Side side : ground.spec.matched_sides)
+    layers_.emplace_back(ground, faces_, side);
   corners_ = join(layers_);
   for (const MatchedLayer& layer : layers_) {
     for (std::size_t f = 0; f < layer.face_count(); ++f) {
@@ -155,46 +155,46 @@ void Boundary::build_supports(const Domain& domain) {
       face.moving_mass = {layer.mass(f), layer.mass(f)};
     }
   }
-  if (domain.is_sharp() && !faces_.empty()) {
-    closing_.emplace(domain);
+  if (ground.is_sharp() && !faces_.empty()) {
+    closing_.emplace(ground, faces_);
     for (std::size_t f = 0; f < faces_.size(); ++f)
       if (faces_[f].support == Support::dashpots) {
         faces_[f].support = Support::closing_element;
         faces_[f].moving_mass = closing_->mass(f);
       }
   }
-  if (domain.spec.sides == Sides::periodic_springs && !faces_.empty()) {
-    springs_.emplace(domain);
+  if (ground.spec.sides == Sides::periodic_springs && !faces_.empty()) {
+    springs_.emplace(ground, faces_);
     for (std::size_t f = 0; f < springs_->face_count(); ++f)
       faces_[f].support = Support::opposite_face;
   }
 }
 
-void Boundary::follow_sort(const Domain& domain) {
+void Boundary::follow_sort(const Ground& ground) {
   if (rigid_base_)
-    rigid_base_->follow_sort(domain);
-  const std::size_t nodes = domain.grid.size();
+    rigid_base_->follow_sort(ground);
+  const std::size_t nodes = ground.grid.size();
   if (nodes_.restart(nodes))
     for (NodeField* field : {&on_nodes_x_, &on_nodes_y_})
       field->assign(nodes, 0.0);
-  dashpots_.resize(static_cast<std::size_t>(domain.clocks.count()), ConsistentDashpots(nodes_));
+  dashpots_.resize(static_cast<std::size_t>(ground.clocks.count()), ConsistentDashpots(nodes_));
   for (ConsistentDashpots& dashpots : dashpots_)
     dashpots.fit(nodes);
-  if (domain.mesh)
+  if (ground.mesh)
     for (BoundaryFace& face : faces_)
-      face.level = level_of(domain, face);
-  if (domain.share && !faces_.empty())
-    share_.emplace(domain, faces_);
+      face.level = level_of(ground, face);
+  if (ground.share && !faces_.empty())
+    share_.emplace(ground, faces_);
 }
 
-void Boundary::read_soil(Domain& domain) {
-  if (!share_ && !domain.has_pore_pressure())
+void Boundary::read_soil(Ground& ground) {
+  if (!share_ && !ground.has_pore_pressure())
     return; // places are all that dry soil needs of its faces
   soil_.resize(faces_.size());
   if (share_)
-    return share_->tell(domain, faces_, soil_);
-  for_faces(domain.workers, faces_.size(),
-            [&](std::size_t f) { soil_[f] = soil_at(faces_[f], domain.sets[faces_[f].set]); });
+    return share_->tell(ground, faces_, soil_);
+  for_faces(ground.workers, faces_.size(),
+            [&](std::size_t f) { soil_[f] = soil_at(faces_[f], ground.sets[faces_[f].set]); });
 }
 
 bool Boundary::is_due(int first_due, std::size_t f) const {
@@ -202,39 +202,39 @@ bool Boundary::is_due(int first_due, std::size_t f) const {
 }
 
 /// The face's weights at the place of its soil, and at the first tick its clock.
-void Boundary::weigh(const Domain& domain, const ClockNodes& nodes, std::size_t f, bool first_tick) {
+void Boundary::weigh(const Ground& ground, const ClockNodes& nodes, std::size_t f, bool first_tick) {
   if (soil_.empty())
-    face_weights(domain, faces_[f], weights_[f]);
+    face_weights(ground, faces_[f], weights_[f]);
   else
-    face_weights(domain, faces_[f], soil_[f].place, weights_[f]);
-  if (domain.clocks.count() == 1)
+    face_weights(ground, faces_[f], soil_[f].place, weights_[f]);
+  if (ground.clocks.count() == 1)
     return;
   std::erase_if(weights_[f],
                 [&](const FaceWeight& w) { return w.w < negligible || nodes.clock_of(w.node) < 0; });
   if (!first_tick)
     return;
-  clock_[f] = domain.clocks.count() - 1;
+  clock_[f] = ground.clocks.count() - 1;
   for (const FaceWeight& w : weights_[f])
     clock_[f] = std::min(clock_[f], nodes.clock_of(w.node));
 }
 
-void Boundary::exchange(Domain& domain, const ClockNodes& nodes, const FreeFieldSource& source, long step,
+void Boundary::exchange(Ground& ground, const ClockNodes& nodes, const FreeFieldSource& source, long step,
                         double time) {
-  for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
-    weigh(domain, nodes, f, true);
-    v_exchange_[f] = velocity_at(domain.grid, weights_[f]);
+  for_faces(ground.workers, faces_.size(), [&](std::size_t f) {
+    weigh(ground, nodes, f, true);
+    v_exchange_[f] = velocity_at(ground.grid, weights_[f]);
     if (!v_kicked_.empty())
       v_exchange_[f] = without_residual(v_exchange_[f], v_kicked_[f]);
   });
   v_ = v_exchange_;
   source(step, time, v_exchange_, free_field_);
   if (springs_)
-    springs_->pull(domain, v_exchange_, reaction_, free_field_);
+    springs_->pull(ground, faces_, v_exchange_, reaction_, free_field_);
   if (closing_)
     close(time);
   for (std::size_t f = 0; f < faces_.size(); ++f)
     evaluate(f);
-  if (domain.has_pore_pressure())
+  if (ground.has_pore_pressure())
     follow_lean();
 }
 
@@ -285,26 +285,26 @@ void Boundary::evaluate(std::size_t f) {
   traction_[f] = eq6::boundary_traction(faces_[f].dashpots(), v_[f], free_field_[f], faces_[f].held);
 }
 
-void Boundary::apply(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
+void Boundary::apply(Ground& ground, const Ticks& ticks, const ClockNodes& nodes) {
   const int first_due = ticks.first_due();
   if (faces_.empty())
     return;
   if (!ticks.is_first())
-    for_faces(domain.workers, faces_.size(), [&](std::size_t f) {
+    for_faces(ground.workers, faces_.size(), [&](std::size_t f) {
       if (!is_due(first_due, f))
         return;
-      weigh(domain, nodes, f, false);
-      v_[f] = velocity_at(domain.grid, weights_[f]);
+      weigh(ground, nodes, f, false);
+      v_[f] = velocity_at(ground.grid, weights_[f]);
       evaluate(f);
       if (faces_[f].support == Support::matched_layer)
         add_to_layer_mean(f);
     });
-  spread(domain, ticks, nodes);
-  correct_dashpots(domain, ticks, nodes);
+  spread(ground, ticks, nodes);
+  correct_dashpots(ground, ticks, nodes);
 }
 
-void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
-  Grid& grid = domain.grid;
+void Boundary::spread(Ground& ground, const Ticks& ticks, const ClockNodes& nodes) {
+  Grid& grid = ground.grid;
   nodes_.add(weights_);
   const auto clocks = static_cast<std::size_t>(ticks.clocks());
   if (ticks.first_due() > 0)
@@ -314,7 +314,7 @@ void Boundary::spread(Domain& domain, const Ticks& ticks, const ClockNodes& node
     find_loads(clock, ticks);
   const bool one_clock = nodes.one_clock();
   const auto is_due = [&](std::size_t n) { return one_clock || nodes.clock_of(n) >= ticks.first_due(); };
-  domain.workers.run(2, [&](std::size_t component) {
+  ground.workers.run(2, [&](std::size_t component) {
     const auto spread_along = [&](double Vector::*axis, NodeField& boundary, NodeField& force,
                                   NodeField& dashpot) {
       for (const std::size_t n : nodes_.all())
@@ -367,9 +367,9 @@ void Boundary::find_loads(int clock, const Ticks& ticks) {
 }
 
 /// Faces whose nodes are all of one clock have consistent dashpots; the few others stay lumped.
-void Boundary::correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
+void Boundary::correct_dashpots(Ground& ground, const Ticks& ticks, const ClockNodes& nodes) {
   if (ticks.clocks() == 1)
-    return dashpots_.front().correct(domain, weights_, ticks.kick_of(0));
+    return dashpots_.front().correct(ground, faces_, weights_, ticks.kick_of(0));
   consistent_.resize(dashpots_.size());
   for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
     std::vector<FaceWeights>& weights = consistent_[static_cast<std::size_t>(clock)];
@@ -378,20 +378,20 @@ void Boundary::correct_dashpots(Domain& domain, const Ticks& ticks, const ClockN
       if (std::ranges::all_of(weights_[f],
                               [&](const FaceWeight& w) { return nodes.clock_of(w.node) == clock; }))
         weights[f] = weights_[f];
-    dashpots_[static_cast<std::size_t>(clock)].correct(domain, weights, ticks.kick_of(clock));
+    dashpots_[static_cast<std::size_t>(clock)].correct(ground, faces_, weights, ticks.kick_of(clock));
   }
 }
 
-BoundaryWork Boundary::follow_update(Domain& domain, const Ticks& ticks, const ClockNodes& nodes) {
+BoundaryWork Boundary::follow_update(Ground& ground, const Ticks& ticks, const ClockNodes& nodes) {
   const int first_due = ticks.first_due();
-  const Grid& grid = domain.grid;
-  if (domain.has_pore_pressure()) {
+  const Grid& grid = ground.grid;
+  if (ground.has_pore_pressure()) {
     v_kicked_.resize(faces_.size());
     for (std::size_t f = 0; f < faces_.size(); ++f)
       v_kicked_[f] = velocity_after_at(grid, weights_[f]);
   }
   std::vector<BoundaryWork> works((faces_.size() + faces_per_task - 1) / faces_per_task);
-  domain.workers.run(works.size(), [&](std::size_t task) {
+  ground.workers.run(works.size(), [&](std::size_t task) {
     const std::size_t first = task * faces_per_task;
     works[task] = work_of(first, std::min(first + faces_per_task, faces_.size()), grid, ticks, nodes);
   });
@@ -453,18 +453,18 @@ BoundaryWork Boundary::work_of(std::size_t begin, std::size_t end, const Grid& g
   return work;
 }
 
-void Boundary::take_off_remap_power(Domain& domain, const ClockNodes& nodes, int clock,
+void Boundary::take_off_remap_power(Ground& ground, const ClockNodes& nodes, int clock,
                                     ExactSum& power) const {
-  const Grid& grid = domain.grid;
+  const Grid& grid = ground.grid;
   const auto of_clock = static_cast<std::size_t>(clock);
   const ConsistentDashpots* const dashpots = of_clock < dashpots_.size() ? &dashpots_[of_clock] : nullptr;
   const std::span<const std::size_t> all = nodes_.all();
   constexpr std::size_t nodes_per_task = 256;
   std::vector<ExactSum> parts((all.size() + nodes_per_task - 1) / nodes_per_task);
-  domain.workers.run(parts.size(), [&](std::size_t task) {
+  ground.workers.run(parts.size(), [&](std::size_t task) {
     const std::size_t first = task * nodes_per_task;
     for (const std::size_t n : all.subspan(first, std::min(nodes_per_task, all.size() - first))) {
-      if (nodes.clock_of(n) != clock || !domain.counts({n, n + 1}))
+      if (nodes.clock_of(n) != clock || !ground.counts({n, n + 1}))
         continue;
       const Vector corrected = dashpots ? dashpots->force_on(n) : Vector{};
       parts[task].add((on_nodes_x_[n] + corrected.x) * (grid.vx_strain[n] - grid.vx_after[n]) +

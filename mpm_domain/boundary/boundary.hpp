@@ -94,14 +94,14 @@ public:
 
   /// Puts what the spec wants behind the faces of a domain at rest: matched layers, springs. Does nothing
   /// when it has been done.
-  void build_supports(const Domain& domain);
+  void build_supports(const Ground& ground);
   bool has_layers() const { return !layers_.empty(); }
   /// Where the base moves as it is told; the faces then have no tractions.
   std::optional<RigidBase>& rigid_base() { return rigid_base_; }
   const std::optional<RigidBase>& rigid_base() const { return rigid_base_; }
 
   /// After a sort: the grid may have grown, and particles of faces may have come to other cells.
-  void follow_sort(const Domain& domain);
+  void follow_sort(const Ground& ground);
 
   /// Where ranks share the domain: the nodes that faces may touch until the next sort, whose sums each rank
   /// is told.
@@ -110,23 +110,23 @@ public:
   }
   /// After a scatter: reads the soil at the faces. Ranks tell each other of it, and of the sums at the shared
   /// nodes.
-  void read_soil(Domain& domain);
+  void read_soil(Ground& ground);
   /// By face, where there is pore water or where ranks share the domain; else empty.
   std::span<const FaceSoil> soil() const { return soil_; }
 
   /// The passes of a step. At its first tick: velocities of the faces and free field, then what matched
   /// layers make of it.
-  void exchange(Domain& domain, const ClockNodes& nodes, const FreeFieldSource& source, long step,
+  void exchange(Ground& ground, const ClockNodes& nodes, const FreeFieldSource& source, long step,
                 double time);
   void react(double time, WorkerPool& workers);
   /// At every tick: evaluates Eq. (6) at the faces that are due and adds it to the nodes' forces and
   /// dashpots.
-  void apply(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+  void apply(Ground& ground, const Ticks& ticks, const ClockNodes& nodes);
   /// After the update: the work of the boundary by its parts, the same on all ranks.
-  BoundaryWork follow_update(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+  BoundaryWork follow_update(Ground& ground, const Ticks& ticks, const ClockNodes& nodes);
   /// Takes off the power (W/m) of the boundary's forces on the difference between v+ and the remapped
   /// velocity, at the nodes of one clock that count on this rank.
-  void take_off_remap_power(Domain& domain, const ClockNodes& nodes, int clock, ExactSum& power) const;
+  void take_off_remap_power(Ground& ground, const ClockNodes& nodes, int clock, ExactSum& power) const;
 
   /// What the last exchange found per face: v^m (m/s) and the free field.
   std::span<const Vector> velocities() const { return v_exchange_; }
@@ -187,17 +187,17 @@ private:
   void set_kicked(const std::vector<double>& numbers);
   void resize();
   bool is_due(int first_due, std::size_t face) const;
-  void weigh(const Domain& domain, const ClockNodes& nodes, std::size_t face, bool first_tick);
+  void weigh(const Ground& ground, const ClockNodes& nodes, std::size_t face, bool first_tick);
   void add_to_layer_mean(std::size_t face);
   void evaluate(std::size_t face);
   void close(double time);
   void follow_lean();
-  void spread(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+  void spread(Ground& ground, const Ticks& ticks, const ClockNodes& nodes);
   void find_loads(int clock, const Ticks& ticks);
   /// Work of faces [begin, end) in the last update.
   BoundaryWork work_of(std::size_t begin, std::size_t end, const Grid& grid, const Ticks& ticks,
                        const ClockNodes& nodes) const;
-  void correct_dashpots(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+  void correct_dashpots(Ground& ground, const Ticks& ticks, const ClockNodes& nodes);
 
   std::vector<BoundaryFace> faces_;
   std::vector<MatchedLayer> layers_;

@@ -1,7 +1,8 @@
 #include "mpm_domain/boundary/boundary_faces.hpp"
 
-#include "mpm_domain/domain.hpp"
 #include "mpm_domain/grid/box_average.hpp"
+#include "mpm_domain/ground.hpp"
+#include "mpm_domain/particles/grid_growth.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
 
 #include <algorithm>
@@ -126,12 +127,12 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
   return faces;
 }
 
-int level_of(const Domain& domain, const BoundaryFace& face) {
-  const Particles& set = domain.sets[face.set];
-  const mesh::Rectangle reach = reach_of(set, set.index_of[face.id], domain.sort_distance());
-  const auto touched = domain.mesh->touched(reach);
+int level_of(const Ground& ground, const BoundaryFace& face) {
+  const Particles& set = ground.sets[face.set];
+  const mesh::Rectangle reach = reach_of(set, set.index_of[face.id], ground.sort_distance());
+  const auto touched = ground.mesh->touched(reach);
   const double widest = set.has_own_boxes() ? set.cell_size : 2.0 * set.half_size;
-  const bool on_one = touched.one_lattice() && widest < 1.0001 * domain.lattice(touched.finest).h;
+  const bool on_one = touched.one_lattice() && widest < 1.0001 * ground.lattice(touched.finest).h;
   return on_one ? touched.finest : BoundaryFace::unknown;
 }
 
@@ -153,13 +154,13 @@ namespace {
 ///
 /// so that the traction of a wave and its velocity come to the nodes as the sharpened internal forces do.
 /// Nothing changes in the sum of the weights and their first moment.
-void sharpen_along(const Domain& domain, const BoundaryFace& face, const FacePlace& at,
+void sharpen_along(const Ground& ground, const BoundaryFace& face, const FacePlace& at,
                    const Lattice& lattice, FaceWeights& weights) {
   const auto columns = static_cast<std::size_t>(lattice.nx);
   const bool along_x = face.side == Side::base;
   const std::size_t step = along_x ? 1 : columns;
   const std::size_t across = along_x ? columns : 1;
-  const NodeField& chi = along_x ? domain.grid.inside_x : domain.grid.inside_y;
+  const NodeField& chi = along_x ? ground.grid.inside_x : ground.grid.inside_y;
   const double centre = along_x ? Axis(lattice.x0, lattice.h).cells(at.centre.x)
                                 : Axis(lattice.y0, lattice.h).cells(at.centre.y);
   // The nodes stand on one line along the face or on two neighbouring ones, four on each at most.
@@ -210,29 +211,61 @@ void follow_ties(const Prolongation& ties, FaceWeights& weights) {
 
 } // namespace
 
-void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights) {
-  face_weights(domain, face, place_of(face, domain.sets[face.set]), weights);
+void face_weights(const Ground& ground, const BoundaryFace& face, FaceWeights& weights) {
+  face_weights(ground, face, place_of(face, ground.sets[face.set]), weights);
 }
 
-void face_weights(const Domain& domain, const BoundaryFace& face, const FacePlace& place,
+void face_weights(const Ground& ground, const BoundaryFace& face, const FacePlace& place,
                   FaceWeights& weights) {
   weights.clear();
-  if (!domain.mesh || face.level != BoundaryFace::unknown) {
-    const Lattice& lattice = domain.lattice(domain.mesh ? face.level : 0);
+  if (!ground.mesh || face.level != BoundaryFace::unknown) {
+    const Lattice& lattice = ground.lattice(ground.mesh ? face.level : 0);
     lattice_weights(face, place, lattice, [&](int i, int j, double w) {
       weights.push_back({lattice.index(i, j), w});
     });
-    if (domain.is_sharp() &&
-        std::ranges::find(domain.spec.matched_sides, face.side) == domain.spec.matched_sides.end())
-      sharpen_along(domain, face, place, lattice, weights);
+    if (ground.is_sharp() &&
+        std::ranges::find(ground.spec.matched_sides, face.side) == ground.spec.matched_sides.end())
+      sharpen_along(ground, face, place, lattice, weights);
   } else {
     std::vector<BoxWeight> parts;
-    box_average(*domain.mesh, line_of(face, place), parts);
+    box_average(*ground.mesh, line_of(face, place), parts);
     for (const BoxWeight& part : parts)
       weights.push_back({part.node, part.s});
   }
-  if (!domain.ties().empty())
-    follow_ties(domain.ties(), weights);
+  if (!ground.ties().empty())
+    follow_ties(ground.ties(), weights);
+}
+
+Box soil_limits(const Ground& ground, std::span<const BoundaryFace> faces) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Box limits{-far, -far, far, far};
+  Box sides{far, far, -far, far};
+  for (const BoundaryFace& face : faces) {
+    const Particles& set = ground.sets[face.set];
+    const std::size_t k = set.index_of[face.id];
+    if (k == Particles::nowhere)
+      continue; // on another rank
+    switch (face.side) {
+    case Side::left:
+      sides.x_min = std::min(sides.x_min, set.x[k]);
+      break;
+    case Side::right:
+      sides.x_max = std::max(sides.x_max, set.x[k]);
+      break;
+    case Side::base:
+      sides.y_min = std::min(sides.y_min, set.y[k]);
+      break;
+    }
+  }
+  sides = over_ranks(ground, sides);
+  const double beyond = ground.half_size() + overflow_cells * ground.grid.h;
+  if (sides.x_min < far)
+    limits.x_min = sides.x_min - beyond;
+  if (sides.x_max > -far)
+    limits.x_max = sides.x_max + beyond;
+  if (sides.y_min < far)
+    limits.y_min = sides.y_min - beyond;
+  return limits;
 }
 
 } // namespace tremolo::mpm_domain

@@ -17,7 +17,7 @@
 
 namespace tremolo::mpm_domain {
 
-struct Domain;
+struct Ground;
 
 /// What takes up the waves that the domain scatters at a face, or holds it.
 enum class Support {
@@ -70,7 +70,7 @@ inline Vector dashpot_diagonal(const BoundaryFace& face) {
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);
 
 /// The level of a face whose way until the next sort keeps it on one lattice; otherwise unknown.
-int level_of(const Domain& domain, const BoundaryFace& face);
+int level_of(const Ground& ground, const BoundaryFace& face);
 
 /// Where the particle of a face is, and half the sides of its box, m.
 struct FacePlace {
@@ -94,9 +94,13 @@ mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place);
 /// du_x/dy of a side at a face, by its neighbours. Faces are in the order of find_faces().
 double lean(std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil, std::size_t face);
 
+/// How far soil may go: where a side has faces, overflow_cells (particles/grid_growth.hpp) beyond the
+/// outermost.
+Box soil_limits(const Ground& ground, std::span<const BoundaryFace> faces);
+
 /// Weights of a face with its particle at a place, or at its present one, of nodes that are not tied.
-void face_weights(const Domain& domain, const BoundaryFace& face, const FacePlace& place,
+void face_weights(const Ground& ground, const BoundaryFace& face, const FacePlace& place,
                   FaceWeights& weights);
-void face_weights(const Domain& domain, const BoundaryFace& face, FaceWeights& weights);
+void face_weights(const Ground& ground, const BoundaryFace& face, FaceWeights& weights);
 
 } // namespace tremolo::mpm_domain

@@ -1,6 +1,6 @@
 #include "mpm_domain/boundary/boundary_share.hpp"
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +12,11 @@ namespace tremolo::mpm_domain {
 namespace {
 
 /// The rank that has the particle of each face.
-std::vector<int> owners_of_faces(const Domain& domain, std::span<const BoundaryFace> faces) {
-  Communicator& ranks = *domain.share->ranks;
+std::vector<int> owners_of_faces(const Ground& ground, std::span<const BoundaryFace> faces) {
+  Communicator& ranks = *ground.share->ranks;
   std::vector<std::int64_t> owner;
   for (const BoundaryFace& face : faces) {
-    const bool is_mine = domain.sets[face.set].index_of[face.id] != Particles::nowhere;
+    const bool is_mine = ground.sets[face.set].index_of[face.id] != Particles::nowhere;
     owner.push_back(is_mine ? ranks.rank() : 0);
   }
   ranks.add(owner);
@@ -24,12 +24,12 @@ std::vector<int> owners_of_faces(const Domain& domain, std::span<const BoundaryF
 }
 
 /// What ranks tell of the soil at faces.
-auto told_soil(const Domain& domain, std::span<const BoundaryFace> faces, const SharedList& list,
+auto told_soil(const Ground& ground, std::span<const BoundaryFace> faces, const SharedList& list,
                std::span<FaceSoil> soil) {
   return Told{
       &list, 7,
-      [&domain, faces, soil](std::size_t f, double* numbers) {
-        const auto& [place, moved, syy, excess] = soil[f] = soil_at(faces[f], domain.sets[faces[f].set]);
+      [&ground, faces, soil](std::size_t f, double* numbers) {
+        const auto& [place, moved, syy, excess] = soil[f] = soil_at(faces[f], ground.sets[faces[f].set]);
         const auto& [centre, half] = place;
         std::ranges::copy(std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess}, numbers);
       },
@@ -39,15 +39,15 @@ auto told_soil(const Domain& domain, std::span<const BoundaryFace> faces, const 
 }
 
 /// The nodes that faces may touch while particles move by the distance between two sorts.
-std::vector<std::size_t> nodes_near(const Domain& domain, std::span<const BoundaryFace> faces,
+std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const BoundaryFace> faces,
                                     std::span<const FaceSoil> soil) {
-  const Lattice& lattice = domain.grid;
+  const Lattice& lattice = ground.grid;
   const auto cell = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
   std::vector<std::size_t> nodes;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const mesh::Rectangle line = line_of(faces[f], soil[f].place);
-    const bool own_boxes = domain.sets[faces[f].set].has_own_boxes();
-    const double way = (own_boxes ? 2.0 : 1.0) * domain.sort_distance(); // as in reach_of()
+    const bool own_boxes = ground.sets[faces[f].set].has_own_boxes();
+    const double way = (own_boxes ? 2.0 : 1.0) * ground.sort_distance(); // as in reach_of()
     for (int j = cell(line.y_min - way, lattice.y0); j <= cell(line.y_max + way, lattice.y0) + 1; ++j)
       for (int i = cell(line.x_min - way, lattice.x0); i <= cell(line.x_max + way, lattice.x0) + 1; ++i)
         nodes.push_back(lattice.index(i, j));
@@ -60,23 +60,23 @@ std::vector<std::size_t> nodes_near(const Domain& domain, std::span<const Bounda
 
 } // namespace
 
-BoundaryShare::BoundaryShare(const Domain& domain, std::span<const BoundaryFace> faces)
-    : faces_(owners_of_faces(domain, faces), *domain.share->ranks) {
+BoundaryShare::BoundaryShare(const Ground& ground, std::span<const BoundaryFace> faces)
+    : faces_(owners_of_faces(ground, faces), *ground.share->ranks) {
   std::vector<FaceSoil> soil(faces.size());
-  tell_all(*domain.share->ranks, numbers_, told_soil(domain, faces, faces_, soil));
-  nodes_ = nodes_near(domain, faces, soil);
-  const auto columns = static_cast<std::size_t>(domain.grid.nx);
+  tell_all(*ground.share->ranks, numbers_, told_soil(ground, faces, faces_, soil));
+  nodes_ = nodes_near(ground, faces, soil);
+  const auto columns = static_cast<std::size_t>(ground.grid.nx);
   std::vector<int> owner;
   for (const std::size_t node : nodes_)
-    owner.push_back(domain.share->owner(
-        domain.tiles.tile_of(0, static_cast<int>(node % columns), static_cast<int>(node / columns))));
-  sums_ = SharedList(owner, *domain.share->ranks);
+    owner.push_back(ground.share->owner(
+        ground.tiles.tile_of(0, static_cast<int>(node % columns), static_cast<int>(node / columns))));
+  sums_ = SharedList(owner, *ground.share->ranks);
 }
 
-void BoundaryShare::tell(Domain& domain, std::span<const BoundaryFace> faces, std::span<FaceSoil> soil) {
-  NodeFields& grid = domain.grid;
+void BoundaryShare::tell(Ground& ground, std::span<const BoundaryFace> faces, std::span<FaceSoil> soil) {
+  NodeFields& grid = ground.grid;
   std::vector<NodeField*> fields;
-  for (const SumRange& range : scattered_sums(domain.grid.traits))
+  for (const SumRange& range : scattered_sums(ground.grid.traits))
     for (std::size_t f = range.first; f < range.end; ++f)
       fields.push_back(&(grid.*particle_sums[f]));
   const Told sums{&sums_, fields.size(),
@@ -88,7 +88,7 @@ void BoundaryShare::tell(Domain& domain, std::span<const BoundaryFace> faces, st
                     for (NodeField* field : fields)
                       (*field)[nodes_[n]] = *numbers++;
                   }};
-  tell_all(*domain.share->ranks, numbers_, told_soil(domain, faces, faces_, soil), sums);
+  tell_all(*ground.share->ranks, numbers_, told_soil(ground, faces, faces_, soil), sums);
 }
 
 } // namespace tremolo::mpm_domain

@@ -15,16 +15,16 @@
 
 namespace tremolo::mpm_domain {
 
-struct Domain;
+struct Ground;
 
 class BoundaryShare {
 public:
   /// To be made by all ranks after each sort.
-  BoundaryShare(const Domain& domain, std::span<const BoundaryFace> faces);
+  BoundaryShare(const Ground& ground, std::span<const BoundaryFace> faces);
 
   /// Tells of the soil at the faces, and the sums at the nodes, in one message.
   /// @param soil  by face; takes what all ranks tell
-  void tell(Domain& domain, std::span<const BoundaryFace> faces, std::span<FaceSoil> soil);
+  void tell(Ground& ground, std::span<const BoundaryFace> faces, std::span<FaceSoil> soil);
   std::span<const std::size_t> nodes() const { return nodes_; } ///< rising
 
 private:

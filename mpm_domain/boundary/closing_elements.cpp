@@ -1,6 +1,6 @@
 #include "mpm_domain/boundary/closing_elements.hpp"
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <fmt/format.h>
 
@@ -29,11 +29,10 @@ double spring_force(double before, double load, double delay, double dt) {
 
 } // namespace
 
-ClosingElements::ClosingElements(const Domain& domain) {
-  const std::span<const BoundaryFace> faces = domain.boundary.faces();
+ClosingElements::ClosingElements(const Ground& ground, std::span<const BoundaryFace> faces) {
   state_.resize(faces.size());
   for (const BoundaryFace& face : faces) {
-    const Particles& set = domain.sets[face.set];
+    const Particles& set = ground.sets[face.set];
     const materials::Elasticity& soil = materials::elasticity(set.law);
     Element& element = elements_.emplace_back();
     element.normal = face.ground.normal;

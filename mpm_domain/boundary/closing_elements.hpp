@@ -36,7 +36,7 @@ namespace tremolo::mpm_domain {
 /// One element per face, also behind faces that have another support, which do not use theirs.
 class ClosingElements {
 public:
-  explicit ClosingElements(const Domain& domain);
+  ClosingElements(const Ground& ground, std::span<const BoundaryFace> faces);
 
   /// Mass (kg/m2) that moves with a face in each direction.
   Vector mass(std::size_t face) const { return elements_[face].mass; }

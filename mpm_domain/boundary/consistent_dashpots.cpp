@@ -1,8 +1,6 @@
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
 
-#include "mpm_domain/domain.hpp"
-
-#include <utility>
+#include "mpm_domain/ground.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -42,10 +40,10 @@ void ConsistentDashpots::fit(std::size_t grid_size) {
       field->assign(grid_size, 0.0);
 }
 
-void ConsistentDashpots::correct(Domain& domain, std::span<const FaceWeights> weights, double dt) {
+void ConsistentDashpots::correct(Ground& ground, std::span<const BoundaryFace> faces,
+                                 std::span<const FaceWeights> weights, double dt) {
   constexpr int steps = 3;
-  Grid& grid = domain.grid;
-  const std::span<const BoundaryFace> faces = std::as_const(domain.boundary).faces();
+  Grid& grid = ground.grid;
   for (Component* c : {&x_, &y_})
     c->of_faces.resize(faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -54,8 +52,8 @@ void ConsistentDashpots::correct(Domain& domain, std::span<const FaceWeights> we
     x_.of_faces[f] = share * z.x;
     y_.of_faces[f] = share * z.y;
   }
-  const double empty = empty_mass(domain);
-  domain.workers.run(2, [&](std::size_t component) {
+  const double empty = empty_mass(ground);
+  ground.workers.run(2, [&](std::size_t component) {
     const bool is_x = component == 0;
     Component& c = is_x ? x_ : y_;
     NodeField& force = is_x ? grid.force_x : grid.force_y;

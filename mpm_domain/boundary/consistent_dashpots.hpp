@@ -32,9 +32,10 @@ public:
   void fit(std::size_t grid_size);
 
   /// Adds g to the nodal forces; the faces' tractions and lumped dashpots are there already.
-  /// @param weights one a face of the domain; a face without any is left out
+  /// @param weights one a face; a face without any is left out
   /// @param dt time that the forces act for, s
-  void correct(Domain& domain, std::span<const FaceWeights> weights, double dt);
+  void correct(Ground& ground, std::span<const BoundaryFace> faces, std::span<const FaceWeights> weights,
+               double dt);
 
   /// g of a node that faces touch, N/m.
   Vector force_on(std::size_t node) const { return {x_.g[node], y_.g[node]}; }

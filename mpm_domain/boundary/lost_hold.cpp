@@ -11,11 +11,11 @@ namespace tremolo::mpm_domain {
 LostHold::LostHold(const Boundary& boundary, bool total_base, double far)
     : boundary_(boundary), total_base_(total_base), far_(far), moved_(boundary.faces().size()) {}
 
-void LostHold::add(double time, std::span<const Vector> domain, std::span<const eq6::FreeField> free_field) {
+void LostHold::add(double time, std::span<const Vector> ground, std::span<const eq6::FreeField> free_field) {
   for (std::size_t f = 0; f < moved_.size(); ++f) {
     const auto& normal = boundary_.faces()[f].ground.normal;
-    moved_[f] += (time - last_) * ((domain[f].x - free_field[f].velocity.x) * normal.x +
-                                   (domain[f].y - free_field[f].velocity.y) * normal.y);
+    moved_[f] += (time - last_) * ((ground[f].x - free_field[f].velocity.x) * normal.x +
+                                   (ground[f].y - free_field[f].velocity.y) * normal.y);
   }
   last_ = time;
 }

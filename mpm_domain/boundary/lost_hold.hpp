@@ -23,7 +23,7 @@ public:
   LostHold(const Boundary& boundary, bool total_base, double far);
 
   /// To be called at the rows of the history, with the velocities of these steps.
-  void add(double time, std::span<const Vector> domain, std::span<const eq6::FreeField> free_field);
+  void add(double time, std::span<const Vector> ground, std::span<const eq6::FreeField> free_field);
 
   /// What a user should know where d has become larger than that.
   std::optional<std::string> warning() const;

@@ -1,6 +1,6 @@
 #include "mpm_domain/boundary/periodic_springs.hpp"
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 #include "mpm_domain/spec/limits.hpp"
 
 #include <fmt/format.h>
@@ -13,34 +13,33 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-std::size_t faces_of(const Domain& domain, Side side) {
-  return static_cast<std::size_t>(std::ranges::count(domain.boundary.faces(), side, &BoundaryFace::side));
+std::size_t count_of(std::span<const BoundaryFace> faces, Side side) {
+  return static_cast<std::size_t>(std::ranges::count(faces, side, &BoundaryFace::side));
 }
 
 /// rho h / (4 dt^2) of the soil at a face, Pa/m.
-double stiffness_of(const Domain& domain, const BoundaryFace& face) {
-  const Particles& set = domain.sets[face.set];
-  const double h = domain.lattice(set.level).h;
+double stiffness_of(const Ground& ground, const BoundaryFace& face) {
+  const Particles& set = ground.sets[face.set];
+  const double h = ground.lattice(set.level).h;
   const double density = materials::elasticity(set.law).density;
-  const Scheme& scheme = domain.spec.scheme;
+  const Scheme& scheme = ground.spec.scheme;
   const double dt =
       scheme.dt.value_or(scheme.fraction * largest_courant_number * h * density / face.ground.impedance_p);
   return 0.25 * density * h / (dt * dt);
 }
 
 /// Displacement since rest of the particle that a face rides on, m.
-Vector displacement(const Domain& domain, std::size_t f) {
-  const BoundaryFace& face = domain.boundary.faces()[f];
-  const Particles& set = domain.sets[face.set];
+Vector displacement(const Ground& ground, const BoundaryFace& face) {
+  const Particles& set = ground.sets[face.set];
   const std::size_t k = set.index_of[face.id];
   return {set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]};
 }
 
 } // namespace
 
-PeriodicSprings::PeriodicSprings(const Domain& domain) {
-  const std::size_t left = faces_of(domain, Side::left);
-  const std::size_t right = faces_of(domain, Side::right);
+PeriodicSprings::PeriodicSprings(const Ground& ground, std::span<const BoundaryFace> faces) {
+  const std::size_t left = count_of(faces, Side::left);
+  const std::size_t right = count_of(faces, Side::right);
   const auto refuse = [](const std::string& why) {
     throw std::invalid_argument("periodic springs tie particles of the left side to those of the right: " +
                                 why);
@@ -48,22 +47,23 @@ PeriodicSprings::PeriodicSprings(const Domain& domain) {
   if (left != right)
     refuse(fmt::format("there are {} on the left and {} on the right", left, right));
   for (std::size_t f = 0; f < left; ++f) {
-    const BoundaryFace& a = domain.boundary.faces()[f];
-    const BoundaryFace& b = domain.boundary.faces()[left + f];
+    const BoundaryFace& a = faces[f];
+    const BoundaryFace& b = faces[left + f];
     if (std::abs(a.position.y - b.position.y) > 1e-6 * a.length ||
         std::abs(a.length - b.length) > 1e-6 * a.length)
       refuse(fmt::format("the one at y = {:.6g} m, {:.6g} m high, has none like it", a.position.y, a.length));
-    stiffness_.push_back(std::min(stiffness_of(domain, a), stiffness_of(domain, b)));
+    stiffness_.push_back(std::min(stiffness_of(ground, a), stiffness_of(ground, b)));
   }
 }
 
-void PeriodicSprings::pull(const Domain& domain, std::span<const Vector> v, std::span<Vector> traction,
+void PeriodicSprings::pull(const Ground& ground, std::span<const BoundaryFace> faces,
+                           std::span<const Vector> v, std::span<Vector> traction,
                            std::span<eq6::FreeField> field) const {
   const std::size_t pairs = stiffness_.size();
   for (std::size_t left = 0; left < pairs; ++left) {
     const std::size_t right = pairs + left;
-    const Vector u_left = displacement(domain, left);
-    const Vector u_right = displacement(domain, right);
+    const Vector u_left = displacement(ground, faces[left]);
+    const Vector u_right = displacement(ground, faces[right]);
     const Vector pull = {stiffness_[left] * (u_right.x - u_left.x),
                          stiffness_[left] * (u_right.y - u_left.y)};
     traction[left] = pull;

@@ -25,15 +25,15 @@ class PeriodicSprings {
 public:
   /// Ties the sides of a domain at rest.
   /// @throws std::invalid_argument where the particles along the sides do not face each other
-  explicit PeriodicSprings(const Domain& domain);
+  PeriodicSprings(const Ground& ground, std::span<const BoundaryFace> faces);
 
   /// Faces of the sides; they stand before those of the base.
   std::size_t face_count() const { return 2 * stiffness_.size(); }
 
   /// Sets what the springs add to the static tractions of the sides' faces, Pa, and as the free field of each
   /// what it meets beyond the seam: the velocity of the opposite face among those of all faces, m/s.
-  void pull(const Domain& domain, std::span<const Vector> v, std::span<Vector> traction,
-            std::span<eq6::FreeField> field) const;
+  void pull(const Ground& ground, std::span<const BoundaryFace> faces, std::span<const Vector> v,
+            std::span<Vector> traction, std::span<eq6::FreeField> field) const;
 
 private:
   std::vector<double> stiffness_; ///< of a pair, Pa/m, upwards

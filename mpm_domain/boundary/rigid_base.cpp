@@ -1,7 +1,7 @@
 #include "mpm_domain/boundary/rigid_base.hpp"
 
 #include "mpm_domain/clocks/ticks.hpp"
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 #include "mpm_domain/spec/held_nodes.hpp"
 #include "mpm_domain/tiles/totals.hpp"
 
@@ -20,8 +20,8 @@ Vector after(Vector start, double time, Vector rate) {
 
 /// Sum over the nodes of these rows.
 template <typename OfNode>
-ExactSums<1> sum_over(Domain& domain, std::span<const NodeRange> rows, const OfNode& of_node) {
-  return sum_over_rows<1>(domain, rows, [&](const NodeRange& row) {
+ExactSums<1> sum_over(Ground& ground, std::span<const NodeRange> rows, const OfNode& of_node) {
+  return sum_over_rows<1>(ground, rows, [&](const NodeRange& row) {
     double sum = 0.0;
     for (std::size_t n = row.begin; n < row.end; ++n)
       sum += of_node(n);
@@ -31,14 +31,14 @@ ExactSums<1> sum_over(Domain& domain, std::span<const NodeRange> rows, const OfN
 
 } // namespace
 
-void RigidBase::follow_sort(const Domain& domain) {
+void RigidBase::follow_sort(const Ground& ground) {
   all_.clear();
   across_.clear();
-  for (int level = 0; level < domain.lattice_count(); ++level) {
-    const Lattice& lattice = domain.lattice(level);
+  for (int level = 0; level < ground.lattice_count(); ++level) {
+    const Lattice& lattice = ground.lattice(level);
     for (int j = 0; j < lattice.ny; ++j)
       for (int i = 0; i < lattice.nx; ++i)
-        if (const Hold hold = hold_of(lattice, i, j, domain.spec, HeldNodes::on_and_behind);
+        if (const Hold hold = hold_of(lattice, i, j, ground.spec, HeldNodes::on_and_behind);
             hold != Hold::none)
           (hold == Hold::all ? all_ : across_).push_back(lattice.index(i, j));
   }
@@ -68,15 +68,15 @@ void RigidBase::move(Vector velocity, double dt, int clocks) {
   dt_ = dt;
 }
 
-void RigidBase::push(Domain& domain, const Ticks& ticks, int clock, std::span<const NodeRange> rows) {
+void RigidBase::push(Ground& ground, const Ticks& ticks, int clock, std::span<const NodeRange> rows) {
   const double time = ticks.now() * ticks.dt_of(ticks.clocks() - 1) + 0.5 * ticks.dt_of(clock);
   const double kick = ticks.kick_of(clock);
   Seen& seen = seen_[static_cast<std::size_t>(clock)];
   const Vector next = after(told_, time, rate_);
   const Vector a{(next.x - seen.velocity.x) / kick, (next.y - seen.velocity.y) / kick};
   seen = {next, a};
-  NodeFields& nodes = domain.grid;
-  domain.workers.run(rows.size(), [&](std::size_t row) {
+  NodeFields& nodes = ground.grid;
+  ground.workers.run(rows.size(), [&](std::size_t row) {
     for (std::size_t n = rows[row].begin; n < rows[row].end; ++n) {
       nodes.force_x[n] -= nodes.mass[n] * a.x;
       nodes.force_y[n] -= nodes.mass[n] * a.y;
@@ -85,19 +85,19 @@ void RigidBase::push(Domain& domain, const Ticks& ticks, int clock, std::span<co
   bear(nodes);
 }
 
-ExactSums<1> RigidBase::power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
-  const NodeFields& nodes = domain.grid;
+ExactSums<1> RigidBase::power(Ground& ground, int clock, std::span<const NodeRange> rows) const {
+  const NodeFields& nodes = ground.grid;
   const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
-  return sum_over(domain, rows, [&](std::size_t n) {
+  return sum_over(ground, rows, [&](std::size_t n) {
     return -0.5 * nodes.mass[n] *
            (a.x * (nodes.vx_before[n] + nodes.vx_after[n]) + a.y * (nodes.vy_before[n] + nodes.vy_after[n]));
   });
 }
 
-ExactSums<1> RigidBase::remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const {
-  const NodeFields& nodes = domain.grid;
+ExactSums<1> RigidBase::remap_power(Ground& ground, int clock, std::span<const NodeRange> rows) const {
+  const NodeFields& nodes = ground.grid;
   const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
-  return sum_over(domain, rows, [&](std::size_t n) {
+  return sum_over(ground, rows, [&](std::size_t n) {
     return nodes.mass[n] *
            (a.x * (nodes.vx_strain[n] - nodes.vx_after[n]) + a.y * (nodes.vy_strain[n] - nodes.vy_after[n]));
   });

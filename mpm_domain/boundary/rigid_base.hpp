@@ -27,7 +27,7 @@
 
 namespace tremolo::mpm_domain {
 
-struct Domain;
+struct Ground;
 class Ticks;
 
 /// Motion of the base at one time, in the directions of the axes.
@@ -40,7 +40,7 @@ struct BaseMotion {
 class RigidBase {
 public:
   /// Finds the nodes that are held, on the present extent of the grid.
-  void follow_sort(const Domain& domain);
+  void follow_sort(const Ground& ground);
 
   /// Takes momentum, and with it velocity, off the nodes that are held.
   void stop(NodeFields& nodes) const;
@@ -48,11 +48,11 @@ public:
   /// The base has this velocity (m/s) at t_n, from which a step of dt (s) begins.
   void move(Vector velocity, double dt, int clocks);
   /// Adds the inertia of a clock's kick to the forces of its nodes, in these rows, that are free.
-  void push(Domain& domain, const Ticks& ticks, int clock, std::span<const NodeRange> rows);
+  void push(Ground& ground, const Ticks& ticks, int clock, std::span<const NodeRange> rows);
   /// Power (W/m) of that inertia on the mean velocity of an update; the sum of one rank.
-  ExactSums<1> power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
+  ExactSums<1> power(Ground& ground, int clock, std::span<const NodeRange> rows) const;
   /// Likewise on the difference between v+ and the remapped velocity.
-  ExactSums<1> remap_power(Domain& domain, int clock, std::span<const NodeRange> rows) const;
+  ExactSums<1> remap_power(Ground& ground, int clock, std::span<const NodeRange> rows) const;
 
   /// Motion of the base at the time at which particles' velocities and places are told, half a step before
   /// the end of the step just made.

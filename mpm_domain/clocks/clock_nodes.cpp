@@ -27,17 +27,17 @@ struct Reach {
 /// Marks what particles touch.
 class ClockNodes::Builder {
 public:
-  Builder(const Domain& domain, ClockNodes& nodes)
-      : domain_(domain), prolongation_(domain.ties()), nodes_(nodes),
+  Builder(const Ground& ground, ClockNodes& nodes)
+      : ground_(ground), prolongation_(ground.ties()), nodes_(nodes),
         tied_seen_(nodes.ties_.size() * prolongation_.tied_count(), false) {}
 
   /// Particles of a block on one lattice.
   void touch_block(const Particles& set, std::size_t block) {
-    const Lattice& lattice = domain_.lattice(domain_.level_of_block(block));
-    const int clock = domain_.clock_of_block(block);
+    const Lattice& lattice = ground_.lattice(ground_.level_of_block(block));
+    const int clock = ground_.clock_of_block(block);
     std::optional<Reach> last_x, last_y;
     for (std::size_t k = set.block_start[block]; k < set.block_start[block + 1]; ++k) {
-      const mesh::Rectangle box = reach_of(set, k, domain_.sort_distance());
+      const mesh::Rectangle box = reach_of(set, k, ground_.sort_distance());
       const Reach x(box.x_min, box.x_max, lattice.x0, lattice.h);
       const Reach y(box.y_min, box.y_max, lattice.y0, lattice.h);
       if (last_x == x && last_y == y)
@@ -52,10 +52,10 @@ public:
 
   /// Particles of a block across several.
   void touch_across(const Particles& set, std::size_t block) {
-    const int clock = domain_.clock_of_block(block);
-    const GradedMesh& mesh = *domain_.mesh;
+    const int clock = ground_.clock_of_block(block);
+    const GradedMesh& mesh = *ground_.mesh;
     for (std::size_t k = set.block_start[block]; k < set.block_start[block + 1]; ++k)
-      mesh.for_parts(reach_of(set, k, domain_.sort_distance()),
+      mesh.for_parts(reach_of(set, k, ground_.sort_distance()),
                      [&](const mesh::Cell& cell, const mesh::Rectangle&) {
                        for (const int corner : {0, 1, 2, 3})
                          touch(mesh.node(cell.level, cell.i + corner % 2, cell.j + corner / 2), clock);
@@ -85,36 +85,36 @@ private:
     fastest = std::max(fastest, number);
   }
 
-  const Domain& domain_;
+  const Ground& ground_;
   const Prolongation& prolongation_;
   ClockNodes& nodes_;
   std::vector<bool> tied_seen_; ///< by clock and row of the prolongation
 };
 
-ClockNodes::ClockNodes(const Domain& domain) : ties_(static_cast<std::size_t>(domain.clocks.count())) {
-  if (domain.clocks.count() == 1) {
-    of_ = from_ = {domain.soil_rows};
+ClockNodes::ClockNodes(const Ground& ground) : ties_(static_cast<std::size_t>(ground.clocks.count())) {
+  if (ground.clocks.count() == 1) {
+    of_ = from_ = {ground.soil_rows};
     shared_.resize(1);
-    ties_.front() = domain.soil_ties;
+    ties_.front() = ground.soil_ties;
     return;
   }
-  clock_.assign(domain.grid.size(), 0);
-  slowest_.assign(domain.grid.size(), 0);
-  Builder builder(domain, *this);
-  for (const Particles& set : domain.sets) {
-    for (std::size_t block = 0; block < domain.block_count(); ++block)
+  clock_.assign(ground.grid.size(), 0);
+  slowest_.assign(ground.grid.size(), 0);
+  Builder builder(ground, *this);
+  for (const Particles& set : ground.sets) {
+    for (std::size_t block = 0; block < ground.block_count(); ++block)
       builder.touch_block(set, block);
-    for (std::size_t block = 0; block < domain.across_block_count(); ++block)
-      builder.touch_across(set, domain.block_count() + block);
+    for (std::size_t block = 0; block < ground.across_block_count(); ++block)
+      builder.touch_across(set, ground.block_count() + block);
   }
   for (std::vector<std::size_t>& rows : ties_)
     std::ranges::sort(rows);
-  collect(domain);
+  collect(ground);
 }
 
-void ClockNodes::require_fit(const Domain& domain) const {
-  const std::size_t nodes = domain.grid.size();
-  const std::size_t rows = domain.ties().tied_count();
+void ClockNodes::require_fit(const Ground& ground) const {
+  const std::size_t nodes = ground.grid.size();
+  const std::size_t rows = ground.ties().tied_count();
   const auto beyond = [rows](const std::vector<std::size_t>& ties) {
     return std::ranges::any_of(ties, [rows](std::size_t row) { return row >= rows; });
   };
@@ -124,7 +124,7 @@ void ClockNodes::require_fit(const Domain& domain) const {
                     clock_.size(), nodes, rows));
 }
 
-void ClockNodes::collect(const Domain& domain) {
+void ClockNodes::collect(const Ground& ground) {
   const std::size_t clocks = ties_.size();
   of_.assign(clocks, {});
   from_.assign(clocks, {});
@@ -138,9 +138,9 @@ void ClockNodes::collect(const Domain& domain) {
         runs.push_back({begin, n});
     }
   };
-  for (std::size_t r = 0; r < domain.row_count(); ++r)
+  for (std::size_t r = 0; r < ground.row_count(); ++r)
     for (std::size_t clock = 0; clock < clocks; ++clock) {
-      const NodeRange row = domain.row(r);
+      const NodeRange row = ground.row(r);
       add_runs(
           row, [&](std::size_t n) { return clock_[n] == clock + 1; }, of_[clock]);
       add_runs(

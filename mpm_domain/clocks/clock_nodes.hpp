@@ -4,8 +4,8 @@
 // directly or through a tie: slower particles give it mass and an impulse now and then, and between their
 // steps read it as a mean. With one clock all nodes that soil may touch are its own.
 
-#include "mpm_domain/domain.hpp"
-#include "mpm_domain/state.hpp"
+#include "mpm_domain/fields/saved_numbers.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <cstdint>
 #include <span>
@@ -17,7 +17,7 @@ namespace tremolo::mpm_domain {
 class ClockNodes {
 public:
   /// Takes the particles' blocks of the last sort and holds wherever particles move until the next one.
-  explicit ClockNodes(const Domain& domain);
+  explicit ClockNodes(const Ground& ground);
 
   /// Real nodes of a clock, by rows.
   std::span<const NodeRange> of(int clock) const { return of_[static_cast<std::size_t>(clock)]; }
@@ -41,19 +41,19 @@ public:
   }
   /// @throws std::runtime_error for clocks of another grid
   template <class Reader>
-  void restore(const Domain& domain, const Reader& from) {
+  void restore(const Ground& ground, const Reader& from) {
     read_integers(from, "clock_nodes.clock", clock_);
     read_integers(from, "clock_nodes.slowest", slowest_);
     for (std::size_t clock = 0; clock < ties_.size(); ++clock)
       read_integers(from, "clock_nodes.ties" + std::to_string(clock), ties_[clock]);
-    require_fit(domain);
-    collect(domain);
+    require_fit(ground);
+    collect(ground);
   }
 
 private:
   class Builder;
-  void require_fit(const Domain& domain) const;
-  void collect(const Domain& domain);
+  void require_fit(const Ground& ground) const;
+  void collect(const Ground& ground);
 
   std::vector<std::uint32_t> clock_;   ///< 1 + the clock, or 0; empty with one clock
   std::vector<std::uint32_t> slowest_; ///< of the particles that touch a node, likewise

@@ -6,8 +6,8 @@
 
 namespace tremolo::mpm_domain {
 
-SharedNodes::SharedNodes(Domain& domain, const Ticks& ticks, const ClockNodes& nodes)
-    : domain_(domain), ticks_(ticks), nodes_(nodes), kept_(static_cast<std::size_t>(ticks.clocks()) - 1) {
+SharedNodes::SharedNodes(Ground& ground, const Ticks& ticks, const ClockNodes& nodes)
+    : ground_(ground), ticks_(ticks), nodes_(nodes), kept_(static_cast<std::size_t>(ticks.clocks()) - 1) {
   restart();
 }
 
@@ -15,16 +15,16 @@ void SharedNodes::restart() {
   clear_step();
   for (Kept& k : kept_)
     for (NodeField* field : {&k.steady_x, &k.steady_y})
-      field->assign(domain_.grid.size(), 0.0);
+      field->assign(ground_.grid.size(), 0.0);
   steady_known_ = false;
 }
 
 void SharedNodes::require_fit() const {
   for (const Kept& k : kept_)
     for (const NodeField* field : {&k.steady_x, &k.steady_y})
-      if (field->size() != domain_.grid.size())
+      if (field->size() != ground_.grid.size())
         throw std::runtime_error(fmt::format("steady forces of {} nodes do not go with a grid of {} nodes",
-                                             field->size(), domain_.grid.size()));
+                                             field->size(), ground_.grid.size()));
 }
 
 /// All that lasts for a step alone.
@@ -32,13 +32,13 @@ void SharedNodes::clear_step() {
   for (Kept& k : kept_)
     for (NodeField* field : {&k.mass, &k.momentum_x, &k.momentum_y, &k.change_x, &k.change_y, &k.vx_strain,
                              &k.vy_strain, &k.vx_after, &k.vy_after})
-      field->assign(domain_.grid.size(), 0.0);
+      field->assign(ground_.grid.size(), 0.0);
 }
 
 /// act(n) for all nodes of the rows.
 template <typename Act>
 void SharedNodes::over(std::span<const NodeRange> rows, const Act& act) {
-  domain_.workers.run(rows.size(), [&](std::size_t row) {
+  ground_.workers.run(rows.size(), [&](std::size_t row) {
     for (std::size_t n = rows[row].begin; n < rows[row].end; ++n)
       act(n);
   });
@@ -48,14 +48,14 @@ void SharedNodes::take_masses(int first_due) {
   take_momenta(first_due);
   if (first_due > 0)
     over(nodes_.shared(first_due - 1),
-         [&, &held = of(first_due - 1)](std::size_t n) { domain_.grid.mass[n] = held.mass[n]; });
+         [&, &held = of(first_due - 1)](std::size_t n) { ground_.grid.mass[n] = held.mass[n]; });
 }
 
 void SharedNodes::take_momenta(int first_ending) {
   if (first_ending > 0)
     over(nodes_.shared(first_ending - 1), [&, &held = of(first_ending - 1)](std::size_t n) {
-      domain_.grid.momentum_x[n] = held.momentum_x[n];
-      domain_.grid.momentum_y[n] = held.momentum_y[n];
+      ground_.grid.momentum_x[n] = held.momentum_x[n];
+      ground_.grid.momentum_y[n] = held.momentum_y[n];
     });
 }
 
@@ -64,7 +64,7 @@ void SharedNodes::take_momenta(int first_ending) {
 void SharedNodes::keep(int clock) {
   if (!shares(clock))
     return;
-  Grid& grid = domain_.grid;
+  Grid& grid = ground_.grid;
   over(nodes_.shared(clock), [&, &k = of(clock)](std::size_t n) {
     k.mass[n] = grid.mass[n];
     k.momentum_x[n] = grid.momentum_x[n];
@@ -81,7 +81,7 @@ void SharedNodes::keep(int clock) {
 }
 
 void SharedNodes::add_steady() {
-  Grid& grid = domain_.grid;
+  Grid& grid = ground_.grid;
   for (int clock = 0; shares(clock); ++clock) {
     const double share = ticks_.steady_share(clock);
     over(nodes_.shared(clock), [&, &k = of(clock)](std::size_t n) {
@@ -95,7 +95,7 @@ void SharedNodes::add_steady() {
 }
 
 void SharedNodes::follow_update() {
-  const Grid& grid = domain_.grid;
+  const Grid& grid = ground_.grid;
   for (int clock = 0; shares(clock); ++clock)
     over(nodes_.shared(clock), [&, &k = of(clock)](std::size_t n) {
       if (nodes_.clock_of(n) < ticks_.first_due())
@@ -110,7 +110,7 @@ void SharedNodes::follow_update() {
 void SharedNodes::take_mean(int clock) {
   if (!shares(clock))
     return;
-  Grid& grid = domain_.grid;
+  Grid& grid = ground_.grid;
   over(nodes_.shared(clock), [&, &k = of(clock)](std::size_t n) {
     grid.vx_strain[n] = k.vx_strain[n];
     grid.vy_strain[n] = k.vy_strain[n];
@@ -122,7 +122,7 @@ void SharedNodes::take_mean(int clock) {
 void SharedNodes::add_mean(int clock) {
   if (clock == 0)
     return;
-  const Grid& grid = domain_.grid;
+  const Grid& grid = ground_.grid;
   over(nodes_.shared(clock - 1), [&, &k = of(clock - 1)](std::size_t n) {
     k.vx_strain[n] += 0.5 * grid.vx_strain[n];
     k.vy_strain[n] += 0.5 * grid.vy_strain[n];
@@ -132,7 +132,7 @@ void SharedNodes::add_mean(int clock) {
 }
 
 void SharedNodes::mean_accelerations() {
-  Grid& grid = domain_.grid;
+  Grid& grid = ground_.grid;
   for (int clock = ticks_.clocks() - 2; clock >= 0; --clock)
     over(nodes_.shared(clock), [&, &k = of(clock)](std::size_t n) {
       grid.ax[n] = k.change_x[n] / ticks_.dt_of(clock);

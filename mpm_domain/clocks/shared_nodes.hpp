@@ -39,7 +39,7 @@ namespace tremolo::mpm_domain {
 /// What shared nodes keep over the steps of slow clocks. With one clock there are none.
 class SharedNodes {
 public:
-  SharedNodes(Domain& domain, const Ticks& ticks, const ClockNodes& nodes);
+  SharedNodes(Ground& ground, const Ticks& ticks, const ClockNodes& nodes);
 
   /// After a sort: all that was kept is zero.
   void restart();
@@ -100,7 +100,7 @@ private:
   template <typename Act>
   void over(std::span<const NodeRange> rows, const Act& act);
 
-  Domain& domain_;
+  Ground& ground_;
   const Ticks& ticks_;
   const ClockNodes& nodes_;
   std::vector<Kept> kept_;

@@ -9,7 +9,7 @@
 
 #include "mpm_domain/column/periodic_column.hpp"
 
-#include "mpm_domain/boundary/static_traction.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/strain/total_stress.hpp"
 

@@ -1,6 +1,6 @@
 #include "mpm_domain/contact/contact.hpp"
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 #include "mpm_domain/transfer/out_of_reach.hpp"
 
 #include <fmt/format.h>
@@ -51,9 +51,9 @@ ContactWork add_to_water(Grid& grid, const ContactNode& c, double density, doubl
 }
 
 /// Gives a node its change of motion; water that does not move by itself goes along.
-ContactWork push(Domain& domain, std::size_t n, double mass, const Vector& change, bool with_water,
+ContactWork push(Ground& ground, std::size_t n, double mass, const Vector& change, bool with_water,
                  double dt) {
-  Grid& grid = domain.grid;
+  Grid& grid = ground.grid;
   const Vector before = grid.velocity_after(n);
   const Vector after = sum(before, change);
   grid.vx_after[n] = after.x;
@@ -65,7 +65,7 @@ ContactWork push(Domain& domain, std::size_t n, double mass, const Vector& chang
     grid.wy_after[n] = after.y;
   }
   return {.kinetic = 0.5 * mass * (square(after) - square(before)),
-          .gravity = -0.5 * dt * domain.spec.gravity * mass * change.y};
+          .gravity = -0.5 * dt * ground.spec.gravity * mass * change.y};
 }
 
 std::optional<WaterAtRest> water_at_rest(const Spec& spec) {
@@ -113,11 +113,11 @@ BodyForces Contact::forces(std::size_t body) const {
   return forces;
 }
 
-void Contact::take_bodies(const Domain& domain) {
+void Contact::take_bodies(const Ground& ground) {
   std::size_t number = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     if (structures_[b].stiffness) {
-      elastic_[b].emplace(structures_[b], number, domain.sets_of_body(number), domain.finest_lattice().h);
+      elastic_[b].emplace(structures_[b], number, ground.sets_of_body(number), ground.finest_lattice().h);
       ++number;
     }
 }
@@ -128,26 +128,26 @@ std::size_t Contact::structure_of(std::size_t elastic) const {
   return static_cast<std::size_t>(found - elastic_.begin());
 }
 
-void Contact::follow_particles(const Domain& domain) {
+void Contact::follow_particles(const Ground& ground) {
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     if (elastic_[b])
-      elastic_[b]->follow(domain.sets_of_body(elastic_[b]->number()), bodies_[b]);
+      elastic_[b]->follow(ground.sets_of_body(elastic_[b]->number()), bodies_[b]);
 }
 
-void Contact::follow_sort(const Domain& domain) {
-  follow_particles(domain);
+void Contact::follow_sort(const Ground& ground) {
+  follow_particles(ground);
   // Particles reach two cells; both they and the body move until the next sort.
-  const double margin = 4.0 * domain.finest_lattice().h + 2.0 * domain.sort_distance();
+  const double margin = 4.0 * ground.finest_lattice().h + 2.0 * ground.sort_distance();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    nodes_[b].follow_sort(domain, surface(b), margin);
-    refuse_beyond_grid(domain, b);
-    if (domain.mesh)
-      refuse_coarse_cells(domain, b);
+    nodes_[b].follow_sort(ground, surface(b), margin);
+    refuse_beyond_grid(ground, b);
+    if (ground.mesh)
+      refuse_coarse_cells(ground, b);
   }
 }
 
-void Contact::refuse_beyond_grid(const Domain& domain, std::size_t body) const {
-  const Grid& grid = domain.grid;
+void Contact::refuse_beyond_grid(const Ground& ground, std::size_t body) const {
+  const Grid& grid = ground.grid;
   const mesh::Rectangle box = surface(body).bounds();
   if (box.x_max < grid.x0 || box.x_min > grid.x0 + (grid.nx - 1) * grid.h || box.y_max < grid.y0)
     throw OutOfReach(
@@ -156,14 +156,14 @@ void Contact::refuse_beyond_grid(const Domain& domain, std::size_t body) const {
                     bodies_[body].name(), bodies_[body].centre().x, bodies_[body].centre().y));
 }
 
-void Contact::refuse_coarse_cells(const Domain& domain, std::size_t body) const {
-  const int finest = domain.soil_lattice_count() - 1;
+void Contact::refuse_coarse_cells(const Ground& ground, std::size_t body) const {
+  const int finest = ground.soil_lattice_count() - 1;
   for (const NearParticle& near : nodes_[body].near()) {
-    const Particles& p = domain.sets[near.set];
+    const Particles& p = ground.sets[near.set];
     const Vector place{p.x[near.index], p.y[near.index]};
-    if (surface(body).nearest(place).distance > domain.finest_lattice().h)
+    if (surface(body).nearest(place).distance > ground.finest_lattice().h)
       continue;
-    const GradedMesh::Touched touched = domain.mesh->touched(box_of(p, near.index));
+    const GradedMesh::Touched touched = ground.mesh->touched(box_of(p, near.index));
     if (touched.coarsest < finest || touched.quarter)
       throw OutOfReach(fmt::format(
           "structure '{}' has come within a cell of soil on cells larger than the finest, at x = {:.6g} m, "
@@ -172,11 +172,11 @@ void Contact::refuse_coarse_cells(const Domain& domain, std::size_t body) const 
   }
 }
 
-void Contact::find_nodes(Domain& domain, bool bonded) {
+void Contact::find_nodes(Ground& ground, bool bonded) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    nodes_[b].find(domain, surface(b), bodies_[b].centre(), structures_[b],
-                   elastic_[b] ? &domain.bodies[elastic_[b]->number()] : nullptr, bonded);
-    loads_[b] = bodies_[b].load(domain.spec.gravity, water_at_rest(domain.spec));
+    nodes_[b].find(ground, surface(b), bodies_[b].centre(), structures_[b],
+                   elastic_[b] ? &ground.bodies[elastic_[b]->number()] : nullptr, bonded);
+    loads_[b] = bodies_[b].load(ground.spec.gravity, water_at_rest(ground.spec));
   }
   find_shared();
 }
@@ -300,21 +300,21 @@ void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) 
   }
 }
 
-ContactWork Contact::meet(Domain& domain, double dt) {
-  const double h = domain.finest_lattice().h;
-  find_nodes(domain, false);
+ContactWork Contact::meet(Ground& ground, double dt) {
+  const double h = ground.finest_lattice().h;
+  find_nodes(ground, false);
   for (ContactNodes& nodes : nodes_)
-    nodes.take_trial(domain, dt);
+    nodes.take_trial(ground, dt);
   corners_ = find_corners(bodies_, structures_, 0.5 * h);
   refuse_elastic_corners();
   solve(trial_motions(1.0, dt), dt, false);
   dt_ = dt;
 
-  ContactWork work = add_changes(domain, dt);
+  ContactWork work = add_changes(ground, dt);
   std::vector<RigidMotion> middle; // of the bodies, in the middle of the step
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     middle.push_back(mean(bodies_[b].motion(), motions_[b]));
-    work = sum(work, book_body(domain.grid, b, middle[b], dt));
+    work = sum(work, book_body(ground.grid, b, middle[b], dt));
     if (!elastic_[b])
       bodies_[b].set_motion(motions_[b]);
   }
@@ -348,18 +348,18 @@ ContactWork Contact::book_body(const Grid& grid, std::size_t body, const RigidMo
 }
 
 /// Gives the nodes their changes of motion; what they dissipate, the bodies' share aside, stands as impact.
-ContactWork Contact::add_changes(Domain& domain, double dt) {
+ContactWork Contact::add_changes(Ground& ground, double dt) {
   ContactWork work;
-  Grid& grid = domain.grid;
+  Grid& grid = ground.grid;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (const ContactNode& c : nodes(b)) {
       const bool flows = c.water_mass > 0.0;
-      const bool with_water = domain.has_flow() && !flows;
-      work = sum(work, push(domain, c.node, c.solid_mass, c.solid_change, with_water, dt));
+      const bool with_water = ground.has_flow() && !flows;
+      work = sum(work, push(ground, c.node, c.solid_mass, c.solid_change, with_water, dt));
       if (flows)
-        work = sum(work, add_to_water(grid, c, domain.spec.water->fluid.density, dt));
+        work = sum(work, add_to_water(grid, c, ground.spec.water->fluid.density, dt));
       if (c.body_mass > 0.0)
-        work = sum(work, push(domain, c.body_node, c.body_mass, c.body_change, domain.has_flow(), dt));
+        work = sum(work, push(ground, c.body_node, c.body_mass, c.body_change, ground.has_flow(), dt));
     }
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (const ContactNode& c : nodes(b)) {
@@ -375,8 +375,8 @@ ContactWork Contact::add_changes(Domain& domain, double dt) {
   return work;
 }
 
-double Contact::meet_remapped(Domain& domain) {
-  Grid& grid = domain.grid;
+double Contact::meet_remapped(Ground& ground) {
+  Grid& grid = ground.grid;
   double power = 0.0;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (ContactNode& c : nodes_[b].nodes()) {
@@ -407,20 +407,20 @@ double Contact::meet_remapped(Domain& domain) {
       const Vector taken{un * c.normal.x + ut * t.x, un * c.normal.y + ut * t.y};
       grid.vx_strain[n] -= taken.x;
       grid.vy_strain[n] -= taken.y;
-      power += grid.force_x[n] * taken.x + (grid.force_y[n] + grid.mass[n] * domain.spec.gravity) * taken.y;
+      power += grid.force_x[n] * taken.x + (grid.force_y[n] + grid.mass[n] * ground.spec.gravity) * taken.y;
       if (elastic) {
         const std::size_t m = c.body_node;
         const Vector given{per_wall * (normal * c.normal.x + tangential * t.x),
                            per_wall * (normal * c.normal.y + tangential * t.y)};
         grid.vx_strain[m] += given.x;
         grid.vy_strain[m] += given.y;
-        power -= grid.force_x[m] * given.x + (grid.force_y[m] + grid.mass[m] * domain.spec.gravity) * given.y;
-        if (domain.has_flow()) {
+        power -= grid.force_x[m] * given.x + (grid.force_y[m] + grid.mass[m] * ground.spec.gravity) * given.y;
+        if (ground.has_flow()) {
           grid.flux_x[m] = grid.vx_strain[m];
           grid.flux_y[m] = grid.vy_strain[m];
         }
       }
-      if (!domain.has_flow())
+      if (!ground.has_flow())
         continue;
       // n w, without its part through the wall.
       Vector flow{grid.flux_x[n] - u.x, grid.flux_y[n] - u.y};
@@ -435,15 +435,15 @@ double Contact::meet_remapped(Domain& domain) {
   return power;
 }
 
-double Contact::move(Domain& domain, double dt) {
-  follow_particles(domain);
+double Contact::move(Ground& ground, double dt) {
+  follow_particles(ground);
   double farthest = 0.0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!elastic_[b])
       bodies_[b].move(dt);
     const mesh::Rectangle box = surface(b).bounds();
     for (const NearParticle& near : nodes_[b].near()) {
-      Particles& p = domain.sets[near.set];
+      Particles& p = ground.sets[near.set];
       const std::size_t k = near.index;
       if (p.x[k] < box.x_min || p.x[k] > box.x_max || p.y[k] < box.y_min || p.y[k] > box.y_max)
         continue;

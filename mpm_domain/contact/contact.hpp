@@ -21,7 +21,7 @@
 
 namespace tremolo::mpm_domain {
 
-struct Domain;
+struct Ground;
 struct Grid;
 struct Spec;
 
@@ -60,37 +60,37 @@ public:
   /// Speed of the fastest point of all surfaces, those of elastic bodies moving as a whole, m/s.
   double fastest_point() const;
   /// Root of the mean square of a body's speed in the gravity stage, m/s.
-  double speed(const Domain& domain, std::size_t body) const;
+  double speed(const Ground& ground, std::size_t body) const;
   /// Particles that had to be brought back out of bodies, over all steps.
   long pushed_out() const { return pushed_out_; }
 
   /// Takes the particles of elastic bodies, at the start.
-  void take_bodies(const Domain& domain);
+  void take_bodies(const Ground& ground);
 
   /// Takes the particles near bodies until the next sort.
-  void follow_sort(const Domain& domain);
+  void follow_sort(const Ground& ground);
 
   /// Contact of the grid's motion after the grid update.
   /// @param dt time that the forces of the step act for, s
-  ContactWork meet(Domain& domain, double dt);
+  ContactWork meet(Ground& ground, double dt);
 
   /// Contact of the remapped velocities, and of the flux of water.
   /// @returns power of nodal forces on what it has taken off these velocities, W/m
-  double meet_remapped(Domain& domain);
+  double meet_remapped(Ground& ground);
 
   /// Moves the rigid bodies for dt (s), lets the elastic ones follow their particles, and brings back
   /// to their surface particles that lie in them by more than half of
   /// their half side.
   /// @returns the longest way back of a particle, m
-  double move(Domain& domain, double dt);
+  double move(Ground& ground, double dt);
 
   /// Finds the contact nodes of the gravity stage, in which nothing moves.
-  void begin_rest(Domain& domain);
+  void begin_rest(Ground& ground);
 
   /// A step of relaxation, after that of the grid: v+ = keep v + gain f/m.
   /// @param bonded  soil and bodies stick together, whatever that takes
   /// @returns sum of squares of the unbalanced forces of contact nodes and bodies, (N/m)^2
-  double relax(Domain& domain, double keep, double gain, bool bonded);
+  double relax(Ground& ground, double keep, double gain, bool bonded);
   void end_rest();
 
   /// What a checkpoint keeps (state.hpp).
@@ -120,12 +120,12 @@ private:
   };
 
   /// Finds the contact nodes of all bodies, and their loads.
-  void find_nodes(Domain& domain, bool bonded);
+  void find_nodes(Ground& ground, bool bonded);
   void find_shared();
   const BodySurface& surface(std::size_t body) const {
     return elastic_[body] ? elastic_[body]->surface() : bodies_[body].surface();
   }
-  void follow_particles(const Domain& domain);
+  void follow_particles(const Ground& ground);
   /// Motions of the bodies after dt (s) without contact: v+ = keep v + dt f/m.
   std::vector<RigidMotion> trial_motions(double keep, double dt) const;
   /// Finds impulses and changes of motion at all nodes, and the bodies' motions, from their trial motions.
@@ -135,10 +135,10 @@ private:
   double solve_elastic(std::size_t body, bool bonded);
   void refuse_elastic_corners() const;
   /// @throws OutOfReach if a body has left the grid over a side or the base
-  void refuse_beyond_grid(const Domain& domain, std::size_t body) const;
+  void refuse_beyond_grid(const Ground& ground, std::size_t body) const;
   /// @throws OutOfReach if a body has come to cells on which it does not meet soil
-  void refuse_coarse_cells(const Domain& domain, std::size_t body) const;
-  ContactWork add_changes(Domain& domain, double dt);
+  void refuse_coarse_cells(const Ground& ground, std::size_t body) const;
+  ContactWork add_changes(Ground& ground, double dt);
   ContactWork book_body(const Grid& grid, std::size_t body, const RigidMotion& middle, double dt) const;
   /// A body's own part of relax().
   double relax_rigid(std::size_t body, double keep, double gain);

@@ -1,24 +1,24 @@
 // Contact in the gravity stage.
 
 #include "mpm_domain/contact/contact.hpp"
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace tremolo::mpm_domain {
 
-void Contact::begin_rest(Domain& domain) {
-  find_nodes(domain, true);
+void Contact::begin_rest(Ground& ground) {
+  find_nodes(ground, true);
   corners_.clear(); // bodies at rest hold on to the soil alone
 }
 
-double Contact::relax(Domain& domain, double keep, double gain, bool bonded) {
-  Grid& grid = domain.grid;
+double Contact::relax(Ground& ground, double keep, double gain, bool bonded) {
+  Grid& grid = ground.grid;
   for (ContactNodes& nodes : nodes_) {
     if (!bonded)
-      nodes.end_bonds(domain.spec.gaps, domain.finest_lattice().h);
-    nodes.take_relaxing(domain, gain);
+      nodes.end_bonds(ground.spec.gaps, ground.finest_lattice().h);
+    nodes.take_relaxing(ground, gain);
   }
   solve(trial_motions(keep, gain), gain, bonded);
   double unbalanced = 0.0;
@@ -72,15 +72,15 @@ void Contact::end_rest() {
     body.set_motion({});
 }
 
-double Contact::speed(const Domain& domain, std::size_t body) const {
+double Contact::speed(const Ground& ground, std::size_t body) const {
   if (!elastic_[body])
     return std::sqrt(2.0 * bodies_[body].kinetic_energy() / bodies_[body].mass());
-  const Lattice& own = domain.bodies[elastic_[body]->number()].lattice;
+  const Lattice& own = ground.bodies[elastic_[body]->number()].lattice;
   double mass = 0.0;
   double twice_energy = 0.0;
   for (std::size_t n = own.first; n < own.first + own.count(); ++n) {
-    mass += domain.grid.mass[n];
-    twice_energy += domain.grid.mass[n] * square(domain.grid.velocity_after(n));
+    mass += ground.grid.mass[n];
+    twice_energy += ground.grid.mass[n] * square(ground.grid.velocity_after(n));
   }
   return std::sqrt(twice_energy / mass);
 }

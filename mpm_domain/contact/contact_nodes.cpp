@@ -1,6 +1,6 @@
 #include "mpm_domain/contact/contact_nodes.hpp"
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 #include "mpm_domain/kernel/kernel.hpp"
 
 #include <algorithm>
@@ -26,10 +26,10 @@ Vector unit(const Vector& v) {
 }
 
 /// Whether particles of a block may lie in a box.
-bool may_lie_in(const mesh::Rectangle& box, const Domain& domain, std::size_t block) {
-  const std::size_t tile = block % domain.tiles.count();
-  const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
-  const NodeBlock nodes = domain.tiles.window(tile);
+bool may_lie_in(const mesh::Rectangle& box, const Ground& ground, std::size_t block) {
+  const std::size_t tile = block % ground.tiles.count();
+  const Lattice& lattice = ground.tiles.lattice(ground.tiles.level_of(tile));
+  const NodeBlock nodes = ground.tiles.window(tile);
   return lattice.x0 + nodes.column * lattice.h < box.x_max &&
          lattice.x0 + nodes.end_column() * lattice.h > box.x_min &&
          lattice.y0 + nodes.row * lattice.h < box.y_max &&
@@ -38,14 +38,14 @@ bool may_lie_in(const mesh::Rectangle& box, const Domain& domain, std::size_t bl
 
 } // namespace
 
-void ContactNodes::follow_sort(const Domain& domain, const BodySurface& surface, double margin) {
+void ContactNodes::follow_sort(const Ground& ground, const BodySurface& surface, double margin) {
   near_.clear();
   mesh::Rectangle box = surface.bounds();
   box = {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
-  for (std::size_t s = 0; s < domain.soil_sets; ++s) {
-    const Particles& p = domain.sets[s];
+  for (std::size_t s = 0; s < ground.soil_sets; ++s) {
+    const Particles& p = ground.sets[s];
     for (std::size_t block = 0; block + 1 < p.block_start.size(); ++block) {
-      if (p.block_start[block] == p.block_start[block + 1] || !may_lie_in(box, domain, block))
+      if (p.block_start[block] == p.block_start[block + 1] || !may_lie_in(box, ground, block))
         continue;
       for (std::size_t k = p.block_start[block]; k < p.block_start[block + 1]; ++k)
         if (p.x[k] > box.x_min && p.x[k] < box.x_max && p.y[k] > box.y_min && p.y[k] < box.y_max)
@@ -54,15 +54,15 @@ void ContactNodes::follow_sort(const Domain& domain, const BodySurface& surface,
   }
 }
 
-void ContactNodes::find_touches(Domain& domain, const BodySurface& surface) {
+void ContactNodes::find_touches(Ground& ground, const BodySurface& surface) {
   touches_.assign(near_.size(), {});
-  const double h = domain.finest_lattice().h;
+  const double h = ground.finest_lattice().h;
   const double reach = 2.0 * h;
   const mesh::Rectangle box = surface.bounds();
   constexpr std::size_t part = 256;
-  domain.workers.run((near_.size() + part - 1) / part, [&](std::size_t task) {
+  ground.workers.run((near_.size() + part - 1) / part, [&](std::size_t task) {
     for (std::size_t n = task * part; n < std::min(near_.size(), (task + 1) * part); ++n) {
-      const Particles& p = domain.sets[near_[n].set];
+      const Particles& p = ground.sets[near_[n].set];
       const Vector place{p.x[near_[n].index], p.y[near_[n].index]};
       if (place.x < box.x_min - reach || place.x > box.x_max + reach || place.y < box.y_min - reach ||
           place.y > box.y_max + reach)
@@ -76,13 +76,13 @@ void ContactNodes::find_touches(Domain& domain, const BodySurface& surface) {
   });
 }
 
-void ContactNodes::weigh_particles(const Domain& domain) {
+void ContactNodes::weigh_particles(const Ground& ground) {
   entries_.clear();
-  const Lattice& lattice = domain.finest_lattice();
+  const Lattice& lattice = ground.finest_lattice();
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   for (std::size_t n = 0; n < near_.size(); ++n) {
-    const Particles& p = domain.sets[near_[n].set];
+    const Particles& p = ground.sets[near_[n].set];
     const std::size_t k = near_[n].index;
     const double l = std::min(p.half_size, lattice.h);
     const Weights wx = cell_weights(p.x[k], x_axis, l);
@@ -101,12 +101,12 @@ void ContactNodes::weigh_particles(const Domain& domain) {
   }
 }
 
-void ContactNodes::sum_particles(const Domain& domain, const Structure& structure) {
+void ContactNodes::sum_particles(const Ground& ground, const Structure& structure) {
   sums_.assign(window_.count(), {});
   for (const Entry& entry : entries_)
     sums_[entry.place].least_gap = std::min(sums_[entry.place].least_gap, touches_[entry.near].gap);
   for (const auto& [n, place, vs, gradient] : entries_) {
-    const Particles& p = domain.sets[near_[n].set];
+    const Particles& p = ground.sets[near_[n].set];
     const std::size_t k = near_[n].index;
     Sums& sums = sums_[place];
     sums.gradient = {sums.gradient.x + gradient.x, sums.gradient.y + gradient.y};
@@ -132,17 +132,17 @@ void ContactNodes::sum_particles(const Domain& domain, const Structure& structur
   }
 }
 
-void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector& centre,
+void ContactNodes::find(Ground& ground, const BodySurface& surface, const Vector& centre,
                         const Structure& structure, const BodyLattice* own, bool bonded) {
-  const Lattice& lattice = domain.finest_lattice();
-  const Grid& grid = domain.grid;
+  const Lattice& lattice = ground.finest_lattice();
+  const Grid& grid = ground.grid;
   window_ = nodes_around(lattice, surface.bounds());
   find_wall(surface, lattice, window_, wall_);
-  find_touches(domain, surface);
-  weigh_particles(domain);
-  sum_particles(domain, structure);
-  const double empty = empty_mass(domain);
-  const ContactGaps& gaps = domain.spec.gaps;
+  find_touches(ground, surface);
+  weigh_particles(ground);
+  sum_particles(ground, structure);
+  const double empty = empty_mass(ground);
+  const ContactGaps& gaps = ground.spec.gaps;
   std::vector<ContactNode> before = std::move(nodes_);
   nodes_.clear();
   of_nodes_.clear();
@@ -183,8 +183,8 @@ void ContactNodes::find(Domain& domain, const BodySurface& surface, const Vector
         found.body_mass = grid.mass[*body_node];
         found.faint = faint;
       }
-      const bool by_gradient = domain.spec.normals == ContactNormals::gradient ||
-                               (domain.spec.normals == ContactNormals::automatic && sums.wet > 0.0);
+      const bool by_gradient = ground.spec.normals == ContactNormals::gradient ||
+                               (ground.spec.normals == ContactNormals::automatic && sums.wet > 0.0);
       found.normal = unit(at_edge ? sums.facing : sums.gradient);
       if (by_gradient && of_soil && dot(found.normal, unit(sums.gradient)) > far_apart)
         found.normal = unit(sums.gradient);
@@ -243,9 +243,9 @@ void ContactNodes::end_bonds(const ContactGaps& gaps, double h) {
       nodes_[n].closed = nodes_[n].tied = false;
 }
 
-void ContactNodes::take_trial(const Domain& domain, double dt) {
-  const Grid& grid = domain.grid;
-  const double water_density = domain.spec.water ? domain.spec.water->fluid.density : 0.0;
+void ContactNodes::take_trial(const Ground& ground, double dt) {
+  const Grid& grid = ground.grid;
+  const double water_density = ground.spec.water ? ground.spec.water->fluid.density : 0.0;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     ContactNode& c = nodes_[n];
     const Sums& sums = of_nodes_[n];
@@ -262,7 +262,7 @@ void ContactNodes::take_trial(const Domain& domain, double dt) {
     c.drag = 1.0;
     c.full_water = water_density * sums.sealed;
     c.free_impulse = c.full_water * dot(c.normal, c.solid_before) + dt * dot(c.normal, sums.sealed_force);
-    if (domain.has_flow() && grid.water_mass[c.node] > 1e-9 * c.solid_mass) {
+    if (ground.has_flow() && grid.water_mass[c.node] > 1e-9 * c.solid_mass) {
       const double full = water_density * grid.wet_volume[c.node];
       c.water_mass = grid.water_mass[c.node];
       c.water_before = {grid.wx_before[c.node], grid.wy_before[c.node]};
@@ -284,8 +284,8 @@ void ContactNodes::take_trial(const Domain& domain, double dt) {
   }
 }
 
-void ContactNodes::take_relaxing(const Domain& domain, double dt) {
-  const Grid& grid = domain.grid;
+void ContactNodes::take_relaxing(const Ground& ground, double dt) {
+  const Grid& grid = ground.grid;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     ContactNode& c = nodes_[n];
     c.mass = c.tangential = c.solid_mass = grid.mass[c.node];

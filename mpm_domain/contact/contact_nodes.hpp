@@ -36,7 +36,7 @@
 namespace tremolo::mpm_domain {
 
 struct BodyLattice;
-struct Domain;
+struct Ground;
 
 struct ContactNode : ContactPoint {
   std::size_t node = 0;
@@ -80,22 +80,22 @@ struct NearParticle {
 class ContactNodes {
 public:
   /// Takes the particles near the body until the next sort.
-  void follow_sort(const Domain& domain, const BodySurface& surface, double margin);
+  void follow_sort(const Ground& ground, const BodySurface& surface, double margin);
 
   /// Finds the nodes and what does not depend on their motion.
   /// @param centre  of mass of the body, m
   /// @param own     lattice of the body; null: it is rigid
   /// @param bonded  soil and body are to stick together, as wished in place
-  void find(Domain& domain, const BodySurface& surface, const Vector& centre, const Structure& structure,
+  void find(Ground& ground, const BodySurface& surface, const Vector& centre, const Structure& structure,
             const BodyLattice* own, bool bonded = false);
   /// Opens nodes of dry soil whose gap only bonds may have.
   /// @param h  cell size, m
   void end_bonds(const ContactGaps& gaps, double h);
 
   /// Takes the motion of the soil after an update over dt (s), before contact.
-  void take_trial(const Domain& domain, double dt);
+  void take_trial(const Ground& ground, double dt);
   /// Likewise in the gravity stage, where water rests.
-  void take_relaxing(const Domain& domain, double dt);
+  void take_relaxing(const Ground& ground, double dt);
 
   std::vector<ContactNode>& nodes() { return nodes_; }
   /// Whether nodes have been found before; until then a body stands where it is wished, tied to the soil.
@@ -143,9 +143,9 @@ private:
     Vector gradient; ///< V grad S, m
   };
 
-  void find_touches(Domain& domain, const BodySurface& surface);
-  void weigh_particles(const Domain& domain);
-  void sum_particles(const Domain& domain, const Structure& structure);
+  void find_touches(Ground& ground, const BodySurface& surface);
+  void weigh_particles(const Ground& ground);
+  void sum_particles(const Ground& ground, const Structure& structure);
   /// Finds the arms of the nodes of a rigid body (bearing.cpp).
   void bear_on(const BodySurface& surface, const Vector& centre, double h);
 

@@ -25,7 +25,7 @@ struct Particles;
 class ElasticBody {
 public:
   /// @param structure  that the particles fill
-  /// @param number     of the body among the elastic ones: its place in Domain::bodies
+  /// @param number     of the body among the elastic ones: its place in Ground::bodies
   /// @param sets       of the body's particles, at their places of the start
   /// @param spacing    largest distance of points of the surface, m
   ElasticBody(const Structure& structure, std::size_t number, std::span<const Particles> sets,

@@ -10,23 +10,23 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-double lightest_soil(const Domain& domain) {
+double lightest_soil(const Ground& ground) {
   double density = std::numeric_limits<double>::infinity();
-  for (const Particles& set : domain.sets)
+  for (const Particles& set : ground.sets)
     if (set.size() > 0)
       density = std::min(density, set.density);
   return density;
 }
 
-void find_fullness(Domain& domain, const NodeRange& nodes, double per_full) {
-  Grid& grid = domain.grid;
+void find_fullness(Ground& ground, const NodeRange& nodes, double per_full) {
+  Grid& grid = ground.grid;
   by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
     group.store(&grid.fullness[n], smaller(all(1.0), per_full * group.load(&grid.mass[n])));
   });
 }
 
-void find_inside(Domain& domain, const NodeRange& nodes) {
-  Grid& grid = domain.grid;
+void find_inside(Ground& ground, const NodeRange& nodes) {
+  Grid& grid = ground.grid;
   const auto row = static_cast<std::ptrdiff_t>(grid.nx);
   by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
     const double* const e = &grid.fullness[n];
@@ -49,17 +49,17 @@ void find_inside(Domain& domain, const NodeRange& nodes) {
 
 } // namespace
 
-void find_fullness(Domain& domain) {
-  const double h = domain.grid.h;
+void find_fullness(Ground& ground) {
+  const double h = ground.grid.h;
   constexpr double full = 0.45; // of a cell
-  const double per_full = 1.0 / (full * lightest_soil(domain) * h * h);
-  const std::vector<NodeRange>& rows = domain.soil_rows;
-  domain.workers.run(rows.size(), [&](std::size_t r) { find_fullness(domain, rows[r], per_full); });
-  prolong(domain, NodeGroup::fullness);
-  const std::size_t reach = 3 * (static_cast<std::size_t>(domain.grid.nx) + 1);
-  domain.workers.run(rows.size(), [&](std::size_t r) {
-    if (rows[r].begin >= reach && rows[r].end + reach <= domain.grid.size())
-      find_inside(domain, rows[r]);
+  const double per_full = 1.0 / (full * lightest_soil(ground) * h * h);
+  const std::vector<NodeRange>& rows = ground.soil_rows;
+  ground.workers.run(rows.size(), [&](std::size_t r) { find_fullness(ground, rows[r], per_full); });
+  prolong(ground, NodeGroup::fullness);
+  const std::size_t reach = 3 * (static_cast<std::size_t>(ground.grid.nx) + 1);
+  ground.workers.run(rows.size(), [&](std::size_t r) {
+    if (rows[r].begin >= reach && rows[r].end + reach <= ground.grid.size())
+      find_inside(ground, rows[r]);
   });
 }
 

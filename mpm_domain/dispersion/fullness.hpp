@@ -14,12 +14,12 @@
 //
 // All is a continuous function of the masses, so that nothing jumps while soil moves through the grid.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 namespace tremolo::mpm_domain {
 
 /// Finds e and chi from the masses of the nodes, whose tied ones have been folded. Near the edge of the grid,
 /// where no soil comes, chi is zero.
-void find_fullness(Domain& domain);
+void find_fullness(Ground& ground);
 
 } // namespace tremolo::mpm_domain

@@ -106,11 +106,11 @@ template <typename Term, typename Group>
 /// Writes two fields, sharpened, into sharp_x and sharp_y. In the outermost rows of the grid, where chi is
 /// zero, they stay as they are.
 template <typename Term>
-void sharpen(Domain& domain, const NodeField& x, const NodeField& y, const Term& term) {
-  Grid& grid = domain.grid;
-  const std::vector<NodeRange>& rows = domain.soil_rows;
+void sharpen(Ground& ground, const NodeField& x, const NodeField& y, const Term& term) {
+  Grid& grid = ground.grid;
+  const std::vector<NodeRange>& rows = ground.soil_rows;
   const std::size_t reach = 2 * (static_cast<std::size_t>(grid.nx) + 1);
-  domain.workers.run(rows.size(), [&](std::size_t r) {
+  ground.workers.run(rows.size(), [&](std::size_t r) {
     const auto [begin, end] = rows[r];
     if (begin < reach || end + reach > grid.size()) {
       std::copy(&x[begin], &x[begin] + (end - begin), &grid.sharp_x[begin]);
@@ -127,55 +127,55 @@ void sharpen(Domain& domain, const NodeField& x, const NodeField& y, const Term&
 }
 
 /// The step that soil in its first state is given, s.
-double planned_step(const Domain& domain) {
-  const Scheme& scheme = domain.spec.scheme;
+double planned_step(const Ground& ground) {
+  const Scheme& scheme = ground.spec.scheme;
   if (scheme.dt)
     return *scheme.dt;
   double least = std::numeric_limits<double>::infinity();
-  for (const Particles& set : domain.sets)
+  for (const Particles& set : ground.sets)
     if (set.size() > 0)
       least = std::min(
           least,
-          damped_step(largest_courant_number * domain.grid.h / materials::elasticity(set.law).p_wave_speed(),
-                      domain.spec.soils[set.soil_index].damping_time, share_of(scheme.order)));
+          damped_step(largest_courant_number * ground.grid.h / materials::elasticity(set.law).p_wave_speed(),
+                      ground.spec.soils[set.soil_index].damping_time, share_of(scheme.order)));
   return scheme.fraction * least;
 }
 
 } // namespace
 
-Sharpening sharpening_of(const Domain& domain) {
+Sharpening sharpening_of(const Ground& ground) {
   materials::Elasticity slowest;
   double speed = std::numeric_limits<double>::infinity();
-  for (const Particles& set : domain.sets)
+  for (const Particles& set : ground.sets)
     if (const materials::Elasticity& soil = materials::elasticity(set.law);
         set.size() > 0 && soil.s_wave_speed() < speed) {
       slowest = soil;
       speed = soil.s_wave_speed();
     }
-  const auto of_step = [&](double c) { return std::pow(planned_step(domain) * c / domain.grid.h, 2) / 24.0; };
+  const auto of_step = [&](double c) { return std::pow(planned_step(ground) * c / ground.grid.h, 2) / 24.0; };
   const double of_shear = of_step(speed);
-  const Filter& filter = filters.at(static_cast<std::size_t>(domain.spec.particles_per_cell) - 2);
+  const Filter& filter = filters.at(static_cast<std::size_t>(ground.spec.particles_per_cell) - 2);
   return {filter.first - of_shear, filter.second, of_shear - of_step(slowest.p_wave_speed())};
 }
 
-void sharpen_velocities(Domain& domain, const NodeField& vx, const NodeField& vy) {
-  sharpen(domain, vx, vy, OfVelocity{sharpening_of(domain)});
+void sharpen_velocities(Ground& ground, const NodeField& vx, const NodeField& vy) {
+  sharpen(ground, vx, vy, OfVelocity{sharpening_of(ground)});
 }
 
-void sharpen_forces(Domain& domain) {
-  prolong(domain, NodeGroup::force); // what lies beyond a periodic side
-  Grid& grid = domain.grid;
-  sharpen(domain, grid.force_x, grid.force_y, OfForce{sharpening_of(domain)});
+void sharpen_forces(Ground& ground) {
+  prolong(ground, NodeGroup::force); // what lies beyond a periodic side
+  Grid& grid = ground.grid;
+  sharpen(ground, grid.force_x, grid.force_y, OfForce{sharpening_of(ground)});
   std::swap(grid.force_x, grid.sharp_x);
   std::swap(grid.force_y, grid.sharp_y);
-  const Prolongation& ties = domain.ties();
+  const Prolongation& ties = ground.ties();
   for (std::size_t r = 0; r < ties.tied_count(); ++r)
     grid.force_x[ties.tied(r)] = grid.force_y[ties.tied(r)] = 0.0;
-  const double gravity = domain.spec.gravity;
+  const double gravity = ground.spec.gravity;
   if (gravity == 0.0)
     return;
-  domain.workers.run(domain.soil_rows.size(), [&](std::size_t r) {
-    for (std::size_t n = domain.soil_rows[r].begin; n < domain.soil_rows[r].end; ++n)
+  ground.workers.run(ground.soil_rows.size(), [&](std::size_t r) {
+    for (std::size_t n = ground.soil_rows[r].begin; n < ground.soil_rows[r].end; ++n)
       grid.force_y[n] -= gravity * grid.mass[n];
   });
 }

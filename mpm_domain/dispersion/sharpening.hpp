@@ -22,7 +22,7 @@
 // with the step that is planned for soil in its first state, and the speeds of the soil whose waves are
 // slowest.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -31,13 +31,13 @@ struct Sharpening {
   double second = 0.0;   ///< q2
   double dilation = 0.0; ///< q3
 };
-Sharpening sharpening_of(const Domain& domain);
+Sharpening sharpening_of(const Ground& ground);
 
 /// Writes Q v of all nodes into sharp_x and sharp_y. Tied nodes have their velocities already.
-void sharpen_velocities(Domain& domain, const NodeField& vx, const NodeField& vy);
+void sharpen_velocities(Ground& ground, const NodeField& vx, const NodeField& vy);
 
 /// Turns the internal forces of the nodes, f0, whose tied ones have been folded, into Q^T f0 and adds the
 /// weight.
-void sharpen_forces(Domain& domain);
+void sharpen_forces(Ground& ground);
 
 } // namespace tremolo::mpm_domain

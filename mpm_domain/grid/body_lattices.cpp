@@ -1,6 +1,6 @@
 #include "mpm_domain/grid/body_lattices.hpp"
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,20 +29,20 @@ struct Extent {
 
 } // namespace
 
-void follow_bodies(Domain& domain) {
-  if (domain.bodies.empty())
+void follow_bodies(Ground& ground) {
+  if (ground.bodies.empty())
     return;
-  const Lattice& soil = domain.finest_lattice();
-  std::vector<Extent> columns(domain.bodies.size());
-  std::vector<Extent> rows(domain.bodies.size());
-  for (const Particles& set : domain.body_sets())
+  const Lattice& soil = ground.finest_lattice();
+  std::vector<Extent> columns(ground.bodies.size());
+  std::vector<Extent> rows(ground.bodies.size());
+  for (const Particles& set : ground.body_sets())
     for (std::size_t k = 0; k < set.size(); ++k) {
       columns[*set.body].take((set.x[k] - soil.x0) / soil.h);
       rows[*set.body].take((set.y[k] - soil.y0) / soil.h);
     }
   bool changed = false;
-  for (std::size_t b = 0; b < domain.bodies.size(); ++b) {
-    BodyLattice& body = domain.bodies[b];
+  for (std::size_t b = 0; b < ground.bodies.size(); ++b) {
+    BodyLattice& body = ground.bodies[b];
     const BodyLattice last = body;
     body.column = columns[b].first - padding;
     body.row = rows[b].first - padding;
@@ -52,23 +52,23 @@ void follow_bodies(Domain& domain) {
                body.lattice.ny != last.lattice.ny;
   }
   if (changed)
-    lay_out_lattices(domain);
+    lay_out_lattices(ground);
 }
 
-void lay_out_lattices(Domain& domain) {
+void lay_out_lattices(Ground& ground) {
   std::vector<Lattice> all;
-  for (int level = 0; level < domain.soil_lattice_count(); ++level)
-    all.push_back(domain.lattice(level));
+  for (int level = 0; level < ground.soil_lattice_count(); ++level)
+    all.push_back(ground.lattice(level));
   const Lattice soil = all.back();
   std::size_t first = soil.first + soil.count();
-  for (BodyLattice& body : domain.bodies) {
+  for (BodyLattice& body : ground.bodies) {
     Lattice& own = body.lattice;
     own = {soil.h, soil.x0 + body.column * soil.h, soil.y0 + body.row * soil.h, own.nx, own.ny, first};
     first += own.count();
     all.push_back(own);
   }
-  domain.tiles = TileMap(std::move(all));
-  resize_fields(domain.grid, first);
+  ground.tiles = TileMap(std::move(all));
+  resize_fields(ground.grid, first);
 }
 
 std::vector<double> lattice_state(const std::vector<BodyLattice>& bodies) {

@@ -13,7 +13,7 @@
 
 namespace tremolo::mpm_domain {
 
-struct Domain;
+struct Ground;
 
 struct BodyLattice {
   Lattice lattice;
@@ -32,11 +32,11 @@ struct BodyLattice {
 
 /// Lays the lattices around the particles of the bodies and whatever these may touch until the next sort; the
 /// fields of all nodes become zero if a lattice has changed.
-void follow_bodies(Domain& domain);
+void follow_bodies(Ground& ground);
 
 /// Puts lattices of known size and column and row behind those of the soil, cuts all into tiles, and makes
 /// all fields zero.
-void lay_out_lattices(Domain& domain);
+void lay_out_lattices(Ground& ground);
 
 /// Columns, rows and sizes of the lattices, for a checkpoint, and back.
 std::vector<double> lattice_state(const std::vector<BodyLattice>& bodies);

@@ -5,7 +5,7 @@
 // particles near a side reach. What they collect is added to the columns they stand for, and what those do is
 // copied back. Particles may stand beyond a side until the next sort takes them back by L.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 namespace tremolo::mpm_domain {
 

@@ -10,38 +10,38 @@ namespace {
 
 /// act(field) for every field of a group, side by side.
 template <typename Act>
-void over_fields(Domain& domain, NodeGroup group, const Act& act) {
-  if (domain.ties().empty())
+void over_fields(Ground& ground, NodeGroup group, const Act& act) {
+  if (ground.ties().empty())
     return;
   std::vector<NodeField*> fields;
-  for_group(domain.grid, group, [&](NodeField& field) { fields.push_back(&field); });
-  domain.workers.run(fields.size(), [&](std::size_t task) { act(*fields[task]); });
+  for_group(ground.grid, group, [&](NodeField& field) { fields.push_back(&field); });
+  ground.workers.run(fields.size(), [&](std::size_t task) { act(*fields[task]); });
 }
 
 } // namespace
 
-void clear(Domain& domain, NodeGroup group, std::span<const NodeRange> nodes) {
-  domain.workers.run(nodes.size(), [&](std::size_t row) {
-    for_group(domain.grid, group, [&](NodeField& field) {
+void clear(Ground& ground, NodeGroup group, std::span<const NodeRange> nodes) {
+  ground.workers.run(nodes.size(), [&](std::size_t row) {
+    for_group(ground.grid, group, [&](NodeField& field) {
       std::fill(field.data() + nodes[row].begin, field.data() + nodes[row].end, 0.0);
     });
   });
 }
 
-void fold(Domain& domain, NodeGroup group, std::span<const std::size_t> rows) {
-  over_fields(domain, group, [&](NodeField& field) { domain.ties().restrict(field, rows); });
+void fold(Ground& ground, NodeGroup group, std::span<const std::size_t> rows) {
+  over_fields(ground, group, [&](NodeField& field) { ground.ties().restrict(field, rows); });
 }
 
-void prolong(Domain& domain, NodeGroup group, std::span<const std::size_t> rows) {
-  over_fields(domain, group, [&](NodeField& field) { domain.ties().prolong(field, rows); });
+void prolong(Ground& ground, NodeGroup group, std::span<const std::size_t> rows) {
+  over_fields(ground, group, [&](NodeField& field) { ground.ties().prolong(field, rows); });
 }
 
-void fold(Domain& domain, NodeGroup group) {
-  over_fields(domain, group, [&](NodeField& field) { domain.ties().restrict(field); });
+void fold(Ground& ground, NodeGroup group) {
+  over_fields(ground, group, [&](NodeField& field) { ground.ties().restrict(field); });
 }
 
-void prolong(Domain& domain, NodeGroup group) {
-  over_fields(domain, group, [&](NodeField& field) { domain.ties().prolong(field); });
+void prolong(Ground& ground, NodeGroup group) {
+  over_fields(ground, group, [&](NodeField& field) { ground.ties().prolong(field); });
 }
 
 Prolongation images_of(const Grid& grid) {

@@ -15,8 +15,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-constexpr double far = std::numeric_limits<double>::infinity();
-
 /// Cells by which the grid grows beyond what is asked of it, so that it seldom has to.
 constexpr int spare_cells = 8;
 
@@ -38,45 +36,6 @@ Box room_of(const Grid& grid) {
   const int more = grid.traits.sharp ? 2 : 0;
   return {grid.x0 + (2 + more) * grid.h, grid.y0 + (2 + more) * grid.h,
           grid.x0 + (grid.nx - 4 - more) * grid.h, grid.y0 + (grid.ny - 3 - more) * grid.h};
-}
-
-/// The box around those of all ranks.
-Box over_ranks(const Domain& domain, const Box& box) {
-  std::array<double, 4> outwards{-box.x_min, -box.y_min, box.x_max, box.y_max};
-  take_largest(domain, outwards);
-  return {-outwards[0], -outwards[1], outwards[2], outwards[3]};
-}
-
-/// How far the sides with faces let soil go: beyond the outermost of them by overflow_cells.
-Box limits_of(const Domain& domain) {
-  Box limits{-far, -far, far, far};
-  Box sides{far, far, -far, far};
-  for (const BoundaryFace& face : domain.boundary.faces()) {
-    const Particles& set = domain.sets[face.set];
-    const std::size_t k = set.index_of[face.id];
-    if (k == Particles::nowhere)
-      continue; // on another rank
-    switch (face.side) {
-    case Side::left:
-      sides.x_min = std::min(sides.x_min, set.x[k]);
-      break;
-    case Side::right:
-      sides.x_max = std::max(sides.x_max, set.x[k]);
-      break;
-    case Side::base:
-      sides.y_min = std::min(sides.y_min, set.y[k]);
-      break;
-    }
-  }
-  sides = over_ranks(domain, sides);
-  const double beyond = domain.half_size() + overflow_cells * domain.grid.h;
-  if (sides.x_min < far)
-    limits.x_min = sides.x_min - beyond;
-  if (sides.x_max > -far)
-    limits.x_max = sides.x_max + beyond;
-  if (sides.y_min < far)
-    limits.y_min = sides.y_min - beyond;
-  return limits;
 }
 
 std::string particle_text(const Particles& p, std::size_t k, double time, long step) {
@@ -114,21 +73,26 @@ int cells_for(double missing, double h) {
 
 } // namespace
 
+Box over_ranks(const Ground& ground, const Box& box) {
+  std::array<double, 4> outwards{-box.x_min, -box.y_min, box.x_max, box.y_max};
+  take_largest(ground, outwards);
+  return {-outwards[0], -outwards[1], outwards[2], outwards[3]};
+}
+
 double largest_grid(const Spec& spec) {
   const double cells = (spec.box.x_max - spec.box.x_min) * (spec.box.y_max - spec.box.y_min) /
                        (spec.cell_size * spec.cell_size);
   return std::max(1e6, 4.0 * cells);
 }
 
-void make_room(Domain& domain, double time, long step) {
-  Grid& grid = domain.grid;
+void make_room(Ground& ground, const Box& limits, double time, long step) {
+  Grid& grid = ground.grid;
   const double h = grid.h;
   const Box room = room_of(grid);
-  const Box limits = limits_of(domain);
   const Box usual{std::max(room.x_min, limits.x_min), std::max(room.y_min, limits.y_min),
                   std::min(room.x_max, limits.x_max), std::min(room.y_max, limits.y_max)};
   Box needed = room;
-  for (const Particles& p : domain.sets_of_soil()) // lattices of bodies follow these
+  for (const Particles& p : ground.sets_of_soil()) // lattices of bodies follow these
     for (std::size_t k = 0; k < p.size(); ++k) {
       if (contains(usual, p.x[k], p.y[k]))
         continue;
@@ -137,12 +101,12 @@ void make_room(Domain& domain, double time, long step) {
       needed = {std::min(needed.x_min, p.x[k]), std::min(needed.y_min, p.y[k]),
                 std::max(needed.x_max, p.x[k] + h), std::max(needed.y_max, p.y[k] + h)};
       const double nodes = ((needed.x_max - needed.x_min) / h + 6) * ((needed.y_max - needed.y_min) / h + 5);
-      if (nodes > largest_grid(domain.spec))
+      if (nodes > largest_grid(ground.spec))
         throw std::runtime_error(
             fmt::format("{} asks for a grid of {:.4g} nodes; the largest allowed is {:.4g}",
-                        particle_text(p, k, time, step), nodes, largest_grid(domain.spec)));
+                        particle_text(p, k, time, step), nodes, largest_grid(ground.spec)));
     }
-  needed = over_ranks(domain, needed);
+  needed = over_ranks(ground, needed);
   const int left = cells_for(room.x_min - needed.x_min, h);
   const int right = cells_for(needed.x_max - room.x_max, h);
   const int down = cells_for(room.y_min - needed.y_min, h);
@@ -152,7 +116,7 @@ void make_room(Domain& domain, double time, long step) {
   grid.x0 -= left * h;
   grid.y0 -= down * h;
   resize(grid, grid.nx + left + right, grid.ny + down + up);
-  rebuild_mesh(domain);
+  rebuild_mesh(ground);
 }
 
 } // namespace tremolo::mpm_domain

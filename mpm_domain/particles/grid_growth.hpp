@@ -12,7 +12,7 @@
 //
 // It is asked for when particles are sorted, when what the grid held is about to be made anew.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -22,11 +22,15 @@ inline constexpr int overflow_cells = 4;
 /// Nodes that the grid may grow to: a million, or four times the model's cells if that is more.
 double largest_grid(const Spec& spec);
 
+/// The box around those of all ranks.
+Box over_ranks(const Ground& ground, const Box& box);
+
 /// Makes the grid large enough for all particles and for what they move until the next sort. Fields of a grid
 /// that had to grow are zero.
+/// @param limits  how far soil may go: boundary/boundary_faces.hpp
 /// @param time,step  of the run, s; for the message
 /// @throws std::runtime_error naming the particle that has left the model, or needs a larger grid than
 /// allowed
-void make_room(Domain& domain, double time, long step);
+void make_room(Ground& ground, const Box& limits, double time, long step);
 
 } // namespace tremolo::mpm_domain

@@ -29,7 +29,7 @@ struct ParticleRange {
 struct Particles : ParticleFields {
   std::string soil;
   std::size_t soil_index = 0; ///< into Spec::soils
-  /// The place in Domain::bodies of the elastic body that the particles are part of. They have no soil_index;
+  /// The place in Ground::bodies of the elastic body that the particles are part of. They have no soil_index;
   /// `soil` is the name of the structure.
   std::optional<std::size_t> body = {};
   int level = 0;          ///< of the cells that they belong to by their size

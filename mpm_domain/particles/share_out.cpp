@@ -140,56 +140,54 @@ void require_shareable(const Spec& spec) {
         fmt::format("ranks cannot share {} yet: leave out --ranks and take more --threads", *what));
 }
 
-void share_out(Domain& domain, Communicator& ranks) {
-  require_shareable(domain.spec);
-  std::vector<std::int64_t> particles(domain.tiles.count(), 0);
-  for (const Particles& set : domain.sets)
+void keep_own_particles(Ground& ground, Communicator& ranks) {
+  require_shareable(ground.spec);
+  std::vector<std::int64_t> particles(ground.tiles.count(), 0);
+  for (const Particles& set : ground.sets)
     for (std::size_t tile = 0; tile < particles.size(); ++tile)
       particles[tile] += static_cast<std::int64_t>(set.block_start[tile + 1] - set.block_start[tile]);
-  domain.share = RankShare{&ranks, deal_out(domain.tiles, std::move(particles), ranks.size())};
+  ground.share = RankShare{&ranks, deal_out(ground.tiles, std::move(particles), ranks.size())};
   std::vector<Parcel> parcels(1);
-  for (const Particles& set : domain.sets)
+  for (const Particles& set : ground.sets)
     pack(
-        set, [&](std::size_t, std::size_t tile) { return domain.share->is_mine(tile) ? 0 : no_rank; },
+        set, [&](std::size_t, std::size_t tile) { return ground.share->is_mine(tile) ? 0 : no_rank; },
         add_nothing, parcels);
-  unpack(domain.sets, domain.tiles.count(), parcels);
-  resize_fields(domain.grid, domain.grid.size());
-  domain.boundary.follow_sort(domain);
-  find_reach(domain);
+  unpack(ground.sets, ground.tiles.count(), parcels);
+  resize_fields(ground.grid, ground.grid.size());
 }
 
-void move_between_ranks(Domain& domain) {
-  RankShare& share = *domain.share;
-  std::vector<std::int64_t> particles(domain.tiles.count(), 0);
+void move_between_ranks(Ground& ground) {
+  RankShare& share = *ground.share;
+  std::vector<std::int64_t> particles(ground.tiles.count(), 0);
   std::vector<std::vector<std::size_t>> tile_of_particle;
-  for (const Particles& set : domain.sets) {
+  for (const Particles& set : ground.sets) {
     std::vector<std::size_t>& tile = tile_of_particle.emplace_back(set.size());
     for (std::size_t k = 0; k < set.size(); ++k) {
-      tile[k] = tile_of(set, k, domain.tiles, 0);
+      tile[k] = tile_of(set, k, ground.tiles, 0);
       ++particles[tile[k]];
     }
   }
   share.ranks->add(particles);
-  share.deal = follow(share.deal, domain.tiles, std::move(particles), share.ranks->size());
+  share.deal = follow(share.deal, ground.tiles, std::move(particles), share.ranks->size());
   std::vector<Parcel> parcels = empty_parcels(*share.ranks);
   std::size_t tiles_before = 0;
-  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+  for (std::size_t s = 0; s < ground.sets.size(); ++s) {
     pack(
-        domain.sets[s], [&](std::size_t k, std::size_t) { return share.owner(tile_of_particle[s][k]); },
+        ground.sets[s], [&](std::size_t k, std::size_t) { return share.owner(tile_of_particle[s][k]); },
         add_nothing, parcels);
-    tiles_before = domain.sets[s].block_start.size() - 1;
+    tiles_before = ground.sets[s].block_start.size() - 1;
   }
-  unpack(domain.sets, tiles_before, share.ranks->swap(parcels));
+  unpack(ground.sets, tiles_before, share.ranks->swap(parcels));
 }
 
-GatheredSets gather_sets(const Domain& domain, const Wanted& wanted, std::size_t more,
+GatheredSets gather_sets(const Ground& ground, const Wanted& wanted, std::size_t more,
                          const AddNumbers& add_numbers) {
-  Communicator& ranks = *domain.share->ranks;
+  Communicator& ranks = *ground.share->ranks;
   std::vector<Parcel> parcels = empty_parcels(ranks);
   std::vector<Parcel> first(1);
-  for (std::size_t s = 0; s < domain.sets.size(); ++s)
+  for (std::size_t s = 0; s < ground.sets.size(); ++s)
     pack(
-        domain.sets[s], [&](std::size_t k, std::size_t) { return !wanted || wanted(s, k) ? 0 : no_rank; },
+        ground.sets[s], [&](std::size_t k, std::size_t) { return !wanted || wanted(s, k) ? 0 : no_rank; },
         [&](std::size_t k, Parcel& parcel) {
           if (add_numbers)
             add_numbers(s, k, parcel);
@@ -200,10 +198,10 @@ GatheredSets gather_sets(const Domain& domain, const Wanted& wanted, std::size_t
   GatheredSets gathered;
   if (ranks.rank() != 0)
     return gathered;
-  gathered.sets = domain.sets;
+  gathered.sets = ground.sets;
   std::vector<std::size_t> next(received.size(), 0);
   for (Particles& set : gathered.sets)
-    gathered.numbers.push_back(unpack(set, domain.tiles.count(), received, more, next));
+    gathered.numbers.push_back(unpack(set, ground.tiles.count(), received, more, next));
   return gathered;
 }
 

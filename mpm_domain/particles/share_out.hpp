@@ -5,7 +5,7 @@
 // are put back into the order of their old tiles before they are sorted. Sorting keeps the order of those
 // that share a cell, so all ranks together hold the particles as one rank would.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -17,15 +17,15 @@ namespace tremolo::mpm_domain {
 /// structures, periodic sides, reduced dispersion
 void require_shareable(const Spec& spec);
 
-/// Leaves a whole domain, which is the same on all ranks, with this rank's share of it. What stands behind
-/// its faces is there already (Boundary::build_supports).
-/// @param ranks  outlives the domain
+/// Leaves whole ground, which is the same on all ranks, with the particles of this rank's tiles. What they
+/// may touch must be found next: find_reach().
+/// @param ranks  outlives the ground
 /// @throws std::invalid_argument as require_shareable() does
-void share_out(Domain& domain, Communicator& ranks);
+void keep_own_particles(Ground& ground, Communicator& ranks);
 
 /// Gives particles that have come to tiles of other ranks to these; deals the tiles anew where they are
 /// uneven. A part of the sort.
-void move_between_ranks(Domain& domain);
+void move_between_ranks(Ground& ground);
 
 /// Particles that ranks have given to rank 0; on others nothing.
 struct GatheredSets {
@@ -40,7 +40,7 @@ using AddNumbers = std::function<void(std::size_t set, std::size_t k, std::vecto
 
 /// Gives particles of the whole domain to rank 0: all, or those that are wanted. All ranks call it.
 /// @param more  how many numbers `add_numbers` adds
-GatheredSets gather_sets(const Domain& domain, const Wanted& wanted = {}, std::size_t more = 0,
+GatheredSets gather_sets(const Ground& ground, const Wanted& wanted = {}, std::size_t more = 0,
                          const AddNumbers& add_numbers = {});
 
 } // namespace tremolo::mpm_domain

@@ -66,18 +66,18 @@ void add_quarters(const Particles& whole, std::size_t k, Particles& to, const Gr
 
 } // namespace
 
-std::size_t split_particles(Domain& domain) {
-  if (!domain.mesh)
+std::size_t split_particles(Ground& ground) {
+  if (!ground.mesh)
     return 0;
-  const std::size_t kinds = domain.soil_sets / static_cast<std::size_t>(domain.soil_lattice_count());
+  const std::size_t kinds = ground.soil_sets / static_cast<std::size_t>(ground.soil_lattice_count());
   std::size_t count = 0;
   // From coarse to fine, so that a particle that has passed two levels is cut twice.
-  for (std::size_t s = 0; s + kinds < domain.soil_sets; ++s) {
-    Particles& set = domain.sets[s];
+  for (std::size_t s = 0; s + kinds < ground.soil_sets; ++s) {
+    Particles& set = ground.sets[s];
     std::vector<std::size_t> gone;
     for (std::size_t k = 0; k < set.size(); ++k)
-      if (is_to_be_cut(set, k, domain.mesh->tree())) {
-        add_quarters(set, k, domain.sets[s + kinds], *domain.mesh);
+      if (is_to_be_cut(set, k, ground.mesh->tree())) {
+        add_quarters(set, k, ground.sets[s + kinds], *ground.mesh);
         gone.push_back(k);
       }
     if (!gone.empty())

@@ -10,7 +10,7 @@
 // sum_k S_Ik = S_Ip and 1/4 sum_k G_Ik = G_Ip: mass, momentum and force of every node stay as they are.
 // Places, displacement and angular momentum stay too; the kinetic energy of C becomes that of the four.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -18,6 +18,6 @@ namespace tremolo::mpm_domain {
 /// than 3/4 of them; those that are to stay whole (Particles::whole) are passed over. Particles are out of
 /// order afterwards: to be sorted. Those that leave fine cells again stay small.
 /// @returns the number of particles that were cut
-std::size_t split_particles(Domain& domain);
+std::size_t split_particles(Ground& ground);
 
 } // namespace tremolo::mpm_domain

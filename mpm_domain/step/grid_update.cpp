@@ -20,10 +20,10 @@ Vectors velocities(const Grid& grid, std::size_t n, Group group, const Lanes& m,
 
 } // namespace
 
-ExactSums<1> grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
-  Grid& grid = domain.grid;
-  const double empty = empty_mass(domain);
-  return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
+ExactSums<1> grid_velocities(Ground& ground, std::span<const NodeRange> rows) {
+  Grid& grid = ground.grid;
+  const double empty = empty_mass(ground);
+  return sum_over_rows<1>(ground, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Lanes m = group.load(&grid.mass[n]);
@@ -36,11 +36,11 @@ ExactSums<1> grid_velocities(Domain& domain, std::span<const NodeRange> rows) {
   });
 }
 
-ExactSums<1> remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
-  Grid& grid = domain.grid;
-  const double empty = empty_mass(domain);
-  const double gravity = domain.spec.gravity;
-  return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
+ExactSums<1> remap_velocities(Ground& ground, std::span<const NodeRange> rows) {
+  Grid& grid = ground.grid;
+  const double empty = empty_mass(ground);
+  const double gravity = ground.spec.gravity;
+  return sum_over_rows<1>(ground, rows, [&](const NodeRange& nodes) {
     Lanes power{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Lanes m = group.load(&grid.mass[n]);
@@ -54,11 +54,11 @@ ExactSums<1> remap_velocities(Domain& domain, std::span<const NodeRange> rows) {
   });
 }
 
-ExactSums<3> update_grid(Domain& domain, double dt, std::span<const NodeRange> rows) {
-  Grid& grid = domain.grid;
-  const double empty = empty_mass(domain);
-  const double gravity = domain.spec.gravity;
-  return sum_over_rows<3>(domain, rows, [&](const NodeRange& nodes) {
+ExactSums<3> update_grid(Ground& ground, double dt, std::span<const NodeRange> rows) {
+  Grid& grid = ground.grid;
+  const double empty = empty_mass(ground);
+  const double gravity = ground.spec.gravity;
+  return sum_over_rows<3>(ground, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     Lanes weight_work{}; // of the weight per m/s2, downwards
     Lanes relief{};

@@ -11,11 +11,11 @@ namespace tremolo::mpm_domain {
 
 /// v- = p/m; nodes without soil rest.
 /// @returns the nodes' kinetic energy, J/m
-ExactSums<1> grid_velocities(Domain& domain, std::span<const NodeRange> nodes);
+ExactSums<1> grid_velocities(Ground& ground, std::span<const NodeRange> nodes);
 
 /// u = p/m of the particles' new momenta, the velocity that strains the soil. For musl.
 /// @returns power of the nodal forces, weight aside, on what v+ differs from u by, W/m
-ExactSums<1> remap_velocities(Domain& domain, std::span<const NodeRange> nodes);
+ExactSums<1> remap_velocities(Ground& ground, std::span<const NodeRange> nodes);
 
 /// What the update of nodes adds up, J/m.
 struct GridUpdate {
@@ -34,6 +34,6 @@ struct GridUpdate {
 /// remains stable.
 /// @param dt time that the forces act for, s
 /// @returns the parts of a GridUpdate
-ExactSums<3> update_grid(Domain& domain, double dt, std::span<const NodeRange> nodes);
+ExactSums<3> update_grid(Ground& ground, double dt, std::span<const NodeRange> nodes);
 
 } // namespace tremolo::mpm_domain

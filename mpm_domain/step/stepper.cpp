@@ -247,7 +247,7 @@ void Stepper::update() {
 }
 
 void Stepper::update_with_flow() {
-  walls_.close(domain_);
+  walls_.close(domain_, domain_.boundary);
   kicks_.front() = ticks_.kick_of(0);
   bookings_.add(update_mixture(domain_, kicks_.front(), nodes_.of(0)), [this](const auto& totals) {
     const MixtureUpdate update(totals);

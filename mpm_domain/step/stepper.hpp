@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm_domain/boundary/impervious_faces.hpp"
 #include "mpm_domain/clocks/clock_nodes.hpp"
 #include "mpm_domain/clocks/shared_nodes.hpp"
 #include "mpm_domain/clocks/ticks.hpp"
@@ -9,7 +10,6 @@
 #include "mpm_domain/tiles/totals.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
-#include "mpm_domain/water/impervious_faces.hpp"
 
 #include <functional>
 #include <span>

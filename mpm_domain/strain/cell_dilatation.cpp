@@ -7,9 +7,9 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-GatherSums strain_range(Domain& domain, std::size_t s, const ParticleRange& range, double dt) {
-  Particles& p = domain.sets[s];
-  const WaitingStrains& strains = domain.waiting_strains[s];
+GatherSums strain_range(Ground& ground, std::size_t s, const ParticleRange& range, double dt) {
+  Particles& p = ground.sets[s];
+  const WaitingStrains& strains = ground.waiting_strains[s];
   LaneSums sums;
   Increments moved{}; // lanes beyond the last particle are read, and count nothing
   Increments seen{};
@@ -17,7 +17,7 @@ GatherSums strain_range(Domain& domain, std::size_t s, const ParticleRange& rang
     const std::size_t count = std::min(strain_chunk_size, range.end - first);
     for (std::size_t c = 0; c < count; ++c) {
       const std::size_t k = first + c;
-      const double mean = mean_of_cell(domain.grid, strains.cell[k]);
+      const double mean = mean_of_cell(ground.grid, strains.cell[k]);
       const double half_excess = 0.5 * (mean - (strains.exx[k] + strains.eyy[k]));
       moved.exx[c] = strains.exx[k];
       moved.eyy[c] = strains.eyy[k];
@@ -66,38 +66,38 @@ void WaitingRange::hold(const Particles& p, std::size_t first, std::size_t count
   }
 }
 
-bool some_wait(const Domain& domain) {
-  return std::ranges::any_of(domain.sets, [](const Particles& p) { return p.traits.cell_dilatation; });
+bool some_wait(const Ground& ground) {
+  return std::ranges::any_of(ground.sets, [](const Particles& p) { return p.traits.cell_dilatation; });
 }
 
-void clear_strains(Domain& domain) {
-  clear_cells(domain);
-  for (std::size_t s = 0; s < domain.sets.size(); ++s)
-    if (domain.sets[s].traits.cell_dilatation)
-      domain.waiting_strains[s].resize(domain.sets[s].size());
+void clear_strains(Ground& ground) {
+  clear_cells(ground);
+  for (std::size_t s = 0; s < ground.sets.size(); ++s)
+    if (ground.sets[s].traits.cell_dilatation)
+      ground.waiting_strains[s].resize(ground.sets[s].size());
 }
 
-std::vector<GatherSums> strain_by_cells(Domain& domain, int clock, double dt) {
-  const ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
+std::vector<GatherSums> strain_by_cells(Ground& ground, int clock, double dt) {
+  const ClockTiles& tiles = ground.clock_tiles[static_cast<std::size_t>(clock)];
   complete_cells(
-      domain, tiles, [](const Particles& p) { return p.traits.cell_dilatation; },
+      ground, tiles, [](const Particles& p) { return p.traits.cell_dilatation; },
       [&](std::size_t s, std::size_t k) {
-        const WaitingStrains& strains = domain.waiting_strains[s];
-        const double volume = domain.sets[s].volume[k];
+        const WaitingStrains& strains = ground.waiting_strains[s];
+        const double volume = ground.sets[s].volume[k];
         return CellValues{strains.cell[k], volume, volume * (strains.exx[k] + strains.eyy[k])};
       });
   const std::span<const std::size_t> filled = tiles.sums.filled();
   std::vector<GatherSums> sums(filled.size() + tiles.across.size());
-  domain.workers.run(sums.size(), [&](std::size_t task) {
+  ground.workers.run(sums.size(), [&](std::size_t task) {
     if (task >= filled.size()) {
       const AcrossTile& tile = tiles.across[task - filled.size()];
-      if (domain.sets[tile.set].traits.cell_dilatation)
-        sums[task] = strain_range(domain, tile.set, {tile.weights.first(), tile.weights.end()}, dt);
+      if (ground.sets[tile.set].traits.cell_dilatation)
+        sums[task] = strain_range(ground, tile.set, {tile.weights.first(), tile.weights.end()}, dt);
       return;
     }
-    for (std::size_t s = 0; s < domain.sets.size(); ++s)
-      if (domain.sets[s].traits.cell_dilatation)
-        sums[task] += strain_range(domain, s, domain.sets[s].in_block(domain.block(clock, filled[task])), dt);
+    for (std::size_t s = 0; s < ground.sets.size(); ++s)
+      if (ground.sets[s].traits.cell_dilatation)
+        sums[task] += strain_range(ground, s, ground.sets[s].in_block(ground.block(clock, filled[task])), dt);
   });
   return sums;
 }

@@ -14,7 +14,7 @@
 // laws see them. Cells are those of the particles at the start of the step. Particles of different clocks
 // have means of their own.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 #include "mpm_domain/strain/gather_sums.hpp"
 #include "mpm_domain/strain/strain_update.hpp"
 #include "mpm_domain/tiles/cell_means.hpp"
@@ -45,14 +45,14 @@ private:
 };
 
 /// Whether the law of any set sees the mean dilatation of cells.
-bool some_wait(const Domain& domain);
+bool some_wait(const Ground& ground);
 
 /// Sets the sums over cells to zero and makes room for the strains of all particles.
-void clear_strains(Domain& domain);
+void clear_strains(Ground& ground);
 
 /// Updates stress, state and volume of the particles of a clock whose strains over a step of dt (s) have been
 /// stored.
 /// @returns the sums of each tile
-std::vector<GatherSums> strain_by_cells(Domain& domain, int clock, double dt);
+std::vector<GatherSums> strain_by_cells(Ground& ground, int clock, double dt);
 
 } // namespace tremolo::mpm_domain

@@ -16,18 +16,18 @@ std::size_t CellFinder::leaf_at(double x, double y) const {
   return node;
 }
 
-void clear_cells(Domain& domain) {
+void clear_cells(Ground& ground) {
   // On a mesh all rows: a cell may begin at a node that is tied to finer ones and carries no soil.
-  domain.workers.run(domain.mesh ? domain.row_count() : domain.soil_rows.size(), [&](std::size_t row) {
-    const auto [begin, end] = domain.mesh ? domain.row(row) : domain.soil_rows[row];
-    for_group(domain.grid, NodeGroup::cell,
+  ground.workers.run(ground.mesh ? ground.row_count() : ground.soil_rows.size(), [&](std::size_t row) {
+    const auto [begin, end] = ground.mesh ? ground.row(row) : ground.soil_rows[row];
+    for_group(ground.grid, NodeGroup::cell,
               [&](NodeField& field) { std::fill(field.data() + begin, field.data() + end, 0.0); });
   });
 }
 
-void join_images_of_cells(Domain& domain) {
-  fold(domain, NodeGroup::cell, domain.image_rows);
-  prolong(domain, NodeGroup::cell, domain.image_rows);
+void join_images_of_cells(Ground& ground) {
+  fold(ground, NodeGroup::cell, ground.image_rows);
+  prolong(ground, NodeGroup::cell, ground.image_rows);
 }
 
 } // namespace tremolo::mpm_domain

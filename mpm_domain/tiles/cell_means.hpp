@@ -4,7 +4,7 @@
 // sums stand at its lower left node, NodeFields::cell_weight and cell_change. Particles on one lattice add
 // theirs in the window of their tile, and particles that touch several lattices are added afterwards.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <cmath>
 
@@ -56,7 +56,7 @@ struct CellWindow {
 };
 
 /// Sets the sums over cells to zero.
-void clear_cells(Domain& domain);
+void clear_cells(Ground& ground);
 
 struct CellValues {
   std::size_t cell;
@@ -64,25 +64,25 @@ struct CellValues {
 };
 
 /// The images of a period take the sums of the cells that they stand for.
-void join_images_of_cells(Domain& domain);
+void join_images_of_cells(Ground& ground);
 
 /// Adds what particles that touch several lattices bring to their cells, then the images of a period to the
 /// cells that they are. They are few, so one thread does it.
 /// @param takes_part  (set) whether its particles do
 /// @param values_of   (set, particle) -> {cell, w, w q}
 template <typename TakesPart, typename ValuesOf>
-void complete_cells(Domain& domain, const ClockTiles& tiles, const TakesPart& takes_part,
+void complete_cells(Ground& ground, const ClockTiles& tiles, const TakesPart& takes_part,
                     const ValuesOf& values_of) {
   for (const AcrossTile& tile : tiles.across) {
-    if (!takes_part(domain.sets[tile.set]))
+    if (!takes_part(ground.sets[tile.set]))
       continue;
     for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k) {
       const CellValues values = values_of(tile.set, k);
-      domain.grid.cell_weight[values.cell] += values.weight;
-      domain.grid.cell_change[values.cell] += values.change;
+      ground.grid.cell_weight[values.cell] += values.weight;
+      ground.grid.cell_change[values.cell] += values.change;
     }
   }
-  join_images_of_cells(domain);
+  join_images_of_cells(ground);
 }
 
 /// The mean of a cell.

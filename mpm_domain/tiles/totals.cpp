@@ -7,9 +7,9 @@
 
 namespace tremolo::mpm_domain {
 
-void take_largest(const Domain& domain, std::span<double> numbers) {
-  if (domain.share)
-    domain.share->ranks->largest(numbers);
+void take_largest(const Ground& ground, std::span<double> numbers) {
+  if (ground.share)
+    ground.share->ranks->largest(numbers);
 }
 
 void Bookings::settle(std::span<double> largest) {

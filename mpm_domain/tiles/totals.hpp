@@ -6,7 +6,7 @@
 // A rank sums up what counts on it. Totals of all ranks cost a wait, so those of a step, which go into the
 // ledger alone, wait for one exchange at its end: they come with what is to be done with them.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 #include "mpm_domain/ranks/exact_sum.hpp"
 
 #include <array>
@@ -19,7 +19,7 @@
 namespace tremolo::mpm_domain {
 
 /// Every number becomes its largest value over all ranks.
-void take_largest(const Domain& domain, std::span<double> numbers);
+void take_largest(const Ground& ground, std::span<double> numbers);
 
 /// Adds up the numbers of all parts of this rank.
 template <std::size_t count>
@@ -34,11 +34,11 @@ ExactSums<count> sums_of(std::span<const std::array<double, count>> parts) {
 /// Runs `row_sum(nodes)` for all rows of nodes and adds up what it returns for those that count on this rank,
 /// `count` numbers each.
 template <std::size_t count, typename RowSum>
-ExactSums<count> sum_over_rows(Domain& domain, std::span<const NodeRange> rows, const RowSum& row_sum) {
+ExactSums<count> sum_over_rows(Ground& ground, std::span<const NodeRange> rows, const RowSum& row_sum) {
   std::vector<std::array<double, count>> sums(rows.size());
-  domain.workers.run(sums.size(), [&](std::size_t row) {
+  ground.workers.run(sums.size(), [&](std::size_t row) {
     const std::array<double, count> sum = row_sum(rows[row]);
-    if (domain.counts(rows[row]))
+    if (ground.counts(rows[row]))
       sums[row] = sum;
   });
   return sums_of(std::span<const std::array<double, count>>(sums));

@@ -8,9 +8,9 @@ namespace tremolo::mpm_domain {
 
 /// act(k, group, reader) for the particles of a set in a tile that touch its lattice alone.
 template <typename Act>
-void for_readers(const Domain& domain, const Particles& p, const ParticleRange& range, std::size_t tile,
+void for_readers(const Ground& ground, const Particles& p, const ParticleRange& range, std::size_t tile,
                  const Act& act) {
-  const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
+  const Lattice& lattice = ground.tiles.lattice(ground.tiles.level_of(tile));
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   for_boxes(p, [&]<typename Boxes>() {
@@ -26,9 +26,9 @@ void for_readers(const Domain& domain, const Particles& p, const ParticleRange& 
 
 /// act(k, group, divergence) of a field of vectors.
 template <typename Act>
-void for_divergences(const Domain& domain, const Particles& p, const ParticleRange& range, std::size_t tile,
+void for_divergences(const Ground& ground, const Particles& p, const ParticleRange& range, std::size_t tile,
                      const NodeField& field_x, const NodeField& field_y, const Act& act) {
-  for_readers(domain, p, range, tile, [&](std::size_t k, auto group, const auto& reader) {
+  for_readers(ground, p, range, tile, [&](std::size_t k, auto group, const auto& reader) {
     act(k, group, reader.divergence(field_x, field_y));
   });
 }
@@ -49,9 +49,9 @@ void for_divergences(const AcrossTile& tile, const NodeField& field_x, const Nod
 
 /// act(k, group, sum S q) of a field of numbers.
 template <typename Act>
-void for_numbers(const Domain& domain, const Particles& p, const ParticleRange& range, std::size_t tile,
+void for_numbers(const Ground& ground, const Particles& p, const ParticleRange& range, std::size_t tile,
                  const NodeField& field, const Act& act) {
-  for_readers(domain, p, range, tile,
+  for_readers(ground, p, range, tile,
               [&](std::size_t k, auto group, const auto& reader) { act(k, group, reader.number(field)); });
 }
 
@@ -70,17 +70,17 @@ void for_numbers(const AcrossTile& tile, const NodeField& field, const Act& act)
 /// Passes over all particles of a clock, tiles side by side: in_tile(set, range, tile) for those of a set in
 /// a tile that touch one lattice, across(set, tile) for those that touch several.
 template <typename InTile, typename Across>
-void for_tiles(Domain& domain, int clock, const InTile& in_tile, const Across& across) {
-  ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
+void for_tiles(Ground& ground, int clock, const InTile& in_tile, const Across& across) {
+  ClockTiles& tiles = ground.clock_tiles[static_cast<std::size_t>(clock)];
   const std::span<const std::size_t> filled = tiles.sums.filled();
-  domain.workers.run(filled.size() + tiles.across.size(), [&](std::size_t task) {
+  ground.workers.run(filled.size() + tiles.across.size(), [&](std::size_t task) {
     if (task >= filled.size()) {
       AcrossTile& tile = tiles.across[task - filled.size()];
-      across(domain.sets[tile.set], tile);
+      across(ground.sets[tile.set], tile);
       return;
     }
-    for (Particles& p : domain.sets)
-      if (const ParticleRange range = p.in_block(domain.block(clock, filled[task])); range.begin < range.end)
+    for (Particles& p : ground.sets)
+      if (const ParticleRange range = p.in_block(ground.block(clock, filled[task])); range.begin < range.end)
         in_tile(p, range, filled[task]);
   });
 }

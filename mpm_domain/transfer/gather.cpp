@@ -100,16 +100,16 @@ GatherSums gather_range(Particles& p, const ParticleRange& range, double dt, Wai
 
 /// Gathers for the particles of a set that lie in a tile and touch its lattice alone.
 template <GatherParts parts, bool affine, typename Boxes>
-GatherSums gather_tile(Domain& domain, Particles& p, int clock, std::size_t tile, double dt,
+GatherSums gather_tile(Ground& ground, Particles& p, int clock, std::size_t tile, double dt,
                        WaitingRange* waiting) {
   constexpr Wanted wanted = wanted_by<parts, affine>;
-  const VelocityFields velocities = of_soil(domain.grid);
-  const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
+  const VelocityFields velocities = of_soil(ground.grid);
+  const Lattice& lattice = ground.tiles.lattice(ground.tiles.level_of(tile));
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const auto boxes = [&] {
     if constexpr (std::is_same_v<Boxes, WideSquares>)
-      return WideSquares(p, lattice, domain.grid);
+      return WideSquares(p, lattice, ground.grid);
     else
       return Boxes(p, lattice, x_axis);
   }();
@@ -118,92 +118,92 @@ GatherSums gather_tile(Domain& domain, Particles& p, int clock, std::size_t tile
     return sample<wanted, Boxes::rows>(velocities, lattice, x, y, group.count, x_axis, y_axis,
                                        boxes.of(k, group));
   };
-  return gather_range<parts, affine, Boxes::follow>(p, p.in_block(domain.block(clock, tile)), dt, waiting,
+  return gather_range<parts, affine, Boxes::follow>(p, p.in_block(ground.block(clock, tile)), dt, waiting,
                                                     sample_at);
 }
 
 /// Gathers for the particles of a set in a tile that touch several lattices.
 template <GatherParts parts, bool affine, bool boxes_follow>
-GatherSums gather_across(Domain& domain, const AcrossTile& tile, double dt, WaitingRange* waiting) {
+GatherSums gather_across(Ground& ground, const AcrossTile& tile, double dt, WaitingRange* waiting) {
   constexpr Wanted wanted = wanted_by<parts, affine>;
-  Particles& p = domain.sets[tile.set];
-  const VelocityFields velocities = of_soil(domain.grid);
+  Particles& p = ground.sets[tile.set];
+  const VelocityFields velocities = of_soil(ground.grid);
   return gather_range<parts, affine, boxes_follow>(
       p, {tile.weights.first(), tile.weights.end()}, dt, waiting,
       [&](std::size_t k, auto group, const Lanes&, const Lanes&) {
-        return sample_across<wanted>(velocities, tile.weights, domain.basis_cells, p, k, group.count);
+        return sample_across<wanted>(velocities, tile.weights, ground.basis_cells, p, k, group.count);
       });
 }
 
 template <GatherParts parts, bool affine>
-GatherSums gather_set(Domain& domain, Particles& p, int clock, std::size_t tile, double dt,
+GatherSums gather_set(Ground& ground, Particles& p, int clock, std::size_t tile, double dt,
                       WaitingRange* waiting) {
   if constexpr (parts.sharp) {
     using Boxes = std::conditional_t<parts.strain, WideSquares, OneSquare>;
-    return gather_tile<parts, true, Boxes>(domain, p, clock, tile, dt, waiting);
+    return gather_tile<parts, true, Boxes>(ground, p, clock, tile, dt, waiting);
   }
-  return p.has_own_boxes() ? gather_tile<parts, affine, OwnRectangles>(domain, p, clock, tile, dt, waiting)
-                           : gather_tile<parts, affine, OneSquare>(domain, p, clock, tile, dt, waiting);
+  return p.has_own_boxes() ? gather_tile<parts, affine, OwnRectangles>(ground, p, clock, tile, dt, waiting)
+                           : gather_tile<parts, affine, OneSquare>(ground, p, clock, tile, dt, waiting);
 }
 
 template <GatherParts parts, bool affine>
-GatherSums gather_set(Domain& domain, const AcrossTile& tile, double dt, WaitingRange* waiting) {
-  return domain.sets[tile.set].has_own_boxes()
-             ? gather_across<parts, affine, true>(domain, tile, dt, waiting)
-             : gather_across<parts, affine, false>(domain, tile, dt, waiting);
+GatherSums gather_set(Ground& ground, const AcrossTile& tile, double dt, WaitingRange* waiting) {
+  return ground.sets[tile.set].has_own_boxes()
+             ? gather_across<parts, affine, true>(ground, tile, dt, waiting)
+             : gather_across<parts, affine, false>(ground, tile, dt, waiting);
 }
 
 /// Gathers for the particles of all sets in a tile that touch one lattice.
 /// @param window  takes the sums over cells of sets whose law sees the mean dilatation
 template <GatherParts parts>
-GatherSums gather_filled(Domain& domain, int clock, std::size_t tile, double dt, double* window) {
+GatherSums gather_filled(Ground& ground, int clock, std::size_t tile, double dt, double* window) {
   GatherSums sums;
-  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-    Particles& p = domain.sets[s];
+  for (std::size_t s = 0; s < ground.sets.size(); ++s) {
+    Particles& p = ground.sets[s];
     std::optional<WaitingRange> waits;
     if (parts.strain && p.traits.cell_dilatation)
-      waits.emplace(domain.waiting_strains[s], domain.tiles, tile, window);
+      waits.emplace(ground.waiting_strains[s], ground.tiles, tile, window);
     WaitingRange* const waiting = waits ? &*waits : nullptr;
-    sums += p.traits.affine ? gather_set<parts, true>(domain, p, clock, tile, dt, waiting)
-                            : gather_set<parts, false>(domain, p, clock, tile, dt, waiting);
+    sums += p.traits.affine ? gather_set<parts, true>(ground, p, clock, tile, dt, waiting)
+                            : gather_set<parts, false>(ground, p, clock, tile, dt, waiting);
   }
   return sums;
 }
 
 template <GatherParts parts>
-GatherSums gather_across_tile(Domain& domain, const AcrossTile& tile, double dt) {
-  const Particles& p = domain.sets[tile.set];
+GatherSums gather_across_tile(Ground& ground, const AcrossTile& tile, double dt) {
+  const Particles& p = ground.sets[tile.set];
   std::optional<WaitingRange> waits;
   if (parts.strain && p.traits.cell_dilatation)
-    waits.emplace(domain.waiting_strains[tile.set], *domain.mesh);
+    waits.emplace(ground.waiting_strains[tile.set], *ground.mesh);
   WaitingRange* const waiting = waits ? &*waits : nullptr;
-  return p.traits.affine ? gather_set<parts, true>(domain, tile, dt, waiting)
-                         : gather_set<parts, false>(domain, tile, dt, waiting);
+  return p.traits.affine ? gather_set<parts, true>(ground, tile, dt, waiting)
+                         : gather_set<parts, false>(ground, tile, dt, waiting);
 }
 
 template <GatherParts parts>
-GatherTotals gather_tiles(Domain& domain, double dt, int clock) {
-  ClockTiles& tiles = domain.clock_tiles[static_cast<std::size_t>(clock)];
+GatherTotals gather_tiles(Ground& ground, double dt, int clock) {
+  ClockTiles& tiles = ground.clock_tiles[static_cast<std::size_t>(clock)];
   const std::span<const std::size_t> filled = tiles.sums.filled();
   std::vector<GatherSums> sums(filled.size() + tiles.across.size());
   const auto across = [&](std::size_t n) {
-    sums[filled.size() + n] = gather_across_tile<parts>(domain, tiles.across[n], dt);
+    sums[filled.size() + n] = gather_across_tile<parts>(ground, tiles.across[n], dt);
   };
-  if (parts.strain && some_wait(domain)) {
-    clear_strains(domain);
-    tiles.sums.add_to(domain.grid, cell_sums, domain.tiles, domain.workers, domain.windows,
+  if (parts.strain && some_wait(ground)) {
+    clear_strains(ground);
+    tiles.sums.add_to(ground.grid, cell_sums, ground.tiles, ground.workers, ground.windows,
                       [&](std::size_t n, double* window) {
-                        sums[n] = gather_filled<parts>(domain, clock, filled[n], dt, window);
-                        const NodeBlock place = domain.tiles.window(filled[n]);
+                        sums[n] = gather_filled<parts>(ground, clock, filled[n], dt, window);
+                        const NodeBlock place = ground.tiles.window(filled[n]);
                         return RowRange{place.row, place.end_row()};
                       });
-    domain.workers.run(tiles.across.size(), across);
-    const std::vector<GatherSums> by_cells = strain_by_cells(domain, clock, dt);
+    ground.workers.run(tiles.across.size(), across);
+    const std::vector<GatherSums> by_cells = strain_by_cells(ground, clock, dt);
     sums.insert(sums.end(), by_cells.begin(), by_cells.end());
   } else {
-    domain.workers.run(sums.size(), [&](std::size_t task) {
+    ground.workers.run(sums.size(), [&](std::size_t task) {
       if (task < filled.size())
-        sums[task] = gather_filled<parts>(domain, clock, filled[task], dt, nullptr);
+        sums[task] = gather_filled<parts>(ground, clock, filled[task], dt, nullptr);
       else
         across(task - filled.size());
     });
@@ -227,55 +227,55 @@ constexpr GatherParts sharp_strain_part{.strain = true, .remapped = true, .sharp
 
 } // namespace
 
-GatherTotals gather(Domain& domain, double dt, GatherParts parts, int clock) {
+GatherTotals gather(Ground& ground, double dt, GatherParts parts, int clock) {
   if (parts == all_parts)
-    return gather_tiles<all_parts>(domain, dt, clock);
+    return gather_tiles<all_parts>(ground, dt, clock);
   if (parts == velocity_part)
-    return gather_tiles<velocity_part>(domain, dt, clock);
+    return gather_tiles<velocity_part>(ground, dt, clock);
   if (parts == rest_parts)
-    return gather_tiles<rest_parts>(domain, dt, clock);
+    return gather_tiles<rest_parts>(ground, dt, clock);
   if (parts == drift_parts)
-    return gather_tiles<drift_parts>(domain, dt, clock);
+    return gather_tiles<drift_parts>(ground, dt, clock);
   if (parts == strain_part)
-    return gather_tiles<strain_part>(domain, dt, clock);
+    return gather_tiles<strain_part>(ground, dt, clock);
   if (parts == sharp_velocity_part)
-    return gather_tiles<sharp_velocity_part>(domain, dt, clock);
+    return gather_tiles<sharp_velocity_part>(ground, dt, clock);
   if (parts == sharp_drift_parts)
-    return gather_tiles<sharp_drift_parts>(domain, dt, clock);
+    return gather_tiles<sharp_drift_parts>(ground, dt, clock);
   if (parts == sharp_strain_part)
-    return gather_tiles<sharp_strain_part>(domain, dt, clock);
+    return gather_tiles<sharp_strain_part>(ground, dt, clock);
   throw std::logic_error("gather: no step asks for this combination of parts");
 }
 
-GatherTotals gather(Domain& domain, double dt, GatherParts parts) {
+GatherTotals gather(Ground& ground, double dt, GatherParts parts) {
   GatherTotals total;
-  for (int clock = 0; clock < domain.clocks.count(); ++clock)
-    total += gather(domain, dt, parts, clock);
+  for (int clock = 0; clock < ground.clocks.count(); ++clock)
+    total += gather(ground, dt, parts, clock);
   return total;
 }
 
-Vector particle_velocity(const Domain& domain, const Particles& particles, std::size_t k) {
-  return domain.is_sharp() ? sharp_reading(domain, particles, k, domain.grid.vx_after, domain.grid.vy_after)
+Vector particle_velocity(const Ground& ground, const Particles& particles, std::size_t k) {
+  return ground.is_sharp() ? sharp_reading(ground, particles, k, ground.grid.vx_after, ground.grid.vy_after)
                            : Vector{particles.vx[k], particles.vy[k]};
 }
 
-Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k) {
-  if (domain.is_sharp())
-    return sharp_reading(domain, particles, k, domain.grid.ax, domain.grid.ay);
+Vector particle_acceleration(const Ground& ground, const Particles& particles, std::size_t k) {
+  if (ground.is_sharp())
+    return sharp_reading(ground, particles, k, ground.grid.ax, ground.grid.ay);
   Vector a;
   const auto add = [&](std::size_t n, double s) {
-    a.x += s * domain.grid.ax[n];
-    a.y += s * domain.grid.ay[n];
+    a.x += s * ground.grid.ax[n];
+    a.y += s * ground.grid.ay[n];
   };
-  if (domain.mesh && !particles.body) {
+  if (ground.mesh && !particles.body) {
     std::vector<BoxWeight> weights;
-    box_average(*domain.mesh, box_of(particles, k), weights);
+    box_average(*ground.mesh, box_of(particles, k), weights);
     for (const BoxWeight& w : weights)
       add(w.node, w.s);
     return a;
   }
   const Vector half = half_sides(particles, k);
-  const Lattice& lattice = particles.body ? domain.bodies[*particles.body].lattice : domain.grid;
+  const Lattice& lattice = particles.body ? ground.bodies[*particles.body].lattice : ground.grid;
   const Weights wx = cell_weights(particles.x[k], {lattice.x0, lattice.h}, half.x);
   const Weights wy = cell_weights(particles.y[k], {lattice.y0, lattice.h}, half.y);
   for (int j = 0; j < 4; ++j)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 #include "mpm_domain/strain/gather_sums.hpp"
 
 namespace tremolo::mpm_domain {
@@ -27,16 +27,16 @@ struct GatherParts {
 /// symmetric part of A - A^2/2, the rotation its skew part. Volumes grow by det(I + A), to second order in A;
 /// boxes that follow the soil by I + A (particle_boxes.hpp).
 /// @throws std::logic_error for a combination of parts that no step uses
-GatherTotals gather(Domain& domain, double dt, GatherParts parts, int clock);
+GatherTotals gather(Ground& ground, double dt, GatherParts parts, int clock);
 
 /// Gathers for the particles of all clocks over the same step dt (s).
-GatherTotals gather(Domain& domain, double dt, GatherParts parts);
+GatherTotals gather(Ground& ground, double dt, GatherParts parts);
 
 /// The velocity of the soil at particle k of one set after the last update, m/s, for output: that of the
 /// particle, with reduced dispersion without what its mean over nodes has taken (sharp_transfer.hpp).
-Vector particle_velocity(const Domain& domain, const Particles& particles, std::size_t k);
+Vector particle_velocity(const Ground& ground, const Particles& particles, std::size_t k);
 
 /// The grid's acceleration of the last update at particle k of one soil, m/s2, for output.
-Vector particle_acceleration(const Domain& domain, const Particles& particles, std::size_t k);
+Vector particle_acceleration(const Ground& ground, const Particles& particles, std::size_t k);
 
 } // namespace tremolo::mpm_domain

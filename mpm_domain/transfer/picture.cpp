@@ -6,20 +6,20 @@
 namespace tremolo::mpm_domain {
 
 Vector Picture::velocity(std::size_t set, std::size_t k) const {
-  return particle_velocity(domain_, sets()[set], k);
+  return particle_velocity(ground_, sets()[set], k);
 }
 
 Vector Picture::acceleration(std::size_t set, std::size_t k) const {
-  if (!domain_.share)
-    return particle_acceleration(domain_, domain_.sets[set], k);
+  if (!ground_.share)
+    return particle_acceleration(ground_, ground_.sets[set], k);
   const std::vector<double>& of_set = copy_.numbers[set];
   return {of_set[2 * k], of_set[2 * k + 1]};
 }
 
 void Picture::follow(const std::vector<ParticleName>& followed) {
-  if (!domain_.share)
+  if (!ground_.share)
     return;
-  Communicator& ranks = *domain_.share->ranks;
+  Communicator& ranks = *ground_.share->ranks;
   double count = static_cast<double>(followed.size());
   ranks.follow_first({&count, 1});
   std::vector<double> numbers;
@@ -27,25 +27,25 @@ void Picture::follow(const std::vector<ParticleName>& followed) {
     numbers.insert(numbers.end(), {static_cast<double>(particle.set), static_cast<double>(particle.id)});
   numbers.resize(2 * static_cast<std::size_t>(count));
   ranks.follow_first(numbers);
-  for (const Particles& set : domain_.sets)
+  for (const Particles& set : ground_.sets)
     followed_.emplace_back(set.index_of.size(), false);
   for (std::size_t i = 0; i < numbers.size(); i += 2)
     followed_[static_cast<std::size_t>(numbers[i])][static_cast<std::size_t>(numbers[i + 1])] = true;
 }
 
 Picture::Extent Picture::take(Extent wanted) {
-  if (!domain_.share)
+  if (!ground_.share)
     return wanted;
   double number = static_cast<double>(wanted);
-  domain_.share->ranks->follow_first({&number, 1});
+  ground_.share->ranks->follow_first({&number, 1});
   wanted = static_cast<Extent>(static_cast<int>(number));
   if (wanted == Extent::nothing)
     return wanted;
   Wanted is_wanted;
   if (wanted == Extent::followed)
-    is_wanted = [&](std::size_t set, std::size_t k) { return followed_[set][domain_.sets[set].id[k]]; };
-  copy_ = gather_sets(domain_, is_wanted, 2, [&](std::size_t set, std::size_t k, std::vector<double>& to) {
-    const Vector a = particle_acceleration(domain_, domain_.sets[set], k);
+    is_wanted = [&](std::size_t set, std::size_t k) { return followed_[set][ground_.sets[set].id[k]]; };
+  copy_ = gather_sets(ground_, is_wanted, 2, [&](std::size_t set, std::size_t k, std::vector<double>& to) {
+    const Vector a = particle_acceleration(ground_, ground_.sets[set], k);
     to.insert(to.end(), {a.x, a.y});
   });
   return wanted;

@@ -22,13 +22,13 @@ struct ParticleName {
 class Picture {
 public:
   /// @param domain outlives this; shared out later, if at all
-  explicit Picture(const Domain& domain) : domain_(domain) {}
+  explicit Picture(const Ground& ground) : ground_(ground) {}
 
   /// A particle that is not in it has no place in index_of.
   std::span<const Particles> sets() const {
-    return domain_.share ? std::span<const Particles>(copy_.sets) : std::span<const Particles>(domain_.sets);
+    return ground_.share ? std::span<const Particles>(copy_.sets) : std::span<const Particles>(ground_.sets);
   }
-  std::span<const Particles> sets_of_soil() const { return sets().first(domain_.soil_sets); }
+  std::span<const Particles> sets_of_soil() const { return sets().first(ground_.soil_sets); }
   /// As particle_velocity() and particle_acceleration() give them (gather.hpp).
   Vector velocity(std::size_t set, std::size_t k) const;
   Vector acceleration(std::size_t set, std::size_t k) const;
@@ -42,7 +42,7 @@ public:
   Extent take(Extent wanted);
 
 private:
-  const Domain& domain_;
+  const Ground& ground_;
   std::vector<std::vector<bool>> followed_; ///< by set and id
   GatheredSets copy_;                       ///< with their accelerations
 };

@@ -3,7 +3,7 @@
 // How particles read velocities from the grid, four particles at a time. On one lattice they use stencils;
 // across several lattices they read node by node.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 #include "mpm_domain/transfer/stencil.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <span>
 
@@ -25,14 +25,14 @@ enum class ScatterPart {
 /// (tile_sums.hpp). So every node receives its contributions in the same order for any number of threads.
 
 /// Sets the sums of a part to zero.
-void clear(Domain& domain, ScatterPart part, std::span<const NodeRange> nodes);
+void clear(Ground& ground, ScatterPart part, std::span<const NodeRange> nodes);
 /// Adds the contributions of a clock's particles. Tied nodes keep theirs until fold().
-void add_particles(Domain& domain, ScatterPart part, int clock);
+void add_particles(Ground& ground, ScatterPart part, int clock);
 /// Moves the sums of tied nodes to the nodes that they follow.
 /// @param rows of the prolongation: the tied nodes that are meant
-void fold(Domain& domain, ScatterPart part, std::span<const std::size_t> rows);
+void fold(Ground& ground, ScatterPart part, std::span<const std::size_t> rows);
 
 /// clear(), add_particles() and fold() for all particles and nodes.
-void scatter(Domain& domain, ScatterPart part);
+void scatter(Ground& ground, ScatterPart part);
 
 } // namespace tremolo::mpm_domain

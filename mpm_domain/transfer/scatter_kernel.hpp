@@ -3,7 +3,7 @@
 // How particles add up to nodes, chunk by chunk: on one lattice with stencils, in the window of their tile;
 // across several lattices four nodes at a time.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 #include "mpm_domain/transfer/phases.hpp"
 
 #include <algorithm>
@@ -293,13 +293,13 @@ template <std::size_t count, typename Boxes, typename ValuesOf>
 /// Scatters the particles of a set in a tile, by the boxes and velocities that the set has.
 /// @returns the rows of the lattice that they touch
 template <Company company, Motion motion, bool force>
-RowRange scatter_set(const Domain& domain, const Particles& p, int clock, std::size_t tile, double* window) {
-  const ParticleRange range = p.in_block(domain.block(clock, tile));
+RowRange scatter_set(const Ground& ground, const Particles& p, int clock, std::size_t tile, double* window) {
+  const ParticleRange range = p.in_block(ground.block(clock, tile));
   if (range.begin == range.end)
     return {};
-  const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
-  const NodeBlock place = domain.tiles.window(tile);
-  const double gravity = domain.spec.gravity;
+  const Lattice& lattice = ground.tiles.lattice(ground.tiles.level_of(tile));
+  const NodeBlock place = ground.tiles.window(tile);
+  const double gravity = ground.spec.gravity;
   if constexpr (company == Company::none && !force)
     if (p.traits.bilinear)
       return scatter_range<company, motion, force, Around::bilinear, OneSquare>(p, range, lattice, place,
@@ -315,14 +315,14 @@ RowRange scatter_set(const Domain& domain, const Particles& p, int clock, std::s
 
 /// scatter_scalars() for the particles of a set in a tile. Their sums begin with those of a field.
 template <std::size_t count, typename ValuesOf>
-RowRange scatter_scalars(const Domain& domain, const Particles& p, int clock, std::size_t tile,
+RowRange scatter_scalars(const Ground& ground, const Particles& p, int clock, std::size_t tile,
                          double* window, Sum first, const ValuesOf& values_of) {
-  const ParticleRange range = p.in_block(domain.block(clock, tile));
+  const ParticleRange range = p.in_block(ground.block(clock, tile));
   if (range.begin == range.end)
     return {};
   return for_boxes(p, [&]<typename Boxes>() {
-    return scatter_scalars<count, Boxes>(p, range, domain.tiles.lattice(domain.tiles.level_of(tile)),
-                                         domain.tiles.window(tile),
+    return scatter_scalars<count, Boxes>(p, range, ground.tiles.lattice(ground.tiles.level_of(tile)),
+                                         ground.tiles.window(tile),
                                          window + static_cast<std::size_t>(first) * window_nodes, values_of);
   });
 }
@@ -391,11 +391,11 @@ void scatter_across(const Particles& p, AcrossTile& tile, const BasisCells& cell
 }
 
 template <typename Phase, Motion motion, bool force>
-void scatter_across_set(Domain& domain, AcrossTile& tile) {
-  const Particles& p = domain.sets[tile.set];
-  const double gravity = Phase::pull == Pull::stress_and_weight ? p.weight_share * domain.spec.gravity : 0.0;
-  p.traits.affine ? scatter_across<Phase, motion, force, true>(p, tile, domain.basis_cells, gravity)
-                  : scatter_across<Phase, motion, force, false>(p, tile, domain.basis_cells, gravity);
+void scatter_across_set(Ground& ground, AcrossTile& tile) {
+  const Particles& p = ground.sets[tile.set];
+  const double gravity = Phase::pull == Pull::stress_and_weight ? p.weight_share * ground.spec.gravity : 0.0;
+  p.traits.affine ? scatter_across<Phase, motion, force, true>(p, tile, ground.basis_cells, gravity)
+                  : scatter_across<Phase, motion, force, false>(p, tile, ground.basis_cells, gravity);
 }
 
 } // namespace tremolo::mpm_domain

@@ -42,45 +42,45 @@ namespace {
 
 } // namespace
 
-void scatter_sharp_forces(Domain& domain) {
-  clear(domain, NodeGroup::force, domain.soil_rows);
+void scatter_sharp_forces(Ground& ground) {
+  clear(ground, NodeGroup::force, ground.soil_rows);
   constexpr SumRange fields = fields_of<SoilPhase>(Motion::none, true);
   add_sums(
-      domain, 0, std::array{fields},
+      ground, 0, std::array{fields},
       [&](const Particles& p, std::size_t tile, double* window) {
-        const ParticleRange range = p.in_block(domain.block(0, tile));
+        const ParticleRange range = p.in_block(ground.block(0, tile));
         if (range.begin == range.end)
           return RowRange{};
-        return scatter_wide(p, range, domain.tiles.lattice(domain.tiles.level_of(tile)),
-                            domain.tiles.window(tile), window, domain.grid);
+        return scatter_wide(p, range, ground.tiles.lattice(ground.tiles.level_of(tile)),
+                            ground.tiles.window(tile), window, ground.grid);
       },
       [](AcrossTile&) {});
-  fold(domain, NodeGroup::force);
-  sharpen_forces(domain);
+  fold(ground, NodeGroup::force);
+  sharpen_forces(ground);
 }
 
-void sharpen_strain(Domain& domain) {
-  prolong(domain, NodeGroup::velocity);
-  Grid& grid = domain.grid;
-  sharpen_velocities(domain, grid.vx_strain, grid.vy_strain);
+void sharpen_strain(Ground& ground) {
+  prolong(ground, NodeGroup::velocity);
+  Grid& grid = ground.grid;
+  sharpen_velocities(ground, grid.vx_strain, grid.vy_strain);
   std::swap(grid.vx_strain, grid.sharp_x);
   std::swap(grid.vy_strain, grid.sharp_y);
-  prolong(domain, NodeGroup::velocity, domain.soil_ties);
+  prolong(ground, NodeGroup::velocity, ground.soil_ties);
 }
 
-Vector sharp_reading(const Domain& domain, const Particles& particles, std::size_t k,
+Vector sharp_reading(const Ground& ground, const Particles& particles, std::size_t k,
                      const NodeField& field_x, const NodeField& field_y) {
-  const Grid& grid = domain.grid;
-  const Weights wx = cell_weights(particles.x[k], domain.x_axis(), particles.half_size);
-  const Weights wy = cell_weights(particles.y[k], domain.y_axis(), particles.half_size);
+  const Grid& grid = ground.grid;
+  const Weights wx = cell_weights(particles.x[k], ground.x_axis(), particles.half_size);
+  const Weights wy = cell_weights(particles.y[k], ground.y_axis(), particles.half_size);
   const auto half_moment = [](const Weights& w, double place) {
     double moment = 0.0;
     for (int i = 0; i < 4; ++i)
       moment += w.s[i] * std::pow(w.base + i - place, 2);
     return 0.5 * moment;
   };
-  const double along = half_moment(wx, domain.x_axis().cells(particles.x[k]));
-  const double up = half_moment(wy, domain.y_axis().cells(particles.y[k]));
+  const double along = half_moment(wx, ground.x_axis().cells(particles.x[k]));
+  const double up = half_moment(wy, ground.y_axis().cells(particles.y[k]));
   const auto row = static_cast<std::size_t>(grid.nx);
   const auto corrected = [&](const NodeField& v, std::size_t n) {
     return v[n] + along * grid.inside_x[n] * (2.0 * v[n] - v[n - 1] - v[n + 1]) +

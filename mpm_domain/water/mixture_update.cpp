@@ -11,12 +11,12 @@ namespace tremolo::mpm_domain {
 namespace {
 
 /// A node with less than this share of the mass of an empty node of soil has no water.
-double empty_water(const Domain& domain) {
-  return 0.1 * empty_mass(domain);
+double empty_water(const Ground& ground) {
+  return 0.1 * empty_mass(ground);
 }
 
-double density_of_water(const Domain& domain) {
-  return domain.spec.water->fluid.density;
+double density_of_water(const Ground& ground) {
+  return ground.spec.water->fluid.density;
 }
 
 template <typename Group>
@@ -39,10 +39,10 @@ Lanes porosity(const MixtureNodes& nodes) {
 
 } // namespace
 
-ExactSums<1> water_velocities(Domain& domain, std::span<const NodeRange> rows) {
-  Grid& grid = domain.grid;
-  const double without = empty_water(domain);
-  return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
+ExactSums<1> water_velocities(Ground& ground, std::span<const NodeRange> rows) {
+  Grid& grid = ground.grid;
+  const double without = empty_water(ground);
+  return sum_over_rows<1>(ground, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Lanes m = group.load(&grid.water_mass[n]);
@@ -60,13 +60,13 @@ ExactSums<1> water_velocities(Domain& domain, std::span<const NodeRange> rows) {
   });
 }
 
-ExactSums<4> update_mixture(Domain& domain, double dt, std::span<const NodeRange> rows) {
-  Grid& grid = domain.grid;
-  const double empty = empty_mass(domain);
-  const double without = empty_water(domain);
-  const double density = density_of_water(domain);
-  const double gravity = domain.spec.gravity;
-  return sum_over_rows<4>(domain, rows, [&](const NodeRange& nodes) {
+ExactSums<4> update_mixture(Ground& ground, double dt, std::span<const NodeRange> rows) {
+  Grid& grid = ground.grid;
+  const double empty = empty_mass(ground);
+  const double without = empty_water(ground);
+  const double density = density_of_water(ground);
+  const double gravity = ground.spec.gravity;
+  return sum_over_rows<4>(ground, rows, [&](const NodeRange& nodes) {
     Lanes kinetic{};
     Lanes weight_work{}; // over the step, downwards
     Lanes relief{};
@@ -105,12 +105,12 @@ ExactSums<4> update_mixture(Domain& domain, double dt, std::span<const NodeRange
   });
 }
 
-void find_flux(Domain& domain, std::span<const NodeRange> rows) {
-  Grid& grid = domain.grid;
-  const double empty = empty_mass(domain);
-  const double without = empty_water(domain);
-  const double density = density_of_water(domain);
-  domain.workers.run(rows.size(), [&](std::size_t row) {
+void find_flux(Ground& ground, std::span<const NodeRange> rows) {
+  Grid& grid = ground.grid;
+  const double empty = empty_mass(ground);
+  const double without = empty_water(ground);
+  const double density = density_of_water(ground);
+  ground.workers.run(rows.size(), [&](std::size_t row) {
     by_fours(rows[row].begin, rows[row].end, [&](std::size_t n, auto group) {
       const Lanes pores = porosity(masses(grid, n, group, density, empty, without));
       const auto flux = [&](const NodeField& v, const NodeField& w, NodeField& to) {
@@ -123,12 +123,12 @@ void find_flux(Domain& domain, std::span<const NodeRange> rows) {
   });
 }
 
-ExactSums<1> remap_flux(Domain& domain, std::span<const NodeRange> rows) {
-  Grid& grid = domain.grid;
-  const double empty = empty_mass(domain);
-  const double without = empty_water(domain);
-  const double density = density_of_water(domain);
-  return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
+ExactSums<1> remap_flux(Ground& ground, std::span<const NodeRange> rows) {
+  Grid& grid = ground.grid;
+  const double empty = empty_mass(ground);
+  const double without = empty_water(ground);
+  const double density = density_of_water(ground);
+  return sum_over_rows<1>(ground, rows, [&](const NodeRange& nodes) {
     Lanes power{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const MixtureNodes m = masses(grid, n, group, density, empty, without);
@@ -156,10 +156,10 @@ ExactSums<1> remap_flux(Domain& domain, std::span<const NodeRange> rows) {
 namespace {
 
 /// Sum of lift (factor_a a + factor_b b), W/m
-ExactSums<1> power_of_lift(Domain& domain, std::span<const NodeRange> rows, double factor_a,
+ExactSums<1> power_of_lift(Ground& ground, std::span<const NodeRange> rows, double factor_a,
                            const NodeField& a, double factor_b, const NodeField& b) {
-  const Grid& grid = domain.grid;
-  return sum_over_rows<1>(domain, rows, [&](const NodeRange& nodes) {
+  const Grid& grid = ground.grid;
+  return sum_over_rows<1>(ground, rows, [&](const NodeRange& nodes) {
     Lanes power{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       power += group.load(&grid.lift[n]) * (factor_a * group.load(&a[n]) + factor_b * group.load(&b[n]));
@@ -170,12 +170,12 @@ ExactSums<1> power_of_lift(Domain& domain, std::span<const NodeRange> rows, doub
 
 } // namespace
 
-ExactSums<1> lift_power(Domain& domain, std::span<const NodeRange> rows) {
-  return power_of_lift(domain, rows, 0.5, domain.grid.vy_before, 0.5, domain.grid.vy_after);
+ExactSums<1> lift_power(Ground& ground, std::span<const NodeRange> rows) {
+  return power_of_lift(ground, rows, 0.5, ground.grid.vy_before, 0.5, ground.grid.vy_after);
 }
 
-ExactSums<1> lift_remap_power(Domain& domain, std::span<const NodeRange> rows) {
-  return power_of_lift(domain, rows, 1.0, domain.grid.vy_after, -1.0, domain.grid.vy_strain);
+ExactSums<1> lift_remap_power(Ground& ground, std::span<const NodeRange> rows) {
+  return power_of_lift(ground, rows, 1.0, ground.grid.vy_after, -1.0, ground.grid.vy_strain);
 }
 
 } // namespace tremolo::mpm_domain

@@ -19,7 +19,7 @@ namespace tremolo::mpm_domain {
 
 /// v_f- = p_f/m_f; that of the grains where there is no water.
 /// @returns kinetic energy of the water, J/m
-ExactSums<1> water_velocities(Domain& domain, std::span<const NodeRange> nodes);
+ExactSums<1> water_velocities(Ground& ground, std::span<const NodeRange> nodes);
 
 /// What the update of nodes adds up, J/m.
 struct MixtureUpdate {
@@ -35,21 +35,21 @@ struct MixtureUpdate {
 /// v_s+ and v_f+ (mixture_kick.hpp).
 /// @param dt time that the forces act for, s
 /// @returns the parts of a MixtureUpdate
-ExactSums<4> update_mixture(Domain& domain, double dt, std::span<const NodeRange> nodes);
+ExactSums<4> update_mixture(Ground& ground, double dt, std::span<const NodeRange> nodes);
 
 /// The flux v_s + n w that changes pore pressures, of v+ (usl).
-void find_flux(Domain& domain, std::span<const NodeRange> nodes);
+void find_flux(Ground& ground, std::span<const NodeRange> nodes);
 
 /// Likewise of the velocities of the particles' new momenta (musl).
 /// @returns power of the excess pressure on the difference between the flow after the update and that of the
 /// flux, W/m
-ExactSums<1> remap_flux(Domain& domain, std::span<const NodeRange> nodes);
+ExactSums<1> remap_flux(Ground& ground, std::span<const NodeRange> nodes);
 
 /// Power of the weight that water takes off on the mean of the velocity before and after the update, W/m. The
 /// update has booked the whole weight of what moves with the grains.
-ExactSums<1> lift_power(Domain& domain, std::span<const NodeRange> nodes);
+ExactSums<1> lift_power(Ground& ground, std::span<const NodeRange> nodes);
 
 /// Likewise on the difference between the velocity after the update and the remapped one, W/m.
-ExactSums<1> lift_remap_power(Domain& domain, std::span<const NodeRange> nodes);
+ExactSums<1> lift_remap_power(Ground& ground, std::span<const NodeRange> nodes);
 
 } // namespace tremolo::mpm_domain

@@ -20,8 +20,8 @@ bool is_wet(const Particles& p) {
   return p.traits.wet;
 }
 
-WaitingPressures& waiting_of(Domain& domain, const Particles& p) {
-  return domain.waiting_pressures[static_cast<std::size_t>(&p - domain.sets.data())];
+WaitingPressures& waiting_of(Ground& ground, const Particles& p) {
+  return ground.waiting_pressures[static_cast<std::size_t>(&p - ground.sets.data())];
 }
 
 void find_cells(const Particles& p, std::size_t begin, std::size_t end, const CellFinder& finder,
@@ -38,40 +38,40 @@ void find_cells(const Particles& p, std::size_t begin, std::size_t end, const Ce
 /// @param of_across  (set, tile) does so for others
 /// @param product    W e of particle k of set s
 template <typename OfTile, typename OfAcross, typename Product>
-void average_in_cells(Domain& domain, const OfTile& of_tile, const OfAcross& of_across,
+void average_in_cells(Ground& ground, const OfTile& of_tile, const OfAcross& of_across,
                       const Product& product) {
-  clear_cells(domain);
-  ClockTiles& tiles = domain.clock_tiles.front();
-  tiles.sums.add_to(domain.grid, cell_sums, domain.tiles, domain.workers, domain.windows,
+  clear_cells(ground);
+  ClockTiles& tiles = ground.clock_tiles.front();
+  tiles.sums.add_to(ground.grid, cell_sums, ground.tiles, ground.workers, ground.windows,
                     [&](std::size_t n, double* window) {
                       const std::size_t tile = tiles.sums.filled()[n];
                       const CellWindow sums(window);
                       bool any = false;
-                      for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-                        const Particles& p = domain.sets[s];
-                        const ParticleRange range = p.in_block(domain.block(0, tile));
+                      for (std::size_t s = 0; s < ground.sets.size(); ++s) {
+                        const Particles& p = ground.sets[s];
+                        const ParticleRange range = p.in_block(ground.block(0, tile));
                         if (!is_wet(p) || range.begin == range.end)
                           continue;
                         any = true;
                         of_tile(s, range, tile);
-                        const std::uint32_t* const cell = domain.waiting_pressures[s].in_window.data();
+                        const std::uint32_t* const cell = ground.waiting_pressures[s].in_window.data();
                         for (std::size_t k = range.begin; k < range.end; ++k)
                           sums.add(cell[k], pore_volume(p, k), product(s, k));
                       }
-                      const NodeBlock place = domain.tiles.window(tile);
+                      const NodeBlock place = ground.tiles.window(tile);
                       return any ? RowRange{place.row, place.end_row()} : RowRange{};
                     });
-  domain.workers.run(tiles.across.size(), [&](std::size_t task) {
+  ground.workers.run(tiles.across.size(), [&](std::size_t task) {
     const AcrossTile& tile = tiles.across[task];
-    if (is_wet(domain.sets[tile.set]))
+    if (is_wet(ground.sets[tile.set]))
       of_across(tile.set, tile);
   });
-  complete_cells(domain, tiles, is_wet, [&](std::size_t s, std::size_t k) {
-    return CellValues{domain.waiting_pressures[s].cell[k], pore_volume(domain.sets[s], k), product(s, k)};
+  complete_cells(ground, tiles, is_wet, [&](std::size_t s, std::size_t k) {
+    return CellValues{ground.waiting_pressures[s].cell[k], pore_volume(ground.sets[s], k), product(s, k)};
   });
-  Grid& grid = domain.grid;
-  domain.workers.run(domain.row_count(), [&](std::size_t row) {
-    const NodeRange nodes = domain.row(row);
+  Grid& grid = ground.grid;
+  ground.workers.run(ground.row_count(), [&](std::size_t row) {
+    const NodeRange nodes = ground.row(row);
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
       const Lanes weight = group.load(&grid.cell_weight[n]);
       group.store(&grid.cell_change[n], group.load(&grid.cell_change[n]) * inverse(weight, weight > 0.0));
@@ -81,26 +81,26 @@ void average_in_cells(Domain& domain, const OfTile& of_tile, const OfAcross& of_
 
 /// C of e = -dt theta/n.
 /// @param flux_x,flux_y  v_s + n w
-void compress(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y) {
+void compress(Ground& ground, double dt, const NodeField& flux_x, const NodeField& flux_y) {
   const auto keep = [&](std::size_t s) {
-    return [&p = domain.sets[s], to = domain.waiting_pressures[s].compression.data(),
+    return [&p = ground.sets[s], to = ground.waiting_pressures[s].compression.data(),
             dt](std::size_t k, auto group, const Lanes& divergence) {
       group.store(&to[k], -dt * group.load(&p.volume[k]) * divergence);
     };
   };
   average_in_cells(
-      domain,
+      ground,
       [&](std::size_t s, const ParticleRange& range, std::size_t tile) {
-        const Particles& p = domain.sets[s];
-        for_divergences(domain, p, range, tile, flux_x, flux_y, keep(s));
-        find_cells(p, range.begin, range.end, CellFinder(domain.tiles, tile), domain.waiting_pressures[s]);
+        const Particles& p = ground.sets[s];
+        for_divergences(ground, p, range, tile, flux_x, flux_y, keep(s));
+        find_cells(p, range.begin, range.end, CellFinder(ground.tiles, tile), ground.waiting_pressures[s]);
       },
       [&](std::size_t s, const AcrossTile& tile) {
         for_divergences(tile, flux_x, flux_y, keep(s));
-        find_cells(domain.sets[s], tile.weights.first(), tile.weights.end(), CellFinder(*domain.mesh),
-                   domain.waiting_pressures[s]);
+        find_cells(ground.sets[s], tile.weights.first(), tile.weights.end(), CellFinder(*ground.mesh),
+                   ground.waiting_pressures[s]);
       },
-      [&](std::size_t s, std::size_t k) { return domain.waiting_pressures[s].compression[k]; });
+      [&](std::size_t s, std::size_t k) { return ground.waiting_pressures[s].compression[k]; });
 }
 
 /// The means of the cells of a group of particles.
@@ -115,76 +115,76 @@ Lanes means_of_cells(const Grid& grid, const WaitingPressures& waiting, std::siz
 
 /// W e of a group of wet particles.
 template <typename Group>
-Lanes compression_of(Domain& domain, const Particles& p, std::size_t k, Group group) {
-  return pore_volume(p, k, group) * means_of_cells(domain.grid, waiting_of(domain, p), k, group);
+Lanes compression_of(Ground& ground, const Particles& p, std::size_t k, Group group) {
+  return pore_volume(p, k, group) * means_of_cells(ground.grid, waiting_of(ground, p), k, group);
 }
 
 /// The mean at nodes, which A takes of the means of cells.
-void average_at_nodes(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
-  Grid& grid = domain.grid;
+void average_at_nodes(Ground& ground, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
+  Grid& grid = ground.grid;
   constexpr std::array fields{sums_between(Sum::compression, Sum::compression)};
-  clear(domain, NodeGroup::compression, nodes);
+  clear(ground, NodeGroup::compression, nodes);
   for (const std::size_t row : ties)
-    grid.compression[domain.ties().tied(row)] = 0.0; // they hold the last means
+    grid.compression[ground.ties().tied(row)] = 0.0; // they hold the last means
   add_sums(
-      domain, 0, fields,
+      ground, 0, fields,
       [&](const Particles& p, std::size_t tile, double* window) {
         if (!is_wet(p))
           return RowRange{};
         return scatter_scalars<1>(
-            domain, p, 0, tile, window, Sum::compression,
-            [&](std::size_t k, auto group) { return std::array{compression_of(domain, p, k, group)}; });
+            ground, p, 0, tile, window, Sum::compression,
+            [&](std::size_t k, auto group) { return std::array{compression_of(ground, p, k, group)}; });
       },
       [&](AcrossTile& tile) {
-        const Particles& p = domain.sets[tile.set];
+        const Particles& p = ground.sets[tile.set];
         add_across_tile(tile, fields.front(), [&](std::size_t k, const FourWeights& w, const auto& add) {
           if (is_wet(p))
-            add(fields.front().first, compression_of(domain, p, k, FewerThanFour(1))[0] * w.s);
+            add(fields.front().first, compression_of(ground, p, k, FewerThanFour(1))[0] * w.s);
         });
       });
-  fold(domain, NodeGroup::compression, ties);
-  domain.workers.run(nodes.size(), [&](std::size_t row) {
+  fold(ground, NodeGroup::compression, ties);
+  ground.workers.run(nodes.size(), [&](std::size_t row) {
     by_fours(nodes[row].begin, nodes[row].end, [&](std::size_t n, auto group) {
       const Lanes volume = group.load(&grid.pore_volume[n]);
       group.store(&grid.compression[n], group.load(&grid.compression[n]) * inverse(volume, volume > 0.0));
     });
   });
-  prolong(domain, NodeGroup::compression, ties);
+  prolong(ground, NodeGroup::compression, ties);
 }
 
 /// C of the excess pressures, which take up K_f times what particles read from the nodes.
-void average_again(Domain& domain) {
-  const NodeField& mean = domain.grid.compression;
+void average_again(Ground& ground) {
+  const NodeField& mean = ground.grid.compression;
   const auto keep = [&](std::size_t s) {
-    return [to = domain.waiting_pressures[s].change.data()](std::size_t k, auto group, const Lanes& change) {
+    return [to = ground.waiting_pressures[s].change.data()](std::size_t k, auto group, const Lanes& change) {
       group.store(&to[k], change);
     };
   };
   average_in_cells(
-      domain,
+      ground,
       [&](std::size_t s, const ParticleRange& range, std::size_t tile) {
-        for_numbers(domain, domain.sets[s], range, tile, mean, keep(s));
+        for_numbers(ground, ground.sets[s], range, tile, mean, keep(s));
       },
       [&](std::size_t s, const AcrossTile& tile) { for_numbers(tile, mean, keep(s)); },
       [&](std::size_t s, std::size_t k) {
-        const Particles& p = domain.sets[s];
+        const Particles& p = ground.sets[s];
         const PoreWater& water = *p.water;
         const double excess = p.pore_pressure[k] - water.hydrostatic(p.y[k]);
         return pore_volume(p, k) *
-               (excess + water.fluid.bulk_modulus * domain.waiting_pressures[s].change[k]);
+               (excess + water.fluid.bulk_modulus * ground.waiting_pressures[s].change[k]);
       });
 }
 
 /// Gives a range the pressures of its cells; returns the work by the trapezoidal rule.
-double take_pressures(Domain& domain, Particles& p, std::size_t begin, std::size_t end) {
-  const WaitingPressures& waiting = waiting_of(domain, p);
+double take_pressures(Ground& ground, Particles& p, std::size_t begin, std::size_t end) {
+  const WaitingPressures& waiting = waiting_of(ground, p);
   const PoreWater& water = *p.water;
   const Lanes least = all(water.fluid.cavitation_pressure);
   Lanes work{};
   by_fours(begin, end, [&](std::size_t k, auto group) {
     const Lanes before = group.load(&p.pore_pressure[k]);
     const Lanes at_rest = water.hydrostatic(group.load(&p.y[k]));
-    const Lanes after = at_rest + means_of_cells(domain.grid, waiting, k, group);
+    const Lanes after = at_rest + means_of_cells(ground.grid, waiting, k, group);
     group.store(&p.pore_pressure[k], after);
     work += (0.5 * (larger(before, least) + larger(after, least)) - at_rest) *
             group.load(&waiting.compression[k]);
@@ -193,14 +193,14 @@ double take_pressures(Domain& domain, Particles& p, std::size_t begin, std::size
 }
 
 /// Likewise for all particles of this rank. Tiles are the parts, which are the same for any ranks.
-ExactSums<1> take_pressures(Domain& domain) {
-  const std::size_t blocks = domain.block_count() + domain.across_block_count();
+ExactSums<1> take_pressures(Ground& ground) {
+  const std::size_t blocks = ground.block_count() + ground.across_block_count();
   std::vector<std::array<double, 1>> works(blocks);
-  domain.workers.run(blocks, [&](std::size_t block) {
-    for (Particles& p : domain.sets)
+  ground.workers.run(blocks, [&](std::size_t block) {
+    for (Particles& p : ground.sets)
       if (is_wet(p)) {
         const ParticleRange range = p.in_block(block);
-        works[block][0] += take_pressures(domain, p, range.begin, range.end);
+        works[block][0] += take_pressures(ground, p, range.begin, range.end);
       }
   });
   return sums_of(std::span<const std::array<double, 1>>(works));
@@ -208,15 +208,15 @@ ExactSums<1> take_pressures(Domain& domain) {
 
 } // namespace
 
-ExactSums<1> update_pressures(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y,
+ExactSums<1> update_pressures(Ground& ground, double dt, const NodeField& flux_x, const NodeField& flux_y,
                               std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
-  for (std::size_t s = 0; s < domain.sets.size(); ++s)
-    if (is_wet(domain.sets[s]))
-      domain.waiting_pressures[s].resize(domain.sets[s].size());
-  compress(domain, dt, flux_x, flux_y);
-  average_at_nodes(domain, nodes, ties);
-  average_again(domain);
-  return take_pressures(domain);
+  for (std::size_t s = 0; s < ground.sets.size(); ++s)
+    if (is_wet(ground.sets[s]))
+      ground.waiting_pressures[s].resize(ground.sets[s].size());
+  compress(ground, dt, flux_x, flux_y);
+  average_at_nodes(ground, nodes, ties);
+  average_again(ground);
+  return take_pressures(ground);
 }
 
 } // namespace tremolo::mpm_domain

@@ -40,7 +40,7 @@ namespace tremolo::mpm_domain {
 /// @param flux_x,flux_y  v_s + n w at the nodes, tied ones too, m/s
 /// @param ties           rows of the prolongation whose tied nodes particles touch
 /// @returns the work that the pressures take up, J/m
-ExactSums<1> update_pressures(Domain& domain, double dt, const NodeField& flux_x, const NodeField& flux_y,
+ExactSums<1> update_pressures(Ground& ground, double dt, const NodeField& flux_x, const NodeField& flux_y,
                               std::span<const NodeRange> nodes, std::span<const std::size_t> ties);
 
 } // namespace tremolo::mpm_domain

@@ -37,11 +37,11 @@ template <bool affine, typename Group>
 }
 
 template <bool affine>
-void gather_tile(Domain& domain, Particles& p, std::size_t tile, bool soil) {
-  const VelocityFields of_grains = of_soil(domain.grid);
-  const VelocityFields of_pores = of_water(domain.grid);
+void gather_tile(Ground& ground, Particles& p, std::size_t tile, bool soil) {
+  const VelocityFields of_grains = of_soil(ground.grid);
+  const VelocityFields of_pores = of_water(ground.grid);
   for_readers(
-      domain, p, p.in_block(domain.block(0, tile)),
+      ground, p, p.in_block(ground.block(0, tile)),
       tile, [&](std::size_t k, auto group, const auto& reader) __attribute__((always_inline)) {
         if (soil)
           take<affine>(motion_of_soil(p), k, group, samples_at<wanted<affine>>(reader, of_grains));
@@ -51,49 +51,49 @@ void gather_tile(Domain& domain, Particles& p, std::size_t tile, bool soil) {
 }
 
 template <bool affine>
-void gather_across(Domain& domain, const AcrossTile& tile, bool soil) {
-  Particles& p = domain.sets[tile.set];
+void gather_across(Ground& ground, const AcrossTile& tile, bool soil) {
+  Particles& p = ground.sets[tile.set];
   by_fours(tile.weights.first(), tile.weights.end(), [&](std::size_t k, auto group) {
     const auto sample = [&](const VelocityFields& v) {
-      return sample_across<wanted<affine>>(v, tile.weights, domain.basis_cells, p, k, group.count);
+      return sample_across<wanted<affine>>(v, tile.weights, ground.basis_cells, p, k, group.count);
     };
     if (soil)
-      take<affine>(motion_of_soil(p), k, group, sample(of_soil(domain.grid)));
+      take<affine>(motion_of_soil(p), k, group, sample(of_soil(ground.grid)));
     if (p.traits.flowing)
-      take<affine>(motion_of_water(p), k, group, sample(of_water(domain.grid)));
+      take<affine>(motion_of_water(p), k, group, sample(of_water(ground.grid)));
   });
 }
 
-bool is_affine(const Domain& domain) {
-  return domain.spec.scheme.transfer == Transfer::apic;
+bool is_affine(const Ground& ground) {
+  return ground.spec.scheme.transfer == Transfer::apic;
 }
 
-void gather(Domain& domain, Particles& p, std::size_t tile, bool soil) {
-  is_affine(domain) ? gather_tile<true>(domain, p, tile, soil) : gather_tile<false>(domain, p, tile, soil);
+void gather(Ground& ground, Particles& p, std::size_t tile, bool soil) {
+  is_affine(ground) ? gather_tile<true>(ground, p, tile, soil) : gather_tile<false>(ground, p, tile, soil);
 }
 
-void gather(Domain& domain, const AcrossTile& tile, bool soil) {
-  is_affine(domain) ? gather_across<true>(domain, tile, soil) : gather_across<false>(domain, tile, soil);
+void gather(Ground& ground, const AcrossTile& tile, bool soil) {
+  is_affine(ground) ? gather_across<true>(ground, tile, soil) : gather_across<false>(ground, tile, soil);
 }
 
 } // namespace
 
-void gather_water(Domain& domain) {
+void gather_water(Ground& ground) {
   for_tiles(
-      domain, 0,
+      ground, 0,
       [&](Particles& p, const ParticleRange&, std::size_t tile) {
         if (p.traits.flowing)
-          gather(domain, p, tile, false);
+          gather(ground, p, tile, false);
       },
-      [&](Particles&, const AcrossTile& tile) { gather(domain, tile, false); });
+      [&](Particles&, const AcrossTile& tile) { gather(ground, tile, false); });
 }
 
-void gather_mixture(Domain& domain, Particles& p, std::size_t tile) {
-  gather(domain, p, tile, true);
+void gather_mixture(Ground& ground, Particles& p, std::size_t tile) {
+  gather(ground, p, tile, true);
 }
 
-void gather_mixture(Domain& domain, const AcrossTile& tile) {
-  gather(domain, tile, true);
+void gather_mixture(Ground& ground, const AcrossTile& tile) {
+  gather(ground, tile, true);
 }
 
 } // namespace tremolo::mpm_domain

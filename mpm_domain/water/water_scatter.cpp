@@ -20,8 +20,8 @@ constexpr SumRange numbers = sums_between(Sum::lift, Sum::pore_volume);
 /// takes the relative velocity of the nodes that it touches. Above the table soil without pores is open.
 constexpr double sealed = 1e30; // Pa s/m2
 
-bool is_sealed(const Domain& domain, const Particles& p) {
-  return !p.body && !p.traits.flowing && (p.traits.wet || !domain.spec.soils[p.soil_index].pores);
+bool is_sealed(const Ground& ground, const Particles& p) {
+  return !p.body && !p.traits.flowing && (p.traits.wet || !ground.spec.soils[p.soil_index].pores);
 }
 
 template <typename Group>
@@ -31,65 +31,65 @@ Lanes seal(const Particles& p, const Spec& spec, std::size_t k, Group group) {
                       : choose(group.load(&p.y_initial[k]) < spec.water->level, resistance, Lanes{});
 }
 
-RowRange seal_tile(const Domain& domain, const Particles& p, std::size_t tile, double* window) {
-  return scatter_scalars<1>(domain, p, 0, tile, window, Sum::resistance, [&](std::size_t k, auto group) {
-    return std::array{seal(p, domain.spec, k, group)};
+RowRange seal_tile(const Ground& ground, const Particles& p, std::size_t tile, double* window) {
+  return scatter_scalars<1>(ground, p, 0, tile, window, Sum::resistance, [&](std::size_t k, auto group) {
+    return std::array{seal(p, ground.spec, k, group)};
   });
 }
 
 /// @param fields  of the pass; without resistance it adds nothing
-void seal_across(const Domain& domain, AcrossTile& tile, SumRange fields) {
-  const Particles& p = domain.sets[tile.set];
-  const bool seals = fields.end > static_cast<std::size_t>(Sum::resistance) && is_sealed(domain, p);
+void seal_across(const Ground& ground, AcrossTile& tile, SumRange fields) {
+  const Particles& p = ground.sets[tile.set];
+  const bool seals = fields.end > static_cast<std::size_t>(Sum::resistance) && is_sealed(ground, p);
   add_across_tile(tile, fields, [&](std::size_t k, const FourWeights& w, const auto& add) {
     if (seals)
-      add(static_cast<std::size_t>(Sum::resistance), seal(p, domain.spec, k, FewerThanFour(1))[0] * w.s);
+      add(static_cast<std::size_t>(Sum::resistance), seal(p, ground.spec, k, FewerThanFour(1))[0] * w.s);
   });
 }
 
 /// Adds up what soil and its water bring, which with momenta alone take their velocities from the grid
 /// before.
 template <Motion motion, bool force>
-void add_mixture(Domain& domain, std::span<const SumRange> fields) {
+void add_mixture(Ground& ground, std::span<const SumRange> fields) {
   constexpr bool takes_velocities = motion == Motion::momentum;
   add_sums(
-      domain, 0, fields,
+      ground, 0, fields,
       [&](Particles& p, std::size_t tile, double* window) {
         if constexpr (takes_velocities)
-          gather_mixture(domain, p, tile);
+          gather_mixture(ground, p, tile);
         if (p.traits.flowing)
-          return scatter_set<Company::flow, motion, force>(domain, p, 0, tile, window);
-        RowRange rows = p.water ? scatter_set<Company::numbers, motion, force>(domain, p, 0, tile, window)
-                                : scatter_set<Company::none, motion, force>(domain, p, 0, tile, window);
-        if (force && domain.has_flow() && is_sealed(domain, p))
-          rows.add(seal_tile(domain, p, tile, window));
+          return scatter_set<Company::flow, motion, force>(ground, p, 0, tile, window);
+        RowRange rows = p.water ? scatter_set<Company::numbers, motion, force>(ground, p, 0, tile, window)
+                                : scatter_set<Company::none, motion, force>(ground, p, 0, tile, window);
+        if (force && ground.has_flow() && is_sealed(ground, p))
+          rows.add(seal_tile(ground, p, tile, window));
         return rows;
       },
       [&](AcrossTile& tile) {
         if constexpr (takes_velocities)
-          gather_mixture(domain, tile);
-        const Particles& p = domain.sets[tile.set];
-        scatter_across_set<SoilPhase, motion, force>(domain, tile);
+          gather_mixture(ground, tile);
+        const Particles& p = ground.sets[tile.set];
+        scatter_across_set<SoilPhase, motion, force>(ground, tile);
         if (p.traits.flowing)
-          scatter_across_set<WaterPhase, motion, force>(domain, tile);
-        else if (domain.has_flow())
-          seal_across(domain, tile, fields_of<WaterPhase>(motion, force));
+          scatter_across_set<WaterPhase, motion, force>(ground, tile);
+        else if (ground.has_flow())
+          seal_across(ground, tile, fields_of<WaterPhase>(motion, force));
         if (force)
           add_across_tile(tile, numbers, [&](std::size_t k, const FourWeights& w, const auto& add) {
             if (!p.water)
               return;
-            const auto [lift, pores] = numbers_of_water(p, k, FewerThanFour(1), domain.spec.gravity);
+            const auto [lift, pores] = numbers_of_water(p, k, FewerThanFour(1), ground.spec.gravity);
             add(static_cast<std::size_t>(Sum::lift), lift[0] * w.s);
             add(static_cast<std::size_t>(Sum::pore_volume), pores[0] * w.s);
           });
       });
 }
 
-void clear_groups(Domain& domain, std::span<const NodeGroup> groups, std::span<const NodeRange> nodes) {
+void clear_groups(Ground& ground, std::span<const NodeGroup> groups, std::span<const NodeRange> nodes) {
   std::vector<NodeField*> fields;
   for (const NodeGroup group : groups)
-    for_group(domain.grid, group, [&](NodeField& field) { fields.push_back(&field); });
-  domain.workers.run(nodes.size(), [&](std::size_t row) {
+    for_group(ground.grid, group, [&](NodeField& field) { fields.push_back(&field); });
+  ground.workers.run(nodes.size(), [&](std::size_t row) {
     for (NodeField* field : fields)
       std::fill(field->data() + nodes[row].begin, field->data() + nodes[row].end, 0.0);
   });
@@ -103,22 +103,22 @@ constexpr std::array momenta{NodeGroup::momentum, NodeGroup::water_momentum};
 
 } // namespace
 
-void scatter_mixture(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
-  const std::span groups = std::span(of_mixture).first(domain.has_flow() ? of_mixture.size() : without_flow);
-  clear_groups(domain, groups, nodes);
-  add_mixture<Motion::mass_and_momentum, true>(domain, scattered_sums(domain.grid.traits));
+void scatter_mixture(Ground& ground, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
+  const std::span groups = std::span(of_mixture).first(ground.has_flow() ? of_mixture.size() : without_flow);
+  clear_groups(ground, groups, nodes);
+  add_mixture<Motion::mass_and_momentum, true>(ground, scattered_sums(ground.grid.traits));
   for (const NodeGroup group : groups)
-    fold(domain, group, ties);
+    fold(ground, group, ties);
 }
 
-void exchange_mixture_velocities(Domain& domain, std::span<const NodeRange> nodes,
+void exchange_mixture_velocities(Ground& ground, std::span<const NodeRange> nodes,
                                  std::span<const std::size_t> ties) {
-  clear_groups(domain, momenta, nodes);
+  clear_groups(ground, momenta, nodes);
   add_mixture<Motion::momentum, false>(
-      domain, std::array{sums_between(Sum::momentum_x, Sum::momentum_y),
+      ground, std::array{sums_between(Sum::momentum_x, Sum::momentum_y),
                          sums_between(Sum::water_momentum_x, Sum::water_momentum_y)});
   for (const NodeGroup group : momenta)
-    fold(domain, group, ties);
+    fold(ground, group, ties);
 }
 
 } // namespace tremolo::mpm_domain

@@ -9,7 +9,7 @@
 // and everywhere what water takes off the weight, NodeFields::lift, and pore volumes, sum S n V. Soil that
 // lets no water enter adds to the resistance. Soil and water go in one pass with the same weights.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <span>
 
@@ -18,11 +18,11 @@ namespace tremolo::mpm_domain {
 /// Sets the sums of soil and water to those of all particles, tied nodes folded.
 /// @param nodes  that particles may touch
 /// @param ties   rows of the prolongation whose tied nodes they touch
-void scatter_mixture(Domain& domain, std::span<const NodeRange> nodes, std::span<const std::size_t> ties);
+void scatter_mixture(Ground& ground, std::span<const NodeRange> nodes, std::span<const std::size_t> ties);
 
 /// Gives particles the velocities of grains and water that flows (water_gather.hpp) and sums up their new
 /// momenta alone, tile by tile.
-void exchange_mixture_velocities(Domain& domain, std::span<const NodeRange> nodes,
+void exchange_mixture_velocities(Ground& ground, std::span<const NodeRange> nodes,
                                  std::span<const std::size_t> ties);
 
 } // namespace tremolo::mpm_domain

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm_domain/domain.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"

@@ -3,8 +3,8 @@
 // Structures on or in the ground, without processes: brought to rest under gravity, then left to themselves
 // or shaken through their faces.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/quiet_ground.hpp"
 

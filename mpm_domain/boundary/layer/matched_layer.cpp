@@ -1,6 +1,6 @@
 #include "mpm_domain/boundary/layer/matched_layer.hpp"
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <fmt/format.h>
 
@@ -23,16 +23,16 @@ Reach reach(const BoundaryFace& face) {
   return {middle - 0.5 * face.length, middle + 0.5 * face.length};
 }
 
-bool is_matched(const Domain& domain, Side side) {
-  return std::ranges::find(domain.spec.matched_sides, side) != domain.spec.matched_sides.end();
+bool is_matched(const Ground& ground, Side side) {
+  return std::ranges::find(ground.spec.matched_sides, side) != ground.spec.matched_sides.end();
 }
 
 std::string_view name(Side side) {
   return side == Side::left ? "left side" : side == Side::right ? "right side" : "base";
 }
 
-std::span<const BoundaryFace> faces_of(const Domain& domain, Side side) {
-  const auto [first, last] = std::ranges::equal_range(domain.boundary.faces(), side, {}, &BoundaryFace::side);
+std::span<const BoundaryFace> faces_of(std::span<const BoundaryFace> all, Side side) {
+  const auto [first, last] = std::ranges::equal_range(all, side, {}, &BoundaryFace::side);
   if (first == last)
     throw std::invalid_argument(fmt::format("the {} has no faces for a matched layer", name(side)));
   for (auto face = first + 1; face != last; ++face)
@@ -45,21 +45,21 @@ std::span<const BoundaryFace> faces_of(const Domain& domain, Side side) {
 }
 
 /// Density of the ground that the face's impedances belong to, kg/m3.
-double ground_density(const Domain& domain, const BoundaryFace& face) {
-  if (face.side == Side::base && domain.spec.below_base)
-    return domain.spec.below_base->density;
-  return materials::elasticity(domain.sets[face.set].law).density;
+double ground_density(const Ground& ground, const BoundaryFace& face) {
+  if (face.side == Side::base && ground.spec.below_base)
+    return ground.spec.below_base->density;
+  return materials::elasticity(ground.sets[face.set].law).density;
 }
 
 /// Elastic constants per area of the boundary between two places, in the soil's present stress.
-LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Reach span) {
+LayerColumn column_between(const Ground& ground, std::span<const BoundaryFace> faces, Reach span) {
   LayerColumn column{.width = span.to - span.from};
   for (const BoundaryFace& face : faces) {
     const double share =
         (std::min(span.to, reach(face).to) - std::max(span.from, reach(face).from)) / column.width;
     if (!(share > 1e-9))
       continue;
-    const double density = ground_density(domain, face);
+    const double density = ground_density(ground, face);
     column.density += share * density;
     column.p_modulus += share * face.ground.impedance_p * face.ground.impedance_p / density;
     column.shear_modulus += share * face.ground.impedance_s * face.ground.impedance_s / density;
@@ -68,29 +68,29 @@ LayerColumn ground(const Domain& domain, std::span<const BoundaryFace> faces, Re
 }
 
 /// The fastest P wave of the ground behind any layer, m/s: they all stretch alike.
-double fastest(const Domain& domain) {
+double fastest(const Ground& ground, std::span<const BoundaryFace> all) {
   double speed = 0.0;
-  for (const BoundaryFace& face : domain.boundary.faces())
-    if (is_matched(domain, face.side))
-      speed = std::max(speed, face.ground.impedance_p / ground_density(domain, face));
+  for (const BoundaryFace& face : all)
+    if (is_matched(ground, face.side))
+      speed = std::max(speed, face.ground.impedance_p / ground_density(ground, face));
   return speed;
 }
 
-LayerShape shape(const Domain& domain, Side side) {
-  const std::span<const BoundaryFace> faces = faces_of(domain, side);
-  const Spec& spec = domain.spec;
+LayerShape shape(const Ground& ground, std::span<const BoundaryFace> all, Side side) {
+  const std::span<const BoundaryFace> faces = faces_of(all, side);
+  const Spec& spec = ground.spec;
   const Reach whole = {reach(faces.front()).from, reach(faces.back()).to};
   const double length = whole.to - whole.from;
   const int count = std::max(1, static_cast<int>(std::lround(length / spec.cell_size)));
   LayerShape result;
   for (int i = 0; i < count; ++i)
-    result.columns.push_back(
-        ground(domain, faces, {whole.from + length * i / count, whole.from + length * (i + 1) / count}));
+    result.columns.push_back(column_between(
+        ground, faces, {whole.from + length * i / count, whole.from + length * (i + 1) / count}));
   result.cells = spec.layer_cells;
   result.depth = spec.layer_cells * spec.cell_size;
-  result.fastest = fastest(domain);
+  result.fastest = fastest(ground, all);
   const auto towards = [&](Side other) {
-    return is_matched(domain, other) ? LayerEnd::corner : LayerEnd::dashpots;
+    return is_matched(ground, other) ? LayerEnd::corner : LayerEnd::dashpots;
   };
   if (spec.periodic())
     result.ends = {LayerEnd::repeated, LayerEnd::repeated};
@@ -109,15 +109,16 @@ double hat_integral(double x) {
 
 } // namespace
 
-MatchedLayer::MatchedLayer(const Domain& domain, Side side) : side_(side), lattice_(shape(domain, side)) {
-  const std::span<const BoundaryFace> faces = faces_of(domain, side);
-  first_ = static_cast<std::size_t>(&faces.front() - domain.boundary.faces().data());
+MatchedLayer::MatchedLayer(const Ground& ground, std::span<const BoundaryFace> all, Side side)
+    : side_(side), lattice_(shape(ground, all, side)) {
+  const std::span<const BoundaryFace> faces = faces_of(all, side);
+  first_ = static_cast<std::size_t>(&faces.front() - all.data());
   normal_ = faces.front().ground.normal;
   along_ = {std::abs(normal_.y), std::abs(normal_.x)};
   const double from = reach(faces.front()).from;
   const double length = reach(faces.back()).to - from;
   const std::size_t nodes = lattice_.width();
-  const std::size_t cells = nodes - (domain.spec.periodic() ? 0 : 1);
+  const std::size_t cells = nodes - (ground.spec.periodic() ? 0 : 1);
   const double width = length / static_cast<double>(cells);
 
   std::vector<double> covered(nodes);

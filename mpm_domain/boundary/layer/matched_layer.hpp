@@ -27,14 +27,15 @@
 
 namespace tremolo::mpm_domain {
 
-struct Domain;
+struct Ground;
 
 /// A layer behind the faces of one side.
 class MatchedLayer {
 public:
+  /// @param all faces of the domain
   /// @param side of the domain; the layer is spec.layer_cells cells deep and made of the soil at the faces
   /// @throws std::invalid_argument if the side has no faces or soil is missing between them
-  MatchedLayer(const Domain& domain, Side side);
+  MatchedLayer(const Ground& ground, std::span<const BoundaryFace> all, Side side);
 
   /// Shares out the mass of the layer and of its corners to the faces; before the first step.
   void lump();

@@ -9,8 +9,8 @@
 // strain of at least 0.1, 0.3 s after failure; steps of the gravity stage.
 
 #include "base/text_file.hpp"
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "scene/case.hpp"

@@ -6,8 +6,8 @@
 // for a column of 5 m whose sand has liquefied: factor on the permeability, time times that factor (s),
 // settlement (m), mean excess pressure over that at the start, CPU time of the whole run (s).
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/quiet_ground.hpp"
 

@@ -1,8 +1,8 @@
 // Soil at rest under its weight for ten seconds on three levels whose cells meet in re-entrant corners, held
 // by the tractions and dashpots of its faces.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/hard_case.hpp"
 #include "tests/support/quiet_ground.hpp"

@@ -1,8 +1,8 @@
 // Long runs within boundaries: self weight, a compliant base, corners, critical angles, a seam, a drift.
 
 #include "free_block.hpp"
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "scene/plan/wave/motion.hpp"
 #include "tests/support/quiet_ground.hpp"
 #include "wavefield/layers/layered_field.hpp"

@@ -1,8 +1,8 @@
 // Banks that fail and run out.
 
 #include "free_block.hpp"
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "tests/support/quiet_ground.hpp"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // in place and beside it, drifting through the grid, of soil that is compressible or nearly not. Under
 // gravity it comes to rest and stays.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"

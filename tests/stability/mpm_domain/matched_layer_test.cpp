@@ -1,8 +1,8 @@
 // Matched layers over a long time: 1e5 steps after a blow, 60 s under self weight, and beside soil that
 // yields.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/particle_energy.hpp"
 #include "tests/support/quiet_ground.hpp"

@@ -1,7 +1,7 @@
 // Rest under self weight: when the supports of the gravity stage are replaced by tractions, nothing may move.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/step/time_step.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/quiet_ground.hpp"

@@ -2,8 +2,8 @@
 
 // What hard cases of saturated ground measure.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/hard_case.hpp"
 #include "tests/support/quiet_ground.hpp"

@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 /// Traction over velocity of an element whose face moves as cos(w t), at frequency w (1/s): that of the
 /// spring from what the element tells, that of the mass added.
 Complex impedance(const Domain& domain, std::size_t face, double w) {
-  ClosingElements elements(domain);
+  ClosingElements elements(domain, domain.boundary.faces());
   const std::size_t faces = domain.boundary.faces().size();
   const double dt = 1e-3 / w;
   const std::vector<eq6::FreeField> still(faces);
@@ -62,7 +62,7 @@ TEST(ClosingElements, WhatGoesOutThroughTheBaseDoesNotPull) {
     ++base;
   const double z = faces[base].ground.impedance_s;
   for (const double way : {1.0, -1.0}) { // up, down
-    ClosingElements elements(domain);
+    ClosingElements elements(domain, domain.boundary.faces());
     const std::vector<Vector> still(faces.size());
     std::vector<eq6::FreeField> field(faces.size());
     field[base] = {{0.1, 0.0}, {0.0, 0.0, -way * z * 0.1}};

@@ -83,7 +83,7 @@ TEST(ConsistentDashpots, SolveWithTheFacesOwnWeights) {
   const double lumped = error(box, exact, dt);
   ConsistentDashpots dashpots(box.nodes);
   dashpots.fit(box.domain.grid.size());
-  dashpots.correct(box.domain, box.weights, dt);
+  dashpots.correct(box.domain, box.domain.boundary.faces(), box.weights, dt);
   EXPECT_GT(lumped, 0.01);
   EXPECT_LT(error(box, exact, dt), 0.02 * lumped);
 }
@@ -96,7 +96,7 @@ TEST(ConsistentDashpots, AreThoseOfTheBoundary) {
   const double dt = 0.5 * critical_time_step(domain, 0.0);
   ConsistentDashpots dashpots(loaded.nodes);
   dashpots.fit(loaded.domain.grid.size());
-  dashpots.correct(loaded.domain, loaded.weights, dt);
+  dashpots.correct(loaded.domain, loaded.domain.boundary.faces(), loaded.weights, dt);
   Ticks ticks(1);
   ticks.set_step(dt, dt);
   const ClockNodes nodes(domain);
@@ -123,7 +123,7 @@ TEST(ConsistentDashpots, AddNoMomentum) {
   LoadedBox box;
   ConsistentDashpots dashpots(box.nodes);
   dashpots.fit(box.domain.grid.size());
-  dashpots.correct(box.domain, box.weights, 1e-3);
+  dashpots.correct(box.domain, box.domain.boundary.faces(), box.weights, 1e-3);
   const NodeField uniform(box.domain.grid.size(), 1.0);
   const NodeField none(box.domain.grid.size(), 0.0);
   double scale = 0.0;

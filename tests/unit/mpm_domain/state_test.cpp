@@ -1,8 +1,8 @@
 // What a checkpoint holds of a domain is all that the next steps depend on: a domain built anew and given
 // that state goes on with the same bits, whatever law, transfer and mesh.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
 #include "tests/support/saved_state.hpp"

@@ -1,8 +1,8 @@
 // A column with the domain's own discretisation as free field: a flat domain shaken by it has the same motion
 // everywhere, and both approach the exact wave.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/column/periodic_column.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/spec/limits.hpp"
 #include "tests/support/box_run.hpp"
 

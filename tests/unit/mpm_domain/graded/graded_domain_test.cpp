@@ -1,7 +1,7 @@
 // The domain's step on a graded mesh: what a uniform mesh does, it must do too.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/step/grid_update.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "mpm_domain/step/time_step.hpp"

@@ -3,8 +3,8 @@
 #include "mpm_domain/process/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "results/run_file.hpp"
 #include "tests/support/quiet_ground.hpp"

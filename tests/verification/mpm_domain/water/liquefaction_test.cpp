@@ -3,8 +3,8 @@
 // high as the elements of the reference. What is asked of PM4Sand is what the reference says is determined:
 // what happens before liquefaction, and means over it.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/hard_case.hpp"
 #include "tests/support/liquefaction_reference.hpp"

@@ -1,8 +1,8 @@
 // Saturated flat ground between free fields of its own discretisation: it moves as they do, everywhere. A
 // wave of compression makes the water flow, so that grains and water have velocities of their own.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/column/periodic_column.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "tests/support/box_run.hpp"
 
 #include <gtest/gtest.h>

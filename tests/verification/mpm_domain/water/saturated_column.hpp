@@ -3,8 +3,8 @@
 // A saturated elastic column of the domain on its base, periodic, under a layer of dry soil whose weight is
 // the load. The layer is as stiff as the column and thin; it is drained, since it is dry.
 
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/step/stepper.hpp"
 
 #include <algorithm>

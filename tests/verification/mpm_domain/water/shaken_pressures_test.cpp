@@ -5,8 +5,8 @@
 // no node feels: see mpm_domain/water/pore_pressure.hpp.
 
 #include "materials/sand/pdmy03/pdmy03.hpp"
-#include "mpm_domain/boundary/static_traction.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/step/stepper.hpp"
 
 #include <gtest/gtest.h>

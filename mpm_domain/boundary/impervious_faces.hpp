@@ -11,21 +11,23 @@
 // Without it, a pressure beside the line would drive water out through the nodes until it had fallen to the
 // share of the cell that the soil fills.
 
-#include "mpm_domain/domain.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
+class Boundary;
+
 /// Walls on the flow of water during one update of the nodes.
 class ImperviousFaces {
 public:
   /// Closes the nodes of the faces, and adds the reactions of the walls to the forces on water.
-  void close(Domain& domain);
+  void close(Ground& ground, const Boundary& boundary);
   /// Takes the reactions off the forces again, which are those of the pressure in the soil alone from then
   /// on.
   /// @returns power that they had on the flow n w, W/m, which the update has booked as dissipated by drag
-  double open(Domain& domain);
+  double open(Ground& ground);
 
 private:
   struct Reaction {

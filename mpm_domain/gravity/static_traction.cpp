@@ -1,4 +1,4 @@
-#include "mpm_domain/boundary/static_traction.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
 
 #include <Eigen/Sparse>
 

@@ -1,4 +1,6 @@
-#include "mpm_domain/water/impervious_faces.hpp"
+#include "mpm_domain/boundary/impervious_faces.hpp"
+
+#include "mpm_domain/boundary/boundary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,20 +39,19 @@ void close_nodes(const Lattice& lattice, Side side, const mesh::Rectangle& line,
 
 } // namespace
 
-void ImperviousFaces::close(Domain& domain) {
-  Grid& grid = domain.grid;
-  const Boundary& boundary = domain.boundary;
+void ImperviousFaces::close(Ground& ground, const Boundary& boundary) {
+  Grid& grid = ground.grid;
   for_group(grid, NodeGroup::openness, [](NodeField& open) { std::ranges::fill(open, 1.0); });
   for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
     const BoundaryFace& face = boundary.faces()[f];
-    if (domain.sets[face.set].traits.flowing)
-      for (int level = 0; level < domain.lattice_count(); ++level)
-        close_nodes(domain.lattice(level), face.side, line_of(face, boundary.soil()[f].place), grid);
+    if (ground.sets[face.set].traits.flowing)
+      for (int level = 0; level < ground.lattice_count(); ++level)
+        close_nodes(ground.lattice(level), face.side, line_of(face, boundary.soil()[f].place), grid);
   }
   reactions_.clear();
   for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
     const BoundaryFace& face = boundary.faces()[f];
-    if (!domain.sets[face.set].traits.flowing)
+    if (!ground.sets[face.set].traits.flowing)
       continue;
     const double load = -face.length * boundary.soil()[f].excess;
     const Vector n = face.ground.normal;
@@ -65,9 +66,9 @@ void ImperviousFaces::close(Domain& domain) {
   }
 }
 
-double ImperviousFaces::open(Domain& domain) {
-  Grid& grid = domain.grid;
-  const double density = domain.spec.water->fluid.density;
+double ImperviousFaces::open(Ground& ground) {
+  Grid& grid = ground.grid;
+  const double density = ground.spec.water->fluid.density;
   double power = 0.0;
   for (const auto& [n, force] : reactions_) {
     grid.water_force_x[n] -= force.x;

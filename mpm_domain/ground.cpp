@@ -1,0 +1,313 @@
+#include "mpm_domain/ground.hpp"
+
+#include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill_bodies.hpp"
+#include "mpm_domain/particles/share_out.hpp"
+#include "mpm_domain/particles/wave_speed.hpp"
+#include "mpm_domain/spec/limits.hpp"
+#include "mpm_domain/transfer/out_of_reach.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+Grid make_grid(const Spec& spec) {
+  Grid grid;
+  static_cast<GridShape&>(grid) = grid_shape(spec.box, spec.cell_size, spec.sides);
+  resize_fields(grid, grid.count());
+  return grid;
+}
+
+/// What structures ask of the rest of the spec.
+void check_structures(const Spec& spec) {
+  if (spec.scheme.transfer != Transfer::apic || spec.scheme.subcycle)
+    throw std::invalid_argument("structures need the transfer apic and the same step on all levels");
+  for (const Structure& structure : spec.structures)
+    if (structure.friction.size() != spec.soils.size() || structure.adhesion.size() != spec.soils.size())
+      throw std::invalid_argument(
+          fmt::format("structure '{}' needs friction and adhesion for each of {} soils", structure.name,
+                      spec.soils.size()));
+  for (const Structure& structure : spec.structures)
+    if (structure.stiffness && spec.water && std::ranges::any_of(structure.hole, [&](const Vector& corner) {
+          return corner.y < spec.water->level;
+        }))
+      throw std::invalid_argument(
+          fmt::format("the hole of structure '{}' reaches below the water table: it must be rigid there",
+                      structure.name));
+}
+
+/// What reduced dispersion asks of the rest of the spec. That soil which yields should do without is a rule
+/// of scenes alone, since it runs.
+void check_dispersion(const Spec& spec) {
+  if (spec.scheme.transfer != Transfer::apic || spec.scheme.order != StepOrder::musl ||
+      spec.particles_per_cell < 2 || spec.boxes != ParticleBoxes::fixed || !spec.refine.empty() ||
+      spec.water || !spec.structures.empty() || spec.sides == Sides::periodic_springs)
+    throw std::invalid_argument(
+        "reduced dispersion needs the transfer apic, the order musl, two to four particles a cell and "
+        "direction, boxes that keep their size, cells of one size, sides without springs, and a domain "
+        "without "
+        "water and structures");
+}
+
+/// What a rigid base asks of the rest of the spec.
+void check_rigid_base(const Spec& spec) {
+  if (spec.sides != Sides::container && spec.sides != Sides::periodic)
+    throw std::invalid_argument("a rigid base goes with the walls of a container or with periodic sides");
+  if (spec.water || !spec.structures.empty() || !spec.matched_sides.empty() ||
+      spec.scheme.dispersion == Dispersion::reduced)
+    throw std::invalid_argument("a rigid base goes with dry soil, without structures, matched layers and "
+                                "reduced dispersion");
+}
+
+const Spec& checked(const Spec& spec) {
+  const auto refuse_unless = [](bool good, std::string_view what, double value, std::string_view range) {
+    if (!good)
+      throw std::invalid_argument(fmt::format("{} is {:.6g}; allowed: {}", what, value, range));
+  };
+  const double width = spec.box.x_max - spec.box.x_min;
+  const double height = spec.box.y_max - spec.box.y_min;
+  refuse_unless(spec.cell_size > 0.0 && std::isfinite(spec.cell_size), "the cell size (m)", spec.cell_size,
+                "> 0");
+  refuse_unless(width >= spec.cell_size, "the width of the model box (m)", width, "at least one cell");
+  refuse_unless(std::abs(width / spec.cell_size - std::round(width / spec.cell_size)) < 1e-6,
+                "the width of the model box (m)", width,
+                "a multiple of the cell size, so that both sides lie on nodes");
+  refuse_unless(height >= spec.cell_size, "the height of the model box (m)", height, "at least one cell");
+  refuse_unless(spec.particles_per_cell >= 1 && spec.particles_per_cell <= 4,
+                "particles per cell and direction", spec.particles_per_cell, "1 to 4");
+  refuse_unless(spec.scheme.fraction > 0.0 && spec.scheme.fraction <= 1.0,
+                "the fraction of the critical time step", spec.scheme.fraction, "in (0, 1]");
+  if (spec.scheme.subcycle && (spec.refine.empty() || spec.scheme.transfer != Transfer::apic ||
+                               spec.scheme.order != StepOrder::musl || spec.sides == Sides::periodic_springs))
+    throw std::invalid_argument("sub-cycling needs a refined mesh, the transfer apic, the order musl, "
+                                "and sides without springs");
+  if (spec.scheme.subcycle && spec.water)
+    throw std::invalid_argument("soil below a water table takes the same step on all levels: sub-cycling is "
+                                "for domains without water");
+  if (spec.scheme.dispersion == Dispersion::reduced)
+    check_dispersion(spec);
+  if (spec.rigid_base)
+    check_rigid_base(spec);
+  else if (spec.sides == Sides::container)
+    throw std::invalid_argument("the walls of a container stand on a rigid base");
+  refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
+  if (spec.soils.empty())
+    throw std::invalid_argument("the domain has no soil");
+  for (const Soil& soil : spec.soils) {
+    materials::validate(soil.law);
+    refuse_unless(soil.damping_time >= 0.0 && std::isfinite(soil.damping_time),
+                  fmt::format("the damping time of soil '{}' (s)", soil.name), soil.damping_time,
+                  "finite, >= 0");
+    if (spec.water && soil.pores)
+      materials::validate(*soil.pores);
+  }
+  if (!spec.structures.empty())
+    check_structures(spec);
+  if (spec.water) {
+    materials::validate(spec.water->fluid);
+    refuse_unless(spec.gravity > 0.0, "gravity above a water table (m/s2)", spec.gravity, "> 0");
+  }
+  return spec;
+}
+
+/// The rows among these whose tied nodes are one other node, a period away.
+std::vector<std::size_t> rows_of_images(const Prolongation& ties, std::span<const std::size_t> of) {
+  std::vector<std::size_t> rows;
+  for (const std::size_t row : of)
+    if (const auto shares = ties.row(row); shares.size() == 1 && shares.front().dx != 0.0)
+      rows.push_back(row);
+  return rows;
+}
+
+} // namespace
+
+void rebuild_mesh(Ground& ground) {
+  const Spec& spec = ground.spec;
+  if (spec.refine.empty()) {
+    ground.images = images_of(ground.grid);
+  } else {
+    ground.mesh.emplace(roots_of(ground.grid),
+                        refinements_of(spec.refine, spec.box, spec.cell_size, spec.sides));
+    ground.basis_cells = {};
+    if (spec.scheme.subcycle)
+      ground.clocks = ClockMap(ground.mesh->tree(), buffer_layers);
+  }
+  lay_out_lattices(ground);
+}
+
+void keep_whole(Ground& ground, std::size_t set, std::uint32_t id) {
+  std::vector<std::uint32_t>& whole = ground.sets[set].whole;
+  const auto at = std::ranges::lower_bound(whole, id);
+  if (at == whole.end() || *at != id)
+    whole.insert(at, id);
+}
+
+void order_particles(Ground& ground) {
+  follow_bodies(ground);
+  if (ground.share)
+    move_between_ranks(ground);
+  const std::size_t blocks = ground.block_count() + ground.across_block_count();
+  for (Particles& set : ground.sets)
+    if (set.body)
+      sort_by_cell(set, ground.tiles, ground.soil_lattice_count() + static_cast<int>(*set.body), blocks);
+    else if (ground.mesh)
+      sort_by_lattice(set, *ground.mesh, ground.tiles, ground.clocks, ground.sort_distance());
+    else
+      sort_by_cell(set, ground.tiles, 0, blocks);
+  resize_fields(ground.grid, ground.grid.size());
+}
+
+namespace {
+
+/// The tiles with particles of a clock on one lattice.
+std::vector<std::size_t> filled_tiles(const Ground& ground, int clock) {
+  std::vector<std::size_t> filled;
+  for (std::size_t tile = 0; tile < ground.tiles.count(); ++tile)
+    if (std::ranges::any_of(ground.sets, [&](const Particles& set) {
+          const auto [begin, end] = set.in_block(ground.block(clock, tile));
+          return begin < end;
+        }))
+      filled.push_back(tile);
+  return filled;
+}
+
+std::vector<AcrossTile> find_across(Ground& ground, int clock) {
+  std::vector<AcrossTile> across;
+  for (std::size_t s = 0; s < ground.sets.size(); ++s)
+    for (std::size_t tile = 0; tile < ground.tiles.count(); ++tile) {
+      const Particles& set = ground.sets[s];
+      const auto [begin, end] = set.in_block(ground.across_block(clock, tile));
+      if (begin == end)
+        continue;
+      AcrossTile& found = across.emplace_back(AcrossTile{s, {}, {}});
+      found.weights.restart(begin);
+      for (std::size_t k = begin; k < end; ++k)
+        found.weights.expect(*ground.mesh, ground.basis_cells, reach_of(set, k, ground.sort_distance()));
+      found.weights.settle(ground.basis_cells);
+      const std::size_t fields = ground.has_water() ? particle_sums.size() : dry_sums.end;
+      found.sums.resize(fields * found.weights.fours().size() * 4);
+    }
+  return across;
+}
+
+} // namespace
+
+void find_reach(Ground& ground, std::span<const std::size_t> shared_nodes) {
+  ground.windows.reserve(2 * ground.tiles.most_columns()); // those of two rows of tiles are in use at a time
+  ground.clock_tiles.clear();
+  for (int clock = 0; clock < ground.clocks.count(); ++clock)
+    ground.clock_tiles.push_back(
+        {TileSums(ground.tiles, filled_tiles(ground, clock), ground.share ? &*ground.share : nullptr),
+         ground.mesh ? find_across(ground, clock) : std::vector<AcrossTile>{}});
+  ground.soil_rows = find_soil_rows(ground, shared_nodes);
+  ground.soil_ties = find_soil_ties(ground);
+  ground.image_rows = rows_of_images(ground.ties(), ground.soil_ties);
+  weigh_across(ground);
+}
+
+void weigh_across(Ground& ground, int slowest_clock) {
+  std::vector<AcrossTile*> due;
+  for (auto clock = static_cast<std::size_t>(slowest_clock); clock < ground.clock_tiles.size(); ++clock)
+    for (AcrossTile& tile : ground.clock_tiles[clock].across)
+      due.push_back(&tile);
+  ground.workers.run(due.size(), [&](std::size_t task) {
+    AcrossWeights& weights = due[task]->weights;
+    weights.clear();
+    for (std::size_t k = weights.first(); k < weights.end(); ++k)
+      if (const Particles& p = ground.sets[due[task]->set]; !weights.add(ground.basis_cells, box_of(p, k)))
+        refuse_stray(p, k, ground.sort_distance());
+  });
+}
+
+Ground::Ground(const Spec& specification)
+    : spec(checked(specification)), grid(make_grid(spec)), workers(spec.threads) {
+  rebuild_mesh(*this);
+  sets = fill(spec, mesh ? &mesh->tree() : nullptr);
+  soil_sets = sets.size();
+  for (Particles& set : fill_bodies(spec, soil_lattice_count() - 1)) {
+    bodies.resize(*set.body + 1);
+    sets.push_back(std::move(set));
+  }
+  grid.traits.sharp = spec.scheme.dispersion == Dispersion::reduced;
+  for (const Particles& set : sets) {
+    grid.traits.wet |= set.water && set.size() > 0;
+    grid.traits.flowing |= set.traits.flowing && set.size() > 0;
+  }
+  waiting_strains.resize(sets.size());
+  waiting_pressures.resize(sets.size());
+}
+
+std::span<const Particles> Ground::sets_of_body(std::size_t body) const {
+  const auto found = std::ranges::equal_range(body_sets(), std::optional(body), {}, &Particles::body);
+  return {found.begin(), found.end()};
+}
+
+bool Ground::has_pore_pressure() const {
+  return std::ranges::any_of(sets,
+                             [](const Particles& set) { return set.traits.wet && !set.index_of.empty(); });
+}
+
+double Ground::half_size(int level) const {
+  return 0.5 * particle_size(spec, level);
+}
+
+std::size_t Ground::row_count() const {
+  std::size_t count = 0;
+  for (int level = 0; level < lattice_count(); ++level)
+    count += static_cast<std::size_t>(lattice(level).ny);
+  return count;
+}
+
+NodeRange Ground::row(std::size_t row) const {
+  int level = 0;
+  while (row >= static_cast<std::size_t>(lattice(level).ny))
+    row -= static_cast<std::size_t>(lattice(level++).ny);
+  const std::size_t begin = lattice(level).index(0, static_cast<int>(row));
+  return {begin, begin + static_cast<std::size_t>(lattice(level).nx)};
+}
+
+bool Ground::counts(const NodeRange& nodes) const {
+  if (!share)
+    return true;
+  const auto columns = static_cast<std::size_t>(grid.nx);
+  return share->is_mine(
+      tiles.tile_of(0, static_cast<int>(nodes.begin % columns), static_cast<int>(nodes.begin / columns)));
+}
+
+double Ground::sort_distance() const {
+  return mesh ? across_margin * finest_lattice().h : (is_sharp() ? sharp_sort_cells : sort_cells) * grid.h;
+}
+
+std::size_t Ground::particle_count() const {
+  std::size_t count = 0;
+  for (const Particles& set : sets)
+    count += set.size();
+  return count;
+}
+
+double Ground::fastest_wave() {
+  double fastest = 0.0;
+  for (Particles& set : sets)
+    if (set.size() > 0)
+      fastest = std::max(fastest, fastest_waves(set, {0, set.size()}).in_soil);
+  return fastest;
+}
+
+double empty_mass(const Ground& ground) {
+  constexpr double share_of_full_cell = 1e-20;
+  double density = 0.0;
+  for (const Particles& set : ground.sets)
+    density = std::max(density, materials::elasticity(set.law).density);
+  const double h = ground.finest_lattice().h;
+  return share_of_full_cell * density * h * h;
+}
+
+} // namespace tremolo::mpm_domain
