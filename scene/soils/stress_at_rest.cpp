@@ -131,7 +131,7 @@ std::string text(const Case& scene, const RestingSoil& resting) {
   return fmt::format(
       "K0 = {:.4g} asks for {:.3g} times the strength of soil '{}' at y = {:.4g} m, under {:.4g} "
       "kPa of vertical effective stress, and mobilises {:.3g} degrees of friction; the soil "
-      "holds K0 from {:.4g} to {:.4g} there",
+      "holds K0 from {:.6g} to {:.6g} there",
       k0, resting.mobilised, soil.name, resting.y, 1e-3 * resting.vertical_stress, mobilised_angle_deg(k0),
       limits.active, limits.passive);
 }

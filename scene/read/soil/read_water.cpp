@@ -106,9 +106,10 @@ std::optional<materials::PoreSpace> read_pores(TableReader& table, const std::op
 }
 
 bool pores_are_sound(const std::string& soil, const Findings& findings) {
-  return findings.sound("water.density") && std::ranges::all_of(pore_key_names, [&](const char* key) {
-           return findings.sound(fmt::format("{}.{}", soil, key));
-         });
+  const auto sound = [&](const char* key) { return findings.sound(fmt::format("{}.{}", soil, key)); };
+  // The void ratio of sand follows from the keys of its law.
+  return findings.sound("water.density") && std::ranges::all_of(pore_key_names, sound) &&
+         std::ranges::all_of(std::array{"relative_density", "e_max", "e_min"}, sound);
 }
 
 std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, const Case& scene) {

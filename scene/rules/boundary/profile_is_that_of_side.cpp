@@ -115,8 +115,8 @@ void profile_is_that_of_side(const Case& scene, Findings& findings) {
     const auto found = differences(scene, *side, x);
     if (!found.empty())
       findings.add(side->own_profile.empty() ? "profile[0]" : fmt::format("boundary.{}.profile[0]", name),
-                   fmt::format("the layers differ from the regions at the {} side: {}; waves meet another "
-                               "ground there, and both settle and shake apart",
+                   fmt::format("the layers differ from the regions at the {} side: {}; the free field moves "
+                               "the side as another ground does",
                                name, fmt::join(found, "; ")));
   }
 }

@@ -38,7 +38,7 @@ void structures_are_wide(const Case& scene, Findings& findings) {
                     "thicker structure or smaller cells",
                     outline.key, wide,
                     ring ? fmt::format(", between it and '{}'", scene.structures[i].hole->key) : "", h,
-                    ring ? "cells do not see a thinner wall as what it is"
+                    ring ? "cells do not resolve a thinner wall"
                          : "soil on one side would meet that on the other"));
   }
 }

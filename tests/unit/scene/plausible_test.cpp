@@ -3,6 +3,7 @@
 #include "scene/keys/plausible.hpp"
 
 #include "rules/rule_cases.hpp"
+#include "scene/soils/soil_library.hpp"
 #include "structure_case.hpp"
 
 #include <gmock/gmock.h>
@@ -58,6 +59,19 @@ TEST(UnitDoubt, APermeabilityOfSandIsNotOneOfClay) {
   EXPECT_FALSE(unit_doubt("soil.a.permeability", 1e-8, "pm4sand"));
   EXPECT_FALSE(unit_doubt("soil.a.permeability", 1e-11, "multi_yield_clay"));
   EXPECT_TRUE(unit_doubt("soil.a.permeability", 1e-14, "multi_yield_clay"));
+}
+
+TEST(UnitDoubt, TheLibraryIsInSiUnits) {
+  std::size_t checked = 0;
+  for (const LibrarySoil& soil : soil_library())
+    for (const auto& [key, value] : *soil.keys)
+      if (const auto number = value.value<double>()) {
+        const auto model = (*soil.keys)["model"].value_or(std::string_view{});
+        EXPECT_FALSE(unit_doubt("soil.x." + std::string(key.str()), *number, model))
+            << soil.name << " " << key.str();
+        ++checked;
+      }
+  EXPECT_GT(checked, 20U);
 }
 
 TEST(Rules, ValuesAreInSiUnits) {
