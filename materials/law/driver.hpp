@@ -91,8 +91,7 @@ public:
   PointTest(const Law& law, const PointStress& initial, const StressTolerance& tolerance = {});
 
   /// Takes one step. The point stays as it is if that fails.
-  /// @throws std::runtime_error if no strain gives the prescribed stresses, e.g. beyond a peak load, or if a
-  /// hundred thousand updates of the law do not find it
+  /// @throws std::runtime_error if no strain gives the prescribed stresses, e.g. beyond a peak load
   /// @throws std::domain_error for a strain increment that the law cannot follow
   /// @throws std::invalid_argument for out-of-plane strain of a law that does not take it
   void apply(const PointStep& step);
@@ -135,7 +134,6 @@ private:
   double missing_ = 0.0; ///< of a prescribed stress after the last attempt, Pa
   std::string refusal_;  ///< what the law said when it refused a trial
   std::size_t updates_ = 0;
-  std::size_t most_updates_ = 0; ///< that the present step may come to
   bool three_dimensional_ = false;
 };
 

@@ -49,13 +49,12 @@ void settle_density(TableReader& table, const materials::PoreSpace& pores, const
   const auto given = table.optional_number("density");
   if (given && std::abs(*given - saturated) > density_rounding * saturated) {
     const auto doubt = unit_doubt(table.path("density"), *given);
-    findings.add(
-        table.path("density"),
-        fmt::format("'density' = {} contradicts porosity {:.4g} and grains of {:g} kg/m3: of soil with pores "
-                    "the saturated density is meant, of grains and water together, here {:.5g} kg/m3 ({:.5g} "
-                    "kg/m3 dry); remove 'density', or mend the others{}",
-                    *given, pores.porosity, pores.grain_density, saturated, materials::dry_density(pores),
-                    doubt ? "; " + *doubt : ""));
+    findings.add(table.path("density"),
+                 fmt::format("'density' = {} contradicts porosity {:.4g} and grains of {:g} kg/m3, which "
+                             "make {:.5g} kg/m3 saturated and {:.5g} kg/m3 dry; of soil with pores the "
+                             "saturated density is meant: remove 'density', or mend the others{}",
+                             *given, pores.porosity, pores.grain_density, saturated,
+                             materials::dry_density(pores), doubt ? "; " + *doubt : ""));
     return;
   }
   table.settle("density", saturated, "porosity and grain density, saturated");

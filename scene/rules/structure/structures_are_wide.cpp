@@ -9,11 +9,14 @@ namespace tremolo::scene {
 
 namespace {
 
-/// A hole that has been refused is not measured against.
-Polygon sound_hole(const Case& scene, std::size_t structure, const Findings& findings) {
-  const auto& hole = scene.structures[structure].hole;
-  return hole && findings.sound(fmt::format("structure[{}].{}", structure, hole->key)) ? hole->corners
-                                                                                       : Polygon{};
+/// The hole of an elastic structure, whose walls strain; a rigid one may have walls as thin as its lining is,
+/// since soil meets its outline alone. A hole that has been refused is not measured against.
+Polygon hole_between_walls(const Case& scene, std::size_t structure, const Findings& findings) {
+  const Structure& one = scene.structures[structure];
+  return one.hole && one.stiffness &&
+                 findings.sound(fmt::format("structure[{}].{}", structure, one.hole->key))
+             ? one.hole->corners
+             : Polygon{};
 }
 
 } // namespace
@@ -27,7 +30,7 @@ void structures_are_wide(const Case& scene, Findings& findings) {
     if (!outline_is_sound(scene, i, findings))
       continue;
     const Outline& outline = scene.structures[i].outline;
-    const Polygon hole = sound_hole(scene, i, findings);
+    const Polygon hole = hole_between_walls(scene, i, findings);
     const double wide = thickness(outline.corners, hole);
     if (wide >= enough * h)
       continue;

@@ -105,11 +105,11 @@ TEST(Rules, StructuresAreWide) {
 }
 
 TEST(Rules, RingsAreMeasuredBetweenOutlineAndHole) {
-  const auto ring = [](std::string_view hole) {
+  const auto ring = [](std::string_view hole, std::string_view kind = "young = 1e7\npoisson = 0.2") {
     return errors_of(heavy() +
                      "[[structure]]\nname = \"pipe\"\ncircle = { centre = [10.0, -5.0], radius = 2.5 }\n" +
-                     std::string(hole) +
-                     "\ndensity = 1000.0\nrigid = true\nfriction = 0.5\n[[refine]]\nbox = [5.0, "
+                     std::string(hole) + "\ndensity = 1000.0\n" + std::string(kind) +
+                     "\nfriction = 0.5\n[[refine]]\nbox = [5.0, "
                      "-10.0, 15.0, 0.0]\nlevel = 2\n");
   };
   // Two cells of 0.25 m.
@@ -118,10 +118,12 @@ TEST(Rules, RingsAreMeasuredBetweenOutlineAndHole) {
       ring("hole_circle = { centre = [10.0, -5.0], radius = 2.1 }"),
       ElementsAre(HasSubstr("'circle' is 0.4 m thick at one place, between it and 'hole_circle', must be "
                             "at least two cells of 0.25 m")));
+  // What soil meets of a rigid one is its outline.
+  EXPECT_THAT(ring("hole_circle = { centre = [10.0, -5.0], radius = 2.1 }", "rigid = true"), IsEmpty());
   // Thin at the crown alone; a rectangle in the circle at its corners.
   EXPECT_THAT(ring("hole_circle = { centre = [10.0, -4.75], radius = 2.0 }"),
               ElementsAre(HasSubstr("is 0.25 m thick")));
-  EXPECT_THAT(ring("hole = [[8.5, -6.5], [11.5, -6.5], [11.5, -3.5], [8.5, -3.5]]"), IsEmpty());
+  EXPECT_THAT(ring("hole = [[8.6, -6.4], [11.4, -6.4], [11.4, -3.6], [8.6, -3.6]]"), IsEmpty());
 }
 
 TEST(Rules, StructuresLieOnTheFinestLevel) {
