@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/output_place.hpp"
+#include "app/soiltest/soiltest_progress.hpp"
 #include "app/soiltest/soiltest_report.hpp"
 #include "base/text_file.hpp"
 #include "materials/soiltest/cyclic/calibrate.hpp"
@@ -113,12 +114,13 @@ std::string provenance(const scene::SoilTestFile& file, const soiltest::Calibrat
 }
 
 void calibrate(const Options& options) {
-  const auto file = scene::load_soil_test(options.test, scene::SoilTestUse::calibration);
+  auto file = scene::load_soil_test(options.test, scene::SoilTestUse::calibration);
   if (!options.out.empty())
     require_writable(options.out, {options.test}, has_words(fitted_by));
   fmt::print("{}{}", soil_text(file), notes_text(file));
   if (std::ranges::any_of(file.values, [](const auto& value) { return value.key.starts_with("loading."); }))
     fmt::print("  note: [loading] is for `tremolo soiltest`; a calibration applies the cycles of [target]\n");
+  file.test.watch = soiltest_progress();
   soiltest::Calibration found;
   try {
     found = fit(file);

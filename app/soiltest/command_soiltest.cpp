@@ -3,7 +3,9 @@
 #include "app/commands.hpp"
 #include "app/python.hpp"
 #include "app/soiltest/soiltest_output.hpp"
+#include "app/soiltest/soiltest_progress.hpp"
 #include "app/soiltest/soiltest_report.hpp"
+#include "scene/keys/plausible.hpp"
 #include "scene/soil_test.hpp"
 
 #include <fmt/format.h>
@@ -24,6 +26,12 @@ struct Options {
   bool library = false;
 };
 
+/// What is likely to be wrong where a law cannot follow a test: a stress in another unit.
+std::string stress_doubt(const scene::SoilTestFile& file) {
+  const auto doubt = scene::unit_doubt("test.vertical_stress", file.test.initial.vertical_stress);
+  return doubt ? "; " + *doubt : "";
+}
+
 /// A static bias that the soil cannot carry shows only when it is applied: it is told where it stands.
 SoilTestRun run_at_place(const scene::SoilTestFile& file) {
   try {
@@ -33,16 +41,19 @@ SoilTestRun run_at_place(const scene::SoilTestFile& file) {
     const bool given = bias != file.values.end() && bias->origin != "default";
     throw std::runtime_error(
         fmt::format("{}: [test] {}", given ? bias->origin : file.file.string() + ":1:1", error.what()));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(error.what() + stress_doubt(file));
   }
 }
 
 void test_soil(const Options& options) {
-  const auto file = scene::load_soil_test(options.test, scene::SoilTestUse::test);
+  auto file = scene::load_soil_test(options.test, scene::SoilTestUse::test);
   if (!options.out.empty())
     check_output(options.out, file, options.plot);
   if (options.plot && std::filesystem::path(options.out).extension() != ".h5")
     throw std::runtime_error("--plot draws from an HDF5 file: give --out a name that ends with .h5");
   fmt::print("{}", soil_text(file));
+  file.test.watch = soiltest_progress();
   const auto tests = run_at_place(file);
   fmt::print("{}", results_text(file, tests));
   if (!options.out.empty())
@@ -51,8 +62,8 @@ void test_soil(const Options& options) {
     throw Exit{1};
   for (const Specimen& specimen : tests.specimens)
     if (specimen.result.end == soiltest::End::refused)
-      throw std::runtime_error(fmt::format("{}: {} ended early: {}", options.test, label(file, specimen),
-                                           specimen.result.end_reason));
+      throw std::runtime_error(fmt::format("{}: {} ended early: {}{}", options.test, label(file, specimen),
+                                           specimen.result.end_reason, stress_doubt(file)));
 }
 
 } // namespace

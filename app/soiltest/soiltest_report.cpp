@@ -1,6 +1,7 @@
 #include "app/soiltest/soiltest_report.hpp"
 
 #include "materials/soiltest/notes.hpp"
+#include "scene/keys/plausible.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/soils/soil_report.hpp"
 
@@ -158,8 +159,8 @@ std::string soil_text(const scene::SoilTestFile& file) {
   lines += scene::text(scene::parameters_in_force(file.soil, "soil", file.values));
   for (const std::string& note : materials::notes(file.soil.law))
     lines += fmt::format("  - {}\n", note);
-  if (const auto doubt = scene::density_doubt(materials::elasticity(file.soil.law).density))
-    lines += fmt::format("  - {}\n", *doubt);
+  for (const auto& [key, doubt] : scene::unit_doubts(file.values))
+    lines += fmt::format("  - {}\n", doubt);
   return lines;
 }
 

@@ -82,11 +82,6 @@ bool has_pore_pressure_ratio(const materials::Law& law, const SoilTest& test) {
 
 std::vector<std::string> notes(const materials::Law& law, const SoilTest& test) {
   std::vector<std::string> notes;
-  if (const double vertical = test.initial.vertical_stress; vertical < 1e3) {
-    notes.push_back(fmt::format("vertical_stress = {:g} Pa is less than 1 kPa; Pa are meant: 101.3e3 for one "
-                                "atmosphere",
-                                vertical));
-  }
   const materials::PointStress wanted = stress_at_start(test);
   materials::PointTest point(law, wanted);
   point.apply({}); // a step of no strain, in which a law returns to its strength

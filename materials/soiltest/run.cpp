@@ -1,5 +1,6 @@
 #include "materials/soiltest/apparatus.hpp"
 #include "materials/soiltest/recorder.hpp"
+#include "materials/soiltest/size.hpp"
 #include "materials/soiltest/specimen.hpp"
 
 #include <fmt/format.h>
@@ -115,6 +116,8 @@ private:
     result_.cycles = cycle;
     recorder_.record(result_.increments, cycle, point_, keep);
     last_ = point_.now();
+    if (test_.watch)
+      test_.watch({result_.increments, most_increments_, cycle, strain});
   }
 
   /// Notes the cycle, interpolated within the increment, at which a value passes a limit.
@@ -273,6 +276,7 @@ private:
   PointTest point_;
   Apparatus apparatus_;
   Recorder recorder_;
+  double most_increments_ = increments(test_);
   bool cyclic_;     ///< whether cycles are counted
   double sense_;    ///< of the first loading
   PointState last_; ///< after the last complete increment

@@ -32,6 +32,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -117,14 +118,23 @@ struct Path {
 using Loading = std::variant<Monotonic, StressCycles, StrainCycles, Path>;
 
 /// One test.
+/// How far a test has come.
+struct TestProgress {
+  std::size_t increments = 0;
+  double most_increments = 0.0; ///< as many as there can be
+  double cycles = 0.0;
+  double strain = 0.0;
+};
+
 struct SoilTest {
   Kind kind = Kind::direct_simple_shear;
   Drainage drainage = Drainage::constant_volume;
   double pore_stiffness = 0.0; ///< K_w/n, Pa; of undrained tests
   InitialState initial;
   Loading loading;
-  double strain_increment = 1e-5; ///< of the driven component; paths bring their own
-  std::size_t every = 1;          ///< increments from one row of the history to the next
+  double strain_increment = 1e-5;                 ///< of the driven component; paths bring their own
+  std::size_t every = 1;                          ///< increments from one row of the history to the next
+  std::function<void(const TestProgress&)> watch; ///< called after each increment, if there is one
 };
 
 /// Cycles at which something was reached for the first time; NaN if it was not, and in tests without cycles.

@@ -2,6 +2,7 @@
 #include "scene/plan/plan.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/soils/domain_soils.hpp"
+#include "scene/soils/ground_column.hpp"
 #include "scene/soils/soil_report.hpp"
 
 #include <fmt/format.h>
@@ -186,6 +187,24 @@ std::string remarks_text(const Case& scene) {
   return text;
 }
 
+namespace {
+
+/// The ground of a side's free field, from the surface to the base of the domain; nothing of a recording and
+/// of a program of the user, whose ground is not known.
+nlohmann::ordered_json layers_json(const Case& scene, const LateralBoundary& side) {
+  auto json = nlohmann::ordered_json::array();
+  if (side.field.model == SourceModel::recording || side.field.model == SourceModel::external)
+    return json;
+  for (const GroundPiece& piece : ground_of_free_field(scene, side)) {
+    json.push_back({{"top_m", piece.top}, {"bottom_m", piece.bottom}, {"soil", nullptr}});
+    if (piece.soil)
+      json.back()["soil"] = scene.soils[*piece.soil].name;
+  }
+  return json;
+}
+
+} // namespace
+
 std::string to_json(const Case& scene, const Plan& plan) {
   using nlohmann::ordered_json;
   ordered_json json;
@@ -205,6 +224,10 @@ std::string to_json(const Case& scene, const Plan& plan) {
                                {"surface_m", source.surface},
                                {"serves", serves}});
   }
+  if (scene.boundary.has_lateral_fields())
+    for (const auto& [side, field] :
+         {std::pair(Side::left, &scene.boundary.left), std::pair(Side::right, &scene.boundary.right)})
+      json["free_field"][std::string(name(side))] = layers_json(scene, *field);
   json["base"] = plan.base;
   json["notes"] = ordered_json::array();
   for (const Finding& remark : scene.remarks)

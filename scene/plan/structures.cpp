@@ -2,6 +2,7 @@
 
 #include "mesh/polygon_measures.hpp"
 #include "mpm_domain/spec/structure.hpp"
+#include "scene/plan/thickness.hpp"
 #include "scene/sweep.hpp"
 
 #include <fmt/format.h>
@@ -158,14 +159,18 @@ std::string contact_text(std::span<const PlannedStructure> structures) {
 }
 
 std::string structures_text(const Case& scene, std::span<const PlannedStructure> structures) {
+  const double h = contact_cell_size(scene);
   std::string text;
   for (std::size_t i = 0; i < structures.size(); ++i) {
     const PlannedStructure& planned = structures[i];
+    const auto& hole = scene.structures[i].hole;
+    const double thin = thickness(scene.structures[i].outline.corners, hole ? hole->corners : Polygon{});
     text += fmt::format("  {:<18}{}, {:.4g} m2 of {:g} kg/m3: {:.6g} kg/m, {}; about {:.0f} contact nodes\n"
+                        "    thickness  {:.3g} m at the thinnest place, {:.3g} cells of {:g} m\n"
                         "    surface    {}\n",
                         planned.name, kind_text(scene.structures[i]), planned.area,
                         scene.structures[i].density, planned.mass, weight_text(planned),
-                        planned.contact_nodes, surface_text(scene, scene.structures[i]));
+                        planned.contact_nodes, thin, thin / h, h, surface_text(scene, scene.structures[i]));
   }
   return text;
 }

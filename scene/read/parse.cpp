@@ -55,8 +55,8 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
   if (record == CaseRecord::needed)
     record_is_readable(scene, findings);
   for (const auto rule :
-       {models_take_the_wave, damping_suits_models, soils_suit_models, reference_lies_in_halfspace,
-        columns_have_cells, wet_soil_has_pores, water_is_marched_explicitly})
+       {models_take_the_wave, damping_suits_models, soils_suit_models, stress_at_rest_is_carried,
+        reference_lies_in_halfspace, columns_have_cells, wet_soil_has_pores, water_is_marched_explicitly})
     rule(scene, findings);
   // The others know grains and water together, whose stress they take no part of from gravity.
   if (model == SourceModel::fe || model == SourceModel::mpm)
@@ -64,7 +64,7 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
 
   findings.throw_if_any();
   findings.grade(Severity::warning);
-  for (const auto rule : {table_lies_in_ground, permeability_is_that_of_soil, cavitation_is_in_pascals,
+  for (const auto rule : {table_lies_in_ground, values_are_in_si_units, water_is_stiffer_than_skeleton,
                           sand_has_one_void_ratio})
     rule(scene, findings);
   scene.remarks = findings.remarks();

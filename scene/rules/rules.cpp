@@ -33,6 +33,7 @@ constexpr std::array rules = {
     Rule{Severity::error, damping_suits_models},
     Rule{Severity::error, soils_suit_models},
     Rule{Severity::error, sand_has_weight},
+    Rule{Severity::error, stress_at_rest_is_carried},
     Rule{Severity::error, reference_lies_in_halfspace},
     Rule{Severity::error, incident_base_lies_in_halfspace},
     Rule{Severity::error, time_step_is_stable},
@@ -74,11 +75,11 @@ constexpr std::array rules = {
     Rule{Severity::warning, yielding_soil_does_not_lock},
     Rule{Severity::warning, saturated_soil_has_water},
     Rule{Severity::warning, table_lies_in_ground},
-    Rule{Severity::warning, permeability_is_that_of_soil},
-    Rule{Severity::warning, cavitation_is_in_pascals},
+    Rule{Severity::warning, water_is_stiffer_than_skeleton},
     Rule{Severity::warning, sand_has_one_void_ratio},
-    Rule{Severity::warning, densities_are_in_kilograms},
-    Rule{Severity::warning, structures_weigh_what_they_can},
+    Rule{Severity::warning, values_are_in_si_units},
+    Rule{Severity::warning, soil_holds_its_weight},
+    Rule{Severity::warning, profile_is_that_of_side},
     Rule{Severity::warning, structures_slip},
     Rule{Severity::warning, structures_leave_the_step},
 
@@ -89,6 +90,8 @@ constexpr std::array rules = {
     Rule{Severity::note, stiffness_follows_pressure},
     Rule{Severity::note, laws_have_limits},
     Rule{Severity::note, tension_has_a_limit},
+    Rule{Severity::note, stress_at_rest_is_near_limit},
+    Rule{Severity::note, drained_soil_needs_no_permeability},
     Rule{Severity::note, monitors_lie_on_particles},
 };
 

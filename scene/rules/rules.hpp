@@ -54,6 +54,9 @@ void damping_suits_models(const Case& scene, Findings& findings);
 void soils_suit_models(const Case& scene, Findings& findings);
 /// Soils whose stiffness depends on pressure have one: a gravity stage.
 void sand_has_weight(const Case& scene, Findings& findings);
+/// A rest_coefficient lies between the law's active and passive limits, and so does the K0 that a column
+/// "fe" begins with.
+void stress_at_rest_is_carried(const Case& scene, Findings& findings);
 /// The reference point lies in the half-space of both sides; a `within` motion is that of its top.
 void reference_lies_in_halfspace(const Case& scene, Findings& findings);
 /// A base that takes the incident wave alone lies in the half-space.
@@ -134,20 +137,20 @@ void yielding_soil_does_not_lock(const Case& scene, Findings& findings);
 void saturated_soil_has_water(const Case& scene, Findings& findings);
 /// The water table lies in the ground.
 void table_lies_in_ground(const Case& scene, Findings& findings);
-/// Hydraulic conductivities are those of soil, in m/s.
-void permeability_is_that_of_soil(const Case& scene, Findings& findings);
-/// The cavitation pressure is in Pa.
-void cavitation_is_in_pascals(const Case& scene, Findings& findings);
+/// Below the water table, water without air is stiffer than the skeleton.
+void water_is_stiffer_than_skeleton(const Case& scene, Findings& findings);
 /// The pores that are given are those that the law of sand has.
 void sand_has_one_void_ratio(const Case& scene, Findings& findings);
-/// Densities of structures are in kg/m3.
-void structures_weigh_what_they_can(const Case& scene, Findings& findings);
 /// Elastic structures need no shorter steps than the soil.
 void structures_leave_the_step(const Case& scene, Findings& findings);
 /// Friction is the tangent of an angle.
 void structures_slip(const Case& scene, Findings& findings);
-/// Densities are those of soil or rock in kg/m3.
-void densities_are_in_kilograms(const Case& scene, Findings& findings);
+/// Values are of the order that soil, rock, water and structures have in SI units.
+void values_are_in_si_units(const Case& scene, Findings& findings);
+/// The strength of a soil of the domain is of the order that its own weight asks for.
+void soil_holds_its_weight(const Case& scene, Findings& findings);
+/// The layers of a free field are the ground that the domain has at that side.
+void profile_is_that_of_side(const Case& scene, Findings& findings);
 
 /// Up to which frequency the cells resolve shear waves.
 void mesh_resolves_frequencies(const Case& scene, Findings& findings);
@@ -167,6 +170,10 @@ void tension_has_a_limit(const Case& scene, Findings& findings);
 void lines_lie_in_soil(const Case& scene, Findings& findings);
 /// Sliding masses have different names and sound outlines, and soil lies within.
 void sliding_masses_hold_soil(const Case& scene, Findings& findings);
+/// A rest_coefficient is not close to these limits.
+void stress_at_rest_is_near_limit(const Case& scene, Findings& findings);
+/// Soil in which no water flows has no permeability.
+void drained_soil_needs_no_permeability(const Case& scene, Findings& findings);
 /// Which particles the monitors follow.
 void monitors_lie_on_particles(const Case& scene, Findings& findings);
 

@@ -53,15 +53,6 @@ std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::s
   return parameters;
 }
 
-std::optional<std::string> density_doubt(double density) {
-  constexpr double lightest = 500.0; // kg/m3; peat floats, but is not what a wave is sent through
-  constexpr double heaviest = 8000.0;
-  if (density >= lightest && density <= heaviest)
-    return std::nullopt;
-  return fmt::format("density = {:g} kg/m3 is that of no soil or rock: kg/m3 are meant, 1700 for a dry sand",
-                     density);
-}
-
 std::optional<std::string> implied_strength(const Soil& soil) {
   constexpr double strain = 0.1;
   constexpr double tolerance = 0.1; // of the strength

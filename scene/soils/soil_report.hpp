@@ -30,9 +30,6 @@ std::string model_in_force(const std::string& table, const std::vector<ValueInFo
 std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::string& table,
                                                   const std::vector<ValueInForce>& values);
 
-/// Why a density (kg/m3) is likely to be in another unit, nothing where it may be that of soil or rock.
-std::optional<std::string> density_doubt(double density);
-
 /// The parameters as lines of text.
 std::string text(const std::vector<ParameterInForce>& parameters);
 

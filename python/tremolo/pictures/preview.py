@@ -6,6 +6,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Arc, Patch
 
 from tremolo import bodies, style
+from tremolo.pictures import profile
 
 
 def preview(run, folder):
@@ -25,6 +26,7 @@ def preview(run, folder):
     bodies.draw(ax, run, 0)
     bodies.label(ax, run)
     tops = [position[beside, 1].max() for beside in _edges(position, low, high)]
+    profile.draw(ax, run, low, high)
     _boundaries(ax, low, high, tops)
     _dimensions(ax, low, high, tops)
     _incident_wave(ax, run, low, width)

@@ -1,3 +1,4 @@
+#include "scene/keys/plausible.hpp"
 #include "scene/read/soil/read_soil.hpp"
 #include "scene/read/soil/read_water.hpp"
 #include "scene/soils/soil_library.hpp"
@@ -132,6 +133,18 @@ bool suits_pdmy03(const TableReader& table, Findings& findings) {
   return good;
 }
 
+/// The law compares moduli and pressures with each other: which of those that it refuses are likely to be in
+/// another unit.
+std::string pressure_doubts(const TableReader& table) {
+  std::string text;
+  for (const char* key : {"shear_modulus", "bulk_modulus", "reference_pressure", "atmospheric_pressure",
+                          "zero_pressure_strength", "p_sedo"})
+    if (const auto value = table.optional_number(key))
+      if (const auto doubt = unit_doubt(table.path(key), *value))
+        text += "; " + *doubt;
+  return text;
+}
+
 } // namespace
 
 std::optional<double> void_ratio_of_law(const TableReader& table) {
@@ -177,7 +190,7 @@ Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, F
     const auto law = pm4 ? materials::pm4sand(pm4sand_input(table)) : pdmy03(table, directory);
     return {soil.name, law, law, {}, {}};
   } catch (const std::exception& error) {
-    findings.add(table.path(), error.what());
+    findings.add(table.path(), error.what() + pressure_doubts(table));
     return placeholder(soil.name);
   }
 }

@@ -1,5 +1,7 @@
 #include "scene/read/soil/read_water.hpp"
 
+#include "scene/keys/plausible.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,12 +48,13 @@ void settle_density(TableReader& table, const materials::PoreSpace& pores, const
   const double saturated = materials::saturated_density(pores, water.fluid);
   const auto given = table.optional_number("density");
   if (given && std::abs(*given - saturated) > density_rounding * saturated) {
-    findings.add(
-        table.path("density"),
-        fmt::format("'density' = {} contradicts porosity {:.4g} and grains of {:g} kg/m3, which make "
-                    "{:.5g} kg/m3 saturated and {:.5g} kg/m3 dry; remove 'density', or mend the "
-                    "others",
-                    *given, pores.porosity, pores.grain_density, saturated, materials::dry_density(pores)));
+    const auto doubt = unit_doubt(table.path("density"), *given);
+    findings.add(table.path("density"),
+                 fmt::format("'density' = {} contradicts porosity {:.4g} and grains of {:g} kg/m3, which "
+                             "make {:.5g} kg/m3 saturated and {:.5g} kg/m3 dry; of soil with pores the "
+                             "saturated density is meant: remove 'density', or mend the others{}",
+                             *given, pores.porosity, pores.grain_density, saturated,
+                             materials::dry_density(pores), doubt ? "; " + *doubt : ""));
     return;
   }
   table.settle("density", saturated, "porosity and grain density, saturated");
@@ -102,9 +105,10 @@ std::optional<materials::PoreSpace> read_pores(TableReader& table, const std::op
 }
 
 bool pores_are_sound(const std::string& soil, const Findings& findings) {
-  return findings.sound("water.density") && std::ranges::all_of(pore_key_names, [&](const char* key) {
-           return findings.sound(fmt::format("{}.{}", soil, key));
-         });
+  const auto sound = [&](const char* key) { return findings.sound(fmt::format("{}.{}", soil, key)); };
+  // The void ratio of sand follows from the keys of its law.
+  return findings.sound("water.density") && std::ranges::all_of(pore_key_names, sound) &&
+         std::ranges::all_of(std::array{"relative_density", "e_max", "e_min"}, sound);
 }
 
 std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, const Case& scene) {

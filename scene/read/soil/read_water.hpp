@@ -15,7 +15,7 @@ void read_water(Document& document, Case& scene);
 std::optional<materials::PoreSpace> read_pores(TableReader& table, const std::optional<GroundWater>& water,
                                                Findings& findings);
 
-/// Whether none of the keys of pores of a soil, "soil.sand", has been refused.
+/// Whether none of the keys that the pores of a soil, "soil.sand", follow from has been refused.
 bool pores_are_sound(const std::string& soil, const Findings& findings);
 
 /// The void ratio that a soil's law has by its keys; nothing where it has none.

@@ -46,7 +46,7 @@ class ToldAlike(unittest.TestCase):
         with Workspace(TREMOLO, size=2.0, duration=0.2) as work:
             work.case.write_text(work.case.read_text().replace("time = 0.5", "time = 0.1").replace("density = 1700.0", "density = 1.7"))
             told = self.told(work)
-            self.assertEqual(2, sum("density = 1.7 kg/m3 is that of no soil or rock" in line for line in told))
+            self.assertEqual(2, sum("'density' = 1.7 kg/m3 is that of no soil or rock" in line for line in told))
             # The Ricker pulse of 3 Hz reaches the base when half of it has passed: its peak is missing, or its second half is late.
             missing = self.magnitude(told, "what came earlier, up to")
             self.assertTrue(1.0 < missing <= 100.0, told)

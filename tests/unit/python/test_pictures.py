@@ -13,7 +13,7 @@ import numpy as np
 
 import synthetic_run
 from tremolo import Run, bodies, comparison, histories, motion, pore_pressure, style
-from tremolo.pictures import fronts, maps
+from tremolo.pictures import fronts, maps, profile
 from tremolo.__main__ import main
 
 
@@ -73,6 +73,22 @@ class Pictures(unittest.TestCase):
         status, lines, error = run_command("compare", run, run, "--out", self.folder / "w")
         self.assertEqual((status, error), (0, ""))
         self.assertIn(str(self.folder / "w" / "compare_pore_pressure_ratio.png"), lines)
+
+    def test_layers_of_the_free_fields_stand_beside_the_sides_in_the_colours_of_their_soils(self):
+        synthetic_run.write(self.folder / "layers.h5", size=2.0)
+        layers = [{"top_m": 10.0, "bottom_m": 4.0, "soil": "base layer"}, {"top_m": 4.0, "bottom_m": -30.0, "soil": None}]
+        with h5py.File(self.folder / "layers.h5", "r+") as file:
+            file["plan"] = np.bytes_(json.dumps({"free_field": {"left": layers[1:], "right": layers}}))
+        with Run(self.folder / "layers.h5") as run:
+            figure, ax = style.plt.subplots()
+            left, upper, lower = profile.draw(ax, run, np.array([0.0, -20.0]), np.array([70.0, 10.0]))
+            style.plt.close(figure)
+        self.assertLess(left.get_x() + left.get_width(), 0.0)
+        self.assertGreater(upper.get_x(), 70.0)
+        self.assertEqual((4.0, 6.0), (upper.get_y(), upper.get_height()))
+        self.assertEqual((-20.0, 24.0), (lower.get_y(), lower.get_height()))  # no deeper than the domain
+        self.assertEqual(style.matplotlib.colors.to_rgba(style.SOIL_COLOURS[1]), upper.get_facecolor())
+        self.assertEqual("elastic layer", lower.get_label())
 
     def test_structures_are_filled_where_they_are_and_their_holes_open(self):
         synthetic_run.write(self.folder / "tunnel.h5", size=2.0, structures=True)

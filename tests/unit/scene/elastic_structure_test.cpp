@@ -75,8 +75,10 @@ TEST(Rules, ElasticStructuresSuitWater) {
              "[water]\nlevel = " + std::string(level) + "\n[soil.sand]\nporosity = 0.4\npermeability = 1e-4",
              block("hole = [[9.0, 1.0], [11.0, 1.0], [11.0, 3.0], [9.0, 3.0]]\nyoung = "
                    "20e6\npoisson = 0.2"));
+    // Walls of a metre are two cells thick.
     return with("density = 1700.0\nyoung = 40e6\npoisson = 0.28\n[[region]]",
-                "young = 40e6\npoisson = 0.28\n[[region]]", text);
+                "young = 40e6\npoisson = 0.28\n[[region]]", text) +
+           "[[refine]]\nbox = [4.0, -4.0, 16.0, 0.0]\nlevel = 1\n";
   };
   EXPECT_THAT(errors_of(holed("-1.0")), IsEmpty());
   EXPECT_THAT(

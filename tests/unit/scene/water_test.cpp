@@ -152,7 +152,7 @@ TEST_F(GroundWaterCase, WrongUnitsAndPlacesAreTold) {
               ElementsAre("'grain_density' = 2.65 is out of range, must be in [1000, 10000] kg/m3"));
   EXPECT_THAT(remarks(ground(join(elastic, "porosity = 0.4\npermeability = 1e3\n"))),
               ElementsAre(AllOf(HasSubstr("'permeability' = 1000 m/s is that of no soil"),
-                                HasSubstr("1000 m/day would be 0.0116"))));
+                                HasSubstr("1000 m/day would be 0.01157"))));
   EXPECT_THAT(remarks(ground(join(elastic, "porosity = 0.4\npermeability = 0.864\n"))),
               ElementsAre(AllOf(HasSubstr("is that of no soil finer than gravel"),
                                 HasSubstr("0.864 m/day would be 1e-05"))));

@@ -37,6 +37,13 @@ scene::Case block_case(std::string_view kind) {
       "[output]\nevery_s = 1e-4\nhistory_every_s = 1e-4\n");
 }
 
+/// A hole in walls of one cell, which a case cannot have.
+scene::Case with_hole(scene::Case scene, scene::Polygon hole) {
+  if (!hole.empty())
+    scene.structures.front().hole = scene::Outline{"hole", std::move(hole)};
+  return scene;
+}
+
 TEST(SpecFromCase, HandsStructuresOn) {
   const scene::Case scene = scene::testing::parse_case(scene::testing::with(
       "size = 1.0", "size = 1.0\ncontact_normals = \"polygon\"",
@@ -74,8 +81,9 @@ TEST(SpecFromCase, HandsStiffnessOn) {
 /// A domain at rest with the block on it, and what is written of it.
 class BlockRun {
 public:
-  explicit BlockRun(const std::filesystem::path& folder, std::string_view kind = rigid)
-      : scene_(block_case(kind)), domain_(spec_from_case(scene_, 1)),
+  explicit BlockRun(const std::filesystem::path& folder, std::string_view kind = rigid,
+                    scene::Polygon hole = {})
+      : scene_(with_hole(block_case(kind), std::move(hole))), domain_(spec_from_case(scene_, 1)),
         stepper_(at_rest(), 0.0, test_support::quiet_ground()),
         output_(folder, scene_, "{}", domain_, picture_,
                 std::vector<std::string>(domain_.boundary.faces().size(), "wave")) {}
@@ -283,9 +291,7 @@ TEST(RunOutput, FollowsAPointOfAnElasticBody) {
 /// The block's particles move aside with the square of their height: its outline bends as they do.
 TEST(RunOutput, TellsTheBentOutlineOfAnElasticBody) {
   const testing::TemporaryFolder folder;
-  constexpr std::string_view hollow =
-      "young = 20e6\npoisson = 0.2\nhole = [[9.0, 1.0], [11.0, 1.0], [11.0, 3.0]]";
-  BlockRun run(folder / "", hollow);
+  BlockRun run(folder / "", elastic, {{9.0, 1.0}, {11.0, 1.0}, {11.0, 3.0}});
   constexpr double bend = 0.002; // 1/m
   for (Particles& set : run.domain().sets)
     for (std::size_t k = 0; set.body && k < set.size(); ++k)

@@ -207,14 +207,6 @@ TEST(Rules, SaturatedSoilHasWater) {
                          "the domain has no water: all of the weight is effective stress, 2 times that")));
 }
 
-TEST(Rules, DensitiesAreInKilograms) {
-  EXPECT_THAT(
-      remarks_of(with("density = 1700.0", "density = 1.7")),
-      Contains(
-          "case.toml:10:11: warning: [halfspace] density = 1.7 kg/m3 is that of no soil or rock: kg/m3 are "
-          "meant, 1700 for a dry sand"));
-}
-
 TEST(Rules, OneStressAtRestForDomainAndColumns) {
   const auto text =
       with("model = \"linear_elastic\"\n", "model = \"linear_elastic\"\nrest_coefficient = 0.7\n",

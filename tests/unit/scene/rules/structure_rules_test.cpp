@@ -104,6 +104,28 @@ TEST(Rules, StructuresAreWide) {
               IsEmpty());
 }
 
+TEST(Rules, RingsAreMeasuredBetweenOutlineAndHole) {
+  const auto ring = [](std::string_view hole, std::string_view kind = "young = 1e7\npoisson = 0.2") {
+    return errors_of(heavy() +
+                     "[[structure]]\nname = \"pipe\"\ncircle = { centre = [10.0, -5.0], radius = 2.5 }\n" +
+                     std::string(hole) + "\ndensity = 1000.0\n" + std::string(kind) +
+                     "\nfriction = 0.5\n[[refine]]\nbox = [5.0, "
+                     "-10.0, 15.0, 0.0]\nlevel = 2\n");
+  };
+  // Two cells of 0.25 m.
+  EXPECT_THAT(ring("hole_circle = { centre = [10.0, -5.0], radius = 2.0 }"), IsEmpty());
+  EXPECT_THAT(
+      ring("hole_circle = { centre = [10.0, -5.0], radius = 2.1 }"),
+      ElementsAre(HasSubstr("'circle' is 0.4 m thick at one place, between it and 'hole_circle', must be "
+                            "at least two cells of 0.25 m")));
+  // What soil meets of a rigid one is its outline.
+  EXPECT_THAT(ring("hole_circle = { centre = [10.0, -5.0], radius = 2.1 }", "rigid = true"), IsEmpty());
+  // Thin at the crown alone; a rectangle in the circle at its corners.
+  EXPECT_THAT(ring("hole_circle = { centre = [10.0, -4.75], radius = 2.0 }"),
+              ElementsAre(HasSubstr("is 0.25 m thick")));
+  EXPECT_THAT(ring("hole = [[8.6, -6.4], [11.4, -6.4], [11.4, -3.6], [8.6, -3.6]]"), IsEmpty());
+}
+
 TEST(Rules, StructuresLieOnTheFinestLevel) {
   const auto refined = [](std::string_view box) {
     return errors_of(with_block() + "[[refine]]\nbox = " + std::string(box) + "\nlevel = 1\n");
@@ -152,19 +174,6 @@ TEST(Rules, StructuresSuitTimeStepping) {
               ElementsAre(HasSubstr("case.toml:43:12: [time] 'subcycle' = true is for cases without "
                                     "[[structure]]")));
   EXPECT_THAT(errors_of(with_block() + "[time]\norder = \"usl\"\n"), IsEmpty());
-}
-
-TEST(Rules, StructuresWeighWhatTheyCan) {
-  const auto density = [](std::string_view value) {
-    return remarks_of(with("density = 1000.0", "density = " + std::string(value), with_block()));
-  };
-  EXPECT_THAT(density("2.5"),
-              Contains(HasSubstr("case.toml:36:11: warning: [[structure]] 'density' = 2.5 kg/m3 "
-                                 "is that of no structure: kg/m3 are meant, 2400 for concrete, "
-                                 "about 300 for a building with its rooms; 2.5 t/m3 would be "
-                                 "2500")));
-  EXPECT_THAT(density("24e3"), Contains(HasSubstr("24000 N/m3 would be 2446")));
-  EXPECT_THAT(density("300.0"), Not(Contains(HasSubstr("of no structure"))));
 }
 
 TEST(Rules, StructuresSlip) {
