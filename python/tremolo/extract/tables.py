@@ -1,7 +1,6 @@
 """Tables as comma-separated files: a heading with the unit at the end of each name, then numbers; empty where there is none."""
 
 import csv
-import io
 
 import numpy as np
 
@@ -15,9 +14,8 @@ def file_name(*words):
 
 def write(path, table):
     """table: name -> array, all of one length. Returns the path."""
-    heading = io.StringIO()
-    csv.writer(heading).writerow(table)
-    with open(outputs.writable(path, beginning=heading.getvalue()), "w", newline="", encoding="utf-8") as stream:
+    first = next(iter(table)) + ","  # the columns behind it depend on what is asked for
+    with open(outputs.writable(path, beginning=first), "w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream)
         writer.writerow(table)
         for row in zip(*table.values()):
