@@ -49,13 +49,6 @@ Profile rock_below() {
   return profile;
 }
 
-/// Layers that follow laws, linear ones here, take another path than those without.
-Profile with_laws(Profile profile) {
-  for (Layer& layer : profile.layers)
-    layer.law = tremolo::materials::LinearElastic{layer.soil};
-  return profile;
-}
-
 /// The exact column of one polarisation.
 LayeredColumn exact(const Profile& profile, const Damping& damping, double (Elasticity::*modulus)() const) {
   std::vector<tremolo::testing::ScalarLayer> layers;
@@ -185,11 +178,6 @@ TEST(FeColumnConvergence, TwoLayersRayleighByCentralDifferences) {
 
 TEST(FeColumnConvergence, RayleighOverUndampedRock) {
   expect_second_order(rock_below(), {0.5, 1e-3, Integrator::newmark, RayleighDamping{1.0, 6.0}}, 3e-3);
-}
-
-TEST(FeColumnConvergence, LawsWithRayleighByNewmark) {
-  expect_second_order(with_laws(rock_below()), {0.5, 1e-3, Integrator::newmark, RayleighDamping{1.0, 6.0}},
-                      3e-3);
 }
 
 TEST(FeColumnConvergence, TwoLayersKelvinVoigtByNewmark) {
