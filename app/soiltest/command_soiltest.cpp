@@ -5,8 +5,8 @@
 #include "app/soiltest/soiltest_output.hpp"
 #include "app/soiltest/soiltest_progress.hpp"
 #include "app/soiltest/soiltest_report.hpp"
-#include "scene/keys/plausible.hpp"
 #include "scene/soil_test.hpp"
+#include "scene/soils/plausible.hpp"
 
 #include <fmt/format.h>
 

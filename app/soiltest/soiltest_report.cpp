@@ -1,7 +1,7 @@
 #include "app/soiltest/soiltest_report.hpp"
 
 #include "materials/soiltest/notes.hpp"
-#include "scene/keys/plausible.hpp"
+#include "scene/soils/plausible.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/soils/soil_report.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "mesh/polygon_measures.hpp"
 #include "mpm_domain/spec/structure.hpp"
-#include "scene/plan/thickness.hpp"
 #include "scene/sweep.hpp"
+#include "scene/thickness.hpp"
 
 #include <fmt/format.h>
 

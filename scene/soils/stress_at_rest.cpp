@@ -1,6 +1,6 @@
 #include "scene/soils/stress_at_rest.hpp"
 
-#include "scene/keys/plausible.hpp"
+#include "scene/soils/plausible.hpp"
 #include "scene/sweep.hpp"
 
 #include <fmt/format.h>

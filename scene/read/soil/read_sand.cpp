@@ -1,6 +1,6 @@
-#include "scene/keys/plausible.hpp"
 #include "scene/read/soil/read_soil.hpp"
 #include "scene/read/soil/read_water.hpp"
+#include "scene/soils/plausible.hpp"
 #include "scene/soils/soil_library.hpp"
 
 #include <fmt/format.h>

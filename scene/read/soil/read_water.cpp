@@ -1,6 +1,6 @@
 #include "scene/read/soil/read_water.hpp"
 
-#include "scene/keys/plausible.hpp"
+#include "scene/soils/plausible.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include "scene/keys/plausible.hpp"
 #include "scene/rules/rules.hpp"
+#include "scene/soils/plausible.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "scene/plan/structures.hpp"
-#include "scene/plan/thickness.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/rules/structure/outlines.hpp"
+#include "scene/thickness.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The table of plausible values: each kind of unit speaks, and keeps silent close by.
 
-#include "scene/keys/plausible.hpp"
+#include "scene/soils/plausible.hpp"
 
 #include "rules/rule_cases.hpp"
 #include "scene/soils/soil_library.hpp"

@@ -1,4 +1,4 @@
-#include "scene/plan/thickness.hpp"
+#include "scene/thickness.hpp"
 
 #include "mesh/polygon_measures.hpp"
 

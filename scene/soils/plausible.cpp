@@ -1,4 +1,4 @@
-#include "scene/keys/plausible.hpp"
+#include "scene/soils/plausible.hpp"
 
 #include "scene/choices.hpp"
 
