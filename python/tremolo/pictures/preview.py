@@ -1,4 +1,5 @@
-"""The model before it shakes: soils, monitors, lines, sliding masses, boundaries, mesh size, dimensions, and the incident wave."""
+"""The model before it shakes: soils, water table, monitors, lines, sliding masses, boundaries, mesh size, dimensions, and the
+incident wave."""
 
 import numpy as np
 from matplotlib.colors import ListedColormap
@@ -6,11 +7,17 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Arc, Patch
 
 from tremolo import bodies, style
+from tremolo.pictures.labels import Labels
 
 
 def preview(run, folder):
+    return style.save(drawn(run), folder, "model.png")
+
+
+def drawn(run):
+    """The figure."""
     position = run.field(0, "position")
-    low, high = position.min(axis=0), position.max(axis=0)
+    low, high = _box(run, position)
     width, height = high - low
     top = max([high[1], *(run.body(name).outline[:, 1].max() for name in run.bodies)])
     bounds = (low[0] - 0.12 * width, low[1] - 0.27 * width, high[0] + 0.12 * width, top + 0.05 * width)
@@ -21,17 +28,38 @@ def preview(run, folder):
     ax.set(xlabel="", ylabel="", xticks=[], yticks=[])
     figure.suptitle(run.title, fontsize=10)
     style.fix_layout(figure)
+    labels = Labels(ax)
     _soils(ax, run, position)
     bodies.draw(ax, run, 0)
-    bodies.label(ax, run)
-    tops = [position[beside, 1].max() for beside in _edges(position, low, high)]
+    tops = _surfaces(run, position, low, high)
     _boundaries(ax, low, high, tops)
     _dimensions(ax, low, high, tops)
     _incident_wave(ax, run, low, width)
-    _monitors(ax, run)
-    _lines(ax, run)
-    _sliding_masses(ax, run)
-    return style.save(figure, folder, "model.png")
+    labels.keep_free(*ax.texts, ax.get_legend())
+    _water_table(ax, labels, run, low, high)
+    _structures(labels, run)
+    _sliding_masses(ax, labels, run)
+    _monitors(ax, labels, run)
+    _lines(ax, labels, run)
+    return figure
+
+
+def _box(run, position):
+    """Corners of the model's box below its highest soil, m. Particles end half their size before it."""
+    half = 0.5 * np.max(style.sizes(run, 0))
+    low, high = position.min(axis=0) - half, position.max(axis=0) + half
+    box = run.attribute("box")
+    return (low, high) if box is None else (np.array(box[:2]), np.array([box[2], min(box[3], high[1])]))
+
+
+def _surfaces(run, position, low, high):
+    """y of the ground's surface at the left and at the right side, m."""
+    levels = run.attribute("surface_levels")
+    if levels is not None:
+        return levels
+    strip = 0.02 * (high[0] - low[0])
+    sides = position[:, 0] < low[0] + strip, position[:, 0] > high[0] - strip
+    return [position[beside, 1].max() + 0.5 * np.max(style.sizes(run, 0)) for beside in sides]
 
 
 def _soils(ax, run, position):
@@ -48,12 +76,6 @@ def _soils(ax, run, position):
         cells = f"mesh size {mesh:g} m" if finest == mesh else f"mesh size {mesh:g} to {finest:g} m"
         handles.append(Line2D([], [], linestyle="", label=f"{cells}, {len(position):,} particles"))
     ax.legend(handles=handles, loc="lower right", handlelength=1.2)
-
-
-def _edges(position, low, high):
-    """Which particles lie at the left and at the right side."""
-    strip = 0.02 * (high[0] - low[0])
-    return position[:, 0] < low[0] + strip, position[:, 0] > high[0] - strip
 
 
 def _boundaries(ax, low, high, tops):
@@ -79,9 +101,9 @@ def _dimension(ax, start, end, text):
 def _dimensions(ax, low, high, tops):
     width = high[0] - low[0]
     y = low[1] - 0.05 * width
-    _dimension(ax, (low[0], y), (high[0], y), f"{width:.0f} m")
+    _dimension(ax, (low[0], y), (high[0], y), f"{width:.4g} m")
     for x, top in zip((low[0] - 0.07 * width, high[0] + 0.07 * width), tops):
-        _dimension(ax, (x, low[1]), (x, top), f"{top - low[1]:.0f} m")
+        _dimension(ax, (x, low[1]), (x, top), f"{top - low[1]:.4g} m")
 
 
 def _incident_wave(ax, run, low, width):
@@ -109,28 +131,44 @@ def _incident_wave(ax, run, low, width):
     )
 
 
-def _monitors(ax, run):
-    for name in run.monitors:
-        monitor = run.monitor(name)
-        if len(monitor) == 0:
-            continue
-        point = monitor["x"][0], monitor["y"][0]
+def _structures(labels, run):
+    for name in run.bodies:
+        outline = run.body(name).outline
+        labels.add(name, 0.5 * (outline.min(axis=0) + outline.max(axis=0)), over=True)
+
+
+def _monitors(ax, labels, run):
+    points = {name: (run.monitor(name)["x"][0], run.monitor(name)["y"][0]) for name in run.monitors if len(run.monitor(name))}
+    labels.keep_free_at(list(points.values()))
+    for name, point in points.items():
         ax.plot(*point, marker="v", color="black", markersize=5, clip_on=False)
-        ax.annotate(name, point, xytext=(0, 5), textcoords="offset points", ha="center", va="bottom", fontsize=8)
+        labels.add(name, point)
 
 
-def _lines(ax, run):
+def _lines(ax, labels, run):
     for name in run.lines:
         places = [(point["x"][0], point["y"][0]) for point in run.line(name) if len(point)]
         if places:
             ax.plot(*np.transpose(places), ".-", color="black", markersize=2, linewidth=0.5)
-            ax.annotate(name, places[len(places) // 2], xytext=(4, 0), textcoords="offset points", va="center", fontsize=8)
+            labels.keep_free_at(places, width=2.0)
+            labels.add(name, places[len(places) // 2])
 
 
-def _sliding_masses(ax, run):
+def _sliding_masses(ax, labels, run):
     """Their outlines, also where they lie above the ground."""
     for name in run.sliding_masses:
         outline = run.sliding_mass(name).outline
         ax.plot(*np.vstack([outline, outline[:1]]).T, color=style.COLOURS[3], linewidth=1.0, linestyle="--")
-        ax.annotate(name, outline[np.argmin(outline[:, 1])], xytext=(0, -4), textcoords="offset points", ha="center", va="top",
-                    fontsize=8, color=style.COLOURS[3])
+        labels.add(name, outline[np.argmin(outline[:, 1])], color=style.COLOURS[3])
+
+
+def _water_table(ax, labels, run, low, high):
+    """A line from side to side, with the triangle of drawings on it."""
+    level = run.attribute("water_table")
+    if level is None:
+        return
+    labels.keep_free_at([(x, level) for x in np.linspace(low[0], high[0], 200)], width=2.0)
+    ax.plot([low[0], high[0]], [level, level], color=style.COLOURS[0], linewidth=0.9, linestyle=(0, (6, 2)))
+    mark, middle = (low[0] + share * (high[0] - low[0]) for share in (0.06, 0.22))
+    labels.keep_free(ax.text(mark, level, "$\\nabla$", ha="center", va="bottom", fontsize=8, color=style.COLOURS[0]))
+    labels.add(f"water table, y = {level:.4g} m", (middle, level), color=style.COLOURS[0])

@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import itertools
 import json
 import tempfile
 import unittest
@@ -10,10 +11,11 @@ from pathlib import Path
 import h5py
 import matplotlib.image
 import numpy as np
+from matplotlib.text import Text
 
 import synthetic_run
 from tremolo import Run, bodies, comparison, histories, motion, pore_pressure, style
-from tremolo.pictures import fronts, maps
+from tremolo.pictures import fronts, maps, preview
 from tremolo.__main__ import main
 
 
@@ -50,6 +52,45 @@ class Pictures(unittest.TestCase):
         self.assertEqual((status, error), (0, ""))
         names = ["model.png", "acceleration.png", "shear_bands.png", "monitor_crest.png", "energy.png", "fronts.png"]
         self.expect_pictures(paths, names)
+
+    def model(self, name, **attributes):
+        """The texts of the picture of a model, and its axes."""
+        path = self.folder / f"{name}.h5"
+        synthetic_run.write(path, frames=1, size=2.0, structures=True)
+        with h5py.File(path, "a") as file:
+            file.attrs.update(attributes)
+            for number, x in enumerate((45.5, 46.0, 46.5)):  # closer to each other than their names are long
+                file.copy("monitors/crest", f"monitors/beside {number}")
+                rows = file[f"monitors/beside {number}"]
+                values = rows[()]
+                values[:, 1] = x
+                rows[...] = values
+        with Run(path) as run:
+            figure = preview.drawn(run)
+        self.addCleanup(style.plt.close, figure)
+        return {text.get_text(): text for text in figure.axes[0].texts if text.get_text()}, figure.axes[0]
+
+    def test_model_has_the_dimensions_of_its_box(self):
+        # Particles of 1 m: their centres are 69 m apart, and 19 and 29 m above each other.
+        texts, _ = self.model("levels", surface_levels=[0.0, 10.0])
+        self.assertLessEqual({"70 m", "20 m", "30 m"}, set(texts))
+        texts, _ = self.model("half", box=[0.0, -20.25, 70.5, 10.0], surface_levels=[0.0, 10.0])
+        self.assertLessEqual({"70.5 m", "20.25 m", "30.25 m"}, set(texts))
+
+    def test_labels_of_the_model_do_not_overlap(self):
+        texts, axes = self.model("labels", water_table=-2.0)
+        names = ["crest", "beside 0", "beside 1", "beside 2", "tunnel", "block", "water table, y = -2 m", "free field",
+                 "transmitting base", "70 m"]
+        boxes = {name: Text.get_window_extent(texts[name]) for name in names} | {"legend": axes.get_legend().get_window_extent()}
+        for (one, box), (other, beside) in itertools.combinations(boxes.items(), 2):
+            self.assertFalse(box.overlaps(beside), f"{one} and {other}")
+
+    def test_the_water_table_is_drawn(self):
+        texts, axes = self.model("table", water_table=-2.5)
+        self.assertIn("water table, y = -2.5 m", texts)
+        self.assertIn(([0.0, 70.0], [-2.5, -2.5]), [(list(line.get_xdata()), list(line.get_ydata())) for line in axes.lines])
+        texts, _ = self.model("dry")
+        self.assertFalse([text for text in texts if "water" in text])
 
     def test_motion_beside_the_spectrum_that_it_was_matched_to(self):
         target = {"period": np.array([0.1, 1.0]), "acceleration": np.array([4.903325, 1.96133])}
