@@ -7,8 +7,8 @@ import json
 import sys
 from pathlib import Path
 
-from tremolo import (bodies, column, comparison, cost, deconvolution, failure, histories, motion, pore_pressure, swap,
-                     timeline, verification)
+from tremolo import (bodies, column, comparison, cost, deconvolution, failure, histories, motion, outputs, pore_pressure,
+                     swap, timeline, verification)
 from tremolo.pictures import fronts, maps, mechanism, preview
 from tremolo.soil_test import drawing, record
 from tremolo.extract import command as extract_command
@@ -18,9 +18,7 @@ from tremolo.sweep import command as sweep_command
 
 
 def _folder(argument, run):
-    folder = Path(argument) if argument else run.path.parent / "pictures"
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder
+    return outputs.made_folder(argument or run.path.parent / "pictures")
 
 
 def _port(text):

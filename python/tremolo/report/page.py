@@ -7,6 +7,7 @@ import json
 import tempfile
 from pathlib import Path
 
+from tremolo import outputs
 from tremolo.pictures import preview
 from tremolo.report import facts, frames, kinds
 from tremolo.run import Run
@@ -183,8 +184,11 @@ def write(paths, out=None):
     of a swap, a ladder or a sweep, OUT.html beside OUT.h5).
     Raises OSError and ValueError for what cannot be read, for a run without frames, and where Jinja2 or Plotly is missing.
     """
+    if out:  # before the work
+        outputs.made_folder(Path(out).parent)
+        if Path(out).is_dir():
+            raise IsADirectoryError(f"--out {out}: is a folder; give the name of a file")
     page, beside = (_of_runs if kinds.alike(paths) else _of_studies)(paths)
     out = Path(out) if out else beside
-    out.parent.mkdir(parents=True, exist_ok=True)
     out.write_text(page, encoding="utf-8")
     return out

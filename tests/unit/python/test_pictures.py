@@ -197,6 +197,20 @@ class Pictures(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("time 99 s lies outside the run's frames, 0 to 1.98 s", error)
 
+    def test_a_file_where_a_folder_is_wanted_is_one_line(self):
+        file = self.folder / "file.txt"
+        file.write_text("kept")
+        runs = self.folder / "15", self.folder / "15"
+        for command in (["plot", runs[0]], ["compare", *runs], ["extract", runs[0]]):
+            for out in (file, file / "below"):
+                status, lines, error = run_command(*command, "--out", out)
+                self.assertEqual((1, [], f"tremolo: cannot make the folder {out}: {file} is no folder\n"), (status, lines, error))
+        for out, reason in ((file / "page.html", f"cannot make the folder {file}: {file} is no folder"),
+                            (self.folder, f"--out {self.folder}: is a folder; give the name of a file")):
+            status, lines, error = run_command("report", runs[0], "--out", out)
+            self.assertEqual((1, [], f"tremolo: {reason}\n"), (status, lines, error))
+        self.assertEqual("kept", file.read_text())
+
     def test_absent_run_is_one_line(self):
         status, _, error = run_command("plot", self.folder / "nowhere")
         self.assertEqual(status, 1)
