@@ -25,8 +25,14 @@ class Labels:
 
     def keep_free_at(self, points, width=5.0):
         """Nothing is written over these points [points, 2]; width of what stands there, in points of print."""
-        half = 0.5 * width * self._ax.figure.dpi / 72.0
-        self._taken += [Bbox([place - half, place + half]) for place in self._ax.transData.transform(np.reshape(points, (-1, 2)))]
+        self._take(self._ax.transData.transform(np.reshape(points, (-1, 2))), width)
+
+    def keep_free_along(self, corners):
+        """Nothing is written over the line through these points [points, 2]."""
+        places = self._ax.transData.transform(corners)
+        for start, end in zip(places, places[1:]):
+            steps = np.linspace(0.0, 1.0, 2 + int(np.hypot(*(end - start)) / 4.0))[:, None]  # of 4 pixels at most
+            self._take(start + steps * (end - start), width=1.0)
 
     def add(self, name, point, over=False, **looks):
         """Writes a name beside a point, at the first place where none is free.
@@ -46,6 +52,10 @@ class Labels:
         text.arrow_patch.set_visible(distance >= JOINED)
         self._taken.append(box)
         return text
+
+    def _take(self, places, width):
+        half = 0.5 * width * self._ax.figure.dpi / 72.0
+        self._taken += [Bbox([place - half, place + half]) for place in places]
 
     def _is_free(self, box):
         page = self._ax.figure.bbox

@@ -32,10 +32,13 @@ def drawn(run):
     _soils(ax, run, position)
     bodies.draw(ax, run, 0)
     tops = _surfaces(run, position, low, high)
-    _boundaries(ax, low, high, tops)
+    _boundaries(ax, run, low, high, tops)
     _dimensions(ax, low, high, tops)
     _incident_wave(ax, run, low, width)
     labels.keep_free(*ax.texts, ax.get_legend())
+    labels.keep_free_along([(low[0], tops[0]), low, (high[0], low[1]), (high[0], tops[1])])
+    for name in run.bodies:
+        labels.keep_free_along(np.vstack([run.body(name).outline, run.body(name).outline[:1]]))
     _water_table(ax, labels, run, low, high)
     _structures(labels, run)
     _sliding_masses(ax, labels, run)
@@ -53,13 +56,12 @@ def _box(run, position):
 
 
 def _surfaces(run, position, low, high):
-    """y of the ground's surface at the left and at the right side, m."""
-    levels = run.attribute("surface_levels")
-    if levels is not None:
-        return levels
-    strip = 0.02 * (high[0] - low[0])
+    """y of the ground's surface at the left and at the right side, m: that of the free field, where there is one."""
+    size, strip = np.max(style.sizes(run, 0)), 0.02 * (high[0] - low[0])
     sides = position[:, 0] < low[0] + strip, position[:, 0] > high[0] - strip
-    return [position[beside, 1].max() + 0.5 * np.max(style.sizes(run, 0)) for beside in sides]
+    tops = np.array([position[beside, 1].max() + 0.5 * size for beside in sides])
+    levels = np.array(run.attribute("surface_levels", tops))
+    return np.where(np.abs(levels - tops) < size, levels, tops)
 
 
 def _soils(ax, run, position):
@@ -73,43 +75,56 @@ def _soils(ax, run, position):
     mesh = run.attribute("mesh_size")
     if mesh:
         finest = mesh * np.min(style.sizes(run, 0)) / style.spacing(run)
-        cells = f"mesh size {mesh:g} m" if finest == mesh else f"mesh size {mesh:g} to {finest:g} m"
+        cells = f"mesh size {mesh:g} m" if np.isclose(finest, mesh) else f"mesh size {mesh:g} to {finest:g} m"
         handles.append(Line2D([], [], linestyle="", label=f"{cells}, {len(position):,} particles"))
     ax.legend(handles=handles, loc="lower right", handlelength=1.2)
 
 
-def _boundaries(ax, low, high, tops):
-    """Faces that carry the tractions of Eq. (6)."""
+def _supports(run):
+    """What holds the sides, and what the base: "free field", "transmitting base"."""
+    is_on = {effect["name"]: effect["on"] for effect in run.plan.get("effects", [])}
+    if is_on.get("periodic sides"):
+        sides = "periodic"
+    else:
+        sides = "free field" if run.shaking_table is None else "wall"
+    return sides, "transmitting base" if run.shaking_table is None else "shaking table"
+
+
+def _boundaries(ax, run, low, high, tops):
+    """What stands around the model; dashed are sides that carry the tractions of Eq. (6)."""
+    sides, base = _supports(run)
     line = dict(color="#333333", linewidth=1.2)
-    ax.plot([low[0], low[0]], [low[1], tops[0]], **line, linestyle=(0, (4, 2)))
-    ax.plot([high[0], high[0]], [low[1], tops[1]], **line, linestyle=(0, (4, 2)))
+    for x, top in zip((low[0], high[0]), tops):
+        ax.plot([x, x], [low[1], top], **line, linestyle="-" if sides == "wall" else (0, (4, 2)))
     ax.plot([low[0], high[0]], [low[1], low[1]], **line)
     gap = 0.015 * (high[0] - low[0])
     middle = 0.5 * (low[1] + min(tops))
     text = dict(fontsize=8, color="#333333")
-    ax.text(low[0] - gap, middle, "free field", rotation=90, ha="right", va="center", **text)
-    ax.text(high[0] + gap, middle, "free field", rotation=270, ha="left", va="center", **text)
-    ax.text(0.5 * (low[0] + high[0]), low[1] + gap, "transmitting base", ha="center", va="bottom", **text)
+    ax.text(low[0] - gap, middle, sides, rotation=90, ha="right", va="center", **text)
+    ax.text(high[0] + gap, middle, sides, rotation=270, ha="left", va="center", **text)
+    ax.text(0.5 * (low[0] + high[0]), low[1] + gap, base, ha="center", va="bottom", **text)
 
 
-def _dimension(ax, start, end, text):
+def _dimension(ax, start, end, aside=0.0):
+    """A length between two points above or beside each other; written along it, at a distance (m) right of it."""
     ax.annotate("", start, end, arrowprops=dict(arrowstyle="<->", linewidth=0.7, shrinkA=0, shrinkB=0))
-    middle = 0.5 * (np.array(start) + np.array(end))
-    ax.text(*middle, text, ha="center", va="center", fontsize=8, bbox=dict(color="white", pad=0.8))
+    across, up = np.array(end) - start
+    ax.text(start[0] + 0.5 * across + aside, start[1] + 0.5 * up, f"{max(across, up):.4g} m", ha="center", va="center", fontsize=8,
+            rotation=90 if up else 0, bbox=dict(color="white", pad=0.8))
 
 
 def _dimensions(ax, low, high, tops):
     width = high[0] - low[0]
     y = low[1] - 0.05 * width
-    _dimension(ax, (low[0], y), (high[0], y), f"{width:.4g} m")
-    for x, top in zip((low[0] - 0.07 * width, high[0] + 0.07 * width), tops):
-        _dimension(ax, (x, low[1]), (x, top), f"{top - low[1]:.4g} m")
+    _dimension(ax, (low[0], y), (high[0], y))
+    for x, outwards, top in zip((low[0], high[0]), (-width, width), tops):
+        _dimension(ax, (x + 0.07 * outwards, low[1]), (x + 0.07 * outwards, top), aside=0.018 * outwards)
 
 
 def _incident_wave(ax, run, low, width):
     """An arrow along the travelling direction under the base, and its angle from the vertical."""
     angle = run.attribute("angle_deg")
-    if angle is None:
+    if angle is None or run.shaking_table is not None:
         return
     length = 0.14 * width
     direction = np.array([np.sin(np.radians(angle)), np.cos(np.radians(angle))])
@@ -158,7 +173,9 @@ def _sliding_masses(ax, labels, run):
     """Their outlines, also where they lie above the ground."""
     for name in run.sliding_masses:
         outline = run.sliding_mass(name).outline
-        ax.plot(*np.vstack([outline, outline[:1]]).T, color=style.COLOURS[3], linewidth=1.0, linestyle="--")
+        ring = np.vstack([outline, outline[:1]])
+        labels.keep_free_along(ring)
+        ax.plot(*ring.T, color=style.COLOURS[3], linewidth=1.0, linestyle="--")
         labels.add(name, outline[np.argmin(outline[:, 1])], color=style.COLOURS[3])
 
 
@@ -167,7 +184,7 @@ def _water_table(ax, labels, run, low, high):
     level = run.attribute("water_table")
     if level is None:
         return
-    labels.keep_free_at([(x, level) for x in np.linspace(low[0], high[0], 200)], width=2.0)
+    labels.keep_free_along([(low[0], level), (high[0], level)])
     ax.plot([low[0], high[0]], [level, level], color=style.COLOURS[0], linewidth=0.9, linestyle=(0, (6, 2)))
     mark, middle = (low[0] + share * (high[0] - low[0]) for share in (0.06, 0.22))
     labels.keep_free(ax.text(mark, level, "$\\nabla$", ha="center", va="bottom", fontsize=8, color=style.COLOURS[0]))

@@ -11,6 +11,7 @@ import html
 import http.server
 import json
 import os
+import re
 import secrets
 import signal
 import socket
@@ -25,6 +26,7 @@ from tremolo.run import Run
 
 EVERY = 2.0  # s between two looks at the run
 PATIENCE = 10.0  # s that a browser may take to ask, and to take the answer
+THIS_MACHINE = re.compile(r"(127\.0\.0\.1|localhost)(:\d{1,5})?", re.IGNORECASE)  # of any port: that of a tunnel may be another
 WORKERS = 16  # requests that are answered at a time; as many connections may be open that have not asked yet
 WAITING = """<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta http-equiv="refresh" content="2">
 <link rel="icon" href="data:,"><title>tremolo watch</title></head><body><h1>{}</h1><p id="told">{}</p></body></html>"""
@@ -135,7 +137,6 @@ class Server(http.server.HTTPServer):
         self._lock = threading.Lock()
         self._silent = {}  # connections that have not asked yet, the oldest first
         super().__init__(("127.0.0.1", port), _handler(watch))
-        self.hosts = {f"{name}:{self.server_address[1]}" for name in ("127.0.0.1", "localhost")}
 
     def process_request(self, request, client_address):
         with self._lock:
@@ -221,8 +222,8 @@ def _handler(watch):
 
         def _allowed(self):
             hosts = self.headers.get_all("Host", [])
-            if len(hosts) != 1 or hosts[0].strip().lower() not in self.server.hosts:
-                self._answer("text/plain", f"the request must name its host, one of {', '.join(sorted(self.server.hosts))}", 403)
+            if len(hosts) != 1 or not THIS_MACHINE.fullmatch(hosts[0].strip()):
+                self._answer("text/plain", "the request must name 127.0.0.1 or localhost as its host", 403)
                 return False
             if self._address() is None:
                 self._answer("text/plain", "the request asks for no address that can be read", 400)

@@ -53,12 +53,14 @@ class Pictures(unittest.TestCase):
         names = ["model.png", "acceleration.png", "shear_bands.png", "monitor_crest.png", "energy.png", "fronts.png"]
         self.expect_pictures(paths, names)
 
-    def model(self, name, **attributes):
+    def model(self, name, table=False, **attributes):
         """The texts of the picture of a model, and its axes."""
         path = self.folder / f"{name}.h5"
         synthetic_run.write(path, frames=1, size=2.0, structures=True)
         with h5py.File(path, "a") as file:
             file.attrs.update(attributes)
+            if table:
+                file.copy("monitors/crest", "shaking_table")
             for number, x in enumerate((45.5, 46.0, 46.5)):  # closer to each other than their names are long
                 file.copy("monitors/crest", f"monitors/beside {number}")
                 rows = file[f"monitors/beside {number}"]
@@ -74,6 +76,9 @@ class Pictures(unittest.TestCase):
         # Particles of 1 m: their centres are 69 m apart, and 19 and 29 m above each other.
         texts, _ = self.model("levels", surface_levels=[0.0, 10.0])
         self.assertLessEqual({"70 m", "20 m", "30 m"}, set(texts))
+        # A container has no free field, so that its levels say nothing of the ground in it.
+        texts, _ = self.model("contained", surface_levels=[0.0, 0.0])
+        self.assertLessEqual({"70 m", "20 m", "30 m"}, set(texts))
         texts, _ = self.model("half", box=[0.0, -20.25, 70.5, 10.0], surface_levels=[0.0, 10.0])
         self.assertLessEqual({"70.5 m", "20.25 m", "30.25 m"}, set(texts))
 
@@ -84,6 +89,13 @@ class Pictures(unittest.TestCase):
         boxes = {name: Text.get_window_extent(texts[name]) for name in names} | {"legend": axes.get_legend().get_window_extent()}
         for (one, box), (other, beside) in itertools.combinations(boxes.items(), 2):
             self.assertFalse(box.overlaps(beside), f"{one} and {other}")
+
+    def test_a_shaking_table_is_called_so(self):
+        texts, _ = self.model("on ground")
+        self.assertLessEqual({"free field", "transmitting base", "incident SV wave,\n$\\beta$ = 15° from the vertical"}, set(texts))
+        texts, _ = self.model("on a table", table=True)
+        self.assertLessEqual({"wall", "shaking table"}, set(texts))
+        self.assertFalse({"free field", "transmitting base"} & set(texts) or [text for text in texts if "incident" in text])
 
     def test_the_water_table_is_drawn(self):
         texts, axes = self.model("table", water_table=-2.5)

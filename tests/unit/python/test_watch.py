@@ -81,12 +81,13 @@ class Requests(Served):
         self.expect_alive()
 
     def test_a_foreign_host_is_refused(self):
-        for host in ("", "Host: example.org\r\n", f"Host: example.org:{self.port}\r\n", "Host: 127.0.0.1\r\n",
-                     f"Host: 127.0.0.1:{self.port + 1}\r\n", self.host + "Host: example.org\r\n"):
+        for host in ("", "Host: example.org\r\n", f"Host: example.org:{self.port}\r\n", "Host: 127.0.0.1.example.org\r\n",
+                     "Host: localhost@example.org\r\n", self.host + "Host: example.org\r\n", self.host + self.host):
             for method in ("GET", "POST"):
                 with self.subTest(host=host, method=method):
                     self.assertEqual(403, self.status(self.asked("/abort" if method == "POST" else "/", host, method)))
-        self.assertEqual(200, self.status(self.asked(host=f"Host: LocalHost:{self.port}\r\n")))
+        for host in ("LocalHost", f"localhost:{self.port}", "127.0.0.1:8080"):  # of a tunnel
+            self.assertEqual(200, self.status(self.asked(host=f"Host: {host}\r\n")))
         self.expect_alive()
 
     def test_a_browser_that_leaves_is_no_matter(self):
