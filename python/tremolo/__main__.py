@@ -18,9 +18,14 @@ from tremolo.sweep import command as sweep_command
 
 
 def _folder(argument, run):
-    folder = Path(argument) if argument else run.path.parent / "pictures"
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder
+    return outputs.made_folder(argument or run.path.parent / "pictures")
+
+
+def _port(text):
+    """A port of this machine, 0 for any that is free."""
+    if not (text.isascii() and text.isdigit() and int(text) <= 65535):
+        raise argparse.ArgumentTypeError(f"'{text}' is no port; allowed are 1 to 65535, or 0 for a free one")
+    return int(text)
 
 
 def _times(arguments, run):
@@ -199,7 +204,7 @@ def _parser():
                       "of OUT.h5, OUT.html)")
     live = add("watch", follow, "The report of a run in a browser of this machine while the run goes on, until Ctrl-C.")
     live.add_argument("run", help="folder of the run, or its run.h5")
-    live.add_argument("--port", type=int, default=0, help="of the loopback address (default: a free one)")
+    live.add_argument("--port", type=_port, default=0, help="of the loopback address (default: a free one)")
     taken = add("extract", extract, "Tables of a run: histories, profiles along lines, spectral ratios, Newmark's displacement.")
     taken.add_argument("run", help="folder of the run, or its run.h5")
     taken.add_argument("--point", action="append", metavar="POINT",
@@ -278,7 +283,8 @@ def main(arguments=None):
         print(f"tremolo: {failed}", file=sys.stderr)
         return 1
     except (OSError, ValueError, KeyError) as error:
-        print(f"tremolo: {error}", file=sys.stderr)
+        words = error.args[0] if isinstance(error, KeyError) and error.args else error  # str() of a KeyError puts it in quotes
+        print(f"tremolo: {words}", file=sys.stderr)
         return 1
     return 0
 

@@ -30,13 +30,6 @@ def draw(ax, run, index):
         ax.add_patch(PathPatch(Path.make_compound_path(*rings), **FILL))
 
 
-def label(ax, run):
-    """Names of the structures in their middle at the start."""
-    for name in run.bodies:
-        outline = run.body(name).outline
-        ax.text(*(0.5 * (outline.min(axis=0) + outline.max(axis=0))), name, ha="center", va="center", fontsize=8)
-
-
 def _millimetres(values):
     """(factor, unit) in which lengths (m) are told."""
     return (1e3, "mm") if np.max(np.abs(values)) < 0.1 else (1.0, "m")

@@ -12,6 +12,7 @@ All values are SI units; tension is positive; x points right, y up.
 
 import contextlib
 import json
+import operator
 from pathlib import Path
 
 import h5py
@@ -37,8 +38,15 @@ def _text(value):
     return value
 
 
+class Fields(dict):
+    """The fields of a frame by name."""
+
+    def __missing__(self, name):
+        raise KeyError(f"no field '{name}'; the frame has {', '.join(self) or 'none'}")
+
+
 class Series:
-    """A time series: columns by name, units by column."""
+    """A time series: columns by name, units by column. `dict(series)` holds all columns."""
 
     def __init__(self, dataset):
         self.columns = _text(dataset.attrs["columns"])
@@ -47,7 +55,15 @@ class Series:
         # A writer that died while it flushed may have declared rows whose values never arrived.
         self._rows = rows[: np.count_nonzero(~np.isnan(rows[:, 0]))]
 
+    def keys(self):
+        return list(self.columns)
+
+    def __iter__(self):
+        return iter(self.columns)
+
     def __getitem__(self, column):
+        if column not in self.columns:
+            raise KeyError(f"no column '{column}'; the series has {', '.join(self.columns)}")
         return self._rows[:, self.columns.index(column)]
 
     def __len__(self):
@@ -190,16 +206,35 @@ class Run:
         with self._reading("the plan"):
             return json.loads(_text(self._file["plan"][()])) if "plan" in self._file else {}
 
+    def _frame_name(self, index):
+        """The name of a frame in the file. Raises TypeError and IndexError that say which frames there are."""
+        count = len(self._frames)
+        there = f"the run has {count} frames, 0 to {count - 1}" if count else "the run has no frame yet"
+        try:
+            index = operator.index(index)
+        except TypeError:
+            raise TypeError(f"{self.path}: frame {index!r} is no whole number; {there}; nearest_frame(time) finds one by its time") from None
+        if not -count <= index < count:
+            raise IndexError(f"{self.path}: no frame {index}; {there}")
+        return self._frames[index]
+
     def frame(self, index):
-        """Fields of one frame: name -> array [particles] or [particles, components]."""
+        """Fields of one frame: name -> array [particles] or [particles, components]. Frame -1 is the last one."""
+        name = self._frame_name(index)
         with self._reading(f"frame {index}"):
-            frame = self._file["frames"][self._frames[index]]
-            return {name: frame[name][()] for name in links.names(frame)}
+            frame = self._file["frames"][name]
+            return Fields({field: frame[field][()] for field in links.names(frame)})
 
     def field(self, index, name):
         """One field of one frame."""
+        frame_name = self._frame_name(index)
+        with self._reading(f"frame {index}"):
+            frame = self._file["frames"][frame_name]
+            names = links.names(frame)
+        if name not in names:
+            raise KeyError(f"{self.path}: no field '{name}' in frame {index}; it has {', '.join(names) or 'none'}")
         with self._reading(f"{name} of frame {index}"):
-            return self._file["frames"][self._frames[index]][name][()]
+            return frame[name][()]
 
     def has_field(self, name):
         with self._reading("frame 0"):
@@ -275,11 +310,12 @@ class Run:
         the body in N/m: normal_force (of effective stress) and water_force (of excess pore pressure) along the normal n,
         friction_force along (-n_y, n_x).
         """
+        name = self._frame_name(index)
         with self._reading(f"the contact nodes of frame {index}"):
             if "contact" not in self._file:
                 return None
-            nodes = self._file["contact"][self._frames[index]]
-            return {name: nodes[name][()] for name in links.names(nodes)}
+            nodes = self._file["contact"][name]
+            return Fields({field: nodes[field][()] for field in links.names(nodes)})
 
     @property
     def energy(self):

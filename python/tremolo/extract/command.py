@@ -1,9 +1,8 @@
 """`tremolo extract`: what a run stores, as tables that practice reads, and as pictures of them."""
 
-from pathlib import Path
-
 import numpy as np
 
+from tremolo import outputs
 from tremolo.extract import newmark, pictures, points, profiles, ratios, tables
 from tremolo.report.facts import GRAVITY
 from tremolo.run import Run
@@ -131,8 +130,7 @@ def carry_out(arguments):
     if arguments.ky:
         _require_newmark(run, arguments.ky)
         sign = _downslope(run, arguments.downslope)
-    folder = Path(arguments.out) if arguments.out else run.path.parent / "tables"
-    folder.mkdir(parents=True, exist_ok=True)
+    folder = outputs.made_folder(arguments.out or run.path.parent / "tables")
     yield from _histories(run, folder, wanted, base, arguments.plot)
     if base:
         yield from _ratios(folder, wanted, base, arguments.plot)

@@ -184,10 +184,10 @@ def write(paths, out=None):
     of a swap, a ladder or a sweep, OUT.html beside OUT.h5).
     Raises OSError and ValueError for what cannot be read, for a run without frames, and where Jinja2 or Plotly is missing.
     """
-    if out:
+    if out:  # before the work
+        outputs.made_folder(Path(out).parent)
         outputs.writable(out, inputs=paths)
     page, beside = (_of_runs if kinds.alike(paths) else _of_studies)(paths)
     out = outputs.writable(out or beside, inputs=paths)
-    out.parent.mkdir(parents=True, exist_ok=True)
     out.write_text(page, encoding="utf-8")
     return out

@@ -34,11 +34,28 @@ def _end(state, reason):
     return f"ended as {state}" + (f" ({reason})" if reason not in ("None", "") else "")
 
 
+def _asked(command):
+    """What a command of Slurm answers."""
+    try:
+        return subprocess.run(command, capture_output=True, text=True)
+    except OSError as error:
+        raise OSError(f"--slurm: {command[0]} cannot be started ({error.strerror}): the commands of Slurm must be on the PATH; without "
+                      "--slurm the runs are made on this machine") from error
+
+
+def _words(options):
+    """The options of sbatch one by one."""
+    try:
+        return shlex.split(options)
+    except ValueError as error:
+        raise ValueError(f"--slurm {options}: {error}") from error
+
+
 class Arrays:
     """Two job arrays at most; submits them, or finds those that an earlier command submitted."""
 
     def __init__(self, plan, options, tremolo, jobs=None):
-        self._plan, self._options, self._tremolo, self._jobs = plan, shlex.split(options), tremolo, jobs
+        self._plan, self._options, self._tremolo, self._jobs = plan, _words(options), tremolo, jobs
         self._file = plan.folder / "slurm.json"
         self.states = {}  # "12_3" -> (state, reason) as last seen
 
@@ -67,7 +84,7 @@ class Arrays:
         at_a_time = f"%{self._jobs}" if self._jobs else ""
         command = ["sbatch", "--parsable", "--requeue", "--job-name=tremolo-sweep", f"--output={log}/slurm_%A_%a.txt", *self._options,
                    *more, f"--array={','.join(map(str, numbers))}{at_a_time}", str(script)]
-        done = subprocess.run(command, capture_output=True, text=True)
+        done = _asked(command)
         if done.returncode != 0:
             raise ValueError(f"sbatch: {done.stderr.strip() or done.stdout.strip()}")
         return done.stdout.strip().split(";")[0]
@@ -75,8 +92,7 @@ class Arrays:
     def _look(self):
         """Takes up the states of all tasks; returns whether one may still compute. None: the queue cannot be seen."""
         jobs = self.jobs
-        done = subprocess.run(["squeue", "--noheader", "--array", "--states=all", f"--jobs={','.join(jobs)}", "--format=%i|%T|%r"],
-                              capture_output=True, text=True)
+        done = _asked(["squeue", "--noheader", "--array", "--states=all", f"--jobs={','.join(jobs)}", "--format=%i|%T|%r"])
         if done.returncode != 0 and GONE not in done.stderr:
             return None
         seen = {}

@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import itertools
 import json
 import tempfile
 import unittest
@@ -10,10 +11,11 @@ from pathlib import Path
 import h5py
 import matplotlib.image
 import numpy as np
+from matplotlib.text import Text
 
 import synthetic_run
 from tremolo import Run, bodies, comparison, histories, motion, pore_pressure, style
-from tremolo.pictures import fronts, maps, profile
+from tremolo.pictures import fronts, maps, preview, profile
 from tremolo.__main__ import main
 
 
@@ -50,6 +52,57 @@ class Pictures(unittest.TestCase):
         self.assertEqual((status, error), (0, ""))
         names = ["model.png", "acceleration.png", "shear_bands.png", "monitor_crest.png", "energy.png", "fronts.png"]
         self.expect_pictures(paths, names)
+
+    def model(self, name, table=False, **attributes):
+        """The texts of the picture of a model, and its axes."""
+        path = self.folder / f"{name}.h5"
+        synthetic_run.write(path, frames=1, size=2.0, structures=True)
+        with h5py.File(path, "a") as file:
+            file.attrs.update(attributes)
+            if table:
+                file.copy("monitors/crest", "shaking_table")
+            for number, x in enumerate((45.5, 46.0, 46.5)):  # closer to each other than their names are long
+                file.copy("monitors/crest", f"monitors/beside {number}")
+                rows = file[f"monitors/beside {number}"]
+                values = rows[()]
+                values[:, 1] = x
+                rows[...] = values
+        with Run(path) as run:
+            figure = preview.drawn(run)
+        self.addCleanup(style.plt.close, figure)
+        return {text.get_text(): text for text in figure.axes[0].texts if text.get_text()}, figure.axes[0]
+
+    def test_model_has_the_dimensions_of_its_box(self):
+        # Particles of 1 m: their centres are 69 m apart, and 19 and 29 m above each other.
+        texts, _ = self.model("levels", surface_levels=[0.0, 10.0])
+        self.assertLessEqual({"70 m", "20 m", "30 m"}, set(texts))
+        # A container has no free field, so that its levels say nothing of the ground in it.
+        texts, _ = self.model("contained", surface_levels=[0.0, 0.0])
+        self.assertLessEqual({"70 m", "20 m", "30 m"}, set(texts))
+        texts, _ = self.model("half", box=[0.0, -20.25, 70.5, 10.0], surface_levels=[0.0, 10.0])
+        self.assertLessEqual({"70.5 m", "20.25 m", "30.25 m"}, set(texts))
+
+    def test_labels_of_the_model_do_not_overlap(self):
+        texts, axes = self.model("labels", water_table=-2.0)
+        names = ["crest", "beside 0", "beside 1", "beside 2", "tunnel", "block", "water table, y = -2 m", "free field",
+                 "transmitting base", "70 m"]
+        boxes = {name: Text.get_window_extent(texts[name]) for name in names} | {"legend": axes.get_legend().get_window_extent()}
+        for (one, box), (other, beside) in itertools.combinations(boxes.items(), 2):
+            self.assertFalse(box.overlaps(beside), f"{one} and {other}")
+
+    def test_a_shaking_table_is_called_so(self):
+        texts, _ = self.model("on ground")
+        self.assertLessEqual({"free field", "transmitting base", "incident SV wave,\n$\\beta$ = 15° from the vertical"}, set(texts))
+        texts, _ = self.model("on a table", table=True)
+        self.assertLessEqual({"wall", "shaking table"}, set(texts))
+        self.assertFalse({"free field", "transmitting base"} & set(texts) or [text for text in texts if "incident" in text])
+
+    def test_the_water_table_is_drawn(self):
+        texts, axes = self.model("table", water_table=-2.5)
+        self.assertIn("water table, y = -2.5 m", texts)
+        self.assertIn(([0.0, 70.0], [-2.5, -2.5]), [(list(line.get_xdata()), list(line.get_ydata())) for line in axes.lines])
+        texts, _ = self.model("dry")
+        self.assertFalse([text for text in texts if "water" in text])
 
     def test_motion_beside_the_spectrum_that_it_was_matched_to(self):
         target = {"period": np.array([0.1, 1.0]), "acceleration": np.array([4.903325, 1.96133])}
@@ -164,6 +217,20 @@ class Pictures(unittest.TestCase):
         status, _, error = run_command("plot", self.folder / "15", "--time", 99)
         self.assertEqual(status, 1)
         self.assertIn("time 99 s lies outside the run's frames, 0 to 1.98 s", error)
+
+    def test_a_file_where_a_folder_is_wanted_is_one_line(self):
+        file = self.folder / "file.txt"
+        file.write_text("kept")
+        runs = self.folder / "15", self.folder / "15"
+        for command in (["plot", runs[0]], ["compare", *runs], ["extract", runs[0]]):
+            for out in (file, file / "below"):
+                status, lines, error = run_command(*command, "--out", out)
+                self.assertEqual((1, [], f"tremolo: cannot make the folder {out}: {file} is no folder\n"), (status, lines, error))
+        for out, reason in ((file / "page.html", f"cannot make the folder {file}: {file} is no folder"),
+                            (self.folder, f"--out {self.folder}: is a folder; give the name of a file")):
+            status, lines, error = run_command("report", runs[0], "--out", out)
+            self.assertEqual((1, [], f"tremolo: {reason}\n"), (status, lines, error))
+        self.assertEqual("kept", file.read_text())
 
     def test_absent_run_is_one_line(self):
         status, _, error = run_command("plot", self.folder / "nowhere")

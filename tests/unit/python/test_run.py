@@ -189,6 +189,45 @@ class ReadsADamagedRun(unittest.TestCase):
             with self.assertRaisesRegex(DamagedRun, "run.h5: cannot read the frames, the file is damaged"):
                 Run(path)
 
+    def test_a_frame_that_is_not_there_is_named_with_those_that_are(self):
+        with tempfile.TemporaryDirectory() as folder:
+            synthetic_run.write(Path(folder) / "run.h5", frames=3, size=5.0)
+            with Run(folder) as run:
+                self.assertEqual(list(run.frame(2)), list(run.frame(np.int64(-1))))
+                for read in (run.frame, lambda index: run.field(index, "velocity"), run.contact):
+                    for index in (3, 10**9, -4):
+                        with self.assertRaisesRegex(IndexError, f"run.h5: no frame {index}; the run has 3 frames, 0 to 2"):
+                            read(index)
+                    for index in (9.9, 1.0, "1", None):
+                        with self.assertRaisesRegex(TypeError, f"frame {index!r} is no whole number; the run has 3 frames, 0 to 2"):
+                            read(index)
+            with h5py.File(Path(folder) / "run.h5", "a") as file:
+                del file["frames"]
+                file.create_group("frames")
+            with Run(folder) as run, self.assertRaisesRegex(IndexError, "no frame 0; the run has no frame yet"):
+                run.frame(0)
+
+    def test_an_unknown_field_or_column_is_named_with_those_that_exist(self):
+        with tempfile.TemporaryDirectory() as folder:
+            synthetic_run.write(Path(folder) / "run.h5", frames=1, size=5.0)
+            with Run(folder) as run:
+                with self.assertRaisesRegex(KeyError, "run.h5: no field 'speed' in frame 0; it has acceleration, .*velocity"):
+                    run.field(0, "speed")
+                with self.assertRaisesRegex(KeyError, "no field 'speed'; the frame has acceleration, .*velocity"):
+                    run.frame(0)["speed"]
+                with self.assertRaisesRegex(KeyError, "no column 'speed'; the series has time, x, y, ux, uy, vx, vy, ax, ay"):
+                    run.monitor("crest")["speed"]
+
+    def test_a_series_becomes_a_dictionary_of_its_columns(self):
+        with tempfile.TemporaryDirectory() as folder:
+            synthetic_run.write(Path(folder) / "run.h5", frames=1, size=5.0)
+            with Run(folder) as run:
+                series = run.monitor("crest")
+                columns = dict(series)
+                self.assertEqual(["time", "x", "y", "ux", "uy", "vx", "vy", "ax", "ay"], list(columns))
+                np.testing.assert_array_equal(series["ax"], columns["ax"])
+                self.assertEqual(list(columns), list(series))
+
     def test_an_unknown_monitor_is_named_with_those_that_exist(self):
         with tempfile.TemporaryDirectory() as folder:
             synthetic_run.write(Path(folder) / "run.h5", frames=1, size=5.0)

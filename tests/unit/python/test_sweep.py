@@ -9,7 +9,7 @@ from unittest import mock
 
 import numpy as np
 
-from tremolo.sweep import measures, pictures, pool, statistics, table
+from tremolo.sweep import measures, pictures, pool, slurm, statistics, table
 from tremolo.sweep.plan import Order, Plan
 
 MOTIONS, ANGLES = ["a", "b", "c", "d"], [0, 15]
@@ -38,6 +38,22 @@ def written(folder, result, runs=None):
         run.write_result(status="failed" if failed else "complete", message=found if failed else "", replayed=None, settings=None,
                          measures={} if failed else found)
     return plan
+
+
+class WithoutSlurm(unittest.TestCase):
+    def test_is_said_in_words(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "cases").mkdir()
+            plan = written(Path(folder), lambda motion, angle: None)
+            with mock.patch.dict("os.environ", PATH=folder):
+                with self.assertRaisesRegex(OSError, r"--slurm: sbatch cannot be started \(No such file or directory\): the commands of "
+                                                     "Slurm must be on the PATH; without --slurm the runs are made on this machine"):
+                    slurm.Arrays(plan, "", "tremolo").submit(plan.pending())
+                (plan.folder / "slurm.json").write_text(json.dumps({"12": [0]}))
+                with self.assertRaisesRegex(OSError, "--slurm: squeue cannot be started"):
+                    slurm.Arrays(plan, "", "tremolo").going()
+            with self.assertRaisesRegex(ValueError, "--slurm --partition='short: No closing quotation"):
+                slurm.Arrays(plan, "--partition='short", "tremolo")
 
 
 class OfAPlan(unittest.TestCase):
