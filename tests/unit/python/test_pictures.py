@@ -227,7 +227,7 @@ class Pictures(unittest.TestCase):
                 status, lines, error = run_command(*command, "--out", out)
                 self.assertEqual((1, [], f"tremolo: cannot make the folder {out}: {file} is no folder\n"), (status, lines, error))
         for out, reason in ((file / "page.html", f"cannot make the folder {file}: {file} is no folder"),
-                            (self.folder, f"--out {self.folder}: is a folder; give the name of a file")):
+                            (self.folder, f"{self.folder}: is a folder; give the name of a file")):
             status, lines, error = run_command("report", runs[0], "--out", out)
             self.assertEqual((1, [], f"tremolo: {reason}\n"), (status, lines, error))
         self.assertEqual("kept", file.read_text())
