@@ -151,7 +151,9 @@ public:
   /// @post the hub knows stage, step and time, and an abort was noticed; within 0.2 s of the last sign of
   /// life nothing is done
   /// @throws Aborted when the run was ended by another
-  void progress(const std::string& stage, std::uint64_t step, double time, double end_time);
+  /// @param residual  of a stage that relaxes: what is left of the unbalanced force, 1
+  void progress(const std::string& stage, std::uint64_t step, double time, double end_time,
+                std::optional<double> residual = std::nullopt);
 
   /// Tells the hub why this participant gives up: its log may lie on the disk that is full.
   /// @pre none: also after an exception
@@ -195,6 +197,7 @@ private:
   std::uint64_t stage_step_ = 0;
   double stage_time_ = 0.0;
   double stage_end_time_ = 0.0;
+  std::optional<double> stage_residual_;
   Clock::time_point last_beat_;
   Stopwatch waiting_;
   Timeline timeline_; ///< from WELCOME on

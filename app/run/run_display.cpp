@@ -62,6 +62,8 @@ void ProgressLine::note(const std::string& text) {
 std::string progress_text(const coupler::Progress& progress, std::uint64_t steps, double simulated,
                           double elapsed) {
   std::string text = fmt::format("{}: step {}", progress.stage, progress.step);
+  if (progress.residual)
+    text += fmt::format(", residual {:.2g}", *progress.residual);
   if (progress.end_time > 0.0)
     text += fmt::format(", simulated {:.2f} of {:.2f} s", progress.time, progress.end_time);
   if (steps > 0 && elapsed > 0.0)

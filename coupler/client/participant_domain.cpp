@@ -202,11 +202,13 @@ void DomainClient::grant_credits() {
          {{"source", credit.address.sender}, {"field", credit.address.field}, {"steps", credit.steps}}});
 }
 
-void DomainClient::progress(const std::string& stage, std::uint64_t step, double time, double end_time) {
+void DomainClient::progress(const std::string& stage, std::uint64_t step, double time, double end_time,
+                            std::optional<double> residual) {
   stage_ = stage;
   stage_step_ = step;
   stage_time_ = time;
   stage_end_time_ = end_time;
+  stage_residual_ = residual;
   if (seconds_since(last_beat_) < beat_interval_s)
     return;
   drain();
@@ -218,6 +220,8 @@ void DomainClient::beat(const std::optional<FaceExchange::Missing>& awaited) {
   Message message{
       "BEAT",
       {{"stage", stage_}, {"step", stage_step_}, {"time", stage_time_}, {"end_time", stage_end_time_}}};
+  if (stage_residual_)
+    message.body["residual"] = *stage_residual_;
   if (awaited)
     message.body["waiting"] = {
         {"source", awaited->source}, {"field", awaited->field}, {"step", awaited->step}};

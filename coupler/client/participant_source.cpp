@@ -3,6 +3,7 @@
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/incoming.hpp"
+#include "coupler/wire/plausible.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -93,9 +94,8 @@ void SourceClient::send_frame(std::size_t field, std::uint32_t steps, const Fill
     fill(field, first + i, values.subspan(i * count, count));
   filling_.stop();
   const auto exchanging = timeline_.enter(mapping);
-  if (const auto bad = first_not_finite(std::as_bytes(values)))
-    connection_.fail(fmt::format("source '{}', field '{}': the value at step {} is {}", options_.name,
-                                 fields_[field].name, first + *bad / count, values[*bad]));
+  if (const auto wrong = implausible(fields_[field], first, std::as_bytes(values)))
+    connection_.fail(fmt::format("source '{}', field '{}', {}", options_.name, fields_[field].name, *wrong));
   connection_.send({.session = connection_.session(),
                     .sender = connection_.number(),
                     .field = static_cast<std::uint32_t>(field),

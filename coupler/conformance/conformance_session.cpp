@@ -5,6 +5,7 @@
 #include "coupler/wire/frame.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/mode.hpp"
+#include "coupler/wire/plausible.hpp"
 
 #include <algorithm>
 #include <array>
@@ -190,10 +191,12 @@ void Session::take_frame(std::span<const std::byte> bytes) {
               .step = history.next_step(),
               .count = static_cast<std::uint32_t>(history.field().values_per_step()),
               .most_steps = static_cast<std::uint32_t>(inlet->announced_credit - history.next_step())});
-  if (const auto* error = std::get_if<FrameError>(&decoded))
-    throw Objection{
-        error->code == FrameError::Code::not_finite ? finite : steps,
-        fmt::format("frame of '{}' at step {}: {}", history.field().name, history.next_step(), error->text)};
+  const auto* error = std::get_if<FrameError>(&decoded);
+  if (error != nullptr && error->code != FrameError::Code::not_finite)
+    throw Objection{steps, fmt::format("frame of '{}' at step {}: {}", history.field().name,
+                                       history.next_step(), error->text)};
+  if (const auto wrong = implausible(history.field(), history.next_step(), bytes.subspan(frame_header_size)))
+    throw Objection{finite, fmt::format("frame of '{}', {}", history.field().name, *wrong)};
   const Frame& frame = std::get<Frame>(decoded);
   history.append(frame.body);
   const auto values = frame.values();

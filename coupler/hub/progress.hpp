@@ -7,6 +7,7 @@
 #include "coupler/wire/error.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,8 +35,9 @@ private:
 struct Progress {
   std::string stage = "start";
   std::uint64_t step = 0;
-  double time = 0.0;     ///< simulated, s
-  double end_time = 0.0; ///< s
+  double time = 0.0;                             ///< simulated, s
+  double end_time = 0.0;                         ///< s
+  std::optional<double> residual = std::nullopt; ///< of a stage that relaxes, 1
   friend bool operator==(const Progress&, const Progress&) = default;
 };
 

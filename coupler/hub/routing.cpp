@@ -5,6 +5,7 @@
 #include "coupler/wire/frame.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/layout.hpp"
+#include "coupler/wire/plausible.hpp"
 
 #include <algorithm>
 #include <array>
@@ -153,8 +154,11 @@ void Routing::take_source_frame(const Participant& source, zmq::message_t& raw) 
                      .step = outlet.next_step,
                      .count = static_cast<std::uint32_t>(description.values_per_step()),
                      .most_steps = static_cast<std::uint32_t>(outlet.credit - outlet.next_step)});
-  if (const auto* error = std::get_if<FrameError>(&decoded))
+  const auto* error = std::get_if<FrameError>(&decoded);
+  if (error != nullptr && error->code != FrameError::Code::not_finite)
     throw Error(fmt::format("field '{}', step {}: {}", description.name, outlet.next_step, error->text));
+  if (const auto wrong = implausible(description, outlet.next_step, bytes.subspan(frame_header_size)))
+    throw Error(fmt::format("field '{}', {}", description.name, *wrong));
   const auto& frame = std::get<Frame>(decoded);
   watch_.advanced(source);
   outlet.next_step += frame.header.steps;

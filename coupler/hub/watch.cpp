@@ -47,8 +47,11 @@ void Watch::source_beats(const Participant& source, const json& body) {
 }
 
 void Watch::domain_beats(const Participant& domain, const json& body) {
-  const Progress before = std::exchange(progress_, {text_at(body, "stage"), whole_at(body, "step"),
-                                                    number_at(body, "time"), number_at(body, "end_time")});
+  Progress now{text_at(body, "stage"), whole_at(body, "step"), number_at(body, "time"),
+               number_at(body, "end_time")};
+  if (body.contains("residual"))
+    now.residual = number_at(body, "residual");
+  const Progress before = std::exchange(progress_, std::move(now));
   if (wait_ || progress_ != before)
     of(domain).pace.advanced();
 }

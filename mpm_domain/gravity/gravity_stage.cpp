@@ -141,22 +141,32 @@ void keep_vertical_stress(Domain& domain) {
   });
 }
 
+void add_cut(std::vector<CutStress>& cut, const std::string& soil, Vector at) {
+  auto of = std::ranges::find(cut, soil, &CutStress::soil);
+  if (of == cut.end())
+    of = cut.insert(of, {soil, 0, at, at});
+  ++of->particles;
+  of->low = {std::min(of->low.x, at.x), std::min(of->low.y, at.y)};
+  of->high = {std::max(of->high.x, at.x), std::max(of->high.y, at.y)};
+}
+
 /// The laws' memory begins with the stress under gravity, and with it the stiffness that the dashpots match.
-/// Returns the number of particles whose law could not hold that stress.
-std::size_t begin_history(Domain& domain) {
-  std::size_t unheld = 0;
+/// @returns the soils whose law could not hold that stress
+std::vector<CutStress> begin_history(Domain& domain) {
+  std::vector<CutStress> cut;
   for (Particles& set : domain.sets) {
     const std::vector<double> before[] = {set.sxx, set.syy, set.sxy};
     materials::initialise(set.law, set.points(0, set.size()));
     for (std::size_t k = 0; k < set.size(); ++k) {
       const double change = std::abs(set.sxx[k] - before[0][k]) + std::abs(set.syy[k] - before[1][k]) +
                             std::abs(set.sxy[k] - before[2][k]);
-      unheld += change > 1e-3 * (std::abs(before[0][k]) + std::abs(before[1][k])) ? 1 : 0;
+      if (change > 1e-3 * (std::abs(before[0][k]) + std::abs(before[1][k])))
+        add_cut(cut, set.soil, {set.x[k], set.y[k]});
     }
   }
   keep_vertical_stress(domain);
   domain.boundary.match(domain.sets, domain.spec);
-  return unheld;
+  return cut;
 }
 
 } // namespace
@@ -274,8 +284,18 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
     if (!set.body)
       set.damping_time = domain.spec.soils[set.soil_index].damping_time;
   }
-  reactions.unheld = begin_history(domain);
+  reactions.cut = begin_history(domain);
   return reactions;
+}
+
+void take_velocities_of_nodes(Domain& domain) {
+  for (Particles& set : domain.sets) {
+    std::ranges::fill(set.vx, 0.0);
+    std::ranges::fill(set.vy, 0.0);
+  }
+  std::ranges::fill(domain.grid.vx_before, 0.0); // FLIP adds what nodes have gained since
+  std::ranges::fill(domain.grid.vy_before, 0.0);
+  gather(domain, 0.0, {.velocity = true});
 }
 
 } // namespace tremolo::mpm_domain

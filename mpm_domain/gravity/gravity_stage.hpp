@@ -18,9 +18,17 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace tremolo::mpm_domain {
+
+/// Particles of a soil whose stress was more than their law can hold, and has been cut.
+struct CutStress {
+  std::string soil;
+  std::size_t particles = 0;
+  Vector low, high; ///< corners of the box around them, m
+};
 
 /// Nodal reactions of the constraints at the end of the stage, N/m: what the supports exert on the soil.
 struct Reactions {
@@ -29,7 +37,7 @@ struct Reactions {
   std::vector<Vector> force;      ///< one per node of the grid; zero where free
   bool slipping = false; ///< structures do not rest on their friction: they begin to move when bonds end
   std::vector<std::size_t> slipping_bodies; ///< those that do, as places in Contact::bodies()
-  std::size_t unheld = 0; ///< particles whose stress was more than their law can hold and has been cut
+  std::vector<CutStress> cut;               ///< soils that cannot hold their stress
 };
 
 struct GravitySettings {
@@ -54,5 +62,9 @@ using GravityProgress = std::function<void(long step, double residual)>;
 /// vy_after.
 Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                               const GravityProgress& progress);
+
+/// After NotAtRest: gives the particles the velocity with which the nodes go on, so that they show where the
+/// soil moves.
+void take_velocities_of_nodes(Domain& domain);
 
 } // namespace tremolo::mpm_domain

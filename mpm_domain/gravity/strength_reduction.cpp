@@ -1,7 +1,6 @@
 #include "mpm_domain/gravity/strength_reduction.hpp"
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
-#include "mpm_domain/transfer/gather.hpp"
 
 #include <fmt/format.h>
 
@@ -53,13 +52,7 @@ std::optional<std::size_t> plastic_strain_place(const materials::Law& law) {
 
 /// How the soil of a domain moves whose gravity stage has found no rest.
 std::vector<MovingPoint> mechanism_of(Domain& domain) {
-  for (Particles& set : domain.sets) {
-    std::ranges::fill(set.vx, 0.0);
-    std::ranges::fill(set.vy, 0.0);
-  }
-  std::ranges::fill(domain.grid.vx_before, 0.0); // FLIP adds what nodes have gained since
-  std::ranges::fill(domain.grid.vy_before, 0.0);
-  gather(domain, 0.0, {.velocity = true});
+  take_velocities_of_nodes(domain);
   std::vector<MovingPoint> points;
   double fastest = 0.0;
   for (const Particles& set : domain.sets_of_soil()) {

@@ -58,27 +58,49 @@ std::string told_of_slipping(const Domain& domain, const std::vector<std::size_t
       one ? "it" : "them");
 }
 
+/// "'clay' (120 particles, x = 3 to 12.5 m, y = -4 to -1 m)", with commas.
+std::string told_of_cut(const std::vector<CutStress>& cut) {
+  std::string text;
+  for (const CutStress& of : cut)
+    text += fmt::format("{}'{}' ({} particle{}, x = {:.4g} to {:.4g} m, y = {:.4g} to {:.4g} m)",
+                        text.empty() ? "" : ", ", of.soil, of.particles, of.particles == 1 ? "" : "s",
+                        of.low.x, of.high.x, of.low.y, of.high.y);
+  return text;
+}
+
 /// Brings the whole domain to rest and returns the wall time it took, s. All ranks do so.
 /// @param client  null on all ranks but the first
 double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::DomainClient* client) {
   coupler::Stopwatch watch;
   watch.start();
   const GravitySettings settings{stage.residual, stage.max_time};
-  const auto progress = [&](long step, double) {
+  const auto progress = [&](long step, double residual) {
     if (client != nullptr)
-      client->progress("gravity", static_cast<std::uint64_t>(step), 0.0, 0.0);
+      client->progress("gravity", static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
   };
   const Reactions reactions = relax_under_gravity(domain, settings, progress);
-  if (client != nullptr && reactions.unheld > 0)
-    fmt::print("warning: the laws of {} of {} particles cannot hold the stress under gravity and have cut "
-               "it: the soil "
-               "there is not at rest; a gentler slope or stronger soil would be\n",
-               reactions.unheld, domain.particle_count());
+  if (client != nullptr && !reactions.cut.empty())
+    fmt::print("warning: the laws of these soils cannot hold the stress under gravity and have cut it: {} of "
+               "{} particles; the soil there is not at rest, a gentler slope or stronger soil would be\n",
+               told_of_cut(reactions.cut), domain.particle_count());
   if (client != nullptr && reactions.slipping)
     fmt::print("warning: {}\n", told_of_slipping(domain, reactions.slipping_bodies));
   replace_constraints(domain, reactions);
   watch.stop();
   return watch.seconds();
+}
+
+/// Leaves a frame of ground that has found no rest: its velocities show where it moves.
+/// @returns the sentence that says so
+std::string leave_frame(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
+                        const coupler::ParticipantOptions& options, const NotAtRest& failure) {
+  take_velocities_of_nodes(domain);
+  const CoupledFaces faces(domain, scene, plan);
+  const Picture picture(domain);
+  RunOutput output(options.out, scene, scene::to_json(scene, plan), domain, picture, faces.sources());
+  output.write_failed_rest(Stepper(domain, 0.0, [](auto&&...) {}));
+  output.abort(failure.what());
+  return fmt::format("{}; the frame in run.h5 shows where the ground moves", failure.what());
 }
 
 /// Rank 0 asks the coupler for the free field and tells it to all others.
@@ -220,8 +242,15 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   const auto saved = coupler::saved_state(options);
   if (saved)
     load_rest_state(*saved, domain);
-  const double gravity_seconds =
-      scene.gravity && !saved ? gravity_stage(domain, *scene.gravity, client) : 0.0;
+  double gravity_seconds = 0.0;
+  try {
+    if (scene.gravity && !saved)
+      gravity_seconds = gravity_stage(domain, *scene.gravity, client);
+  } catch (const NotAtRest& failure) {
+    if (client == nullptr)
+      throw;
+    throw NotAtRest(leave_frame(domain, scene, plan, options, failure));
+  }
   shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), ranks);
 }
 

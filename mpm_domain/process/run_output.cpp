@@ -225,6 +225,8 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
   writer_.attribute("wave", std::string(scene::name(scene.motion.wave)));
   writer_.attribute("angle_deg", scene.motion.angle_deg);
   writer_.attribute("soil_names", soil_names(domain.spec));
+  if (scene.water)
+    writer_.attribute("water_table", scene.water->level);
 
   std::vector<std::string> columns{"time"};
   std::vector<std::string> units{"s"};
@@ -309,7 +311,7 @@ void RunOutput::after_step(const Stepper& stepper) {
                      std::max(1.0, std::ceil((time - next_history_) / scene_.output.history_every));
   }
   if (time >= next_frame_) {
-    write_frame(stepper);
+    write_frame(stepper, time, bodies_.contact(stepper));
     next_frame_ += scene_.output.every * std::max(1.0, std::ceil((time - next_frame_) / scene_.output.every));
   }
 }
@@ -337,7 +339,7 @@ void RunOutput::write_history(const Stepper& stepper) {
   writer_.flush_if_large();
 }
 
-void RunOutput::write_frame(const Stepper& stepper) {
+void RunOutput::write_frame(const Stepper& stepper, double time, const ContactFrame& contact) {
   const Frame frame = collect(domain_, picture_, stepper.dt(), scene_.water.has_value());
   std::vector<results::Field> fields{{"position", "m", 2, frame.position}, {"soil", "1", 1, frame.soil}};
   if (domain_.mesh)
@@ -359,9 +361,8 @@ void RunOutput::write_frame(const Stepper& stepper) {
         WaterField{scene::OutputField::darcy_velocity, "m/s", 2, frame.water.flux}})
     if (wants(scene_, field))
       fields.push_back({scene::name(field), unit, components, values});
-  last_frame_ = stepper.velocity_time();
+  last_frame_ = time;
   bodies_.write_outlines(stepper);
-  const ContactFrame contact = bodies_.contact(stepper);
   writer_.write_frame(last_frame_, fields, bodies_.any() ? contact.fields() : std::vector<results::Field>{});
 }
 
@@ -458,7 +459,7 @@ void RunOutput::finish(const Stepper& stepper, double gravity_seconds, double wa
   if (stepper.velocity_time() > last_history_)
     write_history(stepper);
   if (stepper.velocity_time() > last_frame_)
-    write_frame(stepper);
+    write_frame(stepper, stepper.velocity_time(), bodies_.contact(stepper));
   std::vector<std::string> names{"gravity stage", "waiting for the exchange"};
   std::vector<double> seconds{gravity_seconds, waiting_seconds};
   for (const Pass& pass : stepper.passes()) {

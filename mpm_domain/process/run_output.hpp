@@ -39,6 +39,9 @@ public:
   /// Called after every step; writes what is due.
   void after_step(const Stepper& stepper);
 
+  /// Writes a domain whose gravity stage has found no rest, as a frame at time 0. Contact has no forces yet.
+  void write_failed_rest(const Stepper& stepper) { write_frame(stepper, 0.0, {}); }
+
   /// Writes the last state and the timings, and closes the file as complete.
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds);
 
@@ -69,7 +72,7 @@ private:
   void take_over_histories(const results::RunReader& before, std::size_t rows, std::size_t frames);
   void take_over_frame(const results::RunReader& before, std::size_t frame);
   void write_history(const Stepper& stepper);
-  void write_frame(const Stepper& stepper);
+  void write_frame(const Stepper& stepper, double time, const ContactFrame& contact);
   void write_boundary(const Stepper& stepper);
 
   const scene::Case& scene_;

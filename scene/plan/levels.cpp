@@ -3,7 +3,6 @@
 #include "mpm_domain/spec/grid_shape.hpp"
 #include "mpm_domain/spec/limits.hpp"
 #include "mpm_domain/spec/plot.hpp"
-#include "scene/plan/layers.hpp"
 #include "scene/plan/structures.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/soils/domain_soils.hpp"
@@ -17,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace tremolo::scene {
 
@@ -89,10 +89,10 @@ public:
       : speeds_(wave_speeds(scene, soil)), damping_time_(damping_time(scene.damping, soil.damping)),
         share_(mpm_domain::share_of(scene.time.order)) {}
 
-  double on(double cell_size) const {
+  MaterialStep on(double cell_size) const {
     const double of_skeleton = speeds_.skeleton / speeds_.fastest;
-    return mpm_domain::damped_step(mpm_domain::largest_courant_number * cell_size / speeds_.fastest,
-                                   damping_time_ * of_skeleton * of_skeleton, share_);
+    const double undamped = mpm_domain::largest_courant_number * cell_size / speeds_.fastest;
+    return {mpm_domain::damped_step(undamped, damping_time_ * of_skeleton * of_skeleton, share_), undamped};
   }
 
 private:
@@ -108,6 +108,19 @@ std::map<std::size_t, CriticalStep> critical_steps(const Case& scene) {
     for (const std::size_t soil : soils_of(region))
       steps.try_emplace(soil, scene, scene.soils[soil]);
   return steps;
+}
+
+/// Adds what a material allows on the cells of a level.
+void add_step(Level& level, const std::string& who, MaterialStep step) {
+  const auto [known, is_new] = level.steps.try_emplace(who, step);
+  known->second = {std::min(known->second.critical, step.critical),
+                   std::min(known->second.undamped, step.undamped)};
+  level.critical_dt = std::min(level.critical_dt, step.critical);
+}
+
+/// "soil 'sand'"; slices of a soil have its name.
+std::string named(const Soil& soil) {
+  return fmt::format("soil '{}'", soil.name);
 }
 
 bool in_region(const Case& scene, Point at) {
@@ -153,15 +166,16 @@ Level uniform_level(const Case& scene) {
     soil_area += area(region.polygon);
   const double spacing = mesh.particle_size();
   const mpm_domain::GridShape grid = grid_shape_of(scene);
-  double critical = std::numeric_limits<double>::infinity();
+  Level level{.cell_size = mesh.size,
+              .particle_size = spacing,
+              .cells = static_cast<double>(grid.nx - 1) * static_cast<double>(grid.ny - 1),
+              .particles = std::round(soil_area / (spacing * spacing)) - squares_taken(scene, spacing),
+              .nodes = static_cast<double>(grid.count()),
+              .steps = {},
+              .critical_dt = std::numeric_limits<double>::infinity()};
   for (const auto& [soil, step] : critical_steps(scene))
-    critical = std::min(critical, step.on(mesh.size));
-  return {.cell_size = mesh.size,
-          .particle_size = spacing,
-          .cells = static_cast<double>(grid.nx - 1) * static_cast<double>(grid.ny - 1),
-          .particles = std::round(soil_area / (spacing * spacing)) - squares_taken(scene, spacing),
-          .nodes = static_cast<double>(grid.count()),
-          .critical_dt = critical};
+    add_step(level, named(scene.soils[soil]), step.on(mesh.size));
+  return level;
 }
 
 /// Elastic structures bring particles and nodes of their own, on cells of the finest level.
@@ -176,7 +190,8 @@ void add_structures(const Case& scene, Level& finest) {
     const Box box = box_of(outline);
     finest.particles += std::round(solid / (finest.particle_size * finest.particle_size));
     finest.nodes += std::round((box.width() / h + margin) * (box.height() / h + margin));
-    finest.critical_dt = std::min(finest.critical_dt, critical_step(structure, h));
+    const double step = critical_step(structure, h);
+    add_step(finest, fmt::format("structure '{}'", structure.name), {step, step});
   }
 }
 
@@ -221,7 +236,9 @@ std::vector<Level> levels(const Case& scene) {
     all.push_back(
         {.cell_size = tree.size(level),
          .particle_size = mpm_domain::particle_size(tree.size(level), scene.mesh.particles_per_cell),
+         .steps = {},
          .critical_dt = std::numeric_limits<double>::infinity()});
+  std::vector<std::set<std::size_t>> soils(all.size()); // whose particles touch cells of a level
   const mesh::Rectangle box = rectangle(scene.mesh.box);
   const double near = 1e-3 * all.back().cell_size;
   const std::vector<Polygon> regions = region_polygons(scene);
@@ -238,12 +255,15 @@ std::vector<Level> levels(const Case& scene) {
         tree.finest_in({cell.x_min - near, cell.y_min - near, cell.x_max + near, cell.y_max + near}));
     for_particles(scene, regions, structures, cell, all[level].particle_size, [&](std::size_t soil) {
       ++all[level].particles;
-      all[finest].critical_dt = std::min(all[finest].critical_dt, steps.at(soil).on(all[finest].cell_size));
+      soils[finest].insert(soil);
     });
   }
   const std::vector<mpm_domain::LevelLattice> lattices = mpm_domain::lattices_of(tree);
-  for (std::size_t level = 0; level < all.size(); ++level)
+  for (std::size_t level = 0; level < all.size(); ++level) {
     all[level].nodes = static_cast<double>(lattices[level].lattice.count());
+    for (const std::size_t soil : soils[level])
+      add_step(all[level], named(scene.soils[soil]), steps.at(soil).on(all[level].cell_size));
+  }
   add_structures(scene, all.back());
   return all;
 }
@@ -254,21 +274,6 @@ double critical_step(const Structure& structure, double cell_size) {
   if (!(elastic.density > 0.0) || !(elastic.young > 0.0))
     return std::numeric_limits<double>::infinity();
   return mpm_domain::largest_courant_number * cell_size / elastic.p_wave_speed();
-}
-
-double critical_time_step(const Case& scene, std::span<const Level> levels) {
-  double critical = std::numeric_limits<double>::infinity();
-  double steps = 1.0; // of a level in one of the coarsest
-  for (const Level& level : levels) {
-    critical = std::min(critical, steps * level.critical_dt);
-    if (scene.time.subcycle)
-      steps *= 2.0;
-  }
-  const auto below = ground_below_base(scene);
-  if (below && scene.boundary.base.absorber == Absorber::matched_layer)
-    critical =
-        std::min(critical, mpm_domain::largest_courant_number * scene.mesh.size / below->p_wave_speed());
-  return critical;
 }
 
 std::string by_level(std::span<const Level> levels, const std::function<double(double)>& value) {

@@ -7,11 +7,18 @@
 #include "scene/case.hpp"
 
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace tremolo::scene {
+
+/// The step that a material allows, s.
+struct MaterialStep {
+  double critical = 0.0; ///< 0.65 h/c_p, shortened by viscous damping (mpm_domain/spec/limits.hpp)
+  double undamped = 0.0; ///< without the damping
+};
 
 struct Level {
   double cell_size = 0.0;     ///< m
@@ -19,10 +26,10 @@ struct Level {
   double cells = 0.0;         ///< of one level: of the padded grid; of several: those in the model's box
   double particles = 0.0;
   double nodes = 0.0;
-  /// The least of 0.65 h/c_p over the soils, and elastic structures, whose particles touch cells of this
-  /// level, shortened by viscous damping (mpm_domain/spec/limits.hpp), s; infinite where none does.
-  double critical_dt = 0.0;
-  double dt = 0.0; ///< that they take, s; set by the plan
+  /// Of the soils and elastic structures whose particles touch cells of this level, as messages name them.
+  std::map<std::string, MaterialStep> steps;
+  double critical_dt = 0.0; ///< the least of these, s; infinite where there are none
+  double dt = 0.0;          ///< that they take, s; set by the plan
 };
 
 /// The cells of the domain's mesh, those around the model's box included; for a mesh with a size and a box.
@@ -33,10 +40,6 @@ std::vector<Level> levels(const Case& scene);
 
 /// 0.65 h/c_p of an elastic structure on cells of a size (m), s.
 double critical_step(const Structure& structure, double cell_size);
-
-/// The critical time step of the domain at rest: the least of its levels, s. Where each has a step of its
-/// own, half of the next coarser one's, it is that of the coarsest.
-double critical_time_step(const Case& scene, std::span<const Level> levels);
 
 /// "60, 30, 15 on cells of 1, 0.5, 0.25 m": a value that goes with the cell size (m), on each level.
 std::string by_level(std::span<const Level> levels, const std::function<double(double)>& value);

@@ -277,7 +277,8 @@ Plan plan(const Case& scene) {
   result.effects = plan_effects(scene, result.sources, result.structures);
   result.base = describe_base(scene, result.sources);
   result.levels = levels(scene);
-  result.critical_dt = critical_time_step(scene, result.levels);
+  result.limit = step_limit(scene, result.levels);
+  result.critical_dt = result.limit.dt;
   result.dt = scene.time.dt.value_or(scene.time.fraction * result.critical_dt);
   result.steps = std::llround(std::ceil(scene.shaking.duration / result.dt));
 

@@ -5,6 +5,7 @@
 
 #include "scene/case.hpp"
 #include "scene/plan/levels.hpp"
+#include "scene/plan/step_limit.hpp"
 #include "scene/plan/structures.hpp"
 
 #include <cstdint>
@@ -48,7 +49,8 @@ struct Plan {
   std::vector<Level> levels; ///< of the mesh, coarse to fine
   std::size_t particles = 0;
   std::size_t cells = 0;       ///< of all levels, see Level
-  double critical_dt = 0.0;    ///< s
+  StepLimit limit;             ///< of the time step
+  double critical_dt = 0.0;    ///< limit.dt, s
   double dt = 0.0;             ///< s
   std::int64_t steps = 0;      ///< of the shaking stage
   std::int64_t frames = 0;     ///< particle frames written

@@ -84,6 +84,7 @@ constexpr std::array rules = {
     Rule{Severity::warning, structures_leave_the_step},
 
     Rule{Severity::note, mesh_resolves_frequencies},
+    Rule{Severity::note, damping_leaves_the_step},
     Rule{Severity::note, softening_goes_with_cells},
     Rule{Severity::note, backbone_is_fitted},
     Rule{Severity::note, backbone_has_given_strength},

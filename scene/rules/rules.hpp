@@ -154,6 +154,8 @@ void profile_is_that_of_side(const Case& scene, Findings& findings);
 
 /// Up to which frequency the cells resolve shear waves.
 void mesh_resolves_frequencies(const Case& scene, Findings& findings);
+/// How much shorter viscous damping makes the time step.
+void damping_leaves_the_step(const Case& scene, Findings& findings);
 /// Which softening a soil has on the cells of each level.
 void softening_goes_with_cells(const Case& scene, Findings& findings);
 /// Which backbone was fitted to a soil's curve, and how near it comes.

@@ -86,15 +86,23 @@ TEST(RestAfterSwitch, Pdmy03) {
 }
 
 /// A face of 60 degrees in sand of a friction angle of 25: gravity asks more of the cone than it has.
-TEST(GravityStage, CountsTheParticlesWhoseLawCannotHoldTheirStress) {
+TEST(GravityStage, NamesSoilAndPlaceWhereTheLawCannotHoldTheStress) {
   mpm_domain::Spec spec = box_of(materials::pdmy03(materials::pdmy03_recommended(0.33)));
   mpm_domain::Domain level(spec);
-  EXPECT_EQ(mpm_domain::relax_under_gravity(level, {}, [](long, double) {}).unheld, 0U);
+  EXPECT_TRUE(mpm_domain::relax_under_gravity(level, {}, [](long, double) {}).cut.empty());
   spec.regions = {{0, {{0.0, -10.0}, {20.0, -10.0}, {20.0, 0.0}, {12.0, 0.0}, {8.0, -7.0}, {0.0, -7.0}}}};
   mpm_domain::Domain steep(spec);
-  const std::size_t unheld = mpm_domain::relax_under_gravity(steep, {}, [](long, double) {}).unheld;
-  EXPECT_GT(unheld, 0U);
-  EXPECT_LT(unheld, steep.particle_count() / 2);
+  const auto cut = mpm_domain::relax_under_gravity(steep, {}, [](long, double) {}).cut;
+  ASSERT_EQ(cut.size(), 1U);
+  EXPECT_EQ(cut[0].soil, "sand");
+  EXPECT_GT(cut[0].particles, 0U);
+  EXPECT_LT(cut[0].particles, steep.particle_count() / 2);
+  // The face, which runs from (8, -7) to (12, 0), is among it, and nothing lies outside the ground.
+  EXPECT_LT(cut[0].low.x, 9.0);
+  EXPECT_GT(cut[0].high.x, 9.0);
+  EXPECT_GE(cut[0].low.x, 0.0);
+  EXPECT_GE(cut[0].low.y, -10.0);
+  EXPECT_LE(cut[0].high.y, 0.0);
 }
 
 /// G = G_o p_A sqrt(p/p_A) in the deepest particles' stress, elastic K_0 = nu/(1 - nu): what limits the time

@@ -150,8 +150,14 @@ TEST_F(CoupledRun, StuckDomainIsNamedAtTheStepDeadline) {
 }
 
 TEST_F(CoupledRun, ValuesThatAreNotFiniteAreRefused) {
-  EXPECT_THAT(failure(options("left nan 70\n")),
-              HasSubstr("source 'left', field 'total': the value at step 70 is nan"));
+  EXPECT_THAT(
+      failure(options("left nan 70\n")),
+      HasSubstr("source 'left', field 'total', step 70: stress syy at y = -40 m (point 0 of 81) is nan Pa"));
+  for (const std::string huge : {"1e+200", "1e+308"})
+    EXPECT_THAT(
+        failure(options("left " + huge + " 70\n")),
+        HasSubstr("source 'left', field 'total', step 70: stress syy at y = -40 m (point 0 of 81) is " +
+                  huge + " Pa, allowed are -1e+10 to 1e+10 Pa"));
   EXPECT_THAT(failure(options("domain nan 20\n")),
               HasSubstr("domain 'domain', step 20: the velocity of face 5 is (nan"));
 }

@@ -97,8 +97,8 @@ void serve(const ParticipantOptions& options, const Misdeed& misdeed) {
         std::this_thread::sleep_for(std::chrono::duration<double>(0.1 * toy::brief));
       }
     toy::fill(fields[field], step, values);
-    if (misdeed.what == "nan" && step == misdeed.step)
-      values[3] = std::nan("");
+    if ((misdeed.what == "nan" || misdeed.what.starts_with("1e+")) && step == misdeed.step)
+      values[3] = std::stod(misdeed.what);
   });
 }
 

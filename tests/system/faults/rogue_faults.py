@@ -122,8 +122,9 @@ def frame_fault(misdeed, injected, message):
     fault(injected, "refused before use, found and expected told")(check)
 
 
-frame_fault("nan", "a frame with NaN, checksum right", r"source 'left' sent nonsense: field 'total', step \d+: value 3 of step \d+ is nan")
-frame_fault("inf", "a frame with Inf, checksum right", r"value 3 of step \d+ is inf")
+frame_fault("nan", "a frame with NaN, checksum right", r"source 'left' sent nonsense: field 'total', step \d+: stress syy at y = -?[\d.]+ m \(point 0 of \d+\) is nan Pa, allowed are")
+frame_fault("inf", "a frame with Inf, checksum right", r"stress syy at y = .* is inf Pa, allowed are")
+frame_fault("huge", "a frame with 1e200, checksum right", r"stress syy at y = .* is 1e\+200 Pa, allowed are -1e\+10 to 1e\+10 Pa")
 frame_fault("unit", "another unit tag", "unit tag is 2, expected 1")
 frame_fault("version", "another protocol version", "protocol version is 1, expected 2")
 frame_fault("count", "ten values a step too few", "count of values per step is 200, expected 210")

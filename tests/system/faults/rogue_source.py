@@ -74,6 +74,7 @@ def wrong_frames(first, steps):
     return {
         "nan": lambda: [with_value(first, steps, math.nan)],
         "inf": lambda: [with_value(first, steps, math.inf)],
+        "huge": lambda: [with_value(first, steps, 1e200)],
         "unit": lambda: [frame(first, steps, units=2)],
         "version": lambda: [frame(first, steps, version=1)],
         "count": lambda: [frame(first, steps, count=COUNT - 10, body=values(first)[10:] * steps)],

@@ -13,12 +13,14 @@ import time
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [PACKAGE, str(Path(__file__).parent)]
 
 from run_files import wait_for_frames
 from processes import children
-from small_case import Workspace
+from small_case import SlopeWorkspace, Workspace
 from tremolo import Run
 
 LONG = {"duration": 60.0, "every": 0.01}
@@ -101,6 +103,25 @@ class Mishaps(unittest.TestCase):
             done = subprocess.run([TREMOLO, "plot", folder], env={**os.environ, "PYTHONPATH": str(package)}, capture_output=True, text=True)
             self.assertEqual(1, done.returncode)
             self.assertIn("tremolo: python3 -m tremolo plot crashed (Segmentation fault). A damaged file can do that", done.stderr)
+
+    def test_ground_that_finds_no_rest_leaves_a_frame_of_how_it_moves(self):
+        with SlopeWorkspace(TREMOLO) as work:
+            text = work.case.read_text().replace("cohesion_peak = 4e3", "cohesion_peak = 100.0").replace("friction_peak_deg = 45", "friction_peak_deg = 30")
+            work.case.write_text(text.replace('kind = "gravity"', 'kind = "gravity"\nmax_time_s = 4.0'))
+            done = work.command("run", work.case, "--out", "run")
+            self.assertEqual(1, done.returncode)
+            self.assertRegex(done.stderr, r"the gravity stage did not come to rest: residual .* after 4 s .*; the frame in run\.h5 shows where the "
+                                          "ground moves")
+            with Run(work.path / "run") as run:
+                self.assertIn("aborted: the gravity stage did not come to rest", run.status)
+                self.assertEqual([0.0], list(run.times))
+                frame = run.frame(0)
+                speed, (x, y) = np.hypot(*frame["velocity"].T), frame["position"].T
+            # The slope slides: soil above its toe moves, towards it, and that at the base does not.
+            moves = (x > 12.0) & (x < 24.0) & (y > 0.0)
+            self.assertGreater(np.median(speed[moves]), 20.0 * np.median(speed[y < -5.0]))
+            self.assertLess(np.median(frame["velocity"][moves, 0]), 0.0)
+            self.assertEqual(0, work.command("plot", "run").returncode)
 
     def test_a_full_disk_is_said(self):
         limit = 200_000  # bytes a file may have: a few frames

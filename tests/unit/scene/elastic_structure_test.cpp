@@ -99,7 +99,13 @@ TEST(Rules, StructuresLeaveTheStep) {
               Contains("case.toml:37:9: warning: [[structure]] 'young' = 1.08e+08 Pa sets the time step: its "
                        "critical step is 0.00188 s, that of the soil 0.00375 s; 2.7e+07 Pa would not, nor "
                        "would rigid = true"));
-  EXPECT_NEAR(plan(parse_case(stiff)).critical_dt, 0.5 * step, 2e-3 * step);
+  const Case case_of_stiff = parse_case(stiff);
+  const Plan plan_of_stiff = plan(case_of_stiff);
+  EXPECT_NEAR(plan_of_stiff.critical_dt, 0.5 * step, 2e-3 * step);
+  EXPECT_EQ(plan_of_stiff.limit.by, "structure 'block'");
+  EXPECT_DOUBLE_EQ(plan_of_stiff.limit.others, step);
+  EXPECT_THAT(explain(case_of_stiff, plan_of_stiff),
+              HasSubstr("set by structure 'block' on cells of 1 m; 0.003748 s without it\n"));
 }
 
 TEST(Rules, ElasticStructuresBoundAFixedStep) {

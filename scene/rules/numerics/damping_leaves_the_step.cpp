@@ -1,0 +1,19 @@
+#include "scene/plan/step_limit.hpp"
+#include "scene/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+namespace tremolo::scene {
+
+void damping_leaves_the_step(const Case& scene, Findings& findings) {
+  const StepLimit limit = step_limit(scene, levels(scene));
+  if (limit.undamped <= 1.001 * limit.dt)
+    return;
+  findings.add("damping.model",
+               fmt::format("viscous damping sets the time step: the critical step is {:.3g} s, that of {} on "
+                           "cells of {} m, and {:.3g} s without damping, {:.3g} times as long; a smaller "
+                           "damping ratio or a higher frequency shortens it less",
+                           limit.dt, limit.by, limit.cell_size, limit.undamped, limit.undamped / limit.dt));
+}
+
+} // namespace tremolo::scene
