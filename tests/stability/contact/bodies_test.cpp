@@ -83,9 +83,9 @@ struct Resting {
   bool elastic;
 };
 
-class HardCase28 : public testing::TestWithParam<Resting> {};
+class HardCase28BlockAtRest : public testing::TestWithParam<Resting> {};
 
-TEST_P(HardCase28, ABlockAtRest) {
+TEST_P(HardCase28BlockAtRest, ABlockAtRest) {
   Spec spec = sand(12.0, 4.0, materials::Drainage::undrained, GetParam().wet);
   spec.structures = {structure(rectangle(-1.5, -0.5, 1.5, 1.5), 2000.0, 0.4)};
   if (GetParam().elastic)
@@ -110,7 +110,7 @@ TEST_P(HardCase28, ABlockAtRest) {
   bounded("drift", std::hypot(moved.x, moved.y) / 60.0, 1e-3 * h, "m/s");
 }
 
-INSTANTIATE_TEST_SUITE_P(Soils, HardCase28,
+INSTANTIATE_TEST_SUITE_P(Soils, HardCase28BlockAtRest,
                          testing::Values(Resting{"dry", false, false}, Resting{"saturated", true, false},
                                          Resting{"elastic", false, true}),
                          [](const auto& block) { return std::string(block.param.name); });
@@ -126,9 +126,9 @@ struct Weight {
   }
 };
 
-class HardCase29 : public testing::TestWithParam<Weight> {};
+class HardCase29BlockOfAnotherDensity : public testing::TestWithParam<Weight> {};
 
-TEST_P(HardCase29, ABlockOfAnotherDensity) {
+TEST_P(HardCase29BlockOfAnotherDensity, ABlockOfAnotherDensity) {
   Spec spec = sand(8.0, 3.0, materials::Drainage::drained, false);
   spec.gravity = 0.0;
   spec.sides = Sides::free_field;
@@ -159,17 +159,17 @@ TEST_P(HardCase29, ABlockOfAnotherDensity) {
   bounded("energy gained by contact in all, over that given", -dissipated / given, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ratios, HardCase29,
+INSTANTIATE_TEST_SUITE_P(Ratios, HardCase29BlockOfAnotherDensity,
                          testing::Values(Weight{1e-3, false}, Weight{1e-1, false}, Weight{1.0, false},
                                          Weight{1e1, false}, Weight{1e3, false}));
-INSTANTIATE_TEST_SUITE_P(ElasticRatios, HardCase29,
+INSTANTIATE_TEST_SUITE_P(ElasticRatios, HardCase29BlockOfAnotherDensity,
                          testing::Values(Weight{1e-3, true}, Weight{1e-1, true}, Weight{1.0, true},
                                          Weight{1e1, true}, Weight{1e3, true}));
 
 /// 30: a building toe at 15 degrees cuts into the sand.
-class HardCase30 : public testing::TestWithParam<bool> {};
+class HardCase30CuttingCorner : public testing::TestWithParam<bool> {};
 
-TEST_P(HardCase30, ACornerCutsIn) {
+TEST_P(HardCase30CuttingCorner, ACornerCutsIn) {
   const double lean = 15.0 * std::acos(-1.0) / 180.0;
   Spec spec = sand(12.0, 4.0, materials::Drainage::drained, false);
   spec.structures = {// on its left toe
@@ -194,11 +194,11 @@ TEST_P(HardCase30, ACornerCutsIn) {
   bounded("largest contact force, over the weight", spike, 5.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, HardCase30, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Bodies, HardCase30CuttingCorner, testing::Bool(),
                          [](const auto& elastic) { return elastic.param ? "elastic" : "rigid"; });
 
 /// 31: two buildings lean on each other with soil at their feet.
-TEST(HardCase31, TwoBuildingsCollide) {
+TEST(HardCase31Collision, TwoBuildingsCollide) {
   Spec spec = sand(16.0, 4.0, materials::Drainage::drained, false);
   spec.structures = {structure(rectangle(-4.0, -0.5, -0.75, 8.0), 500.0, 0.4),
                      structure(rectangle(0.75, -0.5, 4.0, 4.0), 500.0, 0.4)};
@@ -221,7 +221,7 @@ TEST(HardCase31, TwoBuildingsCollide) {
 }
 
 /// 31 with elastic buildings, which touch soil alone: the run ends before they meet, and names them.
-TEST(HardCase31, ElasticBuildingsAreStopped) {
+TEST(HardCase31Collision, ElasticBuildingsAreStopped) {
   Spec spec = sand(16.0, 4.0, materials::Drainage::drained, false);
   spec.structures = {structure(rectangle(-4.0, -0.5, -0.75, 8.0), 500.0, 0.4),
                      structure(rectangle(0.75, -0.5, 4.0, 4.0), 500.0, 0.4)};
@@ -250,9 +250,9 @@ TEST(HardCase31, ElasticBuildingsAreStopped) {
 }
 
 /// 32: a light body comes up through liquefied soil and breaks the surface.
-class HardCase32 : public testing::TestWithParam<bool> {};
+class HardCase32LightBody : public testing::TestWithParam<bool> {};
 
-TEST_P(HardCase32, ALightBodySurfaces) {
+TEST_P(HardCase32LightBody, ALightBodySurfaces) {
   Spec spec = sand(12.0, 6.0, materials::Drainage::undrained, true);
   spec.soils.front().damping_time = 2e-4;
   spec.water->fluid.bulk_modulus = 1e9; // far stiffer than the grains, or these would take up stress again
@@ -265,7 +265,7 @@ TEST_P(HardCase32, ALightBodySurfaces) {
   bounded("depth of particles in the body, over half their half side", deepest(*scene.domain), 1.0 + 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, HardCase32, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Bodies, HardCase32LightBody, testing::Bool(),
                          [](const auto& elastic) { return elastic.param ? "elastic" : "rigid"; });
 
 } // namespace

@@ -54,9 +54,9 @@ const RigidBody& body(const Domain& domain) {
 }
 
 /// 40: twenty cells down a slope of 20 degrees, in air or in water.
-class HardCase40 : public testing::TestWithParam<bool> {};
+class HardCase40SlidingBlock : public testing::TestWithParam<bool> {};
 
-TEST_P(HardCase40, ABlockSlidesDownALongSlope) {
+TEST_P(HardCase40SlidingBlock, ABlockSlidesDownALongSlope) {
   constexpr double angle = 20.0 * std::numbers::pi / 180.0, half = 8.0, shelf = 3.0, friction = 0.1; // m
   constexpr double way = 20.0 * h, start = 5.5;                                                      // m
   const double rise = half * std::tan(angle);
@@ -85,13 +85,13 @@ TEST_P(HardCase40, ABlockSlidesDownALongSlope) {
   bounded("distance from the slope, in cells", off / h, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Slides, HardCase40, testing::Values(false),
+INSTANTIATE_TEST_SUITE_P(Slides, HardCase40SlidingBlock, testing::Values(false),
                          [](const auto& wet) { return std::string(wet.param ? "in_water" : "in_air"); });
 
 /// 41: a slender block, a little beyond its balance on its right toe, falls on its side.
-class HardCase41 : public testing::TestWithParam<bool> {};
+class HardCase41ToppledBlock : public testing::TestWithParam<bool> {};
 
-TEST_P(HardCase41, ABlockTopplesAndComesToRest) {
+TEST_P(HardCase41ToppledBlock, ABlockTopplesAndComesToRest) {
   constexpr double width = 1.5, height = 4.5; // m
   const double lean = 1.1 * std::atan2(width, height);
   Spec spec = ground(20.0, 4.0, GetParam(), 6.0);
@@ -113,13 +113,13 @@ TEST_P(HardCase41, ABlockTopplesAndComesToRest) {
   bounded("speed of its corners", scene.domain->contact.fastest_point(), 0.02, "m/s");
 }
 
-INSTANTIATE_TEST_SUITE_P(Topples, HardCase41, testing::Values(false),
+INSTANTIATE_TEST_SUITE_P(Topples, HardCase41ToppledBlock, testing::Values(false),
                          [](const auto& wet) { return std::string(wet.param ? "in_water" : "in_air"); });
 
 /// 42: ground that heaves and stops throws a block up; it flies as a stone does, and lands.
-class HardCase42 : public testing::TestWithParam<bool> {};
+class HardCase42ThrownBlock : public testing::TestWithParam<bool> {};
 
-TEST_P(HardCase42, ABlockIsThrownAndLands) {
+TEST_P(HardCase42ThrownBlock, ABlockIsThrownAndLands) {
   constexpr double velocity = 3.0, heave = 0.3; // m/s, s
   Spec spec = ground(12.0, 4.0, GetParam(), 6.0);
   spec.structures = {structure(rectangle(-1.0, 0.0, 1.0, 1.0), block_density, 0.5)};
@@ -161,7 +161,7 @@ TEST_P(HardCase42, ABlockIsThrownAndLands) {
   bounded("speed of its corners", scene.domain->contact.fastest_point(), 0.02, "m/s");
 }
 
-INSTANTIATE_TEST_SUITE_P(Thrown, HardCase42, testing::Values(false),
+INSTANTIATE_TEST_SUITE_P(Thrown, HardCase42ThrownBlock, testing::Values(false),
                          [](const auto& wet) { return std::string(wet.param ? "in_water" : "in_air"); });
 
 } // namespace

@@ -28,7 +28,7 @@ Spec corners() {
   return spec;
 }
 
-TEST(HardCase12, ThreeLevelsWithReentrantCornersRestUnderGravity) {
+TEST(HardCase12ReentrantCorners, ThreeLevelsWithReentrantCornersRestUnderGravity) {
   Domain domain(corners());
   replace_constraints(domain, relax_under_gravity(domain, {}, [](long, double) {}));
   Stepper stepper(domain, 0.0, quiet_ground());

@@ -122,7 +122,7 @@ Flight fly_block(double drift) {
   return fly(domain, drift);
 }
 
-TEST(HardCase11, ABlockCrossesFromFineToCoarseTwentyTimes) {
+TEST(HardCase11SoilAcrossLevels, ABlockCrossesFromFineToCoarseTwentyTimes) {
   const Flight flight = fly_block(30.0);
   exactly("particles of one, which is cut once", flight.particles, 4.0);
   bounded("change of mass, relative", flight.mass_change, 1e-14);
@@ -136,7 +136,7 @@ TEST(HardCase11, ABlockCrossesFromFineToCoarseTwentyTimes) {
 /// misses grows with the way that particles go in a step, on one level as here (of the vibration, at 30 m/s:
 /// 0.09 on cells of 1 m, 0.07 on cells of 0.5 m, 0.035 on both), so that a slow block shows what cuts and
 /// crossings add.
-TEST(HardCase11, TheLedgerOfACrossingBlockCloses) {
+TEST(HardCase11SoilAcrossLevels, TheLedgerOfACrossingBlockCloses) {
   const Flight flight = fly_block(3.0);
   exactly("particles of one, which is cut once", flight.particles, 4.0);
   bounded("energy that the ledger misses, over that of the vibration", flight.missed_energy, 0.01);
@@ -152,7 +152,7 @@ Flight fly_layer(double drift) {
 
 /// A coarse cell is filled with a quarter of the particles of the fine cells in its place: N and 4 N of them
 /// become 8 N, and no particle is cut twice.
-TEST(HardCase11, ALayerFlowsThroughFineCellsTenTimes) {
+TEST(HardCase11SoilAcrossLevels, ALayerFlowsThroughFineCellsTenTimes) {
   const Flight flight = fly_layer(30.0);
   exactly("particles over those at the start", flight.particles, 1.6);
   bounded("change of mass, relative", flight.mass_change, 1e-13);
@@ -160,7 +160,7 @@ TEST(HardCase11, ALayerFlowsThroughFineCellsTenTimes) {
   bounded("largest stress over that at the start", flight.stress / pressure, 1.5);
 }
 
-TEST(HardCase11, TheLedgerOfAFlowingLayerCloses) {
+TEST(HardCase11SoilAcrossLevels, TheLedgerOfAFlowingLayerCloses) {
   const Flight flight = fly_layer(3.0);
   exactly("particles over those at the start", flight.particles, 1.6);
   bounded("energy that the ledger misses, over that of the wave", flight.missed_energy, 0.01);

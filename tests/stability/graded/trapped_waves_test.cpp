@@ -142,7 +142,7 @@ private:
   std::vector<Point> points_;
 };
 
-TEST(HardCase10, RandomWavesCrossLevelInterfacesAHundredTimes) {
+TEST(HardCase10WavesAcrossLevels, RandomWavesCrossLevelInterfacesAHundredTimes) {
   test_support::bounded("largest energy over that at the start",
                         TrappedWaves(Basis::virtual_nodes).run(100.0), 1.02);
   test_support::breaks("hanging nodes that the fine side alone sees: largest energy over that at the start",

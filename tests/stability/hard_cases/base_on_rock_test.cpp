@@ -114,11 +114,11 @@ struct Row {
   }
 };
 
-class HardCase38 : public testing::TestWithParam<Row> {};
+class HardCase38SoilOnRock : public testing::TestWithParam<Row> {};
 
 // At an angle the incident wave alone asks dashpots to take up the free field's own reflections, which they
 // cannot do completely, whatever their impedance (docs/boundaries.md).
-TEST_P(HardCase38, SoilOnRockEndingAtTheInterface) {
+TEST_P(HardCase38SoilOnRock, SoilOnRockEndingAtTheInterface) {
   const auto [angle, h] = GetParam();
   bounded(fmt::format("incident wave at the base, {} degrees", angle),
           error({.angle_deg = angle, .cell_size = h, .incident = true}), angle > 5.0 ? 0.02 : 0.01);
@@ -128,12 +128,12 @@ TEST_P(HardCase38, SoilOnRockEndingAtTheInterface) {
           error({.angle_deg = angle, .cell_size = h, .layers = true}), 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Angles, HardCase38, testing::Values(Row{10.0, 1.0}));
+INSTANTIATE_TEST_SUITE_P(Angles, HardCase38SoilOnRock, testing::Values(Row{10.0, 1.0}));
 
-INSTANTIATE_TEST_SUITE_P(AcceptanceAngles, HardCase38,
+INSTANTIATE_TEST_SUITE_P(AcceptanceAngles, HardCase38SoilOnRock,
                          testing::Values(Row{0.0, 0.5}, Row{5.0, 0.5}, Row{10.0, 0.5}, Row{15.0, 0.5}));
 
-TEST(HardCase38, DashpotsOfTheSoil) {
+TEST(HardCase38SoilOnRock, DashpotsOfTheSoil) {
   breaks("the soil's impedance, incident wave at 0 degrees", error({.incident = true, .below = false}), 0.2);
 }
 

@@ -27,7 +27,7 @@ double largest_displacement(const Domain& domain) {
   return largest;
 }
 
-class HardCase14 : public testing::Test {
+class HardCase14DashpotBase : public testing::Test {
 protected:
   static Scene box_at_rest(int threads, bool held) {
     Spec spec = elastic_box(8.0, 4.0, 0.5);
@@ -42,7 +42,7 @@ protected:
   }
 };
 
-TEST_F(HardCase14, DashpotBaseUnderSelfWeight) {
+TEST_F(HardCase14DashpotBase, DashpotBaseUnderSelfWeight) {
   double reaction = 0.0;
   const Scene end = run_monitored([](int threads) { return box_at_rest(threads, true); },
                                   {.speed = 1e-6, .energy_floor = 1e-3}, at_time(60.0),
@@ -58,7 +58,7 @@ TEST_F(HardCase14, DashpotBaseUnderSelfWeight) {
   bounded("reaction over weight, less 1", std::abs(reaction / (1700.0 * 8.0 * 4.0 * 9.81) - 1.0), 1e-3);
 }
 
-TEST_F(HardCase14, DashpotsAloneSink) {
+TEST_F(HardCase14DashpotBase, DashpotsAloneSink) {
   const Scene scene = box_at_rest(1, false);
   Stepper stepper(*scene.domain, 0.0, scene.source);
   while (stepper.time() < 1.0)
@@ -67,7 +67,7 @@ TEST_F(HardCase14, DashpotsAloneSink) {
 }
 
 /// Energy of soil that a pulse has passed, 100 s later.
-TEST(HardCase15, ThePulseLeavesThroughACompliantBaseAndSides) {
+TEST(HardCase15CompliantBase, ThePulseLeavesThroughACompliantBaseAndSides) {
   PlaneWave wave;
   wave.angle = 15.0 * degree;
   wave.y_reference = -5.0;
@@ -97,7 +97,7 @@ TEST(HardCase15, ThePulseLeavesThroughACompliantBaseAndSides) {
 }
 
 /// Ten pulses, 2 s apart, come into the corners of base and sides.
-TEST(HardCase16, ObliqueWavesIntoTheCorners) {
+TEST(HardCase16ObliqueWavesInCorners, ObliqueWavesIntoTheCorners) {
   PlaneWave wave;
   wave.angle = 15.0 * degree;
   wave.y_reference = -10.0;
@@ -160,7 +160,7 @@ FreeFieldSource exact_faces(std::shared_ptr<const ExactField> exact) {
 }
 
 /// The critical angle of this soil is 33.56 degrees: below it P waves leave, beyond it they creep along.
-TEST(HardCase17, AtAndBeyondTheCriticalAngle) {
+TEST(HardCase17CriticalAngle, AtAndBeyondTheCriticalAngle) {
   constexpr double dt = 1.8e-3;
   constexpr std::size_t steps = 1400;
   double error = 0.0;
@@ -238,7 +238,7 @@ TEST(Robustness, RecordsOfCoarseAndOfFineSamples) {
   reaches("largest velocity over that of the incident wave", largest / 0.1, 1.9);
 }
 
-class HardCase18 : public testing::Test {
+class HardCase18PeriodicBox : public testing::Test {
 protected:
   static constexpr double width = 4.0; // m
   static constexpr double h = 0.5;     // m
@@ -263,7 +263,7 @@ protected:
   }
 };
 
-TEST_F(HardCase18, RandomWavesInAPeriodicBox) {
+TEST_F(HardCase18PeriodicBox, RandomWavesInAPeriodicBox) {
   const Scene start = box(1, 0.0);
   const auto momentum = [](const Domain& domain) {
     double sum = 0.0;
@@ -278,7 +278,7 @@ TEST_F(HardCase18, RandomWavesInAPeriodicBox) {
   bounded("momentum across the seam, change", std::abs(momentum(*end.domain) / before - 1.0), 1e-12);
 }
 
-TEST_F(HardCase18, TheSeamCannotBeSeen) {
+TEST_F(HardCase18PeriodicBox, TheSeamCannotBeSeen) {
   const int cells = 3;
   std::vector<Particles> results;
   for (const double shift : {0.0, cells * h}) {
@@ -304,7 +304,7 @@ TEST_F(HardCase18, TheSeamCannotBeSeen) {
 /// A record that does not end at rest carries the model away; what the soil feels, its motion relative to
 /// the base, stays that of the record. Closed form for a column under vertical S waves: u_s - u_b = int 2
 /// v(t - H/c) - v(t) - v(t - 2 H/c) dt.
-TEST(HardCase19, ABaseThatDriftsLeavesRelativeDisplacementAlone) {
+TEST(HardCase19Drift, ABaseThatDriftsLeavesRelativeDisplacementAlone) {
   constexpr double depth = 10.0;
   constexpr double residual = 0.05; // m/s, half of the pulse
   const PlaneWave wave{.y_reference = -depth};

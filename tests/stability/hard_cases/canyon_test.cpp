@@ -35,20 +35,21 @@ struct Row {
   }
 };
 
-class HardCase36 : public testing::TestWithParam<Row> {};
+class HardCase36CanyonInASmallBox : public testing::TestWithParam<Row> {};
 
-TEST_P(HardCase36, CanyonInASmallBox) {
+TEST_P(HardCase36CanyonInASmallBox, CanyonInASmallBox) {
   const Canyon canyon{.cell_size = GetParam().cell_size, .angle_deg = GetParam().angle_deg};
   bounded("difference of all velocities to a box of four times the area, " +
               testing::PrintToString(GetParam()),
           relative_difference(run_canyon(canyon, small_box), wide_box(canyon)), 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Angles, HardCase36, testing::Values(Row{0.0, 1.6}));
+INSTANTIATE_TEST_SUITE_P(Angles, HardCase36CanyonInASmallBox, testing::Values(Row{0.0, 1.6}));
 
-INSTANTIATE_TEST_SUITE_P(AcceptanceAngles, HardCase36, testing::Values(Row{0.0, 1.0}, Row{15.0, 1.0}));
+INSTANTIATE_TEST_SUITE_P(AcceptanceAngles, HardCase36CanyonInASmallBox,
+                         testing::Values(Row{0.0, 1.0}, Row{15.0, 1.0}));
 
-TEST(HardCase36, AcceptanceWhateverTheDepthOfTheLayer) {
+TEST(HardCase36CanyonInASmallBox, AcceptanceWhateverTheDepthOfTheLayer) {
   Canyon canyon{.angle_deg = 30.0};
   const Seen wide = wide_box(canyon);
   for (const int cells : {5, 10, 20}) {
@@ -76,7 +77,7 @@ double late_speed(Canyon canyon) {
 // A particle in a cell of its surface that is not full moves in a way that nodes hardly see, so hardly
 // anything pulls it back. APIC forgets that motion, FLIP does not: it is refused there
 // (flip_has_surface_along_grid.cpp).
-TEST(HardCase37, NothingRingsAfterThePulse) {
+TEST(HardCase37RingingSurface, NothingRingsAfterThePulse) {
   bounded("APIC, canyon", late_speed({}), 0.01);
   bounded("FLIP, notch along the grid", late_speed({.transfer = mpm_domain::Transfer::flip, .notch = true}),
           0.3);

@@ -20,7 +20,7 @@ constexpr double h = 0.5;                               // m
 constexpr double preload = 1e5;                         // Pa
 constexpr double drift = 2.0;                           // m/s
 
-TEST(HardCase02, AnUnloadedBlockDriftsFiftyCells) {
+TEST(HardCase02GridCrossing, AnUnloadedBlockDriftsFiftyCells) {
   double stress = 0.0;
   double time = 0.0;
   const auto make = [](int threads) {
@@ -57,7 +57,7 @@ void lay_across_cells(Domain& domain) {
 }
 
 /// A strip without ends under initial stress along it, which nothing needs to hold: what changes is noise.
-TEST(HardCase02, APreloadedStripDriftsFiftyCells) {
+TEST(HardCase02GridCrossing, APreloadedStripDriftsFiftyCells) {
   const auto make = [](int threads) {
     Spec spec = elastic_box(4.0, 2.0, h);
     spec.sides = mpm_domain::Sides::periodic;
@@ -82,7 +82,7 @@ TEST(HardCase02, APreloadedStripDriftsFiftyCells) {
 /// Offsets of the block that leave its last nodes with hardly any mass.
 constexpr double offsets[] = {1e-6, 1e-3, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0 - 1e-6};
 
-TEST(HardCase03, BlockEdgeInsideANewCellLeavesTheCriticalStep) {
+TEST(HardCase03EdgeInANewCell, BlockEdgeInsideANewCellLeavesTheCriticalStep) {
   double smallest = 1e300;
   for (const double offset : offsets) {
     const Scene scene = free_scene(elastic_box(3.0, 3.0, h), 1, [&](Domain& domain) {
@@ -103,7 +103,7 @@ TEST(HardCase03, BlockEdgeInsideANewCellLeavesTheCriticalStep) {
   EXPECT_LT(linear, 0.74);
 }
 
-TEST(HardCase03, BlockEdgeInsideANewCellIsNotAcceleratedMore) {
+TEST(HardCase03EdgeInANewCell, BlockEdgeInsideANewCellIsNotAcceleratedMore) {
   double worst = 0.0;
   for (const double offset : offsets) {
     const auto make = [&](int threads) {
@@ -137,7 +137,7 @@ TEST(HardCase03, BlockEdgeInsideANewCellIsNotAcceleratedMore) {
 }
 
 /// Velocities belong to half a step before: vy = +g dt/2 there is rest at t = 0.
-TEST(HardCase04, OneParticleFallsForTenSeconds) {
+TEST(HardCase04LoneParticle, OneParticleFallsForTenSeconds) {
   static constexpr double dt = 2e-3;
   constexpr double gravity = 9.81;
   const auto make = [](int threads) {

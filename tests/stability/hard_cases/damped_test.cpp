@@ -54,7 +54,7 @@ double growth(const MakeScene& make) {
   return largest / start;
 }
 
-TEST(HardCase39, RandomVelocitiesAtTheLimitOfADampedStep) {
+TEST(HardCase39DampedStep, RandomVelocitiesAtTheLimitOfADampedStep) {
   for (const double damping_time : {0.1, 1.0, 10.0})
     for (const Transfer transfer : {Transfer::apic, Transfer::flip})
       for (const StepOrder order : {StepOrder::musl, StepOrder::usl}) {
@@ -69,7 +69,7 @@ TEST(HardCase39, RandomVelocitiesAtTheLimitOfADampedStep) {
       }
 }
 
-TEST(HardCase39, RandomVelocitiesBetweenDashpotsAtTheLimitOfADampedStep) {
+TEST(HardCase39DampedStep, RandomVelocitiesBetweenDashpotsAtTheLimitOfADampedStep) {
   for (const double damping_time : {0.1, 1.0, 10.0}) {
     const double largest = growth([&](int threads) {
       Spec spec = damped_block(damping_time, Transfer::apic, StepOrder::musl);
@@ -84,7 +84,7 @@ TEST(HardCase39, RandomVelocitiesBetweenDashpotsAtTheLimitOfADampedStep) {
 
 /// The order usl flies apart where its share is taken of the damped step instead of the undamped one; musl
 /// holds steps of three times the limit together.
-TEST(HardCase39, TheShareOfADampedStepIsTooLarge) {
+TEST(HardCase39DampedStep, TheShareOfADampedStepIsTooLarge) {
   for (const double damping_time : {1.0, 10.0}) {
     const Scene scene =
         free_scene(damped_block(damping_time, Transfer::flip, StepOrder::usl), 1, [](Domain& domain) {
@@ -109,7 +109,7 @@ TEST(HardCase39, TheShareOfADampedStepIsTooLarge) {
 }
 
 /// Without the share of the damping the step is refused.
-TEST(HardCase39, TheStepOfUndampedSoilIsRefused) {
+TEST(HardCase39DampedStep, TheStepOfUndampedSoilIsRefused) {
   Spec spec = damped_block(1.0, Transfer::apic, StepOrder::musl);
   spec.scheme.dt = 0.65 * cell / soil.p_wave_speed();
   Domain domain(spec);

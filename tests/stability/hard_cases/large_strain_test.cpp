@@ -60,7 +60,7 @@ Turning turn_ten_times() {
   return result;
 }
 
-TEST(HardCase05, ABlockTurnsTenTimes) {
+TEST(HardCase05TurningBlock, ABlockTurnsTenTimes) {
   const Turning turning = turn_ten_times();
   bounded("drift of angular momentum", turning.drift, 1e-10);
   bounded("largest stress over E", turning.stress / young, 1e-5);
@@ -131,7 +131,7 @@ double strain_of_fracture(int particles_per_cell, ParticleBoxes boxes) {
   return strain;
 }
 
-TEST(HardCase06, ABarIsPulledToThreeTimesItsLength) {
+TEST(HardCase06PulledBar, ABarIsPulledToThreeTimesItsLength) {
   using enum ParticleBoxes;
   reaches("strain without a gap, 4 x 4 particles a cell, whose boxes follow the soil",
           strain_of_fracture(4, deforming), 2.0);
@@ -143,7 +143,7 @@ TEST(HardCase06, ABarIsPulledToThreeTimesItsLength) {
 
 /// A strip so high that nothing comes from its free surfaces to its middle is sheared at a constant rate.
 /// Under Jaumann's rate s_xy = G sin(gamma), s_xx = G (1 - cos(gamma)) (Dienes 1979).
-TEST(HardCase07, AStripIsShearedToFive) {
+TEST(HardCase07ShearedStrip, AStripIsShearedToFive) {
   static constexpr double height = 16.0;
   static constexpr double rate = 1.25; // 1/s
   static constexpr double soft = 4e3;  // Pa

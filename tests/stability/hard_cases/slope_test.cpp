@@ -71,7 +71,7 @@ void lift_grains(Domain& domain, double lift) {
 }
 
 /// A drop of 10 m, on fine cells about the face which the soil leaves, with grains that fall alone.
-TEST(HardCase33, SlopeFailureRunsOut) {
+TEST(HardCase33SlopeRunOut, SlopeFailureRunsOut) {
   const auto make = [](int threads) {
     Spec spec = bank(10.0, 2.0, 6.0, 24.0, 1.0);
     spec.refine = {{{-8.0, 2.0, 0.0, 10.0}, 1}};
@@ -133,7 +133,7 @@ RunOut run_out(double h) {
 }
 
 /// Compared is the soil that has run out, not its tip, a wedge thinner than a cell.
-TEST(HardCase34, SofteningRunsOutAlikeOnFineAndCoarseCells) {
+TEST(HardCase34SofteningRunOut, SofteningRunsOutAlikeOnFineAndCoarseCells) {
   const RunOut coarse = run_out(0.5);
   const RunOut fine = run_out(0.25);
   reaches("soil beyond the toe, cells of 0.25 m", fine.area, 4.0, "m2");

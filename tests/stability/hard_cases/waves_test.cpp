@@ -45,7 +45,7 @@ double unseen_energy(Domain& domain) {
 
 /// FLIP leaves velocities that the grid does not see, its null space, to themselves. Random places of the
 /// particles feed them.
-TEST(HardCase01, FreeBarWithParticlesAtRandomPlaces) {
+TEST(HardCase01FreeBar, FreeBarWithParticlesAtRandomPlaces) {
   const auto make = [](int threads) {
     Spec spec = elastic_box(10.0, 1.0, 0.5);
     spec.scheme.transfer = Transfer::flip;
@@ -73,7 +73,7 @@ TEST(HardCase01, FreeBarWithParticlesAtRandomPlaces) {
 }
 
 /// Standing shear wave over eight cells, at 0.8 of the limit of uGIMP, 0.746 h/c_p.
-TEST(HardCase08, StandingWaveForAMillionSteps) {
+TEST(HardCase08StandingWave, StandingWaveForAMillionSteps) {
   const auto make = [](int threads) {
     Spec spec = elastic_box(0.5, 4.0, 0.5);
     spec.sides = mpm_domain::Sides::periodic;
@@ -92,7 +92,7 @@ TEST(HardCase08, StandingWaveForAMillionSteps) {
 }
 
 /// A hundredfold stiffness from one step to the next, as of a sand that is unloaded or closes up.
-class HardCase09 : public testing::Test {
+class HardCase09StiffnessJump : public testing::Test {
 protected:
   static Scene block(int threads) {
     Spec spec = elastic_box(4.0, 4.0, 0.5);
@@ -110,7 +110,7 @@ protected:
   }
 };
 
-TEST_F(HardCase09, StiffnessJumpsHundredfold) {
+TEST_F(HardCase09StiffnessJump, StiffnessJumpsHundredfold) {
   double dt_before = 0.0;
   double dt_after = 0.0;
   double kinetic_before = 0.0;
@@ -128,7 +128,7 @@ TEST_F(HardCase09, StiffnessJumpsHundredfold) {
   bounded("largest kinetic energy after over before", kinetic_after / kinetic_before, 1.0);
 }
 
-TEST_F(HardCase09, AStepThatDoesNotFollowTheStiffnessGrows) {
+TEST_F(HardCase09StiffnessJump, AStepThatDoesNotFollowTheStiffnessGrows) {
   Scene scene = block(1);
   Domain& domain = *scene.domain;
   const double dt = 0.5 * critical_time_step(domain, 0.0);

@@ -36,9 +36,9 @@ std::vector<double> clean_velocity() {
   return v;
 }
 
-class HardCase19 : public ::testing::Test {
+class HardCase19Drift : public ::testing::Test {
 protected:
-  HardCase19() {
+  HardCase19Drift() {
     for (std::size_t i = 0; i < spoilt.size(); ++i)
       spoilt[i] += offset + drift * time_of(i);
   }
@@ -58,7 +58,7 @@ protected:
   std::vector<double> spoilt = differentiate(velocity, dt);
 };
 
-TEST_F(HardCase19, IsReportedWithItsNumber) {
+TEST_F(HardCase19Drift, IsReportedWithItsNumber) {
   const auto m = measures(spoilt, dt);
   const double residual = offset * duration + 0.5 * drift * duration * duration; // 0.24 m/s
   test_support::bounded("error of the residual velocity that is reported",
@@ -70,7 +70,7 @@ TEST_F(HardCase19, IsReportedWithItsNumber) {
   EXPECT_GT(velocity_error(spoilt), 0.9 * residual);
 }
 
-TEST_F(HardCase19, CorrectionFindsTheCleanVelocity) {
+TEST_F(HardCase19Drift, CorrectionFindsTheCleanVelocity) {
   for (const auto& [fit, degree] : {std::pair{BaselineFit::velocity, 2}, {BaselineFit::displacement, 3}}) {
     const auto corrected = baseline_corrected(spoilt, dt, fit, degree);
     test_support::bounded("error of the corrected velocity over its peak",
@@ -80,7 +80,7 @@ TEST_F(HardCase19, CorrectionFindsTheCleanVelocity) {
   }
 }
 
-TEST_F(HardCase19, AHighPassLeavesNoDriftEither) {
+TEST_F(HardCase19Drift, AHighPassLeavesNoDriftEither) {
   const auto tapered_motion = tapered(spoilt, dt, 2.0, 2.0);
   const auto filtered = band_passed(tapered_motion, dt, {.low = 0.1, .high = 0.0, .order = 4});
   EXPECT_LT(velocity_error(filtered), 0.05 * peak(velocity));

@@ -85,10 +85,10 @@ Outcome outcome_of(const Spec& spec) {
   return outcome;
 }
 
-class HardCase13 : public testing::TestWithParam<int> {};
+class HardCase13Subcycling : public testing::TestWithParam<int> {};
 
 /// The limit of the scheme, 0.65 h/c, is 0.87 of the critical step of these cells, 0.746 h/c.
-TEST_P(HardCase13, SubcyclingIsStableAtAnyStepUpToTheLimit) {
+TEST_P(HardCase13Subcycling, SubcyclingIsStableAtAnyStepUpToTheLimit) {
   const int levels = GetParam();
   Outcome worst;
   for (const double fraction : {0.35, 0.5, 0.65, 0.8, 0.9, 0.975}) {
@@ -106,8 +106,8 @@ std::string name_of(const testing::TestParamInfo<int>& levels) {
   return fmt::format("m{}", 1 << levels.param);
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, HardCase13, testing::Values(1, 2), name_of);
-INSTANTIATE_TEST_SUITE_P(AcceptanceLevels, HardCase13, testing::Values(3), name_of);
+INSTANTIATE_TEST_SUITE_P(Levels, HardCase13Subcycling, testing::Values(1, 2), name_of);
+INSTANTIATE_TEST_SUITE_P(AcceptanceLevels, HardCase13Subcycling, testing::Values(3), name_of);
 
 /// The impulses alone, without what particles and grid damp in their exchange: a chain of 24 cells of size 1
 /// and 24 of size 1/m, density and modulus 1, after the same number of steps. `buffer` coarse cells run on
@@ -156,7 +156,7 @@ double growth_of_chain(int m, double fraction, int buffer) {
 
 /// m = 2 from level to level. The energy that a leapfrog keeps is not that of one time level: it swings more
 /// the nearer the limit is.
-TEST(HardCase13Chain, TwoLayersOfBufferTakeTheResonanceAway) {
+TEST(HardCase13SubcycledChain, TwoLayersOfBufferTakeTheResonanceAway) {
   double worst = 0.0;
   double without = 0.0;
   for (const double fraction : {0.5, 0.65, 0.78, 0.8, 0.82, 0.85}) {

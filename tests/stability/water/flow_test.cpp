@@ -36,7 +36,7 @@ Spec wet_spec(Box box, double cell, double level) {
 }
 
 /// Layers of 1e-1 to 1e-9 m/s, all under the same excess pressure at the start.
-TEST(HardCase20, PermeabilitiesNineOrdersApart) {
+TEST(HardCase20Permeabilities, PermeabilitiesNineOrdersApart) {
   constexpr double load = 1e4; // Pa
   Spec spec = wet_spec({0.0, -10.0, 0.5, 0.0}, 0.5, 0.0);
   spec.sides = Sides::periodic;
@@ -83,7 +83,7 @@ Spec stepped_ground() {
   return spec;
 }
 
-TEST(HardCase21, RestOverJumpsOfPorosityAndPermeability) {
+TEST(HardCase21WaterAtRest, RestOverJumpsOfPorosityAndPermeability) {
   const auto domain = at_rest(stepped_ground());
   Stepper stepper(*domain, 0.0, quiet_ground());
   double fastest = 0.0;
@@ -134,7 +134,7 @@ double unevenness_of_pressure(double share, double* energy_error) {
 }
 
 /// Sides let no water pass wherever their soil ends within a cell.
-TEST(HardCase21, SidesWithinCellsHoldWater) {
+TEST(HardCase21WaterAtRest, SidesWithinCellsHoldWater) {
   for (const double share : {0.0, 0.25, 0.5, 0.75}) {
     double energy = 0.0;
     bounded("pressure along the ground over its mean", unevenness_of_pressure(share, &energy), 0.01);
@@ -144,7 +144,7 @@ TEST(HardCase21, SidesWithinCellsHoldWater) {
 
 /// The force on water per unit of soil volume, sum V n p grad S, would drive it at jumps of porosity. The
 /// force of a pressure n p is taken here, less the weight n rho_f g, over the mass of the water.
-TEST(HardCase21, ForcesPerVolumeOfSoilDriveWaterAtRest) {
+TEST(HardCase21WaterAtRest, ForcesPerVolumeOfSoilDriveWaterAtRest) {
   Spec spec = wet_spec({0.0, -6.0, 3.0, 0.0}, 0.5, 0.0);
   spec.soils = {wet_soil("dense", 0.35, 1e-2), wet_soil("loose", 0.5, 1e-6)};
   spec.regions = {band(0, 0.0, 3.0, -6.0, 0.0), band(1, 0.0, 3.0, -4.0, -2.0)};
@@ -177,7 +177,7 @@ TEST(HardCase21, ForcesPerVolumeOfSoilDriveWaterAtRest) {
 
 /// The excess pressure of soil that had liquefied leaves in ten minutes of flow. What water leaves is what
 /// the ground settles.
-TEST(HardCase27, ConsolidationAfterShaking) {
+TEST(HardCase27Reconsolidation, ConsolidationAfterShaking) {
   Spec spec = wet_spec({0.0, -5.0, 0.5, 0.0}, 0.5, 0.0);
   spec.sides = Sides::periodic;
   spec.water->fluid.bulk_modulus = 2e7; // some ten times the skeleton: the step is ten times as long

@@ -69,9 +69,9 @@ double largest_jump(const Domain& domain) {
   return largest;
 }
 
-class HardCase23 : public testing::TestWithParam<materials::Drainage> {};
+class HardCase23UndrainedFooting : public testing::TestWithParam<materials::Drainage> {};
 
-TEST_P(HardCase23, UndrainedFootingCarriesItsLimitLoad) {
+TEST_P(HardCase23UndrainedFooting, UndrainedFootingCarriesItsLimitLoad) {
   constexpr double at_rest_under = 4.0; // over c
   const auto domain = std::make_unique<Domain>(footing(GetParam(), at_rest_under * cohesion));
   replace_constraints(*domain, relax_under_gravity(*domain, {.residual = 1e-6}, [](long, double) {}));
@@ -112,7 +112,7 @@ TEST_P(HardCase23, UndrainedFootingCarriesItsLimitLoad) {
   bounded("energy", ledger_error(domain->energy), 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(Drainages, HardCase23,
+INSTANTIATE_TEST_SUITE_P(Drainages, HardCase23UndrainedFooting,
                          testing::Values(materials::Drainage::undrained, materials::Drainage::coupled),
                          [](const auto& drainage) { return std::string(tremolo::name(drainage.param)); });
 

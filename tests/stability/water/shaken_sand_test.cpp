@@ -68,7 +68,7 @@ double ratio(const Particles& set, std::size_t k) {
   return excess_pressure(set, k) / -set.vertical_at_rest[k];
 }
 
-TEST(HardCase24, FullLiquefaction) {
+TEST(HardCase24FullLiquefaction, FullLiquefaction) {
   constexpr double acceleration = 0.2 * gravity;
   const auto domain = at_rest(sand_column(loose, 0.0, -90e3));
   Stepper stepper(*domain, 0.0, shaken_base(*domain, acceleration));
@@ -88,7 +88,7 @@ TEST(HardCase24, FullLiquefaction) {
   bounded("energy", ledger_error(domain->energy), 0.02);
 }
 
-TEST(HardCase25, DilationUntilWaterCavitates) {
+TEST(HardCase25Cavitation, DilationUntilWaterCavitates) {
   constexpr double lowest = -2e3; // Pa: little tension, so that it is reached
   const auto domain = at_rest(sand_column(dense, 0.0, lowest));
   Stepper stepper(*domain, 0.0, shaken_base(*domain, 0.4 * gravity));
@@ -107,7 +107,7 @@ TEST(HardCase25, DilationUntilWaterCavitates) {
   bounded("energy", ledger_error(domain->energy), 0.02);
 }
 
-TEST(HardCase26, DryCrustOverLiquefiedSand) {
+TEST(HardCase26DryCrust, DryCrustOverLiquefiedSand) {
   constexpr double acceleration = 0.2 * gravity;
   const auto domain = at_rest(sand_column(loose, -2.2, -90e3)); // the table within a cell
   Stepper stepper(*domain, 0.0, shaken_base(*domain, acceleration));
@@ -128,7 +128,7 @@ TEST(HardCase26, DryCrustOverLiquefiedSand) {
 
 /// 100 kPa on 10 m of saturated elastic soil within half its period: it swings about the undrained
 /// share of the water, by as much as it was loaded.
-TEST(HardCase22, UndrainedStepLoad) {
+TEST(HardCase22UndrainedStepLoad, UndrainedStepLoad) {
   constexpr double modulus = 1e8; // M, Pa
   constexpr double load = 1e5;    // Pa
   constexpr double rise =
