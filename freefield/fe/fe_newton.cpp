@@ -47,7 +47,7 @@ double FeNewton::residual(const FeElements& elements, const FeState& begin, cons
     g[i] = i < elements.prescribed()
                ? 0.0
                : elements.mass()[i] * end.a[i] + (1.0 + hht_.alpha) * end.r[i] - hht_.alpha * begin.r[i];
-    if (!(std::abs(g[i]) <= std::abs(g[worst])))
+    if (!std::isnan(g[worst]) && !(std::abs(g[i]) <= std::abs(g[worst]))) // the first NaN is the worst
       worst = i;
   }
   worst_element_ = worst < 2 ? 0 : worst / 2 - 1;
