@@ -32,6 +32,7 @@ Profile two_layers(Layer upper, Layer lower) {
 struct Ground {
   const char* name;
   Profile profile;
+  double rounding = 1e-12; ///< of an eigenvalue
 };
 
 std::vector<Ground> grounds() {
@@ -46,7 +47,8 @@ std::vector<Ground> grounds() {
           {"undrained", two_layers(undrained(0.5), undrained(0.3))},
           {"coupled", two_layers(coupled(0.5, 1e-1), coupled(0.3, 1e-3))},
           {"free water", two_layers(coupled(0.3, 1e6), coupled(0.5, 1e6))},
-          {"tight", two_layers(coupled(0.4, 1e-9), coupled(0.4, 1e-9))},
+          // Drag of 1e13 Pa s/m2 beside masses: the eigenvalues are found to nine digits.
+          {"tight", two_layers(coupled(0.4, 1e-9), coupled(0.4, 1e-9)), 1e-8},
           {"dry over coupled", under_dry},
           {"coupled over undrained", two_layers(coupled(0.4, 1e-3), undrained(0.4))}};
 }
@@ -128,8 +130,9 @@ TEST(MarchedColumn, NoStepLetsAnythingGrowUpToTheCriticalAngleAndTheStepLimit) {
       for (const double angle : {0.0, 0.5, 0.9, 0.99})
         for (const double step : {0.3, 0.95, 0.999}) {
           const double largest = largest_eigenvalue(ground.profile, base, angle, step);
-          EXPECT_LT(largest - 1.0, 1e-6) << ground.name << (base == BaseKind::rigid ? ", rigid" : "")
-                                         << ", s c " << angle << ", step " << step;
+          EXPECT_LT(largest - 1.0, ground.rounding)
+              << ground.name << (base == BaseKind::rigid ? ", rigid" : "") << ", s c " << angle << ", step "
+              << step;
         }
 }
 
