@@ -118,8 +118,8 @@ TEST(WaveCommand, TakesWholeCasesToo) {
   const TemporaryFolder folder;
   const auto points = folder.write("points.csv", "x,y\n0,0\n");
   const auto [status, output] =
-      run_tremolo("wave " + source_dir() + "/cases/halfspace_box/case.toml --points " + points.string() +
-                  " --times 0:1:0.1 --out " + (folder / "out.csv").string());
+      run_tremolo("wave " + tremolo::source_dir() + "/cases/halfspace_box/case.toml --points " +
+                  points.string() + " --times 0:1:0.1 --out " + (folder / "out.csv").string());
   EXPECT_EQ(status, 0) << output;
   EXPECT_EQ(read_table(folder / "out.csv").size(), 11);
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr int module_absent = 77;
 
 int run_script(const std::string& interpreter, const std::string& script, const std::filesystem::path& xdmf) {
-  const std::string path = source_dir() + "/tests/system/results/" + script;
+  const std::string path = tremolo::source_dir() + "/tests/system/results/" + script;
   const int state = std::system((interpreter + " " + path + " " + xdmf.string()).c_str());
   return WIFEXITED(state) ? WEXITSTATUS(state) : -1;
 }

@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using tremolo::testing::run_tremolo;
 
-const std::string box = source_dir() + "/cases/halfspace_box/case.toml";
+const std::string box = tremolo::source_dir() + "/cases/halfspace_box/case.toml";
 
 std::filesystem::path scratch(const std::string& name) {
   return std::filesystem::path(::testing::TempDir()) / name;
@@ -148,7 +148,7 @@ TEST(Commands, DocsWritesTheReferenceThatIsShippedOrSaysWhyNot) {
   std::filesystem::create_directories(folder);
   EXPECT_EQ(run_tremolo("docs " + folder.string()).status, 0);
   for (const char* page : {"case-file.md", "case.schema.json", "commands.md"})
-    EXPECT_EQ(text_of(folder / page), text_of(std::filesystem::path(source_dir() + "/docs") / page))
+    EXPECT_EQ(text_of(folder / page), text_of(std::filesystem::path(tremolo::source_dir() + "/docs") / page))
         << page;
   std::filesystem::remove_all(folder);
   const auto [status, output] = run_tremolo("docs /nowhere");

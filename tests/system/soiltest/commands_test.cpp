@@ -22,7 +22,7 @@ using ::testing::StartsWith;
 using tremolo::testing::run_tremolo;
 using tremolo::testing::TemporaryFolder;
 
-const std::string shipped = source_dir() + "/cases/soiltests/";
+const std::string shipped = tremolo::source_dir() + "/cases/soiltests/";
 
 /// A short cyclic test of strong cycles.
 const std::string cyclic = R"(title = "strong cycles"
