@@ -5,7 +5,7 @@
 
 #include "scene/case.hpp"
 #include "scene/plan/levels.hpp"
-#include "scene/plan/step_limit.hpp"
+#include "scene/plan/step/step_limit.hpp"
 #include "scene/plan/structures.hpp"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "scene/plan/step_limit.hpp"
+#include "scene/plan/step/step_limit.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "mpm_domain/spec/limits.hpp"
-#include "scene/plan/step_limit.hpp"
+#include "scene/plan/step/step_limit.hpp"
 #include "scene/plan/structures.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/soils/domain_soils.hpp"

@@ -66,7 +66,7 @@ void serve(const ParticipantOptions& options, const Exchange& exchange) {
   SourceClient client(options, {exchange.field()});
   client.serve([](std::size_t, std::uint64_t step, std::span<double> values) {
     for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = static_cast<double>(step + i);
+      values[i] = 1e-6 * static_cast<double>(step + i); // below all bounds of a free field
   });
 }
 
