@@ -165,7 +165,7 @@ iterations = 1
         """Plane waves cannot divide by the spectrum of undamped layers on a rigid base; columns do without."""
         with BoxWorkspace(TREMOLO, ground=LAYERED, halfspace=STIFF, duration=0.3) as work:
             text = work.case.read_text().replace('wave = "SV"', 'wave = "SV"\nkind = "within"')
-            work.case.write_text(text)
+            work.case.write_text(text.replace('model = "wave"', 'model = "fe"'))
             folder = work.path / "swapped"
             result = work.command("swap", work.case, "--models", "wave,fe,ode", "--out", folder)
             entries = json.loads((folder / "swap.json").read_text())

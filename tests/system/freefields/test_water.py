@@ -167,7 +167,7 @@ class LiquefyingParticles(Liquefying):
         result = self.column("mpm", "none.h5")
         self.work.case.write_text(text)
         self.assertNotEqual(0, result.returncode)
-        self.assertIn("[mesh] size and box are needed", result.stderr)
+        self.assertIn("missing [mesh]: model = \"mpm\" is a column of its cells", result.stderr)
 
 
 class TotalStress(unittest.TestCase):
@@ -235,7 +235,7 @@ class Refusals(unittest.TestCase):
 
     def test_doubts_are_told_and_computed(self):
         for old, new, why in (
-            ("permeability = 1e-9", "permeability = 1e3", "1000 m/day would be 0.0116"),
+            ("permeability = 1e-9", "permeability = 1e3", "1000 m/day would be 0.01157"),
             ("permeability = 1e-9", "permeability = 8.64", "8.64 m/day would be 0.0001"),
             ("level = -2.0", "level = -2.0\ncavitation_pressure = -90", "-90 kPa would be -90000"),
             ("level = -2.0", "level = 2.0", "stands 2 m above the ground"),
