@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -61,6 +62,10 @@ Table parameters(const scene::SoilTestFile& file) {
            {"origin", "1", origins}}};
 }
 
+/// With which every history begins.
+constexpr std::array first_columns = {"step",     "cycle",  "eps_xx", "eps_yy", "eps_zz",
+                                      "gamma_xy", "sig_xx", "sig_yy", "sig_zz", "sig_xy"};
+
 /// The columns of the engine with those that the reference curves have in front, and the law's p and q.
 Table history(const materials::Law& law, const soiltest::History& recorded) {
   Table table;
@@ -69,8 +74,7 @@ Table history(const materials::Law& law, const soiltest::History& recorded) {
     placed.push_back(name);
     table.columns.push_back({std::move(name), std::move(unit), std::move(values)});
   };
-  for (const char* name :
-       {"step", "cycle", "eps_xx", "eps_yy", "eps_zz", "gamma_xy", "sig_xx", "sig_yy", "sig_zz", "sig_xy"})
+  for (const char* name : first_columns)
     add(name, std::string_view(name).starts_with("sig") ? "Pa" : "1",
         recorded.has(name) ? recorded.column(name) : std::vector<double>(recorded.rows(), 0.0));
   auto [p, q] = invariants(law, recorded);
@@ -242,7 +246,8 @@ void check_output(const std::filesystem::path& out, const scene::SoilTestFile& f
                     file.file.string(), specimens(file)));
   const bool table = out.extension() == ".csv";
   require_writable(out, {file.file},
-                   table ? begins_with(heading(history(file.soil.law, {}))) : has_content(soiltest_content));
+                   table ? begins_with(fmt::format("{},", fmt::join(first_columns, ",")))
+                         : has_content(soiltest_content));
   if (plot)
     require_writable(std::filesystem::path(out).replace_extension(".png"), {file.file}, is_picture_of_tremolo,
                      "--plot");

@@ -153,7 +153,7 @@ TEST(Commands, DocsWritesTheReferenceThatIsShippedOrSaysWhyNot) {
   std::filesystem::remove_all(folder);
   const auto [status, output] = run_tremolo("docs /nowhere");
   EXPECT_EQ(status, 1);
-  EXPECT_EQ(output, "tremolo: cannot write /nowhere/case-file.md: No such file or directory\n");
+  EXPECT_EQ(output, "tremolo: FOLDER /nowhere/case-file.md: there is no folder /nowhere\n");
 }
 
 } // namespace
