@@ -45,7 +45,7 @@ struct OwnFile {
   IsOwn is_own;
 };
 
-/// The same for files of a folder, of which those that exist count.
+/// Checks those files of a folder that exist as require_writable() does.
 void require_writable_in(const std::filesystem::path& folder, const std::vector<OwnFile>& files,
                          const std::vector<std::filesystem::path>& inputs);
 

@@ -12,7 +12,7 @@ inline constexpr double largest_pga_g = 2.0;
 inline constexpr double largest_pgv = 5.0;  // m/s
 inline constexpr double longest_step = 0.1; // s
 
-/// What is to be doubted in a record, each a sentence with the value and the likely cause: what its reader
+/// Doubts about a record, each a sentence with the value and the likely cause: what its reader
 /// found (Origin::doubts), then PGA, PGV and step.
 std::vector<std::string> doubts(const Record& record);
 

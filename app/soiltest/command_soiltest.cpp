@@ -26,7 +26,7 @@ struct Options {
   bool library = false;
 };
 
-/// What is likely to be wrong where a law cannot follow a test: a stress in another unit.
+/// Names the likely cause where a law cannot follow a test: a stress in another unit.
 std::string stress_doubt(const scene::SoilTestFile& file) {
   const auto doubt = scene::unit_doubt("test.vertical_stress", file.test.initial.vertical_stress);
   return doubt ? "; " + *doubt : "";

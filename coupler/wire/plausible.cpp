@@ -19,7 +19,7 @@ constexpr double most_velocity = 100.0; // m/s
 constexpr double most_stress = 1e10;    // Pa
 constexpr double most_rate = 1e3;       // of change, 1/s: what changes within a millisecond
 
-/// Those of a point, in the order of its values.
+/// The quantities of a point, in the order of its values.
 constexpr std::array<Quantity, values_per_point> quantities{{
     {"velocity vx", "m/s", most_velocity},
     {"velocity vy", "m/s", most_velocity},

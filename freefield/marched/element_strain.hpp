@@ -12,7 +12,7 @@
 
 namespace tremolo::freefield {
 
-/// Of one node in one step.
+/// Motion of one node in one step.
 struct NodeMove {
   double vx = 0.0, vy = 0.0, qy = 0.0;    ///< half a step ahead, m/s
   double dvx = 0.0, dvy = 0.0, dqx = 0.0; ///< change over the step, m/s

@@ -16,7 +16,7 @@ namespace {
 
 constexpr long steps_between_checks = 16;
 
-/// What is wrong where the wave does not travel on through an element; empty where it does.
+/// Names the first element through which the wave does not travel on; empty where it travels through all.
 std::string critical(const ColumnMesh& mesh, const WetGrid& grid, const std::vector<double>& moduli,
                      double slowness) {
   for (std::size_t e = 0; e < grid.elements.size(); ++e) {
@@ -220,7 +220,7 @@ void MarchedColumn::remember() {
             : trial_.total_force(scheme_, state_, i);
     finite += now.force[i].sum() + state_.velocity[i].relative.sum();
     const WetNode& node = state_.grid.nodes[i];
-    // Of a sealed node: what its grains, which the water follows, take.
+    // The water at a sealed node follows the grains: this is the force that their acceleration takes.
     now.fluid_force[i] =
         node.sealed ? node.full *
                           (3.0 * now.velocity[i].solid.y() - 4.0 * snapshots_[1].velocity[i].solid.y() +

@@ -91,8 +91,8 @@ private:
   double largest_residual_ = 0.0;
   long steps_ = 0, evaluations_ = 0, unconverged_ = 0;
   bool damped_ = false;
-  /// Of the base node: its bracket now, one and two steps ago, kg/(m s), and the force of its element and the
-  /// power of the half-space, as of the last step.
+  /// State of the base node: its bracket now, one and two steps ago, kg/(m s), and the force of its element
+  /// and the power of the half-space, as of the last step.
   std::array<Eigen::Vector2d, 3> base_bracket_{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),
                                                Eigen::Vector2d::Zero()};
   Eigen::Vector2d base_force_ = Eigen::Vector2d::Zero();

@@ -30,7 +30,7 @@ struct Format {
   bool (*recognises)(const Head& head);
   /// Nothing where the file cannot become a motion.
   std::vector<Trace> (*read)(Lines& lines, const ReadAs& as);
-  /// What it is and what to do instead, where it is not read.
+  /// Says what the format is and what to do instead, where it is not read.
   const char* instead = nullptr;
   /// Whether --column chooses, not --component.
   bool columns = false;

@@ -95,7 +95,7 @@ bool names_columns(const HeaderLine& line, const std::vector<std::string>& names
          says_one_of(names.front(), words_of_steps);
 }
 
-/// What is said above the data: the names of the columns, and what comments say of units and factors.
+/// The text above the data gives the names of the columns; comments give units and factors.
 struct Header {
   std::vector<std::string> names;
   Stated comment;

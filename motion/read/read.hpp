@@ -23,9 +23,11 @@ struct ReadAs {
   std::optional<Quantity> quantity;
   std::optional<Unit> unit;
   std::optional<MotionKind> kind;
-  /// Of a file with several components: its number from 1, its name, or a part that only its name has.
+  /// Chooses a component of a file with several: its number from 1, its name, or a part that only its name
+  /// has.
   std::string component = {};
-  /// Of a table: the number from 1 of the column of values, its name, or a part that only its name has.
+  /// Chooses the values of a table: the number from 1 of their column, its name, or a part that only its name
+  /// has.
   std::string column = {};
 };
 
