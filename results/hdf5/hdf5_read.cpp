@@ -21,6 +21,18 @@ std::vector<std::string> split(const std::string& bytes, std::size_t count) {
   return out;
 }
 
+/// Texts of any length, as h5py writes them: the file holds references, which H5Aread() follows.
+std::vector<std::string> of_any_length(hid_t attribute, hid_t type, hid_t space, std::size_t count,
+                                       const std::filesystem::path& file, const std::string& action) {
+  std::vector<char*> texts(count, nullptr);
+  checked(H5Aread(attribute, type, texts.data()), file, action);
+  std::vector<std::string> out;
+  for (const char* text : texts)
+    out.emplace_back(text == nullptr ? "" : text);
+  H5Dvlen_reclaim(type, space, H5P_DEFAULT, texts.data());
+  return out;
+}
+
 std::string_view major(std::string_view version) {
   return version.substr(0, version.find('.'));
 }
@@ -137,6 +149,10 @@ AttributeValue FileReader::attribute(const std::string& object, const std::strin
   const std::size_t count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
   switch (H5Tget_class(type.get())) {
   case H5T_STRING: {
+    if (H5Tis_variable_str(type.get()) > 0) {
+      auto texts = of_any_length(attribute.get(), type.get(), space.get(), count, path_, action);
+      return scalar ? AttributeValue(std::move(texts.front())) : AttributeValue(std::move(texts));
+    }
     std::string bytes(count * H5Tget_size(type.get()), '\0');
     checked(H5Aread(attribute.get(), type.get(), bytes.data()), path_, action);
     return scalar ? AttributeValue(trimmed(bytes)) : AttributeValue(split(bytes, count));

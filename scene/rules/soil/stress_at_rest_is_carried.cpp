@@ -11,8 +11,13 @@ namespace tremolo::scene {
 namespace {
 
 bool ground_is_sound(const Case& scene, const Findings& findings) {
-  return scene.gravity && std::ranges::all_of(std::array{"region", "profile", "surface", "water", "stage"},
-                                              [&](const char* table) { return findings.sound(table); });
+  for (std::size_t i = 0; i < scene.regions.size(); ++i)
+    for (const char* key : {"soil", "polygon"})
+      if (!findings.sound(fmt::format("region[{}].{}", i, key)))
+        return false;
+  return scene.gravity && !scene.soils.empty() &&
+         std::ranges::all_of(std::array{"region", "profile", "surface", "water", "stage"},
+                             [&](const char* table) { return findings.sound(table); });
 }
 
 } // namespace

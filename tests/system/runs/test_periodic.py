@@ -65,7 +65,7 @@ class Periodic(unittest.TestCase):
 
     def test_a_side_has_no_free_field_to_ask_for(self):
         with PeriodicWorkspace(TREMOLO, sides="periodic") as work:
-            refused = work.command("column", work.case, "--side", "left", "--model", "fe", "--out", work.path / "left")
+            refused = work.command("column", work.case, "--side", "left", "--model", "fe", "--out", work.path / "left.h5")
             self.assertNotEqual(0, refused.returncode)
             self.assertIn("its sides are periodic", refused.stdout + refused.stderr)
 
