@@ -179,15 +179,14 @@ void mark_aborted(const fs::path& file, const coupler::RunFailed& failure) {
     results::mark_aborted(file, failure.what());
 }
 
-/// What a process warned of in its log.
-std::vector<std::string> warnings_of(const std::string& process, const fs::path& folder) {
-  constexpr std::string_view mark = "warning: ";
-  std::vector<std::string> warnings;
+/// The warnings and notes of a process in its log.
+std::vector<std::string> remarks_of(const std::string& process, const fs::path& folder) {
+  std::vector<std::string> remarks;
   std::ifstream log(folder / "log" / (process + ".log"));
   for (std::string text; std::getline(log, text);)
-    if (text.starts_with(mark))
-      warnings.push_back(fmt::format("{}: {}", process, printable(text)));
-  return warnings;
+    if (text.starts_with("warning: ") || text.starts_with("note: "))
+      remarks.push_back(fmt::format("{}: {}", process, printable(text)));
+  return remarks;
 }
 
 /// A run whose recording came to nothing only at its very end fails too, unless the case lets it go on.
@@ -256,8 +255,8 @@ std::vector<coupler::ProcessSummary> run_case(scene::Case scene, const CaseRun& 
     results::append_table(file, "/timeline", timeline_table(summaries));
     line.note("finished");
     for (const auto& process : options.processes)
-      for (const auto& warning : warnings_of(process.name, run.folder))
-        line.note(warning);
+      for (const auto& remark : remarks_of(process.name, run.folder))
+        line.note(remark);
     return summaries;
   } catch (const coupler::RunFailed& failure) {
     line.note(failure.what());

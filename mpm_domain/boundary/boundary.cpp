@@ -4,17 +4,14 @@
 #include "mpm_domain/clocks/ticks.hpp"
 #include "mpm_domain/ground.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
 namespace {
-
-constexpr std::size_t numbers_per_face = 4; // of the rest state
 
 /// A clock for each level of cells.
 constexpr std::size_t most_clocks = mesh::finest_level_allowed + 1;
@@ -51,6 +48,13 @@ Vector velocity_at(const Grid& grid, const FaceWeights& weights) {
   return sum_over(weights, [&](std::size_t node) { return grid.mixture_before(node); });
 }
 
+/// Springs see the grains alone: in ground that has liquefied the mixture parts from them.
+Vector grains_at(const Grid& grid, const FaceWeights& weights) {
+  return sum_over(weights, [&](std::size_t node) {
+    return Vector{grid.vx_before[node], grid.vy_before[node]};
+  });
+}
+
 Vector velocity_after_at(const Grid& grid, const FaceWeights& weights) {
   return sum_over(weights, [&](std::size_t node) { return grid.mixture_after(node); });
 }
@@ -74,6 +78,7 @@ void Boundary::remove_faces() {
   layers_.clear();
   corners_.clear();
   springs_.reset();
+  ground_springs_.reset();
   rigid_base_.reset();
   resize();
 }
@@ -83,62 +88,11 @@ void Boundary::resize() {
   weights_.assign(count, {});
   clock_.assign(count, 0);
   free_field_.assign(count, {});
-  for (std::vector<Vector>* field : {&v_exchange_, &v_, &reaction_})
+  for (std::vector<Vector>* field : {&v_exchange_, &v_, &reaction_, &spring_})
     field->assign(count, {});
   traction_.assign(count, {});
-  layer_sums_.assign(3 * count, 0.0);
+  step_sums_.assign(3 * count, 0.0);
   v_kicked_.clear();
-}
-
-std::vector<double> Boundary::rest_state() const {
-  std::vector<double> state;
-  for (const BoundaryFace& face : faces_)
-    state.insert(state.end(), {face.ground.impedance_p, face.ground.impedance_s, face.held.x, face.held.y});
-  return state;
-}
-
-void Boundary::set_rest_state(std::span<const double> state) {
-  if (state.size() != numbers_per_face * faces_.size())
-    throw std::invalid_argument(fmt::format("{} numbers for {} faces, {} are needed", state.size(),
-                                            faces_.size(), numbers_per_face * faces_.size()));
-  auto next = state.begin();
-  for (BoundaryFace& face : faces_) {
-    face.ground.impedance_p = *next++;
-    face.ground.impedance_s = *next++;
-    face.held.x = *next++;
-    face.held.y = *next++;
-  }
-}
-
-void Boundary::set_levels(const std::vector<double>& levels) {
-  if (levels.size() != faces_.size())
-    throw std::invalid_argument(
-        fmt::format("levels of {} faces do not go with {} faces", levels.size(), faces_.size()));
-  for (std::size_t f = 0; f < faces_.size(); ++f)
-    faces_[f].level = static_cast<int>(levels[f]);
-}
-
-void Boundary::set_layer_sums(const std::vector<double>& sums) {
-  if (sums.size() != layer_sums_.size())
-    throw std::invalid_argument(
-        fmt::format("{} sums of velocities do not go with {} faces", sums.size(), faces_.size()));
-  layer_sums_ = sums;
-}
-
-std::vector<double> Boundary::kicked() const {
-  std::vector<double> numbers;
-  for (const Vector& v : v_kicked_)
-    numbers.insert(numbers.end(), {v.x, v.y});
-  return numbers;
-}
-
-void Boundary::set_kicked(const std::vector<double>& numbers) {
-  if (!numbers.empty() && numbers.size() != 2 * faces_.size())
-    throw std::invalid_argument(
-        fmt::format("{} numbers of velocities do not go with {} faces", numbers.size(), faces_.size()));
-  v_kicked_.clear();
-  for (std::size_t i = 0; i < numbers.size(); i += 2)
-    v_kicked_.push_back({numbers[i], numbers[i + 1]});
 }
 
 void Boundary::build_supports(const Ground& ground) {
@@ -167,6 +121,10 @@ void Boundary::build_supports(const Ground& ground) {
     springs_.emplace(ground, faces_);
     for (std::size_t f = 0; f < springs_->face_count(); ++f)
       faces_[f].support = Support::opposite_face;
+  }
+  if (GroundSprings springs(faces_, ground.spec); springs.any()) {
+    free_field_.resize(faces_.size() + springs.more_fields());
+    ground_springs_.emplace(std::move(springs));
   }
 }
 
@@ -232,6 +190,8 @@ void Boundary::exchange(Ground& ground, const ClockNodes& nodes, const FreeField
     springs_->pull(ground, faces_, v_exchange_, reaction_, free_field_);
   if (closing_)
     close(time);
+  if (ground_springs_)
+    move_springs(ground.grid, time);
   for (std::size_t f = 0; f < faces_.size(); ++f)
     evaluate(f);
   if (ground.has_pore_pressure())
@@ -249,6 +209,18 @@ void Boundary::close(double time) {
     }
 }
 
+void Boundary::move_springs(const Grid& grid, double time) {
+  std::vector<Vector> mean(faces_.size());
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    if (ground_springs_->holds(f)) {
+      add_to_step_mean(f, grains_at(grid, weights_[f]));
+      mean[f] = take_step_mean(f);
+    }
+  springs_took_ = ground_springs_->move(time, mean, free_field_);
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    spring_[f] = ground_springs_->traction(f);
+}
+
 void Boundary::follow_lean() {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const BoundaryFace& face = faces_[f];
@@ -260,12 +232,20 @@ void Boundary::follow_lean() {
   }
 }
 
-/// Adds the velocity that the face has read last to the mean over a step of clock 0.
-void Boundary::add_to_layer_mean(std::size_t f) {
+/// Adds a velocity (m/s) of the face at a tick to the mean over a step of clock 0.
+void Boundary::add_to_step_mean(std::size_t f, Vector v) {
   const double weight = 1.0 / static_cast<double>(1 << clock_[f]);
-  layer_sums_[3 * f] += weight * v_[f].x;
-  layer_sums_[3 * f + 1] += weight * v_[f].y;
-  layer_sums_[3 * f + 2] += weight;
+  step_sums_[3 * f] += weight * v.x;
+  step_sums_[3 * f + 1] += weight * v.y;
+  step_sums_[3 * f + 2] += weight;
+}
+
+/// The mean, m/s; the next one begins.
+Vector Boundary::take_step_mean(std::size_t f) {
+  double* const sums = &step_sums_[3 * f];
+  const Vector mean{sums[0] / sums[2], sums[1] / sums[2]};
+  std::fill_n(sums, 3, 0.0);
+  return mean;
 }
 
 void Boundary::react(double time, WorkerPool& workers) {
@@ -273,11 +253,10 @@ void Boundary::react(double time, WorkerPool& workers) {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if (faces_[f].support != Support::matched_layer)
       continue;
-    add_to_layer_mean(f);
-    mean[f] = {layer_sums_[3 * f] / layer_sums_[3 * f + 2], layer_sums_[3 * f + 1] / layer_sums_[3 * f + 2]};
+    add_to_step_mean(f, v_[f]);
+    mean[f] = take_step_mean(f);
     reaction_[f] = {};
   }
-  std::ranges::fill(layer_sums_, 0.0);
   mpm_domain::react(layers_, corners_, time, mean, free_field_, reaction_, workers);
 }
 
@@ -296,8 +275,8 @@ void Boundary::apply(Ground& ground, const Ticks& ticks, const ClockNodes& nodes
       weigh(ground, nodes, f, false);
       v_[f] = velocity_at(ground.grid, weights_[f]);
       evaluate(f);
-      if (faces_[f].support == Support::matched_layer)
-        add_to_layer_mean(f);
+      if (faces_[f].support == Support::matched_layer || (ground_springs_ && ground_springs_->holds(f)))
+        add_to_step_mean(f, v_[f]);
     });
   spread(ground, ticks, nodes);
   correct_dashpots(ground, ticks, nodes);
@@ -360,8 +339,9 @@ void Boundary::find_loads(int clock, const Ticks& ticks) {
     const Vector inertia{per_kick * face.moving_mass.x, per_kick * face.moving_mass.y};
     const double l = face.length;
     Load& load = loads_[f * clocks + static_cast<std::size_t>(clock)];
-    load.force = {l * (moves * (viscous.x + dynamic.x) + reacts * reaction_[f].x + holds * held.x),
-                  l * (moves * (viscous.y + dynamic.y) + reacts * reaction_[f].y + holds * held.y)};
+    const Vector moving{viscous.x + dynamic.x + spring_[f].x, viscous.y + dynamic.y + spring_[f].y};
+    load.force = {l * (moves * moving.x + reacts * reaction_[f].x + holds * held.x),
+                  l * (moves * moving.y + reacts * reaction_[f].y + holds * held.y)};
     load.dashpot = {l * (moves * z.x + inertia.x), l * (moves * z.y + inertia.y)};
   }
 }
@@ -398,6 +378,10 @@ BoundaryWork Boundary::follow_update(Ground& ground, const Ticks& ticks, const C
   BoundaryWork total;
   for (const BoundaryWork& work : works)
     total += work;
+  if (ground_springs_ && ticks.is_first()) {
+    total.springs = springs_took_;
+    total.transfer += springs_took_;
+  }
   for (int clock = first_due; clock < static_cast<int>(dashpots_.size()); ++clock) {
     const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
     total.dashpots +=
@@ -441,6 +425,12 @@ BoundaryWork Boundary::work_of(std::size_t begin, std::size_t end, const Grid& g
       work.dashpots += impulse * own;
       const auto& [viscous, dynamic, held] = traction_[f];
       work.input += impulse * (dot({viscous.x + dynamic.x, viscous.y + dynamic.y}, v_moving) - own);
+      if (ground_springs_) {
+        // Of what the free field gives to the springs' far ends they keep what they do not give to the nodes.
+        const double given = impulse * dot(spring_[f], ground_springs_->field_velocity(f));
+        work.input += given;
+        work.transfer -= given - impulse * dot(spring_[f], v_moving);
+      }
     }
     if (ticks.is_first() && face.support == Support::closing_element) {
       work.dashpots += kick[0] * face.length * dot(closing_->of_soil(f), v_all);

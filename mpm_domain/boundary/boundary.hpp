@@ -4,7 +4,8 @@
 //
 //     f^b = f^vis + f^dyn + f^st,
 //
-// whose parts it works out, spreads over the nodes and books. Nobody else keeps a copy of any of this.
+// whose parts it works out, spreads over the nodes and books, with the springs f^spr that stand beside the
+// dashpots (ground_springs.hpp). Nobody else keeps a copy of any of this.
 //
 // The free field is exchanged once a step, at its first tick, and held over it. Dashpots follow each face's
 // clock, the slowest among its nodes: at a node of fine cells the damping of a whole coarse step would be
@@ -21,7 +22,8 @@
 //
 //     v- - (v+ of the last step - v-)/2,
 //
-// which differs from v- by less than the transfer takes off a wave.
+// which differs from v- by less than the transfer takes off a wave. Springs never see a kick: they move with
+// the grains' v-, and the ledger books what they take up then, and as transfer what the kicks add to it.
 //
 // Soil in shear leans, and its sides with it: a side that has moved by u_x(y) has the normal (n_x, -n_x
 // du_x/dy), on which the weight of the soil above acts too,
@@ -36,6 +38,7 @@
 #include "mpm_domain/boundary/boundary_share.hpp"
 #include "mpm_domain/boundary/closing_elements.hpp"
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
+#include "mpm_domain/boundary/ground_springs.hpp"
 #include "mpm_domain/boundary/layer/matched_layer.hpp"
 #include "mpm_domain/boundary/periodic_springs.hpp"
 #include "mpm_domain/boundary/rigid_base.hpp"
@@ -54,7 +57,8 @@ class ClockNodes;
 class Ticks;
 
 /// Gives every face the free field of a time (s) in which the domain's velocities there are v (m/s). Called
-/// once a step; faces that a spring ties to the opposite side are left as they are.
+/// once a step; faces that a spring ties to the opposite side are left as they are. Behind the faces' own
+/// stand the fields that springs have to themselves (GroundSprings::more_fields()).
 using FreeFieldSource =
     std::function<void(long step, double time, std::span<const Vector> v, std::span<eq6::FreeField> field)>;
 
@@ -62,12 +66,16 @@ using FreeFieldSource =
 struct BoundaryWork {
   double held = 0.0; ///< of the static part
   double dashpots = 0.0;
+  double springs = 0.0; ///< taken up by the springs as the grains have moved
   double input = 0.0;
+  double transfer = 0.0; ///< that, less what the springs have taken up on the nodes
 
   BoundaryWork& operator+=(const BoundaryWork& more) {
     held += more.held;
     dashpots += more.dashpots;
+    springs += more.springs;
     input += more.input;
+    transfer += more.transfer;
     return *this;
   }
 };
@@ -130,13 +138,15 @@ public:
 
   /// What the last exchange found per face: v^m (m/s) and the free field.
   std::span<const Vector> velocities() const { return v_exchange_; }
-  std::span<const eq6::FreeField> free_field() const { return free_field_; }
+  std::span<const eq6::FreeField> free_field() const { return std::span(free_field_).first(faces_.size()); }
+  /// Springs beside the dashpots; null without any.
+  const GroundSprings* ground_springs() const { return ground_springs_ ? &*ground_springs_ : nullptr; }
   /// W of a face's nodes in its present step.
   std::span<const FaceWeight> weights(std::size_t face) const { return weights_[face]; }
   /// What the boundary exerts at a face as of the start of its last step, Pa.
   Vector traction(std::size_t face) const {
     const Vector eq6 = traction_[face].total();
-    return {eq6.x + reaction_[face].x, eq6.y + reaction_[face].y};
+    return {eq6.x + spring_[face].x + reaction_[face].x, eq6.y + spring_[face].y + reaction_[face].y};
   }
 
   /// What a checkpoint keeps between steps (state.hpp).
@@ -146,7 +156,7 @@ public:
     for (const BoundaryFace& face : faces_)
       levels.push_back(face.level);
     to.write("faces.level", levels);
-    to.write("faces.layer_sums", layer_sums_);
+    to.write("faces.step_sums", step_sums_);
     to.write("faces.kicked", kicked());
     if (rigid_base_)
       to.write("rigid_base", rigid_base_->state());
@@ -156,13 +166,15 @@ public:
       to.write("corner" + std::to_string(c), corners_[c].joint.state());
     if (closing_)
       to.write("closing", closing_->state());
+    if (ground_springs_)
+      to.write("ground_springs", ground_springs_->state());
   }
   /// Goes on from there.
   /// @throws std::invalid_argument for the state of another boundary
   template <class Reader>
   void restore(const Reader& from) {
     set_levels(from.numbers("faces.level"));
-    set_layer_sums(from.numbers("faces.layer_sums"));
+    set_step_sums(from.numbers("faces.step_sums"));
     set_kicked(from.numbers("faces.kicked"));
     if (rigid_base_)
       rigid_base_->set_state(from.numbers("rigid_base"));
@@ -172,6 +184,8 @@ public:
       corners_[c].joint.restore(from.numbers("corner" + std::to_string(c)));
     if (closing_)
       closing_->restore(from.numbers("closing"));
+    if (ground_springs_)
+      ground_springs_->restore(from.numbers("ground_springs"));
   }
 
 private:
@@ -182,15 +196,17 @@ private:
   };
 
   void set_levels(const std::vector<double>& levels);
-  void set_layer_sums(const std::vector<double>& sums);
+  void set_step_sums(const std::vector<double>& sums);
   std::vector<double> kicked() const;
   void set_kicked(const std::vector<double>& numbers);
   void resize();
   bool is_due(int first_due, std::size_t face) const;
   void weigh(const Ground& ground, const ClockNodes& nodes, std::size_t face, bool first_tick);
-  void add_to_layer_mean(std::size_t face);
+  void add_to_step_mean(std::size_t face, Vector v);
+  Vector take_step_mean(std::size_t face);
   void evaluate(std::size_t face);
   void close(double time);
+  void move_springs(const Grid& grid, double time);
   void follow_lean();
   void spread(Ground& ground, const Ticks& ticks, const ClockNodes& nodes);
   void find_loads(int clock, const Ticks& ticks);
@@ -205,19 +221,22 @@ private:
   std::optional<PeriodicSprings> springs_;
   std::optional<RigidBase> rigid_base_;
   std::optional<ClosingElements> closing_;
+  std::optional<GroundSprings> ground_springs_;
   bool supported_ = false;
   std::optional<BoundaryShare> share_; ///< between ranks
 
   std::vector<FaceSoil> soil_;
   std::vector<FaceWeights> weights_; ///< as of the start of each face's present step
   std::vector<int> clock_;
-  std::vector<eq6::FreeField> free_field_;
-  std::vector<Vector> v_exchange_; ///< at the exchange, m/s
-  std::vector<Vector> v_kicked_;   ///< v+ of the last step where there is water, m/s; empty before the first
-  std::vector<Vector> v_;          ///< at the start of each face's present step, m/s
+  std::vector<eq6::FreeField> free_field_; ///< of the faces, and those that springs have to themselves
+  std::vector<Vector> v_exchange_;         ///< at the exchange, m/s
+  std::vector<Vector> v_kicked_; ///< v+ of the last step where there is water, m/s; empty before the first
+  std::vector<Vector> v_;        ///< at the start of each face's present step, m/s
   std::vector<eq6::Traction> traction_; ///< Eq. (6) with it, Pa
   std::vector<Vector> reaction_;        ///< of layers and springs, Pa
-  std::vector<double> layer_sums_; ///< per face over the ticks of a step: sum of w v_x, w v_y (m/s) and of w
+  double springs_took_ = 0.0;           ///< from the last exchange to this one, J/m
+  std::vector<Vector> spring_;          ///< f^spr, Pa
+  std::vector<double> step_sums_; ///< per face over the ticks of a step: sum of w v_x, w v_y (m/s) and of w
   FaceNodes nodes_;
   std::vector<Load> loads_;                          ///< by face and clock
   NodeField on_nodes_x_, on_nodes_y_;                ///< forces of the boundary on the nodes, N/m

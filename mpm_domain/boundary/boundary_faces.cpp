@@ -27,13 +27,12 @@ Linear linear_weights(double x, double origin, double h) {
 }
 
 /// What lies behind a face: the ground below the base, or else the particle's own soil in its stress.
-eq6::Face ground_of(Side side, Vector normal, const Spec& spec, Particles& set, std::size_t k) {
+Impedances ground_of(Side side, const Spec& spec, Particles& set, std::size_t k) {
   if (side == Side::base && spec.below_base) {
     const materials::Elasticity& ground = *spec.below_base;
-    return {normal, ground.density * ground.p_wave_speed(), ground.density * ground.s_wave_speed()};
+    return {ground.density * ground.p_wave_speed(), ground.density * ground.s_wave_speed(), ground.density};
   }
-  const Impedances soil = impedances(set, k);
-  return {normal, soil.p, soil.s};
+  return impedances(set, k);
 }
 
 BoundaryFace make_face(Side side, Vector normal, const Spec& spec, Particles& set, std::size_t set_index,
@@ -44,7 +43,9 @@ BoundaryFace make_face(Side side, Vector normal, const Spec& spec, Particles& se
   face.id = set.id[k];
   face.position = {set.x[k] + 0.5 * size * normal.x, set.y[k] + 0.5 * size * normal.y};
   face.length = size;
-  face.ground = ground_of(side, normal, spec, set, k);
+  const Impedances ground = ground_of(side, spec, set, k);
+  face.ground = {normal, ground.p, ground.s};
+  face.density = ground.density;
   if (spec.rigid_base)
     face.support = Support::rigid_base;
   return face;

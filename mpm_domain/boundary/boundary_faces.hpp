@@ -37,7 +37,8 @@ struct BoundaryFace {
   double length = 0.0;  ///< m
   eq6::Face ground; ///< normal, and the impedances of the soil in its stress at rest, or of the ground below
                     ///< the base
-  Vector held;      ///< f^st of Eq. (6), what held the model at rest, Pa
+  double density = 0.0; ///< of that soil with the water in it, or of that ground, kg/m3
+  Vector held;          ///< f^st of Eq. (6), what held the model at rest, Pa
   Support support = Support::dashpots;
   Vector moving_mass;  ///< of what stands behind and moves with the face, by direction, kg/m2
   int level = unknown; ///< of the one lattice of a graded mesh that it can touch until the next sort
@@ -57,6 +58,11 @@ struct FaceWeight {
 };
 
 using FaceWeights = std::vector<FaceWeight>;
+
+/// A value along the normal, which lies along an axis, and one across it, by the directions of the axes.
+inline Vector by_direction(const Vector& normal, double along, double across) {
+  return normal.x != 0.0 ? Vector{along, across} : Vector{across, along};
+}
 
 /// Diagonal of the dashpots rho c_p n n^T + rho c_s t t^T of a face, whose normal lies along an axis, Pa s/m.
 inline Vector dashpot_diagonal(const BoundaryFace& face) {

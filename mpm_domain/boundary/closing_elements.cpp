@@ -16,11 +16,6 @@ const double reach = std::sqrt(0.2); // b
 /// The numbers of a State in a checkpoint.
 constexpr std::size_t numbers_per_face = 10;
 
-/// A value for P waves along the normal and one for S waves across it, by the directions of the axes.
-Vector by_direction(const Vector& normal, double p, double s) {
-  return normal.x != 0.0 ? Vector{p, s} : Vector{s, p};
-}
-
 /// F after dt (s) in which Z times the velocity at the spring's end is `load` (Pa).
 double spring_force(double before, double load, double delay, double dt) {
   const double half = 0.5 * dt / delay;

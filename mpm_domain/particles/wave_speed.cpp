@@ -32,13 +32,13 @@ Impedances impedances(Particles& set, std::size_t k) {
   const double c_p = law_speed(set, {k, k + 1});
   const double c_s = c_p * law.s_wave_speed() / law.p_wave_speed(); // Poisson's ratio stays the same
   if (!set.water && set.density == law.density)
-    return {law.density * c_p, law.density * c_s};
+    return {law.density * c_p, law.density * c_s, law.density};
   const double m = p_modulus(set, c_p);
   const double g = p_modulus(set, c_s);
   const double density =
       set.water ? materials::saturated_density(set.water->pores, set.water->fluid) : set.density;
   const double q = set.traits.wet ? materials::pore_stiffness(set.water->pores, set.water->fluid) : 0.0;
-  return {std::sqrt(density * (m + q)), std::sqrt(density * g)};
+  return {std::sqrt(density * (m + q)), std::sqrt(density * g), density};
 }
 
 } // namespace tremolo::mpm_domain

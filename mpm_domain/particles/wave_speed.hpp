@@ -19,10 +19,11 @@ struct FastestWaves {
 };
 FastestWaves fastest_waves(Particles& particles, const ParticleRange& range);
 
-/// What the ground at a particle opposes to slow waves, which water follows, Pa s/m: rho c_p and rho c_s.
+/// What the ground at a particle opposes to slow waves, which water follows.
 struct Impedances {
-  double p = 0.0;
-  double s = 0.0;
+  double p = 0.0;       ///< rho c_p, Pa s/m
+  double s = 0.0;       ///< rho c_s, Pa s/m
+  double density = 0.0; ///< rho, kg/m3
 };
 Impedances impedances(Particles& particles, std::size_t k);
 

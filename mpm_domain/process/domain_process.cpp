@@ -160,6 +160,8 @@ public:
 private:
   /// Tells what a user should know of the whole run.
   void warn() const {
+    if (const auto note = output_.note())
+      fmt::print("note: {}\n", *note);
     if (const auto warning = output_.warning())
       fmt::print("warning: {}\n", *warning);
   }

@@ -215,7 +215,8 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
     : scene_(scene), domain_(domain), picture_(picture),
       writer_(directory / "run.h5", description(scene, plan)), bodies_(scene, domain, writer_),
       sliding_masses_(scene, writer_),
-      lost_hold_(domain.boundary, scene.boundary.base.form != scene::BaseForm::incident, scene.mesh.size) {
+      lost_hold_(domain, domain.boundary, scene.boundary.base.form != scene::BaseForm::incident,
+                 scene.mesh.size) {
   const scene::Box& box = scene.mesh.box;
   writer_.attribute("mesh_size", scene.mesh.size);
   writer_.attribute("particle_size", 2.0 * domain.half_size());
@@ -382,6 +383,10 @@ void RunOutput::write_boundary(const Stepper& stepper) {
 
 std::optional<std::string> RunOutput::warning() const {
   return scene_.gravity ? lost_hold_.warning() : std::nullopt;
+}
+
+std::optional<std::string> RunOutput::note() const {
+  return scene_.gravity ? lost_hold_.report() : std::nullopt;
 }
 
 void RunOutput::save(results::CheckpointWriter& checkpoint) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm_domain/boundary/lost_hold.hpp"
+#include "mpm_domain/boundary/drift/lost_hold.hpp"
 #include "mpm_domain/process/body_output.hpp"
 #include "mpm_domain/process/followed_point.hpp"
 #include "mpm_domain/process/sliding_mass_output.hpp"
@@ -47,6 +47,8 @@ public:
 
   /// What a user should know of the run that has ended, a sentence.
   std::optional<std::string> warning() const;
+  /// What it may like to know, a sentence.
+  std::optional<std::string> note() const;
 
   /// Writes what an output that goes on from here needs, besides the file as it is now.
   void save(results::CheckpointWriter& checkpoint);

@@ -40,6 +40,18 @@ struct Region {
   std::vector<double> cuts = {}; ///< y below which the next of the soils lies, from the top down, m
 };
 
+/// Springs beside the dashpots of a side (boundary/ground_springs.hpp).
+struct SideSprings {
+  Side side = Side::left;
+  double across = 1.0; ///< a_n
+  double along = 0.5;  ///< a_t
+  Vector centre;       ///< that R is measured from, m
+  bool lags = false;
+  /// The source of the free field gives these springs one of their own, behind those of all faces: where the
+  /// dashpots of the base see the incident wave alone.
+  bool own_field = false;
+};
+
 /// Everything the domain is built from.
 struct Spec {
   Box box;                    ///< model; its left, right and lower edges carry boundary faces
@@ -63,6 +75,7 @@ struct Spec {
   /// Sides whose scattered waves a matched layer takes up instead of dashpots, and its depth in cells.
   std::vector<Side> matched_sides;
   int layer_cells = 10;
+  std::vector<SideSprings> springs; ///< one for each side that has some
   /// Ground below the base, where it is not the soil that the model ends with: what the base's dashpots or
   /// matched layer stand for.
   std::optional<materials::Elasticity> below_base;

@@ -2,20 +2,20 @@
 
 namespace tremolo::mpm_domain {
 
-std::array<double, 14> EnergyLedger::row() const {
-  return {kinetic, elastic, plastic, viscous, pore,     drag,     friction,
-          impact,  gravity, input,   static_, dashpots, transfer, residual()};
+std::array<double, 15> EnergyLedger::row() const {
+  return {kinetic, elastic, plastic, viscous, pore,     drag,     friction,  impact,
+          springs, gravity, input,   static_, dashpots, transfer, residual()};
 }
 
 std::vector<double> EnergyLedger::state() const {
-  return {kinetic_start, kinetic, elastic, plastic, viscous, pore,     drag,
-          friction,      impact,  gravity, input,   static_, dashpots, transfer};
+  return {kinetic_start, kinetic, elastic, plastic, viscous, pore,     drag,    friction,
+          impact,        springs, gravity, input,   static_, dashpots, transfer};
 }
 
 void EnergyLedger::set_state(const std::vector<double>& state) {
   auto next = state.begin();
   for (double* entry : {&kinetic_start, &kinetic, &elastic, &plastic, &viscous, &pore, &drag, &friction,
-                        &impact, &gravity, &input, &static_, &dashpots, &transfer})
+                        &impact, &springs, &gravity, &input, &static_, &dashpots, &transfer})
     *entry = *next++;
 }
 

@@ -11,14 +11,17 @@
 // viscous work; what the transfer between grid and particles loses is booked as K(v-) of the next step minus
 // K(v+) of this one. All entries are thus measured, and
 //
-//     residual = kinetic - kinetic_0 + elastic + plastic + viscous + pore + drag + friction + impact -
-//     gravity - input - static - dashpots - transfer
+//     residual = kinetic - kinetic_0 + elastic + plastic + viscous + pore + drag + friction + impact +
+//     springs - gravity - input - static - dashpots - transfer
 //
 // is a true check: it holds the error of the time integration alone.
 //
 // Below the water table, kinetic energy is that of grains and water, the excess pore pressure takes up the
 // work `pore`, drag dissipates what the water loses on its way through the grains (water/mixture_update.hpp),
 // and the weight is that under water.
+//
+// Springs beside dashpots (boundary/ground_springs.hpp) take up `springs`, which they store; behind a lag
+// part of it is dissipated. What the free field does at their far ends, f^spr . v^ff, is input.
 //
 // Structures have kinetic energy and weight as the soil has; sliding along them dissipates `friction`, and
 // where soil and structures, or two structures, take a common velocity the impulses dissipate `impact`
@@ -42,6 +45,7 @@ struct EnergyLedger {
   double drag = 0.0;     ///< work dissipated between water and grains, >= 0
   double friction = 0.0; ///< work dissipated by sliding along structures, >= 0
   double impact = 0.0;   ///< work dissipated where structures and soil meet
+  double springs = 0.0;  ///< work taken up by springs beside the dashpots
   double gravity = 0.0;
   double input = 0.0;    ///< work of free-field velocity and stress through the boundary faces
   double static_ = 0.0;  ///< work of the tractions that replaced the constraints
@@ -49,15 +53,15 @@ struct EnergyLedger {
   double transfer = 0.0; ///< gained (> 0) or lost (< 0) between particles and grid: numerical
 
   double residual() const {
-    return kinetic - kinetic_start + elastic + plastic + viscous + pore + drag + friction + impact - gravity -
-           input - static_ - dashpots - transfer;
+    return kinetic - kinetic_start + elastic + plastic + viscous + pore + drag + friction + impact + springs -
+           gravity - input - static_ - dashpots - transfer;
   }
 
   /// Column names and the values of one row of the energy history.
-  static constexpr std::array<std::string_view, 14> columns{
-      "kinetic", "elastic", "plastic", "viscous", "pore",     "drag",     "friction",
-      "impact",  "gravity", "input",   "static",  "dashpots", "transfer", "residual"};
-  std::array<double, 14> row() const;
+  static constexpr std::array<std::string_view, 15> columns{
+      "kinetic", "elastic", "plastic", "viscous", "pore",     "drag",     "friction", "impact",
+      "springs", "gravity", "input",   "static",  "dashpots", "transfer", "residual"};
+  std::array<double, 15> row() const;
 
   /// All entries, for a checkpoint, and back.
   std::vector<double> state() const;

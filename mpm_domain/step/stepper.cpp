@@ -283,6 +283,8 @@ void Stepper::finish_update() {
           fmt::format("a grid velocity is not finite at t = {:.6g} s, step {}", time_, steps_));
     energy.static_ += work.held;
     energy.dashpots += work.dashpots;
+    energy.springs += work.springs;
+    energy.transfer += work.transfer;
     energy.input += work.input;
   });
   if (const auto& base = domain_.boundary.rigid_base())

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm_domain/boundary/impervious_faces.hpp"
+#include "mpm_domain/boundary/walls/impervious_faces.hpp"
 #include "mpm_domain/clocks/clock_nodes.hpp"
 #include "mpm_domain/clocks/shared_nodes.hpp"
 #include "mpm_domain/clocks/ticks.hpp"

@@ -19,6 +19,15 @@ inline void add_layers(mpm_domain::Spec& spec) {
   spec.matched_sides = {left, right, base};
 }
 
+/// Springs beside all dashpots around one centre.
+/// @param lags  at the base
+inline void add_springs(mpm_domain::Spec& spec, double across, double along, mpm_domain::Vector centre,
+                        bool lags = false) {
+  using mpm_domain::Side;
+  for (const Side side : {Side::left, Side::right, Side::base})
+    spec.springs.push_back({side, across, along, centre, lags && side == Side::base});
+}
+
 inline void put_into_container(mpm_domain::Spec& spec) {
   spec.sides = mpm_domain::Sides::container;
   spec.rigid_base = true;

@@ -6,6 +6,7 @@
 
 #include "mpm_domain/step/stepper.hpp"
 #include "mpm_domain/transfer/gather.hpp"
+#include "tests/support/box_models.hpp"
 #include "tests/support/plane_wave.hpp"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ struct Canyon {
   double angle_deg = 0.0;
   bool layers = true; ///< matched layers on all sides instead of dashpots
   int layer_cells = 10;
+  bool springs = false; ///< a = 1 and 0.5 beside the dashpots
   mpm_domain::Transfer transfer = mpm_domain::Transfer::apic;
   mpm_domain::Dispersion dispersion = mpm_domain::Dispersion::plain;
   double canyon_depth = 16.0; ///< m
@@ -68,6 +70,8 @@ inline mpm_domain::Spec canyon_spec(const Canyon& canyon) {
   spec.layer_cells = canyon.layer_cells;
   if (canyon.layers)
     spec.matched_sides = {Side::left, Side::right, Side::base};
+  if (canyon.springs)
+    add_springs(spec, 1.0, 0.5, {0.0, 0.0});
   return spec;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The energy of linear elastic particles.
+// The energy of linear elastic particles, and of springs.
 
 #include "mpm_domain/domain.hpp"
 
@@ -33,6 +33,17 @@ inline double kinetic_energy(const mpm_domain::Domain& domain) {
 /// Both, J/m.
 inline double particle_energy(const mpm_domain::Domain& domain) {
   return kinetic_energy(domain) + elastic_energy(domain);
+}
+
+/// sum L (k_n d_n^2 + k_t d_t^2)/2 of the springs beside dashpots, J/m.
+inline double energy_of_springs(const mpm_domain::Domain& domain) {
+  double energy = 0.0;
+  for (std::size_t f = 0; f < domain.boundary.faces().size(); ++f) {
+    const auto k = domain.boundary.ground_springs()->stiffness(f);
+    const auto d = domain.boundary.ground_springs()->displacement(f);
+    energy += 0.5 * domain.boundary.faces()[f].length * (k.x * d.x * d.x + k.y * d.y * d.y);
+  }
+  return energy;
 }
 
 } // namespace tremolo::test_support

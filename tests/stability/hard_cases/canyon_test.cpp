@@ -61,6 +61,22 @@ TEST(HardCase36CanyonInASmallBox, AcceptanceWhateverTheDepthOfTheLayer) {
   breaks("dashpots", relative_difference(run_canyon(canyon, small_box), wide), 0.015);
 }
 
+class HardCase36SpringsBesideDashpots : public testing::TestWithParam<double> {};
+
+// They hold static forces, and what the canyon scatters comes back less.
+TEST_P(HardCase36SpringsBesideDashpots, AcceptanceSendBackLessOfACanyon) {
+  Canyon canyon{.angle_deg = GetParam()};
+  const Seen wide = wide_box(canyon);
+  canyon.layers = false;
+  const double dashpots = relative_difference(run_canyon(canyon, small_box), wide);
+  canyon.springs = true;
+  const double springs = relative_difference(run_canyon(canyon, small_box), wide);
+  bounded(fmt::format("difference to the wide box over that of dashpots alone, {} degrees", GetParam()),
+          springs / dashpots, 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, HardCase36SpringsBesideDashpots, testing::Values(0.0, 15.0));
+
 /// Largest speed of any particle in the last 1.5 s of 3 s after the pulse, over that of the incident wave.
 double late_speed(Canyon canyon) {
   canyon.cell_size = 4.0;

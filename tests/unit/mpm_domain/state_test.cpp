@@ -3,6 +3,7 @@
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/gravity/static_traction.hpp"
+#include "tests/support/box_models.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
 #include "tests/support/saved_state.hpp"
@@ -112,6 +113,20 @@ TEST(State, OfMatchedLayersAndTheirCornersGoesOnWithTheSameBits) {
   spec.layer_cells = 3;
   using enum mpm_domain::Side;
   spec.matched_sides = {left, right, base};
+  expect_exact_resumption(spec);
+}
+
+/// Behind a lag at the base, with one step for all cells, several, and pore water.
+TEST(State, OfSpringsBesideDashpotsGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(softening_soil());
+  test_support::add_springs(spec, 1.0, 0.5, {3.0, 0.0}, true);
+  expect_exact_resumption(spec);
+  mpm_domain::Spec levels = spec;
+  levels.refine = {{{0.0, -2.0, 4.0, 0.0}, 1}};
+  levels.scheme.subcycle = true;
+  expect_exact_resumption(levels);
+  spec.water = {-1.0, {}};
+  spec.soils.front().pores = {.porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3};
   expect_exact_resumption(spec);
 }
 

@@ -24,6 +24,7 @@ using mpm_domain::Domain;
 using mpm_domain::Spec;
 using mpm_domain::Stepper;
 using test_support::add_layers;
+using test_support::add_springs;
 using test_support::add_water;
 using test_support::put_into_container;
 using test_support::SavedState;
@@ -66,6 +67,11 @@ const Model models[] = {
     {"Flip", [](Spec& spec) { spec.scheme.transfer = mpm_domain::Transfer::flip; }, 20},
     {"Layers", layers, 40},
     {"MatchedLayers", add_layers, 40},
+    {"Springs",
+     [](Spec& spec) {
+       add_springs(spec, 1.0, 0.5, {50.0, 0.0}, true), yield(spec);
+     },
+     40},
     {"Slope", slope, 40},
     {"Container", [](Spec& spec) { put_into_container(spec), yield(spec); }, 40},
     {"Undrained", [](Spec& spec) { add_water(spec, materials::Drainage::undrained), yield(spec); }, 40},

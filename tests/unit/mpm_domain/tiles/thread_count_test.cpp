@@ -13,6 +13,7 @@ namespace {
 
 using mpm_domain::Spec;
 using test_support::add_layers;
+using test_support::add_springs;
 using test_support::add_water;
 using test_support::put_into_container;
 using test_support::SavedState;
@@ -66,6 +67,11 @@ const Model models[] = {
     {"GradedOwnBoxes", [](Spec& spec) { refine(spec), follow_soil(spec); }, 60},
     {"Subcycled", subcycle, 20},
     {"SubcycledLayers", [](Spec& spec) { subcycle(spec), add_layers(spec); }, 20},
+    {"SubcycledSprings",
+     [](Spec& spec) {
+       subcycle(spec), add_springs(spec, 1.0, 0.5, {22.0, 0.0}, true);
+     },
+     20},
     {"Periodic", make_periodic, 100},
     {"PeriodicGraded", [](Spec& spec) { make_periodic(spec), refine(spec); }, 60},
     {"GradedContainer", [](Spec& spec) { put_into_container(spec), refine(spec), yield(spec); }, 40},

@@ -1,4 +1,4 @@
-#include "mpm_domain/boundary/impervious_faces.hpp"
+#include "mpm_domain/boundary/walls/impervious_faces.hpp"
 
 #include "mpm_domain/boundary/boundary.hpp"
 

@@ -1,6 +1,6 @@
 // How far soil has moved through its dashpots, and when that is told.
 
-#include "mpm_domain/boundary/lost_hold.hpp"
+#include "mpm_domain/boundary/drift/lost_hold.hpp"
 
 #include "tests/support/box_run.hpp"
 
@@ -22,7 +22,7 @@ LostHold after(double seconds, const Domain& domain, double slip) {
   for (const BoundaryFace& face : faces)
     v.push_back({face.side == Side::right && face.position.y < -5.0 ? 3.0 + slip : 3.0, 0.0});
   const std::vector<eq6::FreeField> free_field(faces.size(), {{3.0, 0.0}, {}});
-  LostHold hold(domain.boundary, true, 1.0);
+  LostHold hold(domain, domain.boundary, true, 1.0);
   constexpr int rows = 50;
   for (int row = 1; row <= rows; ++row)
     hold.add(seconds * row / rows, v, free_field);
@@ -43,7 +43,7 @@ TEST(LostHold, GoesOnFromACheckpoint) {
   Domain domain(test_support::elastic_box(20.0, 10.0, 1.0));
   domain.boundary.build_supports(domain);
   const LostHold before = after(10.0, domain, 0.2);
-  LostHold again(domain.boundary, true, 1.0);
+  LostHold again(domain, domain.boundary, true, 1.0);
   again.set_state(before.state());
   EXPECT_EQ(again.warning(), before.warning());
 }

@@ -1,0 +1,146 @@
+#include "mpm_domain/boundary/drift/lost_hold.hpp"
+
+#include "mpm_domain/ground.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Half of the largest difference of principal stresses that the soil of a face bears in its present stress,
+/// Pa; without a limit where its law has none.
+double shear_strength(const BoundaryFace& face, const Particles& set) {
+  const auto lines = materials::strength_lines(set.law);
+  const auto failure = std::ranges::find_if(
+      lines, [](const auto& line) { return line.name == "failure" || line.name == "bounding"; });
+  if (failure == lines.end())
+    return std::numeric_limits<double>::infinity();
+  const std::size_t k = set.index_of[face.id];
+  return 0.5 * failure->q_of_p(-0.5 * (set.sxx[k] + set.syy[k]));
+}
+
+std::string name_of(Side side) {
+  return side == Side::base ? std::string("base") : fmt::format("{} side", name(side));
+}
+
+} // namespace
+
+LostHold::LostHold(const Ground& ground, const Boundary& boundary, bool total_base, double far)
+    : boundary_(boundary), total_base_(total_base), far_(far), moved_(boundary.faces().size()) {
+  for (const BoundaryFace& face : boundary.faces())
+    strength_.push_back(shear_strength(face, ground.sets[face.set]));
+}
+
+void LostHold::add(double time, std::span<const Vector> ground, std::span<const eq6::FreeField> free_field) {
+  for (std::size_t f = 0; f < moved_.size(); ++f) {
+    moved_[f].x += (time - last_) * (ground[f].x - free_field[f].velocity.x);
+    moved_[f].y += (time - last_) * (ground[f].y - free_field[f].velocity.y);
+  }
+  last_ = time;
+}
+
+bool LostHold::counts(std::size_t f) const {
+  const BoundaryFace& face = boundary_.faces()[f];
+  const GroundSprings* const springs = boundary_.ground_springs();
+  if (springs != nullptr && springs->holds(f))
+    return true;
+  return face.support == Support::dashpots && (face.side != Side::base || total_base_);
+}
+
+Vector LostHold::moved(std::size_t f) const {
+  const GroundSprings* const springs = boundary_.ground_springs();
+  return springs != nullptr && springs->holds(f) ? springs->displacement(f) : moved_[f];
+}
+
+double LostHold::moved_out(std::size_t f) const {
+  return dot(moved(f), boundary_.faces()[f].ground.normal);
+}
+
+double LostHold::strength_share(std::size_t f) const {
+  const GroundSprings* const springs = boundary_.ground_springs();
+  if (springs == nullptr || !springs->holds(f))
+    return 0.0;
+  const Vector pull = springs->traction(f);
+  const double size = std::hypot(pull.x, pull.y);
+  return size > 0.0 ? size / std::max(strength_[f], std::numeric_limits<double>::min()) : 0.0;
+}
+
+template <class Value>
+std::optional<std::size_t> LostHold::largest(const Value& value) const {
+  std::optional<std::size_t> found;
+  for (std::size_t f = 0; f < moved_.size(); ++f)
+    if (counts(f) && (!found || value(f) > value(*found)))
+      found = f;
+  return found;
+}
+
+/// "the base, x = 3 m, y = -12 m"
+std::string LostHold::place(std::size_t f) const {
+  const BoundaryFace& face = boundary_.faces()[f];
+  return fmt::format("the {}, x = {:g} m, y = {:g} m", name_of(face.side), face.position.x, face.position.y);
+}
+
+std::optional<std::string> LostHold::report() const {
+  std::string text;
+  for (const Side side : {Side::left, Side::right, Side::base}) {
+    const auto farthest = largest([&](std::size_t f) {
+      const Vector d = moved(f);
+      return boundary_.faces()[f].side == side ? std::hypot(d.x, d.y) : -1.0;
+    });
+    if (!farthest || boundary_.faces()[*farthest].side != side)
+      continue;
+    const Vector d = moved(*farthest);
+    text += fmt::format("{}{:.3g} mm at {}", text.empty() ? "" : "; ", 1e3 * std::hypot(d.x, d.y),
+                        place(*farthest));
+    if (const double share = strength_share(*farthest); share > 0.0)
+      text += fmt::format(", where its spring pulls with {:.2g} of the soil's strength", share);
+  }
+  if (text.empty())
+    return std::nullopt;
+  return "sides and base have moved beyond their free field by at most " + text;
+}
+
+std::optional<std::string> LostHold::warning() const {
+  const auto farthest = largest([&](std::size_t f) { return std::abs(moved_out(f)); });
+  if (farthest && std::abs(moved_out(*farthest)) > far_) {
+    const GroundSprings* const springs = boundary_.ground_springs();
+    const bool held = springs != nullptr && springs->holds(*farthest);
+    return fmt::format(
+        "soil has moved {} the model by {:.2g} m at {}, beyond what its free field has: {}; sides and base "
+        "farther from soil that fails, or absorber = \"matched_layer\", see less of it",
+        moved_out(*farthest) > 0.0 ? "out of" : "into", std::abs(moved_out(*farthest)), place(*farthest),
+        held ? "a spring holds it there as ground that does not fail would"
+             : "the traction there is still the one that held it at rest");
+  }
+  const auto pulled = largest([&](std::size_t f) { return strength_share(f); });
+  if (!pulled || !(strength_share(*pulled) > 1.0))
+    return std::nullopt;
+  return fmt::format("the spring at {} pulls with {:.2g} of the strength of the soil there at rest: the "
+                     "ground beyond would yield too; sides and base farther from there ask for less of it",
+                     place(*pulled), strength_share(*pulled));
+}
+
+std::vector<double> LostHold::state() const {
+  std::vector<double> state = strength_;
+  for (const Vector& d : moved_)
+    state.insert(state.end(), {d.x, d.y});
+  state.push_back(last_);
+  return state;
+}
+
+void LostHold::set_state(std::vector<double> state) {
+  const std::size_t count = moved_.size();
+  for (std::size_t f = 0; f < count; ++f) {
+    strength_[f] = state.at(f);
+    moved_[f] = {state.at(count + 2 * f), state.at(count + 2 * f + 1)};
+  }
+  last_ = state.at(3 * count);
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "mpm_domain/boundary/boundary.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// How far soil has moved at each face beyond its free field,
+///
+///     d = int (v^m - v^ff) dt.
+///
+/// The traction that held the model at rest stays as it was then, and dashpots hold no static force: where
+/// soil yields and its weight comes to bear elsewhere, springs take it, k d; without springs it runs out
+/// through the dashpots, or away from them.
+class LostHold {
+public:
+  /// @param ground      at rest, of the whole domain
+  /// @param boundary    outlives this
+  /// @param total_base  whether the free field of the base is all of the motion of level ground
+  /// @param far         what is worth a warning, m
+  LostHold(const Ground& ground, const Boundary& boundary, bool total_base, double far);
+
+  /// To be called at the rows of the history, with the velocities of these steps.
+  void add(double time, std::span<const Vector> ground, std::span<const eq6::FreeField> free_field);
+
+  /// The largest |d| at each side and the base where it counts, and how much of the soil's strength k d asks
+  /// for: a sentence, or nothing where no side counts.
+  std::optional<std::string> report() const;
+  /// What a user should know where the ground beyond a face would not hold: d has become too large along the
+  /// normal, or k d larger than the strength of the soil.
+  std::optional<std::string> warning() const;
+
+  /// For a checkpoint.
+  std::vector<double> state() const;
+  void set_state(std::vector<double> state);
+
+private:
+  /// Whether d of a face is known, and nothing but dashpots and springs hold it.
+  bool counts(std::size_t face) const;
+  Vector moved(std::size_t face) const;
+  double moved_out(std::size_t face) const;
+  /// |k d| over the strength at rest.
+  double strength_share(std::size_t face) const;
+  /// The face that counts with the largest value, if any does.
+  template <class Value>
+  std::optional<std::size_t> largest(const Value& value) const;
+  std::string place(std::size_t face) const;
+
+  const Boundary& boundary_;
+  bool total_base_;
+  double far_;
+  std::vector<double> strength_; ///< shear strength of the soil at each face at rest, Pa
+  std::vector<Vector> moved_;    ///< d of each face by the rows, where no spring knows it, m
+  double last_ = 0.0;            ///< s
+};
+
+} // namespace tremolo::mpm_domain

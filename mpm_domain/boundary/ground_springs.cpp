@@ -1,0 +1,115 @@
+#include "mpm_domain/boundary/ground_springs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Cells from a centre within which springs grow no stiffer.
+constexpr double least_cells = 2.0;
+
+/// The numbers of a Spring in a checkpoint.
+constexpr std::size_t numbers_per_spring = 6;
+
+double rate_of(double stiffness, double impedance) {
+  return impedance > 0.0 ? stiffness / impedance : 0.0;
+}
+
+} // namespace
+
+GroundSprings::GroundSprings(std::span<const BoundaryFace> faces, const Spec& spec) {
+  of_face_.assign(faces.size(), none);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const BoundaryFace& face = faces[f];
+    const auto of_side = std::ranges::find(spec.springs, face.side, &SideSprings::side);
+    if (of_side == spec.springs.end() ||
+        (face.support != Support::dashpots && face.support != Support::closing_element))
+      continue;
+    const auto& [side, across, along, centre, lags, own_field] = *of_side;
+    const double distance = std::max(std::hypot(face.position.x - centre.x, face.position.y - centre.y),
+                                     least_cells * spec.cell_size);
+    const auto& [normal, p, s] = face.ground;
+    const double modulus = s * s / face.density; // G
+    const double k_n = across * modulus / distance;
+    const double k_t = along * modulus / distance;
+    of_face_[f] = springs_.size();
+    springs_.push_back({.face = f,
+                        .field = own_field ? faces.size() + more_fields_++ : f,
+                        .length = face.length,
+                        .stiffness = by_direction(normal, k_n, k_t),
+                        .lags = lags,
+                        .rate = by_direction(normal, rate_of(k_n, p), rate_of(k_t, s))});
+  }
+}
+
+double GroundSprings::move(double time, std::span<const Vector> v, std::span<const eq6::FreeField> field) {
+  const double dt = started_ ? time - time_ : 0.0;
+  double work = 0.0;
+  for (Spring& spring : springs_) {
+    const Vector now = field[spring.field].velocity;
+    const Vector last = started_ ? spring.field_velocity : now;
+    const Vector strained = spring.strained;
+    const Vector moves{dt * (v[spring.face].x - 0.5 * (last.x + now.x)),
+                       dt * (v[spring.face].y - 0.5 * (last.y + now.y))};
+    const Vector lag{spring.moved.x - strained.x, spring.moved.y - strained.y};
+    spring.moved = {spring.moved.x + moves.x, spring.moved.y + moves.y};
+    spring.strained =
+        spring.lags ? Vector{strained.x + dt * spring.rate.x * lag.x, strained.y + dt * spring.rate.y * lag.y}
+                    : spring.moved;
+    spring.field_velocity = now;
+    work += 0.5 * spring.length *
+            (spring.stiffness.x * (strained.x + spring.strained.x) * moves.x +
+             spring.stiffness.y * (strained.y + spring.strained.y) * moves.y);
+  }
+  started_ = true;
+  time_ = time;
+  return work;
+}
+
+Vector GroundSprings::traction(std::size_t face) const {
+  if (!holds(face))
+    return {};
+  const Spring& spring = springs_[of_face_[face]];
+  return {-spring.stiffness.x * spring.strained.x, -spring.stiffness.y * spring.strained.y};
+}
+
+Vector GroundSprings::field_velocity(std::size_t face) const {
+  return holds(face) ? springs_[of_face_[face]].field_velocity : Vector{};
+}
+
+Vector GroundSprings::displacement(std::size_t face) const {
+  return holds(face) ? springs_[of_face_[face]].moved : Vector{};
+}
+
+Vector GroundSprings::stiffness(std::size_t face) const {
+  return holds(face) ? springs_[of_face_[face]].stiffness : Vector{};
+}
+
+std::vector<double> GroundSprings::state() const {
+  std::vector<double> state{started_ ? 1.0 : 0.0, time_};
+  for (const Spring& spring : springs_)
+    for (const Vector& v : {spring.moved, spring.strained, spring.field_velocity})
+      state.insert(state.end(), {v.x, v.y});
+  return state;
+}
+
+void GroundSprings::restore(std::span<const double> state) {
+  if (state.size() != 2 + numbers_per_spring * springs_.size())
+    throw std::invalid_argument(fmt::format("{} numbers of springs do not go with {} faces that have some",
+                                            state.size(), springs_.size()));
+  started_ = state[0] != 0.0;
+  time_ = state[1];
+  auto next = state.begin() + 2;
+  for (Spring& spring : springs_)
+    for (Vector* v : {&spring.moved, &spring.strained, &spring.field_velocity}) {
+      v->x = *next++;
+      v->y = *next++;
+    }
+}
+
+} // namespace tremolo::mpm_domain

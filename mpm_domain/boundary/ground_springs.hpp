@@ -1,0 +1,88 @@
+#pragma once
+
+// Springs beside the dashpots of Eq. (6): the ground beyond a face holds what comes to bear on it after the
+// model was at rest,
+//
+//     f^spr = -k_n (d.n) n - k_t (d.t) t,      d = u^m - u^ff,      k_n = a_n G/R,  k_t = a_t G/R,
+//
+// with G of the ground that the face's impedance stands for and R the face's distance at the start from a
+// centre, two cells at least (viscous-spring boundary: Deeks and Randolph 1994; Liu et al. 2006). d is
+// zero at rest, where f^st holds the model. From one exchange to the next
+//
+//     d_n = d_(n-1) + dt [v_n - (v^ff_(n-1) + v^ff_n)/2]
+//
+// with the grains' velocity v before the update at the face, which belongs to t_(n-1/2): particles do not
+// follow all of a kick of the nodes, and v after the update would let the face sink for ever.
+//
+// Under a base between two different free fields d is not zero even where nothing is scattered. A spring
+// behind a lag holds, and lets waves pass,
+//
+//     s' = (d - s)/tau,      f^spr = -k s,      tau = rho c/k,
+//
+// in each direction; with tau <= rho c/k it only takes up energy at every frequency.
+
+#include "mpm_domain/boundary/boundary_faces.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+class GroundSprings {
+public:
+  /// Puts the spec's springs behind the faces that have dashpots or closing elements.
+  GroundSprings(std::span<const BoundaryFace> faces, const Spec& spec);
+
+  bool any() const { return !springs_.empty(); }
+  /// Whether a face has springs.
+  bool holds(std::size_t face) const { return of_face_[face] != none; }
+  /// Whether they move against a free field that the face's dashpots do not see.
+  bool has_own_field(std::size_t face) const { return holds(face) && springs_[of_face_[face]].field != face; }
+  /// Free fields that a source gives behind those of the faces: one for each face of the base whose springs
+  /// move against another field than its dashpots.
+  std::size_t more_fields() const { return more_fields_; }
+
+  /// Goes on to a time (s).
+  /// @param v      of the grains at all faces, mean since the last time, m/s
+  /// @param field  of all faces at that time, and more_fields()
+  /// @returns the work that the springs have taken up since the last time, J/m: all of it is stored but for
+  /// what a lag dissipates
+  double move(double time, std::span<const Vector> v, std::span<const eq6::FreeField> field);
+
+  /// f^spr on a face, Pa; zero without springs.
+  Vector traction(std::size_t face) const;
+  /// v^ff that the springs of a face move against, m/s.
+  Vector field_velocity(std::size_t face) const;
+  /// d of a face, m; zero without springs.
+  Vector displacement(std::size_t face) const;
+  /// k of a face by direction, Pa/m.
+  Vector stiffness(std::size_t face) const;
+
+  /// All that changes with time, for a checkpoint.
+  std::vector<double> state() const;
+  /// @throws std::invalid_argument for the state of another boundary
+  void restore(std::span<const double> state);
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  struct Spring {
+    std::size_t face = 0;
+    std::size_t field = 0; ///< index of its free field
+    double length = 0.0;   ///< of the face, m
+    Vector stiffness;      ///< k, Pa/m
+    bool lags = false;
+    Vector rate;           ///< 1/tau, 1/s; of a spring that lags
+    Vector moved;          ///< d, m
+    Vector strained;       ///< s, or d without a lag, m
+    Vector field_velocity; ///< at the last time, m/s
+  };
+
+  std::vector<Spring> springs_;
+  std::vector<std::size_t> of_face_; ///< by face: its spring, or none
+  std::size_t more_fields_ = 0;
+  bool started_ = false;
+  double time_ = 0.0; ///< s
+};
+
+} // namespace tremolo::mpm_domain
