@@ -192,18 +192,26 @@ struct FreeFieldModel {
   bool operator==(const FreeFieldModel&) const = default;
 };
 
+/// Springs beside the dashpots of a side, as its keys say; scene/plan/boundary/springs.hpp has the rest.
+struct SpringKeys {
+  std::optional<std::array<double, 2>> stiffness; ///< a_n, a_t; none: dashpots alone
+  std::optional<Point> centre;                    ///< m
+};
+
 /// A lateral free field.
 struct LateralBoundary {
   FreeFieldModel field;
   double surface = 0.0;           ///< y of its free surface, m
   std::vector<Layer> own_profile; ///< its own layers; empty: Case::profile
   Absorber absorber = Absorber::dashpots;
+  SpringKeys springs;
 };
 
 struct BaseBoundary {
   FreeFieldModel field;
   BaseForm form = BaseForm::total;
   Absorber absorber = Absorber::dashpots;
+  SpringKeys springs;
 };
 
 struct Boundary {
@@ -213,6 +221,10 @@ struct Boundary {
   BaseBoundary base;
 
   bool has_lateral_fields() const { return sides == Sides::free_field; }
+  /// Whether one total field is that of the whole base.
+  bool has_equal_sides() const {
+    return left.surface == right.surface && left.own_profile.empty() && right.own_profile.empty();
+  }
   /// Whether the base moves as [motion] says, without ground below it.
   bool has_shaking_table() const { return base.field.model == SourceModel::shaking_table; }
 };

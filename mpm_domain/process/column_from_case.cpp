@@ -39,6 +39,7 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   spec.regions.clear();
   spec.structures.clear();
   spec.matched_sides.clear();
+  spec.springs.clear();
   const double half_space = scene::base_level(source.surface, scene::layers(scene, source));
   spec.box.y_min -=
       spec.cell_size * std::ceil(std::max(0.0, spec.box.y_min - half_space) / spec.cell_size - 1e-9);

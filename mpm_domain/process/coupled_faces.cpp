@@ -21,54 +21,68 @@ eq6::FreeField mixed(const eq6::FreeField& a, const eq6::FreeField& b, double s)
 } // namespace
 
 CoupledFaces::CoupledFaces(const Domain& domain, const scene::Case& scene, const scene::Plan& plan)
-    : first_(static_cast<std::size_t>(
+    : tied_(static_cast<std::size_t>(
           std::ranges::count(domain.boundary.faces(), Support::opposite_face, &BoundaryFace::support))) {
   const std::span<const BoundaryFace> all = domain.boundary.faces();
   const scene::BaseSources base = scene::base_sources(scene, plan);
   const bool incident = scene.boundary.base.form == scene::BaseForm::incident;
-  const auto add = [&](std::size_t f, const std::string& source, bool incident_alone) {
-    faces_.push_back(
-        {all[f].position, all[f].dashpots(), all[f].held, source, incident_alone ? "incident" : "total"});
-  };
-  for (std::size_t f = first_; f < all.size(); ++f) {
-    const Side side = all[f].side;
-    add(f, side == Side::base ? base.left : scene::source_of(plan, side).name,
-        side == Side::base && incident);
-  }
-  single_ = faces_.size();
-  const Box& box = domain.spec.box;
-  for (std::size_t f = first_; base.right && f < all.size(); ++f)
-    if (all[f].side == Side::base) {
-      add(f, *base.right, false);
-      shares_.push_back((all[f].position.x - box.x_min) / (box.x_max - box.x_min));
+  for (std::size_t f = tied_; f < all.size(); ++f)
+    if (const Side side = all[f].side; side != Side::base)
+      blends_.push_back({f, announce(domain, f, scene::source_of(plan, side).name, "total")});
+    else
+      blends_.push_back({f, announce(domain, f, base.left, incident ? "incident" : "total")});
+  if (base.right)
+    for (Blend& blend : blends_)
+      if (all[blend.field].side == Side::base)
+        join(domain, blend, *base.right);
+  const GroundSprings* const springs = domain.boundary.ground_springs();
+  for (std::size_t f = tied_, more = all.size(); springs != nullptr && f < all.size(); ++f)
+    if (springs->has_own_field(f)) {
+      blends_.push_back({more++, announce(domain, f, scene::source_of(plan, Side::left).name, "total")});
+      if (!scene.boundary.has_equal_sides())
+        join(domain, blends_.back(), scene::source_of(plan, Side::right).name);
     }
   v_.resize(faces_.size());
   traction_.resize(faces_.size());
 }
 
+/// @returns its index among those that are exchanged
+std::size_t CoupledFaces::announce(const Domain& domain, std::size_t f, const std::string& source,
+                                   const char* field) {
+  const BoundaryFace& face = domain.boundary.faces()[f];
+  faces_.push_back({face.position, face.dashpots(), face.held, source, field});
+  domain_faces_.push_back(f);
+  return faces_.size() - 1;
+}
+
+/// Blends a field of the base with that of a source at the right end.
+void CoupledFaces::join(const Domain& domain, Blend& blend, const std::string& source) {
+  const Box& box = domain.spec.box;
+  const std::size_t f = domain_faces_[blend.left];
+  blend.right = announce(domain, f, source, "total");
+  blend.share = (domain.boundary.faces()[f].position.x - box.x_min) / (box.x_max - box.x_min);
+}
+
 std::vector<std::string> CoupledFaces::sources() const {
-  std::vector<std::string> names(first_, "periodic");
-  for (std::size_t f = 0; f < single_; ++f)
-    names.push_back(faces_[f].source);
-  const std::size_t base = names.size() - shares_.size();
-  for (std::size_t i = 0; i < shares_.size(); ++i)
-    names[base + i] += fmt::format(", {}", faces_[single_ + i].source);
+  std::vector<std::string> names(tied_, "periodic");
+  for (const Blend& blend : blends_) {
+    const std::string& left = faces_[blend.left].source;
+    if (blend.field == names.size() && domain_faces_[blend.left] == blend.field)
+      names.push_back(blend.right ? fmt::format("{}, {}", left, faces_[*blend.right].source) : left);
+  }
   return names;
 }
 
 double CoupledFaces::exchange(coupler::DomainClient& client, std::uint64_t step, double time,
                               std::span<const Vector> v, std::span<eq6::FreeField> field) {
-  const auto driven = v.subspan(first_);
-  std::ranges::copy(driven, v_.begin());
-  std::ranges::copy(driven.last(shares_.size()), v_.begin() + static_cast<std::ptrdiff_t>(single_));
+  for (std::size_t i = 0; i < faces_.size(); ++i)
+    v_[i] = v[domain_faces_[i]];
   const auto exchanged = client.tractions(step, time, v_, traction_);
-  require_eq6(step, exchanged.free_field);
-  const auto base = single_ - shares_.size();
-  for (std::size_t f = 0; f < single_; ++f)
-    field[first_ + f] =
-        f < base || shares_.empty()
-            ? exchanged.free_field[f]
-            : mixed(exchanged.free_field[f], exchanged.free_field[single_ + f - base], shares_[f - base]);
+  const auto& own = exchanged.free_field;
+  require_eq6(step, own);
+  for (const Blend& blend : blends_)
+    field[blend.field] =
+        blend.right ? mixed(own[blend.left], own[*blend.right], blend.share) : own[blend.left];
   return exchanged.waiting_seconds;
 }
 

@@ -6,6 +6,9 @@
 //     v^ff = (1 - s) v_left + s v_right,      sigma^ff likewise,      s from 0 at the left side to 1 at the
 //     right.
 //
+// Those of a base that takes the incident wave alone, and has springs, it knows once more, with the total
+// field of the sides that the springs move against.
+//
 // Eq. (6) itself is the domain's boundary's. In mode lockstep the hub works it out too and sends the
 // tractions; both must agree to the last bit.
 
@@ -14,6 +17,7 @@
 #include "scene/plan/plan.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,7 +33,8 @@ public:
   /// Who drives each of the domain's faces, those of tied sides too.
   std::vector<std::string> sources() const;
 
-  /// Exchanges for one step. Spans are over all faces of the domain; fields of tied sides stay as they are.
+  /// Exchanges for one step. Spans are over all faces of the domain, of fields also over those that springs
+  /// have to themselves; fields of tied sides stay as they are.
   /// @returns seconds spent waiting so far
   /// @throws std::runtime_error if the tractions are not those of Eq. (6) here
   double exchange(coupler::DomainClient& client, std::uint64_t step, double time, std::span<const Vector> v,
@@ -38,10 +43,21 @@ public:
 private:
   void require_eq6(std::uint64_t step, std::span<const eq6::FreeField> field) const;
 
-  std::size_t first_;          ///< of the domain's faces that a free field drives
-  std::size_t single_ = 0;     ///< faces without the second ones of the base
-  std::vector<double> shares_; ///< s of the base's faces, where it is blended
+  /// A field of the domain, and the exchanged ones that it is blended from.
+  struct Blend {
+    std::size_t field;
+    std::size_t left; ///< or the only one
+    std::optional<std::size_t> right = {};
+    double share = 0.0; ///< s
+  };
+
+  std::size_t announce(const Domain& domain, std::size_t face, const std::string& source, const char* field);
+  void join(const Domain& domain, Blend& blend, const std::string& source);
+
+  std::size_t tied_; ///< of the domain's faces: no free field drives them
+  std::vector<Blend> blends_;
   std::vector<coupler::ExchangedFace> faces_;
+  std::vector<std::size_t> domain_faces_; ///< of faces_
   std::vector<Vector> v_, traction_;
 };
 

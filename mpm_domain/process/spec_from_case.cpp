@@ -1,5 +1,6 @@
 #include "mpm_domain/process/spec_from_case.hpp"
 
+#include "scene/plan/boundary/springs.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/soils/viscous_damping.hpp"
 
@@ -80,6 +81,14 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   if (base.absorber == scene::Absorber::matched_layer)
     spec.matched_sides.push_back(Side::base);
   spec.layer_cells = scene.mesh.layer_cells;
+  for (const Side side : {Side::left, Side::right, Side::base})
+    if (const auto springs = scene::springs(scene, side))
+      spec.springs.push_back({side,
+                              springs->across,
+                              springs->along,
+                              {springs->centre.x, springs->centre.y},
+                              springs->lags,
+                              side == Side::base && base.form == scene::BaseForm::incident});
   spec.below_base = scene::ground_below_base(scene);
   spec.threads = threads;
   return spec;

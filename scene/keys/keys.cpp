@@ -87,6 +87,8 @@ std::string type_text(const Key& key) {
     return "boolean";
   case Type::numbers:
     return fmt::format("array of {} numbers {}", key.count, key.form);
+  case Type::numbers_or_false:
+    return fmt::format("array of {} numbers {} or false", key.count, key.form);
   case Type::series:
     return "number or array of numbers";
   case Type::polygon:

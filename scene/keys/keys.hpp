@@ -16,13 +16,14 @@ enum class Type {
   text,
   number,
   integer,
-  choice,  ///< one of Key::choices
-  texts,   ///< an array of at least one text, each at most once
-  choices, ///< an array of them, each at most once
-  boolean, ///< true or false
-  numbers, ///< an array of Key::count numbers
-  series,  ///< a number, or an array of at least one
-  polygon, ///< an array of at least three points [x, y]
+  choice,           ///< one of Key::choices
+  texts,            ///< an array of at least one text, each at most once
+  choices,          ///< an array of them, each at most once
+  boolean,          ///< true or false
+  numbers,          ///< an array of Key::count numbers
+  numbers_or_false, ///< the same, or false, which has none
+  series,           ///< a number, or an array of at least one
+  polygon,          ///< an array of at least three points [x, y]
 };
 
 /// Allowed values of a number.
@@ -54,8 +55,8 @@ struct Key {
   std::string_view otherwise = {}; ///< in words, what holds without the key and without a fixed default
   Range range = {};
   std::vector<std::string_view> choices = {};
-  std::size_t count = 0;      ///< of Type::numbers
-  std::string_view form = {}; ///< of Type::numbers, "[x, y]"
+  std::size_t count = 0;      ///< of Type::numbers and numbers_or_false
+  std::string_view form = {}; ///< of Type::numbers and numbers_or_false, "[x, y]"
   Condition when = {};
   bool over_depth = false; ///< of Type::number: a case may give a profile over depth instead
 };

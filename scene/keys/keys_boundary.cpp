@@ -60,6 +60,44 @@ Key absorber() {
       Absorber::dashpots);
 }
 
+/// Beside dashpots.
+std::vector<Key> springs() {
+  const Condition beside_dashpots{"absorber", {name(Absorber::dashpots)}};
+  return {
+      {.name = "spring",
+       .type = Type::numbers_or_false,
+       .unit = "1",
+       .meaning =
+           "a_n and a_t of springs beside the dashpots, k = a G/R across and along the face, with R the "
+           "distance from `spring_centre`: they hold the weight that comes to bear elsewhere after the model "
+           "was at rest, and pull on the displacement against the free field. `false`: dashpots alone, which "
+           "hold no static force.",
+       .otherwise = "dashpots alone; `[1.0, 0.5]` is advised, and `[0.5, 0.25]` where the sides' surfaces or "
+                    "layers differ, where the base has them behind a lag",
+       .range = {.low = 0.0},
+       .count = 2,
+       .form = "[a_n, a_t]",
+       .when = beside_dashpots},
+      {.name = "spring_centre",
+       .type = Type::numbers,
+       .unit = "m",
+       .meaning =
+           "The point that loads come from: springs are softer the farther they are from it. Within two "
+           "cells they grow no stiffer.",
+       .otherwise =
+           "on the ground's surface in the middle of all `[[structure]]`s; without any, in the middle "
+           "of the box at the mean of both surfaces",
+       .count = 2,
+       .form = "[x, y]",
+       .when = beside_dashpots}};
+}
+
+void add_absorber(std::vector<Key>& keys) {
+  keys.push_back(absorber());
+  for (Key& key : springs())
+    keys.push_back(std::move(key));
+}
+
 Key sides() {
   return choice<Sides>(
       "sides",
@@ -78,7 +116,7 @@ Table lateral(std::string_view name, std::string_view meaning) {
                   .unit = "m",
                   .meaning = "y of the free surface on this side; the soil of the model must reach up to it.",
                   .otherwise = "`[surface] level`"});
-  keys.push_back(absorber());
+  add_absorber(keys);
   return {.name = name, .meaning = meaning, .keys = std::move(keys)};
 }
 
@@ -107,9 +145,10 @@ Table base() {
       "incident wave alone, dashpots take up what comes down again; needs a base in the half-space or at its "
       "top; exact at vertical incidence, in uniform ground 3 % off at 15 degrees and 16 % at 30 degrees.",
       BaseForm::blended));
-  keys.push_back(absorber());
-  for (auto key = keys.end() - 2; key != keys.end(); ++key)
-    key->when = {"model", models_of_ground()};
+  const auto form = keys.size() - 1;
+  add_absorber(keys);
+  for (auto key = form; key < form + 2; ++key) // form and absorber
+    keys[key].when = {"model", models_of_ground()};
   return {.name = "boundary.base",
           .required = true,
           .meaning = "What enters through the base.",

@@ -162,6 +162,8 @@ ordered_json value_schema(const Key& key) {
   }
   case Type::numbers:
     return array_schema(number_schema(key), key.count, key.count);
+  case Type::numbers_or_false:
+    return {{"anyOf", {array_schema(number_schema(key), key.count, key.count), {{"const", false}}}}};
   case Type::series:
     return {{"anyOf", {number_schema(key), array_schema(number_schema(key), 1)}}};
   case Type::polygon:

@@ -1,6 +1,7 @@
 #include "scene/plan/plan.hpp"
 
 #include "mpm_domain/spec/bytes.hpp"
+#include "scene/plan/boundary/springs.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/sources.hpp"
 #include "scene/plan/wet_soils.hpp"
@@ -139,6 +140,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const auto& [sides, left, right, base] = scene.boundary;
   const bool layered = left.absorber == Absorber::matched_layer ||
                        right.absorber == Absorber::matched_layer || base.absorber == Absorber::matched_layer;
+  const std::string springs = springs_text(scene);
   const double bare_bytes = particle_bytes({});
   const double affine_bytes = particle_bytes({.affine = true}) - bare_bytes;
   const double box_bytes = particle_bytes({.own_boxes = true}) - bare_bytes;
@@ -192,6 +194,8 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"matched layers", layered,
        layered ? "[boundary]: absorber = \"matched_layer\""
                : "no side of [boundary] has absorber = \"matched_layer\""},
+      {"springs", !springs.empty(),
+       springs.empty() ? "no side of [boundary] has spring = [a_n, a_t]" : "beside the dashpots, " + springs},
       {"material damping", scene.damping.model != DampingModel::none,
        fmt::format("[damping] model = \"{}\"", name(scene.damping.model))},
       {"viscous damping", damped,
@@ -318,7 +322,7 @@ Plan plan(const Case& scene) {
       8.0 * (static_cast<double>(result.frames) * particles * output_doubles_per_particle(scene) +
              rows * (followed_points(scene) * (scene.water ? 17.0 : 15.0) +
                      static_cast<double>(scene.sliding_masses.size()) * 10.0 +
-                     static_cast<double>(scene.structures.size()) * 19.0 + 11.0));
+                     static_cast<double>(scene.structures.size()) * 19.0 + 16.0));
   return result;
 }
 

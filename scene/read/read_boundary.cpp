@@ -24,6 +24,15 @@ Absorber read_absorber(const TableReader& table) {
   return table.choice<Absorber>("absorber");
 }
 
+SpringKeys read_springs(const TableReader& table) {
+  SpringKeys keys;
+  if (const std::vector<double> stiffness = table.numbers("spring"); !stiffness.empty())
+    keys.stiffness = {stiffness[0], stiffness[1]};
+  if (table.given("spring_centre"))
+    keys.centre = table.point("spring_centre");
+  return keys;
+}
+
 LateralBoundary read_side(Document& document, const char* name, Findings& findings, const Case& scene) {
   if (!document.has(name))
     findings.add(name,
@@ -36,7 +45,8 @@ LateralBoundary read_side(Document& document, const char* name, Findings& findin
   // The water table cuts the layers of [[profile]] elsewhere under another surface.
   if (scene.water && own.empty() && surface != scene.surface_level)
     own = scene.profile;
-  return {read_model(table, scene), surface, watered(own, surface, scene), read_absorber(table)};
+  return {read_model(table, scene), surface, watered(own, surface, scene), read_absorber(table),
+          read_springs(table)};
 }
 
 /// Where the model repeats itself, or ends at a wall, there is no free field, only the level of its surface.
@@ -55,10 +65,9 @@ LateralBoundary read_side_without_field(Document& document, const char* name, Fi
 }
 
 /// Between equal grounds a blend of both total fields is the one total field.
-BaseForm read_form(const TableReader& table, const LateralBoundary& left, const LateralBoundary& right) {
+BaseForm read_form(const TableReader& table, const Boundary& boundary) {
   const auto form = table.choice<BaseForm>("form");
-  const bool equal = left.surface == right.surface && left.own_profile.empty() && right.own_profile.empty();
-  return form == BaseForm::blended && equal ? BaseForm::total : form;
+  return form == BaseForm::blended && boundary.has_equal_sides() ? BaseForm::total : form;
 }
 
 } // namespace
@@ -69,8 +78,8 @@ void read_boundary(Document& document, Findings& findings, Case& scene) {
   scene.boundary.left = read(document, "boundary.left", findings, scene);
   scene.boundary.right = read(document, "boundary.right", findings, scene);
   const auto base = document.table("boundary.base");
-  scene.boundary.base = {read_model(base, scene), read_form(base, scene.boundary.left, scene.boundary.right),
-                         read_absorber(base)};
+  scene.boundary.base = {read_model(base, scene), read_form(base, scene.boundary), read_absorber(base),
+                         read_springs(base)};
 }
 
 } // namespace tremolo::scene

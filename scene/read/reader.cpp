@@ -228,6 +228,10 @@ std::optional<TableReader::Value> TableReader::convert(const Key& key, const tom
     return convert_boolean(key, node);
   case Type::numbers:
     return convert_numbers(key, node);
+  case Type::numbers_or_false:
+    if (node.is_boolean() && !*node.value<bool>())
+      return std::vector<double>{};
+    return convert_numbers(key, node);
   case Type::series:
     return convert_series(key, node);
   case Type::polygon:

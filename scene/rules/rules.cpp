@@ -27,6 +27,7 @@ constexpr std::array rules = {
     Rule{Severity::error, sides_can_be_periodic},
     Rule{Severity::error, shaking_table_suits_case},
     Rule{Severity::error, springs_tie_equal_cells},
+    Rule{Severity::error, springs_suit_boundary},
     Rule{Severity::error, total_base_has_one_surface},
     Rule{Severity::error, models_take_the_wave},
     Rule{Severity::error, model_files_exist},
@@ -68,6 +69,7 @@ constexpr std::array rules = {
     Rule{Severity::warning, record_is_plausible},
     Rule{Severity::warning, record_ends_at_rest},
     Rule{Severity::warning, incident_base_has_dashpots},
+    Rule{Severity::warning, springs_have_their_field},
     Rule{Severity::warning, models_know_nonlinear_soil},
     Rule{Severity::warning, soil_is_that_of_halfspace},
     Rule{Severity::warning, free_field_yields_like_soil},
@@ -94,6 +96,7 @@ constexpr std::array rules = {
     Rule{Severity::note, stress_at_rest_is_near_limit},
     Rule{Severity::note, drained_soil_needs_no_permeability},
     Rule{Severity::note, monitors_lie_on_particles},
+    Rule{Severity::note, sides_are_far_from_structures},
 };
 
 } // namespace

@@ -42,6 +42,8 @@ void sides_can_be_periodic(const Case& scene, Findings& findings);
 void shaking_table_suits_case(const Case& scene, Findings& findings);
 /// Springs tie particles of one side to those of the other: cells there are equal.
 void springs_tie_equal_cells(const Case& scene, Findings& findings);
+/// Springs stand beside dashpots, and have a centre only where there are some.
+void springs_suit_boundary(const Case& scene, Findings& findings);
 /// A total base field needs one surface level and one profile.
 void total_base_has_one_surface(const Case& scene, Findings& findings);
 /// Each free-field model can compute this wave, given as this kind of motion.
@@ -122,6 +124,9 @@ void record_is_plausible(const Case& scene, Findings& findings);
 void record_ends_at_rest(const Case& scene, Findings& findings);
 /// A base that takes the incident wave alone has no matched layer.
 void incident_base_has_dashpots(const Case& scene, Findings& findings);
+/// Springs have a free field to move against, a centre where loads act, and no false loads between two
+/// fields.
+void springs_have_their_field(const Case& scene, Findings& findings);
 /// No model of a free field takes nonlinear soil as linear.
 void models_know_nonlinear_soil(const Case& scene, Findings& findings);
 /// Without layers, the soils of the domain have the half-space's elasticity.
@@ -178,5 +183,7 @@ void stress_at_rest_is_near_limit(const Case& scene, Findings& findings);
 void drained_soil_needs_no_permeability(const Case& scene, Findings& findings);
 /// Which particles the monitors follow.
 void monitors_lie_on_particles(const Case& scene, Findings& findings);
+/// Sides are so far from structures on yielding soil that settlement hardly depends on the box.
+void sides_are_far_from_structures(const Case& scene, Findings& findings);
 
 } // namespace tremolo::scene

@@ -207,6 +207,17 @@ TEST(Rules, MonitorsLieInNoStructure) {
               Contains(HasSubstr("follows the particle that starts at [12.3, -1.25], 0.1 m")));
 }
 
+TEST(Rules, SidesAreFarFromStructuresOnYieldingSoil) {
+  constexpr const char* near = "the nearer side is 10 m from the middle of the structures: their settlement "
+                               "depends on the box unless that is 4 depths of the model, 40 m";
+  EXPECT_THAT(remarks_of(with_block()), Not(Contains(HasSubstr("their settlement"))));
+  const auto yielding = with("model = \"linear_elastic\"",
+                             "model = \"mohr_coulomb\"\ncohesion_peak = 30e3\ncohesion_residual = 30e3\n"
+                             "friction_peak_deg = 0.0\nfriction_residual_deg = 0.0\nsoftening = 0.0",
+                             with_block());
+  EXPECT_THAT(remarks_of(yielding), Contains(HasSubstr(near)));
+}
+
 TEST(Rules, MonitorsOnStructuresLieOnThem) {
   const auto monitor = [](const char* point, const char* structure) {
     return with_block() + "[[monitor]]\nname = \"m\"\npoint = " + point + "\nstructure = \"" + structure +

@@ -1,0 +1,85 @@
+#include "scene/plan/boundary/springs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace tremolo::scene {
+
+namespace {
+
+/// y of the highest soil on a vertical line, m.
+std::optional<double> ground_surface(const Case& scene, double x) {
+  std::optional<double> top;
+  for (const Region& region : scene.regions)
+    for (std::size_t i = 0; i < region.polygon.size(); ++i) {
+      const Point a = region.polygon[i];
+      const Point b = region.polygon[(i + 1) % region.polygon.size()];
+      if (std::min(a.x, b.x) > x || std::max(a.x, b.x) < x)
+        continue;
+      const double y = a.x == b.x ? std::max(a.y, b.y) : a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+      top = std::max(top.value_or(y), y);
+    }
+  return top;
+}
+
+const SpringKeys& keys_of(const Case& scene, Side side) {
+  const auto& [sides, left, right, base] = scene.boundary;
+  return side == Side::left ? left.springs : side == Side::right ? right.springs : base.springs;
+}
+
+/// Whether dashpots stand there, beside which springs can.
+bool has_dashpots(const Case& scene, Side side) {
+  const auto& [sides, left, right, base] = scene.boundary;
+  if (side == Side::base)
+    return base.absorber == Absorber::dashpots && !scene.boundary.has_shaking_table();
+  return scene.boundary.has_lateral_fields() &&
+         (side == Side::left ? left : right).absorber == Absorber::dashpots;
+}
+
+} // namespace
+
+bool base_has_no_total_field(const Case& scene) {
+  return scene.boundary.base.form == BaseForm::incident && !scene.boundary.has_lateral_fields();
+}
+
+Point spring_centre(const Case& scene) {
+  const auto& [sides, left, right, base] = scene.boundary;
+  const Point middle{0.5 * (scene.mesh.box.x_min + scene.mesh.box.x_max),
+                     0.5 * (left.surface + right.surface)};
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Structure& structure : scene.structures)
+    for (const Point corner : structure.outline.corners) {
+      low = std::min(low, corner.x);
+      high = std::max(high, corner.x);
+    }
+  if (low > high)
+    return middle;
+  const double x = 0.5 * (low + high);
+  return {x, ground_surface(scene, x).value_or(middle.y)};
+}
+
+std::optional<PlannedSprings> springs(const Case& scene, Side side) {
+  const SpringKeys& keys = keys_of(scene, side);
+  if (!keys.stiffness || !has_dashpots(scene, side) || (side == Side::base && base_has_no_total_field(scene)))
+    return std::nullopt;
+  const auto [across, along] = *keys.stiffness;
+  return PlannedSprings{across, along, keys.centre.value_or(spring_centre(scene)),
+                        side == Side::base && !scene.boundary.has_equal_sides()};
+}
+
+std::string springs_text(const Case& scene) {
+  std::string text;
+  for (const Side side : {Side::left, Side::right, Side::base})
+    if (const auto of_side = springs(scene, side))
+      text += fmt::format("{}{}: {:g} and {:g} G/R around ({:g}, {:g}) m{}", text.empty() ? "" : "; ",
+                          name(side), of_side->across, of_side->along, of_side->centre.x, of_side->centre.y,
+                          of_side->lags ? ", behind a lag" : "");
+  return text;
+}
+
+} // namespace tremolo::scene
