@@ -20,7 +20,7 @@ from broken_run import (BoxWorkspace, SlopeWorkspace, checkpoints, differences, 
                         resumed, whole_run, with_checkpoints)
 from small_case import SLOPE_BOXES, PeriodicWorkspace, refine, subcycled
 
-KILLS = int(os.environ.get("TREMOLO_RESUME_KILLS", "2"))
+KILLS = int(os.environ.get("TREMOLO_RESUME_KILLS", "1"))
 SEED = int(os.environ.get("TREMOLO_RESUME_SEED", random.randrange(10**6)))
 MIXED = {"left": model("fe"), "right": model("ode"), "base": model("wave")}
 

@@ -152,8 +152,8 @@ TEST(Commands, DocsWritesTheReferenceThatIsShippedOrSaysWhyNot) {
         << page;
   std::filesystem::remove_all(folder);
   const auto [status, output] = run_tremolo("docs /nowhere");
-  EXPECT_EQ(status, 1);
-  EXPECT_EQ(output, "tremolo: FOLDER /nowhere/case-file.md: there is no folder /nowhere\n");
+  EXPECT_EQ(status, 2);
+  EXPECT_EQ(output, "FOLDER: there is no folder /nowhere\nRun with --help for more information.\n");
 }
 
 } // namespace
