@@ -83,6 +83,8 @@ PLASTIC = GROUND.format(soft=CONE + "density = 1800.0\nvs = 150.0\nvp = 300.0\n"
 PORES = 'porosity = {}\ndrainage = "undrained"\nyoung = {}\npoisson = 0.3\n'
 UNDRAINED = GROUND.format(soft=CONE + PORES.format(0.42, 114.5e6) + STRENGTH.format(12e3, 22.0),
                           firm=CONE + PORES.format(0.35, 485e6) + STRENGTH.format(40e3, 28.0))
+LIQUEFYING = 'library = "pdmy03_dr57"\npermeability = 1e-4\nrest_coefficient = 0.5\n'
+SAND = GROUND.format(soft=LIQUEFYING, firm=LIQUEFYING)
 WATER = "[water]\nlevel = 0.0\n"
 
 

@@ -12,7 +12,7 @@ TREMOLO, PACKAGE, _ = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 sys.path.insert(0, PACKAGE)
 
 import numpy as np
-from angle_cases import DEPTHS, PLACES, PLASTIC, UNDRAINED, WATER, FlatWorkspace
+from angle_cases import DEPTHS, PLACES, PLASTIC, SAND, UNDRAINED, WATER, FlatWorkspace
 from free_field_cases import ColumnWorkspace
 from tremolo import Run, pore_pressure
 
@@ -70,6 +70,10 @@ class FlatDomain(unittest.TestCase):
     def test_undrained_ground_that_yields_moves_alike_along_x(self):
         """Measured: 0.8 % and 4.7 %. Elastic, the surface would move by 1.1 m/s."""
         self.assertLess(self.alike(0.02, 0.05, ground=UNDRAINED, velocity=0.3, water=WATER), 0.5)
+
+    def test_sand_that_liquefies_moves_alike_along_x(self):
+        """PDMY03, water that flows. Measured: 0.2 % and 2.0 %."""
+        self.alike(0.02, 0.05, ground=SAND, velocity=0.2, water=WATER)
 
 
 LIQUEFYING = """
