@@ -42,7 +42,7 @@ constexpr std::array rules = {
     Rule{Severity::error, dispersion_suits_case},
     Rule{Severity::error, wet_soil_has_pores},
     Rule{Severity::error, water_has_weight},
-    Rule{Severity::error, water_is_marched_explicitly},
+    Rule{Severity::error, fe_is_marched_explicitly},
     Rule{Severity::error, structures_have_names},
     Rule{Severity::error, structures_are_simple},
     Rule{Severity::error, structures_lie_in_mesh},

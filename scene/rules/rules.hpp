@@ -75,8 +75,9 @@ void dispersion_suits_case(const Case& scene, Findings& findings);
 void wet_soil_has_pores(const Case& scene, Findings& findings);
 /// Pore pressure begins with the hydrostatic one: a gravity stage.
 void water_has_weight(const Case& scene, Findings& findings);
-/// Finite-element columns with pore water are marched by central differences.
-void water_is_marched_explicitly(const Case& scene, Findings& findings);
+/// Finite-element columns of soil and water, of soil that remembers its geostatic stress, and under a wave at
+/// an angle, are marched by central differences.
+void fe_is_marched_explicitly(const Case& scene, Findings& findings);
 /// Names of structures can be those of results, and are different.
 void structures_have_names(const Case& scene, Findings& findings);
 /// Outlines and holes have an area and do not cross themselves, and holes lie inside.

@@ -205,10 +205,11 @@ class ObliqueWaves(unittest.TestCase):
                         np.testing.assert_allclose(ours["vx"], theirs["vx"], atol=1e-9)
                         np.testing.assert_allclose(ours["vy"], theirs["vy"], atol=1e-9)
 
-    def test_oblique_serves_what_is_below_the_critical_angle_and_refuses_the_rest_with_it(self):
+    def test_columns_serve_what_is_below_the_critical_angle_and_refuse_the_rest_with_it(self):
         with self.at(10.0) as work:
-            for ours, exact in zip(work.histories("oblique", *self.SPAN), work.histories("wave", *self.SPAN), strict=True):
-                self.assertLess(np.linalg.norm(ours["vx"] - exact["vx"]), 0.01 * np.linalg.norm(exact["vx"]))
+            for model in ("oblique", "fe"):
+                for ours, exact in zip(work.histories(model, *self.SPAN), work.histories("wave", *self.SPAN), strict=True):
+                    self.assertLess(np.linalg.norm(ours["vx"] - exact["vx"]), 0.01 * np.linalg.norm(exact["vx"]), model)
         with self.at(15.0) as work:
             result = work.command("column", work.case, "--model", "oblique", "--out", "out.h5")
             self.assertEqual(2, result.returncode, result.stdout)
