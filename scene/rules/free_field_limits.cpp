@@ -30,14 +30,13 @@ struct Fastest {
 
 /// c_1, m/s: of P waves, in two phases without drag where water flows.
 double fast_speed(const Case& scene, SourceModel model, const Layer& layer) {
-  if (model != fe || !layer.wet)
-    return layer.elastic.p_wave_speed();
-  const Soil& soil = scene.soils[*layer.soil];
-  return soil.pores->drainage == materials::Drainage::coupled
-             ? materials::saturated_speeds(materials::elasticity(soil.law).p_modulus(), *soil.pores,
-                                           scene.water->fluid)
-                   .fast
-             : layer.elastic.p_wave_speed();
+  if (model == fe && layer.wet) {
+    const Soil& soil = scene.soils[*layer.soil];
+    const double modulus = materials::elasticity(soil.law).p_modulus();
+    if (soil.pores->drainage == materials::Drainage::coupled)
+      return materials::saturated_speeds(modulus, *soil.pores, scene.water->fluid).fast;
+  }
+  return layer.elastic.p_wave_speed();
 }
 
 /// At a horizontal slowness of 1/c_1 or more a column's initial-value problem is ill posed.
