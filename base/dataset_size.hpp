@@ -37,7 +37,7 @@ inline constexpr std::size_t fewest_chunk_bytes = 8192;
 /// Bytes of an array that is written once, besides its values.
 /// @param bytes  of its values
 constexpr double array_overhead_bytes(double bytes) {
-  constexpr double header = 300.0;
+  constexpr double header = 900.0;
   constexpr double index = 2600.0;
   return bytes < static_cast<double>(fewest_chunk_bytes) ? header : header + index;
 }

@@ -2,7 +2,7 @@
 
 #include "mpm_domain/spec/bytes.hpp"
 #include "scene/plan/layers.hpp"
-#include "scene/plan/output_size.hpp"
+#include "scene/plan/output/output_size.hpp"
 #include "scene/plan/sources.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/soils/domain_soils.hpp"
@@ -279,7 +279,8 @@ Plan plan(const Case& scene) {
     step_ns += structure.contact_nodes * contact_node_cost_ns;
   }
   result.estimated_time = static_cast<double>(result.steps) * step_ns * 1e-9;
-  result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
+  const double every = std::max(scene.output.every, result.dt); // a step writes one frame at most
+  result.frames = std::llround(std::floor(scene.shaking.duration / every + 1e-9)) + 1;
   result.output_bytes = output_bytes(scene, result);
   return result;
 }

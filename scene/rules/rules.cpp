@@ -81,6 +81,7 @@ constexpr std::array rules = {
     Rule{Severity::warning, soil_holds_its_weight},
     Rule{Severity::warning, profile_is_that_of_side},
     Rule{Severity::warning, structures_slip},
+    Rule{Severity::warning, round_structures_roll},
     Rule{Severity::warning, structures_leave_the_step},
 
     Rule{Severity::note, mesh_resolves_frequencies},

@@ -144,6 +144,8 @@ void water_is_stiffer_than_skeleton(const Case& scene, Findings& findings);
 void sand_has_one_void_ratio(const Case& scene, Findings& findings);
 /// Elastic structures need no shorter steps than the soil.
 void structures_leave_the_step(const Case& scene, Findings& findings);
+/// Bodies that may roll do so at the right pace.
+void round_structures_roll(const Case& scene, Findings& findings);
 /// Friction is the tangent of an angle.
 void structures_slip(const Case& scene, Findings& findings);
 /// Values are of the order that soil, rock, water and structures have in SI units.

@@ -56,7 +56,7 @@ TEST(Commands, WrongCommandLineEndsWithTwo) {
   const auto [status, output] = run_tremolo("chek");
   EXPECT_EQ(status, 2);
   EXPECT_THAT(output, HasSubstr("'chek' is no command, did you mean 'check'?"));
-  EXPECT_THAT(run_tremolo("run " + box + " --out /tmp/never --threads 0").output, HasSubstr("1 to 1024"));
+  EXPECT_THAT(run_tremolo("run " + box + " --out /tmp/never --threads 0").output, HasSubstr("in [1, 1024]"));
   EXPECT_EQ(run_tremolo("check").status, 2);
   EXPECT_EQ(run_tremolo("").status, 2);
 }

@@ -1,9 +1,9 @@
-#include "scene/plan/output_size.hpp"
+#include "scene/plan/output/output_size.hpp"
 
 #include "base/dataset_size.hpp"
 #include "mpm_domain/spec/output_columns.hpp"
 #include "scene/soils/domain_soils.hpp"
-#include "scene/text/text.hpp"
+#include "scene/sweep.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,8 @@ constexpr double empty_run_bytes = 180e3;
 constexpr double empty_contact_bytes = 170e3;
 constexpr double frame_bytes = 300.0; // its group, time and link
 constexpr double xdmf_field_bytes = 300.0;
-constexpr std::size_t name_bytes = 64; // of a column and its unit, in texts of equal length
+constexpr double other_tables_bytes = 80e3; // the plan, timings, processes and the timeline
+constexpr std::size_t name_bytes = 64;      // of a column and its unit, in texts of equal length
 
 /// Numbers of a particle in each array of a frame; the first are written always.
 std::vector<double> particle_arrays(const Case& scene) {
@@ -95,7 +96,8 @@ std::size_t points_of(const std::vector<Point>& corners, double spacing) {
   return corners.size() + static_cast<std::size_t>(perimeter(corners) / spacing);
 }
 
-/// Faces of the boundary, as many at most as if each edge had its finest cells all along.
+/// Faces of the boundary, a particle long each, as many at most as if each edge had its finest cells all
+/// along.
 std::size_t most_faces(const Case& scene) {
   const Box& box = scene.mesh.box;
   const auto finest = [&](const Box& edge) {
@@ -103,7 +105,7 @@ std::size_t most_faces(const Case& scene) {
     for (const Refinement& refine : scene.mesh.refine)
       if (meet(edge, refine.box))
         level = std::max(level, refine.level);
-    return scene.mesh.size / static_cast<double>(1 << level);
+    return scene.mesh.size / static_cast<double>(1 << level) / scene.mesh.particles_per_cell;
   };
   const double near = 4.0 * scene.mesh.size; // finer cells reach beyond their box by as much at most
   const auto cells = [](double length, double size) {
@@ -115,7 +117,9 @@ std::size_t most_faces(const Case& scene) {
 }
 
 double histories(const Case& scene, const Plan& plan) {
-  const auto rows = static_cast<std::size_t>(scene.shaking.duration / scene.output.history_every) + 3;
+  // A step writes one row at most; the last moment's comes on top.
+  const double every = std::max(scene.output.history_every, plan.dt);
+  const auto rows = static_cast<std::size_t>(scene.shaking.duration / every) + 3;
   const auto table = [&](std::size_t columns) { return growing_table_bytes(columns, rows, name_bytes); };
   const std::size_t point = mpm_domain::followed_point_columns.size() +
                             (scene.water ? mpm_domain::followed_water_columns.size() : 0);
@@ -148,9 +152,8 @@ double histories(const Case& scene, const Plan& plan) {
 
 double output_bytes(const Case& scene, const Plan& plan) {
   const double frames = static_cast<double>(plan.frames) + 1.0; // and the last moment's
-  const double plan_text = 20e3;
   return empty_run_bytes + (scene.structures.empty() ? 0.0 : empty_contact_bytes) +
-         static_cast<double>(scene.text.size()) + plan_text + histories(scene, plan) +
+         static_cast<double>(scene.text.size()) + other_tables_bytes + histories(scene, plan) +
          frames * (frame_of_particles(scene, static_cast<double>(plan.particles)) + frame_of_contact(scene));
 }
 
