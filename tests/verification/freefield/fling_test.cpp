@@ -112,8 +112,8 @@ TEST(Fling, IsWholeInTwoPhases) {
   }
 }
 
-/// At an angle the ground comes to rest where the outcrop would: Z v = B v_inc. What is missing of the energy is of first
-/// order in the step: 1.9e-4 and 0.9e-4 of the 16 J/m2 that stay.
+/// At an angle the ground comes to rest where the outcrop would: Z v = B v_inc. What is missing of the energy
+/// is of first order in the step: 1.9e-4 and 0.9e-4 of the 16 J/m2 that stay.
 TEST(Fling, IsWholeAtAnAngle) {
   constexpr double slowness = 0.3 / 800.0;
   const BaseImpedance base = base_impedance(ground().half_space, slowness);
