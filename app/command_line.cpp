@@ -181,7 +181,7 @@ void Command::add_relay(const std::string& name, const std::string& description,
 
 namespace {
 
-/// CLI11's own checks of a range let a NaN pass.
+/// Refuses NaN and infinity where an option has no range of its own.
 std::string finite(const std::string& word) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);

@@ -16,12 +16,12 @@ struct OutputColumn {
 
 inline constexpr OutputColumn time_column{"time", "s"};
 
-/// Of /energy, J/m; the values are EnergyLedger's.
+/// The columns of /energy, J/m, whose values EnergyLedger gives.
 inline constexpr std::array<std::string_view, 14> energy_columns{
     "kinetic", "elastic", "plastic", "viscous", "pore",     "drag",     "friction",
     "impact",  "gravity", "input",   "static",  "dashpots", "transfer", "residual"};
 
-/// Of a particle whose motion, effective stress and strain are followed.
+/// The columns of a particle whose motion, effective stress and strain are followed.
 inline constexpr std::array<OutputColumn, 15> followed_point_columns{{{"x", "m"},
                                                                       {"y", "m"},
                                                                       {"ux", "m"},
@@ -37,15 +37,15 @@ inline constexpr std::array<OutputColumn, 15> followed_point_columns{{{"x", "m"}
                                                                       {"exx", "1"},
                                                                       {"eyy", "1"},
                                                                       {"gxy", "1"}}};
-/// What follows them in a case with water.
+/// The columns that follow them in a case with water.
 inline constexpr std::array<OutputColumn, 2> followed_water_columns{
     {{"pore_pressure", "Pa"}, {"pore_pressure_ratio", "1"}}};
 
-/// Of the motion of a shaking table.
+/// The columns of a shaking table's motion.
 inline constexpr std::array<OutputColumn, 7> table_columns{
     {time_column, {"ux", "m"}, {"uy", "m"}, {"vx", "m/s"}, {"vy", "m/s"}, {"ax", "m/s2"}, {"ay", "m/s2"}}};
 
-/// Of a structure; forces are those of BodyForces.
+/// The columns of a structure, whose forces are those of BodyForces.
 inline constexpr std::array<OutputColumn, 19> body_columns{{time_column,
                                                             {"x", "m"},
                                                             {"y", "m"},
@@ -66,7 +66,7 @@ inline constexpr std::array<OutputColumn, 19> body_columns{{time_column,
                                                             {"weight_y", "N/m"},
                                                             {"weight_moment", "N"}}};
 
-/// Of a monitor that moves with a rigid structure.
+/// The columns of a monitor that moves with a rigid structure.
 inline constexpr std::array<OutputColumn, 9> body_monitor_columns{{time_column,
                                                                    {"x", "m"},
                                                                    {"y", "m"},
@@ -77,7 +77,7 @@ inline constexpr std::array<OutputColumn, 9> body_monitor_columns{{time_column,
                                                                    {"ax", "m/s2"},
                                                                    {"ay", "m/s2"}}};
 
-/// Of the mean motion of a sliding mass.
+/// The columns of a sliding mass's mean motion.
 inline constexpr std::array<OutputColumn, 10> sliding_mass_columns{{time_column,
                                                                     {"mass", "kg/m"},
                                                                     {"x", "m"},
