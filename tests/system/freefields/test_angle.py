@@ -13,7 +13,7 @@ sys.path.insert(0, PACKAGE)
 
 import numpy as np
 from angle_cases import DEPTHS, PLACES, PLASTIC, SAND, UNDRAINED, WATER, FlatWorkspace
-from free_field_cases import ColumnWorkspace
+from free_field_cases import LIQUEFYING, ColumnWorkspace, stages
 from tremolo import Run, pore_pressure
 
 ANGLE, ROCK_SPEED = 15.0, 760.0  # degrees, m/s
@@ -76,26 +76,7 @@ class FlatDomain(unittest.TestCase):
         self.alike(0.02, 0.05, ground=SAND, velocity=0.2, water=WATER)
 
 
-LIQUEFYING = """
-[water]
-level = -2.0
-
-[[profile]]
-thickness = 20.0
-soil = "sand"
-
-[soil.sand]
-library = "pm4sand_dr35"
-permeability = 1e-4
-rest_coefficient = 0.5
-
-[[stage]]
-kind = "gravity"
-
-[[stage]]
-kind = "shaking"
-duration_s = 4.0
-"""
+SAND_UNDER_WATER = LIQUEFYING + stages(4.0)
 PULSE = 'pulse = { shape = "ricker", frequency = 1.5, time = 1.5, velocity = 0.2 }'
 
 
@@ -110,7 +91,7 @@ class Column(unittest.TestCase):
         """r_u, settlement, stress paths and books as of the vertical column; at 0.01 degrees its pore pressure."""
         peaks = {}
         for angle in (0.0, 0.01, 10.0):
-            with self.at(angle, LIQUEFYING) as work:
+            with self.at(angle, SAND_UNDER_WATER) as work:
                 result = work.command("column", work.case, "--model", "fe", "--out", "out.h5", "--depths", "3,8,15", "--duration", "4")
                 self.assertEqual(0, result.returncode, result.stderr)
                 for words in ("largest r_u", "settlement", "of the energy given"):
@@ -124,11 +105,11 @@ class Column(unittest.TestCase):
                                                "saturated soil 'sand'"),
                                   (10.0, "mpm", "knows vertical incidence only, .*; use model = \"fe\""),
                                   (10.0, "ode", "knows vertical incidence only, .*; use model = \"fe\"")):
-            with self.at(angle, LIQUEFYING) as work:
+            with self.at(angle, SAND_UNDER_WATER) as work:
                 result = work.command("column", work.case, "--model", model, "--out", "out.h5")
                 self.assertEqual(2, result.returncode, result.stdout)
                 self.assertRegex(result.stderr, why)
-        with self.at(10.0, LIQUEFYING) as work:
+        with self.at(10.0, SAND_UNDER_WATER) as work:
             work.case.write_text(work.case.read_text().replace("[fe]\n", '[fe]\nintegrator = "newmark"\n'))
             result = work.command("column", work.case, "--model", "fe", "--out", "out.h5")
             self.assertIn("remove 'integrator'", result.stderr)

@@ -12,10 +12,10 @@ sys.path.insert(0, PACKAGE)
 
 import h5py
 import numpy as np
-from free_field_cases import ColumnWorkspace
+from free_field_cases import LIQUEFYING, ColumnWorkspace, stages
 from tremolo import column, pore_pressure
 
-STAGES = '\n[[stage]]\nkind = "gravity"\n\n[[stage]]\nkind = "shaking"\nduration_s = 5.0\n'
+STAGES = stages(5.0)
 
 # n = 0.4, rho = 1990 kg/m3 below the table, 2 m deep, and 1590 above.
 ELASTIC = """
@@ -34,19 +34,7 @@ young = 150e6
 poisson = 0.25
 """ + STAGES
 
-LIQUEFYING = """
-[water]
-level = -2.0
-
-[[profile]]
-thickness = 20.0
-soil = "sand"
-
-[soil.sand]
-library = "pm4sand_dr35"
-permeability = 1e-4
-rest_coefficient = 0.5
-damping = 0.005
+DAMPED_LIQUEFYING = LIQUEFYING + """damping = 0.005
 
 [damping]
 model = "kelvin_voigt"
@@ -95,7 +83,7 @@ class Liquefying(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.work = ColumnWorkspace(TREMOLO, ground=LIQUEFYING + CELLS, motion=SHEAR, size=1.0).__enter__()
+        cls.work = ColumnWorkspace(TREMOLO, ground=DAMPED_LIQUEFYING + CELLS, motion=SHEAR, size=1.0).__enter__()
         cls.result = cls.column(cls.model, "out.h5", "--plot")
         cls.file = cls.work.path / "out.h5"
 
