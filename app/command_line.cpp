@@ -11,11 +11,51 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <type_traits>
 
 namespace tremolo::app {
+
+namespace {
+
+/// A check of a number by its range. CLI11's own checks let a NaN pass, and print bounds with all their
+/// digits.
+/// @param range  "> 0", as help and messages name it
+CLI::Validator number_in(const std::string& range, const std::function<bool(double)>& holds) {
+  const auto check = [range, holds](const std::string& word) {
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    if (end == word.c_str() || *end != '\0')
+      return fmt::format("'{}' is no number; it must be {}", word, range);
+    return holds(value) ? std::string() : fmt::format("{} must be {}", word, range);
+  };
+  return {check, "number " + range};
+}
+
+template <class Value>
+CLI::Validator number_between(Value least, Value most) {
+  return number_in(fmt::format("in [{:g}, {:g}]", static_cast<double>(least), static_cast<double>(most)),
+                   [least, most](double value) { return least <= value && value <= most; });
+}
+
+/// A check of a path that must exist as a folder, or as anything but a folder.
+CLI::Validator path_to(bool folder) {
+  const auto check = [folder](const std::string& path) {
+    std::error_code trouble;
+    if (!std::filesystem::exists(path, trouble))
+      return fmt::format("there is no {} {}", folder ? "folder" : "file", path);
+    if (std::filesystem::is_directory(path, trouble) != folder)
+      return fmt::format("{} is a {}; give a {}", path, folder ? "file" : "folder",
+                         folder ? "folder" : "file");
+    return std::string();
+  };
+  return {check, folder ? "DIR" : "FILE"};
+}
+
+} // namespace
 
 Option* Option::required() {
   option_.required();
@@ -29,32 +69,32 @@ Option* Option::one_of(std::vector<std::string> values) {
 }
 
 Option* Option::existing_file() {
-  option_.check(CLI::ExistingFile);
+  option_.check(path_to(false));
   return this;
 }
 
 Option* Option::existing_folder() {
-  option_.check(CLI::ExistingDirectory);
+  option_.check(path_to(true));
   return this;
 }
 
 Option* Option::positive() {
-  option_.check(CLI::PositiveNumber);
+  option_.check(number_in("> 0", [](double value) { return value > 0.0; }));
   return this;
 }
 
 Option* Option::non_negative() {
-  option_.check(CLI::NonNegativeNumber);
+  option_.check(number_in(">= 0", [](double value) { return value >= 0.0; }));
   return this;
 }
 
 Option* Option::between(int least, int most) {
-  option_.check(CLI::Range(least, most));
+  option_.check(number_between(least, most));
   return this;
 }
 
 Option* Option::between(double least, double most) {
-  option_.check(CLI::Range(least, most));
+  option_.check(number_between(least, most));
   return this;
 }
 
@@ -141,7 +181,7 @@ void Command::add_relay(const std::string& name, const std::string& description,
 
 namespace {
 
-/// CLI11's own checks of a range let a NaN pass.
+/// Refuses NaN and infinity where an option has no range of its own.
 std::string finite(const std::string& word) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);

@@ -129,7 +129,8 @@ endfunction()
 
 # tremolo_rank_test(name RANKS 2 3 ... LABELS fast ... SOURCES a.cpp ... DEPENDS tremolo::x ... [TIMEOUT seconds])
 # A GoogleTest program whose processes are the ranks of one domain; run by mpirun with each number of them. Without MPI
-# it runs alone and skips its tests. More than two ranks are more than CI has cores, and no longer fast.
+# it runs alone and skips its tests. More than two ranks are more than CI has cores, and no longer fast; more than three
+# are a test of acceptance.
 function(tremolo_rank_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "RANKS;SOURCES;DEPENDS;LABELS" ${ARGN})
   tremolo_wants_test(wanted ${ARG_LABELS})
@@ -159,12 +160,16 @@ function(tremolo_rank_test name)
   foreach(test ${tests})
     string(REGEX MATCH "[0-9]+$" ranks ${test})
     set(labels ${ARG_LABELS})
-    if(ranks GREATER 2)
+    set(timeout ${ARG_TIMEOUT})
+    if(ranks GREATER 3)
+      set(labels acceptance)
+      set(timeout ${TREMOLO_ACCEPTANCE_TIMEOUT})
+    elseif(ranks GREATER 2)
       set(labels verification)
     endif()
-    set_tests_properties(${test} PROPERTIES LABELS "${labels}")
+    set_tests_properties(${test} PROPERTIES LABELS "${labels}" TIMEOUT ${timeout})
   endforeach()
-  set_tests_properties(${tests} PROPERTIES TIMEOUT ${ARG_TIMEOUT}
+  set_tests_properties(${tests} PROPERTIES
     SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]"
     ENVIRONMENT "${environment}")
 endfunction()

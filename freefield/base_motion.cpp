@@ -2,6 +2,8 @@
 
 #include "freefield/profile.hpp"
 
+#include <cmath>
+
 namespace tremolo::freefield {
 namespace {
 
@@ -14,13 +16,15 @@ BaseComponent advanced(const BaseComponent& before, double middle, double end, d
 
 } // namespace
 
-Rise rise_to_damped_soil(const Profile& profile) {
+Rise rise_to_damped_soil(const Profile& profile, double slowness_x) {
+  const auto cosine = [&](double speed) { return std::sqrt(1.0 - std::pow(slowness_x * speed, 2)); };
   Rise rise;
   for (auto layer = profile.layers.rbegin(); layer != profile.layers.rend(); ++layer) {
     if (layer->damping_ratio > 0.0)
       return rise;
-    rise.x += layer->thickness / layer->soil.s_wave_speed();
-    rise.y += layer->thickness / layer->soil.p_wave_speed();
+    const double shear = layer->soil.s_wave_speed(), pressure = layer->soil.p_wave_speed();
+    rise.x += layer->thickness / shear * cosine(shear);
+    rise.y += layer->thickness / pressure * cosine(pressure);
   }
   return {}; // nothing is damped
 }

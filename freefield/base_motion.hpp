@@ -4,7 +4,7 @@
 // soil on top (Chopra 2012, Dynamics of Structures, sec. 11.4: c acts on velocities relative to the ground).
 // That is the base's own motion where it is rigid. Over a half-space it is the outcrop motion
 //
-//     v_ref(t) = 2 v_inc(t - t_rise),
+//     v_ref(t) = 2 v_inc(t - t_rise),    at an angle Z^-1 B v_inc(t - t_rise) (marched/base_impedance.hpp),
 //
 // t_rise the time of the incident wave from the base through undamped layers to the lowest damped one: a
 // column that goes on into the rock has the same damping. So no motion of the ground as a whole is braked.
@@ -37,7 +37,8 @@ struct Rise {
   double y = 0.0;
 };
 
-Rise rise_to_damped_soil(const Profile& profile);
+/// @param slowness_x  s, horizontal slowness of the waves, s/m
+Rise rise_to_damped_soil(const Profile& profile, double slowness_x = 0.0);
 
 /// v_ref at a time, m/s.
 Velocity reference_velocity(BaseKind kind, const InputVelocity& input, const Rise& rise, double time);

@@ -61,7 +61,9 @@ void add_docs(Command& app) {
   auto* command = app.add_subcommand(
       "docs", "Write the generated reference of case files, soil tests and commands, pages and JSON schemas");
   const auto options = std::make_shared<Options>();
-  command->add_option("FOLDER", options->folder, "Existing folder to write to")->required();
+  command->add_option("FOLDER", options->folder, "Existing folder to write to")
+      ->required()
+      ->existing_folder();
   command->add_flag("--manual", options->manual,
                     "Write man pages and completions for bash, zsh and fish instead, as share/ of an "
                     "installation holds them");

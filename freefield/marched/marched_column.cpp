@@ -63,23 +63,24 @@ double largest(const std::vector<double>& values) {
 
 double marched_step_limit(const Profile& profile, double max_element_size, double slowness_x,
                           const Damping& damping, double growth) {
-  validate(profile);
-  const ColumnMesh mesh = mesh_profile(profile, max_element_size);
-  const FeSoil soil(profile, mesh);
-  SoilState state = soil.initial();
-  std::vector<double> moduli;
-  soil.p_moduli(state, moduli);
-  for (double& modulus : moduli)
-    modulus *= growth;
-  const WetGrid grid = wet_grid(profile, mesh, damping, false);
-  require_not_critical(mesh, grid, moduli, slowness_x);
-  return step_limit(grid, moduli, slowness_x);
+  RestingColumn rest = resting_column(profile, max_element_size, damping);
+  require_not_critical(rest.mesh, rest.grid, rest.moduli, slowness_x);
+  for (std::size_t e = 0; e < rest.moduli.size(); ++e)
+    if (const auto& law = profile.layers[rest.mesh.element_layer[e]].law;
+        law && materials::traits(*law).follows_pressure)
+      rest.moduli[e] *= growth;
+  if (const std::string reason = critical(rest.mesh, rest.grid, rest.moduli, slowness_x); !reason.empty())
+    throw std::invalid_argument(fmt::format(
+        "with soil {:g} times as stiff, as it may become with its pressure, {}; choose a smaller angle",
+        growth, reason));
+  return step_limit(rest.grid, rest.moduli, slowness_x);
 }
 
 MarchedColumn::MarchedColumn(const Profile& profile, const MarchedSettings& settings, InputVelocity input)
     : settings_(settings), mesh_(mesh_profile(checked(profile, settings), settings.max_element_size)),
       soil_(profile, mesh_), input_(std::move(input)),
       base_(base_impedance(profile.half_space, settings.slowness_x)),
+      rise_(rise_to_damped_soil(profile, settings.slowness_x)),
       state_(wet_grid(profile, mesh_, settings.damping, false), soil_), trial_(soil_, state_),
       tangent_(mesh_.elements()), u_(mesh_.node_y.size(), Eigen::Vector2d::Zero()),
       increment_(MarchedTrial::values * mesh_.elements()), increment_before_(increment_),
@@ -114,22 +115,27 @@ Eigen::Vector2d MarchedColumn::input(double time) const {
   return {v.x, v.y};
 }
 
-BaseDrive MarchedColumn::drive() const {
+BaseDrive MarchedColumn::drive_to_next() const {
   const auto now = static_cast<double>(steps_);
+  const double end = time_of(now + 1.0);
   if (settings_.base == BaseKind::rigid)
-    return {.half = input(time_of(now + 0.5)), .whole = input(time_of(now + 1.0))};
-  return {.traction = base_.incident * input(time_of(now + 1.0))};
+    return {.half = input(time_of(now + 0.5)), .whole = input(end), .reference = input(end)};
+  const Eigen::Vector2d risen(input(end - rise_.x).x(), input(end - rise_.y).y());
+  return {.traction = base_.incident * input(end),
+          .reference = base_.outgoing.inverse() * (base_.incident * risen)};
 }
 
 void MarchedColumn::step() {
   if (damped_)
     soil_.p_moduli(state_.soil, modulus_);
-  trial_.begin(scheme_, state_, drive(), modulus_);
+  const BaseDrive drive = drive_to_next();
+  trial_.begin(scheme_, state_, drive, modulus_);
   converge();
   for (std::size_t i = 0; i < u_.size(); ++i)
     u_[i] += settings_.time_step * trial_.half()[i].solid;
   ++steps_;
-  count_work();
+  count_work(drive);
+  drive_ = drive;
   trial_.accept(scheme_, state_);
   remember();
   stretch();

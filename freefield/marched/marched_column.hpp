@@ -1,5 +1,6 @@
 #pragma once
 
+#include "freefield/base_motion.hpp"
 #include "freefield/column.hpp"
 #include "freefield/fe/column_mesh.hpp"
 #include "freefield/fe/fe_soil.hpp"
@@ -64,13 +65,13 @@ public:
 private:
   double time_of(double step) const { return settings_.start_time + step * settings_.time_step; }
   Eigen::Vector2d input(double time) const;
-  BaseDrive drive() const;
+  BaseDrive drive_to_next() const;
   void converge();
   void stretch();
   void remember();
   void check();
-  void count_work();
-  void count_base_work();
+  void count_work(const BaseDrive& drive);
+  void count_base_work(const BaseDrive& drive);
   double kinetic_energy() const;
 
   MarchedSettings settings_;
@@ -78,6 +79,8 @@ private:
   FeSoil soil_;
   InputVelocity input_;
   BaseImpedance base_;
+  Rise rise_;
+  BaseDrive drive_; ///< of the last step
   MarchedScheme scheme_;
   MarchedState state_;
   MarchedTrial trial_;
@@ -102,8 +105,8 @@ private:
 };
 
 /// The largest stable step of the column for this profile before it moves, s.
-/// @param growth  by how much moduli of the skeleton may grow
-/// @throws std::invalid_argument if the wave is critical in a layer
+/// @param growth  by how much moduli may grow of soil whose stiffness follows pressure
+/// @throws std::invalid_argument if the wave is critical in a layer, or may become so
 double marched_step_limit(const Profile& profile, double max_element_size, double slowness_x,
                           const Damping& damping, double growth = 1.0);
 

@@ -18,7 +18,7 @@ namespace tremolo::freefield {
 using Eigen::Vector2d;
 
 /// Books the step that the trial has made of the state, before it is accepted.
-void MarchedColumn::count_work() {
+void MarchedColumn::count_work(const BaseDrive& drive) {
   const double dt = settings_.time_step;
   for (std::size_t e = 0; e < mesh_.elements(); ++e) {
     const double length = state_.grid.elements[e].length;
@@ -40,15 +40,20 @@ void MarchedColumn::count_work() {
     spent_.drag += dt * node.porosity() * node.drag * trial_.half()[i].relative.squaredNorm();
     if (scheme_.held(i))
       continue;
-    const auto lost = [&](const NodeVelocity& v) { return node.mass_damping * v.mean(node).dot(v.solid); };
-    spent_.damping += 0.5 * dt * (lost(state_.velocity[i]) + lost(trial_.whole()[i]));
+    const auto brake = [&](const NodeVelocity& v, const Vector2d& reference) {
+      const Vector2d drag = node.mass_damping * (v.mean(node) - reference);
+      spent_.damping += 0.5 * dt * drag.dot(v.solid - reference);
+      spent_.base -= 0.5 * dt * drag.dot(reference);
+    };
+    brake(state_.velocity[i], drive_.reference);
+    brake(trial_.whole()[i], drive.reference);
   }
-  count_base_work();
+  count_base_work(drive);
 }
 
 /// The half-space gives the power of its traction at whole levels; a rigid base gives what its node takes to
 /// move as it does, half a step ahead.
-void MarchedColumn::count_base_work() {
+void MarchedColumn::count_base_work(const BaseDrive& drive) {
   const double dt = settings_.time_step;
   const Vector2d force = trial_.internal_force(state_, 0);
   std::ranges::rotate(base_bracket_, base_bracket_.end() - 1);
@@ -61,8 +66,8 @@ void MarchedColumn::count_base_work() {
   }
   const WetNode& node = state_.grid.nodes.front();
   const NodeVelocity& velocity = trial_.whole().front();
-  const Vector2d traction =
-      trial_.total_force(scheme_, state_, 0) - force + node.mass_damping * velocity.mean(node);
+  const Vector2d traction = trial_.total_force(scheme_, state_, 0) - force +
+                            node.mass_damping * (velocity.mean(node) - drive.reference);
   const double power = traction.dot(velocity.solid);
   spent_.base += 0.5 * dt * (base_power_ + power);
   base_power_ = power;

@@ -40,6 +40,8 @@ struct BaseDrive {
   Eigen::Vector2d half = Eigen::Vector2d::Zero();     ///< velocity of a rigid base half a step ahead, m/s
   Eigen::Vector2d whole = Eigen::Vector2d::Zero();    ///< and at the end of the step
   Eigen::Vector2d traction = Eigen::Vector2d::Zero(); ///< B v_inc at the end of the step, Pa
+  /// v_ref of mass-proportional damping at the end of the step (base_motion.hpp), m/s
+  Eigen::Vector2d reference = Eigen::Vector2d::Zero();
 };
 
 } // namespace tremolo::freefield

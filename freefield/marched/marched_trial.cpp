@@ -109,7 +109,7 @@ void MarchedTrial::find_velocities(const MarchedScheme& scheme, const MarchedSta
       whole_[i] = split_held(node, drive_.whole, fluid, 0.5 * dt);
       continue;
     }
-    Vector2d force = load.force + viscous_force(i);
+    Vector2d force = load.force + viscous_force(i) + node.mass_damping * drive_.reference;
     if (i == 0)
       force += drive_.traction;
     const Vector2d momentum = state.momenta[i].mixture + 0.5 * dt * force - load.lateral;
@@ -163,7 +163,9 @@ Vector2d MarchedTrial::internal_force(const MarchedState& state, std::size_t i) 
 
 Vector2d MarchedTrial::total_force(const MarchedScheme& scheme, const MarchedState& state,
                                    std::size_t i) const {
-  Vector2d force = internal_force(state, i) - scheme.dashpots[i] * whole_[i].mean(state.grid.nodes[i]);
+  const WetNode& node = state.grid.nodes[i];
+  Vector2d force = internal_force(state, i) - scheme.dashpots[i] * whole_[i].mean(node) +
+                   node.mass_damping * drive_.reference;
   if (i == 0)
     force += drive_.traction;
   return force;

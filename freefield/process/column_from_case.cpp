@@ -1,11 +1,13 @@
 #include "freefield/process/column_from_case.hpp"
 
 #include "freefield/fe/fe_column.hpp"
+#include "freefield/marched/marched_column.hpp"
 #include "freefield/oblique/oblique_column.hpp"
 #include "freefield/ode/ode_column.hpp"
 #include "freefield/process/incident_input.hpp"
 #include "freefield/twophase/two_phase_column.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/step/fe_march.hpp"
 #include "scene/plan/wave/motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
@@ -22,6 +24,8 @@ namespace {
 
 /// Share of central differences' stability limit that a column takes if the case names no step.
 constexpr double fraction_of_limit = 0.8;
+/// Stiffness that goes with pressure may double in dilation.
+constexpr double stiffening = 2.0;
 
 materials::Law with_constants(materials::Law law, const materials::Elasticity& elastic) {
   std::visit([&](auto& known) { known.elastic = elastic; }, law);
@@ -75,20 +79,22 @@ Damping damping_from_case(const scene::Case& scene) {
   return KelvinVoigtDamping{scene.damping.reference_hz.value_or(1.0)}; // without it no layer has a ratio
 }
 
-ColumnInput rigid_input(const scene::Case& scene) {
+/// At an angle the base moves as v(t - s x).
+ColumnInput rigid_input(const scene::Case& scene, double x) {
   const scene::Motion motion = scene::motion(scene.motion);
   const bool shear = scene.motion.wave == scene::Wave::sv;
+  const double delay = slowness_from_case(scene) * (x - scene.motion.reference.x);
   return {BaseKind::rigid,
-          [motion, shear](double time) {
-            const double v = motion.velocity(time);
+          [motion, shear, delay](double time) {
+            const double v = motion.velocity(time - delay);
             return shear ? Velocity{v, 0.0} : Velocity{0.0, v};
           },
-          motion.begin(), motion.highest_frequency()};
+          motion.begin() + delay, motion.highest_frequency()};
 }
 
 ColumnInput input_from_case(const scene::Case& scene, const scene::SourceProcess& source, double x,
                             double base) {
-  return scene.motion.kind == motion::MotionKind::within ? rigid_input(scene)
+  return scene.motion.kind == motion::MotionKind::within ? rigid_input(scene, x)
                                                          : incident_input(scene, source, x, base);
 }
 
@@ -136,10 +142,9 @@ std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profi
   return std::make_unique<FeColumn>(profile, settings, input.velocity);
 }
 
-/// Soil and water with velocities of their own. Stiffness that goes with pressure may double in dilation.
+/// Soil and water with velocities of their own.
 std::unique_ptr<Column> two_phase_column(const scene::Case& scene, const Profile& profile,
                                          const ColumnInput& input, double start) {
-  constexpr double growth = 2.0;
   TwoPhaseSettings settings;
   settings.max_element_size = scene.fe.element_size;
   settings.damping = damping_from_case(scene);
@@ -149,9 +154,28 @@ std::unique_ptr<Column> two_phase_column(const scene::Case& scene, const Profile
   };
   if (scene.fe.dt)
     require_step(scene, limit(1.0));
-  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_of_limit * limit(growth);
+  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_of_limit * limit(stiffening);
   settings.start_time = start - 2.0 * settings.time_step;
   return std::make_unique<TwoPhaseColumn>(profile, settings, input.velocity);
+}
+
+/// Any soil and its water under a wave at an angle.
+std::unique_ptr<Column> marched_column(const scene::Case& scene, const Profile& profile,
+                                       const ColumnInput& input, double start) {
+  MarchedSettings settings;
+  settings.max_element_size = scene.fe.element_size;
+  settings.slowness_x = slowness_from_case(scene);
+  settings.damping = damping_from_case(scene);
+  settings.base = input.base;
+  const auto limit = [&](double growth) {
+    return marched_step_limit(profile, settings.max_element_size, settings.slowness_x, settings.damping,
+                              growth);
+  };
+  if (scene.fe.dt)
+    require_step(scene, limit(1.0));
+  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_of_limit * limit(stiffening);
+  settings.start_time = start - 2.0 * settings.time_step;
+  return std::make_unique<MarchedColumn>(profile, settings, input.velocity);
 }
 
 OdeMethod method_of(scene::OdeMethod method) {
@@ -208,9 +232,15 @@ std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::
   };
   switch (source.field.model) {
   case scene::SourceModel::fe:
-    if (scene.water)
+    switch (scene::fe_march(scene, scene::layers(scene, source))) {
+    case scene::FeMarch::one_phase:
+      return made(scene.fe.element_size, fe_column);
+    case scene::FeMarch::two_phases:
       return made(scene.fe.element_size, two_phase_column, Water::two_phases);
-    return made(scene.fe.element_size, fe_column);
+    case scene::FeMarch::at_an_angle:
+      return made(scene.fe.element_size, marched_column, Water::two_phases);
+    }
+    throw std::logic_error("a march without a column");
   case scene::SourceModel::ode:
     return made(scene.ode.cell_size, ode_column);
   case scene::SourceModel::oblique:

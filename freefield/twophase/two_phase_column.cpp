@@ -43,15 +43,10 @@ const Profile& checked(const Profile& profile, const TwoPhaseSettings& settings)
 
 double two_phase_step_limit(const Profile& profile, double max_element_size, const Damping& damping,
                             double growth) {
-  validate(profile);
-  const ColumnMesh mesh = mesh_profile(profile, max_element_size);
-  const FeSoil soil(profile, mesh);
-  SoilState state = soil.initial();
-  std::vector<double> moduli;
-  soil.p_moduli(state, moduli);
-  for (double& modulus : moduli)
+  RestingColumn rest = resting_column(profile, max_element_size, damping);
+  for (double& modulus : rest.moduli)
     modulus *= growth;
-  return step_limit(wet_grid(profile, mesh, damping, false), moduli);
+  return step_limit(rest.grid, rest.moduli);
 }
 
 TwoPhaseColumn::TwoPhaseColumn(const Profile& profile, const TwoPhaseSettings& settings, InputVelocity input)
@@ -216,6 +211,7 @@ void TwoPhaseColumn::remember() {
     now.a[i] = {per_step * (x1.solid - x0.solid), per_step * (y1.solid - y0.solid)};
     now.a_fluid[i] = {per_step * (x1.fluid - x0.fluid), per_step * (y1.fluid - y0.fluid)};
     now.flux[i] = grid_.nodes[i].porosity() * (y1.fluid - y1.solid);
+    now.flux_x[i] = 0.5 * grid_.nodes[i].porosity() * (x0.fluid - x0.solid + x1.fluid - x1.solid);
     finite += now.a[i].x + now.a[i].y + now.a_fluid[i].x + now.a_fluid[i].y;
   }
   if (!std::isfinite(finite)) {

@@ -1,6 +1,7 @@
 #include "freefield/twophase/wet_checks.hpp"
 
 #include "base/require.hpp"
+#include "freefield/fe/fe_soil.hpp"
 
 #include <fmt/format.h>
 
@@ -22,6 +23,16 @@ void validate_march(const Profile& profile, const Damping& damping, double time_
   });
   require(!flows || profile.gravity > 0.0, "gravity where water flows", profile.gravity,
           "positive, in m/s2: hydraulic conductivity is made for it");
+}
+
+RestingColumn resting_column(const Profile& profile, double max_element_size, const Damping& damping) {
+  validate(profile);
+  RestingColumn column{mesh_profile(profile, max_element_size), {}, {}};
+  const FeSoil soil(profile, column.mesh);
+  SoilState state = soil.initial();
+  soil.p_moduli(state, column.moduli);
+  column.grid = wet_grid(profile, column.mesh, damping, false);
+  return column;
 }
 
 void require_pores(const WetGrid& grid, const ColumnMesh& mesh, double time) {

@@ -8,12 +8,25 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace tremolo::freefield {
 
 /// What every column of soil and water asks of its ground and its steps.
 /// @throws std::invalid_argument naming the quantity, its value and the allowed range
 void validate_march(const Profile& profile, const Damping& damping, double time_step, double start_time);
+
+/// A column before it moves.
+struct RestingColumn {
+  ColumnMesh mesh;
+  WetGrid grid;
+  std::vector<double> moduli; ///< M of the skeleton in each element, Pa
+};
+
+/// @throws std::invalid_argument for a profile with values out of range, or an initial stress beyond the
+/// soil's
+///         strength
+RestingColumn resting_column(const Profile& profile, double max_element_size, const Damping& damping);
 
 /// @throws std::runtime_error where an element has strained so much that its porosity has left 0.01 to 0.95
 void require_pores(const WetGrid& grid, const ColumnMesh& mesh, double time);

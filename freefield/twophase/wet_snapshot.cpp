@@ -70,8 +70,12 @@ ColumnSample motion_at(const WetSnapshot& snapshot, const ColumnMesh& mesh, cons
   sample.vy_rate = at(snapshot.a, &Vector::y);
   if (element.flows()) {
     const double mass = element.solid_share + element.fluid_share;
-    sample.vy +=
-        element.fluid_density / mass * std::lerp(snapshot.flux[e], snapshot.flux[e + 1], place.fraction);
+    const auto flux = [&](const std::vector<double>& nodal) {
+      return element.fluid_density / mass * std::lerp(nodal[e], nodal[e + 1], place.fraction);
+    };
+    sample.vx += flux(snapshot.flux_x);
+    sample.vy += flux(snapshot.flux);
+    sample.vx_rate += element.fluid_share / mass * (at(snapshot.a_fluid, &Vector::x) - sample.vx_rate);
     sample.vy_rate += element.fluid_share / mass * (at(snapshot.a_fluid, &Vector::y) - sample.vy_rate);
   }
   sample.ux = at(snapshot.u, &Vector::x);

@@ -21,13 +21,14 @@ struct WetSnapshot {
   std::vector<Vector> a;       ///< acceleration of the solid, m/s2
   std::vector<Vector> a_fluid; ///< of the fluid; where none flows, of the solid
   std::vector<double> flux;    ///< Darcy flux n w, upwards, m/s
+  std::vector<double> flux_x;  ///< and sideways
   // At the element centres, excess over the state at rest, Pa; stress effective, damping included.
   std::vector<double> sxx, syy, sxy;
   std::vector<double> pressure; ///< excess pore pressure, not below cavitation
 
   explicit WetSnapshot(std::size_t elements)
       : u(elements + 1), v(elements + 1), a(elements + 1), a_fluid(elements + 1), flux(elements + 1),
-        sxx(elements), syy(elements), sxy(elements), pressure(elements) {}
+        flux_x(elements + 1), sxx(elements), syy(elements), sxy(elements), pressure(elements) {}
 };
 
 /// Stress and excess pore pressure at a place, Pa; total stress.

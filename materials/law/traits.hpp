@@ -24,6 +24,7 @@ struct Traits {
   bool total_stress = false;             ///< strength follows no effective stress; pore pressure has no say
   bool unlimited_tension = false;        ///< carries any tension
   bool in_plane = false;                 ///< its p and q are those of the plane, not of the three axes
+  double least_pressure = 0.0; ///< Pa, at which the law holds a mean effective stress that is smaller
 };
 
 } // namespace tremolo::materials

@@ -81,6 +81,18 @@ void check_initial(Kind kind, const InitialState& initial) {
   }
 }
 
+void check_pressure(const materials::Law& law, const InitialState& initial) {
+  const materials::Traits law_traits = traits(law);
+  const double share = law_traits.in_plane ? (1.0 + initial.k0) / 2.0 : (1.0 + 2.0 * initial.k0) / 3.0;
+  if (share * initial.vertical_stress < law_traits.least_pressure)
+    refuse(fmt::format(
+        "vertical_stress = {:g} Pa with k0 = {:g} is a mean stress of {:.4g} Pa, below the {:.4g} Pa at "
+        "which {} holds it: must be at least {:.4g} Pa ({:g} kPa would be {:g}e3)",
+        initial.vertical_stress, initial.k0, share * initial.vertical_stress, law_traits.least_pressure,
+        materials::name(law), law_traits.least_pressure / share, initial.vertical_stress,
+        initial.vertical_stress));
+}
+
 void check_drainage(const SoilTest& test) {
   if (test.drainage == Drainage::undrained) {
     check_positive("pore_stiffness (K_w/n) of an undrained test", test.pore_stiffness);
@@ -109,6 +121,7 @@ void validate(const materials::Law& law, const SoilTest& test) {
   if (test.kind == Kind::path && !std::holds_alternative<Path>(test.loading))
     refuse("a test of the kind \"path\" needs a path as its loading");
   check_initial(test.kind, test.initial);
+  check_pressure(law, test.initial);
   check_drainage(test);
   std::visit([&](const auto& loading) { check_loading(test.kind, loading); }, test.loading);
   check_range("strain_increment", test.strain_increment, 1e-9, 0.05);

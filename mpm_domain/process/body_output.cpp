@@ -1,5 +1,7 @@
 #include "mpm_domain/process/body_output.hpp"
 
+#include "mpm_domain/process/add_history.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -10,51 +12,6 @@
 namespace tremolo::mpm_domain {
 
 namespace {
-
-/// Columns of a body's history; forces are those of BodyForces.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 19> body_columns{
-    {{"time", "s"},
-     {"x", "m"},
-     {"y", "m"},
-     {"tilt", "rad"},
-     {"vx", "m/s"},
-     {"vy", "m/s"},
-     {"spin", "rad/s"},
-     {"normal_x", "N/m"},
-     {"normal_y", "N/m"},
-     {"normal_moment", "N"},
-     {"friction_x", "N/m"},
-     {"friction_y", "N/m"},
-     {"friction_moment", "N"},
-     {"water_x", "N/m"},
-     {"water_y", "N/m"},
-     {"water_moment", "N"},
-     {"weight_x", "N/m"},
-     {"weight_y", "N/m"},
-     {"weight_moment", "N"}}};
-
-/// Columns of a monitor that moves with a body.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> follower_columns{{{"time", "s"},
-                                                                                         {"x", "m"},
-                                                                                         {"y", "m"},
-                                                                                         {"ux", "m"},
-                                                                                         {"uy", "m"},
-                                                                                         {"vx", "m/s"},
-                                                                                         {"vy", "m/s"},
-                                                                                         {"ax", "m/s2"},
-                                                                                         {"ay", "m/s2"}}};
-
-results::TimeSeries& add(results::RunWriter& writer, const std::string& path,
-                         std::span<const std::pair<std::string_view, std::string_view>> table,
-                         std::span<const results::Attribute> attributes) {
-  std::vector<std::string> columns;
-  std::vector<std::string> units;
-  for (const auto& [name, unit] : table) {
-    columns.emplace_back(name);
-    units.emplace_back(unit);
-  }
-  return writer.add_series(path, columns, units, attributes);
-}
 
 /// x and y of one corner after the other.
 std::vector<double> flat(const std::vector<Vector>& corners) {
@@ -103,7 +60,7 @@ BodyOutput::BodyOutput(const scene::Case& scene, const Domain& domain, results::
     if (const std::vector<Vector> hole = body.hole(); !hole.empty())
       attributes.push_back({"hole", flat(hole)});
     const std::string path = "/bodies/" + body.name();
-    bodies_.push_back(&add(writer, path, body_columns, attributes));
+    bodies_.push_back(&add_history(writer, path, body_columns, attributes));
     series_.emplace_back(path, bodies_.back());
     names.push_back(body.name());
     if (domain.contact.is_elastic(names.size() - 1))
@@ -115,8 +72,9 @@ BodyOutput::BodyOutput(const scene::Case& scene, const Domain& domain, results::
     if (!monitor.structure || domain.contact.is_elastic(*monitor.structure))
       continue;
     const std::string path = "/monitors/" + monitor.name;
-    results::TimeSeries& series = add(writer, path, follower_columns,
-                                      std::array{results::Attribute{"structure", names[*monitor.structure]}});
+    results::TimeSeries& series =
+        add_history(writer, path, body_monitor_columns,
+                    std::array{results::Attribute{"structure", names[*monitor.structure]}});
     const Vector& start = bodies[*monitor.structure].start();
     followers_.push_back(
         {*monitor.structure, {monitor.point.x - start.x, monitor.point.y - start.y}, {}, {}, &series});

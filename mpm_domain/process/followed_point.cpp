@@ -69,14 +69,10 @@ void FollowedPoint::find_neighbours(const Particles& set) {
   }
 }
 
-std::vector<FollowedPoint::Column> FollowedPoint::columns(const scene::Case& scene) {
-  std::vector<Column> columns{{"x", "m"},    {"y", "m"},     {"ux", "m"},    {"uy", "m"},   {"vx", "m/s"},
-                              {"vy", "m/s"}, {"ax", "m/s2"}, {"ay", "m/s2"}, {"sxx", "Pa"}, {"syy", "Pa"},
-                              {"szz", "Pa"}, {"sxy", "Pa"},  {"exx", "1"},   {"eyy", "1"},  {"gxy", "1"}};
-  if (scene.water) {
-    columns.push_back({"pore_pressure", "Pa"});
-    columns.push_back({"pore_pressure_ratio", "1"});
-  }
+std::vector<OutputColumn> FollowedPoint::columns(const scene::Case& scene) {
+  std::vector<OutputColumn> columns(followed_point_columns.begin(), followed_point_columns.end());
+  if (scene.water)
+    columns.insert(columns.end(), followed_water_columns.begin(), followed_water_columns.end());
   return columns;
 }
 

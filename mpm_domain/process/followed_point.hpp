@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/spec/output_columns.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "mpm_domain/transfer/picture.hpp"
 #include "scene/case.hpp"
@@ -54,10 +55,7 @@ public:
   FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure = std::nullopt);
 
   /// Names and units of what values() gives.
-  struct Column {
-    std::string name, unit;
-  };
-  static std::vector<Column> columns(const scene::Case& scene);
+  static std::vector<OutputColumn> columns(const scene::Case& scene);
 
   /// Appends place, displacement, velocity, acceleration, effective stress, strain and, in a case with water,
   /// pore pressure and its ratio, as columns() names them. Strain is NaN where the soil has too few particles

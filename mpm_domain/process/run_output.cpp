@@ -1,5 +1,6 @@
 #include "mpm_domain/process/run_output.hpp"
 
+#include "mpm_domain/process/add_history.hpp"
 #include "results/run_checksums.hpp"
 #include "results/stored_fields.hpp"
 
@@ -43,8 +44,6 @@ constexpr std::array<std::string_view, 7> field_order{"position",     "soil",   
                                                       "acceleration", "stress", "volume"};
 
 constexpr const char* table_path = "/shaking_table";
-const std::array<std::string, 7> table_columns{"time", "ux", "uy", "vx", "vy", "ax", "ay"};
-const std::array<std::string, 7> table_units{"s", "m", "m", "m/s", "m/s", "m/s2", "m/s2"};
 
 /// A field of a frame that particles carry.
 struct CarriedField {
@@ -231,13 +230,13 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
 
   std::vector<std::string> columns{"time"};
   std::vector<std::string> units{"s"};
-  for (const std::string_view column : EnergyLedger::columns) {
+  for (const std::string_view column : energy_columns) {
     columns.emplace_back(column);
     units.emplace_back("J/m");
   }
   energy_ = &writer_.add_series("/energy", columns, units);
   if (domain.boundary.rigid_base())
-    table_ = &writer_.add_series(table_path, table_columns, table_units);
+    table_ = &add_history(writer_, table_path, table_columns);
   add_monitors();
   add_lines();
   writer_.set_boundary(boundary_faces(domain, face_sources));
@@ -274,8 +273,8 @@ void RunOutput::add_followers(const std::string& path, const std::vector<Followe
   std::vector<std::string> units{"s"};
   for (std::size_t k = 0; k < points.size(); ++k)
     for (const auto& [name, unit] : FollowedPoint::columns(scene_)) {
-      names.push_back(numbered ? fmt::format("{}{}", name, k) : name);
-      units.push_back(unit);
+      names.push_back(numbered ? fmt::format("{}{}", name, k) : std::string(name));
+      units.emplace_back(unit);
     }
   followers_.push_back({path, points, &writer_.add_series(path, names, units, attributes)});
 }

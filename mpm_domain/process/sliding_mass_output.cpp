@@ -1,5 +1,6 @@
 #include "mpm_domain/process/sliding_mass_output.hpp"
 
+#include "mpm_domain/process/add_history.hpp"
 #include "mpm_domain/process/followed_point.hpp"
 
 #include <algorithm>
@@ -8,9 +9,6 @@
 namespace tremolo::mpm_domain {
 
 namespace {
-
-const std::array<std::string, 10> columns{"time", "mass", "x", "y", "ux", "uy", "vx", "vy", "ax", "ay"};
-const std::array<std::string, 10> units{"s", "kg/m", "m", "m", "m", "m", "m/s", "m/s", "m/s2", "m/s2"};
 
 /// The mass of a particle with the water in its pores, kg/m: the water moves with the grains nearly enough.
 double whole_mass(const Particles& set, std::size_t k) {
@@ -49,8 +47,8 @@ SlidingMassOutput::SlidingMassOutput(const scene::Case& scene, results::RunWrite
     for (const scene::Point& corner : mass.outline.corners)
       outline.insert(outline.end(), {corner.x, corner.y});
     const std::string path = "/sliding_masses/" + mass.name;
-    series_.emplace_back(
-        path, &writer.add_series(path, columns, units, std::array{results::Attribute{"outline", outline}}));
+    series_.emplace_back(path, &add_history(writer, path, sliding_mass_columns,
+                                            std::array{results::Attribute{"outline", outline}}));
   }
 }
 

@@ -2,7 +2,7 @@
 
 namespace tremolo::mpm_domain {
 
-std::array<double, 15> EnergyLedger::row() const {
+std::array<double, energy_columns.size()> EnergyLedger::row() const {
   return {kinetic, elastic, plastic, viscous, pore,     drag,     friction,  impact,
           springs, gravity, input,   static_, dashpots, transfer, residual()};
 }

@@ -27,8 +27,9 @@
 // where soil and structures, or two structures, take a common velocity the impulses dissipate `impact`
 // (contact/contact.hpp).
 
+#include "mpm_domain/spec/output_columns.hpp"
+
 #include <array>
-#include <string_view>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -57,11 +58,8 @@ struct EnergyLedger {
            gravity - input - static_ - dashpots - transfer;
   }
 
-  /// Column names and the values of one row of the energy history.
-  static constexpr std::array<std::string_view, 15> columns{
-      "kinetic", "elastic", "plastic", "viscous", "pore",     "drag",     "friction", "impact",
-      "springs", "gravity", "input",   "static",  "dashpots", "transfer", "residual"};
-  std::array<double, 15> row() const;
+  /// The values of one row of the energy history, by energy_columns.
+  std::array<double, energy_columns.size()> row() const;
 
   /// All entries, for a checkpoint, and back.
   std::vector<double> state() const;

@@ -1,5 +1,7 @@
 #include "results/hdf5/growing_dataset.hpp"
 
+#include "base/dataset_size.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,11 +10,6 @@
 namespace tremolo::results {
 namespace {
 
-/// A chunk of this many numbers: its index node then holds 64 chunks, some 4 million numbers, before it must
-/// split.
-constexpr hsize_t chunk_size = 65536;
-constexpr hsize_t fewest_chunk_rows = 64;
-constexpr hsize_t most_chunk_rows = 1024;
 /// The fastest level of zlib: higher ones make a few per cent less of floating-point numbers.
 constexpr unsigned deflate_level = 1;
 
@@ -37,8 +34,7 @@ GrowingDataset::GrowingDataset(Place place, std::string_view name, std::span<con
   std::vector<hsize_t> most = shape_;
   most[0] = H5S_UNLIMITED;
   if (chunk_rows_ == 0) {
-    chunk_rows_ =
-        std::clamp<hsize_t>(chunk_size / std::max<hsize_t>(row_size_, 1), fewest_chunk_rows, most_chunk_rows);
+    chunk_rows_ = rows_of_chunk(row_size_);
   }
   std::vector<hsize_t> chunk = shape_;
   chunk[0] = chunk_rows_;

@@ -1,5 +1,7 @@
 #include "results/hdf5/hdf5_write.hpp"
 
+#include "base/dataset_size.hpp"
+
 #include <fmt/format.h>
 
 #include <fcntl.h>
@@ -17,8 +19,6 @@ namespace {
 
 /// Rows of a compressed chunk: large enough to compress well, small enough to be read in part.
 constexpr hsize_t chunk_rows = 65536;
-/// Bytes of an array that is worth a chunk: the index of chunks takes 2.6 kB in the file.
-constexpr std::size_t fewest_chunk_bytes = 8192;
 
 /// Strings of equal length, one after the other.
 std::string packed(std::span<const std::string> strings, std::size_t length) {

@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::string_view models_meaning =
     "Who computes the free field. `wave`: plane waves in layers, exact, any "
-    "angle. `fe`: finite-element column. `ode`: "
+    "angle. `fe`: finite-element column of soil and water, any law, any angle below the first critical one. "
+    "`ode`: "
     "column by the method of lines with error control. `oblique`: column of "
     "oblique waves in the time domain. `eql`: "
     "equivalent-linear layers. `recording`: served again from a `file`. "

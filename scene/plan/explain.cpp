@@ -166,7 +166,7 @@ std::string explain(const Case& scene, const Plan& plan) {
                   "  time step  {:.4g} s ({:.2f} of the critical {:.4g} s), {} steps for {} s of shaking\n"
                   "             {}\n"
                   "  memory     {} of arrays in the domain\n"
-                  "  output     at most {}, {} particle frames\n"
+                  "  output     at most {} in run.h5 and run.xdmf, {} particle frames\n"
                   "  time       about {} on one thread for the shaking, of the order of magnitude\n",
                   plan.particles, plan.cells, cell_sizes_text(plan.levels), levels_text(plan.levels), plan.dt,
                   plan.dt / plan.critical_dt, plan.critical_dt, plan.steps, scene.shaking.duration,

@@ -3,6 +3,7 @@
 #include "mpm_domain/spec/bytes.hpp"
 #include "scene/plan/boundary/springs.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/output/output_size.hpp"
 #include "scene/plan/sources.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/soils/domain_soils.hpp"
@@ -56,14 +57,11 @@ bool any_softens(const Case& scene) {
                              [](const Soil& soil) { return materials::traits(soil.law).softening > 0.0; });
 }
 
-/// Largest number of state variables of a soil, all or those that are written.
-double state_size(const Case& scene, bool written) {
-  std::ptrdiff_t largest = 0;
+/// Largest number of state variables of a soil.
+double state_size(const Case& scene) {
+  std::size_t largest = 0;
   for (const Soil& soil : domain_soils(scene))
-    largest = std::max(largest, std::ranges::count_if(materials::state_variables(soil.law),
-                                                      [written](const materials::StateVariable& variable) {
-                                                        return !written || !variable.internal;
-                                                      }));
+    largest = std::max(largest, materials::state_variables(soil.law).size());
   return static_cast<double>(largest);
 }
 
@@ -170,14 +168,13 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
                                    scene.gravity->acceleration)
                      : "no [[stage]] of kind gravity"},
       {"plasticity", plastic, plastic ? plastic_soils : "no soil has a yield surface",
-       plastic && !hysteretic && !liquefies ? 8.0 * state_size(scene, false) : 0.0,
+       plastic && !hysteretic && !liquefies ? 8.0 * state_size(scene) : 0.0,
        plastic ? plasticity_cost_ns : 0.0},
       {"hysteresis", hysteretic,
        hysteretic ? hysteretic_soils : "no soil has loops from the smallest strain on",
-       hysteretic && !liquefies ? 8.0 * state_size(scene, false) : 0.0,
-       hysteretic ? hysteresis_cost_ns : 0.0},
+       hysteretic && !liquefies ? 8.0 * state_size(scene) : 0.0, hysteretic ? hysteresis_cost_ns : 0.0},
       {"cyclic mobility", liquefies, liquefies ? liquefying_soils : "no soil is sand that liquefies",
-       liquefies ? 8.0 * state_size(scene, false) : 0.0, liquefies ? mobility_cost_ns : 0.0},
+       liquefies ? 8.0 * state_size(scene) : 0.0, liquefies ? mobility_cost_ns : 0.0},
       {"mean dilatation", by_cell,
        by_cell ? "soil that yields sees the mean change of volume of its cell"
                : "no soil yields, or [mesh] dilatation = \"particle\"",
@@ -211,36 +208,6 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
   };
-}
-
-double output_doubles(const Case& scene, OutputField field) {
-  switch (field) {
-  case OutputField::stress:
-    return 4.0;
-  case OutputField::state:
-    return state_size(scene, true);
-  case OutputField::pore_pressure:
-  case OutputField::excess_pore_pressure:
-  case OutputField::pore_pressure_ratio:
-    return 1.0;
-  default:
-    return 2.0;
-  }
-}
-
-/// How many points have a history of their own.
-double followed_points(const Case& scene) {
-  std::size_t count = scene.monitors.size();
-  for (const Line& line : scene.lines)
-    count += points_along(line.from, line.to, line.spacing).size();
-  return static_cast<double>(count);
-}
-
-double output_doubles_per_particle(const Case& scene) {
-  double count = 2.0; // place
-  for (const OutputField field : scene.output.fields)
-    count += output_doubles(scene, field);
-  return count;
 }
 
 } // namespace
@@ -316,13 +283,9 @@ Plan plan(const Case& scene) {
     step_ns += structure.contact_nodes * contact_node_cost_ns;
   }
   result.estimated_time = static_cast<double>(result.steps) * step_ns * 1e-9;
-  result.frames = std::llround(std::floor(scene.shaking.duration / scene.output.every + 1e-9)) + 1;
-  const double rows = scene.shaking.duration / scene.output.history_every;
-  result.output_bytes =
-      8.0 * (static_cast<double>(result.frames) * particles * output_doubles_per_particle(scene) +
-             rows * (followed_points(scene) * (scene.water ? 17.0 : 15.0) +
-                     static_cast<double>(scene.sliding_masses.size()) * 10.0 +
-                     static_cast<double>(scene.structures.size()) * 19.0 + 16.0));
+  const double every = std::max(scene.output.every, result.dt); // a step writes one frame at most
+  result.frames = std::llround(std::floor(scene.shaking.duration / every + 1e-9)) + 1;
+  result.output_bytes = output_bytes(scene, result);
   return result;
 }
 

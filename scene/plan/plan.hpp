@@ -55,7 +55,7 @@ struct Plan {
   std::int64_t steps = 0;      ///< of the shaking stage
   std::int64_t frames = 0;     ///< particle frames written
   double memory_bytes = 0.0;   ///< of the domain process
-  double output_bytes = 0.0;   ///< of the run file
+  double output_bytes = 0.0;   ///< of run.h5 and run.xdmf, at most
   double estimated_time = 0.0; ///< wall-clock of the shaking stage on one thread, s
 };
 

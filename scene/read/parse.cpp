@@ -56,11 +56,13 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
     record_is_readable(scene, findings);
   for (const auto rule :
        {models_take_the_wave, damping_suits_models, soils_suit_models, stress_at_rest_is_carried,
-        reference_lies_in_halfspace, columns_have_cells, wet_soil_has_pores, water_is_marched_explicitly})
+        reference_lies_in_halfspace, columns_have_cells, wet_soil_has_pores, fe_is_marched_explicitly})
     rule(scene, findings);
   // The others know grains and water together, whose stress they take no part of from gravity.
-  if (model == SourceModel::fe || model == SourceModel::mpm)
+  if (model == SourceModel::fe || model == SourceModel::mpm) {
     water_has_weight(scene, findings);
+    sand_has_weight(scene, findings);
+  }
 
   findings.throw_if_any();
   findings.grade(Severity::warning);

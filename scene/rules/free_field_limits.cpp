@@ -22,13 +22,34 @@ bool in_frequency_domain(SourceModel model) {
   return model == wave || model == eql;
 }
 
-/// The largest P-wave speed that an oblique column meets, m/s. At a horizontal slowness of 1/c_p or more the
-/// column's initial-value problem is ill posed.
-double fastest(const Case& scene, const std::vector<Layer>& layers) {
-  double speed = scene.halfspace.p_wave_speed();
-  for (const Layer& layer : layers)
-    speed = std::max(speed, layer.elastic.p_wave_speed());
-  return speed;
+/// Where a wave is the fastest, and its speed.
+struct Fastest {
+  double speed = 0.0; ///< m/s
+  std::string place;
+};
+
+/// c_1, m/s: of P waves, in two phases without drag where water flows.
+double fast_speed(const Case& scene, SourceModel model, const Layer& layer) {
+  if (model == fe && layer.wet) {
+    const Soil& soil = scene.soils[*layer.soil];
+    const double modulus = materials::elasticity(soil.law).p_modulus();
+    if (soil.pores->drainage == materials::Drainage::coupled)
+      return materials::saturated_speeds(modulus, *soil.pores, scene.water->fluid).fast;
+  }
+  return layer.elastic.p_wave_speed();
+}
+
+/// At a horizontal slowness of 1/c_1 or more a column's initial-value problem is ill posed.
+Fastest fastest(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
+  Fastest fastest{scene.halfspace.p_wave_speed(), "the half-space"};
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (const double speed = fast_speed(scene, model, layers[i]); speed > fastest.speed) {
+      fastest = {speed, fmt::format("layer {} from the top", i + 1)};
+      if (layers[i].soil)
+        fastest.place += fmt::format(", {}soil '{}'", layers[i].wet ? "saturated " : "",
+                                     scene.soils[*layers[i].soil].name);
+    }
+  return fastest;
 }
 
 bool damped(const std::vector<Layer>& layers) {
@@ -37,19 +58,20 @@ bool damped(const std::vector<Layer>& layers) {
 
 std::string refused_angle(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
   const double angle = scene.motion.angle_deg;
-  if ((model == fe || model == ode || model == mpm) && angle != 0.0)
+  if ((model == ode || model == mpm) && angle != 0.0)
     return fmt::format("model = \"{}\" knows vertical incidence only, but [motion] angle_deg = {}",
                        name(model), angle);
-  if (model != oblique)
+  if ((model != fe && model != oblique) || angle == 0.0)
     return {};
   const double incident =
       scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
-  const double speed = fastest(scene, layers);
+  const auto [speed, place] = fastest(scene, model, layers);
   if (std::sin(angle * degree) * speed < incident)
     return {};
-  return fmt::format("model = \"oblique\" is possible below {:.2f} degrees only, where no P wave of this "
-                     "profile is beyond its critical angle, but [motion] angle_deg = {}",
-                     std::asin(incident / speed) / degree, angle);
+  return fmt::format(
+      "model = \"{}\" is possible below {:.2f} degrees only, the critical angle of {} (P waves of "
+      "{:.4g} m/s), but [motion] angle_deg = {}",
+      name(model), std::asin(incident / speed) / degree, place, speed, angle);
 }
 
 /// `wave` takes a motion within the ground up again by division, which undamped layers have no answer for.
@@ -139,9 +161,7 @@ std::string refused_soil(const Case& scene, SourceModel model, const std::vector
     if (!layer.soil)
       continue;
     const Soil& soil = scene.soils[*layer.soil];
-    const bool column = model == fe || model == ode || model == oblique;
-    const bool two_phase = model == fe && scene.water;
-    if (column && !two_phase && materials::traits(soil.law).remembers_initial_stress)
+    if ((model == ode || model == oblique) && materials::traits(soil.law).remembers_initial_stress)
       return fmt::format("model = \"{}\" gives its soil no memory of the geostatic stress, with which {} "
                          "(soil '{}') begins",
                          name(model), materials::name(soil.law), soil.name);

@@ -43,7 +43,7 @@ constexpr std::array rules = {
     Rule{Severity::error, dispersion_suits_case},
     Rule{Severity::error, wet_soil_has_pores},
     Rule{Severity::error, water_has_weight},
-    Rule{Severity::error, water_is_marched_explicitly},
+    Rule{Severity::error, fe_is_marched_explicitly},
     Rule{Severity::error, structures_have_names},
     Rule{Severity::error, structures_are_simple},
     Rule{Severity::error, structures_lie_in_mesh},
@@ -83,6 +83,7 @@ constexpr std::array rules = {
     Rule{Severity::warning, soil_holds_its_weight},
     Rule{Severity::warning, profile_is_that_of_side},
     Rule{Severity::warning, structures_slip},
+    Rule{Severity::warning, round_structures_roll},
     Rule{Severity::warning, structures_leave_the_step},
 
     Rule{Severity::note, mesh_resolves_frequencies},

@@ -77,8 +77,9 @@ void dispersion_suits_case(const Case& scene, Findings& findings);
 void wet_soil_has_pores(const Case& scene, Findings& findings);
 /// Pore pressure begins with the hydrostatic one: a gravity stage.
 void water_has_weight(const Case& scene, Findings& findings);
-/// Finite-element columns with pore water are marched by central differences.
-void water_is_marched_explicitly(const Case& scene, Findings& findings);
+/// Finite-element columns of soil and water, of soil that remembers its geostatic stress, and under a wave at
+/// an angle, are marched by central differences.
+void fe_is_marched_explicitly(const Case& scene, Findings& findings);
 /// Names of structures can be those of results, and are different.
 void structures_have_names(const Case& scene, Findings& findings);
 /// Outlines and holes have an area and do not cross themselves, and holes lie inside.
@@ -148,6 +149,8 @@ void water_is_stiffer_than_skeleton(const Case& scene, Findings& findings);
 void sand_has_one_void_ratio(const Case& scene, Findings& findings);
 /// Elastic structures need no shorter steps than the soil.
 void structures_leave_the_step(const Case& scene, Findings& findings);
+/// Bodies that may roll do so at the right pace.
+void round_structures_roll(const Case& scene, Findings& findings);
 /// Friction is the tangent of an angle.
 void structures_slip(const Case& scene, Findings& findings);
 /// Values are of the order that soil, rock, water and structures have in SI units.

@@ -82,7 +82,7 @@ void update(const Pm4Sand& law, const Points& points) {
 }
 
 double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {
-  double p = law.p_A / 200.0;
+  double p = pm4::least_pressure(law);
   for (std::size_t i = 0; i < points.count; ++i) {
     const pm4::Initial start = pm4::load_start(points.state + i * pm4::state_size);
     p = std::max({p, start.p_min, -0.5 * (points.sxx[i] + points.syy[i]) - start.offset.p});
@@ -91,17 +91,18 @@ double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {
   return std::sqrt((law.bulk_ratio + 4.0 / 3.0) * G / law.elastic.density);
 }
 
-Traits traits(const Pm4Sand& /*law*/) {
+Traits traits(const Pm4Sand& law) {
   return {.name = "pm4sand",
           .response = Response::cyclic_mobility,
           .three_dimensional = false,
           .follows_pressure = true,
           .remembers_initial_stress = true,
-          .in_plane = true};
+          .in_plane = true,
+          .least_pressure = pm4::least_pressure(law)};
 }
 
 std::vector<StrengthLine> strength_lines(const Pm4Sand& law) {
-  const auto at = [law](double p) { return pm4::surfaces(law, std::max(p, law.p_A / 200.0), 0.0); };
+  const auto at = [law](double p) { return pm4::surfaces(law, std::max(p, pm4::least_pressure(law)), 0.0); };
   return {{"critical_state", [M = law.M](double p) { return M * p; }},
           {"bounding", [at](double p) { return p * at(p).M_b; }},
           {"dilation", [at](double p) { return p * at(p).M_d; }}};

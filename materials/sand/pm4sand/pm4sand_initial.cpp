@@ -27,7 +27,7 @@ double default_z_max(const Surfaces& surface) {
 State initial_state(const Pm4Sand& law, const Stress& stress) {
   State state;
   Initial& start = state.start;
-  start.p_min = std::max(stress.p, law.p_A) / 200.0;
+  start.p_min = std::max(stress.p / 200.0, least_pressure(law));
   const double p = std::max(stress.p, start.p_min);
   const Surfaces surface = surfaces(law, p, 0.0);
   start.z_max = law.z_max.value_or(default_z_max(surface));

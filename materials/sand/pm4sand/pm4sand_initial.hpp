@@ -15,6 +15,11 @@
 
 namespace tremolo::materials::pm4 {
 
+/// The least p_min, Pa.
+inline double least_pressure(const Pm4Sand& law) {
+  return law.p_A / 200.0;
+}
+
 /// @param stress  compression positive, Pa
 State initial_state(const Pm4Sand& law, const Stress& stress);
 

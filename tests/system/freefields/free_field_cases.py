@@ -171,3 +171,24 @@ def unevenness(run):
             row = velocity[level == y]
             difference = max(difference, (row.max(axis=0) - row.min(axis=0)).max())
     return difference / largest
+
+
+def stages(duration):
+    """Gravity, then so many seconds of shaking."""
+    return f'\n[[stage]]\nkind = "gravity"\n\n[[stage]]\nkind = "shaking"\nduration_s = {duration}\n'
+
+
+# 20 m of loose sand with its water table at 2 m.
+LIQUEFYING = """
+[water]
+level = -2.0
+
+[[profile]]
+thickness = 20.0
+soil = "sand"
+
+[soil.sand]
+library = "pm4sand_dr35"
+permeability = 1e-4
+rest_coefficient = 0.5
+"""

@@ -242,9 +242,9 @@ class Refusals(unittest.TestCase):
         self.assertEqual(1, result.stderr.count("\n"), "said once")
 
     def test_oblique_incidence(self):
-        for model in ("fe", "ode"):
-            self.refused(model, f'"{model}" knows vertical incidence only', angle=15.0)
-        self.refused("oblique", "possible below 30.00 degrees only", angle=31.0)
+        self.refused("ode", '"ode" knows vertical incidence only', angle=15.0)
+        for model in ("fe", "oblique"):
+            self.refused(model, f'"{model}" is possible below 30.00 degrees only, the critical angle of the half-space', angle=31.0)
 
     def test_a_reference_in_the_layers(self):
         for model in ("fe", "wave"):

@@ -179,7 +179,7 @@ TEST_F(MotionCommand, RefusesInOneLine) {
   EXPECT_EQ(error_of(file.string() + " --band 1,80"), "tremolo: band from 1 to 80 Hz: the corners must rise "
                                                       "and lie below the Nyquist frequency, 50 Hz (0 leaves "
                                                       "a side open)\n");
-  EXPECT_THAT(error_of(file.string() + " --damping -1"), HasSubstr("--damping: Value -1 not in range"));
+  EXPECT_THAT(error_of(file.string() + " --damping -1"), HasSubstr("--damping: -1 must be in [0, 0.99]"));
   for (const auto* number : {"--damping nan", "--scale inf", "--shift -inf", "--band 1,nan"})
     EXPECT_THAT(error_of(file.string() + " " + number), HasSubstr("is no finite number")) << number;
   EXPECT_THAT(error_of(file.string() + " --as within"), HasSubstr("from outcrop to within the layers above"));

@@ -16,6 +16,7 @@ sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parent)]
 import h5py
 import numpy as np
 from recorded_case import BoxWorkspace, SlopeWorkspace, differences, model, record, text
+from angle_cases import UNDRAINED, WATER, FlatWorkspace
 
 MIXED = {"left": model("fe"), "right": model("ode"), "base": model("wave")}
 WAVES = {"left": model("wave"), "right": model("wave"), "base": model("wave"), "angle": 15.0}
@@ -41,6 +42,10 @@ class Replay(unittest.TestCase):
     def test_oblique_waves_of_one_source_are_served_to_one_side_and_to_all(self):
         with record(BoxWorkspace(TREMOLO, **WAVES)) as work:
             self.replays(work, [":left", ":right", ":base", ""])
+
+    def test_wet_ground_that_yields_under_a_wave_at_an_angle(self):
+        with record(FlatWorkspace(TREMOLO, ground=UNDRAINED, water=WATER, velocity=0.3, duration=0.7)) as work:
+            self.replays(work, [":left", ""], mode="lockstep")
 
     def test_a_lockstep_run_is_replayed_in_window_mode(self):
         with record(BoxWorkspace(TREMOLO, **MIXED, duration=0.6)) as work:

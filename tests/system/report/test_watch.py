@@ -33,7 +33,9 @@ def got(address, method="GET"):
         return answer.read().decode()
 
 
-class Watch(unittest.TestCase):
+class WatchedRun(unittest.TestCase):
+    """A run that is watched while it goes on."""
+
     def setUp(self):
         # Minutes, were it not aborted.
         # At most 50 frames: a report shows all of them.
@@ -54,6 +56,8 @@ class Watch(unittest.TestCase):
         self.addCleanup(process.kill)
         return process
 
+
+class AcceptancePage(WatchedRun):
     def test_page_follows_the_run_and_aborts_it(self):
         self.assertRegex(self.address, r"^http://127\.0\.0\.1:\d+/\?token=\S{20,}$")
         for refused in (self.address.split("?")[0], self.address[:-1] + "!", self.address.replace("/?", "/abort?")[:-1]):
@@ -95,6 +99,8 @@ class Watch(unittest.TestCase):
         self.assertIn("the run has ended (aborted", self.watch.stdout.readline())
         self.assertEqual([], page.complaints())
 
+
+class Watch(WatchedRun):
     def test_ends_with_its_command_and_then_says_so_on_the_page(self):
         while "progress" not in got(self.address):
             time.sleep(0.5)

@@ -18,9 +18,10 @@ sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parent)]
 import h5py
 from broken_run import (BoxWorkspace, SlopeWorkspace, checkpoints, differences, exchange_differences, killed, model, record,
                         resumed, whole_run, with_checkpoints)
+from angle_cases import UNDRAINED, WATER, FlatWorkspace
 from small_case import SLOPE_BOXES, PeriodicWorkspace, refine, subcycled
 
-KILLS = int(os.environ.get("TREMOLO_RESUME_KILLS", "2"))
+KILLS = int(os.environ.get("TREMOLO_RESUME_KILLS", "1"))
 SEED = int(os.environ.get("TREMOLO_RESUME_SEED", random.randrange(10**6)))
 MIXED = {"left": model("fe"), "right": model("ode"), "base": model("wave")}
 
@@ -79,6 +80,10 @@ class Resume(unittest.TestCase):
         with with_checkpoints(record(BoxWorkspace(TREMOLO, **MIXED, duration=1.0)), every_steps=50, keep=1) as work:
             whole = self.broken_and_resumed(work, "--mode", "lockstep")
             self.assertEqual(1, len(checkpoints(whole)))
+
+    def test_wet_ground_that_yields_under_a_wave_at_an_angle(self):
+        with with_checkpoints(FlatWorkspace(TREMOLO, ground=UNDRAINED, water=WATER, velocity=0.3, duration=0.7), every_steps=500) as work:
+            self.broken_and_resumed(work)
 
     def test_a_slope_with_gravity_and_softening(self):
         with with_checkpoints(SlopeWorkspace(TREMOLO, duration=1.5), every_steps=50) as work:

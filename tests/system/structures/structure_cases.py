@@ -51,7 +51,7 @@ name = "block"
 polygon = [[-2.0, 0.0], [2.0, 0.0], [2.0, 1.0], [-2.0, 1.0]]
 density = 2000.0
 {kind}
-friction = 0.5
+friction = {friction}
 
 [mesh]
 size = 0.5
@@ -85,7 +85,7 @@ history_every_s = 0.005
 class BlockWorkspace(Workspace):
     """4 m by 1 m of concrete on flat elastic ground: 78.48 kN/m."""
 
-    template, defaults = BLOCK, {"velocity": 0.2, "angle": 15.0, "duration": 1.0, "kind": "rigid = true"}
+    template, defaults = BLOCK, {"velocity": 0.2, "angle": 15.0, "duration": 1.0, "kind": "rigid = true", "friction": 0.5}
     weight = 8000.0 * 9.81  # N/m
 
 

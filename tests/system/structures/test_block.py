@@ -111,6 +111,17 @@ friction = 0.6
                 self.assertEqual(0, again.returncode, again.stdout + again.stderr)
                 self.assertEqual([], differences(folder, whole))
 
+    def test_a_sliding_block_has_the_same_bits_for_any_number_of_threads(self):
+        for kind in KINDS:
+            with self.subTest(kind), BlockWorkspace(TREMOLO, kind=kind, friction=0.05) as work:
+                one, *others = (work.run(f"threads_{n}", "--threads", n) for n in (1, 2, 3))
+                with Run(one) as run:
+                    block, ground = run.body("block"), run.monitor("ground")
+                    slip = np.ptp(np.array(block["x"]) - block["x"][0] - np.interp(block["time"], ground["time"], ground["ux"]))
+                    self.assertGreater(slip, 0.01)  # m
+                for other in others:
+                    self.assertEqual([], differences(other, one))
+
     def test_pictures(self):
         for kind in KINDS:
             with self.subTest(kind), BlockWorkspace(TREMOLO, kind=kind) as work:

@@ -36,6 +36,12 @@ TEST(SoilTestInput, RefusesWhatMakesNoSense) {
   expect_refused(test, "vertical_stress");
 
   test = simple_shear(Monotonic{});
+  test.initial = {.vertical_stress = 500.0, .k0 = 0.5}; // of 500 kPa; increments were halved without end
+  const materials::Law sand =
+      materials::pm4sand({.density = 1900.0, .relative_density = 0.55, .G_o = 500.0, .h_po = 0.5});
+  expect_refused(test, "(500 kPa would be 500e3)", sand);
+
+  test = simple_shear(Monotonic{});
   test.pore_stiffness = 1e9;
   expect_refused(test, "pore_stiffness");
   test.drainage = Drainage::undrained;

@@ -198,7 +198,11 @@ TEST(Sand, ColumnsRefuseWhatTheyCannotBegin) {
       "model = \"drucker_prager\"\ndensity = 1700.0\nvs = 100.0\nvp = 200.0\ncohesion = 5e3\n"
       "friction_deg = 30.0\n";
   EXPECT_THAT(errors_of(layered(pm4sand, "fe")),
-              ElementsAre(HasSubstr("with which pm4sand (soil 'layer') begins")));
+              ElementsAre(HasSubstr("[soil.layer] model = \"pm4sand\" begins with the stress that gravity")));
+  EXPECT_THAT(
+      errors_of(with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]", layered(pm4sand, "fe"))),
+      IsEmpty());
+  EXPECT_THAT(errors_of(layered(clay, "fe")), IsEmpty());
   EXPECT_THAT(errors_of(layered(clay, "ode")),
               ElementsAre(HasSubstr("with which multi_yield_clay (soil 'layer')")));
   EXPECT_THAT(errors_of(layered(cone, "ode")),

@@ -176,6 +176,45 @@ TEST_F(GroundWaterCase, WithoutGravityOrWithImplicitStepsItIsRefused) {
               ElementsAre(HasSubstr("marched by central differences")));
 }
 
+/// c_1 of n = 0.4 and M = 51 MPa is 1,859 m/s: SV waves in rock of 760 m/s are critical there from 24.1
+/// degrees on.
+TEST_F(GroundWaterCase, FiniteElementsTakeAnAngleBelowTheCriticalOne) {
+  const auto at = [&](const std::string& angle, std::string_view soil) {
+    return errors(with("angle_deg = 0.0", "angle_deg = " + angle,
+                       with("vp = 1900.0", "vp = 1400.0", ground(join(soil, pores)))));
+  };
+  EXPECT_THAT(at("24.0", elastic), IsEmpty());
+  EXPECT_THAT(at("15.0", pm4sand), IsEmpty());
+  EXPECT_THAT(
+      at("24.5", elastic),
+      ElementsAre(AllOf(HasSubstr("model = \"fe\" is possible below 24.1"),
+                        HasSubstr("the critical angle of layer 2 from the top, saturated soil 'sand' (P "
+                                  "waves of 1859 m/s), but [motion] angle_deg = 24.5"),
+                        HasSubstr("use model = \"wave\""))));
+}
+
+TEST_F(GroundWaterCase, FiniteElementsAtAnAngleAreMarchedExplicitly) {
+  const auto dry = [&](const std::string& angle, const std::string& more) {
+    return errors(with("angle_deg = 0.0", "angle_deg = " + angle,
+                       ground(join(elastic, "density = 1700.0\n"), "", more)));
+  };
+  EXPECT_THAT(dry("0.0", "integrator = \"newmark\"\n"), IsEmpty());
+  EXPECT_THAT(dry("10.0", ""), IsEmpty());
+  EXPECT_THAT(dry("10.0", "integrator = \"newmark\"\n"),
+              ElementsAre(HasSubstr("a column under a wave at an angle is marched by central differences")));
+}
+
+/// Sand without water begins with the stress of its weight as well.
+TEST_F(GroundWaterCase, FiniteElementsTakeDrySandThatHasWeight) {
+  const auto sand = ground(join(pm4sand, "density = 1700.0\n"), "");
+  EXPECT_THAT(errors(sand), IsEmpty());
+  EXPECT_THAT(
+      errors(sand + "integrator = \"newmark\"\n"),
+      ElementsAre(HasSubstr("soil that remembers its geostatic stress is marched by central differences")));
+  EXPECT_THAT(errors(with("[[stage]]\nkind = \"gravity\"\n", "", sand)),
+              ElementsAre(HasSubstr("add a [[stage]] of kind = \"gravity\"")));
+}
+
 TEST_F(GroundWaterCase, IsToldInWords) {
   const auto text = water_text(load_ground(ground(join(elastic, pores))));
   EXPECT_THAT(text, AllOf(HasSubstr("1990 kg/m3 saturated, 1590 dry, 990 buoyant"), HasSubstr("c_u = 16"),

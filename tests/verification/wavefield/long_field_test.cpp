@@ -75,11 +75,11 @@ TEST(LongField, IsTheFieldInViscousLayers) {
             2e-9);
 }
 
-TEST(LongField, IsTheFieldWithTheTailsOfConstantDamping) {
+TEST(AcceptanceLongField, IsTheFieldWithTheTailsOfConstantDamping) {
   EXPECT_LT(difference({ground({DampingModel::hysteretic, 0.0}, 0.05, 0.01), oblique, 0.0, shaking()}), 1e-8);
 }
 
-TEST(LongField, IsTheFieldBeyondTheCriticalAngle) {
+TEST(AcceptanceLongField, IsTheFieldBeyondTheCriticalAngle) {
   const Incidence beyond{WaveType::SV, 0.7, 0.0, -20.0};
   EXPECT_LT(difference({ground({}, 0.0), beyond, 0.0, shaking()}), 1e-8);
 }

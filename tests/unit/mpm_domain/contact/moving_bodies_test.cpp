@@ -7,10 +7,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 namespace {
@@ -88,17 +90,49 @@ TEST(MovingBlock, IsStoppedWhereItLeavesTheModel) {
   EXPECT_THAT(failure_of(scene.stepper, 4000), HasSubstr("structure 'block' has left the model"));
 }
 
-TEST(MovingBlock, GoesOnWithTheSameBitsInTheMiddleOfItsWay) {
+bool touches(const Domain& domain) {
+  return std::ranges::any_of(domain.contact.nodes(0), &ContactNode::tied);
+}
+
+/// Breaks a run off after some time and goes on with it, for as long again.
+/// @returns whether the block touched the ground then, and at the end
+std::pair<bool, bool> go_on_with_the_same_bits(const RigidMotion& motion, double duration) {
   const Spec spec = block_on_ground();
   StandingScene whole(spec);
-  set_motion(whole.domain, 0, {{5.0, 0.0}, 0.0});
-  whole.run(0.4);
+  set_motion(whole.domain, 0, motion);
+  whole.run(duration);
+  const bool touched = touches(whole.domain);
   const SavedState saved = saved_state(whole.domain, whole.stepper);
   StandingScene resumed(spec);
   restore_state(saved, resumed.domain, resumed.stepper);
-  whole.run(0.4);
-  resumed.run(0.4);
+  whole.run(duration);
+  resumed.run(duration);
   expect_same(saved_state(whole.domain, whole.stepper), saved_state(resumed.domain, resumed.stepper));
+  return {touched, touches(whole.domain)};
+}
+
+TEST(MovingBlock, GoesOnWithTheSameBitsInTheMiddleOfItsWay) {
+  EXPECT_EQ(go_on_with_the_same_bits({{5.0, 0.0}, 0.0}, 0.4), std::pair(true, true));
+}
+
+/// It flies for 0.82 s and lands on the whole of its base.
+TEST(MovingBlock, GoesOnWithTheSameBitsInTheMiddleOfItsFlight) {
+  EXPECT_EQ(go_on_with_the_same_bits({{2.0, 4.0}, 0.0}, 0.45), std::pair(false, true));
+}
+
+/// Both tie themselves to the nodes between them, which are light and pass on little of what one does to the
+/// other.
+TEST(TwoBlocks, LessThanACellApartComeToRest) {
+  for (const double of_second : {0.0, 0.8}) {
+    Spec spec = flat_ground(16.0, 4.0, h, {2000.0, 4.8e8, 1.0 / 3.0});
+    spec.structures = {structure(rectangle(-3.5, 0.0, -1.5, 2.0), 2000.0, 0.8),
+                       structure(rectangle(-1.2, 0.0, 0.8, 2.0), 1000.0, of_second)};
+    Domain domain(spec);
+    Reactions reactions;
+    ASSERT_NO_THROW(
+        reactions = relax_under_gravity(domain, {.residual = 1e-8, .max_time = 5.0}, [](long, double) {}));
+    EXPECT_FALSE(reactions.slipping);
+  }
 }
 
 /// What an error elsewhere might do to a particle between two steps.

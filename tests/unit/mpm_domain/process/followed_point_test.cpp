@@ -39,7 +39,7 @@ public:
     point.append_values(Picture(domain_), stepper_, false, row);
     const auto columns = FollowedPoint::columns(scene::parse(scene::testing::flat_case, "flat.toml", "."));
     EXPECT_EQ(columns.size(), row.size());
-    const auto at = std::ranges::find(columns, column, &FollowedPoint::Column::name);
+    const auto at = std::ranges::find(columns, column, &OutputColumn::name);
     return row.at(static_cast<std::size_t>(at - columns.begin()));
   }
 

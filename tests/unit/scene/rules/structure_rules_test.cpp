@@ -189,6 +189,18 @@ TEST(Rules, StructuresSlip) {
               Contains(HasSubstr("warning: [[structure.against]] 'friction' = 20 is more than soil has")));
 }
 
+TEST(Rules, RoundStructuresRoll) {
+  const auto pipe = [](std::string_view centre) {
+    return remarks_of(heavy() + "[[structure]]\nname = \"pipe\"\ncircle = { centre = " + std::string(centre) +
+                      ", radius = 2.0 }\ndensity = 1000.0\nrigid = true\nfriction = 0.5\n");
+  };
+  EXPECT_THAT(
+      pipe("[10.0, 2.0]"),
+      Contains(HasSubstr("warning: [structure.circle] 'circle' is round, lies open and has 4 cells across")));
+  EXPECT_THAT(pipe("[10.0, -5.0]"), Not(Contains(HasSubstr("is round")))); // soil lies above it
+  EXPECT_THAT(remarks_of(with_block()), Not(Contains(HasSubstr("is round"))));
+}
+
 TEST(Rules, MonitorsLieInNoStructure) {
   const std::string buried = outline("[[8.0, -2.0], [12.0, -2.0], [12.0, 4.0], [8.0, 4.0]]");
   const auto monitor = [](const char* point) {

@@ -107,7 +107,9 @@ TEST_F(LightShaft, RisesThoughWaterPressesOnItsSides) {
   RecordProperty("risen_by_wrong_friction", std::to_string(wrong));
 }
 
-TEST_F(LightShaft, FrictionHoldsItBackByTheEffectiveStressThatIsLeft) {
+class AcceptanceLightShaft : public LightShaft {};
+
+TEST_F(AcceptanceLightShaft, FrictionHoldsItBackByTheEffectiveStressThatIsLeft) {
   // The lift less what holds its base is some 19 kN/m. A fifth is left of the earth pressure at rest
   // on both sides, which is 0.43 times the vertical one, 141 kN/m, and friction makes 11 kN/m of it.
   const double smooth = risen(none, 0.0, 0.2);

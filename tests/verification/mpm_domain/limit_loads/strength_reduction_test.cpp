@@ -31,7 +31,7 @@ TEST(StrengthReduction, FindsTheFactorOfGriffithsAndLane) {
     EXPECT_EQ(trial.stands, trial.factor <= found.stands) << trial.factor;
 }
 
-TEST(StrengthReduction, FindsFactorsBelowOne) {
+TEST(AcceptanceStrengthReduction, FindsFactorsBelowOne) {
   const auto found = factor_of_safety(taylor(0.7, 0.3), 0.04, [](const StrengthTrial&) {});
   EXPECT_NEAR(0.5 * (found.stands + found.fails), 0.7, 0.05 * 0.7);
 }

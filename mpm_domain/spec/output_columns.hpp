@@ -1,0 +1,99 @@
+#pragma once
+
+// The columns of the histories in run.h5, for those who write them and for the plan, which says how much it
+// will be. Each history begins with the time.
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace tremolo::mpm_domain {
+
+struct OutputColumn {
+  std::string_view name;
+  std::string_view unit;
+};
+
+inline constexpr OutputColumn time_column{"time", "s"};
+
+/// The columns of /energy, J/m, whose values EnergyLedger gives.
+inline constexpr std::array<std::string_view, 15> energy_columns{
+    "kinetic", "elastic", "plastic", "viscous", "pore",     "drag",     "friction", "impact",
+    "springs", "gravity", "input",   "static",  "dashpots", "transfer", "residual"};
+
+/// The columns of a particle whose motion, effective stress and strain are followed.
+inline constexpr std::array<OutputColumn, 15> followed_point_columns{{{"x", "m"},
+                                                                      {"y", "m"},
+                                                                      {"ux", "m"},
+                                                                      {"uy", "m"},
+                                                                      {"vx", "m/s"},
+                                                                      {"vy", "m/s"},
+                                                                      {"ax", "m/s2"},
+                                                                      {"ay", "m/s2"},
+                                                                      {"sxx", "Pa"},
+                                                                      {"syy", "Pa"},
+                                                                      {"szz", "Pa"},
+                                                                      {"sxy", "Pa"},
+                                                                      {"exx", "1"},
+                                                                      {"eyy", "1"},
+                                                                      {"gxy", "1"}}};
+/// The columns that follow them in a case with water.
+inline constexpr std::array<OutputColumn, 2> followed_water_columns{
+    {{"pore_pressure", "Pa"}, {"pore_pressure_ratio", "1"}}};
+
+/// The columns of a shaking table's motion.
+inline constexpr std::array<OutputColumn, 7> table_columns{
+    {time_column, {"ux", "m"}, {"uy", "m"}, {"vx", "m/s"}, {"vy", "m/s"}, {"ax", "m/s2"}, {"ay", "m/s2"}}};
+
+/// The columns of a structure, whose forces are those of BodyForces.
+inline constexpr std::array<OutputColumn, 19> body_columns{{time_column,
+                                                            {"x", "m"},
+                                                            {"y", "m"},
+                                                            {"tilt", "rad"},
+                                                            {"vx", "m/s"},
+                                                            {"vy", "m/s"},
+                                                            {"spin", "rad/s"},
+                                                            {"normal_x", "N/m"},
+                                                            {"normal_y", "N/m"},
+                                                            {"normal_moment", "N"},
+                                                            {"friction_x", "N/m"},
+                                                            {"friction_y", "N/m"},
+                                                            {"friction_moment", "N"},
+                                                            {"water_x", "N/m"},
+                                                            {"water_y", "N/m"},
+                                                            {"water_moment", "N"},
+                                                            {"weight_x", "N/m"},
+                                                            {"weight_y", "N/m"},
+                                                            {"weight_moment", "N"}}};
+
+/// The columns of a monitor that moves with a rigid structure.
+inline constexpr std::array<OutputColumn, 9> body_monitor_columns{{time_column,
+                                                                   {"x", "m"},
+                                                                   {"y", "m"},
+                                                                   {"ux", "m"},
+                                                                   {"uy", "m"},
+                                                                   {"vx", "m/s"},
+                                                                   {"vy", "m/s"},
+                                                                   {"ax", "m/s2"},
+                                                                   {"ay", "m/s2"}}};
+
+/// The columns of a sliding mass's mean motion.
+inline constexpr std::array<OutputColumn, 10> sliding_mass_columns{{time_column,
+                                                                    {"mass", "kg/m"},
+                                                                    {"x", "m"},
+                                                                    {"y", "m"},
+                                                                    {"ux", "m"},
+                                                                    {"uy", "m"},
+                                                                    {"vx", "m/s"},
+                                                                    {"vy", "m/s"},
+                                                                    {"ax", "m/s2"},
+                                                                    {"ay", "m/s2"}}};
+
+/// Numbers of a face and a row of /boundary: velocity of the free field and of the domain, traction.
+inline constexpr std::size_t numbers_of_face = 6;
+
+/// Numbers of a contact node and a frame of /contact: position, normal, area, three forces; its body as an
+/// integer.
+inline constexpr std::size_t numbers_of_contact_node = 8;
+
+} // namespace tremolo::mpm_domain

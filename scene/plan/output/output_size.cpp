@@ -1,0 +1,160 @@
+#include "scene/plan/output/output_size.hpp"
+
+#include "base/dataset_size.hpp"
+#include "mpm_domain/spec/output_columns.hpp"
+#include "scene/soils/domain_soils.hpp"
+#include "scene/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <vector>
+
+namespace tremolo::scene {
+
+namespace {
+
+// What run.h5 takes without a row or a frame: attributes, room for the links of groups; with structures the
+// frames of /contact have such room too. Room for a link is used up by more than 4,096 frames.
+constexpr double empty_run_bytes = 180e3;
+constexpr double empty_contact_bytes = 170e3;
+constexpr double frame_bytes = 300.0; // its group, time and link
+constexpr double xdmf_field_bytes = 300.0;
+constexpr double other_tables_bytes = 80e3; // the plan, timings, processes and the timeline
+constexpr std::size_t name_bytes = 64;      // of a column and its unit, in texts of equal length
+
+/// Numbers of a particle in each array of a frame; the first are written always.
+std::vector<double> particle_arrays(const Case& scene) {
+  std::vector<double> arrays{2.0, 0.5}; // position; soil, an integer of 4 bytes
+  if (!scene.mesh.refine.empty())
+    arrays.push_back(1.0); // size
+  for (const OutputField field : scene.output.fields)
+    switch (field) {
+    case OutputField::stress:
+      arrays.insert(arrays.end(), {4.0, 1.0}); // with the volume
+      break;
+    case OutputField::state: {
+      std::set<std::string_view> names; // a variable of several soils is one array
+      for (const Soil& soil : domain_soils(scene))
+        for (const materials::StateVariable& variable : materials::state_variables(soil.law))
+          if (!variable.internal && names.insert(variable.name).second)
+            arrays.push_back(1.0);
+      break;
+    }
+    case OutputField::pore_pressure:
+    case OutputField::excess_pore_pressure:
+    case OutputField::pore_pressure_ratio:
+      arrays.push_back(1.0);
+      break;
+    case OutputField::displacement:
+    case OutputField::velocity:
+    case OutputField::acceleration:
+    case OutputField::darcy_velocity:
+      arrays.push_back(2.0);
+      break;
+    }
+  return arrays;
+}
+
+/// A frame's bytes in run.h5 and run.xdmf.
+double frame_of_particles(const Case& scene, double particles) {
+  double bytes = frame_bytes + xdmf_field_bytes;
+  for (const double numbers : particle_arrays(scene)) {
+    const double values = 8.0 * numbers * particles;
+    bytes += values + array_overhead_bytes(values) + xdmf_field_bytes;
+  }
+  return bytes;
+}
+
+double perimeter(const std::vector<Point>& corners) {
+  double length = 0.0;
+  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
+    length += std::hypot(corners[i].x - corners[j].x, corners[i].y - corners[j].y);
+  return length;
+}
+
+/// Nodes at which a body may touch soil: those of the cells that its outline crosses, in rows of three.
+double most_contact_nodes(const Case& scene) {
+  double nodes = 0.0;
+  for (const Structure& structure : scene.structures)
+    nodes += 3.0 * (perimeter(structure.outline.corners) / contact_cell_size(scene) + 4.0);
+  return nodes;
+}
+
+double frame_of_contact(const Case& scene) {
+  if (scene.structures.empty())
+    return 0.0;
+  constexpr double arrays = 7.0;
+  const double values =
+      (8.0 * static_cast<double>(mpm_domain::numbers_of_contact_node) + 4.0) * most_contact_nodes(scene);
+  return frame_bytes + values + arrays * array_overhead_bytes(values / arrays);
+}
+
+/// Points of a polygon whose edges are cut into pieces of a length at most.
+std::size_t points_of(const std::vector<Point>& corners, double spacing) {
+  return corners.size() + static_cast<std::size_t>(perimeter(corners) / spacing);
+}
+
+/// Faces of the boundary, a particle long each, as many at most as if each edge had its finest cells all
+/// along.
+std::size_t most_faces(const Case& scene) {
+  const Box& box = scene.mesh.box;
+  const auto finest = [&](const Box& edge) {
+    int level = 0;
+    for (const Refinement& refine : scene.mesh.refine)
+      if (meet(edge, refine.box))
+        level = std::max(level, refine.level);
+    return scene.mesh.size / static_cast<double>(1 << level) / scene.mesh.particles_per_cell;
+  };
+  const double near = 4.0 * scene.mesh.size; // finer cells reach beyond their box by as much at most
+  const auto cells = [](double length, double size) {
+    return static_cast<std::size_t>(std::ceil(length / size));
+  };
+  return cells(box.height(), finest({box.x_min, box.y_min, box.x_min + near, box.y_max})) +
+         cells(box.height(), finest({box.x_max - near, box.y_min, box.x_max, box.y_max})) +
+         cells(box.width(), finest({box.x_min, box.y_min, box.x_max, box.y_min + near})) + 1;
+}
+
+double histories(const Case& scene, const Plan& plan) {
+  // A step writes one row at most; the last moment's comes on top.
+  const double every = std::max(scene.output.history_every, plan.dt);
+  const auto rows = static_cast<std::size_t>(scene.shaking.duration / every) + 3;
+  const auto table = [&](std::size_t columns) { return growing_table_bytes(columns, rows, name_bytes); };
+  const std::size_t point = mpm_domain::followed_point_columns.size() +
+                            (scene.water ? mpm_domain::followed_water_columns.size() : 0);
+  double bytes = table(1 + mpm_domain::energy_columns.size());
+  if (scene.boundary.has_shaking_table())
+    bytes += table(mpm_domain::table_columns.size());
+  for (const Monitor& monitor : scene.monitors)
+    bytes +=
+        table(monitor.structure ? std::max(mpm_domain::body_monitor_columns.size(), 1 + point) : 1 + point);
+  for (const Line& line : scene.lines)
+    bytes += table(1 + point * points_along(line.from, line.to, line.spacing).size());
+  bytes += static_cast<double>(scene.sliding_masses.size()) * table(mpm_domain::sliding_mass_columns.size());
+  bytes += static_cast<double>(scene.structures.size()) * table(mpm_domain::body_columns.size());
+  const std::size_t faces = most_faces(scene);
+  const std::size_t vectors = mpm_domain::numbers_of_face / 2;
+  bytes += static_cast<double>(vectors) * growing_table_bytes(2 * faces, rows) +
+           growing_table_bytes(1, rows) + static_cast<double>(faces) * (5 * sizeof(double) + name_bytes);
+  const auto frames = static_cast<std::size_t>(plan.frames) + 1;
+  const double spacing = contact_cell_size(scene);
+  for (const Structure& structure : scene.structures)
+    if (structure.stiffness)
+      bytes +=
+          growing_table_bytes(1 + 2 * (points_of(structure.outline.corners, spacing) +
+                                       (structure.hole ? points_of(structure.hole->corners, spacing) : 0)),
+                              frames, name_bytes);
+  return bytes;
+}
+
+} // namespace
+
+double output_bytes(const Case& scene, const Plan& plan) {
+  const double frames = static_cast<double>(plan.frames) + 1.0; // and the last moment's
+  return empty_run_bytes + (scene.structures.empty() ? 0.0 : empty_contact_bytes) +
+         static_cast<double>(scene.text.size()) + other_tables_bytes + histories(scene, plan) +
+         frames * (frame_of_particles(scene, static_cast<double>(plan.particles)) + frame_of_contact(scene));
+}
+
+} // namespace tremolo::scene
