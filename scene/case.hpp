@@ -194,7 +194,8 @@ struct FreeFieldModel {
 
 /// Springs beside the dashpots of a side, as its keys say; scene/plan/boundary/springs.hpp has the rest.
 struct SpringKeys {
-  std::optional<std::array<double, 2>> stiffness; ///< a_n, a_t; none: dashpots alone
+  bool given_up = false;                          ///< dashpots alone
+  std::optional<std::array<double, 2>> stiffness; ///< a_n, a_t; none: as the sides of the model ask for
   std::optional<Point> centre;                    ///< m
 };
 

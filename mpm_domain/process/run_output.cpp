@@ -206,6 +206,25 @@ results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std:
   return faces;
 }
 
+results::Table drift_table(std::span<const FaceDrift> faces) {
+  std::vector<std::string> side;
+  std::vector<double> x, y, dx, dy, share;
+  for (const FaceDrift& face : faces) {
+    side.emplace_back(name(face.side));
+    x.push_back(face.position.x);
+    y.push_back(face.position.y);
+    dx.push_back(face.moved.x);
+    dy.push_back(face.moved.y);
+    share.push_back(face.strength_share);
+  }
+  return {{{"side", "1", side},
+           {"x", "m", x},
+           {"y", "m", y},
+           {"dx", "m", dx},
+           {"dy", "m", dy},
+           {"strength_share", "1", share}}};
+}
+
 } // namespace
 
 RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& scene,
@@ -470,6 +489,8 @@ void RunOutput::finish(const Stepper& stepper, double gravity_seconds, double wa
     names.push_back(pass.name);
     seconds.push_back(pass.seconds);
   }
+  if (const auto faces = lost_hold_.faces(); scene_.gravity && !faces.empty())
+    writer_.table("/drift", drift_table(faces));
   writer_.table("/timings", {{{"pass", "1", names}, {"seconds", "s", seconds}}});
   writer_.finish();
 }

@@ -91,6 +91,8 @@ inline constexpr std::array<OutputColumn, 10> sliding_mass_columns{{time_column,
 
 /// Numbers of a face and a row of /boundary: velocity of the free field and of the domain, traction.
 inline constexpr std::size_t numbers_of_face = 6;
+/// Numbers of a face in /drift.
+inline constexpr std::size_t numbers_of_face_drift = 5;
 
 /// Numbers of a contact node and a frame of /contact: position, normal, area, three forces; its body as an
 /// integer.

@@ -7,8 +7,8 @@ import json
 import sys
 from pathlib import Path
 
-from tremolo import (bodies, column, comparison, cost, deconvolution, failure, histories, motion, outputs, pore_pressure,
-                     swap, timeline, verification)
+from tremolo import (bodies, column, comparison, cost, deconvolution, drift, failure, histories, motion, outputs,
+                     pore_pressure, swap, timeline, verification)
 from tremolo.pictures import fronts, maps, mechanism, preview
 from tremolo.soil_test import drawing, record
 from tremolo.extract import command as extract_command
@@ -57,6 +57,8 @@ def plot(arguments):
         yield wet
     if moved := bodies.histories(run, folder):
         yield moved
+    if drifted := drift.picture(run, folder):
+        yield drifted
     for name in run.monitors:
         if len(run.monitor(name)) > 1:
             yield histories.monitor(run, name, folder)

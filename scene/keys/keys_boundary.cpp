@@ -73,8 +73,9 @@ std::vector<Key> springs() {
            "distance from `spring_centre`: they hold the weight that comes to bear elsewhere after the model "
            "was at rest, and pull on the displacement against the free field. `false`: dashpots alone, which "
            "hold no static force.",
-       .otherwise = "dashpots alone; `[1.0, 0.5]` is advised, and `[0.5, 0.25]` where the sides' surfaces or "
-                    "layers differ, where the base has them behind a lag",
+       .otherwise =
+           "`[1.0, 0.5]`; `[0.5, 0.25]` where the sides' surfaces or layers differ, where the base has "
+           "them behind a lag",
        .range = {.low = 0.0},
        .count = 2,
        .form = "[a_n, a_t]",

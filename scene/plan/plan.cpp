@@ -192,7 +192,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        layered ? "[boundary]: absorber = \"matched_layer\""
                : "no side of [boundary] has absorber = \"matched_layer\""},
       {"springs", !springs.empty(),
-       springs.empty() ? "no side of [boundary] has spring = [a_n, a_t]" : "beside the dashpots, " + springs},
+       springs.empty() ? "no dashpots, or [boundary] spring = false" : "beside the dashpots, " + springs},
       {"material damping", scene.damping.model != DampingModel::none,
        fmt::format("[damping] model = \"{}\"", name(scene.damping.model))},
       {"viscous damping", damped,

@@ -26,8 +26,12 @@ Absorber read_absorber(const TableReader& table) {
 
 SpringKeys read_springs(const TableReader& table) {
   SpringKeys keys;
-  if (const std::vector<double> stiffness = table.numbers("spring"); !stiffness.empty())
-    keys.stiffness = {stiffness[0], stiffness[1]};
+  if (table.given("spring")) {
+    const std::vector<double> stiffness = table.numbers("spring");
+    keys.given_up = stiffness.empty();
+    if (!keys.given_up)
+      keys.stiffness = {stiffness[0], stiffness[1]};
+  }
   if (table.given("spring_centre"))
     keys.centre = table.point("spring_centre");
   return keys;

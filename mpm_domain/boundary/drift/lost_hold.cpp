@@ -86,6 +86,14 @@ std::string LostHold::place(std::size_t f) const {
   return fmt::format("the {}, x = {:g} m, y = {:g} m", name_of(face.side), face.position.x, face.position.y);
 }
 
+std::vector<FaceDrift> LostHold::faces() const {
+  std::vector<FaceDrift> faces;
+  for (std::size_t f = 0; f < moved_.size(); ++f)
+    if (const BoundaryFace& face = boundary_.faces()[f]; counts(f))
+      faces.push_back({face.side, face.position, moved(f), strength_share(f)});
+  return faces;
+}
+
 std::optional<std::string> LostHold::report() const {
   std::string text;
   for (const Side side : {Side::left, Side::right, Side::base}) {

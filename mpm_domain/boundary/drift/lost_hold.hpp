@@ -9,6 +9,15 @@
 
 namespace tremolo::mpm_domain {
 
+/// A face that has moved beyond its free field.
+struct FaceDrift {
+  Side side = Side::base;
+  Vector position; ///< at the start, m
+  Vector moved;    ///< d, m
+  double strength_share =
+      0.0; ///< of the soil's shear strength at rest that its spring pulls with; 0 without one
+};
+
 /// How far soil has moved at each face beyond its free field,
 ///
 ///     d = int (v^m - v^ff) dt.
@@ -27,6 +36,8 @@ public:
   /// To be called at the rows of the history, with the velocities of these steps.
   void add(double time, std::span<const Vector> ground, std::span<const eq6::FreeField> free_field);
 
+  /// All faces where d counts.
+  std::vector<FaceDrift> faces() const;
   /// The largest |d| at each side and the base where it counts, and how much of the soil's strength k d asks
   /// for: a sentence, or nothing where no side counts.
   std::optional<std::string> report() const;

@@ -7,7 +7,7 @@ import json
 import tempfile
 from pathlib import Path
 
-from tremolo import outputs
+from tremolo import drift, outputs, style
 from tremolo.pictures import preview
 from tremolo.report import facts, frames, kinds
 from tremolo.run import Run
@@ -39,6 +39,17 @@ def _model_picture(run):
     return "data:image/png;base64," + base64.b64encode(content).decode("ascii")
 
 
+def _drift(run, key):
+    """How far sides and base have moved beyond their free field, as `tremolo plot` draws it; nothing without its table."""
+    from tremolo.report import panels
+
+    if (figure := drift.figure_of(run)) is None:
+        return []
+    found = panels.charts(figure, key)
+    style.plt.close(figure)
+    return found
+
+
 def _charts(runs, titles):
     """Charts by section."""
     from tremolo.report import charts  # needs Plotly, which write() asks for first
@@ -56,6 +67,7 @@ def _charts(runs, titles):
         ],
         "structures": [charts.structure(runs, titles, name) for name in structures],
         "water": charts.water(runs, titles),
+        "drift": {title: found for i, (run, title) in enumerate(zip(runs, titles)) if (found := _drift(run, f"drift-{i}"))},
         "energy": charts.energy(runs, titles),
         "verified": verified,
         "activities": {title: charts.activities(run, i) for i, (run, title) in enumerate(zip(runs, titles))},
@@ -68,6 +80,7 @@ def _figures(sections):
     """Key -> data and layout of every chart of the page."""
     found = [chart for _, own in sections["monitors"] for chart in own] + sections["structures"]
     found += [chart for _, own in sections["verified"].values() for chart in own]
+    found += [chart for own in sections["drift"].values() for chart in own]
     found += [sections["water"], sections["energy"], sections["passes"], *sections["activities"].values()]
     return {chart.key: _plain(chart.figure) for chart in found if chart is not None}
 

@@ -11,6 +11,11 @@ namespace tremolo::scene {
 
 namespace {
 
+/// a_n, a_t of a boundary that is told none: a heavy mass vibrates as it should, and between two free fields
+/// the base is pulled less (docs/boundaries.md).
+constexpr std::array<double, 2> for_equal_sides{1.0, 0.5};
+constexpr std::array<double, 2> for_sides_that_differ{0.5, 0.25};
+
 /// y of the highest soil on a vertical line, m.
 std::optional<double> ground_surface(const Case& scene, double x) {
   std::optional<double> top;
@@ -65,9 +70,10 @@ Point spring_centre(const Case& scene) {
 
 std::optional<PlannedSprings> springs(const Case& scene, Side side) {
   const SpringKeys& keys = keys_of(scene, side);
-  if (!keys.stiffness || !has_dashpots(scene, side) || (side == Side::base && base_has_no_total_field(scene)))
+  if (keys.given_up || !has_dashpots(scene, side) || (side == Side::base && base_has_no_total_field(scene)))
     return std::nullopt;
-  const auto [across, along] = *keys.stiffness;
+  const auto [across, along] =
+      keys.stiffness.value_or(scene.boundary.has_equal_sides() ? for_equal_sides : for_sides_that_differ);
   return PlannedSprings{across, along, keys.centre.value_or(spring_centre(scene)),
                         side == Side::base && !scene.boundary.has_equal_sides()};
 }

@@ -23,12 +23,12 @@ void springs_have_their_field(const Case& scene, Findings& findings) {
   centre_lies_in_box(scene, "left", left.springs, findings);
   centre_lies_in_box(scene, "right", right.springs, findings);
   centre_lies_in_box(scene, "base", base.springs, findings);
-  if (base_has_no_total_field(scene) && base.springs.stiffness)
+  if (base_has_no_total_field(scene) && scene.gravity && !base.springs.given_up)
     findings.add(
         "boundary.base.form",
         fmt::format("form = \"incident\" with sides = \"{}\" has no total free field that springs of "
                     "the base could move against, so it has dashpots alone, which hold no static "
-                    "force; form = \"total\" has springs",
+                    "force; form = \"total\" has springs, and spring = false says that none are wanted",
                     name(sides)));
   if (const auto springs = scene::springs(scene, Side::base);
       springs && springs->lags && (springs->across > 0.5 || springs->along > 0.25))

@@ -8,10 +8,9 @@ namespace {
 
 void centre_has_springs(const char* side, const SpringKeys& keys, Findings& findings) {
   const std::string path = fmt::format("boundary.{}", side);
-  if (keys.centre && !keys.stiffness && findings.sound(path + ".spring"))
+  if (keys.centre && keys.given_up && findings.sound(path + ".spring"))
     findings.add(path + ".spring_centre",
-                 "spring_centre is the centre of springs, and there are none: give spring = [a_n, a_t], for "
-                 "example [1.0, 0.5], or remove spring_centre");
+                 "spring_centre is the centre of springs, and spring = false has none; remove one of them");
 }
 
 } // namespace

@@ -52,9 +52,9 @@ size = 2.0
 box = [0.0, -20.0, 60.0, 10.0]
 
 [boundary]
-left = { model = "wave", surface = 0.0 }
-right = { model = "wave", surface = 10.0 }
-base = { model = "wave", form = "incident" }
+left = { model = "wave", surface = 0.0, spring = false }
+right = { model = "wave", surface = 10.0, spring = false }
+base = { model = "wave", form = "incident", spring = false }
 
 [[stage]]
 kind = "gravity"

@@ -75,6 +75,7 @@ def write(path, angle_deg=15.0, amplitude=0.1, frame_interval=0.02, frames=100, 
         _write_boundary(file, velocity, frame_interval, frames)
         if structures:
             _write_structures(file, frame_interval, frames)
+            _write_drift(file)
         times = np.arange(frames) * frame_interval
         ledger = np.column_stack([times, 1e3 * times**2, 1e3 * times, -2e3 * times])
         energy = file.create_dataset("energy", data=ledger)
@@ -99,6 +100,23 @@ def _write_boundary(file, velocity, interval, count):
     motion = np.array([velocity(position, t) for t in times])
     group["domain_velocity"] = group["free_field_velocity"] = motion
     group["traction"] = np.zeros_like(motion)
+
+
+DRIFT = 0.012  # m, of the middle of the base
+
+
+def _write_drift(file):
+    """A base that sags towards its middle, and a right side that leans outwards; a matched layer holds the left side."""
+    x, y = np.arange(0.25, 70.0, 0.5), np.arange(-19.75, 10.0, 0.5)
+    rows = {"side": np.array([b"base"] * len(x) + [b"right"] * len(y)),
+            "x": np.append(x, np.full(len(y), 70.0)), "y": np.append(np.full(len(x), -20.0), y),
+            "dx": np.append(np.zeros(len(x)), 1e-3 * (y + 20.0)),
+            "dy": np.append(-DRIFT * np.sin(np.pi * x / 70.0), np.zeros(len(y))),
+            "strength_share": np.full(len(x) + len(y), 0.1)}
+    group = file.create_group("drift")
+    group.attrs["columns"] = np.array([name.encode() for name in rows])
+    for name, values in rows.items():
+        group[name] = values
 
 
 RISE, TURN = 0.05, 0.02  # of the tunnel, m/s and rad/s

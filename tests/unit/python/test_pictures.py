@@ -14,7 +14,7 @@ import numpy as np
 from matplotlib.text import Text
 
 import synthetic_run
-from tremolo import Run, bodies, comparison, histories, motion, pore_pressure, style
+from tremolo import Run, bodies, comparison, drift, histories, motion, pore_pressure, style
 from tremolo.pictures import fronts, maps, preview, profile
 from tremolo.__main__ import main
 
@@ -121,11 +121,24 @@ class Pictures(unittest.TestCase):
         status, paths, error = run_command("plot", run, "--time", 0.8)
         self.assertEqual((status, error), (0, ""))
         names = ["model.png", "acceleration.png", "shear_bands.png", "pore_pressure_ratio.png", "pore_water.png", "bodies.png",
-                 "monitor_crest.png", "energy.png", "fronts.png"]
+                 "drift.png", "monitor_crest.png", "energy.png", "fronts.png"]
         self.expect_pictures(paths, names)
         status, lines, error = run_command("compare", run, run, "--out", self.folder / "w")
         self.assertEqual((status, error), (0, ""))
         self.assertIn(str(self.folder / "w" / "compare_pore_pressure_ratio.png"), lines)
+
+    def test_drift_of_sides_and_base(self):
+        path = self.folder / "drift.h5"
+        synthetic_run.write(path, frames=1, size=2.0, structures=True)
+        with Run(path) as run:
+            figure = drift.figure_of(run)
+        self.addCleanup(style.plt.close, figure)
+        base, right = figure.axes
+        _, vertical = base.get_lines()[:2]
+        self.assertAlmostEqual(min(vertical.get_ydata()), -1e3 * synthetic_run.DRIFT, delta=0.01)
+        horizontal, _ = right.get_lines()[:2]
+        self.assertAlmostEqual(max(horizontal.get_xdata()), 29.75)
+        self.assertEqual(horizontal.get_ydata()[-1], 9.75)
 
     def test_layers_of_the_free_fields_stand_beside_the_sides_in_the_colours_of_their_soils(self):
         synthetic_run.write(self.folder / "layers.h5", size=2.0)

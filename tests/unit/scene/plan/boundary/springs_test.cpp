@@ -39,13 +39,14 @@ std::string with_springs(const std::string& text, const std::string& a) {
                    with("base = { model = \"wave\"", "base = { model = \"wave\", spring = " + a, text)));
 }
 
-TEST(Springs, AreThereWhereTheirKeyIs) {
-  const Case plain = parse_case(std::string(flat_case));
-  const Case scene = parse_case(with_springs(std::string(flat_case), "[1.0, 0.5]"));
+TEST(Springs, StandBesideDashpotsUnlessTheCaseGivesThemUp) {
+  const Case scene = parse_case(std::string(flat_case));
+  const Case plain = parse_case(with_springs(std::string(flat_case), "false"));
   for (const Side side : {Side::left, Side::right, Side::base}) {
     EXPECT_FALSE(springs(plain, side));
     expect_springs(springs(scene, side), 1.0, 0.5, {10.0, 0.0}, false);
   }
+  EXPECT_EQ(springs_text(plain), "");
   const auto effects = plan(scene).effects;
   const auto effect = std::ranges::find(effects, "springs", &Effect::name);
   EXPECT_TRUE(effect->on);
@@ -54,7 +55,7 @@ TEST(Springs, AreThereWhereTheirKeyIs) {
 
 TEST(Springs, LagAtTheBaseWhereSurfacesDiffer) {
   for (const char* form : {"blended", "incident"}) {
-    const Case scene = parse_case(with_springs(slope(form), "[0.5, 0.25]"));
+    const Case scene = parse_case(slope(form));
     expect_springs(springs(scene, Side::left), 0.5, 0.25, {10.0, -1.0}, false);
     expect_springs(springs(scene, Side::base), 0.5, 0.25, {10.0, -1.0}, true);
   }
@@ -65,15 +66,14 @@ TEST(Springs, FollowTheirKeys) {
       with("left = { model = \"wave\" }", "left = { model = \"wave\", spring = false }",
            with("form = \"total\"", "form = \"total\", spring = [2.0, 1.0], spring_centre = [4.0, -1.0]")));
   EXPECT_FALSE(springs(scene, Side::left));
-  EXPECT_FALSE(springs(scene, Side::right));
+  expect_springs(springs(scene, Side::right), 1.0, 0.5, {10.0, 0.0}, false);
   expect_springs(springs(scene, Side::base), 2.0, 1.0, {4.0, -1.0}, false);
 }
 
 TEST(Springs, NeedATotalFieldAtTheBase) {
   const auto periodic = [](const std::string& form) {
     return parse_case(with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n",
-                           "sides = \"periodic\"\n",
-                           with("form = \"total\"", "form = \"" + form + "\", spring = [1.0, 0.5]")));
+                           "sides = \"periodic\"\n", with("form = \"total\"", "form = \"" + form + "\"")));
   };
   EXPECT_FALSE(springs(periodic("total"), Side::left));
   EXPECT_TRUE(springs(periodic("total"), Side::base));
