@@ -81,6 +81,10 @@ inline constexpr const char* decimal_commas =
 double common_step(const std::vector<double>& times, const std::vector<std::size_t>& line_of,
                    const std::filesystem::path& file);
 
+/// The name of a binary format of seismologists that is not read, by the file's first bytes; empty for
+/// others. The stream is then again at its start.
+std::string_view binary_format(std::istream& stream);
+
 Record read_hdf5(const std::filesystem::path& file, const ReadAs& as);
 
 } // namespace tremolo::motion

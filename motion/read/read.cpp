@@ -66,6 +66,11 @@ Record read_record(const std::filesystem::path& file, const ReadAs& as) {
       throw RecordError(fmt::format("{}: HDF5: one motion, without columns or components", file.string()));
     return read_hdf5(file, as);
   }
+  if (const auto binary = binary_format(stream); !binary.empty())
+    throw RecordError(
+        fmt::format("{}: {}: binary data, which are not read; write the samples as text, a line "
+                    "each of time and value below a header that names the unit",
+                    file.string(), binary));
   return parse_record(stream, file, as);
 }
 

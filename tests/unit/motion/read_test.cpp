@@ -211,6 +211,16 @@ TEST(Files, AreRefusedInOneLine) {
   EXPECT_EQ(error_of_file(folder.write("e.csv", "")), ":1: 0 samples, at least 2 are needed");
   EXPECT_EQ(error_of_file(folder.write("j.h5", "\x89HDF\r\n\x1a\njunk")),
             ": looks like HDF5 but cannot be opened: damaged, or in use");
+  const std::string advice =
+      ": binary data, which are not read; write the samples as text, a line each of time "
+      "and value below a header that names the unit";
+  for (const std::string& version : {std::string("\6\0\0\0", 4), std::string("\0\0\0\6", 4)})
+    EXPECT_EQ(error_of_file(folder.write("a.sac", std::string(304, 'x') + version + std::string(400, 'x'))),
+              ": SAC" + advice);
+  EXPECT_EQ(error_of_file(folder.write("a.mseed", "000001D STA  00BHZNN" + std::string(492, '\0'))),
+            ": miniSEED" + advice);
+  EXPECT_EQ(error_of_file(folder.write("b.mseed", "MS\3" + std::string(60, '\0'))), ": miniSEED" + advice);
+  EXPECT_EQ(error_of_file(folder.write("short", "123456")), ":1: a time and a value are needed, found 1 columns");
 }
 
 } // namespace
