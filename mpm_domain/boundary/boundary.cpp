@@ -339,7 +339,9 @@ void Boundary::find_loads(int clock, const Ticks& ticks) {
     const Vector inertia{per_kick * face.moving_mass.x, per_kick * face.moving_mass.y};
     const double l = face.length;
     Load& load = loads_[f * clocks + static_cast<std::size_t>(clock)];
-    const Vector moving{viscous.x + dynamic.x + spring_[f].x, viscous.y + dynamic.y + spring_[f].y};
+    Vector moving{viscous.x + dynamic.x, viscous.y + dynamic.y};
+    if (ground_springs_)
+      moving = {moving.x + spring_[f].x, moving.y + spring_[f].y};
     load.force = {l * (moves * moving.x + reacts * reaction_[f].x + holds * held.x),
                   l * (moves * moving.y + reacts * reaction_[f].y + holds * held.y)};
     load.dashpot = {l * (moves * z.x + inertia.x), l * (moves * z.y + inertia.y)};
@@ -391,6 +393,13 @@ BoundaryWork Boundary::follow_update(Ground& ground, const Ticks& ticks, const C
   return total;
 }
 
+/// Of what the free field gives to the springs' far ends they keep what they do not give to the nodes.
+void Boundary::book_springs(std::size_t f, double impulse, Vector v, BoundaryWork& work) const {
+  const double given = impulse * dot(spring_[f], ground_springs_->field_velocity(f));
+  work.input += given;
+  work.transfer -= given - impulse * dot(spring_[f], v);
+}
+
 BoundaryWork Boundary::work_of(std::size_t begin, std::size_t end, const Grid& grid, const Ticks& ticks,
                                const ClockNodes& nodes) const {
   const int first_due = ticks.first_due();
@@ -425,12 +434,8 @@ BoundaryWork Boundary::work_of(std::size_t begin, std::size_t end, const Grid& g
       work.dashpots += impulse * own;
       const auto& [viscous, dynamic, held] = traction_[f];
       work.input += impulse * (dot({viscous.x + dynamic.x, viscous.y + dynamic.y}, v_moving) - own);
-      if (ground_springs_) {
-        // Of what the free field gives to the springs' far ends they keep what they do not give to the nodes.
-        const double given = impulse * dot(spring_[f], ground_springs_->field_velocity(f));
-        work.input += given;
-        work.transfer -= given - impulse * dot(spring_[f], v_moving);
-      }
+      if (ground_springs_)
+        book_springs(f, impulse, v_moving, work);
     }
     if (ticks.is_first() && face.support == Support::closing_element) {
       work.dashpots += kick[0] * face.length * dot(closing_->of_soil(f), v_all);

@@ -31,8 +31,10 @@ GroundSprings::GroundSprings(std::span<const BoundaryFace> faces, const Spec& sp
         (face.support != Support::dashpots && face.support != Support::closing_element))
       continue;
     const auto& [side, across, along, centre, lags, own_field] = *of_side;
-    const double distance = std::max(std::hypot(face.position.x - centre.x, face.position.y - centre.y),
-                                     least_cells * spec.cell_size);
+    // Where the model repeats itself, what bears on it does too, and no place along the base is nearer to it.
+    const double beside = spec.sides == Sides::free_field ? face.position.x - centre.x : 0.0;
+    const double distance =
+        std::max(std::hypot(beside, face.position.y - centre.y), least_cells * spec.cell_size);
     const auto& [normal, p, s] = face.ground;
     const double modulus = s * s / face.density; // G
     const double k_n = across * modulus / distance;

@@ -10,8 +10,8 @@ from fault_lab import Attack
 GONE = 2.0  # s, from a death to the end of the last process
 DEADLINE = 2.0  # s, the step deadline where it is to pass
 PROMPT = 5.0  # s, from a signal to the end of the last process: less than the grace of 10 s that the domain has
-# Survivors have 1 s to close their files; the machine may be loaded.
-VERDICT = DEADLINE + 3.0
+# Survivors have 1 s to close their files; a loaded machine takes some seconds more.
+VERDICT = DEADLINE + 6.0
 # A wait begins when the domain has used up what it holds: little, with this window.
 BRIEF = {"duration": 60.0, "step": DEADLINE, "window": 2}
 SLOPE_SOURCES = ("left-base", "right")
