@@ -149,6 +149,24 @@ class Charts(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
+    def test_of_two_runs_has_both_and_their_difference(self):
+        page.open(pages["two"])
+        self.assertEqual(["first", "second", "second less first"],
+                         page.run("return [...document.querySelectorAll('#panels figcaption')].map((c) => c.textContent.split(':')[0])"))
+        self.assertIn("second against first", page.find("#differences").text)
+        dashes = page.run("const chart = document.querySelector('[data-chart=\"history-surface\"]');"
+                          "return [...new Set(chart.data.map((line) => line.line.dash))]")
+        self.assertEqual(["solid", "dash"], dashes)
+
+    def test_needs_no_network_and_is_small(self):
+        for path in pages.values():
+            self.assertLess(path.stat().st_size, 4_000_000)
+        page.open(pages["box"])
+        fetched = page.run("return performance.getEntriesByType('resource').map((entry) => entry.name)")
+        self.assertEqual([], [name for name in fetched if not name.startswith(("data:", "blob:"))])
+
+
+class AcceptanceScreensAndPaper(unittest.TestCase):
     def test_fits_a_desk_and_a_telephone_in_both_schemes(self):
         for name, width, dark in (("two", 1400, False), ("two", 400, True), ("tunnel", 400, False)):
             with self.subTest(name=name, width=width):
@@ -172,22 +190,6 @@ class Page(unittest.TestCase):
         page.wait("return document.querySelector('[data-chart=energy]')._fullLayout.width > 1000")
         self.assertEqual(screen, page.run(look))
         self.assertEqual([], page.complaints())
-
-    def test_of_two_runs_has_both_and_their_difference(self):
-        page.open(pages["two"])
-        self.assertEqual(["first", "second", "second less first"],
-                         page.run("return [...document.querySelectorAll('#panels figcaption')].map((c) => c.textContent.split(':')[0])"))
-        self.assertIn("second against first", page.find("#differences").text)
-        dashes = page.run("const chart = document.querySelector('[data-chart=\"history-surface\"]');"
-                          "return [...new Set(chart.data.map((line) => line.line.dash))]")
-        self.assertEqual(["solid", "dash"], dashes)
-
-    def test_needs_no_network_and_is_small(self):
-        for path in pages.values():
-            self.assertLess(path.stat().st_size, 4_000_000)
-        page.open(pages["box"])
-        fetched = page.run("return performance.getEntriesByType('resource').map((entry) => entry.name)")
-        self.assertEqual([], [name for name in fetched if not name.startswith(("data:", "blob:"))])
 
 
 if __name__ == "__main__":

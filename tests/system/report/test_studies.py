@@ -47,7 +47,7 @@ def opened(*studies, out=None):
     return path
 
 
-class Studies(unittest.TestCase):
+class Pages(unittest.TestCase):
     def tearDown(self):
         self.assertEqual([], page.complaints())
 
@@ -60,6 +60,8 @@ class Studies(unittest.TestCase):
             self.assertTrue(x, heading)
             self.assertTrue(y or kind == "bar", heading)
 
+
+class Studies(Pages):
     def test_soil_test(self):
         test = SOURCE / "cases/soiltests/pm4sand_dr55_cyclic.toml"
         done("soiltest", test, "--out", "dss.h5")
@@ -94,6 +96,8 @@ class Studies(unittest.TestCase):
         page.open(work.path / "both.html", 400, scheme="dark")
         self.assertLessEqual(page.run("return document.documentElement.scrollWidth"), 400)
 
+
+class AcceptanceSweep(Pages):
     def test_sweep(self):
         study = work.path / "study.toml"
         study.write_text('case = "case.toml"\n[axes]\nmotion.angle_deg = [0, 15]\nmotion.pulse.velocity = [0.1, 0.2]\n')

@@ -37,7 +37,7 @@ polygon = [[12.0, 0.0], [24.0, 8.0], [12.0, 9.0]]
 """
 
 
-class Resume(unittest.TestCase):
+class ResumeCase(unittest.TestCase):
     def setUp(self):
         print(f"TREMOLO_RESUME_SEED={SEED}", file=sys.stderr)
         self.chance = random.Random(SEED)
@@ -71,6 +71,8 @@ class Resume(unittest.TestCase):
                 return whole
         self.fail(f"{KILLS} runs could not be broken")
 
+
+class Resume(ResumeCase):
     def test_three_models_with_their_exchange_recorded(self):
         with with_checkpoints(record(BoxWorkspace(TREMOLO, **MIXED, duration=2.0)), every_steps=100) as work:
             whole = self.broken_and_resumed(work)
@@ -83,10 +85,6 @@ class Resume(unittest.TestCase):
 
     def test_wet_ground_that_yields_under_a_wave_at_an_angle(self):
         with with_checkpoints(FlatWorkspace(TREMOLO, ground=UNDRAINED, water=WATER, velocity=0.3, duration=0.7), every_steps=500) as work:
-            self.broken_and_resumed(work)
-
-    def test_a_slope_with_gravity_and_softening(self):
-        with with_checkpoints(SlopeWorkspace(TREMOLO, duration=1.5), every_steps=50) as work:
             self.broken_and_resumed(work)
 
     def test_a_slope_whose_particles_are_cut_on_three_levels(self):
@@ -102,20 +100,6 @@ class Resume(unittest.TestCase):
         slope = subcycled(refine(SlopeWorkspace(TREMOLO, velocity=2.0, duration=1.0), *SLOPE_BOXES))
         with with_checkpoints(slope, every_steps=40) as work:
             self.broken_and_resumed(work)
-
-    def test_periodic_sides_that_soil_crosses(self):
-        for sides in ("periodic", "periodic_springs"):
-            with PeriodicWorkspace(TREMOLO, sides=sides, duration=1.5) as work:
-                work.case.write_text(work.case.read_text().replace("velocity = 0.1", "velocity = 10.0"))
-                self.broken_and_resumed(with_checkpoints(work, every_steps=60))
-
-    def test_particles_that_are_cut_on_their_way_round_a_period(self):
-        with refine(PeriodicWorkspace(TREMOLO, duration=1.5), ([6.0, -10.0, 14.0, 0.0], 1)) as work:
-            work.case.write_text(work.case.read_text().replace("velocity = 0.1", "velocity = 10.0"))
-            whole = self.broken_and_resumed(with_checkpoints(work, every_steps=60))
-            with h5py.File(whole / "run.h5") as file:
-                counts = [len(frame["position"]) for frame in file["frames"].values()]
-            self.assertGreater(counts[-1], counts[0], "nothing was cut")
 
     def test_death_while_a_checkpoint_is_written_costs_nothing(self):
         # With one after every step there is hardly a moment in which none is being written.
@@ -159,6 +143,26 @@ class Resume(unittest.TestCase):
             self.assertEqual("left", victim, text)
             self.finish(work, folder, victim, text)
             self.assertEqual([], differences(folder, whole_run(work)))
+
+
+class AcceptanceOtherModels(ResumeCase):
+    def test_a_slope_with_gravity_and_softening(self):
+        with with_checkpoints(SlopeWorkspace(TREMOLO, duration=1.5), every_steps=50) as work:
+            self.broken_and_resumed(work)
+
+    def test_periodic_sides_that_soil_crosses(self):
+        for sides in ("periodic", "periodic_springs"):
+            with PeriodicWorkspace(TREMOLO, sides=sides, duration=1.5) as work:
+                work.case.write_text(work.case.read_text().replace("velocity = 0.1", "velocity = 10.0"))
+                self.broken_and_resumed(with_checkpoints(work, every_steps=60))
+
+    def test_particles_that_are_cut_on_their_way_round_a_period(self):
+        with refine(PeriodicWorkspace(TREMOLO, duration=1.5), ([6.0, -10.0, 14.0, 0.0], 1)) as work:
+            work.case.write_text(work.case.read_text().replace("velocity = 0.1", "velocity = 10.0"))
+            whole = self.broken_and_resumed(with_checkpoints(work, every_steps=60))
+            with h5py.File(whole / "run.h5") as file:
+                counts = [len(frame["position"]) for frame in file["frames"].values()]
+            self.assertGreater(counts[-1], counts[0], "nothing was cut")
 
 
 if __name__ == "__main__":
