@@ -16,9 +16,9 @@ size = {size}
 box = [-80.0, -64.0, 80.0, 0.0]
 
 [boundary]
-left = {{ model = "wave", absorber = "{absorber}" }}
-right = {{ model = "wave", absorber = "{absorber}" }}
-base = {{ model = "wave", form = "total", absorber = "{absorber}" }}
+left = {{ model = "wave", {absorber} }}
+right = {{ model = "wave", {absorber} }}
+base = {{ model = "wave", form = "total", {absorber} }}
 
 [[stage]]
 kind = "shaking"
@@ -30,8 +30,11 @@ fields = ["velocity"]
 """
 
 
+ABSORBERS = {"matched_layer": 'absorber = "matched_layer"', "dashpots": "spring = false", "springs": "spring = [1.0, 0.5]"}
+
+
 def write(file, angle_deg, size, absorber):
     x = np.linspace(5.0 * SIGMA, -5.0 * SIGMA, 401)
     surface = ", ".join(f"[{a:.6f}, {b:.6f}]" for a, b in zip(x, -DEPTH * np.exp(-0.5 * (x / SIGMA) ** 2)))
-    file.write_text(head("canyon", pulse, angle_deg) + CASE.format(size=size, absorber=absorber, surface=surface))
+    file.write_text(head("canyon", pulse, angle_deg) + CASE.format(size=size, absorber=ABSORBERS[absorber], surface=surface))
     return file

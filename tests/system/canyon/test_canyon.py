@@ -63,8 +63,9 @@ class AcceptanceSmallBox(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="tremolo_test_")))
-        cls.runs = {key: cls.run_of(folder, *key)
-                    for key in [(angle, size, "matched_layer") for size in (1.0, 2.0) for angle in ANGLES] + [(15, 2.0, "dashpots")]}
+        keys = [(angle, size, "matched_layer") for size in (1.0, 2.0) for angle in ANGLES]
+        keys += [(15, 2.0, "dashpots"), (15, 2.0, "springs")]
+        cls.runs = {key: cls.run_of(folder, *key) for key in keys}
         # Some hundred particles of each mesh stand for all; a frame has the particles in one order.
         cls.chosen, places = {}, []
         for size in (1.0, 2.0):
@@ -112,6 +113,9 @@ class AcceptanceSmallBox(unittest.TestCase):
 
     def test_dashpots_return_what_is_scattered(self):
         self.assertGreater(self.errors(15, 2.0, "dashpots")[0], 0.05)
+
+    def test_springs_beside_them_let_less_come_back(self):
+        self.assertLess(self.errors(15, 2.0, "springs")[0], self.errors(15, 2.0, "dashpots")[0])
 
 
 if __name__ == "__main__":
