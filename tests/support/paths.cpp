@@ -1,4 +1,5 @@
-// The only object of the tests that knows where the clone lies, so that a compiler cache serves all others to any clone.
+// The only object of the tests that knows where the clone lies, so that a compiler cache serves all others to
+// any clone.
 #include "tests/support/paths.hpp"
 
 namespace tremolo {

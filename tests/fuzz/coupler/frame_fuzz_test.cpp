@@ -99,8 +99,7 @@ TEST(FrameFuzz, NoMutatedHeaderIsAcceptedWithARightChecksum) {
 /// What libFuzzer (frame_fuzzer.cpp) starts from and has found worth keeping: none but the valid frames pass.
 TEST(FrameFuzz, CorpusIsRefusedButForTheValidFrames) {
   int files = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(source_dir() + "/tests/fuzz/coupler/corpus")) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_dir() + "/tests/fuzz/coupler/corpus")) {
     std::ifstream in(entry.path(), std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     const bool accepted = std::holds_alternative<Frame>(decode(std::as_bytes(std::span(text)), expected));

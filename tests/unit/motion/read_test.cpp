@@ -220,7 +220,8 @@ TEST(Files, AreRefusedInOneLine) {
   EXPECT_EQ(error_of_file(folder.write("a.mseed", "000001D STA  00BHZNN" + std::string(492, '\0'))),
             ": miniSEED" + advice);
   EXPECT_EQ(error_of_file(folder.write("b.mseed", "MS\3" + std::string(60, '\0'))), ": miniSEED" + advice);
-  EXPECT_EQ(error_of_file(folder.write("short", "123456")), ":1: a time and a value are needed, found 1 columns");
+  EXPECT_EQ(error_of_file(folder.write("short", "123456")),
+            ":1: a time and a value are needed, found 1 columns");
 }
 
 } // namespace

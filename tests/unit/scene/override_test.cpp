@@ -145,8 +145,7 @@ TEST(Override, TextMeansTheSameInAnotherFolder) {
   const auto moved =
       parse(overridden_text(scene, {.record = {}, .angle_deg = 0.0, .model = {}}), "case.toml", "/nowhere");
   EXPECT_EQ(moved.motion.angle_deg, 0.0);
-  EXPECT_EQ(std::get<MotionFile>(moved.motion.source).path,
-            source_dir() + "/cases/slope_oblique/motion.AT2");
+  EXPECT_EQ(std::get<MotionFile>(moved.motion.source).path, source_dir() + "/cases/slope_oblique/motion.AT2");
   EXPECT_EQ(moved.regions.size(), scene.regions.size());
 }
 

@@ -59,7 +59,8 @@ TEST_P(LeaningBlock, TopplesWhereItsCentreOfMassLeavesItsBase) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bases, LeaningBlock,
-                         testing::Values(Base{4, 0.0}, Base{4, 0.3}, Base{4, 0.5}, Base{4, 0.7}, Base{8, 0.3}));
+                         testing::Values(Base{4, 0.0}, Base{4, 0.3}, Base{4, 0.5}, Base{4, 0.7},
+                                         Base{8, 0.3}));
 INSTANTIATE_TEST_SUITE_P(AcceptanceBases, LeaningBlock,
                          testing::Values(Base{8, 0.0}, Base{8, 0.5}, Base{8, 0.7}));
 
