@@ -198,15 +198,10 @@ std::string Text::mesh() const {
 
 std::string Text::boundary() const {
   const auto absorber = value("absorber");
-  const std::string springs = is("springs", "none")       ? "spring = false\n"
-                              : is("springs", "stiff")    ? "spring = [2.0, 1.0]\n"
-                              : is("springs", "a centre") ? "spring_centre = [4.0, 0.0]\n"
-                                                          : "";
-  const auto support = [&](std::string_view where) {
-    return springs + (absorber == where || absorber == "matched" ? "absorber = \"matched_layer\"\n" : "");
-  };
-  const std::string at_sides = support("matched sides");
-  const std::string at_base = support("matched base");
+  const std::string at_sides =
+      absorber == "matched sides" || absorber == "matched" ? "absorber = \"matched_layer\"\n" : "";
+  const std::string at_base =
+      absorber == "matched base" || absorber == "matched" ? "absorber = \"matched_layer\"\n" : "";
   const auto as_left = [&](std::string_view model) {
     return first_word(model == "as left" ? value("left") : model);
   };
@@ -257,7 +252,6 @@ const std::vector<Factor>& factors() {
       {"form", {"blended", "total", "incident"}},
       {"sides", {"free_field", "periodic", "periodic_springs", "container"}},
       {"absorber", {"dashpots", "matched sides", "matched base", "matched"}},
-      {"springs", {"by default", "none", "stiff", "a centre"}},
       {"damping",
        {"none", "none soil", "none layer", "rayleigh all", "rayleigh soil", "rayleigh half-space",
         "kelvin_voigt soil", "kelvin_voigt layer", "kelvin_voigt soil timeless", "hysteretic all",
