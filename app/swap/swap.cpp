@@ -104,10 +104,9 @@ double difference(const SideFields& fields, const SideFields& reference) {
 }
 
 std::vector<scene::Side> different_sides(const scene::Case& scene) {
-  const auto& [sides, left, right, base] = scene.boundary;
   if (!scene.boundary.has_lateral_fields())
     return {scene::Side::base};
-  if (left.surface == right.surface && left.own_profile.empty() && right.own_profile.empty())
+  if (scene.boundary.has_equal_sides())
     return {scene::Side::left};
   return {scene::Side::left, scene::Side::right};
 }

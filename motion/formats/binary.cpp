@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <istream>
+#include <string>
 
 namespace tremolo::motion {
 
@@ -34,12 +34,7 @@ bool is_mini_seed(std::string_view head) {
 
 } // namespace
 
-std::string_view binary_format(std::istream& stream) {
-  std::array<char, 512> bytes{};
-  stream.read(bytes.data(), bytes.size());
-  const std::string_view head(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  stream.clear();
-  stream.seekg(0);
+std::string_view binary_format(std::string_view head) {
   return is_sac(head) ? "SAC" : is_mini_seed(head) ? "miniSEED" : "";
 }
 

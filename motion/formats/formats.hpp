@@ -82,8 +82,8 @@ double common_step(const std::vector<double>& times, const std::vector<std::size
                    const std::filesystem::path& file);
 
 /// The name of a binary format of seismologists that is not read, by the file's first bytes; empty for
-/// others. The stream is then again at its start.
-std::string_view binary_format(std::istream& stream);
+/// others.
+std::string_view binary_format(std::string_view head);
 
 Record read_hdf5(const std::filesystem::path& file, const ReadAs& as);
 

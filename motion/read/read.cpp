@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
+#include <string>
 #include <string_view>
 
 namespace tremolo::motion {
@@ -31,13 +31,17 @@ Head head_of(std::istream& stream, const std::filesystem::path& file) {
   return head;
 }
 
-bool is_hdf5(std::istream& stream) {
-  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
-  std::array<char, signature.size()> begin{};
-  stream.read(begin.data(), begin.size());
-  const bool found = stream && std::string_view(begin.data(), begin.size()) == signature;
+/// The first bytes of a file, enough to recognise a binary format; the stream is then again at its start.
+std::string first_bytes(std::istream& stream) {
+  std::string bytes(512, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
   rewind(stream);
-  return found;
+  return bytes;
+}
+
+bool is_hdf5(std::string_view head) {
+  return head.starts_with("\x89HDF\r\n\x1a\n");
 }
 
 } // namespace
@@ -61,12 +65,13 @@ Record read_record(const std::filesystem::path& file, const ReadAs& as) {
   if (const auto why = why_unreadable(file); !why.empty())
     throw RecordError(fmt::format("{}: {}", file.string(), why));
   std::ifstream stream(file, std::ios::binary);
-  if (is_hdf5(stream)) {
+  const std::string head = first_bytes(stream);
+  if (is_hdf5(head)) {
     if (!as.column.empty() || !as.component.empty())
       throw RecordError(fmt::format("{}: HDF5: one motion, without columns or components", file.string()));
     return read_hdf5(file, as);
   }
-  if (const auto binary = binary_format(stream); !binary.empty())
+  if (const auto binary = binary_format(head); !binary.empty())
     throw RecordError(
         fmt::format("{}: {}: binary data, which are not read; write the samples as text, a line "
                     "each of time and value below a header that names the unit",

@@ -208,21 +208,19 @@ results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std:
 
 results::Table drift_table(std::span<const FaceDrift> faces) {
   std::vector<std::string> side;
-  std::vector<double> x, y, dx, dy, share;
+  std::array<std::vector<double>, drift_columns.size()> numbers;
   for (const FaceDrift& face : faces) {
     side.emplace_back(name(face.side));
-    x.push_back(face.position.x);
-    y.push_back(face.position.y);
-    dx.push_back(face.moved.x);
-    dy.push_back(face.moved.y);
-    share.push_back(face.strength_share);
+    const std::array<double, drift_columns.size()> row{face.position.x, face.position.y, face.moved.x,
+                                                       face.moved.y, face.strength_share};
+    for (std::size_t c = 0; c < row.size(); ++c)
+      numbers[c].push_back(row[c]);
   }
-  return {{{"side", "1", side},
-           {"x", "m", x},
-           {"y", "m", y},
-           {"dx", "m", dx},
-           {"dy", "m", dy},
-           {"strength_share", "1", share}}};
+  results::Table table{{{"side", "1", side}}};
+  for (std::size_t c = 0; c < numbers.size(); ++c)
+    table.columns.push_back(
+        {std::string(drift_columns[c].name), std::string(drift_columns[c].unit), numbers[c]});
+  return table;
 }
 
 } // namespace

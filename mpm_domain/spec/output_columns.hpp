@@ -91,8 +91,9 @@ inline constexpr std::array<OutputColumn, 10> sliding_mass_columns{{time_column,
 
 /// Numbers of a face and a row of /boundary: velocity of the free field and of the domain, traction.
 inline constexpr std::size_t numbers_of_face = 6;
-/// Numbers of a face in /drift.
-inline constexpr std::size_t numbers_of_face_drift = 5;
+/// The columns of numbers of a face in /drift, behind the name of its side.
+inline constexpr std::array<OutputColumn, 5> drift_columns{
+    {{"x", "m"}, {"y", "m"}, {"dx", "m"}, {"dy", "m"}, {"strength_share", "1"}}};
 
 /// Numbers of a contact node and a frame of /contact: position, normal, area, three forces; its body as an
 /// integer.

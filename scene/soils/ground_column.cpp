@@ -20,7 +20,8 @@ std::pair<double, double> densities_of(const GroundPiece& piece, const Case& sce
   return {density, scene.water ? density - scene.water->fluid.density : density};
 }
 
-/// Where the vertical line at x crosses a polygon's edges, from the top down.
+} // namespace
+
 std::vector<double> crossings(const Polygon& polygon, double x) {
   std::vector<double> levels;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
@@ -32,8 +33,6 @@ std::vector<double> crossings(const Polygon& polygon, double x) {
   std::ranges::sort(levels, std::greater{});
   return levels;
 }
-
-} // namespace
 
 GroundColumn ground_of_layers(const Case& scene, double surface, const std::vector<Layer>& layers,
                               double down_to) {

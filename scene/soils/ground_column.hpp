@@ -27,6 +27,9 @@ struct GroundPiece {
 /// From the top down.
 using GroundColumn = std::vector<GroundPiece>;
 
+/// The levels (m) at which the vertical line at x (m) crosses a polygon's edges, from the top down.
+std::vector<double> crossings(const Polygon& polygon, double x);
+
 /// The layers under a surface, and the half-space down to a level (m) below them.
 GroundColumn ground_of_layers(const Case& scene, double surface, const std::vector<Layer>& layers,
                               double down_to);

@@ -45,17 +45,20 @@ void LostHold::add(double time, std::span<const Vector> ground, std::span<const 
   last_ = time;
 }
 
+const GroundSprings* LostHold::springs_at(std::size_t f) const {
+  const GroundSprings* const springs = boundary_.ground_springs();
+  return springs != nullptr && springs->holds(f) ? springs : nullptr;
+}
+
 bool LostHold::counts(std::size_t f) const {
   const BoundaryFace& face = boundary_.faces()[f];
-  const GroundSprings* const springs = boundary_.ground_springs();
-  if (springs != nullptr && springs->holds(f))
-    return true;
-  return face.support == Support::dashpots && (face.side != Side::base || total_base_);
+  return springs_at(f) != nullptr ||
+         (face.support == Support::dashpots && (face.side != Side::base || total_base_));
 }
 
 Vector LostHold::moved(std::size_t f) const {
-  const GroundSprings* const springs = boundary_.ground_springs();
-  return springs != nullptr && springs->holds(f) ? springs->displacement(f) : moved_[f];
+  const GroundSprings* const springs = springs_at(f);
+  return springs != nullptr ? springs->displacement(f) : moved_[f];
 }
 
 double LostHold::moved_out(std::size_t f) const {
@@ -63,8 +66,8 @@ double LostHold::moved_out(std::size_t f) const {
 }
 
 double LostHold::strength_share(std::size_t f) const {
-  const GroundSprings* const springs = boundary_.ground_springs();
-  if (springs == nullptr || !springs->holds(f))
+  const GroundSprings* const springs = springs_at(f);
+  if (springs == nullptr)
     return 0.0;
   const Vector pull = springs->traction(f);
   const double size = std::hypot(pull.x, pull.y);
@@ -117,14 +120,12 @@ std::optional<std::string> LostHold::report() const {
 std::optional<std::string> LostHold::warning() const {
   const auto farthest = largest([&](std::size_t f) { return std::abs(moved_out(f)); });
   if (farthest && std::abs(moved_out(*farthest)) > far_) {
-    const GroundSprings* const springs = boundary_.ground_springs();
-    const bool held = springs != nullptr && springs->holds(*farthest);
     return fmt::format(
         "soil has moved {} the model by {:.2g} m at {}, beyond what its free field has: {}; sides and base "
         "farther from soil that fails, or absorber = \"matched_layer\", see less of it",
         moved_out(*farthest) > 0.0 ? "out of" : "into", std::abs(moved_out(*farthest)), place(*farthest),
-        held ? "a spring holds it there as ground that does not fail would"
-             : "the traction there is still the one that held it at rest");
+        springs_at(*farthest) != nullptr ? "a spring holds it there as ground that does not fail would"
+                                         : "the traction there is still the one that held it at rest");
   }
   const auto pulled = largest([&](std::size_t f) { return strength_share(f); });
   if (!pulled || !(strength_share(*pulled) > 1.0))

@@ -14,8 +14,8 @@ struct FaceDrift {
   Side side = Side::base;
   Vector position; ///< at the start, m
   Vector moved;    ///< d, m
-  double strength_share =
-      0.0; ///< of the soil's shear strength at rest that its spring pulls with; 0 without one
+  /// Traction of its spring over the soil's shear strength at rest; 0 without a spring.
+  double strength_share = 0.0;
 };
 
 /// How far soil has moved at each face beyond its free field,
@@ -50,6 +50,8 @@ public:
   void set_state(std::vector<double> state);
 
 private:
+  /// The boundary's springs where they hold a face, or null.
+  const GroundSprings* springs_at(std::size_t face) const;
   /// Whether d of a face is known, and nothing but dashpots and springs hold it.
   bool counts(std::size_t face) const;
   Vector moved(std::size_t face) const;

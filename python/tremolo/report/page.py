@@ -7,7 +7,7 @@ import json
 import tempfile
 from pathlib import Path
 
-from tremolo import drift, outputs, style
+from tremolo import drift, outputs
 from tremolo.pictures import preview
 from tremolo.report import facts, frames, kinds
 from tremolo.run import Run
@@ -43,11 +43,8 @@ def _drift(run, key):
     """How far sides and base have moved beyond their free field, as `tremolo plot` draws it; nothing without its table."""
     from tremolo.report import panels
 
-    if (figure := drift.figure_of(run)) is None:
-        return []
-    found = panels.charts(figure, key)
-    style.plt.close(figure)
-    return found
+    figure = drift.figure_of(run)
+    return [] if figure is None else panels.drawn([figure], key)[0]
 
 
 def _charts(runs, titles):

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib import colors, ticker
 from plotly import graph_objects as go
 
+from tremolo import style
 from tremolo.report.charts import Chart, kept, numbers
 
 GREEK = {r"\sigma": "σ", r"\gamma": "γ", r"\tau": "τ", r"\beta": "β", r"\varepsilon": "ε"}
@@ -119,3 +120,14 @@ def has_map(figure):
     """Whether a panel is coloured over an area."""
     return any(ax.collections and ax.get_label() != "<colorbar>" and any(c.get_array() is not None for c in ax.collections)
                for ax in figure.axes)
+
+
+def drawn(figures, key):
+    """Charts and maps of figures, which are closed."""
+    found, maps = [], []
+    for number, figure in enumerate(figures):
+        found += charts(figure, f"{key}-{number}")
+        if has_map(figure):
+            maps.append((image(figure), "the whole picture"))
+        style.plt.close(figure)
+    return found, maps

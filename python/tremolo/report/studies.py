@@ -7,7 +7,7 @@ from typing import NamedTuple
 import h5py
 import numpy as np
 
-from tremolo import column, cost, pore_pressure, style, swap
+from tremolo import column, cost, pore_pressure, swap
 from tremolo.soil_test import drawing, record
 from tremolo.report import panels
 from tremolo.report.facts import Table
@@ -37,20 +37,9 @@ def _columns(table, caption):
     return Table([name.replace("_", " ") for name in names], [[_number(cell) for cell in row] for row in zip(*table.values())], caption)
 
 
-def _drawn(figures, key):
-    """Charts and maps of figures."""
-    charts, maps = [], []
-    for number, figure in enumerate(figures):
-        charts += panels.charts(figure, f"{key}-{number}")
-        if panels.has_map(figure):
-            maps.append((panels.image(figure), "the whole picture"))
-        style.plt.close(figure)
-    return charts, maps
-
-
 def _swap(path, key):
     entries = swap.read(path)
-    charts, maps = _drawn([swap.draw(path)], key)
+    charts, maps = panels.drawn([swap.draw(path)], key)
     monitors = list(next((entry["monitors"] for entry in entries if not entry["refused"]), {}))
     rows = [
         [entry["model"], _number(entry["source_cpu_s"]), _number(entry["domain_cpu_s"]),
@@ -66,7 +55,7 @@ def _swap(path, key):
 
 def _cost(path, key):
     study = cost.read(path)
-    charts, maps = _drawn([cost.draw(path)], key)
+    charts, maps = panels.drawn([cost.draw(path)], key)
     rows = [
         [rung["folder"], _number(rung["size"]), _number(rung["cpu_s"]) if "cpu_s" in rung else "-",
          _number(100.0 * rung["error"]) if "error" in rung else "-", "yes" if rung.get("front") else ""]
@@ -82,7 +71,7 @@ def _cost(path, key):
 def _sweep(path, key):
     sweep = statistics.Sweep(Plan(path))
     figures = [figure for figure in (pictures.draw(sweep), pictures.draw_histories(sweep)) if figure is not None]
-    charts, maps = _drawn(figures, key)
+    charts, maps = panels.drawn(figures, key)
     names = statistics.responses(sweep)
     labels = [pictures.label(name, sweep.columns[name].unit).replace("$", "") for name in names]
     tables = [_sweep_groups(sweep, names, labels), *_sweep_pairs(sweep, names, labels), *_sweep_lines(sweep, names, labels),
@@ -146,7 +135,7 @@ def _sweep_runs(sweep, names, labels):
 
 def _soiltest(path, key):
     test = record.read(path)
-    charts, maps = _drawn([drawing.draw(test)], key)
+    charts, maps = panels.drawn([drawing.draw(test)], key)
     facts = {name: value for name, value in test.about.items() if name not in ("title", "test_file")}
     rows = [[name.replace("_", " "), _number(value).replace("_", " ")] for name, value in facts.items()]
     about = Table(["what", "value"], rows, "Test, SI units")
@@ -158,7 +147,7 @@ def _soiltest(path, key):
 
 def _column(path, key):
     figures = [figure for figure in (column.draw(path), pore_pressure.draw(path)) if figure is not None]
-    charts, maps = _drawn(figures, key)
+    charts, maps = panels.drawn(figures, key)
     with h5py.File(path, "r") as file:
         profile = column.table(file["profile"])
     return Study(Path(path).stem, "free field alone", charts, maps, [_columns(profile, "Profile of peak values, SI units")])

@@ -1,18 +1,19 @@
 #include "scene/plan/boundary/springs.hpp"
 
+#include "scene/soils/ground_column.hpp"
+#include "scene/sweep.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <vector>
 
 namespace tremolo::scene {
 
 namespace {
 
-/// a_n, a_t of a boundary that is told none: a heavy mass vibrates as it should, and between two free fields
-/// the base is pulled less (docs/boundaries.md).
+/// a_n, a_t where the case gives none: a heavy mass vibrates as it should, and a base between two free fields
+/// is pulled less (docs/boundaries.md).
 constexpr std::array<double, 2> for_equal_sides{1.0, 0.5};
 constexpr std::array<double, 2> for_sides_that_differ{0.5, 0.25};
 
@@ -20,14 +21,8 @@ constexpr std::array<double, 2> for_sides_that_differ{0.5, 0.25};
 std::optional<double> ground_surface(const Case& scene, double x) {
   std::optional<double> top;
   for (const Region& region : scene.regions)
-    for (std::size_t i = 0; i < region.polygon.size(); ++i) {
-      const Point a = region.polygon[i];
-      const Point b = region.polygon[(i + 1) % region.polygon.size()];
-      if (std::min(a.x, b.x) > x || std::max(a.x, b.x) < x)
-        continue;
-      const double y = a.x == b.x ? std::max(a.y, b.y) : a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
-      top = std::max(top.value_or(y), y);
-    }
+    if (const auto levels = crossings(region.polygon, x); !levels.empty())
+      top = std::max(top.value_or(levels.front()), levels.front());
   return top;
 }
 
@@ -55,16 +50,13 @@ Point spring_centre(const Case& scene) {
   const auto& [sides, left, right, base] = scene.boundary;
   const Point middle{0.5 * (scene.mesh.box.x_min + scene.mesh.box.x_max),
                      0.5 * (left.surface + right.surface)};
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
+  Polygon corners;
   for (const Structure& structure : scene.structures)
-    for (const Point corner : structure.outline.corners) {
-      low = std::min(low, corner.x);
-      high = std::max(high, corner.x);
-    }
-  if (low > high)
+    corners.insert(corners.end(), structure.outline.corners.begin(), structure.outline.corners.end());
+  if (corners.empty())
     return middle;
-  const double x = 0.5 * (low + high);
+  const Box around = box_of(corners);
+  const double x = 0.5 * (around.x_min + around.x_max);
   return {x, ground_surface(scene, x).value_or(middle.y)};
 }
 

@@ -135,10 +135,9 @@ double histories(const Case& scene, const Plan& plan) {
   bytes += static_cast<double>(scene.structures.size()) * table(mpm_domain::body_columns.size());
   const std::size_t faces = most_faces(scene);
   const std::size_t vectors = mpm_domain::numbers_of_face / 2;
-  bytes += static_cast<double>(vectors) * growing_table_bytes(2 * faces, rows) +
-           growing_table_bytes(1, rows) +
-           static_cast<double>(faces) *
-               ((5 + mpm_domain::numbers_of_face_drift) * sizeof(double) + 2 * name_bytes);
+  bytes +=
+      static_cast<double>(vectors) * growing_table_bytes(2 * faces, rows) + growing_table_bytes(1, rows) +
+      static_cast<double>(faces) * ((5 + mpm_domain::drift_columns.size()) * sizeof(double) + 2 * name_bytes);
   const auto frames = static_cast<std::size_t>(plan.frames) + 1;
   const double spacing = contact_cell_size(scene);
   for (const Structure& structure : scene.structures)

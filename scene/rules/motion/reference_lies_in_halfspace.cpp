@@ -31,8 +31,7 @@ void reference_lies_in_halfspace(const Case& scene, Findings& findings) {
                       y, where, top));
   };
   const auto& [sides, left, right, base] = scene.boundary;
-  const bool differ =
-      right.surface != left.surface || !right.own_profile.empty() || !left.own_profile.empty();
+  const bool differ = !scene.boundary.has_equal_sides();
   check(left, differ ? " of the left side" : "");
   if (differ)
     check(right, " of the right side");
