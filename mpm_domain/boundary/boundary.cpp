@@ -393,7 +393,7 @@ BoundaryWork Boundary::follow_update(Ground& ground, const Ticks& ticks, const C
   return total;
 }
 
-/// Of what the free field gives to the springs' far ends they keep what they do not give to the nodes.
+/// The springs keep what the free field gives to their far ends less what they give to the nodes.
 void Boundary::book_springs(std::size_t f, double impulse, Vector v, BoundaryWork& work) const {
   const double given = impulse * dot(spring_[f], ground_springs_->field_velocity(f));
   work.input += given;

@@ -6,8 +6,8 @@
 //     v^ff = (1 - s) v_left + s v_right,      sigma^ff likewise,      s from 0 at the left side to 1 at the
 //     right.
 //
-// Those of a base that takes the incident wave alone, and has springs, it knows once more, with the total
-// field of the sides that the springs move against.
+// A base that takes the incident wave alone and has springs is exchanged once more: its springs move against
+// the total field of the sides.
 //
 // Eq. (6) itself is the domain's boundary's. In mode lockstep the hub works it out too and sends the
 // tractions; both must agree to the last bit.

@@ -158,7 +158,7 @@ public:
   }
 
 private:
-  /// Tells what a user should know of the whole run.
+  /// Reports what a user should know of the whole run.
   void warn() const {
     if (const auto note = output_.note())
       fmt::print("note: {}\n", *note);

@@ -47,7 +47,7 @@ public:
 
   /// What a user should know of the run that has ended, a sentence.
   std::optional<std::string> warning() const;
-  /// What it may like to know, a sentence.
+  /// How far sides and base have moved, a sentence that is no warning.
   std::optional<std::string> note() const;
 
   /// Writes what an output that goes on from here needs, besides the file as it is now.

@@ -32,7 +32,7 @@ void expect_springs(const std::optional<PlannedSprings>& found, double across, d
   EXPECT_EQ(found->lags, lags);
 }
 
-/// The same on all sides.
+/// Gives these springs to both sides and the base.
 std::string with_springs(const std::string& text, const std::string& a) {
   return with("left = { model = \"wave\"", "left = { model = \"wave\", spring = " + a,
               with("right = { model = \"wave\"", "right = { model = \"wave\", spring = " + a,
