@@ -13,9 +13,12 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Half of the largest difference of principal stresses that the soil of a face bears in its present stress,
-/// Pa; without a limit where its law has none.
-double shear_strength(const BoundaryFace& face, const Particles& set) {
+/// Half of the largest difference of principal stresses that the ground beyond a face bears in the present
+/// stress, Pa; without a limit where the law of the soil there has none, and in rock below the base.
+double shear_strength(const BoundaryFace& face, const Ground& ground) {
+  const Particles& set = ground.sets[face.set];
+  if (face.side == Side::base && ground.spec.below_base)
+    return std::numeric_limits<double>::infinity();
   const auto lines = materials::strength_lines(set.law);
   const auto failure = std::ranges::find_if(
       lines, [](const auto& line) { return line.name == "failure" || line.name == "bounding"; });
@@ -29,12 +32,17 @@ std::string name_of(Side side) {
   return side == Side::base ? std::string("base") : fmt::format("{} side", name(side));
 }
 
+/// Pull beyond the soil's strength over the strength of its whole side from which on a user should know, 1.
+/// The ground beyond would yield there and hand this share to its neighbours. A face near the surface has
+/// almost no strength, and no weight in this sum.
+constexpr double notable_excess = 0.05;
+
 } // namespace
 
 LostHold::LostHold(const Ground& ground, const Boundary& boundary, bool total_base, double far)
     : boundary_(boundary), total_base_(total_base), far_(far), moved_(boundary.faces().size()) {
   for (const BoundaryFace& face : boundary.faces())
-    strength_.push_back(shear_strength(face, ground.sets[face.set]));
+    strength_.push_back(shear_strength(face, ground));
 }
 
 void LostHold::add(double time, std::span<const Vector> ground, std::span<const eq6::FreeField> free_field) {
@@ -65,13 +73,31 @@ double LostHold::moved_out(std::size_t f) const {
   return dot(moved(f), boundary_.faces()[f].ground.normal);
 }
 
-double LostHold::strength_share(std::size_t f) const {
+double LostHold::pull(std::size_t f) const {
   const GroundSprings* const springs = springs_at(f);
-  if (springs == nullptr)
-    return 0.0;
-  const Vector pull = springs->traction(f);
-  const double size = std::hypot(pull.x, pull.y);
+  const Vector traction = springs != nullptr ? springs->traction(f) : Vector{};
+  return std::hypot(traction.x, traction.y);
+}
+
+double LostHold::strength_share(std::size_t f) const {
+  const double size = pull(f);
   return size > 0.0 ? size / std::max(strength_[f], std::numeric_limits<double>::min()) : 0.0;
+}
+
+double LostHold::excess_pull(std::size_t f) const {
+  return std::max(pull(f) - strength_[f], 0.0);
+}
+
+double LostHold::excess_share(Side side) const {
+  double excess = 0.0;
+  double strength = 0.0;
+  for (std::size_t f = 0; f < moved_.size(); ++f)
+    if (const BoundaryFace& face = boundary_.faces()[f];
+        face.side == side && counts(f) && std::isfinite(strength_[f])) {
+      excess += face.length * excess_pull(f);
+      strength += face.length * strength_[f];
+    }
+  return excess > 0.0 ? excess / std::max(strength, std::numeric_limits<double>::min()) : 0.0;
 }
 
 template <class Value>
@@ -127,12 +153,19 @@ std::optional<std::string> LostHold::warning() const {
         springs_at(*farthest) != nullptr ? "a spring holds it there as ground that does not fail would"
                                          : "the traction there is still the one that held it at rest");
   }
-  const auto pulled = largest([&](std::size_t f) { return strength_share(f); });
-  if (!pulled || !(strength_share(*pulled) > 1.0))
-    return std::nullopt;
-  return fmt::format("the spring at {} pulls with {:.2g} of the strength of the soil there at rest: the "
-                     "ground beyond would yield too; sides and base farther from there ask for less of it",
-                     place(*pulled), strength_share(*pulled));
+  for (const Side side : {Side::left, Side::right, Side::base})
+    if (const double excess = excess_share(side); excess > notable_excess) {
+      const auto pulled = *largest([&](std::size_t f) {
+        const BoundaryFace& face = boundary_.faces()[f];
+        return face.side == side ? face.length * excess_pull(f) : -1.0;
+      });
+      return fmt::format(
+          "the springs at the {} pull with more than the strength of the soil at rest, most at "
+          "{}, by {:.2g} of what the soil of the whole side bears: the ground beyond would yield "
+          "there; sides and base farther from there ask for less of it",
+          name_of(side), place(pulled), excess);
+    }
+  return std::nullopt;
 }
 
 std::vector<double> LostHold::state() const {

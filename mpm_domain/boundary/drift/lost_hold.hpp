@@ -41,8 +41,8 @@ public:
   /// The largest |d| at each side and the base where it counts, and how much of the soil's strength k d asks
   /// for: a sentence, or nothing where no side counts.
   std::optional<std::string> report() const;
-  /// What a user should know where the ground beyond a face would not hold: d has become too large along the
-  /// normal, or k d larger than the strength of the soil.
+  /// What a user should know where the ground beyond a side would not hold: d has become too large along the
+  /// normal of a face, or the springs of a side pull beyond the strength of its soil.
   std::optional<std::string> warning() const;
 
   /// For a checkpoint.
@@ -56,8 +56,14 @@ private:
   bool counts(std::size_t face) const;
   Vector moved(std::size_t face) const;
   double moved_out(std::size_t face) const;
-  /// |k d| over the strength at rest.
+  /// |k d|, Pa; 0 without a spring.
+  double pull(std::size_t face) const;
+  /// The pull over the strength at rest.
   double strength_share(std::size_t face) const;
+  /// What the pull has beyond the strength at rest, Pa.
+  double excess_pull(std::size_t face) const;
+  /// The force beyond the strength over the strength, both summed over the side's soils that yield.
+  double excess_share(Side side) const;
   /// The face that counts with the largest value, if any does.
   template <class Value>
   std::optional<std::size_t> largest(const Value& value) const;

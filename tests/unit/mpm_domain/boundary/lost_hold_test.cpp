@@ -7,6 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +49,73 @@ TEST(LostHold, GoesOnFromACheckpoint) {
   LostHold again(domain, domain.boundary, true, 1.0);
   again.set_state(before.state());
   EXPECT_EQ(again.warning(), before.warning());
+}
+
+/// Dry sand at rest with K0 = 1 in a box whose springs pull because its free field has begun to move.
+class PulledSand {
+public:
+  explicit PulledSand(std::optional<materials::Elasticity> below = std::nullopt) : domain_(spec(below)) {
+    for (Particles& set : domain_.sets)
+      for (std::size_t k = 0; k < set.size(); ++k)
+        set.sxx[k] = set.syy[k] = set.szz[k] = 1700.0 * 9.81 * set.y[k];
+    domain_.boundary.build_supports(domain_);
+    hold_.emplace(domain_, domain_.boundary, true, 1.0);
+  }
+  /// The free field moves to the left, m/s, until so many faces of the left side pull with more than the
+  /// strength of their soil.
+  void pull(double speed, std::ptrdiff_t faces) {
+    Stepper stepper(domain_, 0.0, [speed](long, double, auto, std::span<eq6::FreeField> field) {
+      std::ranges::fill(field, eq6::FreeField{{-speed, 0.0}, {}});
+    });
+    for (int step = 0; step < 1000 && overloaded() < faces; ++step)
+      stepper.step();
+  }
+  std::ptrdiff_t overloaded(Side side = Side::left, double share = 1.0) const {
+    return std::ranges::count_if(hold_->faces(), [side, share](const FaceDrift& face) {
+      return face.side == side && face.strength_share > share;
+    });
+  }
+  std::optional<std::string> warning() const { return hold_->warning(); }
+
+private:
+  static Spec spec(std::optional<materials::Elasticity> below) {
+    Spec spec = test_support::elastic_box(20.0, 10.0, 1.0);
+    materials::MohrCoulomb sand{.elastic = {1700.0, 40e6, 0.28}};
+    sand.friction_peak = sand.friction_residual = std::numbers::pi / 6.0;
+    spec.soils.front().law = sand;
+    spec.below_base = below;
+    for (const Side side : {Side::left, Side::right, Side::base})
+      spec.springs.push_back({side, 1.0, 0.5, {10.0, 0.0}});
+    return spec;
+  }
+  Domain domain_;
+  std::optional<LostHold> hold_;
+};
+
+// The soil of the topmost face bears almost nothing: the ground beyond hands its pull to what lies below.
+TEST(LostHold, IsSilentWhereOneFaceNearTheSurfaceIsOverloaded) {
+  PulledSand sand;
+  sand.pull(1.0, 1);
+  ASSERT_EQ(sand.overloaded(), 1);
+  EXPECT_EQ(sand.warning(), std::nullopt);
+}
+
+TEST(LostHold, WarnsWhereASideAsksForMoreThanTheStrengthOfItsSoil) {
+  PulledSand sand;
+  sand.pull(20.0, 9);
+  ASSERT_EQ(sand.overloaded(), 9);
+  ASSERT_TRUE(sand.warning());
+  EXPECT_THAT(*sand.warning(),
+              HasSubstr("the springs at the left side pull with more than the strength of the soil"));
+}
+
+TEST(LostHold, LooksForNoStrengthInRock) {
+  PulledSand on_sand;
+  PulledSand on_rock(materials::Elasticity{2200.0, 1.3e9, 0.4});
+  for (PulledSand* const sand : {&on_sand, &on_rock})
+    sand->pull(20.0, 9);
+  EXPECT_GT(on_sand.overloaded(Side::base, 0.0), 0);
+  EXPECT_EQ(on_rock.overloaded(Side::base, 0.0), 0);
 }
 
 } // namespace
