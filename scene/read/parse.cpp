@@ -67,7 +67,7 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
   findings.throw_if_any();
   findings.grade(Severity::warning);
   for (const auto rule : {table_lies_in_ground, values_are_in_si_units, water_is_stiffer_than_skeleton,
-                          sand_has_one_void_ratio})
+                          sand_has_one_void_ratio, particles_take_all_damping})
     rule(scene, findings);
   scene.remarks = findings.remarks();
   return scene;

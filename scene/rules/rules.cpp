@@ -74,6 +74,7 @@ constexpr std::array rules = {
     Rule{Severity::warning, soil_is_that_of_halfspace},
     Rule{Severity::warning, free_field_yields_like_soil},
     Rule{Severity::warning, domain_is_damped_like_free_field},
+    Rule{Severity::warning, particles_take_all_damping},
     Rule{Severity::warning, yielding_soil_does_not_lock},
     Rule{Severity::warning, saturated_soil_has_water},
     Rule{Severity::warning, table_lies_in_ground},

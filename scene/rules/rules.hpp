@@ -137,6 +137,8 @@ void soil_is_that_of_halfspace(const Case& scene, Findings& findings);
 void free_field_yields_like_soil(const Case& scene, Findings& findings);
 /// The free field is damped like the domain beside it, at the same ratio and by the same law of frequency.
 void domain_is_damped_like_free_field(const Case& scene, Findings& findings);
+/// Neither the domain nor a column of its cells drops the part of Rayleigh's damping in proportion to mass.
+void particles_take_all_damping(const Case& scene, Findings& findings);
 /// Soil that can yield is not nearly incompressible.
 void yielding_soil_does_not_lock(const Case& scene, Findings& findings);
 /// Soil that weighs what saturated soil does has water.

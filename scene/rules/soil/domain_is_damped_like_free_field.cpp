@@ -91,21 +91,10 @@ void frequencies_agree(const Case& scene, Findings& findings) {
   using enum DampingModel;
   const Damping& damping = scene.damping;
   const auto& [sides, left, right, base] = scene.boundary;
-  const auto any = [&](SourceModel one, SourceModel other) {
-    return std::ranges::any_of(std::array{left.field.model, right.field.model, base.field.model},
-                               [&](SourceModel model) { return model == one || model == other; });
-  };
-  if (damping.model == rayleigh && any(SourceModel::fe, SourceModel::ode)) {
-    const auto [f1, f2] = damping.frequencies;
-    findings.add(
-        "damping.model",
-        fmt::format("the domain has the part of Rayleigh's damping that is proportional to stiffness "
-                    "alone: {:.3g} of its ratio at {} Hz and {:.3g} at {} Hz; model = "
-                    "\"kelvin_voigt\" is the same in domain and columns",
-                    f1 / (f1 + f2), f1, f2 / (f1 + f2), f2));
-  }
   if (damping.model != rayleigh && damping.model != kelvin_voigt && damping.reference_hz &&
-      any(SourceModel::wave, SourceModel::eql))
+      std::ranges::any_of(
+          std::array{left.field.model, right.field.model, base.field.model},
+          [](SourceModel model) { return model == SourceModel::wave || model == SourceModel::eql; }))
     findings.add("damping.model",
                  fmt::format("the damping of the domain is proportional to frequency, that of the free field "
                              "(\"{}\") hardly depends on it: they agree at {} Hz alone; model = "
