@@ -84,9 +84,13 @@ function(tremolo_timeout result seconds)
   set(${result} ${seconds} PARENT_SCOPE)
 endfunction()
 
+# Builds the GoogleTest programs, what they link and the programs that they start, and nothing else.
+add_custom_target(test_programs)
+
 # tremolo_gtest_program(target sources dependencies): a GoogleTest program, not yet a test.
 function(tremolo_gtest_program target sources dependencies)
   add_executable(${target} ${sources})
+  add_dependencies(test_programs ${target})
   target_link_libraries(${target} PRIVATE tremolo_light_options ${dependencies} tremolo_test_paths GTest::gmock
                                           GTest::gtest_main)
   target_precompile_headers(${target} REUSE_FROM tremolo_test_headers)
@@ -94,12 +98,15 @@ function(tremolo_gtest_program target sources dependencies)
 endfunction()
 
 # tremolo_test(name LABELS fast|verification|stability|system|fuzz ... SOURCES a.cpp ... DEPENDS tremolo::x ...
-#              [PROGRAMS those that the test starts ...] [DEFINITIONS X="y" ...] [TIMEOUT seconds] [TOGETHER])
+#              [PROGRAMS those that the test starts ...] [DEFINITIONS X="y" ...] [TIMEOUT seconds] [TOGETHER]
+#              [NOT_SANITIZED Suite.* ...])
 # A GoogleTest program; each TEST becomes a ctest entry carrying the labels. A test whose name contains "Acceptance"
 # takes too long for the suite: it carries the label acceptance alone and may take hours (scripts/acceptance.sh).
 # TOGETHER compiles four files as one, for their headers take longer to compile than the tests do themselves.
+# In sanitized builds the whole program is one ctest entry, for there a process takes longer to start than most tests
+# run; tests named by NOT_SANITIZED, which compute long and would find no more there than others do, are left out.
 function(tremolo_test name)
-  cmake_parse_arguments(ARG "TOGETHER" "TIMEOUT" "SOURCES;DEPENDS;LABELS;PROGRAMS;DEFINITIONS" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER" "TIMEOUT" "SOURCES;DEPENDS;LABELS;PROGRAMS;DEFINITIONS;NOT_SANITIZED" ${ARGN})
   tremolo_wants_test(wanted ${ARG_LABELS})
   if(NOT wanted)
     return()
@@ -112,6 +119,12 @@ function(tremolo_test name)
   endif()
   if(ARG_PROGRAMS)
     add_dependencies(test_${name} ${ARG_PROGRAMS})
+  endif()
+  if(TREMOLO_SANITIZE)
+    list(JOIN ARG_NOT_SANITIZED ":" left_out)
+    add_test(NAME ${name} COMMAND test_${name} --gtest_filter=-*Acceptance*:${left_out})
+    set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+    return()
   endif()
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 TEST_LIST test_${name}_names)
   # gtest_discover_tests flattens lists in PROPERTIES, which would lose every label but the first.
@@ -198,18 +211,20 @@ endfunction()
 # The system's own interpreter: the one that has the Debian packages python3-numpy, python3-h5py, ...
 set(TREMOLO_PYTHON /usr/bin/python3)
 
-# tremolo_python_test(name SCRIPT x.py LABELS fast ... [ARGS a b ...] [TIMEOUT seconds] [ACCEPTANCE])
-# A Python script that fails by its exit status. ACCEPTANCE: its classes of tests whose names contain "Acceptance" take
-# too long for the suite and are a test of their own, <name>.Acceptance, with the label acceptance alone.
+# tremolo_python_test(name SCRIPT x.py LABELS fast ... [ARGS a b ...] [TIMEOUT seconds])
+# A Python script that fails by its exit status. Its tests whose name, or whose class's, contains "acceptance" take too
+# long for the suite and are a test of their own, <name>.Acceptance, with the label acceptance alone.
 function(tremolo_python_test name)
-  cmake_parse_arguments(ARG "ACCEPTANCE" "SCRIPT;TIMEOUT" "LABELS;ARGS" ${ARGN})
+  cmake_parse_arguments(ARG "" "SCRIPT;TIMEOUT" "LABELS;ARGS" ${ARGN})
   tremolo_timeout(ARG_TIMEOUT "${ARG_TIMEOUT}")
   tremolo_wants_test(wanted ${ARG_LABELS})
   if(NOT wanted)
     return()
   endif()
   set(script ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_SCRIPT})
-  if(ARG_ACCEPTANCE)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${script})
+  file(STRINGS ${script} of_acceptance REGEX "^class Acceptance|^    def test_acceptance_")
+  if(of_acceptance)
     set(rows ${PROJECT_SOURCE_DIR}/tests/support/rows.py)
     add_test(NAME ${name}.Acceptance COMMAND ${TREMOLO_PYTHON} -B ${rows} acceptance ${script} ${ARG_ARGS})
     set_tests_properties(${name}.Acceptance PROPERTIES LABELS acceptance TIMEOUT ${TREMOLO_ACCEPTANCE_TIMEOUT})

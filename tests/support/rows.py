@@ -1,4 +1,4 @@
-"""Runs a script of unittests: those classes whose names contain "Acceptance", or all others.
+"""Runs a script of unittests: those tests whose name, or whose class's, contains "acceptance", or all others.
 
     usage: rows.py suite|acceptance SCRIPT ARGUMENTS
 """
@@ -10,18 +10,17 @@ from pathlib import Path
 
 WHICH = sys.argv[1]
 ACCEPTANCE = {"suite": False, "acceptance": True}[WHICH]
-load = unittest.TestLoader.loadTestsFromTestCase
+names_of = unittest.TestLoader.getTestCaseNames
 chosen = []
 
 
-def load_chosen(loader, case):
-    if ("Acceptance" in case.__name__) != ACCEPTANCE:
-        return loader.suiteClass()
-    chosen.extend(loader.getTestCaseNames(case))
-    return load(loader, case)
+def chosen_names(loader, case):
+    names = [name for name in names_of(loader, case) if ("acceptance" in f"{case.__name__}.{name}".lower()) == ACCEPTANCE]
+    chosen.extend(names)
+    return names
 
 
-unittest.TestLoader.loadTestsFromTestCase = load_chosen
+unittest.TestLoader.getTestCaseNames = chosen_names
 sys.argv = sys.argv[2:]
 sys.path[0] = str(Path(sys.argv[0]).parent)
 try:

@@ -23,14 +23,17 @@ class Fault:
     injected: str
     promised: str
     check: Callable
+    in_suite: bool
 
 
 FAULTS: list[Fault] = []
 
 
-def fault(injected, promised):
+def fault(injected, promised, in_suite=False):
+    """@param in_suite: one of each kind is in the suite, the others are tests of acceptance."""
+
     def register(check):
-        FAULTS.append(Fault(check.__name__.replace("_", " "), injected, promised, check))
+        FAULTS.append(Fault(check.__name__.replace("_", " "), injected, promised, check, in_suite))
         return check
     return register
 

@@ -20,7 +20,7 @@ def folder_left_by_a_kill(faults, parent):
     return list(Path(parent).iterdir())
 
 
-@fault("the socket's folder that a killed launcher left", "the next run removes it")
+@fault("the socket's folder that a killed launcher left", "the next run removes it", in_suite=True)
 def stale_socket(faults):
     with tempfile.TemporaryDirectory(prefix="tf-") as parent:
         left = folder_left_by_a_kill(faults, parent)
@@ -112,7 +112,7 @@ def file_size_limit(faults):
     return "told; the file is readable"
 
 
-@fault("output on a tmpfs of 400 kB", "ends, file and reason told")
+@fault("output on a tmpfs of 400 kB", "ends, file and reason told", in_suite=True)
 def full_disk(faults):
     if os.geteuid() != 0:
         return "not tried: needs root"

@@ -66,7 +66,7 @@ def killed_at_shutdown(faults):
     return kills(faults, "shutdown", 2)
 
 
-@fault("Ctrl-C", "files closed, exit status 130")
+@fault("Ctrl-C", "files closed, exit status 130", in_suite=True)
 def interrupted(faults):
     with faults.attack(duration=60.0) as run:
         run.await_phase("stepping")
@@ -117,7 +117,7 @@ def domain_stopped(faults):
     return stopped(faults, "domain", r"the hub waits for the velocities of step \d+ of domain 'domain'.*last sign of life")
 
 
-@fault("SIGSTOP of a source for ever, step deadline 2 s", "the same, with field and step")
+@fault("SIGSTOP of a source for ever, step deadline 2 s", "the same, with field and step", in_suite=True)
 def source_stopped(faults):
     return stopped(faults, "right", r"domain 'domain' waits for source 'right', field 'total', step \d+, since.*last sign of life")
 

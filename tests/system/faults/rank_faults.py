@@ -177,7 +177,7 @@ def failing(faults, rank):
         run.must_fail(rf"{told}.*this step fails on purpose" if rank > 0 else told, GONE)
 
 
-@fault("a rank whose step throws", "all gone, the rank and its words told")
+@fault("a rank whose step throws", "all gone, the rank and its words told", in_suite=True)
 def failing_rank(faults):
     if not timed(faults).has_mpi:
         return NO_MPI

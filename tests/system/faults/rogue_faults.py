@@ -35,7 +35,7 @@ def beating_solver_loop(faults):
     return "the source named"
 
 
-@fault("a source that never says HELLO, connect deadline 1.5 s", "ends at the deadline, the source named")
+@fault("a source that never says HELLO, connect deadline 1.5 s", "ends at the deadline, the source named", in_suite=True)
 def never_starts(faults):
     with faults.rogue("absent", connect=1.5) as run:
         return f"{run.must_fail('no HELLO from source .left. within 1.5 s', 4.0, run.started):.2f} s"
@@ -48,7 +48,7 @@ def starts_late(faults):
     return "the same bits"
 
 
-@fault("a source that ends with status 3, control characters in its last line", "status and last lines told")
+@fault("a source that ends with status 3, control characters in its last line", "status and last lines told", in_suite=True)
 def source_that_dies(faults):
     with faults.rogue("die") as run:
         run.must_fail(r"'left' exited with code 3.*\\x1b\[31mthe rogue has had enough", 10.0, run.started)
@@ -86,7 +86,7 @@ def duplicate(faults):
     return "refused; the same bits"
 
 
-@fault("a source that comes back under its name", "refused, the run ends")
+@fault("a source that comes back under its name", "refused, the run ends", in_suite=True)
 def restarted_peer(faults):
     with faults.rogue("restart") as run:
         run.must_fail("'left' is already taking part in this run; a second one was refused", 10.0, run.started)
@@ -112,17 +112,18 @@ def strangers_at_the_port(faults):
     return strangers(faults, "--transport", "tcp")
 
 
-def frame_fault(misdeed, injected, message):
+def frame_fault(misdeed, injected, message, in_suite=False):
     def check(faults):
         for mode in ("window", "lockstep"):
             with faults.rogue(misdeed, mode=mode) as run:
                 run.must_fail(message, 10.0, run.started)
         return "refused in both modes"
     check.__name__ = "frame_" + misdeed.replace("-", "_")
-    fault(injected, "refused before use, found and expected told")(check)
+    fault(injected, "refused before use, found and expected told", in_suite)(check)
 
 
-frame_fault("nan", "a frame with NaN, checksum right", r"source 'left' sent nonsense: field 'total', step \d+: stress syy at y = -?[\d.]+ m \(point 0 of \d+\) is nan Pa, allowed are")
+frame_fault("nan", "a frame with NaN, checksum right", r"source 'left' sent nonsense: field 'total', step \d+: stress syy at y = -?[\d.]+ m \(point 0 of \d+\) is nan Pa, allowed are",
+            in_suite=True)
 frame_fault("inf", "a frame with Inf, checksum right", r"stress syy at y = .* is inf Pa, allowed are")
 frame_fault("huge", "a frame with 1e200, checksum right", r"stress syy at y = .* is 1e\+200 Pa, allowed are -1e\+10 to 1e\+10 Pa")
 frame_fault("unit", "another unit tag", "unit tag is 2, expected 1")
@@ -133,7 +134,7 @@ frame_fault("reorder", "two steps in the wrong order", r"first step is \d+, expe
 frame_fault("session", "a frame of another run", r"session is \w+, expected \w+")
 frame_fault("sender", "a frame in another's name", r"sender is 2, expected 1|sender is \d+, expected \d+")
 frame_fault("field", "a field that is not served", "a frame of field 7, but it serves 1 fields")
-frame_fault("crc", "a wrong checksum", r"CRC-32 is 12345, expected \d+")
+frame_fault("crc", "a wrong checksum", r"CRC-32 is 12345, expected \d+", in_suite=True)
 frame_fault("flip", "one bit flipped", r"CRC-32 is \d+, expected \d+|value \d+ of step")
 frame_fault("truncate", "eight bytes missing", r"length in bytes is \d+, expected \d+")
 frame_fault("two-gib", "a header that claims 2^32 - 1 steps", r"holds 4294967295 steps, expected 1 to \d+")
@@ -143,14 +144,14 @@ frame_fault("json", "a control message of unknown type", "control message: its t
 frame_fault("broken-json", "half a control message", "control message: ")
 
 
-def hello_fault(misdeed, injected, message):
+def hello_fault(misdeed, injected, message, in_suite=False):
     def check(faults):
         with faults.rogue("hello-" + misdeed) as run:
             run.must_fail(message, 5.0, run.started)
             require(re.search(r"the hub says REFUSE", (run.out / "log/left.log").read_text()), "not told to the participant")
         return "refused on both sides"
     check.__name__ = "hello_" + misdeed
-    fault(injected, "refused with a message on both sides, no wait")(check)
+    fault(injected, "refused with a message on both sides, no wait", in_suite)(check)
 
 
 hello_fault("protocol", "HELLO of another protocol version", r"'left' \(build rogue\) says protocol = 1, the hub \(build [\d.]+\) has 2")
@@ -159,7 +160,8 @@ hello_fault("name", "HELLO under the domain's name", r"'domain' .*says role = so
 hello_fault("unknown", "HELLO under a name the run does not have", "this run has no participant 'middle'")
 hello_fault("units", "HELLO with other units", "says units = cgs, the hub .* has SI")
 hello_fault("role", "HELLO in another role", "says role = domain, the hub .* has source")
-hello_fault("case", "HELLO with another case", r"says case = 00000000, the hub .* has \w{8}; line \d+, \[mesh\]: 'size = 0.5' against 'size = 1.0'")
+hello_fault("case", "HELLO with another case", r"says case = 00000000, the hub .* has \w{8}; line \d+, \[mesh\]: 'size = 0.5' against 'size = 1.0'",
+            in_suite=True)
 
 
 hello_fault("steps", "HELLO with a field of -1 steps", r"'step_count' is -1, expected a whole number")

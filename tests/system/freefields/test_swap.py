@@ -103,7 +103,7 @@ class Swap(Swapped):
         self.assertRegex(refused, r'case\.toml:\d+:\d+: .*"ode" knows vertical incidence only.* = 15.*"fe"')
         self.assert_agree(entries, UNIFORM)
 
-    def test_all_models_agree_over_layers(self):
+    def test_acceptance_all_models_agree_over_layers(self):
         with BoxWorkspace(TREMOLO, ground=LAYERED, halfspace=STIFF) as work:
             self.assert_agree(self.swapped(work, ALL), IN_LAYERS)
 

@@ -200,14 +200,14 @@ class OverTwoMachines(HostsTest):
             self.assert_same_bits(work, run)
             self.assertEqual(0, joined.end(), joined.output())
 
-    def test_slow_line_that_loses_packets(self):
+    def test_acceptance_slow_line_that_loses_packets(self):
         with two_hosts.TwoHosts(delay=0.05, loss=0.01, seed=7) as hosts:
             with self.workspace(hosts, left=BY_SSH) as work:
                 self.assert_same_bits(work, work.run())
             sent, lost = hosts.packets()
             self.assertGreater(lost, 0, f"of {sent} packets none was lost: nothing was tried")
 
-    def test_line_that_is_down_for_5_s(self):
+    def test_acceptance_line_that_is_down_for_5_s(self):
         with two_hosts.TwoHosts() as hosts, self.workspace(hosts) as work:
             run = work.run()
             joined = work.join(run)
@@ -219,7 +219,7 @@ class OverTwoMachines(HostsTest):
             self.assert_same_bits(work, run)
             self.assertEqual(0, joined.end(), joined.output())
 
-    def test_line_that_stays_down_ends_both_sides(self):
+    def test_acceptance_line_that_stays_down_ends_both_sides(self):
         with two_hosts.TwoHosts() as hosts, self.workspace(hosts, step_deadline=8.0) as work:
             run = work.run()
             joined = work.join(run)

@@ -3,6 +3,7 @@
     usage: test_report.py TREMOLO SOURCE_DIR
 """
 
+import functools
 import sys
 import unittest
 from pathlib import Path
@@ -32,33 +33,47 @@ def keys(*words):
 
 
 def setUpModule():
-    """One run of each kind for all tests."""
     if MISSING:
         raise unittest.SkipTest(MISSING)
-    global page, pages
+    global page
     page = browser.Browser()
     unittest.addModuleCleanup(page.close)
-    box, tunnel = Workspace(TREMOLO), TunnelWorkspace(TREMOLO, duration=0.4)
-    unittest.addModuleCleanup(box.__exit__)
-    unittest.addModuleCleanup(tunnel.__exit__)
-    # Two monitors have spectral ratios.
-    text = box.case.read_text()
-    box.case.write_text(text.replace("[output]", '[[monitor]]\nname = "deep"\npoint = [10.0, -8.0]\n\n[output]'))
-    first, second = box.run("first"), box.run("second", "--angle", "0")
-    verified = box.command("verify", first)
+
+
+@functools.cache
+def box():
+    """A box with two monitors, which have spectral ratios, after its first run and `verify`."""
+    work = Workspace(TREMOLO)
+    unittest.addModuleCleanup(work.__exit__)
+    text = work.case.read_text()
+    work.case.write_text(text.replace("[output]", '[[monitor]]\nname = "deep"\npoint = [10.0, -8.0]\n\n[output]'))
+    verified = work.command("verify", work.run("first"))
     assert verified.returncode == 0, verified.stdout + verified.stderr
-    pages = {"tunnel": tunnel.run("wet", "--report") / "report.html"}
-    assert pages["tunnel"].exists(), "tremolo run --report wrote none"
-    for name, runs in (("box", [first]), ("two", [first, second])):
-        pages[name] = box.path / f"{name}.html"
-        told = box.command("report", *runs, "--out", pages[name])
-        assert told.returncode == 0, told.stderr
-        assert str(pages[name]) in told.stdout
+    return work
+
+
+@functools.cache
+def report(name):
+    """The page of the box's first run, of two of its runs ("two"), or of a tunnel in saturated sand."""
+    if name == "tunnel":
+        tunnel = TunnelWorkspace(TREMOLO, duration=0.4)
+        unittest.addModuleCleanup(tunnel.__exit__)
+        written = tunnel.run("wet", "--report") / "report.html"
+        assert written.exists(), "tremolo run --report wrote none"
+        return written
+    runs = [box().path / "first"]
+    if name == "two":
+        runs.append(box().run("second", "--angle", "0"))
+    written = box().path / f"{name}.html"
+    told = box().command("report", *runs, "--out", written)
+    assert told.returncode == 0, told.stderr
+    assert str(written) in told.stdout
+    return written
 
 
 class Player(unittest.TestCase):
     def test_plays_to_the_end_and_shows_other_images(self):
-        page.open(pages["box"])
+        page.open(report("box"))
         page.find("#scrub").send_keys(*keys("HOME"))
         first = page.run(SOURCE_OF_FRAME)
         self.assertTrue(first.startswith("data:image/webp;base64,"))
@@ -72,8 +87,8 @@ class Player(unittest.TestCase):
         self.assertIn("t = 1.00 s", page.find("#now").text)
         self.assertEqual([], page.complaints())
 
-    def test_obeys_the_keyboard_and_the_field(self):
-        page.open(pages["tunnel"])
+    def test_acceptance_obeys_the_keyboard_and_the_field(self):
+        page.open(report("tunnel"))
         scrub = page.find("#scrub")
         scrub.send_keys(*keys("HOME", "ARROW_RIGHT", "ARROW_RIGHT"))
         self.assertEqual("2", page.run("return document.getElementById('scrub').value"))
@@ -95,7 +110,7 @@ class Charts(unittest.TestCase):
     def test_zoom_by_drag_and_by_keys(self):
         from selenium.webdriver.common.action_chains import ActionChains
 
-        page.open(pages["box"])
+        page.open(report("box"))
         chart = '[data-chart="history-surface"]'
         whole = page.run(RANGE, chart)
         element = page.show(chart)
@@ -117,7 +132,7 @@ class Charts(unittest.TestCase):
         self.assertEqual([], page.complaints())
 
     def test_have_axes_with_units_and_words(self):
-        page.open(pages["box"])
+        page.open(report("box"))
         for chart in page.run("return [...document.querySelectorAll('.chart')].map((c) => [c.getAttribute('aria-label'), "
                               "Object.keys(c._fullLayout).filter((k) => /^[xy]axis/.test(k)).map((k) => c._fullLayout[k].title.text)])"):
             self.assertGreater(len(chart[0]), 20)
@@ -126,16 +141,16 @@ class Charts(unittest.TestCase):
         self.assertEqual(0, page.run("return [...document.images].filter((image) => !image.alt).length"))
         self.assertIn("exact", page.find("#verified").text)
 
-    def test_values_under_the_pointer(self):
+    def test_acceptance_values_under_the_pointer(self):
         from selenium.webdriver.common.action_chains import ActionChains
 
-        page.open(pages["box"])
+        page.open(report("box"))
         element = page.show('[data-chart="response-surface"]')
         ActionChains(page.driver).move_to_element(element).perform()
         page.wait("return document.querySelector('[data-chart=\"response-surface\"] .hoverlayer').textContent.includes('horizontal')")
 
-    def test_ratio_over_another_monitor_is_the_reciprocal(self):
-        page.open(pages["box"])
+    def test_acceptance_ratio_over_another_monitor_is_the_reciprocal(self):
+        page.open(report("box"))
         ratio = "return document.getElementById('ratio').data.map((line) => [line.name, line.y])"
         (name, one), = page.run(ratio)
         self.assertEqual("surface", name)
@@ -149,8 +164,8 @@ class Charts(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
-    def test_of_two_runs_has_both_and_their_difference(self):
-        page.open(pages["two"])
+    def test_acceptance_of_two_runs_has_both_and_their_difference(self):
+        page.open(report("two"))
         self.assertEqual(["first", "second", "second less first"],
                          page.run("return [...document.querySelectorAll('#panels figcaption')].map((c) => c.textContent.split(':')[0])"))
         self.assertIn("second against first", page.find("#differences").text)
@@ -159,18 +174,21 @@ class Page(unittest.TestCase):
         self.assertEqual(["solid", "dash"], dashes)
 
     def test_needs_no_network_and_is_small(self):
-        for path in pages.values():
-            self.assertLess(path.stat().st_size, 4_000_000)
-        page.open(pages["box"])
+        self.assertLess(report("box").stat().st_size, 4_000_000)
+        page.open(report("box"))
         fetched = page.run("return performance.getEntriesByType('resource').map((entry) => entry.name)")
         self.assertEqual([], [name for name in fetched if not name.startswith(("data:", "blob:"))])
 
 
 class AcceptanceScreensAndPaper(unittest.TestCase):
+    def test_of_two_runs_or_of_a_tunnel_is_small(self):
+        for name in ("two", "tunnel"):
+            self.assertLess(report(name).stat().st_size, 4_000_000)
+
     def test_fits_a_desk_and_a_telephone_in_both_schemes(self):
         for name, width, dark in (("two", 1400, False), ("two", 400, True), ("tunnel", 400, False)):
             with self.subTest(name=name, width=width):
-                page.open(pages[name], width, scheme="dark" if dark else "light")
+                page.open(report(name), width, scheme="dark" if dark else "light")
                 self.assertLessEqual(page.run("return document.documentElement.scrollWidth"), width)
                 self.assertTrue(page.run("return document.getElementById('trouble').hidden"))
                 ground, text = page.run("const s = getComputedStyle(document.body); return [s.backgroundColor, s.color]")
@@ -181,7 +199,7 @@ class AcceptanceScreensAndPaper(unittest.TestCase):
                 self.assertEqual([], page.complaints())
 
     def test_prints_dark_on_white_as_wide_as_paper(self):
-        page.open(pages["box"], scheme="dark")
+        page.open(report("box"), scheme="dark")
         look = "const l = document.querySelector('[data-chart=energy]')._fullLayout; return [l.width, l.font.color]"
         screen = page.run(look)
         page.run("addEventListener('beforeprint', () => { window.printed = (() => { " + look + " })(); })")

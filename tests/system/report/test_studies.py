@@ -74,7 +74,7 @@ class Studies(Pages):
         page.show(chart).send_keys("+")
         page.wait(f"return document.querySelector(\"{chart}\")._fullLayout.xaxis.range[1] < {whole[1]}")
 
-    def test_free_field_alone(self):
+    def test_acceptance_free_field_alone(self):
         done("column", work.case, "--model", "fe", "--out", "alone.h5")
         opened("alone.h5")
         depth = "depth (m) over peak "

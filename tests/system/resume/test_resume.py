@@ -78,11 +78,6 @@ class Resume(ResumeCase):
             whole = self.broken_and_resumed(work)
             self.assertEqual(2, len(checkpoints(whole)))
 
-    def test_in_lockstep(self):
-        with with_checkpoints(record(BoxWorkspace(TREMOLO, **MIXED, duration=1.0)), every_steps=50, keep=1) as work:
-            whole = self.broken_and_resumed(work, "--mode", "lockstep")
-            self.assertEqual(1, len(checkpoints(whole)))
-
     def test_wet_ground_that_yields_under_a_wave_at_an_angle(self):
         with with_checkpoints(FlatWorkspace(TREMOLO, ground=UNDRAINED, water=WATER, velocity=0.3, duration=0.7), every_steps=500) as work:
             self.broken_and_resumed(work)
@@ -95,16 +90,6 @@ class Resume(ResumeCase):
             with h5py.File(whole / "run.h5") as file:
                 counts = [len(frame["position"]) for frame in file["frames"].values()]
             self.assertGreater(counts[-1], counts[0], "nothing was cut")
-
-    def test_levels_with_steps_of_their_own(self):
-        slope = subcycled(refine(SlopeWorkspace(TREMOLO, velocity=2.0, duration=1.0), *SLOPE_BOXES))
-        with with_checkpoints(slope, every_steps=40) as work:
-            self.broken_and_resumed(work)
-
-    def test_death_while_a_checkpoint_is_written_costs_nothing(self):
-        # With one after every step there is hardly a moment in which none is being written.
-        with with_checkpoints(BoxWorkspace(TREMOLO, **MIXED, duration=1.0), every_steps=1) as work:
-            self.broken_and_resumed(work)
 
     def test_a_set_that_is_not_complete_does_not_count(self):
         with with_checkpoints(BoxWorkspace(TREMOLO, **MIXED, duration=1.0), every_steps=40) as work:
@@ -146,6 +131,21 @@ class Resume(ResumeCase):
 
 
 class AcceptanceOtherModels(ResumeCase):
+    def test_in_lockstep(self):
+        with with_checkpoints(record(BoxWorkspace(TREMOLO, **MIXED, duration=1.0)), every_steps=50, keep=1) as work:
+            whole = self.broken_and_resumed(work, "--mode", "lockstep")
+            self.assertEqual(1, len(checkpoints(whole)))
+
+    def test_levels_with_steps_of_their_own(self):
+        slope = subcycled(refine(SlopeWorkspace(TREMOLO, velocity=2.0, duration=1.0), *SLOPE_BOXES))
+        with with_checkpoints(slope, every_steps=40) as work:
+            self.broken_and_resumed(work)
+
+    def test_death_while_a_checkpoint_is_written_costs_nothing(self):
+        # With one after every step there is hardly a moment in which none is being written.
+        with with_checkpoints(BoxWorkspace(TREMOLO, **MIXED, duration=1.0), every_steps=1) as work:
+            self.broken_and_resumed(work)
+
     def test_a_slope_with_gravity_and_softening(self):
         with with_checkpoints(SlopeWorkspace(TREMOLO, duration=1.5), every_steps=50) as work:
             self.broken_and_resumed(work)

@@ -33,26 +33,25 @@ class Buildings(unittest.TestCase):
 
 
 class AdjacentBuildings(Buildings):
+    """As long as it takes the sand to liquefy and the buildings to sink."""
+
+    changes = FASTER | {"duration_s = 36.0 ": "duration_s = 9.0 "}
+
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.run_of_both = cls.run_of(SHORT, "both")
+        cls.run_of_both = cls.run_of(cls.changes, "both")
 
     def test_both_settle_and_the_tall_one_more(self):
         low, high = settlement(self.run_of_both, "low")[-1], settlement(self.run_of_both, "tall")[-1]
-        self.assertGreater(low, 0.1)
+        self.assertGreater(low, 0.05)
         self.assertGreater(high, 1.5 * low)
-
-    def test_the_soil_between_rises_over_the_foundation_of_the_tall_one(self):
-        _, over = rise(self.run_of_both)
-        self.assertGreater(over[-1], 0.25)
 
     def test_neither_enters_the_other(self):
         self.assertLess(overlap(self.run_of_both), 1e-3)
 
     def test_the_ground_liquefies_beside_the_buildings(self):
-        table = self.run_of_both.monitor("free field")
-        self.assertGreater(table["pore_pressure_ratio"][table["time"] > SHAKEN].min(), 0.8)
+        self.assertGreater(self.run_of_both.monitor("free field")["pore_pressure_ratio"].max(), 0.8)
 
     def test_the_stress_under_the_tall_one_stays_within_the_cone(self):
         table = self.run_of_both.monitor("under the tall one")
@@ -67,6 +66,18 @@ class AdjacentBuildings(Buildings):
         energy = self.run_of_both.energy
         dissipated = energy["plastic"][-1] + energy["viscous"][-1]
         self.assertLess(np.abs(energy["residual"]).max(), 0.02 * dissipated)
+
+
+class AcceptanceBeyondTheShaking(AdjacentBuildings):
+    changes = SHORT
+
+    def test_the_soil_between_rises_over_the_foundation_of_the_tall_one(self):
+        _, over = rise(self.run_of_both)
+        self.assertGreater(over[-1], 0.25)
+
+    def test_the_ground_stays_liquefied(self):
+        table = self.run_of_both.monitor("free field")
+        self.assertGreater(table["pore_pressure_ratio"][table["time"] > SHAKEN].min(), 0.8)
 
 
 class AcceptanceOtherBuildings(Buildings):

@@ -136,7 +136,7 @@ class Mishaps(unittest.TestCase):
             # A source keeps its steps in a file too, which may be too large first.
             self.assertRegex(output, "(run.h5|cannot keep the free field in).*: File too large")
 
-    def test_a_launcher_killed_as_it_begins_leaves_no_run_file_that_cannot_be_read(self):
+    def test_acceptance_a_launcher_killed_as_it_begins_leaves_no_run_file_that_cannot_be_read(self):
         with Workspace(TREMOLO, **LONG) as work:
             named = 0
             for attempt in range(20):

@@ -68,7 +68,7 @@ class Slope(unittest.TestCase):
             for index in range(len(run.times)):
                 self.assertLess(np.max(np.abs(run.field(index, "velocity"))), 1e-5)
 
-    def test_on_three_levels_particles_are_cut_where_they_enter_finer_cells(self):
+    def test_acceptance_on_three_levels_particles_are_cut_where_they_enter_finer_cells(self):
         with refine(SlopeWorkspace(TREMOLO, velocity=2.0), *SLOPE_BOXES) as work:
             run = Run(work.run("run", "--threads", "1"))
             last = len(run.times) - 1

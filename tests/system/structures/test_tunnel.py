@@ -45,7 +45,7 @@ class Tunnel(unittest.TestCase):
             self.assertEqual(0, done.returncode, done.stdout + done.stderr)
             self.assertIn("bodies.png", done.stdout)
 
-    def test_undrained(self):
+    def test_acceptance_undrained(self):
         self.checked("undrained")
 
     def test_with_water_that_flows(self):

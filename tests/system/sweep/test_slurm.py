@@ -67,7 +67,7 @@ class Slurm(unittest.TestCase):
         measures = [name for name in rows[0] if name.startswith("surface.")]
         self.assertEqual([[row[name] for name in measures] for row in pool.rows()], [[row[name] for name in measures] for row in rows])
 
-    def test_an_interrupted_command_watches_its_jobs_again(self):
+    def test_acceptance_an_interrupted_command_watches_its_jobs_again(self):
         work = self.workspace(LONG, duration=2.0)
         first = work.start("--slurm", "")
         job = self.submitted(work)
@@ -80,7 +80,7 @@ class Slurm(unittest.TestCase):
         self.assertIn(f"jobs of an earlier command go on: {job}", again)
         self.assertEqual(["complete"] * 3, [row["status"] for row in work.rows()])
 
-    def test_a_cancelled_task_is_a_row_and_a_requeued_one_is_made_anew(self):
+    def test_acceptance_a_cancelled_task_is_a_row_and_a_requeued_one_is_made_anew(self):
         work = self.workspace(LONG, duration=3.0)
         command = work.start("--slurm", "", "--jobs", 1)
         job = self.submitted(work)

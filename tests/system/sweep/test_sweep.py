@@ -94,7 +94,7 @@ class Table(unittest.TestCase):
 
 
 class Resumed(unittest.TestCase):
-    def test_another_value_makes_its_runs_alone(self):
+    def test_acceptance_another_value_makes_its_runs_alone(self):
         with SweepWorkspace(TREMOLO) as work:
             work.study.write_text(STUDY.replace(", 80e6", ""))
             work.swept()
@@ -130,14 +130,14 @@ class Resumed(unittest.TestCase):
             after = work.made()
             self.assertEqual([before["0001"], before["0002"]], [after["0001"], after["0002"]])
 
-    def test_who_waited_for_a_run_that_fails_computes_itself(self):
+    def test_acceptance_who_waited_for_a_run_that_fails_computes_itself(self):
         # The first run of the angle, which records for the others, fails for its domain: no free field depends on its step.
         study = 'case = "case.toml"\n[axes]\ncoupling.connect_deadline_s = [0.0001, 30, 31]\n'
         with SweepWorkspace(TREMOLO, study) as work:
             self.assertEqual(1, work.sweep().returncode)
             self.assertEqual(["failed", "complete", "complete"], [row["status"] for row in work.rows()])
 
-    def test_another_record_under_the_same_name_is_another_run(self):
+    def test_acceptance_another_record_under_the_same_name_is_another_run(self):
         study = 'case = "case.toml"\n[axes]\nmotion.file = ["a.AT2", "b.AT2"]\n'
         with SweepWorkspace(TREMOLO, study) as work:
             work.case.write_text(work.case.read_text().replace(*WITH_RECORD).replace("none.AT2", "a.AT2"))
