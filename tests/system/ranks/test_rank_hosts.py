@@ -76,7 +76,7 @@ class RanksOnTwoMachines(unittest.TestCase):
         self.assertIn(f"as 4 ranks, 2 here, 2 on {self.hosts.there_address}", output)
         self.assertEqual([], differences(self.work.path / "killed", self.whole))
 
-    def test_a_line_that_stays_down_ends_both_sides(self):
+    def test_acceptance_a_line_that_stays_down_ends_both_sides(self):
         run, there = self.in_its_steps("cut")
         self.hosts.line("down")
         try:

@@ -74,7 +74,7 @@ class RanksInAJob(unittest.TestCase):
         self.assertRegex(self.said(), "left-base .* by srun")
         self.assertEqual([], differences(self.runs()[-1], self.whole))
 
-    def test_a_rank_that_dies_on_another_node_ends_the_job_with_its_name(self):
+    def test_acceptance_a_rank_that_dies_on_another_node_ends_the_job_with_its_name(self):
         before = len(self.runs())
         job, command = self.submitted()
         await_until(lambda: command.poll() is not None or (len(self.runs()) > before and checkpoints(self.runs()[-1])), "a checkpoint")
