@@ -177,7 +177,7 @@ def _option(action):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog="python3 -m tremolo", description="Pictures of tremolo runs.")
+    parser = argparse.ArgumentParser(prog="tremolo", description="Pictures of tremolo runs.")
     commands = parser.add_subparsers(required=True)
 
     def add(name, action, summary):
