@@ -30,6 +30,11 @@ def layered(line):
     return line.replace(" }", ', absorber = "matched_layer" }')
 
 
+def without_springs(line):
+    """A line of [boundary] with dashpots alone."""
+    return line.replace(" }", ", spring = false }")
+
+
 def yielding(line, thickness):
     """A line of [boundary] whose free field is a column of the slope's soil."""
     return line.replace("wave", "fe").replace(" }", f', profile = [{{ thickness = {thickness}, soil = "slope" }}] }}')
@@ -40,21 +45,26 @@ VOLUMES = {
     "cell": ("of a cell", {}),
     "particle": ("of a particle", {WHOLE: f'{WHOLE}dilatation = "particle"\n'}),
 }
+ALONE = {line: without_springs(line) for line in (LEFT, RIGHT, BASE)}
 FORMS = {
-    "incident": ("`incident`, dashpots", {}),
+    "springs": ("`incident`, springs", {}),
+    "incident": ("`incident`, dashpots alone", ALONE),
     "blended": (
         "`blended`, layers",
         {LEFT: layered(LEFT), RIGHT: layered(RIGHT), BASE: layered(BASE.replace("incident", "blended"))},
     ),
-    "yielding": ("`incident`, dashpots, sides that yield", {LEFT: yielding(LEFT, 20.0), RIGHT: yielding(RIGHT, 30.0)}),
+    "yielding": (
+        "`incident`, dashpots alone, sides that yield",
+        ALONE | {LEFT: yielding(ALONE[LEFT], 20.0), RIGHT: yielding(ALONE[RIGHT], 30.0)},
+    ),
 }
 
 DURATIONS = {"fine": 11.5}  # s: by then all of them have failed
 OURS = ("motion.AT2", *(f"seed {seed}" for seed in SEEDS))
 PARTS = (  # mesh, change of volume, forms, motions: all where none are named
-    ("fine", "cell", ("incident", "blended"), OURS),
+    ("fine", "cell", ("springs", "incident", "blended"), OURS),
     ("coarse", "cell", tuple(FORMS), None),
-    ("coarse", "particle", ("incident",), OURS),
+    ("coarse", "particle", ("springs", "incident"), OURS),
 )
 
 
