@@ -59,9 +59,12 @@ def sides(distance):
 
 COARSE = coarse(COMPARED + 1.05 * PERIOD)
 TWO = coarse(COMPARED + 1.05 * PERIOD, 2.0)
+ALONE = {FREE_FIELD: FREE_FIELD.replace(" }", ", spring = false }")}
 VARIANTS = {
     "main": ("as it is", {}),
     "coarse": ("coarse", coarse(SHORT + 4.0)),
+    "alone": ("as it is, dashpots alone", ALONE),
+    "coarse_alone": ("coarse, dashpots alone", coarse(SHORT + 4.0) | ALONE),
     "half": ("cells of 0.5 m around the tunnel", coarse(COMPARED + 1.05 * PERIOD, refined=REFINED)),
     "quarter": ("cells of 0.25 m around the tunnel", coarse(COMPARED + 1.05 * PERIOD, refined=TWICE_REFINED)),
     "step": ("time step 0.5 of the critical", COARSE | {STEP: "fraction = 0.5 "}),
