@@ -39,8 +39,8 @@ def peaks(**settings):
                     if peak:
                         name = re.search(r"Name:\s*(\S+)", status)[1]
                         most[name] = max(most.get(name, 0), int(peak[1]))
-            except FileNotFoundError:
-                pass
+            except (FileNotFoundError, ProcessLookupError):
+                pass  # it has ended before its file was opened, or read
             time.sleep(0.005)
         assert run.returncode == 0, (settings, run.returncode)
     return most
