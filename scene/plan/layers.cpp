@@ -16,6 +16,10 @@ const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source)
   return *source.profile == Side::left ? scene.boundary.left.own_profile : scene.boundary.right.own_profile;
 }
 
+bool damped(const std::vector<Layer>& layers) {
+  return std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; });
+}
+
 double base_level(double surface, const std::vector<Layer>& layers) {
   for (const Layer& layer : layers)
     surface -= layer.thickness;

@@ -13,6 +13,9 @@ const std::vector<Layer>& layers(const Case& scene, const LateralBoundary& side)
 /// The layers of a source.
 const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source);
 
+/// Whether any of them has viscous damping.
+bool damped(const std::vector<Layer>& layers);
+
 /// y of the top of the half-space, m.
 double base_level(double surface, const std::vector<Layer>& layers);
 

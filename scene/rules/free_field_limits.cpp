@@ -52,10 +52,6 @@ Fastest fastest(const Case& scene, SourceModel model, const std::vector<Layer>& 
   return fastest;
 }
 
-bool damped(const std::vector<Layer>& layers) {
-  return std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; });
-}
-
 std::string refused_angle(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
   const double angle = scene.motion.angle_deg;
   if ((model == ode || model == mpm) && angle != 0.0)

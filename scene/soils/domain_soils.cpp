@@ -30,6 +30,10 @@ std::vector<std::reference_wrapper<const Soil>> domain_soils(const Case& scene) 
   return soils;
 }
 
+bool domain_is_damped(const Case& scene) {
+  return std::ranges::any_of(domain_soils(scene), [](const Soil& soil) { return soil.damping > 0.0; });
+}
+
 std::vector<std::reference_wrapper<const Soil>>
 one_of_each_name(std::vector<std::reference_wrapper<const Soil>> soils) {
   const auto rest =

@@ -16,6 +16,9 @@ std::vector<std::size_t> soils_of(const Region& region);
 /// alone.
 std::vector<std::reference_wrapper<const Soil>> domain_soils(const Case& scene);
 
+/// Whether any of them has viscous damping.
+bool domain_is_damped(const Case& scene);
+
 /// The first soil of each name: all soils of a case by name, without the lower slices.
 std::vector<std::reference_wrapper<const Soil>>
 one_of_each_name(std::vector<std::reference_wrapper<const Soil>> soils);

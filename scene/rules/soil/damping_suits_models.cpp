@@ -21,14 +21,6 @@ bool marched_in_time(SourceModel model) {
   return model == fe || model == ode || model == oblique || model == mpm;
 }
 
-bool domain_is_damped(const Case& scene) {
-  return std::ranges::any_of(domain_soils(scene), [](const Soil& soil) { return soil.damping > 0.0; });
-}
-
-bool damped(const std::vector<Layer>& layers) {
-  return std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; });
-}
-
 std::string without_model(double ratio) {
   return fmt::format("'damping' = {} has no effect without a damping model; set [damping] model, e.g. to "
                      "\"kelvin_voigt\"",

@@ -108,7 +108,7 @@ void domain_is_damped_like_free_field(const Case& scene, Findings& findings) {
   if (!scene.boundary.has_lateral_fields() || scene.damping.model == DampingModel::none)
     return;
   ratios_agree(scene, findings);
-  if (std::ranges::any_of(domain_soils(scene), [](const Soil& soil) { return soil.damping > 0.0; }))
+  if (domain_is_damped(scene))
     frequencies_agree(scene, findings);
 }
 

@@ -12,12 +12,10 @@ namespace tremolo::scene {
 void particles_take_all_damping(const Case& scene, Findings& findings) {
   if (scene.damping.model != DampingModel::rayleigh)
     return;
-  const auto damped = [](const auto& ground) { return ground.damping > 0.0; };
   const auto& [sides, left, right, base] = scene.boundary;
-  const bool domain =
-      std::ranges::any_of(domain_soils(scene), [&](const Soil& soil) { return damped(soil); });
+  const bool domain = domain_is_damped(scene);
   const bool column = std::ranges::any_of(std::array{left, right}, [&](const LateralBoundary& side) {
-    return side.field.model == SourceModel::mpm && std::ranges::any_of(layers(scene, side), damped);
+    return side.field.model == SourceModel::mpm && damped(layers(scene, side));
   });
   if (!domain && !column)
     return;
