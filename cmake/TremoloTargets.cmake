@@ -213,9 +213,14 @@ set(TREMOLO_PYTHON /usr/bin/python3)
 
 # tremolo_python_test(name SCRIPT x.py LABELS fast ... [ARGS a b ...] [TIMEOUT seconds])
 # A Python script that fails by its exit status. Its tests whose name, or whose class's, contains "acceptance" take too
-# long for the suite and are a test of their own, <name>.Acceptance, with the label acceptance alone.
+# long for the suite and are a test of their own, <name>.Acceptance, with the label acceptance alone. So is a script
+# that is called <name>.Acceptance here and needs no LABELS.
 function(tremolo_python_test name)
   cmake_parse_arguments(ARG "" "SCRIPT;TIMEOUT" "LABELS;ARGS" ${ARGN})
+  if(name MATCHES "\\.Acceptance$")
+    set(ARG_LABELS acceptance)
+    set(ARG_TIMEOUT ${TREMOLO_ACCEPTANCE_TIMEOUT})
+  endif()
   tremolo_timeout(ARG_TIMEOUT "${ARG_TIMEOUT}")
   tremolo_wants_test(wanted ${ARG_LABELS})
   if(NOT wanted)
