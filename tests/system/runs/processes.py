@@ -19,6 +19,14 @@ def alive(pid):
         return False
 
 
+def status(pid):
+    """What the system says of it, by lines; empty where it is gone."""
+    try:
+        return Path(f"/proc/{pid}/status").read_text()
+    except OSError:
+        return ""
+
+
 def variable(pid, name):
     """A variable in the environment of a process; None without it, or without the process."""
     try:

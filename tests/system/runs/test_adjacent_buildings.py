@@ -36,6 +36,7 @@ class AdjacentBuildings(Buildings):
     """As long as it takes the sand to liquefy and the buildings to sink."""
 
     changes = FASTER | {"duration_s = 36.0 ": "duration_s = 9.0 "}
+    least_settlement = 0.05  # m, of the low one
 
     @classmethod
     def setUpClass(cls):
@@ -44,7 +45,7 @@ class AdjacentBuildings(Buildings):
 
     def test_both_settle_and_the_tall_one_more(self):
         low, high = settlement(self.run_of_both, "low")[-1], settlement(self.run_of_both, "tall")[-1]
-        self.assertGreater(low, 0.05)
+        self.assertGreater(low, self.least_settlement)
         self.assertGreater(high, 1.5 * low)
 
     def test_neither_enters_the_other(self):
@@ -70,6 +71,7 @@ class AdjacentBuildings(Buildings):
 
 class AcceptanceBeyondTheShaking(AdjacentBuildings):
     changes = SHORT
+    least_settlement = 0.1
 
     def test_the_soil_between_rises_over_the_foundation_of_the_tall_one(self):
         _, over = rise(self.run_of_both)

@@ -14,6 +14,7 @@ from pathlib import Path
 TREMOLO, PACKAGE = sys.argv.pop(1), sys.argv.pop(1)
 sys.path[:0] = [str(Path(__file__).parent)]
 
+import processes
 from small_case import CASE, Workspace
 
 MEBIBYTE = 1024  # KiB
@@ -32,15 +33,11 @@ def peaks(**settings):
     with DeepWorkspace(TREMOLO, every=settings["duration"], **settings) as work:
         run = subprocess.Popen([TREMOLO, "run", work.case, "--out", work.path / "run"], stdout=subprocess.DEVNULL, stderr=subprocess.STDOUT)
         while run.poll() is None:
-            try:
-                for process in Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split():
-                    status = Path(f"/proc/{process}/status").read_text()
-                    peak = re.search(r"VmHWM:\s*(\d+) kB", status)
-                    if peak:
-                        name = re.search(r"Name:\s*(\S+)", status)[1]
-                        most[name] = max(most.get(name, 0), int(peak[1]))
-            except (FileNotFoundError, ProcessLookupError):
-                pass  # it has ended before its file was opened, or read
+            for process in processes.children(run.pid):
+                status = processes.status(process)
+                if peak := re.search(r"VmHWM:\s*(\d+) kB", status):
+                    name = re.search(r"Name:\s*(\S+)", status)[1]
+                    most[name] = max(most.get(name, 0), int(peak[1]))
             time.sleep(0.005)
         assert run.returncode == 0, (settings, run.returncode)
     return most

@@ -22,8 +22,10 @@ PLACES = {"file/x": "file is no folder", "dangling": "dangling is a link to nowh
 WRITERS = ("run {case} --out {place}", "swap {case} --models wave,fe --out {place}", "cost {case} --out {place}", "keygen {place} domain")
 FILE_WRITERS = ("wave {case} --points points.txt --times 0:0.1:0.05 --out {place}", "soiltest {test} --out {place}.csv", "calibrate {fit} --out {place}",
                 "motion {record} --out {place}.csv", "docs {place}")
+NOT_THERE = ("file/x", "dangling", "loop", "missing/x")
 IN_PYTHON = ("plot {place}", "compare {place} {place}", "timeline {place}", "failure {place}")  # they start slowly
-READERS = (*IN_PYTHON, "check {place}", "explain {place}", "run {place}", "resume {place}", "verify {place}", "export {place}:left out.csv", "motion {place}", "soiltest {place}", "calibrate {place}",
+READERS = (*IN_PYTHON, "check {place}", "explain {place}", "run {place}", "resume {place}", "verify {place}",
+           "export {place}:left out.csv", "motion {place}", "soiltest {place}", "calibrate {place}",
            "import {place} --out out.h5", "wave {case} --points {place} --times 0:0.1:0.05 --out out.csv", "join {place} --role left --keys {place}")
 
 
@@ -51,6 +53,10 @@ class Places(unittest.TestCase):
             self.assertNotIn(word, output, command)
         return done.stderr
 
+    def named(self, template, place):
+        with self.subTest(template, place=place):
+            self.assertIn(place.split("/")[0], self.refused(template, place))
+
     def test_a_folder_that_cannot_be_made_is_named_with_what_is_in_the_way(self):
         for place, reason in PLACES.items():
             for template in WRITERS:
@@ -63,16 +69,18 @@ class Places(unittest.TestCase):
     def test_a_file_that_cannot_be_written_is_named(self):
         for place in ("file/x", "dangling/x", "loop/x", "missing/x", "a" * 300):
             for template in FILE_WRITERS:
-                with self.subTest(template, place=place):
-                    self.assertIn(place.split("/")[0], self.refused(template, place))
+                self.named(template, place)
 
     def test_what_is_not_there_to_be_read_is_named(self):
-        for place in ("file/x", "dangling", "loop", "missing/x"):
+        for place in NOT_THERE:
             for template in READERS:
-                if template in IN_PYTHON and place != "missing/x":
-                    continue
-                with self.subTest(template, place=place):
-                    self.assertIn(place.split("/")[0], self.refused(template, place))
+                if place == "missing/x" or template not in IN_PYTHON:
+                    self.named(template, place)
+
+    def test_acceptance_what_is_not_there_is_named_by_all_that_start_slowly(self):
+        for place in NOT_THERE:
+            for template in IN_PYTHON:
+                self.named(template, place)
 
     def test_folders_and_pipes_are_no_files(self):
         (self.work.path / "folder").mkdir()
