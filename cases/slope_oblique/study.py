@@ -48,7 +48,7 @@ VOLUMES = {
 ALONE = {line: without_springs(line) for line in (LEFT, RIGHT, BASE)}
 FORMS = {
     "springs": ("`incident`, springs", {}),
-    "incident": ("`incident`, dashpots alone", ALONE),
+    "dashpots": ("`incident`, dashpots alone", ALONE),
     "blended": (
         "`blended`, layers",
         {LEFT: layered(LEFT), RIGHT: layered(RIGHT), BASE: layered(BASE.replace("incident", "blended"))},
@@ -62,9 +62,9 @@ FORMS = {
 DURATIONS = {"fine": 11.5}  # s: by then all of them have failed
 OURS = ("motion.AT2", *(f"seed {seed}" for seed in SEEDS))
 PARTS = (  # mesh, change of volume, forms, motions: all where none are named
-    ("fine", "cell", ("springs", "incident", "blended"), OURS),
+    ("fine", "cell", ("springs", "dashpots", "blended"), OURS),
     ("coarse", "cell", tuple(FORMS), None),
-    ("coarse", "particle", ("springs", "incident"), OURS),
+    ("coarse", "particle", ("springs", "dashpots"), OURS),
 )
 
 
