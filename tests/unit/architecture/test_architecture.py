@@ -3,6 +3,7 @@
     usage: test_architecture.py SOURCE_DIR
 """
 
+import json
 import re
 import sys
 import unittest
@@ -88,6 +89,20 @@ def forbidden_includes():
                     yield f"{path}:{number}: includes {match[1]}; {path} may know {sorted(allowed(path))}"
 
 
+def tests_that_start_programs(cmake):
+    """Name and labels of the ctest entries of a CMakeLists.txt that start a program besides test programs.
+
+    Sanitized builds make test programs, and what those start, alone (target test_programs).
+    """
+    entry = re.compile(r"(tremolo_python_test\(|add_test\(NAME )(\S+)((?:[^()]|\([^()]*\))*)\)")
+    for call, name, rest in entry.findall(cmake):
+        if re.search(r"COMMAND (?!/|\$)|\$<TARGET_FILE|/bin\b", rest):
+            if call.startswith("add_test"):
+                (rest,) = re.findall(rf"set_tests_properties\({re.escape(name)}\s([^()]*)\)", cmake)
+            (labels,) = re.findall(r'LABELS((?:\s+(?:[a-z]+\b|"[^"]*"))+)', rest) or [""]
+            yield name, re.findall(r"[a-z]+", labels)
+
+
 class Architecture(unittest.TestCase):
     def test_includes_follow_the_table(self):
         self.assertEqual([], list(forbidden_includes()))
@@ -167,6 +182,16 @@ class Architecture(unittest.TestCase):
                 if lines > LONGEST_FILE:
                     long_files[file.relative_to(ROOT).as_posix()] = lines
         self.assertEqual({}, long_files)
+
+    def test_tests_that_start_a_program_by_hand_are_left_out_of_sanitized_builds(self):
+        presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))["testPresets"]
+        left_out = [re.compile(p["filter"]["exclude"]["label"]) for p in presets if p["name"] in {"asan", "tsan"}]
+        self.assertEqual(2, len(left_out))
+        for file in (ROOT / "tests").rglob("CMakeLists.txt"):
+            text = file.read_text(encoding="utf-8")
+            for name, labels in tests_that_start_programs(text):
+                for pattern in left_out:
+                    self.assertTrue("fast" not in labels or any(map(pattern.search, labels)), f"{name} in {file}: {labels}")
 
 
 class TheCheckItself(unittest.TestCase):
