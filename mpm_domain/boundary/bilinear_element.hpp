@@ -4,9 +4,8 @@
 //
 //     0: (0, 0)    1: (width, 0)    2: (0, height)    3: (width, height)
 //
-// and two by two points of Gauss, at xi = x/width and zeta = z/height.
-
-#include "coupler/eq6/boundary_traction.hpp"
+// and two by two points of Gauss, at xi = x/width and zeta = z/height: one element, whose vectors are of
+// double, or four side by side, whose vectors are of Lanes.
 
 #include <array>
 #include <cstddef>
@@ -14,26 +13,28 @@
 
 namespace tremolo::mpm_domain {
 
+/// The two points of Gauss in [0, 1].
+inline constexpr std::array<double, 2> gauss{0.5 - 0.5 * std::numbers::inv_sqrt3,
+                                             0.5 + 0.5 * std::numbers::inv_sqrt3};
+inline constexpr std::size_t gauss_points = gauss.size() * gauss.size();
+
+template <typename Vector>
 struct BilinearElement {
-  using Vectors = std::array<eq6::Vector, 4>; ///< one of each node
+  using Real = decltype(Vector::x);
+  using Vectors = std::array<Vector, 4>; ///< one of each node
 
-  static constexpr std::size_t points = 4;
-  /// The two points of Gauss in [0, 1].
-  static constexpr std::array<double, 2> gauss{0.5 - 0.5 * std::numbers::inv_sqrt3,
-                                               0.5 + 0.5 * std::numbers::inv_sqrt3};
-
-  double width = 0.0;  ///< m
+  Real width{};        ///< m
   double height = 0.0; ///< m
 
   /// du/dx, which is the same for all xi.
-  [[nodiscard]] eq6::Vector along(const Vectors& u, double zeta) const {
-    const double near = (1.0 - zeta) / width, far = zeta / width;
+  [[nodiscard]] Vector along(const Vectors& u, double zeta) const {
+    const Real near = (1.0 - zeta) / width, far = zeta / width;
     return {near * (u[1].x - u[0].x) + far * (u[3].x - u[2].x),
             near * (u[1].y - u[0].y) + far * (u[3].y - u[2].y)};
   }
 
   /// du/dz, which is the same for all zeta.
-  [[nodiscard]] eq6::Vector down(const Vectors& u, double xi) const {
+  [[nodiscard]] Vector down(const Vectors& u, double xi) const {
     const double near = (1.0 - xi) / height, far = xi / height;
     return {near * (u[2].x - u[0].x) + far * (u[3].x - u[1].x),
             near * (u[2].y - u[0].y) + far * (u[3].y - u[1].y)};
@@ -41,9 +42,10 @@ struct BilinearElement {
 
   /// Takes from the nodes' forces (N/m) what the stresses at a point, on planes across x and across z (Pa),
   /// pull at them.
-  void pull(Vectors& force, double xi, double zeta, const eq6::Vector& on_x, const eq6::Vector& on_z) const {
-    const double p = 0.25 * height, q = 0.25 * width; // a quarter of the area over width and height
-    const auto take = [&](eq6::Vector& f, double nx, double nz) {
+  void pull(Vectors& force, double xi, double zeta, const Vector& on_x, const Vector& on_z) const {
+    const double p = 0.25 * height; // a quarter of the area over the width
+    const Real q = 0.25 * width;    // and over the height
+    const auto take = [&](Vector& f, double nx, double nz) {
       f.x -= nx * p * on_x.x + nz * q * on_z.x;
       f.y -= nx * p * on_x.y + nz * q * on_z.y;
     };

@@ -17,7 +17,7 @@ Vector added(const Vector& a, double factor, const Vector& b) {
 
 LayerCorner::LayerCorner(const CornerShape& shape)
     : shape_(shape), cells_(static_cast<std::size_t>(shape.cells)), size_(shape.depth / shape.cells),
-      mass_((cells_ + 1) * (cells_ + 1)), memory_(BilinearElement::points * cells_ * cells_) {
+      mass_((cells_ + 1) * (cells_ + 1)), memory_(gauss_points * cells_ * cells_) {
   for (std::vector<Vector>* field : {&u_, &v_, &z_, &y_, &force_})
     field->resize(mass_.size());
   for (std::size_t j = 0; j < cells_; ++j)
@@ -67,34 +67,40 @@ void LayerCorner::move_node(std::size_t i, std::size_t j, double dt, double mass
 
 void LayerCorner::sum_forces(double dt) {
   std::ranges::fill(force_, Vector{});
+  std::vector<StretchAt> stretches;
+  for (std::size_t cell = 0; cell < cells_; ++cell)
+    for (const double place : gauss) {
+      const double b = shape_.stretch.rate((static_cast<double>(cell) + place) * size_);
+      stretches.push_back({b, Decay(shape_.stretch.shift() + b, dt)});
+    }
+  const Decay stress_decay(shape_.stretch.shift(), dt);
   for (std::size_t row = 0; row < cells_; ++row)
     for (std::size_t column = 0; column < cells_; ++column)
-      strain_element(column, row, dt);
+      strain_element(column, row, stretches, stress_decay);
 }
 
-void LayerCorner::strain_element(std::size_t column, std::size_t row, double dt) {
+void LayerCorner::strain_element(std::size_t column, std::size_t row, std::span<const StretchAt> stretches,
+                                 const Decay& stress_decay) {
   const double p_modulus = shape_.p_modulus, shear = shape_.shear_modulus;
   const double lame = p_modulus - 2.0 * shear;
-  const double a = shape_.stretch.shift();
   const std::array<std::size_t, 4> nodes{node(column, row), node(column + 1, row), node(column, row + 1),
                                          node(column + 1, row + 1)};
-  const BilinearElement element{size_, size_};
-  const BilinearElement::Vectors u{u_[nodes[0]], u_[nodes[1]], u_[nodes[2]], u_[nodes[3]]};
-  BilinearElement::Vectors force{};
-  const Decay stress_decay(a, dt);
-  Memory* memory = &memory_[BilinearElement::points * (row * cells_ + column)];
-  for (const double zeta : BilinearElement::gauss) {
-    const double bz = shape_.stretch.rate((static_cast<double>(row) + zeta) * size_);
-    const Vector ux = element.along(u, zeta);
-    for (const double xi : BilinearElement::gauss) {
-      const double bx = shape_.stretch.rate((static_cast<double>(column) + xi) * size_);
-      const Vector uz = element.down(u, xi);
-      const Vector ex = added(ux, -bx, remember(memory->qx, Decay(a + bx, dt), ux));
-      const Vector ez = added(uz, -bz, remember(memory->qz, Decay(a + bz, dt), uz));
+  const BilinearElement<Vector> element{size_, size_};
+  const std::array<Vector, 4> u{u_[nodes[0]], u_[nodes[1]], u_[nodes[2]], u_[nodes[3]]};
+  std::array<Vector, 4> force{};
+  Memory* memory = &memory_[gauss_points * (row * cells_ + column)];
+  for (std::size_t g = 0; g < gauss.size(); ++g) {
+    const auto& [bz, decay_z] = stretches[gauss.size() * row + g];
+    const Vector ux = element.along(u, gauss[g]);
+    for (std::size_t h = 0; h < gauss.size(); ++h) {
+      const auto& [bx, decay_x] = stretches[gauss.size() * column + h];
+      const Vector uz = element.down(u, gauss[h]);
+      const Vector ex = added(ux, -bx, remember(memory->qx, decay_x, ux));
+      const Vector ez = added(uz, -bz, remember(memory->qz, decay_z, uz));
       const double sxz = shear * (ez.x + ex.y);
       const Vector on_x = {p_modulus * ex.x + lame * ez.y, sxz};
       const Vector on_z = {sxz, p_modulus * ez.y + lame * ex.x};
-      element.pull(force, xi, zeta, added(on_x, bz, remember(memory->sx, stress_decay, on_x)),
+      element.pull(force, gauss[h], gauss[g], added(on_x, bz, remember(memory->sx, stress_decay, on_x)),
                    added(on_z, bx, remember(memory->sz, stress_decay, on_z)));
       ++memory;
     }

@@ -72,9 +72,16 @@ private:
     eq6::Vector qx, qz, sx, sz;
   };
 
+  /// Of the points of Gauss at one place of a direction: b, 1/s, and how Q decays there.
+  struct StretchAt {
+    double rate;
+    Decay decay;
+  };
+
   void move_node(std::size_t i, std::size_t j, double dt, double mass, eq6::Vector force);
   void sum_forces(double dt);
-  void strain_element(std::size_t column, std::size_t row, double dt);
+  void strain_element(std::size_t column, std::size_t row, std::span<const StretchAt> stretches,
+                      const Decay& stress_decay);
   [[nodiscard]] std::size_t node(std::size_t i, std::size_t j) const { return j * (cells_ + 1) + i; }
 
   CornerShape shape_;

@@ -1,5 +1,7 @@
 #include "mpm_domain/boundary/layer/layer_lattice.hpp"
 
+#include "mpm_domain/kernel/lanes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -10,6 +12,11 @@ namespace tremolo::mpm_domain {
 namespace {
 
 using eq6::Vector;
+
+/// A vector of each of four elements side by side.
+struct LaneVector {
+  Lanes x, y;
+};
 
 double p_wave_speed(const LayerColumn& column) {
   return std::sqrt(column.p_modulus / column.density);
@@ -39,10 +46,16 @@ LayerLattice::LayerLattice(LayerShape shape) : shape_(std::move(shape)) {
   const auto rows = static_cast<std::size_t>(shape_.cells);
   const std::size_t nodes = across_ * (rows + 1);
   mass_.resize(nodes);
-  damping_.resize(nodes);
-  for (std::vector<Vector>* field : {&end_dashpot_, &u_, &v_, &z_, &force_})
-    field->resize(nodes);
-  memory_.resize(BilinearElement::points * rows * shape_.columns.size());
+  for (NodeVectors* field : {&end_dashpot_, &u_, &v_, &z_, &force_}) {
+    field->x.resize(nodes);
+    field->y.resize(nodes);
+  }
+  for (const LayerColumn& column : shape_.columns) {
+    p_modulus_.push_back(column.p_modulus);
+    shear_modulus_.push_back(column.shear_modulus);
+    width_.push_back(column.width);
+  }
+  memory_.resize(memories * gauss_points * rows * shape_.columns.size());
   lump();
 }
 
@@ -53,17 +66,13 @@ void LayerLattice::lump() {
     for (std::size_t i = 0; i < shape_.columns.size(); ++i)
       for (const std::size_t n : {node(i, j), node(i + 1, j), node(i, j + 1), node(i + 1, j + 1)})
         mass_[n] += 0.25 * shape_.columns[i].density * shape_.columns[i].width * height;
-  for (std::size_t j = 0; j <= rows; ++j)
-    for (std::size_t i = 0; i < across_; ++i)
-      damping_[node(i, j)] = stretch_.rate(static_cast<double>(j) * height);
   for (const std::size_t end : {0UL, 1UL}) {
     if (shape_.ends[end] != LayerEnd::dashpots)
       continue;
     const LayerColumn& column = end == 0 ? shape_.columns.front() : shape_.columns.back();
     for (std::size_t j = 1; j < rows; ++j)
-      end_dashpot_[node(end == 0 ? 0 : across_ - 1, j)] = {
-          height * std::sqrt(column.density * column.p_modulus),
-          height * std::sqrt(column.density * column.shear_modulus)};
+      end_dashpot_.set(end_node(end, j), {height * std::sqrt(column.density * column.p_modulus),
+                                          height * std::sqrt(column.density * column.shear_modulus)});
   }
 }
 
@@ -72,89 +81,120 @@ void LayerLattice::advance(double dt, std::span<const Vector> boundary_velocity,
   sum_forces(dt, workers);
 }
 
+void LayerLattice::move(double dt, std::span<const Vector> boundary_velocity, WorkerPool& workers) {
+  for (std::size_t n = 0; n < across_; ++n)
+    v_.set(n, boundary_velocity[n]);
+  const Decay decay(stretch_.shift(), dt);
+  workers.run(static_cast<std::size_t>(shape_.cells), [&](std::size_t row) { // all but the fixed end
+    if (row > 0)
+      kick_row(row, dt);
+    by_fours(row * across_, (row + 1) * across_, [&](std::size_t n, auto group) {
+      const auto follow = [&](double& u, double& z, const double& velocity) {
+        const Lanes v = group.load(&velocity);
+        group.store(&u, group.load(&u) + dt * v);
+        group.store(&z, decay.keep * group.load(&z) + decay.gain * v);
+      };
+      follow(u_.x[n], z_.x[n], v_.x[n]);
+      follow(u_.y[n], z_.y[n], v_.y[n]);
+    });
+  });
+}
+
 // Leapfrog, damping centred: (m/dt + c/2) w+ = (m/dt - c/2) w- + f + k Z, where c = m b + C and k = m b a - b
 // C with C the dashpots of an end, which the stretch turns into C (w + b Z).
-void LayerLattice::move(double dt, std::span<const Vector> boundary_velocity, WorkerPool& workers) {
+void LayerLattice::kick_row(std::size_t row, double dt) {
   const double a = stretch_.shift();
-  const Decay decay(a, dt);
-  const auto move_node = [&](std::size_t n) {
-    const double rate = mass_[n] / dt;
-    const double b = damping_[n];
-    const auto kicked = [&](double v, double f, double z, double dashpot) {
-      const double c = 0.5 * (mass_[n] * b + dashpot);
-      return ((rate - c) * v + f + b * (mass_[n] * a - dashpot) * z) / (rate + c);
+  const double b = stretch_.rate(static_cast<double>(row) * shape_.depth / shape_.cells);
+  const std::size_t first = row * across_ + (shape_.ends[0] == LayerEnd::corner ? 1 : 0);
+  const std::size_t last = (row + 1) * across_ - (shape_.ends[1] == LayerEnd::corner ? 1 : 0);
+  by_fours(first, last, [&](std::size_t n, auto group) {
+    const Lanes mass = group.present(group.load(&mass_[n]), all(1.0));
+    const Lanes rate = mass / dt;
+    const auto kick = [&](double& velocity, const double& force, const double& memory,
+                          const double& dashpot) {
+      const Lanes c = 0.5 * (b * mass + group.load(&dashpot));
+      const Lanes k = b * (a * mass - group.load(&dashpot));
+      const Lanes kept = (rate - c) * group.load(&velocity);
+      group.store(&velocity, (kept + group.load(&force) + k * group.load(&memory)) / (rate + c));
     };
-    if (n < across_)
-      v_[n] = boundary_velocity[n];
-    else if (!is_led(n))
-      v_[n] = {kicked(v_[n].x, force_[n].x, z_[n].x, end_dashpot_[n].x),
-               kicked(v_[n].y, force_[n].y, z_[n].y, end_dashpot_[n].y)};
-    u_[n] = {u_[n].x + dt * v_[n].x, u_[n].y + dt * v_[n].y};
-    z_[n] = {decay.keep * z_[n].x + decay.gain * v_[n].x, decay.keep * z_[n].y + decay.gain * v_[n].y};
-  };
-  workers.run(static_cast<std::size_t>(shape_.cells), [&](std::size_t row) { // all but the fixed end
-    for (std::size_t n = row * across_; n < (row + 1) * across_; ++n)
-      move_node(n);
+    kick(v_.x[n], force_.x[n], z_.x[n], end_dashpot_.x[n]);
+    kick(v_.y[n], force_.y[n], z_.y[n], end_dashpot_.y[n]);
   });
 }
 
 void LayerLattice::sum_forces(double dt, WorkerPool& workers) {
   constexpr std::size_t columns_per_block = 16;
-  const auto rows = static_cast<std::size_t>(shape_.cells);
   const std::size_t columns = shape_.columns.size();
   const double height = shape_.depth / shape_.cells;
   const double shift = stretch_.shift();
-  const Decay stress_decay(shift, dt);
-  std::vector<StrainDecays> strain_decays;
-  for (std::size_t row = 0; row < rows; ++row) {
-    const auto decay_at = [&](double zeta) {
-      return Decay(shift + stretch_.rate((static_cast<double>(row) + zeta) * height), dt);
+  std::vector<Row> rows;
+  for (std::size_t row = 0; row < static_cast<std::size_t>(shape_.cells); ++row) {
+    const auto stretch_at = [&](double zeta) {
+      const double b = stretch_.rate((static_cast<double>(row) + zeta) * height);
+      return StretchAt{b, Decay(shift + b, dt)};
     };
-    strain_decays.push_back({decay_at(BilinearElement::gauss[0]), decay_at(BilinearElement::gauss[1])});
+    rows.push_back({row, {stretch_at(gauss[0]), stretch_at(gauss[1])}, Decay(shift, dt)});
   }
-  std::ranges::fill(force_, Vector{});
+  std::ranges::fill(force_.x, 0.0);
+  std::ranges::fill(force_.y, 0.0);
   std::size_t blocks = std::max<std::size_t>(1, columns / columns_per_block);
   if (shape_.ends[0] == LayerEnd::repeated && blocks % 2 == 1 && blocks > 1)
     --blocks; // The last block shares nodes with the first, so they must have different colours.
   for (std::size_t colour = 0; colour < 2; ++colour)
     workers.run((blocks + 1 - colour) / 2, [&](std::size_t task) {
       const std::size_t block = 2 * task + colour;
-      for (std::size_t row = 0; row < rows; ++row)
-        for (std::size_t column = columns * block / blocks; column < columns * (block + 1) / blocks; ++column)
-          strain_element(column, row, stress_decay, strain_decays[row]);
+      for (const Row& row : rows)
+        strain(row, columns * block / blocks, columns * (block + 1) / blocks);
     });
 }
 
-void LayerLattice::strain_element(std::size_t column, std::size_t row, const Decay& stress_decay,
-                                  const StrainDecays& strain_decays) {
-  const auto& [width, density, p_modulus, shear] = shape_.columns[column];
-  const double lame = p_modulus - 2.0 * shear;
-  const double height = shape_.depth / shape_.cells;
-  const std::array<std::size_t, 4> nodes{node(column, row), node(column + 1, row), node(column, row + 1),
-                                         node(column + 1, row + 1)};
-  const BilinearElement element{width, height};
-  const BilinearElement::Vectors u{u_[nodes[0]], u_[nodes[1]], u_[nodes[2]], u_[nodes[3]]};
-  BilinearElement::Vectors force{};
-  Memory* memory = &memory_[BilinearElement::points * (row * shape_.columns.size() + column)];
-  for (std::size_t g = 0; g < BilinearElement::gauss.size(); ++g) {
-    const double zeta = BilinearElement::gauss[g];
-    const double b = stretch_.rate((static_cast<double>(row) + zeta) * height);
-    const Vector ux = element.along(u, zeta);
-    for (const double xi : BilinearElement::gauss) {
-      const Vector uz = element.down(u, xi);
-      const Vector q = remember(memory->q, strain_decays[g], uz);
-      const Vector e = {uz.x - b * q.x, uz.y - b * q.y};
-      const double sxz = shear * (e.x + ux.y);
-      const Vector on_x = {p_modulus * ux.x + lame * e.y, sxz};
-      const Vector on_z = {sxz, p_modulus * e.y + lame * ux.x};
-      const Vector s = remember(memory->s, stress_decay, on_x);
-      element.pull(force, xi, zeta, {on_x.x + b * s.x, on_x.y + b * s.y}, on_z);
-      ++memory;
+void LayerLattice::strain(const Row& row, std::size_t first_column, std::size_t last_column) {
+  // The last column of a layer that repeats itself ends at the nodes of the first.
+  const bool wraps = last_column == across_;
+  by_fours(first_column, last_column - (wraps ? 1 : 0),
+           [&](std::size_t column, auto group) { strain_elements(row, column, group); });
+  if (wraps)
+    strain_elements(row, last_column - 1, FewerThanFour(1));
+}
+
+template <typename Group>
+void LayerLattice::strain_elements(const Row& row, std::size_t column, Group group) {
+  const Lanes shear = group.load(&shear_modulus_[column]);
+  const Lanes p_modulus = group.load(&p_modulus_[column]);
+  const Lanes lame = p_modulus - 2.0 * shear;
+  const std::array<std::size_t, 4> nodes{node(column, row.index), node(column + 1, row.index),
+                                         node(column, row.index + 1), node(column + 1, row.index + 1)};
+  const BilinearElement<LaneVector> element{group.present(group.load(&width_[column]), all(1.0)),
+                                            shape_.depth / shape_.cells};
+  std::array<LaneVector, 4> u{};
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    u[k] = {group.load(&u_.x[nodes[k]]), group.load(&u_.y[nodes[k]])};
+  std::array<LaneVector, 4> force{};
+  const std::size_t columns = shape_.columns.size();
+  double* memory = &memory_[memories * gauss_points * row.index * columns + column];
+  for (std::size_t g = 0; g < gauss.size(); ++g) {
+    const auto& [b, decay] = row.stretches[g];
+    const LaneVector ux = element.along(u, gauss[g]);
+    for (const double xi : gauss) {
+      LaneVector q{group.load(memory), group.load(memory + columns)};
+      LaneVector s{group.load(memory + 2 * columns), group.load(memory + 3 * columns)};
+      const LaneVector uz = element.down(u, xi);
+      const LaneVector mean_q = remember(q, decay, uz);
+      const LaneVector e = {uz.x - b * mean_q.x, uz.y - b * mean_q.y};
+      const Lanes sxz = shear * (e.x + ux.y);
+      const LaneVector on_x = {p_modulus * ux.x + lame * e.y, sxz};
+      const LaneVector on_z = {sxz, p_modulus * e.y + lame * ux.x};
+      const LaneVector mean_s = remember(s, row.stress_decay, on_x);
+      element.pull(force, xi, gauss[g], {on_x.x + b * mean_s.x, on_x.y + b * mean_s.y}, on_z);
+      for (const Lanes& value : {q.x, q.y, s.x, s.y}) {
+        group.store(memory, value);
+        memory += columns;
+      }
     }
   }
   for (std::size_t k = 0; k < nodes.size(); ++k) {
-    force_[nodes[k]].x += force[k].x;
-    force_[nodes[k]].y += force[k].y;
+    group.store(&force_.x[nodes[k]], group.load(&force_.x[nodes[k]]) + force[k].x);
+    group.store(&force_.y[nodes[k]], group.load(&force_.y[nodes[k]]) + force[k].y);
   }
 }
 
@@ -162,35 +202,37 @@ LayerEndNodes LayerLattice::end_nodes(std::size_t end) const {
   LayerEndNodes nodes;
   for (std::size_t j = 0; j <= static_cast<std::size_t>(shape_.cells); ++j) {
     nodes.mass.push_back(mass_[end_node(end, j)]);
-    nodes.force.push_back(force_[end_node(end, j)]);
+    nodes.force.push_back(force_.at(end_node(end, j)));
   }
   return nodes;
 }
 
 void LayerLattice::add_corner_force(std::size_t end, Vector force) {
-  Vector& sum = force_[end_node(end, 0)];
-  sum = {sum.x + force.x, sum.y + force.y};
+  force_.x[end_node(end, 0)] += force.x;
+  force_.y[end_node(end, 0)] += force.y;
 }
 
 std::vector<double> LayerLattice::state() const {
   std::vector<double> all;
-  for (const std::vector<Vector>* field : {&u_, &v_, &z_, &force_})
-    for (const Vector& value : *field)
-      all.insert(all.end(), {value.x, value.y});
-  for (const Memory& memory : memory_)
-    all.insert(all.end(), {memory.q.x, memory.q.y, memory.s.x, memory.s.y});
+  for (const NodeVectors* field : {&u_, &v_, &z_, &force_})
+    for (const std::vector<double>* component : {&field->x, &field->y})
+      all.insert(all.end(), component->begin(), component->end());
+  all.insert(all.end(), memory_.begin(), memory_.end());
   return all;
 }
 
 void LayerLattice::restore(std::span<const double> state) {
-  if (state.size() != 8 * u_.size() + 4 * memory_.size())
+  if (state.size() != 8 * mass_.size() + memory_.size())
     throw std::invalid_argument("the state of a matched layer is that of another layer");
-  auto next = state.begin();
-  for (std::vector<Vector>* field : {&u_, &v_, &z_, &force_})
-    for (Vector& value : *field)
-      value = {*next++, *next++};
-  for (Memory& memory : memory_)
-    memory = {{*next++, *next++}, {*next++, *next++}};
+  const auto take = [&](std::vector<double>& field) {
+    std::ranges::copy(state.first(field.size()), field.begin());
+    state = state.subspan(field.size());
+  };
+  for (NodeVectors* field : {&u_, &v_, &z_, &force_}) {
+    take(field->x);
+    take(field->y);
+  }
+  take(memory_);
 }
 
 } // namespace tremolo::mpm_domain

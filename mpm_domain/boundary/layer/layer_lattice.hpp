@@ -76,10 +76,8 @@ public:
 
   /// Nodes on the boundary.
   [[nodiscard]] std::size_t width() const { return across_; }
-  /// What the layer exerts on its nodes on the boundary, besides their inertia, N/m.
-  [[nodiscard]] std::span<const eq6::Vector> boundary_force() const {
-    return std::span(force_).first(across_);
-  }
+  /// What the layer exerts on one of its nodes on the boundary, besides its inertia, N/m.
+  [[nodiscard]] eq6::Vector boundary_force(std::size_t node) const { return force_.at(node); }
   /// Mass of the layer at its nodes on the boundary, kg/m.
   [[nodiscard]] std::span<const double> boundary_mass() const { return std::span(mass_).first(across_); }
 
@@ -90,7 +88,7 @@ public:
   [[nodiscard]] LayerEndNodes end_nodes(std::size_t end) const;
   /// Sets the velocity (m/s), in the next step, of the node j elements behind the boundary at an end: a
   /// corner leads the nodes of its end.
-  void lead(std::size_t end, std::size_t j, eq6::Vector velocity) { v_[end_node(end, j)] = velocity; }
+  void lead(std::size_t end, std::size_t j, eq6::Vector velocity) { v_.set(end_node(end, j), velocity); }
   /// Adds mass (kg/m) of a corner to the node on the boundary, once and for all.
   void add_corner_mass(std::size_t end, double mass) { mass_[end_node(end, 0)] += mass; }
   /// Adds the force (N/m) of a corner to the node on the boundary, after every step.
@@ -102,26 +100,35 @@ public:
   void restore(std::span<const double> state);
 
 private:
-  /// What an integration point remembers.
-  struct Memory {
-    eq6::Vector q; ///< Q
-    eq6::Vector s; ///< S: of s_xx and s_xz
+  /// A vector of each node, by component: four neighbours are worked on at a time.
+  struct NodeVectors {
+    std::vector<double> x, y;
+    [[nodiscard]] eq6::Vector at(std::size_t node) const { return {x[node], y[node]}; }
+    void set(std::size_t node, eq6::Vector value) { x[node] = value.x, y[node] = value.y; }
   };
-  /// Decays of the memory Q at the two depths where the integration points of a row of elements lie.
-  using StrainDecays = std::array<Decay, 2>;
+  /// What an integration point remembers: Q and S (of s_xx and s_xz), two components each.
+  static constexpr std::size_t memories = 4;
+  /// Of the integration points at one depth: b, 1/s, and how Q decays there.
+  struct StretchAt {
+    double rate;
+    Decay decay;
+  };
+  /// What the elements of a row have in common: the stretch at the two depths of their integration points.
+  struct Row {
+    std::size_t index;
+    std::array<StretchAt, 2> stretches;
+    Decay stress_decay;
+  };
 
   void lump();
   void move(double dt, std::span<const eq6::Vector> boundary_velocity, WorkerPool& workers);
+  void kick_row(std::size_t row, double dt);
   void sum_forces(double dt, WorkerPool& workers);
-  void strain_element(std::size_t column, std::size_t row, const Decay& stress_decay,
-                      const StrainDecays& strain_decays);
+  void strain(const Row& row, std::size_t first_column, std::size_t last_column);
+  template <typename Group>
+  void strain_elements(const Row& row, std::size_t column, Group group);
   [[nodiscard]] std::size_t end_node(std::size_t end, std::size_t j) const {
     return node(end == 0 ? 0 : across_ - 1, j);
-  }
-  [[nodiscard]] bool is_led(std::size_t node) const {
-    const std::size_t i = node % across_;
-    return (i == 0 && shape_.ends[0] == LayerEnd::corner) ||
-           (i == across_ - 1 && shape_.ends[1] == LayerEnd::corner);
   }
   [[nodiscard]] std::size_t node(std::size_t i, std::size_t j) const { return j * across_ + i % across_; }
 
@@ -130,10 +137,10 @@ private:
   std::size_t across_ = 0; ///< nodes along the boundary
 
   std::vector<double> mass_;
-  std::vector<double> damping_;          ///< b of each node, 1/s
-  std::vector<eq6::Vector> end_dashpot_; ///< of each node, Pa s
-  std::vector<eq6::Vector> u_, v_, z_, force_;
-  std::vector<Memory> memory_;
+  NodeVectors end_dashpot_; ///< of each node, Pa s
+  NodeVectors u_, v_, z_, force_;
+  std::vector<double> p_modulus_, shear_modulus_, width_; ///< of each column
+  std::vector<double> memory_;                            ///< [row][integration point][memories][column]
 };
 
 } // namespace tremolo::mpm_domain

@@ -8,8 +8,6 @@
 //
 //     M+ = (1 - r dt/2)/(1 + r dt/2) M- + dt/(1 + r dt/2) s.
 
-#include "coupler/eq6/boundary_traction.hpp"
-
 #include <cmath>
 
 namespace tremolo::mpm_domain {
@@ -49,8 +47,9 @@ struct Decay {
 
 /// Takes a memory of half a step before the present to half a step behind it.
 /// @returns their mean, which is what it is at present
-inline eq6::Vector remember(eq6::Vector& memory, const Decay& decay, const eq6::Vector& now) {
-  const eq6::Vector before = memory;
+template <typename Vector>
+Vector remember(Vector& memory, const Decay& decay, const Vector& now) {
+  const Vector before = memory;
   memory = {decay.keep * before.x + decay.gain * now.x, decay.keep * before.y + decay.gain * now.y};
   return {0.5 * (before.x + memory.x), 0.5 * (before.y + memory.y)};
 }

@@ -181,8 +181,8 @@ void MatchedLayer::react(double time, std::span<const eq6::FreeField> free_field
     const Vector now = free_field[first_ + f].velocity;
     Vector force;
     for (const auto& [j, weight] : ties_[f].weights) {
-      force.x += weight * lattice_.boundary_force()[j].x;
-      force.y += weight * lattice_.boundary_force()[j].y;
+      force.x += weight * lattice_.boundary_force(j).x;
+      force.y += weight * lattice_.boundary_force(j).y;
     }
     // The free field's acceleration, carried on by half a step.
     const Vector a = started_ ? Vector{(now.x - v_free_[f].x) / dt, (now.y - v_free_[f].y) / dt} : Vector{};

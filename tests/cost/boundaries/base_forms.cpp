@@ -2,7 +2,7 @@
 // sides must be: an elastic slope in boxes of many widths, compared with a box so wide and deep that nothing
 // comes back from its boundaries in the time compared. Prints CSV.
 
-#include "tests/cost/boundaries/slope_run.hpp"
+#include "tests/cost/boundaries/scattering_run.hpp"
 
 #include <array>
 #include <cstdio>
@@ -38,16 +38,17 @@ int main(int argc, char** argv) {
   std::printf("angle_deg,base,absorber,width_m,error\n");
   for (const double angle : angles) {
     // A layer 100 cells deep, where all waves are nearly gone before the stretch is steep.
-    const SlopeMotion reference =
+    const ScatteredMotion reference =
         shake({reference_width, BaseField::incident, Absorber::layer_below, angle, 100});
-    const SlopeMotion other = shake({reference_width, BaseField::across, Absorber::layer_below, angle, 100});
+    const ScatteredMotion other =
+        shake({reference_width, BaseField::across, Absorber::layer_below, angle, 100});
     std::printf("%g,across,layer of 100 cells,%g,%.5f\n", angle, reference_width,
                 difference(other, reference));
     std::fflush(stdout);
     for (const auto& [field, field_name] : fields)
       for (const auto& [absorber, absorber_name] : absorbers)
         for (const double width : {40.0, 80.0, 160.0, 320.0}) {
-          const SlopeMotion motion = shake({width, field, absorber, angle});
+          const ScatteredMotion motion = shake({width, field, absorber, angle});
           std::printf("%g,%s,%s,%g,%.5f\n", angle, field_name.data(), absorber_name.data(), width,
                       difference(motion, reference));
           std::fflush(stdout);
