@@ -4,8 +4,8 @@
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/gravity/static_traction.hpp"
-#include "tests/cost/boundaries/scattering_run.hpp"
 #include "tests/support/quiet_ground.hpp"
+#include "tests/support/scattering_run.hpp"
 
 #include <array>
 #include <cstdio>
@@ -15,7 +15,7 @@
 namespace {
 
 using namespace tremolo;
-using namespace tremolo::cost;
+using namespace tremolo::test_support;
 
 struct Variant {
   std::string_view name;

@@ -2,7 +2,7 @@
 // sides must be: an elastic slope in boxes of many widths, compared with a box so wide and deep that nothing
 // comes back from its boundaries in the time compared. Prints CSV.
 
-#include "tests/cost/boundaries/scattering_run.hpp"
+#include "tests/support/scattering_run.hpp"
 
 #include <array>
 #include <cstdio>
@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace tremolo::cost;
+using namespace tremolo::test_support;
 
 constexpr std::array<std::pair<BaseField, std::string_view>, 6> fields{{{BaseField::incident, "incident"},
                                                                         {BaseField::step, "step"},

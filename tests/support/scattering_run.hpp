@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace tremolo::cost {
+namespace tremolo::test_support {
 
 enum class Scatterer { slope, canyon, block, none };
 
@@ -66,8 +66,8 @@ inline double surface_above(double x) {
 }
 
 /// The same incident wave under a level surface at y = `surface`.
-inline eq6::FreeField under_surface(test_support::PlaneWave wave, double surface, double x, double y,
-                                    double t, int rays = 3) {
+inline eq6::FreeField under_surface(PlaneWave wave, double surface, double x, double y, double t,
+                                    int rays = 3) {
   wave.y_reference -= surface;
   return wave.at(x, y - surface, t, rays);
 }
@@ -78,7 +78,7 @@ inline eq6::FreeField mixed(const eq6::FreeField& a, const eq6::FreeField& b, do
           {of(a.stress.xx, b.stress.xx), of(a.stress.yy, b.stress.yy), of(a.stress.xy, b.stress.xy)}};
 }
 
-inline eq6::FreeField free_field(const ScatteringRun& run, const test_support::PlaneWave& wave,
+inline eq6::FreeField free_field(const ScatteringRun& run, const PlaneWave& wave,
                                  const mpm_domain::BoundaryFace& face, double t) {
   const auto [x, y] = face.position;
   const auto under = [&](double surface) { return under_surface(wave, surface, x, y, t); };
@@ -128,7 +128,7 @@ inline std::vector<mpm_domain::Vector> ground_outline(const ScatteringRun& run) 
 
 inline mpm_domain::Spec scattering_spec(const ScatteringRun& run) {
   const double half = 0.5 * run.width;
-  mpm_domain::Spec spec = test_support::elastic_box(run.width, 1.0, run.cell);
+  mpm_domain::Spec spec = elastic_box(run.width, 1.0, run.cell);
   spec.box = {-half, run.base_level, half, crest_height};
   spec.regions = {{0, ground_outline(run)}};
   if (run.scatterer == Scatterer::block) {
@@ -150,7 +150,7 @@ inline mpm_domain::Spec scattering_spec(const ScatteringRun& run) {
     spec.matched_sides = {left, right};
   const mpm_domain::Vector centre{0.0, 0.5 * run.right_surface()};
   if (run.absorber == Absorber::springs)
-    test_support::add_springs(spec, run.across, 0.5 * run.across, centre, run.surfaces_differ());
+    add_springs(spec, run.across, 0.5 * run.across, centre, run.surfaces_differ());
   if (run.absorber == Absorber::layers_and_springs)
     spec.springs = {{base, run.across, 0.5 * run.across, centre, run.surfaces_differ()}};
   return spec;
@@ -168,7 +168,7 @@ inline ScatteredMotion shake(const ScatteringRun& run) {
   mpm_domain::Spec spec = scattering_spec(run);
   spec.scheme.dt = 0.25 * sample;
   mpm_domain::Domain domain(spec);
-  test_support::PlaneWave wave;
+  PlaneWave wave;
   wave.angle = run.angle_deg * std::numbers::pi / 180.0;
   wave.frequency = 2.0;
   wave.y_reference = run.base_level;
@@ -212,4 +212,4 @@ inline double difference(const ScatteredMotion& run, const ScatteredMotion& refe
   return std::sqrt(error / norm);
 }
 
-} // namespace tremolo::cost
+} // namespace tremolo::test_support
