@@ -3,7 +3,7 @@
 #include "mpm_domain/boundary/boundary.hpp"
 #include "mpm_domain/contact/contact.hpp"
 #include "mpm_domain/ground.hpp"
-#include "mpm_domain/step/energy_ledger.hpp"
+#include "mpm_domain/passes/energy_ledger.hpp"
 
 namespace tremolo::mpm_domain {
 

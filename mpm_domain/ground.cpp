@@ -310,4 +310,23 @@ double empty_mass(const Ground& ground) {
   return share_of_full_cell * density * h * h;
 }
 
+double particle_updates_per_step(const Ground& ground) {
+  double updates = 0.0;
+  if (ground.share) {
+    for (const std::int64_t particles : ground.share->deal.particles)
+      updates += static_cast<double>(particles);
+    return updates;
+  }
+  const std::size_t tiles = ground.tiles.count();
+  for (const Particles& set : ground.sets)
+    for (int clock = 0; clock < ground.clocks.count(); ++clock) {
+      const auto count = [&](std::size_t first_block) {
+        return static_cast<double>(set.block_start[first_block + tiles] - set.block_start[first_block]);
+      };
+      const double across = ground.mesh ? count(ground.across_block(clock, 0)) : 0.0;
+      updates += (count(ground.block(clock, 0)) + across) * static_cast<double>(1 << clock);
+    }
+  return updates;
+}
+
 } // namespace tremolo::mpm_domain

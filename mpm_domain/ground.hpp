@@ -170,4 +170,7 @@ void weigh_across(Ground& ground, int slowest_clock = 0);
 /// lies on nodes would make these nodes pull at it.
 double empty_mass(const Ground& ground);
 
+/// How often a step of clock 0 moves a particle, added up over the particles of all ranks.
+double particle_updates_per_step(const Ground& ground);
+
 } // namespace tremolo::mpm_domain

@@ -107,6 +107,8 @@ public:
   /// Where the base moves as it is told; the faces then have no tractions.
   std::optional<RigidBase>& rigid_base() { return rigid_base_; }
   const std::optional<RigidBase>& rigid_base() const { return rigid_base_; }
+  /// Motion of a rigid base half a step before the end of the step just made; at rest where there is none.
+  BaseMotion base_motion() const { return rigid_base_ ? rigid_base_->motion() : BaseMotion{}; }
 
   /// After a sort: the grid may have grown, and particles of faces may have come to other cells.
   void follow_sort(const Ground& ground);

@@ -13,7 +13,7 @@ public:
   explicit Ticks(int clocks) : clocks_(clocks) {}
 
   /// Of the step that begins, s: its length dt_0 and, at its first tick, the time `kick` that forces act for
-  /// (Stepper::kick).
+  /// (Step::kick).
   void set_step(double dt, double kick) {
     dt_ = dt;
     kick_ = kick;

@@ -148,7 +148,7 @@ public:
     output_.finish(stepper, gravity_seconds, waiting_seconds);
     warn();
     std::vector<coupler::PassTime> passes{{"gravity stage", gravity_seconds}};
-    for (const Pass& pass : stepper.passes())
+    for (const PassTime& pass : stepper.times())
       passes.push_back({pass.name, pass.seconds});
     client_.finish(passes, stepper.particle_updates());
   }

@@ -87,7 +87,8 @@ void FollowedPoint::append_values(const Picture& picture, const Stepper& stepper
   const Particles& set = picture.sets()[set_];
   const std::size_t k = set.index_of[id_];
   const double dt = stepper.dt();
-  const auto [x, u, v, a] = motion_in_space(picture, {set_, id_}, dt, stepper.base_motion());
+  const auto [x, u, v, a] =
+      motion_in_space(picture, {set_, id_}, dt, stepper.domain().boundary.base_motion());
   const Strain e = strain(set, dt);
   row.insert(row.end(), {x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y, set.sxx[k], set.syy[k], set.szz[k],
                          set.sxy[k], e.xx, e.yy, e.xy});

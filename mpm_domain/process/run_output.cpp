@@ -347,7 +347,7 @@ void RunOutput::write_history(const Stepper& stepper) {
     followers.series->append(values);
   }
   if (table_ != nullptr) {
-    const auto [u, v, a] = stepper.base_motion();
+    const auto [u, v, a] = stepper.domain().boundary.base_motion();
     table_->append(std::array{last_history_, u.x, u.y, v.x, v.y, a.x, a.y});
   }
   sliding_masses_.write_history(picture_, stepper);
@@ -483,7 +483,7 @@ void RunOutput::finish(const Stepper& stepper, double gravity_seconds, double wa
     write_frame(stepper, stepper.velocity_time(), bodies_.contact(stepper));
   std::vector<std::string> names{"gravity stage", "waiting for the exchange"};
   std::vector<double> seconds{gravity_seconds, waiting_seconds};
-  for (const Pass& pass : stepper.passes()) {
+  for (const PassTime& pass : stepper.times()) {
     names.push_back(pass.name);
     seconds.push_back(pass.seconds);
   }

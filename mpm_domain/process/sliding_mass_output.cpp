@@ -68,7 +68,7 @@ void SlidingMassOutput::write_history(const Picture& picture, const Stepper& ste
       for (const std::uint32_t k : members(scene_.sliding_masses[m].outline.corners, sets[s])) {
         const Particles& set = sets[s];
         const auto [x, u, v, a] =
-            motion_in_space(picture, {s, set.id[k]}, stepper.dt(), stepper.base_motion());
+            motion_in_space(picture, {s, set.id[k]}, stepper.dt(), stepper.domain().boundary.base_motion());
         const std::array values{x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y};
         const double own = whole_mass(set, k);
         mass += own;

@@ -2,10 +2,12 @@
 
 #include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/spec/limits.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -146,6 +148,15 @@ StepBounds step_bounds(Domain& domain) {
 
 double critical_time_step(Domain& domain, double max_speed) {
   return uniform_limit(domain, step_bounds(domain), max_speed).step;
+}
+
+double fastest_point(const Domain& domain) {
+  double speed = domain.contact.fastest_point();
+  for (const Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      speed = std::max(speed, std::hypot(set.vx[k], set.vy[k]));
+  take_largest(domain, {&speed, 1});
+  return speed;
 }
 
 double critical_skeleton_step(Domain& domain) {

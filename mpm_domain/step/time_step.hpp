@@ -21,6 +21,10 @@ namespace tremolo::mpm_domain {
 /// together are the largest.
 using StepBounds = std::vector<double>;
 
+/// Speed of the fastest of all particles and points of structures of all ranks, m/s: none may go far from one
+/// sort to the next.
+double fastest_point(const Domain& domain);
+
 /// The bounds of the particles of this rank.
 StepBounds step_bounds(Domain& domain);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm_domain/step/energy_ledger.hpp"
+#include "mpm_domain/passes/energy_ledger.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -92,11 +92,11 @@ public:
   double whole() const { return whole_; } ///< particles of all ranks
   std::vector<double> seconds_of_passes() const {
     std::vector<double> seconds;
-    for (const mpm_domain::Pass& pass : stepper_->passes())
+    for (const mpm_domain::PassTime& pass : stepper_->times())
       seconds.push_back(pass.seconds);
     return seconds;
   }
-  const std::string& name_of_pass(std::size_t pass) const { return stepper_->passes()[pass].name; }
+  std::string name_of_pass(std::size_t pass) const { return stepper_->times()[pass].name; }
 
 private:
   static double seconds_since(Clock::time_point begun) {

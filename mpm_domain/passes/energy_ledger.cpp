@@ -1,4 +1,4 @@
-#include "mpm_domain/step/energy_ledger.hpp"
+#include "mpm_domain/passes/energy_ledger.hpp"
 
 namespace tremolo::mpm_domain {
 

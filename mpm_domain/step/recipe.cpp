@@ -1,0 +1,32 @@
+#include "mpm_domain/step/recipe.hpp"
+
+#include "mpm_domain/boundary/passes/passes.hpp"
+#include "mpm_domain/contact/passes.hpp"
+#include "mpm_domain/step/node_passes.hpp"
+#include "mpm_domain/step/step_passes.hpp"
+#include "mpm_domain/transfer/passes/passes.hpp"
+#include "mpm_domain/water/passes.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace tremolo::mpm_domain {
+
+std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field) {
+  std::vector<Pass> passes;
+  const auto add = [&](std::vector<Pass> of_room) { std::ranges::move(of_room, std::back_inserter(passes)); };
+  add(transfer_passes(domain));
+  add(node_passes(domain));
+  add(face_passes(domain, domain.boundary, free_field));
+  add(base_passes(domain, domain.boundary));
+  add(wall_passes(domain, domain.boundary));
+  add(node_books(domain));
+  add(water_passes(domain));
+  add(contact_passes(domain, domain.contact));
+  add(sharp_passes(domain));
+  add(step_passes(domain));
+  std::ranges::stable_sort(passes, {}, &Pass::phase);
+  return passes;
+}
+
+} // namespace tremolo::mpm_domain

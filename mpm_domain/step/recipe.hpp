@@ -1,0 +1,18 @@
+#pragma once
+
+// The passes of a step: those that all rooms give for a domain, by phase. Within a phase they stand in the
+// order of this list of rooms: transfers, nodes, boundary, books, water, structures, reduced dispersion,
+// ranks.
+
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/passes/pass.hpp"
+
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// @param domain      outlives the passes; what stands behind its faces is there already
+/// @param free_field  of the faces
+std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field);
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,57 @@
+#include "mpm_domain/step/step_passes.hpp"
+
+#include "mpm_domain/grid/periodic_sides.hpp"
+#include "mpm_domain/particles/splitting.hpp"
+#include "mpm_domain/step/time_step.hpp"
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+void choose_step(Domain& domain, Step& step) {
+  const double before = step.dt;
+  if (!domain.share)
+    step.bounds = step_bounds(domain);
+  step.dt = next_time_step(domain, step.bounds, step.max_speed, before);
+  step.kick = 0.5 * (before + step.dt);
+  step.ticks.set_step(step.dt, step.kick);
+}
+
+void sort(Domain& domain, Step& step) {
+  // On a graded mesh a particle must not come near another lattice within the step either.
+  const double moves = domain.mesh ? step.max_speed * step.dt : 0.0;
+  if (step.moved + moves < domain.sort_distance()) {
+    weigh_across(domain);
+    return;
+  }
+  if (domain.spec.periodic())
+    for (Particles& set : domain.sets_of_soil())
+      wrap(set, domain.spec.box);
+  make_room(domain, step.time, step.count);
+  split_particles(domain);
+  sort_particles(domain);
+  step.nodes = ClockNodes(domain);
+  step.shared.restart();
+  step.moved = 0.0;
+}
+
+/// One message has what this step books and what bounds the next one.
+void settle(Domain& domain, Step& step) {
+  step.bounds = step_bounds(domain);
+  step.bounds.push_back(step.fastest);
+  step.bookings.settle(step.bounds);
+  step.fastest = step.bounds.back();
+  step.bounds.pop_back();
+}
+
+} // namespace
+
+std::vector<Pass> step_passes(Domain& domain) {
+  std::vector<Pass> passes{{Phase::step_length, "time step", [&](Step& step) { choose_step(domain, step); }},
+                           {Phase::sort, "sort", [&](Step& step) { sort(domain, step); }}};
+  if (domain.share)
+    passes.push_back({Phase::settle, "totals over ranks", [&](Step& step) { settle(domain, step); }});
+  return passes;
+}
+
+} // namespace tremolo::mpm_domain
