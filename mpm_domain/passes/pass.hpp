@@ -40,7 +40,7 @@ constexpr bool is_once_a_step(Phase phase) {
 struct Pass {
   Phase phase;
   std::string name; ///< in tables of times; where it is empty, the time counts for the pass before
-  std::function<void(Step&)> run; ///< and book in Step::energy what it has measured
+  std::function<void(Step&)> run; ///< does the work, and books in Step::energy what it has measured
   double seconds = 0.0;           ///< that it has taken so far
 };
 

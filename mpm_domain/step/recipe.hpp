@@ -13,6 +13,7 @@ namespace tremolo::mpm_domain {
 
 /// @param domain      outlives the passes; what stands behind its faces is there already
 /// @param free_field  of the faces
+/// @throws std::invalid_argument if the domain has faces and nobody gives their free field
 std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field);
 
 } // namespace tremolo::mpm_domain

@@ -13,8 +13,6 @@ namespace tremolo::mpm_domain {
 
 Stepper::Stepper(Domain& domain, double start_time, const FreeFieldSource& free_field)
     : domain_(domain), step_(domain, domain.energy, start_time) {
-  if (!free_field && !domain.boundary.faces().empty())
-    throw std::invalid_argument("a domain with boundary faces needs to be told their free field");
   domain.boundary.build_supports(domain);
   passes_ = recipe(domain, free_field);
   step_.max_speed = fastest_point(domain);

@@ -1,6 +1,7 @@
 #include "mpm_domain/boundary/passes/passes.hpp"
 #include "mpm_domain/ground.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace tremolo::mpm_domain {
@@ -29,6 +30,8 @@ void take_off_remap_power(Ground& ground, const Boundary& boundary, Step& step) 
 std::vector<Pass> face_passes(Ground& ground, Boundary& boundary, FreeFieldSource free_field) {
   if (boundary.faces().empty())
     return {};
+  if (!free_field)
+    throw std::invalid_argument("a domain with boundary faces needs to be told their free field");
   std::vector<Pass> passes;
   if (ground.share || ground.has_pore_pressure())
     passes.push_back({Phase::scatter, "", [&](Step&) { boundary.read_soil(ground); }});

@@ -17,6 +17,7 @@
 namespace tremolo::mpm_domain {
 
 /// The passes of the faces, and of what stands behind them. The boundary has its supports already.
+/// @throws std::invalid_argument if there are faces and nobody gives their free field
 std::vector<Pass> face_passes(Ground& ground, Boundary& boundary, FreeFieldSource free_field);
 
 /// A rigid base takes momentum off the nodes that it holds, and gives inertia, -m dV/dt, to all others in the

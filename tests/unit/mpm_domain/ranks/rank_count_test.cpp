@@ -3,8 +3,10 @@
 
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
+#include "mpm_domain/step/recipe.hpp"
 #include "tests/support/box_models.hpp"
 #include "tests/support/box_run.hpp"
+#include "tests/support/quiet_ground.hpp"
 #include "tests/support/saved_state.hpp"
 #include "tests/unit/mpm_domain/ranks/test_ranks.hpp"
 
@@ -190,6 +192,16 @@ TEST(Ranks, GoOnFromTheStateOfOneRank) {
 
 INSTANTIATE_TEST_SUITE_P(Models, RankCount, testing::ValuesIn(models),
                          [](const auto& of) { return of.param.name; });
+
+/// One message of each tick has all that its passes have booked.
+TEST(Ranks, SettleWhenAllElseIsDone) {
+  TREMOLO_NEED_RANKS();
+  Domain domain(test_support::elastic_box(100.0, 40.0, 1.0));
+  domain.boundary.build_supports(domain);
+  EXPECT_EQ(mpm_domain::recipe(domain, test_support::quiet_ground()).back().name, "accelerations");
+  share_out(domain, *test_support::test_ranks());
+  EXPECT_EQ(mpm_domain::recipe(domain, test_support::quiet_ground()).back().name, "totals over ranks");
+}
 
 /// Tiles of the falling slope change hands.
 TEST(Ranks, TakeOverParticlesOfOthers) {
