@@ -2,6 +2,7 @@
 
 #include "bar_1d.hpp"
 #include "free_block.hpp"
+#include "mpm_domain/transfer/gather.hpp"
 
 #include <gtest/gtest.h>
 

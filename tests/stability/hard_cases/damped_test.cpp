@@ -4,6 +4,7 @@
 #include "free_block.hpp"
 #include "mpm_domain/spec/limits.hpp"
 #include "mpm_domain/step/time_step.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/quiet_ground.hpp"
 
 #include <gtest/gtest.h>

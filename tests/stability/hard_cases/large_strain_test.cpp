@@ -1,6 +1,7 @@
 // Soil that turns, is pulled apart or sheared far.
 
 #include "free_block.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/affine_velocity.hpp"
 
 #include <gtest/gtest.h>

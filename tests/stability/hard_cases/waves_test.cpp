@@ -2,6 +2,7 @@
 
 #include "free_block.hpp"
 #include "mpm_domain/step/time_step.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "mpm_domain/dispersion/sharpening.hpp"
 #include "mpm_domain/step/grid_update.hpp"
 #include "mpm_domain/step/stepper.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 #include "mpm_domain/transfer/sharp_transfer.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
