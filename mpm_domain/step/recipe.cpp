@@ -16,6 +16,7 @@ std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field) {
   std::vector<Pass> passes;
   const auto add = [&](std::vector<Pass> of_room) { std::ranges::move(of_room, std::back_inserter(passes)); };
   add(transfer_passes(domain));
+  add(wet_transfer_passes(domain));
   add(node_passes(domain));
   add(face_passes(domain, domain.boundary, free_field));
   add(base_passes(domain, domain.boundary));

@@ -81,6 +81,17 @@ void gather_all_water(Ground& ground, Step& step) {
 
 } // namespace
 
+std::vector<Pass> wet_transfer_passes(Ground& ground) {
+  std::vector<Pass> passes;
+  if (ground.has_water())
+    passes.push_back({Phase::scatter, "particles to grid",
+                      [&](Step& step) { scatter_mixture(ground, step.nodes.of(0), step.nodes.ties_of(0)); }});
+  if (ground.has_flow() && is_remapped(ground))
+    passes.push_back({Phase::gather, "grid to particles and back",
+                      [&](Step& step) { exchange_velocities(ground, step); }});
+  return passes;
+}
+
 std::vector<Pass> water_passes(Ground& ground) {
   if (!ground.has_water())
     return {};
@@ -89,16 +100,12 @@ std::vector<Pass> water_passes(Ground& ground) {
     passes.push_back({phase, name, [&ground, run](Step& step) { run(ground, step); }});
   };
   const bool flows = ground.has_flow();
-  add(Phase::scatter, "particles to grid",
-      [](Ground& soil, Step& step) { scatter_mixture(soil, step.nodes.of(0), step.nodes.ties_of(0)); });
   if (flows) {
     add(Phase::velocities, "", find_water_velocities);
     add(Phase::update, "grid update", update_both);
   }
-  if (flows && is_remapped(ground)) {
-    add(Phase::gather, "grid to particles and back", exchange_velocities);
+  if (flows && is_remapped(ground))
     add(Phase::remap, "", remap_water);
-  }
   if (ground.has_pore_pressure())
     add(Phase::pressure, "pore pressure", flows ? find_pressures_of_flow : find_pressures_of_grains);
   add(Phase::pressure, "weight under water", book_lift);

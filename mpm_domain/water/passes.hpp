@@ -21,6 +21,10 @@
 
 namespace tremolo::mpm_domain {
 
+/// Scatter and gather in the place of those of dry soil (transfer/passes/passes.hpp).
+std::vector<Pass> wet_transfer_passes(Ground& ground);
+
+/// All else. The remap comes after the books of the nodes, to which it adds.
 std::vector<Pass> water_passes(Ground& ground);
 
 } // namespace tremolo::mpm_domain

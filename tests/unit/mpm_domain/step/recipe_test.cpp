@@ -29,9 +29,11 @@ std::vector<Pass> passes_of(Domain& domain, const mpm_domain::FreeFieldSource& s
   return mpm_domain::recipe(domain, source);
 }
 
-/// The names of the passes, in order of phase; passes without a name count for the one before.
+/// The names of the passes, in order of phase; passes without a name count for the one before. The boundary
+/// reads the soil at its faces, and ranks the sums there, when all is on the grid.
 Names names_of(const std::vector<Pass>& passes) {
   EXPECT_TRUE(std::ranges::is_sorted(passes, {}, &Pass::phase));
+  EXPECT_EQ(std::ranges::find(passes, Phase::scatter, &Pass::phase)->name, "particles to grid");
   Names names;
   for (const Pass& pass : passes)
     if (!pass.name.empty())
