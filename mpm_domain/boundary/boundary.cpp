@@ -48,13 +48,6 @@ Vector velocity_at(const Grid& grid, const FaceWeights& weights) {
   return sum_over(weights, [&](std::size_t node) { return grid.mixture_before(node); });
 }
 
-/// Springs see the grains alone: in ground that has liquefied the mixture parts from them.
-Vector grains_at(const Grid& grid, const FaceWeights& weights) {
-  return sum_over(weights, [&](std::size_t node) {
-    return Vector{grid.vx_before[node], grid.vy_before[node]};
-  });
-}
-
 Vector velocity_after_at(const Grid& grid, const FaceWeights& weights) {
   return sum_over(weights, [&](std::size_t node) { return grid.mixture_after(node); });
 }
@@ -150,9 +143,13 @@ void Boundary::read_soil(Ground& ground) {
     return; // places are all that dry soil needs of its faces
   soil_.resize(faces_.size());
   if (share_)
-    return share_->tell(ground, faces_, soil_);
-  for_faces(ground.workers, faces_.size(),
-            [&](std::size_t f) { soil_[f] = soil_at(faces_[f], ground.sets[faces_[f].set]); });
+    share_->tell(ground, faces_, soil_);
+  else
+    for_faces(ground.workers, faces_.size(),
+              [&](std::size_t f) { soil_[f] = soil_at(faces_[f], ground.sets[faces_[f].set]); });
+  if (ground.has_pore_pressure())
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      faces_[f].length = soil_[f].length;
 }
 
 bool Boundary::is_due(int first_due, std::size_t f) const {
@@ -195,7 +192,7 @@ void Boundary::exchange(Ground& ground, const ClockNodes& nodes, const FreeField
   for (std::size_t f = 0; f < faces_.size(); ++f)
     evaluate(f);
   if (ground.has_pore_pressure())
-    follow_lean();
+    lean_.find(ground, faces_, soil_, free_field_);
 }
 
 /// Reactions of the elements behind the faces.
@@ -213,23 +210,12 @@ void Boundary::move_springs(const Grid& grid, double time) {
   std::vector<Vector> mean(faces_.size());
   for (std::size_t f = 0; f < faces_.size(); ++f)
     if (ground_springs_->holds(f)) {
-      add_to_step_mean(f, grains_at(grid, weights_[f]));
+      add_to_step_mean(f, velocity_at(grid, weights_[f]));
       mean[f] = take_step_mean(f);
     }
   springs_took_ = ground_springs_->move(time, mean, free_field_);
   for (std::size_t f = 0; f < faces_.size(); ++f)
     spring_[f] = ground_springs_->traction(f);
-}
-
-void Boundary::follow_lean() {
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const BoundaryFace& face = faces_[f];
-    if (face.side == Side::base || face.support == Support::opposite_face)
-      continue;
-    const double turned = -face.ground.normal.x * lean(faces_, soil_, f); // n_y of the leaning side
-    traction_[f].dynamic.x += turned * free_field_[f].stress.xy;
-    traction_[f].dynamic.y += turned * soil_[f].syy;
-  }
 }
 
 /// Adds a velocity (m/s) of the face at a tick to the mean over a step of clock 0.
@@ -285,6 +271,7 @@ void Boundary::apply(Ground& ground, const Ticks& ticks, const ClockNodes& nodes
 void Boundary::spread(Ground& ground, const Ticks& ticks, const ClockNodes& nodes) {
   Grid& grid = ground.grid;
   nodes_.add(weights_);
+  nodes_.add(lean_.weights());
   const auto clocks = static_cast<std::size_t>(ticks.clocks());
   if (ticks.first_due() > 0)
     std::ranges::fill(loads_, Load{}); // for clocks that are not due
@@ -307,6 +294,9 @@ void Boundary::spread(Ground& ground, const Ticks& ticks, const ClockNodes& node
           dashpot[node] += w * load.dashpot.*axis;
         }
       }
+      for (std::size_t e = 0; e < lean_.edges().size(); ++e)
+        for (const auto& [node, w] : lean_.weights()[e])
+          boundary[node] += w * lean_.edges()[e].on_soil.*axis;
       for (const std::size_t n : nodes_.all())
         if (is_due(n))
           force[n] += boundary[n];
@@ -380,6 +370,7 @@ BoundaryWork Boundary::follow_update(Ground& ground, const Ticks& ticks, const C
   BoundaryWork total;
   for (const BoundaryWork& work : works)
     total += work;
+  total.input += ticks.kick_of(0) * lean_.power(grid);
   if (ground_springs_ && ticks.is_first()) {
     total.springs = springs_took_;
     total.transfer += springs_took_;

@@ -23,16 +23,12 @@
 //     v- - (v+ of the last step - v-)/2,
 //
 // which differs from v- by less than the transfer takes off a wave. Springs never see a kick: they move with
-// the grains' v-, and the ledger books what they take up then, and as transfer what the kicks add to it.
+// v-, of grains and water together as the free field that they move against, and the ledger books what they
+// take up then, and as transfer what the kicks add to it. Springs between the grains and a free field of both
+// would hold up ground that settles while its water rises.
 //
-// Soil in shear leans, and its sides with it: a side that has moved by u_x(y) has the normal (n_x, -n_x
-// du_x/dy), on which the weight of the soil above acts too,
-//
-//     f^dyn = sigma^ff,dyn n - n_x du_x/dy (sigma_xy^ff, sigma_yy).
-//
-// Left and right this is a couple, the one that ground between leaning neighbours feels. Without it, ground
-// that has liquefied and leans would turn for as long as it is shaken, since nothing but dashpots holds it.
-// sigma_yy is the total stress over the water at rest. It is there where there is pore water.
+// Where there is pore water, which knows one clock, sides lean with their soil (lean/leaning_sides.hpp), and
+// are as high as it.
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
 #include "mpm_domain/boundary/boundary_share.hpp"
@@ -40,6 +36,7 @@
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
 #include "mpm_domain/boundary/ground_springs.hpp"
 #include "mpm_domain/boundary/layer/matched_layer.hpp"
+#include "mpm_domain/boundary/lean/leaning_sides.hpp"
 #include "mpm_domain/boundary/periodic_springs.hpp"
 #include "mpm_domain/boundary/rigid_base.hpp"
 #include "mpm_domain/fields/node_fields.hpp"
@@ -66,7 +63,7 @@ using FreeFieldSource =
 struct BoundaryWork {
   double held = 0.0; ///< of the static part
   double dashpots = 0.0;
-  double springs = 0.0; ///< taken up by the springs as the grains have moved
+  double springs = 0.0; ///< taken up by the springs as v- has moved
   double input = 0.0;
   double transfer = 0.0; ///< that, less what the springs have taken up on the nodes
 
@@ -143,6 +140,8 @@ public:
   std::span<const eq6::FreeField> free_field() const { return std::span(free_field_).first(faces_.size()); }
   /// Springs beside the dashpots; null without any.
   const GroundSprings* ground_springs() const { return ground_springs_ ? &*ground_springs_ : nullptr; }
+  /// Where there is pore water.
+  const LeaningSides& lean() const { return lean_; }
   /// W of a face's nodes in its present step.
   std::span<const FaceWeight> weights(std::size_t face) const { return weights_[face]; }
   /// What the boundary exerts at a face as of the start of its last step, Pa.
@@ -210,7 +209,6 @@ private:
   void close(double time);
   void move_springs(const Grid& grid, double time);
   void book_springs(std::size_t face, double impulse, Vector v, BoundaryWork& work) const;
-  void follow_lean();
   void spread(Ground& ground, const Ticks& ticks, const ClockNodes& nodes);
   void find_loads(int clock, const Ticks& ticks);
   /// Work of faces [begin, end) in the last update.
@@ -229,6 +227,7 @@ private:
   std::optional<BoundaryShare> share_; ///< between ranks
 
   std::vector<FaceSoil> soil_;
+  LeaningSides lean_;
   std::vector<FaceWeights> weights_; ///< as of the start of each face's present step
   std::vector<int> clock_;
   std::vector<eq6::FreeField> free_field_; ///< of the faces, and those that springs have to themselves

@@ -26,6 +26,14 @@ Linear linear_weights(double x, double origin, double h) {
   return {static_cast<int>(cell), {1.0 - xi, xi}};
 }
 
+/// Hat functions averaged along a face, or at a point of it where it has no length.
+Weights averaged(double x, double origin, double h, double half) {
+  if (half > 0.0)
+    return cell_weights(x, {origin, h}, half);
+  const Linear at = linear_weights(x, origin, h);
+  return {at.base, Lanes{at.w[0], at.w[1], 0.0, 0.0}, Lanes{}};
+}
+
 /// What lies behind a face: the ground below the base, or else the particle's own soil in its stress.
 Impedances ground_of(Side side, const Spec& spec, Particles& set, std::size_t k) {
   if (side == Side::base && spec.below_base) {
@@ -63,14 +71,14 @@ void lattice_weights(const BoundaryFace& face, const FacePlace& place, const Lat
   };
   if (face.side != Side::base) {
     const Linear across = linear_weights(line.x_min, lattice.x0, lattice.h);
-    const Weights along = cell_weights(place.centre.y, {lattice.y0, lattice.h}, place.half.y);
+    const Weights along = averaged(place.centre.y, lattice.y0, lattice.h, place.half.y);
     for (int a = 0; a < 4; ++a)
       if (along.s[a] != 0.0)
         for (int b = 0; b < 2; ++b)
           add_touched(across.base + b, along.base + a, along.s[a] * across.w[b]);
   } else {
     const Linear across = linear_weights(line.y_min, lattice.y0, lattice.h);
-    const Weights along = cell_weights(place.centre.x, {lattice.x0, lattice.h}, place.half.x);
+    const Weights along = averaged(place.centre.x, lattice.x0, lattice.h, place.half.x);
     for (int b = 0; b < 2; ++b)
       if (across.w[b] != 0.0)
         for (int a = 0; a < 4; ++a)
@@ -88,7 +96,9 @@ FacePlace place_of(const BoundaryFace& face, const Particles& set) {
 FaceSoil soil_at(const BoundaryFace& face, const Particles& set) {
   const std::size_t k = set.index_of[face.id];
   const double excess = set.traits.wet ? set.water->excess(set.pore_pressure[k], set.y[k]) : 0.0;
-  return {place_of(face, set), set.x[k] - set.x_initial[k], set.syy[k] - excess, excess};
+  const FacePlace place = place_of(face, set);
+  const double length = face.side == Side::base ? face.length : set.volume[k] / (2.0 * place.half.x);
+  return {place, set.x[k] - set.x_initial[k], set.syy[k] - excess, excess, length};
 }
 
 mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place) {
@@ -135,15 +145,6 @@ int level_of(const Ground& ground, const BoundaryFace& face) {
   const double widest = set.has_own_boxes() ? set.cell_size : 2.0 * set.half_size;
   const bool on_one = touched.one_lattice() && widest < 1.0001 * ground.lattice(touched.finest).h;
   return on_one ? touched.finest : BoundaryFace::unknown;
-}
-
-double lean(std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil, std::size_t f) {
-  const Side side = faces[f].side;
-  const std::size_t lower = f > 0 && faces[f - 1].side == side ? f - 1 : f;
-  const std::size_t upper = f + 1 < faces.size() && faces[f + 1].side == side ? f + 1 : f;
-  if (lower == upper)
-    return 0.0;
-  return (soil[upper].moved - soil[lower].moved) / (faces[upper].position.y - faces[lower].position.y);
 }
 
 namespace {

@@ -34,7 +34,7 @@ struct BoundaryFace {
   std::size_t set = 0;  ///< which soil's particles
   std::uint32_t id = 0; ///< the particle
   Vector position;      ///< where it lay at the start: the material point its free field is taken from, m
-  double length = 0.0;  ///< m
+  double length = 0.0;  ///< m; of a side where there is pore water, at present
   eq6::Face ground; ///< normal, and the impedances of the soil in its stress at rest, or of the ground below
                     ///< the base
   double density = 0.0; ///< of that soil with the water in it, or of that ground, kg/m3
@@ -91,14 +91,12 @@ struct FaceSoil {
   double moved = 0.0;  ///< along x, m
   double syy = 0.0;    ///< total where there is pore water and over that of the water at rest, Pa
   double excess = 0.0; ///< pore pressure over that of the water at rest, Pa
+  double length = 0.0; ///< of the face: a side is as high as its soil, which settles, V/2l; m
 };
 FaceSoil soil_at(const BoundaryFace& face, const Particles& set);
 
 /// The side of its particle's box that a face covers: a line.
 mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place);
-
-/// du_x/dy of a side at a face, by its neighbours. Faces are in the order of find_faces().
-double lean(std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil, std::size_t face);
 
 /// How far soil may go: where a side has faces, overflow_cells (particles/grid_growth.hpp) beyond the
 /// outermost.

@@ -26,16 +26,21 @@ std::vector<int> owners_of_faces(const Ground& ground, std::span<const BoundaryF
 /// What ranks tell of the soil at faces.
 auto told_soil(const Ground& ground, std::span<const BoundaryFace> faces, const SharedList& list,
                std::span<FaceSoil> soil) {
-  return Told{
-      &list, 7,
-      [&ground, faces, soil](std::size_t f, double* numbers) {
-        const auto& [place, moved, syy, excess] = soil[f] = soil_at(faces[f], ground.sets[faces[f].set]);
-        const auto& [centre, half] = place;
-        std::ranges::copy(std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess}, numbers);
-      },
-      [soil](std::size_t f, const double* numbers) {
-        soil[f] = {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}}, numbers[4], numbers[5], numbers[6]};
-      }};
+  return Told{&list, 8,
+              [&ground, faces, soil](std::size_t f, double* numbers) {
+                const auto& [place, moved, syy, excess, length] = soil[f] =
+                    soil_at(faces[f], ground.sets[faces[f].set]);
+                const auto& [centre, half] = place;
+                std::ranges::copy(std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess, length},
+                                  numbers);
+              },
+              [soil](std::size_t f, const double* numbers) {
+                soil[f] = {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}},
+                           numbers[4],
+                           numbers[5],
+                           numbers[6],
+                           numbers[7]};
+              }};
 }
 
 /// The nodes that faces may touch while particles move by the distance between two sorts.

@@ -24,7 +24,7 @@ std::vector<Pass> face_passes(Ground& ground, Boundary& boundary, FreeFieldSourc
 /// place of tractions (rigid_base.hpp).
 std::vector<Pass> base_passes(Ground& ground, Boundary& boundary);
 
-/// Walls on the flow of water, closed during the update alone: w . n = 0 (walls/impervious_faces.hpp).
+/// What stands before the flow of water during the update alone (walls/impervious_faces.hpp).
 std::vector<Pass> wall_passes(Ground& ground, const Boundary& boundary);
 
 } // namespace tremolo::mpm_domain

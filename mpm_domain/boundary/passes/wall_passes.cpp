@@ -12,7 +12,7 @@ std::vector<Pass> wall_passes(Ground& ground, const Boundary& boundary) {
   return {{Phase::forces, "", [&ground, &boundary, walls](Step&) { walls->close(ground, boundary); }},
           {Phase::books, "", [&ground, walls](Step& step) {
              const double work = step.kicks.front() * walls->open(ground);
-             step.bookings.add([&energy = step.energy, work] { energy.drag -= work; });
+             step.bookings.add([&energy = step.energy, work] { energy.input += work; });
            }}};
 }
 

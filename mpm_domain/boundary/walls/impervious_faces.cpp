@@ -9,32 +9,15 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Closes the nodes of a lattice on the line of a face, and those next to it outside.
-void close_nodes(const Lattice& lattice, Side side, const mesh::Rectangle& line, Grid& grid) {
-  const auto nearest = [&](double place, double origin) {
-    return static_cast<int>(std::lround((place - origin) / lattice.h));
-  };
-  const auto first = [&](double place, double origin) {
-    return static_cast<int>(std::floor((place - origin) / lattice.h + 1e-9));
-  };
-  const auto last = [&](double place, double origin) {
-    return static_cast<int>(std::ceil((place - origin) / lattice.h - 1e-9));
-  };
-  const auto close = [&](NodeField& open, int i, int j) {
-    if (i >= 0 && i < lattice.nx && j >= 0 && j < lattice.ny)
-      open[lattice.index(i, j)] = 0.0;
-  };
-  if (side == Side::base) {
-    const int row = nearest(line.y_min, lattice.y0);
-    for (int i = first(line.x_min, lattice.x0); i <= last(line.x_max, lattice.x0); ++i)
-      for (const int j : {row, row - 1})
-        close(grid.open_y, i, j);
-    return;
-  }
-  const int column = nearest(line.x_min, lattice.x0);
-  for (int j = first(line.y_min, lattice.y0); j <= last(line.y_max, lattice.y0); ++j)
-    for (const int i : {column, side == Side::left ? column - 1 : column + 1})
-      close(grid.open_x, i, j);
+/// Closes the nodes of a lattice on the line of a face of the base, and those next to it outside.
+void close_nodes(const Lattice& lattice, const mesh::Rectangle& line, Grid& grid) {
+  const int row = static_cast<int>(std::lround((line.y_min - lattice.y0) / lattice.h));
+  const int first = static_cast<int>(std::floor((line.x_min - lattice.x0) / lattice.h + 1e-9));
+  const int last = static_cast<int>(std::ceil((line.x_max - lattice.x0) / lattice.h - 1e-9));
+  for (int i = first; i <= last; ++i)
+    for (const int j : {row, row - 1})
+      if (i >= 0 && i < lattice.nx && j >= 0 && j < lattice.ny)
+        grid.open_y[lattice.index(i, j)] = 0.0;
 }
 
 } // namespace
@@ -44,25 +27,31 @@ void ImperviousFaces::close(Ground& ground, const Boundary& boundary) {
   for_group(grid, NodeGroup::openness, [](NodeField& open) { std::ranges::fill(open, 1.0); });
   for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
     const BoundaryFace& face = boundary.faces()[f];
-    if (ground.sets[face.set].traits.flowing)
+    if (face.side == Side::base && ground.sets[face.set].traits.flowing)
       for (int level = 0; level < ground.lattice_count(); ++level)
-        close_nodes(ground.lattice(level), face.side, line_of(face, boundary.soil()[f].place), grid);
+        close_nodes(ground.lattice(level), line_of(face, boundary.soil()[f].place), grid);
   }
   reactions_.clear();
   for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
     const BoundaryFace& face = boundary.faces()[f];
-    if (!ground.sets[face.set].traits.flowing)
-      continue;
     const double load = -face.length * boundary.soil()[f].excess;
-    const Vector n = face.ground.normal;
-    for (const auto& [node, w] : boundary.weights(f)) {
-      const Vector force{load * w * n.x * grid.open_x[node], load * w * n.y * grid.open_y[node]};
-      if (force.x == 0.0 && force.y == 0.0)
-        continue;
-      grid.water_force_x[node] += force.x;
-      grid.water_force_y[node] += force.y;
-      reactions_.push_back({node, force});
-    }
+    if (ground.sets[face.set].traits.flowing)
+      push(grid, boundary.weights(f), {load * face.ground.normal.x, load * face.ground.normal.y});
+  }
+  const LeaningSides& lean = boundary.lean();
+  for (std::size_t e = 0; e < lean.edges().size(); ++e)
+    push(grid, lean.weights()[e], {0.0, lean.edges()[e].on_water});
+}
+
+/// Shares a force (N/m) on the water out among nodes, in the directions in which it can flow.
+void ImperviousFaces::push(Grid& grid, std::span<const FaceWeight> weights, Vector force) {
+  for (const auto& [node, w] : weights) {
+    const Vector share{w * force.x * grid.open_x[node], w * force.y * grid.open_y[node]};
+    if (share.x == 0.0 && share.y == 0.0)
+      continue;
+    grid.water_force_x[node] += share.x;
+    grid.water_force_y[node] += share.y;
+    reactions_.push_back({node, share});
   }
 }
 

@@ -1,35 +1,47 @@
 #pragma once
 
-// Where the boundary of the domain stands before soil whose water flows, no water passes: w . n = 0. The
-// nodes on a face's line, and those next to it outside, are closed. Where the line lies within a cell, the
-// nodes on its inner side are open. They feel the force of the excess pressure in the soil up to the line, f
-// = sum V p_e grad S, and need the reaction of the wall there,
+// What stands before soil whose water flows. No pressure drives water through the boundary of the domain.
+//
+// Base: no water passes, w . n = 0. The nodes on a face's line, and those next to it outside, are closed.
+// Where the line lies within a cell, the nodes on its inner side are open. They feel the force of the excess
+// pressure in the soil up to the line, f = sum V p_e grad S, and need the reaction of the wall there,
 //
 //     f_i -= sum over faces 2l W_i p_e n,
 //
 // with the weights W of the boundary (boundary_faces.hpp), whose tractions balance a uniform stress exactly.
 // Without it, a pressure beside the line would drive water out through the nodes until it had fallen to the
 // share of the cell that the soil fills.
+//
+// Sides: the same reaction at all nodes, none of which is closed. In level ground that is shaken grains and
+// water move past each other along x, w = -(k/g) a, for the drag is all that takes the water along, and the
+// ground beyond a side is no wall: where w . n = 0, pressures rise and fall by rho_f a over the way that they
+// drain in a cycle. With the reaction p_e n water beside a side feels no gradient across it, and passes as
+// fast as everywhere. Where the side leans, the reaction has a part along y (lean/leaning_sides.hpp).
 
+#include "mpm_domain/boundary/boundary_faces.hpp"
 #include "mpm_domain/ground.hpp"
 
+#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
 class Boundary;
 
-/// Walls on the flow of water during one update of the nodes.
+/// The boundary before the flow of water during one update of the nodes.
 class ImperviousFaces {
 public:
-  /// Closes the nodes of the faces, and adds the reactions of the walls to the forces on water.
+  /// Closes the nodes of the base, and adds the reactions of the faces to the forces on water.
   void close(Ground& ground, const Boundary& boundary);
   /// Takes the reactions off the forces again, which are those of the pressure in the soil alone from then
   /// on.
-  /// @returns power that they had on the flow n w, W/m, which the update has booked as dissipated by drag
+  /// @returns power that they had on the flow n w, W/m: what the ground beyond gives, which the update has
+  /// booked as dissipated by drag too
   double open(Ground& ground);
 
 private:
+  void push(Grid& grid, std::span<const FaceWeight> weights, Vector force);
+
   struct Reaction {
     std::size_t node;
     Vector force; ///< N/m
