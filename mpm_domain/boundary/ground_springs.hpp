@@ -11,8 +11,9 @@
 //
 //     d_n = d_(n-1) + dt [v_n - (v^ff_(n-1) + v^ff_n)/2]
 //
-// with the grains' velocity v before the update at the face, which belongs to t_(n-1/2): particles do not
-// follow all of a kick of the nodes, and v after the update would let the face sink for ever.
+// with the velocity v before the update at the face, which belongs to t_(n-1/2): particles do not follow all
+// of a kick of the nodes, and v after the update would let the face sink for ever. Where water flows, v is
+// that of grains and water together, as v^ff is.
 //
 // Under a base between two different free fields d is not zero even where nothing is scattered. A spring
 // behind a lag holds, and lets waves pass,
