@@ -98,6 +98,11 @@ void FeSoil::update(SoilState& state, const std::vector<double>& dexx, const std
   }
 }
 
+void FeSoil::end_shaking() {
+  for (Block& block : blocks_)
+    block.law = materials::after_shaking(block.law);
+}
+
 void FeSoil::tangents(const SoilState& begin, const SoilState& end, const std::vector<double>& deyy,
                       const std::vector<double>& dgxy, std::vector<Stiffness>& stiffness) const {
   const std::size_t n = deyy.size();

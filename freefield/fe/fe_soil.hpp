@@ -37,6 +37,10 @@ public:
   void update(SoilState& state, const std::vector<double>& dexx, const std::vector<double>& deyy,
               const std::vector<double>& dgxy) const;
 
+  /// From now on all soil reconsolidates by materials::after_shaking(). Stress and history of a state stay:
+  /// laws are incremental, so only their rates change.
+  void end_shaking();
+
   /// The stiffness at small strain.
   const std::vector<Stiffness>& initial_stiffness() const { return initial_stiffness_; }
 

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace tremolo::freefield {
@@ -24,6 +25,8 @@ struct MarchedSettings {
   double slowness_x = 0.0;       ///< s = sin(angle)/c of the incident wave, s/m, at least 0: it travels to +x
   Damping damping;               ///< read only where a layer has a damping ratio
   double start_time = 0.0;       ///< s; the column is at rest then
+  /// s; shaking is over at the first step that begins at or after it, and soil reconsolidates
+  std::optional<double> rest_from = {};
   BaseKind base = BaseKind::compliant; ///< a rigid base moves as v(t - s x)
   double tolerance = 1e-6; ///< of a step's iteration, relative to the largest stress increment so far
 };
@@ -67,6 +70,7 @@ private:
   Eigen::Vector2d input(double time) const;
   BaseDrive drive_to_next() const;
   void converge();
+  void rest_when_due();
   void stretch();
   void remember();
   void check();
@@ -94,6 +98,7 @@ private:
   double largest_residual_ = 0.0;
   long steps_ = 0, evaluations_ = 0, unconverged_ = 0;
   bool damped_ = false;
+  bool resting_ = false;
   /// State of the base node: its bracket now, one and two steps ago, kg/(m s), and the force of its element
   /// and the power of the half-space, as of the last step.
   std::array<Eigen::Vector2d, 3> base_bracket_{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),

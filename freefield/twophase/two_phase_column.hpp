@@ -12,6 +12,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace tremolo::freefield {
@@ -21,6 +22,8 @@ struct TwoPhaseSettings {
   double time_step = 0.0;        ///< s
   Damping damping;               ///< read only where a layer has a damping ratio
   double start_time = 0.0;       ///< s; the column is at rest then
+  /// s; shaking is over at the first step that begins at or after it, and soil reconsolidates
+  std::optional<double> rest_from = {};
   BaseKind base = BaseKind::compliant;
   /// Stress that loads the surface from the start, tension positive, Pa, of time; nothing loads it without.
   std::function<double(double time)> surface_load = {};
@@ -63,6 +66,7 @@ private:
 
   void strain_soil();
   void press_water();
+  void rest_when_due();
   void stretch();
   void kick();
   Phases kick_x(std::size_t node, double force) const;
@@ -96,6 +100,7 @@ private:
   Power power_;                                     ///< at the present time
   long steps_ = 0;
   bool damped_ = false;
+  bool resting_ = false;
 };
 
 /// The largest stable step of the column for this profile before it moves, s.

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -168,9 +169,13 @@ inline TwoPhaseSettings liquefying_settings(double element_size, double dt) {
 }
 
 /// Our column, elements of 0.5 m as the reference's.
-inline LiquefactionHistory computed(const LiquefyingSand& sand, double element_size = 0.5, double dt = 2e-4) {
+/// @param rest_from  when shaking is over for the soil, s; never where it is not given
+inline LiquefactionHistory computed(const LiquefyingSand& sand, double element_size = 0.5, double dt = 2e-4,
+                                    std::optional<double> rest_from = {}) {
   const Profile profile = liquefying_profile(sand);
-  TwoPhaseColumn column(profile, liquefying_settings(element_size, dt), BaseShaking(0.981));
+  TwoPhaseSettings settings = liquefying_settings(element_size, dt);
+  settings.rest_from = rest_from;
+  TwoPhaseColumn column(profile, settings, BaseShaking(0.981));
   std::vector<double> levels = {0.0};
   for (const double depth : depths)
     levels.push_back(-depth);
