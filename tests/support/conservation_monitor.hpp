@@ -60,6 +60,8 @@ public:
       const double length = boundary.faces()[f].length;
       add_impulse({length * t.x, length * t.y}, dt);
     }
+    for (const mpm_domain::LeaningEdge& edge : boundary.lean().edges())
+      add_impulse(edge.on_soil, dt);
     if (!boundary.faces().empty()) {
       const mpm_domain::Grid& grid = domain_.grid;
       for (std::size_t n = 0; n < grid.size(); ++n) {
