@@ -177,9 +177,10 @@ void Boundary::exchange(Ground& ground, const ClockNodes& nodes, const FreeField
                         double time) {
   for_faces(ground.workers, faces_.size(), [&](std::size_t f) {
     weigh(ground, nodes, f, true);
-    v_exchange_[f] = velocity_at(ground.grid, weights_[f]);
-    if (!v_kicked_.empty())
-      v_exchange_[f] = without_residual(v_exchange_[f], v_kicked_[f]);
+    const Vector v = velocity_at(ground.grid, weights_[f]);
+    v_exchange_[f] = v_kicked_.empty() ? v : without_residual(v, v_kicked_[f]);
+    if (ground_springs_ && ground_springs_->holds(f))
+      add_to_step_mean(f, v);
   });
   v_ = v_exchange_;
   source(step, time, v_exchange_, free_field_);
@@ -188,7 +189,7 @@ void Boundary::exchange(Ground& ground, const ClockNodes& nodes, const FreeField
   if (closing_)
     close(time);
   if (ground_springs_)
-    move_springs(ground.grid, time);
+    move_springs(time);
   for (std::size_t f = 0; f < faces_.size(); ++f)
     evaluate(f);
   if (ground.has_pore_pressure())
@@ -206,13 +207,11 @@ void Boundary::close(double time) {
     }
 }
 
-void Boundary::move_springs(const Grid& grid, double time) {
+void Boundary::move_springs(double time) {
   std::vector<Vector> mean(faces_.size());
   for (std::size_t f = 0; f < faces_.size(); ++f)
-    if (ground_springs_->holds(f)) {
-      add_to_step_mean(f, velocity_at(grid, weights_[f]));
+    if (ground_springs_->holds(f))
       mean[f] = take_step_mean(f);
-    }
   springs_took_ = ground_springs_->move(time, mean, free_field_);
   for (std::size_t f = 0; f < faces_.size(); ++f)
     spring_[f] = ground_springs_->traction(f);

@@ -207,7 +207,7 @@ private:
   Vector take_step_mean(std::size_t face);
   void evaluate(std::size_t face);
   void close(double time);
-  void move_springs(const Grid& grid, double time);
+  void move_springs(double time);
   void book_springs(std::size_t face, double impulse, Vector v, BoundaryWork& work) const;
   void spread(Ground& ground, const Ticks& ticks, const ClockNodes& nodes);
   void find_loads(int clock, const Ticks& ticks);

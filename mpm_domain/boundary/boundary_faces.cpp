@@ -27,8 +27,8 @@ Linear linear_weights(double x, double origin, double h) {
 }
 
 /// Hat functions averaged along a face, or at a point of it where it has no length.
-Weights averaged(double x, double origin, double h, double half) {
-  if (half > 0.0)
+[[gnu::always_inline]] inline Weights averaged(double x, double origin, double h, double half) {
+  if (half > 0.0) [[likely]]
     return cell_weights(x, {origin, h}, half);
   const Linear at = linear_weights(x, origin, h);
   return {at.base, Lanes{at.w[0], at.w[1], 0.0, 0.0}, Lanes{}};

@@ -82,20 +82,23 @@ void LayerLattice::advance(double dt, std::span<const Vector> boundary_velocity,
 }
 
 void LayerLattice::move(double dt, std::span<const Vector> boundary_velocity, WorkerPool& workers) {
-  for (std::size_t n = 0; n < across_; ++n)
-    v_.set(n, boundary_velocity[n]);
   const Decay decay(stretch_.shift(), dt);
-  workers.run(static_cast<std::size_t>(shape_.cells), [&](std::size_t row) { // all but the fixed end
-    if (row > 0)
+  const auto rows = static_cast<std::size_t>(shape_.cells);
+  workers.run(rows + 1, [&](std::size_t row) {
+    if (row == 0)
+      for (std::size_t n = 0; n < across_; ++n)
+        v_.set(n, boundary_velocity[n]);
+    else if (row < rows)
       kick_row(row, dt);
     by_fours(row * across_, (row + 1) * across_, [&](std::size_t n, auto group) {
-      const auto follow = [&](double& u, double& z, const double& velocity) {
-        const Lanes v = group.load(&velocity);
+      const auto follow = [&](double& u, double& z, double& force, const double& velocity) {
+        const Lanes v = group.load(&velocity); // zero at the fixed end
         group.store(&u, group.load(&u) + dt * v);
         group.store(&z, decay.keep * group.load(&z) + decay.gain * v);
+        group.store(&force, Lanes{}); // it has acted
       };
-      follow(u_.x[n], z_.x[n], v_.x[n]);
-      follow(u_.y[n], z_.y[n], v_.y[n]);
+      follow(u_.x[n], z_.x[n], force_.x[n], v_.x[n]);
+      follow(u_.y[n], z_.y[n], force_.y[n], v_.y[n]);
     });
   });
 }
@@ -135,8 +138,6 @@ void LayerLattice::sum_forces(double dt, WorkerPool& workers) {
     };
     rows.push_back({row, {stretch_at(gauss[0]), stretch_at(gauss[1])}, Decay(shift, dt)});
   }
-  std::ranges::fill(force_.x, 0.0);
-  std::ranges::fill(force_.y, 0.0);
   std::size_t blocks = std::max<std::size_t>(1, columns / columns_per_block);
   if (shape_.ends[0] == LayerEnd::repeated && blocks % 2 == 1 && blocks > 1)
     --blocks; // The last block shares nodes with the first, so they must have different colours.
