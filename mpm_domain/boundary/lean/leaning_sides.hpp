@@ -40,7 +40,7 @@ public:
             std::span<const eq6::FreeField> field);
 
   std::span<const LeaningEdge> edges() const { return edges_; }
-  /// Of an edge's load on each node; a node may stand twice.
+  /// Each node's share of an edge's load; a node may stand twice.
   std::span<const FaceWeights> weights() const { return weights_; }
   /// Power of the loads on soil on the mean of velocities before and after the last update, W/m.
   double power(const Grid& grid) const;
