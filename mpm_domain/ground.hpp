@@ -97,6 +97,8 @@ struct Ground {
   bool has_flow() const { return grid.traits.flowing; }
   bool has_pore_pressure() const;
   bool is_sharp() const { return grid.traits.sharp; } ///< whether dispersion is reduced
+  /// Whether a velocity that comes back from the particles strains the soil.
+  bool is_remapped() const { return spec.scheme.order == StepOrder::musl; }
   std::span<Particles> sets_of_soil() { return std::span(sets).first(soil_sets); }
   std::span<const Particles> sets_of_soil() const { return std::span(sets).first(soil_sets); }
   /// The sets of one elastic body.

@@ -98,7 +98,10 @@ void FeSoil::update(SoilState& state, const std::vector<double>& dexx, const std
   }
 }
 
-void FeSoil::end_shaking() {
+void FeSoil::rest_when_due(double time, std::optional<double> rest_from) {
+  if (resting_ || !rest_from || time < *rest_from)
+    return;
+  resting_ = true;
   for (Block& block : blocks_)
     block.law = materials::after_shaking(block.law);
 }

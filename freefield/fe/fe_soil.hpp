@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace tremolo::freefield {
@@ -37,9 +38,9 @@ public:
   void update(SoilState& state, const std::vector<double>& dexx, const std::vector<double>& deyy,
               const std::vector<double>& dgxy) const;
 
-  /// From now on all soil reconsolidates by materials::after_shaking(). Stress and history of a state stay:
-  /// laws are incremental, so only their rates change.
-  void end_shaking();
+  /// From the first call at or after rest_from (s) on, all soil reconsolidates by materials::after_shaking().
+  /// Stress and history of a state stay: laws are incremental, so only their rates change.
+  void rest_when_due(double time, std::optional<double> rest_from);
 
   /// The stiffness at small strain.
   const std::vector<Stiffness>& initial_stiffness() const { return initial_stiffness_; }
@@ -75,6 +76,7 @@ private:
   materials::Points points(SoilState& state, const Block& block) const;
 
   std::vector<Block> blocks_; ///< from the base up
+  bool resting_ = false;
   std::vector<double> no_strain_;
   std::vector<Stiffness> initial_stiffness_;
   SoilState initial_;

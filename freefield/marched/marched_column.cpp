@@ -125,15 +125,8 @@ BaseDrive MarchedColumn::drive_to_next() const {
           .reference = base_.outgoing.inverse() * (base_.incident * risen)};
 }
 
-void MarchedColumn::rest_when_due() {
-  if (resting_ || !settings_.rest_from || time() < *settings_.rest_from)
-    return;
-  soil_.end_shaking();
-  resting_ = true;
-}
-
 void MarchedColumn::step() {
-  rest_when_due();
+  soil_.rest_when_due(time(), settings_.rest_from);
   if (damped_)
     soil_.p_moduli(state_.soil, modulus_);
   const BaseDrive drive = drive_to_next();

@@ -70,7 +70,6 @@ private:
   Eigen::Vector2d input(double time) const;
   BaseDrive drive_to_next() const;
   void converge();
-  void rest_when_due();
   void stretch();
   void remember();
   void check();
@@ -98,7 +97,6 @@ private:
   double largest_residual_ = 0.0;
   long steps_ = 0, evaluations_ = 0, unconverged_ = 0;
   bool damped_ = false;
-  bool resting_ = false;
   /// State of the base node: its bracket now, one and two steps ago, kg/(m s), and the force of its element
   /// and the power of the half-space, as of the last step.
   std::array<Eigen::Vector2d, 3> base_bracket_{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),

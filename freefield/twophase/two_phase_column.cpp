@@ -73,15 +73,8 @@ double TwoPhaseColumn::time() const {
   return settings_.start_time + static_cast<double>(steps_) * settings_.time_step;
 }
 
-void TwoPhaseColumn::rest_when_due() {
-  if (resting_ || !settings_.rest_from || time() < *settings_.rest_from)
-    return;
-  soil_.end_shaking();
-  resting_ = true;
-}
-
 void TwoPhaseColumn::step() {
-  rest_when_due();
+  soil_.rest_when_due(time(), settings_.rest_from);
   const double dt = settings_.time_step;
   for (std::size_t i = 0; i < u_.size(); ++i) {
     u_[i].x += dt * v_[i][0].solid;

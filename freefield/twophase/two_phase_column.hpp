@@ -66,7 +66,6 @@ private:
 
   void strain_soil();
   void press_water();
-  void rest_when_due();
   void stretch();
   void kick();
   Phases kick_x(std::size_t node, double force) const;
@@ -100,7 +99,6 @@ private:
   Power power_;                                     ///< at the present time
   long steps_ = 0;
   bool damped_ = false;
-  bool resting_ = false;
 };
 
 /// The largest stable step of the column for this profile before it moves, s.

@@ -32,7 +32,7 @@ std::vector<Pass> contact_passes(Ground& ground, Contact& contact) {
   std::vector<Pass> passes{
       {Phase::contact, "contact", [&](Step& step) { meet_bodies(ground, contact, step); }},
       {Phase::bodies, "bodies", [&](Step& step) { move_bodies(ground, contact, step); }}};
-  if (ground.spec.scheme.order == StepOrder::musl)
+  if (ground.is_remapped())
     passes.push_back({Phase::remap, "", [&](Step& step) {
                         step.energy.transfer += step.kicks.front() * contact.meet_remapped(ground);
                       }});

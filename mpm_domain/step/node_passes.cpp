@@ -65,7 +65,7 @@ std::vector<Pass> node_passes(Ground& ground) {
       {Phase::velocities, "grid velocities", [&](Step& step) { find_velocities(ground, step); }}};
   if (!ground.has_flow())
     passes.push_back({Phase::update, "grid update", [&](Step& step) { update_nodes(ground, step); }});
-  if (ground.spec.scheme.order == StepOrder::musl)
+  if (ground.is_remapped())
     passes.push_back({Phase::remap, "remapped velocities", [&](Step& step) { remap(ground, step); }});
   return passes;
 }
@@ -73,7 +73,7 @@ std::vector<Pass> node_passes(Ground& ground) {
 std::vector<Pass> node_books(const Ground& ground) {
   std::vector<Pass> passes{{Phase::books, "", book_kinetic},
                            {Phase::books, "", [](Step& step) { step.shared.follow_update(); }}};
-  if (ground.spec.scheme.order == StepOrder::musl)
+  if (ground.is_remapped())
     passes.push_back({Phase::remap, "", book_remap});
   return passes;
 }

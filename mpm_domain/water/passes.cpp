@@ -10,10 +10,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-bool is_remapped(const Ground& ground) {
-  return ground.spec.scheme.order == StepOrder::musl;
-}
-
 void find_water_velocities(Ground& ground, Step& step) {
   step.bookings.add(water_velocities(ground, step.nodes.of(0)),
                     [&gained = step.gained()](const auto& kinetic) { gained += kinetic[0]; });
@@ -48,7 +44,7 @@ void find_pressures(Ground& ground, Step& step, const NodeField& flux_x, const N
 }
 
 void find_pressures_of_flow(Ground& ground, Step& step) {
-  if (!is_remapped(ground))
+  if (!ground.is_remapped())
     find_flux(ground, step.nodes.of(0));
   prolong(ground, NodeGroup::volume_flux, step.nodes.ties_of(0));
   find_pressures(ground, step, ground.grid.flux_x, ground.grid.flux_y);
@@ -57,7 +53,7 @@ void find_pressures_of_flow(Ground& ground, Step& step) {
 void find_pressures_of_grains(Ground& ground, Step& step) {
   const Grid& grid = ground.grid;
   prolong(ground, NodeGroup::velocity, step.nodes.ties_of(0));
-  if (is_remapped(ground))
+  if (ground.is_remapped())
     find_pressures(ground, step, grid.vx_strain, grid.vy_strain);
   else
     find_pressures(ground, step, grid.vx_after, grid.vy_after);
@@ -69,7 +65,7 @@ void book_lift(Ground& ground, Step& step) {
                     [&energy = step.energy, kick = step.kicks.front()](const auto& power) {
                       energy.gravity += kick * power[0];
                     });
-  if (is_remapped(ground))
+  if (ground.is_remapped())
     step.book_transfer(-0.5 * step.kicks.front(), lift_remap_power(ground, step.nodes.of(0)));
 }
 
@@ -86,7 +82,7 @@ std::vector<Pass> wet_transfer_passes(Ground& ground) {
   if (ground.has_water())
     passes.push_back({Phase::scatter, "particles to grid",
                       [&](Step& step) { scatter_mixture(ground, step.nodes.of(0), step.nodes.ties_of(0)); }});
-  if (ground.has_flow() && is_remapped(ground))
+  if (ground.has_flow() && ground.is_remapped())
     passes.push_back({Phase::gather, "grid to particles and back",
                       [&](Step& step) { exchange_velocities(ground, step); }});
   return passes;
@@ -104,12 +100,12 @@ std::vector<Pass> water_passes(Ground& ground) {
     add(Phase::velocities, "", find_water_velocities);
     add(Phase::update, "grid update", update_both);
   }
-  if (flows && is_remapped(ground))
+  if (flows && ground.is_remapped())
     add(Phase::remap, "", remap_water);
   if (ground.has_pore_pressure())
     add(Phase::pressure, "pore pressure", flows ? find_pressures_of_flow : find_pressures_of_grains);
   add(Phase::pressure, "weight under water", book_lift);
-  if (flows && !is_remapped(ground))
+  if (flows && !ground.is_remapped())
     add(Phase::pressure, "", gather_all_water);
   return passes;
 }

@@ -69,10 +69,8 @@ void LayerCorner::sum_forces(double dt) {
   std::ranges::fill(force_, Vector{});
   std::vector<StretchAt> stretches;
   for (std::size_t cell = 0; cell < cells_; ++cell)
-    for (const double place : gauss) {
-      const double b = shape_.stretch.rate((static_cast<double>(cell) + place) * size_);
-      stretches.push_back({b, Decay(shape_.stretch.shift() + b, dt)});
-    }
+    for (const double place : gauss)
+      stretches.push_back(shape_.stretch.at((static_cast<double>(cell) + place) * size_, dt));
   const Decay stress_decay(shape_.stretch.shift(), dt);
   for (std::size_t row = 0; row < cells_; ++row)
     for (std::size_t column = 0; column < cells_; ++column)

@@ -72,12 +72,6 @@ private:
     eq6::Vector qx, qz, sx, sz;
   };
 
-  /// Of the points of Gauss at one place of a direction: b, 1/s, and how Q decays there.
-  struct StretchAt {
-    double rate;
-    Decay decay;
-  };
-
   void move_node(std::size_t i, std::size_t j, double dt, double mass, eq6::Vector force);
   void sum_forces(double dt);
   void strain_element(std::size_t column, std::size_t row, std::span<const StretchAt> stretches,

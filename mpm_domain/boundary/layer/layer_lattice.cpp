@@ -129,14 +129,12 @@ void LayerLattice::sum_forces(double dt, WorkerPool& workers) {
   constexpr std::size_t columns_per_block = 16;
   const std::size_t columns = shape_.columns.size();
   const double height = shape_.depth / shape_.cells;
-  const double shift = stretch_.shift();
   std::vector<Row> rows;
   for (std::size_t row = 0; row < static_cast<std::size_t>(shape_.cells); ++row) {
     const auto stretch_at = [&](double zeta) {
-      const double b = stretch_.rate((static_cast<double>(row) + zeta) * height);
-      return StretchAt{b, Decay(shift + b, dt)};
+      return stretch_.at((static_cast<double>(row) + zeta) * height, dt);
     };
-    rows.push_back({row, {stretch_at(gauss[0]), stretch_at(gauss[1])}, Decay(shift, dt)});
+    rows.push_back({row, {stretch_at(gauss[0]), stretch_at(gauss[1])}, Decay(stretch_.shift(), dt)});
   }
   std::size_t blocks = std::max<std::size_t>(1, columns / columns_per_block);
   if (shape_.ends[0] == LayerEnd::repeated && blocks % 2 == 1 && blocks > 1)

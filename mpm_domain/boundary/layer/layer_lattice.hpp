@@ -108,11 +108,6 @@ private:
   };
   /// What an integration point remembers: Q and S (of s_xx and s_xz), two components each.
   static constexpr std::size_t memories = 4;
-  /// Of the integration points at one depth: b, 1/s, and how Q decays there.
-  struct StretchAt {
-    double rate;
-    Decay decay;
-  };
   /// What the elements of a row have in common: the stretch at the two depths of their integration points.
   struct Row {
     std::size_t index;
@@ -123,6 +118,7 @@ private:
   void lump();
   void move(double dt, std::span<const eq6::Vector> boundary_velocity, WorkerPool& workers);
   void kick_row(std::size_t row, double dt);
+  /// Adds to forces that move() has cleared.
   void sum_forces(double dt, WorkerPool& workers);
   void strain(const Row& row, std::size_t first_column, std::size_t last_column);
   template <typename Group>

@@ -12,6 +12,21 @@
 
 namespace tremolo::mpm_domain {
 
+/// How a memory with rate r (1/s) decays in a step of dt (s).
+struct Decay {
+  double keep;
+  double gain;
+
+  Decay(double rate, double dt)
+      : keep((1.0 - 0.5 * rate * dt) / (1.0 + 0.5 * rate * dt)), gain(dt / (1.0 + 0.5 * rate * dt)) {}
+};
+
+/// The stretch at one depth, and how the memory Q decays there.
+struct StretchAt {
+  double rate; ///< b, 1/s
+  Decay decay;
+};
+
 /// The stretch of a layer of a depth (m), for waves of up to a speed (m/s). Layers that meet at a corner
 /// share both.
 class LayerStretch {
@@ -22,7 +37,9 @@ public:
         shift_(shift_of_depth * fastest / depth) {}
 
   [[nodiscard]] double rate(double z) const { return largest_ * (z / depth_) * (z / depth_); } ///< b, 1/s
-  [[nodiscard]] double shift() const { return shift_; }                                        ///< a, 1/s
+  /// At a depth z, for steps of dt (s).
+  [[nodiscard]] StretchAt at(double z, double dt) const { return {rate(z), Decay(shift_ + rate(z), dt)}; }
+  [[nodiscard]] double shift() const { return shift_; } ///< a, 1/s
 
 private:
   /// What is left of the amplitude of a P wave that goes to the fixed end and back along the normal. Less
@@ -34,15 +51,6 @@ private:
   double depth_ = 1.0;
   double largest_ = 0.0; ///< b_max, 1/s
   double shift_ = 0.0;   ///< a, 1/s
-};
-
-/// How a memory with rate r (1/s) decays in a step of dt (s).
-struct Decay {
-  double keep;
-  double gain;
-
-  Decay(double rate, double dt)
-      : keep((1.0 - 0.5 * rate * dt) / (1.0 + 0.5 * rate * dt)), gain(dt / (1.0 + 0.5 * rate * dt)) {}
 };
 
 /// Takes a memory of half a step before the present to half a step behind it.

@@ -38,7 +38,7 @@ std::vector<Pass> base_passes(Ground& ground, Boundary& boundary) {
       {Phase::scatter, "", stop},
       {Phase::forces, "inertia", [&](Step& step) { push_by_base(ground, boundary, step); }},
       {Phase::books, "", [&](Step& step) { book_inertia(ground, base, step); }}};
-  if (ground.spec.scheme.order == StepOrder::musl) {
+  if (ground.is_remapped()) {
     passes.push_back({Phase::gather, "", stop});
     passes.push_back({Phase::remap, "", [&](Step& step) { add_remap_power(ground, base, step); }});
   }

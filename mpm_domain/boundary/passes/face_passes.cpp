@@ -48,7 +48,7 @@ std::vector<Pass> face_passes(Ground& ground, Boundary& boundary, FreeFieldSourc
     passes.push_back({Phase::forces, "boundary tractions",
                       [&](Step& step) { boundary.apply(ground, step.ticks, step.nodes); }});
   passes.push_back({Phase::books, "", [&](Step& step) { book_faces(ground, boundary, step); }});
-  if (ground.spec.scheme.order == StepOrder::musl)
+  if (ground.is_remapped())
     passes.push_back({Phase::remap, "", [&](Step& step) { take_off_remap_power(ground, boundary, step); }});
   return passes;
 }

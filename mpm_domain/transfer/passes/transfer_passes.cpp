@@ -87,7 +87,7 @@ std::vector<Pass> transfer_passes(Ground& ground) {
   };
   if (!ground.has_water() && !ground.is_sharp())
     add(Phase::scatter, "particles to grid", scatter_clocks);
-  if (ground.spec.scheme.order == StepOrder::usl) {
+  if (!ground.is_remapped()) {
     add(Phase::stress, "grid to particles, stress", gather_all);
   } else {
     if (!ground.has_flow()) {

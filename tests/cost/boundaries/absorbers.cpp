@@ -88,7 +88,7 @@ std::vector<double> settle(const ScatteringRun& run) {
   mpm_domain::replace_constraints(domain, mpm_domain::relax_under_gravity(domain, {}, [](long, double) {}));
   load(-6.0, -weight);
   load(6.0, weight);
-  mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground());
+  mpm_domain::Stepper stepper(domain, 0.0, quiet_ground());
   while (stepper.time() < 40.0)
     stepper.step();
   std::vector<std::pair<double, mpm_domain::Vector>> moved; // by place, for all boxes alike

@@ -65,7 +65,7 @@ void expect_no_kick(const Settings& shaken, double rest_from) {
   EXPECT_GT(of_b[1].pore_pressure, of_a[1].pore_pressure);
 }
 
-/// Of some 50 kPa, stress and pressure move in the first step of the rest by no more than 20 Pa beside those
+/// Stress and pressure, some 50 kPa, move in the first step of the rest by no more than 20 Pa beside those
 /// of the same column without it.
 TEST(RestOfSandBegins, WithoutAKick) {
   expect_no_kick<TwoPhaseColumn>(liquefying_settings(0.5, 2e-4), 15.0);

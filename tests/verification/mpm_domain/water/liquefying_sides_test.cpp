@@ -3,6 +3,7 @@
 
 #include "materials/sand/pdmy03/pdmy03.hpp"
 #include "materials/sand/pm4sand/pm4sand.hpp"
+#include "tests/support/box_models.hpp"
 #include "tests/support/own_column.hpp"
 
 #include <gtest/gtest.h>
@@ -49,8 +50,7 @@ Spec level_sand(Sand sand, double width) {
   spec.soils = {soil_of(sand)};
   spec.regions = {{0, {{0.0, -depth}, {width, -depth}, {width, 0.0}, {0.0, 0.0}}}};
   spec.scheme.dt = 0.5 * 0.65 * cell / 1900.0;
-  for (const Side side : {Side::left, Side::right, Side::base})
-    spec.springs.push_back({.side = side, .centre = {0.5 * width, 0.0}});
+  test_support::add_springs(spec, 1.0, 0.5, {0.5 * width, 0.0});
   return spec;
 }
 
