@@ -310,6 +310,18 @@ double empty_mass(const Ground& ground) {
   return share_of_full_cell * density * h * h;
 }
 
+void rest_if_due(Ground& ground, double time) {
+  const std::optional<materials::RestClock>& rest = ground.spec.rest;
+  if (!rest || !rest->has_begun(time))
+    return;
+  for (Particles& set : ground.sets_of_soil()) {
+    set.law = materials::after_shaking(set.law);
+    if (set.water)
+      set.water->pores.permeability =
+          rest->speed(time) * ground.spec.soils[set.soil_index].pores->permeability;
+  }
+}
+
 double particle_updates_per_step(const Ground& ground) {
   double updates = 0.0;
   if (ground.share) {

@@ -172,6 +172,11 @@ void weigh_across(Ground& ground, int slowest_clock = 0);
 /// lies on nodes would make these nodes pull at it.
 double empty_mass(const Ground& ground);
 
+/// Soil reconsolidates (materials::after_shaking) and its water flows as the clock of the rest says, at all
+/// times from its beginning on.
+/// @param time  that the ground has come to, s
+void rest_if_due(Ground& ground, double time);
+
 /// How often a step of clock 0 moves a particle, added up over the particles of all ranks.
 double particle_updates_per_step(const Ground& ground);
 

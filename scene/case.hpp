@@ -4,6 +4,7 @@
 // defaults stand in keys.cpp; docs/case-file.md is generated from there.
 
 #include "materials/law/law.hpp"
+#include "materials/water/rest_clock.hpp"
 #include "motion/read/read.hpp"
 #include "mpm_domain/spec/lattice.hpp"
 #include "mpm_domain/spec/slices.hpp"
@@ -242,6 +243,16 @@ struct ShakingStage {
   double duration = 0.0; ///< s
 };
 
+/// [[stage]] kind = "rest": sand reconsolidates as sand that has been shaken (materials::after_shaking).
+struct RestStage {
+  double duration = 0.0;             ///< of the soil's time, s
+  double time_factor = 1.0;          ///< F of the rest's clock (materials/water/rest_clock.hpp)
+  std::optional<double> until_ratio; ///< ends when no excess pore pressure ratio is larger, 1
+  double every = 0.0;                ///< first interval of particle frames, of the soil's time, s
+  double growth = 1.0;               ///< of each interval of frames over the one before
+  double history_every = 0.0;        ///< interval of histories, of the soil's time, s
+};
+
 struct Coupling {
   ExchangeMode mode = ExchangeMode::window;
   int window_steps = 0;           ///< steps of the source in one frame
@@ -355,6 +366,7 @@ struct Case {
   Boundary boundary;
   std::optional<GravityStage> gravity; ///< absent: weightless, the model starts at rest without stress
   ShakingStage shaking;
+  std::optional<RestStage> rest; ///< absent: sand drains to the end as it does while it is shaken
   Coupling coupling;
   Recording recording;
   Hosts hosts;
@@ -367,6 +379,15 @@ struct Case {
 
   std::vector<ValueInForce> values;
   std::vector<Finding> remarks; ///< warnings, then notes, of the rules that such a case goes by
+
+  /// The clock of the rest; none: there is no rest.
+  std::optional<materials::RestClock> rest_clock() const {
+    return rest ? std::optional<materials::RestClock>({shaking.duration, rest->time_factor}) : std::nullopt;
+  }
+  /// Time of the soil when the last stage ends, s after the shaking has begun.
+  double end_of_soil_time() const { return shaking.duration + (rest ? rest->duration : 0.0); }
+  /// The simulated time then, s.
+  double end() const { return rest ? rest_clock()->simulated_time(end_of_soil_time()) : shaking.duration; }
 };
 
 /// Reads and checks a case file.

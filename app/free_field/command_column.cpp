@@ -158,8 +158,9 @@ void compute(const Options& options) {
   if (scene.water)
     fmt::print("{}", scene::water_text(scene));
   print_linearised(scene, source);
-  const auto series = free_field_series(scene, source, all_levels(scene, source, depths),
-                                        column_times(ground, options.duration, options.every), x);
+  const auto series =
+      free_field_series(scene, source, all_levels(scene, source, depths),
+                        column_times(ground, options.duration, options.every), x, TimeOf::soil);
   std::vector<std::size_t> shown;
   for (const double depth : depths) {
     // The last of equal levels: above an interface.
@@ -228,8 +229,10 @@ void add_column(Command& app) {
       ->non_negative()
       ->excludes(recording);
   command
-      ->add_option("--duration", options->duration,
-                   "End of the histories, s (default: the motion's end and the ringing of the column)")
+      ->add_option(
+          "--duration", options->duration,
+          "End of the histories, s (default: the end of the rest; without one that of the motion and of the "
+          "column's ringing)")
       ->excludes(recording);
   command
       ->add_option("--every", options->every,

@@ -45,15 +45,26 @@ ColumnSample between(const ColumnSample& a, const ColumnSample& b, double dt, do
   return c;
 }
 
+/// A sample with rates per second of a time that passes so many times (1) as fast as that of the simulation.
+ColumnSample in_time_of_soil(ColumnSample sample, double speed) {
+  for (double ColumnSample::*rate : {&ColumnSample::vx, &ColumnSample::vy, &ColumnSample::sxx_rate,
+                                     &ColumnSample::syy_rate, &ColumnSample::sxy_rate})
+    sample.*rate /= speed;
+  for (double ColumnSample::*rate : {&ColumnSample::vx_rate, &ColumnSample::vy_rate})
+    sample.*rate /= speed * speed;
+  return sample;
+}
+
 /// A column, marched; before its start it is at rest. States are sampled only at the ends of steps in which a
 /// time is asked for.
-void march(freefield::Column& column, FreeFieldSeries& series) {
+/// @param clock  of the times of the series
+void march(freefield::Column& column, const materials::RestClock& clock, FreeFieldSeries& series) {
   const std::size_t levels = series.levels.size();
   const double dt = column.time_step();
   std::vector<ColumnSample> before(levels);
   std::vector<ColumnSample> after(levels);
   for (std::size_t i = 0; i < series.times.count; ++i) {
-    const double time = series.times.start + static_cast<double>(i) * series.times.dt;
+    const double time = clock.simulated_time(series.times.start + static_cast<double>(i) * series.times.dt);
     if (column.time() < time) {
       while (column.time() + dt < time)
         column.step();
@@ -63,7 +74,8 @@ void march(freefield::Column& column, FreeFieldSeries& series) {
     }
     const double s = std::clamp(1.0 - (column.time() - time) / dt, 0.0, 1.0);
     for (std::size_t k = 0; k < levels; ++k)
-      series.samples[k * series.times.count + i] = between(before[k], after[k], dt, s);
+      series.samples[k * series.times.count + i] =
+          in_time_of_soil(between(before[k], after[k], dt, s), clock.speed(time));
   }
 }
 
@@ -94,8 +106,8 @@ void synthesise(const wavefield::LayeredField& field, double x, wavefield::Part 
 } // namespace
 
 FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceProcess& source,
-                                  std::vector<double> levels, const wavefield::TimeGrid& times,
-                                  double x_line) {
+                                  std::vector<double> levels, const wavefield::TimeGrid& times, double x_line,
+                                  TimeOf time) {
   FreeFieldSeries series = empty_series(std::move(levels), times);
   const double before = cpu_seconds();
   switch (source.field.model) {
@@ -115,7 +127,9 @@ FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceP
     const auto column = source.field.model == scene::SourceModel::mpm
                             ? mpm_domain::column_from_case(scene, source, x_line, times.start)
                             : freefield::column_from_case(scene, source, x_line, times.start);
-    march(*column, series);
+    const materials::RestClock clock =
+        time == TimeOf::soil ? scene.rest_clock().value_or(materials::RestClock{}) : materials::RestClock{};
+    march(*column, clock, series);
     series.report = column->report();
     break;
   }

@@ -25,14 +25,18 @@ struct FreeFieldSeries {
   }
 };
 
+/// Whose time a series has: they differ in a rest with a time factor (materials/water/rest_clock.hpp).
+enum class TimeOf { simulation, soil };
+
 /// Computes a free field in this process with the model of the source: wave, fe, ode, oblique, eql or mpm.
 /// Between the steps of a column, velocity, displacement and stress are cubic Hermite, strain and pore
 /// pressure linear.
 /// @param x_line  where the line stands, m
+/// @param time  of `times`, and of all rates
 /// @throws std::invalid_argument for another model, or values out of range
 FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceProcess& source,
-                                  std::vector<double> levels, const wavefield::TimeGrid& times,
-                                  double x_line);
+                                  std::vector<double> levels, const wavefield::TimeGrid& times, double x_line,
+                                  TimeOf time = TimeOf::simulation);
 
 /// The incident wave alone, at levels of the half-space.
 FreeFieldSeries incident_series(const scene::Case& scene, const scene::SourceProcess& source,

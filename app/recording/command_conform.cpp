@@ -119,7 +119,7 @@ std::vector<coupler::ExchangedFace> faces(const scene::Case& scene, const scene:
 coupler::Demand demand(const scene::Case& scene, const scene::SourceProcess& source) {
   coupler::Demand demand{.faces = faces(scene, source),
                          .start_time = 0.0,
-                         .end_time = scene.shaking.duration,
+                         .end_time = scene.end(),
                          .least_density = scene.halfspace.density,
                          .largest_density = scene.halfspace.density};
   for (const scene::Layer& layer : scene::layers(scene, source)) {

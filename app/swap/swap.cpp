@@ -123,7 +123,7 @@ FreeFieldSeries side_field(const scene::Case& scene, scene::SourceProcess source
   for (int i = 0; i < intervals; ++i)
     levels.push_back(base + (surface - base) * i / intervals);
   levels.push_back(surface);
-  const auto count = static_cast<std::size_t>(scene.shaking.duration / dt) + 1;
+  const auto count = static_cast<std::size_t>(scene.end() / dt) + 1;
   source.field = {model, {}};
   return free_field_series(scene, source, std::move(levels), {0.0, dt, count}, x);
 }

@@ -137,9 +137,8 @@ std::optional<motion::Measures> incident_measures(const scene::Case& scene) {
     const wavefield::Signal signal = wavefield::incident_signal(scene, ground);
     constexpr double samples_per_period = 8.0; // so that peaks lie on samples
     const double dt = 1.0 / (samples_per_period * signal.highest_frequency);
-    const auto count = static_cast<std::size_t>(
-                           std::ceil((std::min(signal.end, scene.shaking.duration) - signal.begin) / dt)) +
-                       1;
+    const auto count =
+        static_cast<std::size_t>(std::ceil((std::min(signal.end, scene.end()) - signal.begin) / dt)) + 1;
     std::vector<double> velocity(count);
     for (std::size_t i = 0; i < count; ++i)
       if (const double time = signal.begin + static_cast<double>(i) * dt; time <= signal.end)

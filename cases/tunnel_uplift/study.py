@@ -41,7 +41,8 @@ def coarse(duration, size=1.0, refined=""):
         "size = 1.0\n": f"size = {size}\n",
         WATER: WATER.replace("\n\n", "\nbulk_modulus = 2.2e8\n\n"),
         'file = "motion.csv" ': 'file = "short.csv" ',
-        "duration_s = 35.0 ": f"duration_s = {duration:.3f} ",
+        "duration_s = 23.0 ": f"duration_s = {min(duration, SHORT) - 0.1:.3f} ",
+        "duration_s = 12.0\n": f"duration_s = {max(duration - SHORT, 0.0) + 0.1:.3f}\n",
     }
 
 

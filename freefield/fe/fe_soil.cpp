@@ -98,8 +98,8 @@ void FeSoil::update(SoilState& state, const std::vector<double>& dexx, const std
   }
 }
 
-void FeSoil::rest_when_due(double time, std::optional<double> rest_from) {
-  if (resting_ || !rest_from || time < *rest_from)
+void FeSoil::reconsolidate() {
+  if (resting_)
     return;
   resting_ = true;
   for (Block& block : blocks_)

@@ -38,9 +38,9 @@ public:
   void update(SoilState& state, const std::vector<double>& dexx, const std::vector<double>& deyy,
               const std::vector<double>& dgxy) const;
 
-  /// From the first call at or after rest_from (s) on, all soil reconsolidates by materials::after_shaking().
-  /// Stress and history of a state stay: laws are incremental, so only their rates change.
-  void rest_when_due(double time, std::optional<double> rest_from);
+  /// From now on all soil reconsolidates by materials::after_shaking(). Stress and history of a state stay:
+  /// laws are incremental, so only their rates change.
+  void reconsolidate();
 
   /// The stiffness at small strain.
   const std::vector<Stiffness>& initial_stiffness() const { return initial_stiffness_; }

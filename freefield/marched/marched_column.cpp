@@ -126,7 +126,10 @@ BaseDrive MarchedColumn::drive_to_next() const {
 }
 
 void MarchedColumn::step() {
-  soil_.rest_when_due(time(), settings_.rest_from);
+  if (settings_.rest && settings_.rest->has_begun(time())) {
+    soil_.reconsolidate();
+    set_flow_speed(state_.grid, settings_.rest->speed(time()));
+  }
   if (damped_)
     soil_.p_moduli(state_.soil, modulus_);
   const BaseDrive drive = drive_to_next();

@@ -11,6 +11,7 @@
 #include "freefield/marched/marched_trial.hpp"
 #include "freefield/profile.hpp"
 #include "freefield/twophase/wet_energy.hpp"
+#include "materials/water/rest_clock.hpp"
 
 #include <array>
 #include <cstddef>
@@ -25,8 +26,8 @@ struct MarchedSettings {
   double slowness_x = 0.0;       ///< s = sin(angle)/c of the incident wave, s/m, at least 0: it travels to +x
   Damping damping;               ///< read only where a layer has a damping ratio
   double start_time = 0.0;       ///< s; the column is at rest then
-  /// s; shaking is over at the first step that begins at or after it, and soil reconsolidates
-  std::optional<double> rest_from = {};
+  /// When it has begun, shaking is over and soil reconsolidates.
+  std::optional<materials::RestClock> rest = {};
   BaseKind base = BaseKind::compliant; ///< a rigid base moves as v(t - s x)
   double tolerance = 1e-6; ///< of a step's iteration, relative to the largest stress increment so far
 };

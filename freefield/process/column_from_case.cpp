@@ -149,6 +149,7 @@ std::unique_ptr<Column> two_phase_column(const scene::Case& scene, const Profile
   settings.max_element_size = scene.fe.element_size;
   settings.damping = damping_from_case(scene);
   settings.base = input.base;
+  settings.rest = scene.rest_clock();
   const auto limit = [&](double factor) {
     return two_phase_step_limit(profile, settings.max_element_size, settings.damping, factor);
   };
@@ -167,6 +168,7 @@ std::unique_ptr<Column> marched_column(const scene::Case& scene, const Profile& 
   settings.slowness_x = slowness_from_case(scene);
   settings.damping = damping_from_case(scene);
   settings.base = input.base;
+  settings.rest = scene.rest_clock();
   const auto limit = [&](double growth) {
     return marched_step_limit(profile, settings.max_element_size, settings.slowness_x, settings.damping,
                               growth);

@@ -74,7 +74,10 @@ double TwoPhaseColumn::time() const {
 }
 
 void TwoPhaseColumn::step() {
-  soil_.rest_when_due(time(), settings_.rest_from);
+  if (settings_.rest && settings_.rest->has_begun(time())) {
+    soil_.reconsolidate();
+    set_flow_speed(grid_, settings_.rest->speed(time()));
+  }
   const double dt = settings_.time_step;
   for (std::size_t i = 0; i < u_.size(); ++i) {
     u_[i].x += dt * v_[i][0].solid;

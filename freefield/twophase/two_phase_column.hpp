@@ -9,6 +9,7 @@
 #include "freefield/twophase/wet_energy.hpp"
 #include "freefield/twophase/wet_grid.hpp"
 #include "freefield/twophase/wet_snapshot.hpp"
+#include "materials/water/rest_clock.hpp"
 
 #include <array>
 #include <functional>
@@ -22,8 +23,8 @@ struct TwoPhaseSettings {
   double time_step = 0.0;        ///< s
   Damping damping;               ///< read only where a layer has a damping ratio
   double start_time = 0.0;       ///< s; the column is at rest then
-  /// s; shaking is over at the first step that begins at or after it, and soil reconsolidates
-  std::optional<double> rest_from = {};
+  /// When it has begun, shaking is over and soil reconsolidates.
+  std::optional<materials::RestClock> rest = {};
   BaseKind base = BaseKind::compliant;
   /// Stress that loads the surface from the start, tension positive, Pa, of time; nothing loads it without.
   std::function<double(double time)> surface_load = {};

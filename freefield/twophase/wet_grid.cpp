@@ -28,7 +28,8 @@ WetElement element_of(const Profile& profile, const Layer& layer, double length,
   element.fluid_density = fluid.density;
   element.fluid_share = layer.pores->porosity * fluid.density;
   element.solid_share = materials::dry_density(*layer.pores);
-  element.resistance = materials::flow_resistance(*layer.pores, fluid, profile.gravity);
+  element.given_resistance = materials::flow_resistance(*layer.pores, fluid, profile.gravity);
+  element.resistance = element.given_resistance;
   return element;
 }
 
@@ -82,6 +83,12 @@ void set_lengths(WetGrid& grid, const std::vector<double>& lengths) {
     element.stiffness = element.bulk_modulus / n;
     element.fluid_share = n * element.fluid_density;
   }
+  add_elements(grid);
+}
+
+void set_flow_speed(WetGrid& grid, double times) {
+  for (WetElement& element : grid.elements)
+    element.resistance = element.given_resistance / times;
   add_elements(grid);
 }
 

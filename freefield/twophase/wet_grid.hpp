@@ -25,22 +25,23 @@ namespace tremolo::freefield {
 
 /// One element at its present length.
 struct WetElement {
-  double length = 0.0;          ///< h, m
-  double length_at_rest = 0.0;  ///< h_0, m
-  double grain_share = 1.0;     ///< 1 - n_0, volume of grains over that of the element at rest
-  double bulk_modulus = 0.0;    ///< K_f, Pa; 0 where no excess pore pressure arises
-  double stiffness = 0.0;       ///< Q = K_f/n, Pa; 0 where no excess pore pressure arises
-  double undrained_share = 0.0; ///< Q/(M + Q) where there is pore water that does not flow; else 0
-  double fluid_density = 0.0;   ///< rho_f of water that flows, kg/m3; else 0
-  double fluid_share = 0.0;     ///< n rho_f of water that flows, kg/m3; else 0
-  double solid_share = 0.0;     ///< what moves with the grains, kg/m3
-  double resistance = 0.0;      ///< rho_f g/k of water that flows, Pa s/m2; else 0
-  double lowest_excess = 0.0;   ///< cavitation pressure less hydrostatic pressure, Pa
-  double alpha = 0.0;           ///< mass-proportional damping, 1/s
-  double beta = 0.0;            ///< stiffness-proportional damping, s
-  double shear_ratio = 0.0;     ///< G/M
-  double lateral_ratio = 0.0;   ///< lambda/M
-  double density = 0.0;         ///< rho at rest, kg/m3
+  double length = 0.0;           ///< h, m
+  double length_at_rest = 0.0;   ///< h_0, m
+  double grain_share = 1.0;      ///< 1 - n_0, volume of grains over that of the element at rest
+  double bulk_modulus = 0.0;     ///< K_f, Pa; 0 where no excess pore pressure arises
+  double stiffness = 0.0;        ///< Q = K_f/n, Pa; 0 where no excess pore pressure arises
+  double undrained_share = 0.0;  ///< Q/(M + Q) where there is pore water that does not flow; else 0
+  double fluid_density = 0.0;    ///< rho_f of water that flows, kg/m3; else 0
+  double fluid_share = 0.0;      ///< n rho_f of water that flows, kg/m3; else 0
+  double solid_share = 0.0;      ///< what moves with the grains, kg/m3
+  double given_resistance = 0.0; ///< rho_f g/k of water that flows, Pa s/m2; else 0
+  double resistance = 0.0;       ///< the same in force, Pa s/m2
+  double lowest_excess = 0.0;    ///< cavitation pressure less hydrostatic pressure, Pa
+  double alpha = 0.0;            ///< mass-proportional damping, 1/s
+  double beta = 0.0;             ///< stiffness-proportional damping, s
+  double shear_ratio = 0.0;      ///< G/M
+  double lateral_ratio = 0.0;    ///< lambda/M
+  double density = 0.0;          ///< rho at rest, kg/m3
 
   /// n, where there is pore water
   double porosity() const { return 1.0 - grain_share * length_at_rest / length; }
@@ -75,5 +76,8 @@ WetGrid wet_grid(const Profile& profile, const ColumnMesh& mesh, const Damping& 
 /// dashpots stay.
 /// @param lengths  h of each element, m
 void set_lengths(WetGrid& grid, const std::vector<double>& lengths);
+
+/// Lets water flow so many times (1) as easily as its soil says.
+void set_flow_speed(WetGrid& grid, double times);
 
 } // namespace tremolo::freefield

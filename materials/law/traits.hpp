@@ -21,6 +21,7 @@ struct Traits {
   double softening = 0.0;
   bool follows_pressure = false;         ///< stiffness goes with effective stress and is nothing without it
   bool remembers_initial_stress = false; ///< memory begins with the stress that initialise() finds
+  bool reconsolidates = false;           ///< after_shaking() is another law
   bool total_stress = false;             ///< strength follows no effective stress; pore pressure has no say
   bool unlimited_tension = false;        ///< carries any tension
   bool in_plane = false;                 ///< its p and q are those of the plane, not of the three axes

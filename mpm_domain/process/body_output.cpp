@@ -105,7 +105,7 @@ void BodyOutput::write_outlines(const Stepper& stepper) {
     const ElasticBody* const elastic = domain_.contact.elastic(b);
     if (elastic == nullptr)
       continue;
-    std::vector<double> row{stepper.velocity_time()};
+    std::vector<double> row{stepper.time_of_soil()};
     // Points of the surface are where its particles are, half a step after their velocities.
     const RigidMotion& u = domain_.contact.bodies()[b].motion();
     const double back = 0.5 * stepper.dt();
@@ -130,13 +130,9 @@ void BodyOutput::write_body(std::size_t b, const Stepper& stepper) {
   const RigidMotion& u = body.motion();
   const BodyPlace place(body, stepper.dt());
   const BodyForces forces = domain_.contact.forces(b);
-  std::vector<double> row{stepper.velocity_time(),
-                          place.centre.x,
-                          place.centre.y,
-                          place.tilt,
-                          u.velocity.x,
-                          u.velocity.y,
-                          u.spin};
+  const double n = stepper.speed_of_time();
+  std::vector<double> row{stepper.time_of_soil(), place.centre.x,   place.centre.y, place.tilt,
+                          u.velocity.x / n,       u.velocity.y / n, u.spin / n};
   for (const RigidLoad& load : {forces.normal, forces.friction, forces.water, forces.weight})
     row.insert(row.end(), {load.force.x, load.force.y, load.moment});
   bodies_[b]->append(row);
@@ -149,9 +145,10 @@ void BodyOutput::write_follower(const Follower& follower, const Stepper& stepper
   // The centre's displacement and the arm's, so that rounding of large coordinates stays out of it.
   const Vector u{place.centre.x - body.start().x + (arm.x - follower.arm.x),
                  place.centre.y - body.start().y + (arm.y - follower.arm.y)};
-  follower.series->append(std::array{stepper.velocity_time(), place.centre.x + arm.x, place.centre.y + arm.y,
-                                     u.x, u.y, follower.velocity.x, follower.velocity.y,
-                                     follower.acceleration.x, follower.acceleration.y});
+  const double n = stepper.speed_of_time();
+  follower.series->append(std::array{stepper.time_of_soil(), place.centre.x + arm.x, place.centre.y + arm.y,
+                                     u.x, u.y, follower.velocity.x / n, follower.velocity.y / n,
+                                     follower.acceleration.x / (n * n), follower.acceleration.y / (n * n)});
 }
 
 void BodyOutput::after_step(const Stepper& stepper) {

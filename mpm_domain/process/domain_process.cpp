@@ -128,7 +128,7 @@ public:
   Speaker(coupler::DomainClient& client, const scene::Case& scene, const scene::Plan& plan,
           const coupler::ParticipantOptions& options, Domain& domain, const Picture& picture,
           const CoupledFaces& faces)
-      : client_(client), domain_(domain), picture_(picture), end_(scene.shaking.duration),
+      : client_(client), domain_(domain), picture_(picture), end_(scene.end()),
         output_(options.out, scene, scene::to_json(scene, plan), domain, picture, faces.sources()),
         checkpoints_(scene.checkpoints) {}
 
@@ -142,7 +142,12 @@ public:
     output_.after_step(stepper);
     if (saves_)
       checkpoints_.save(client_, domain_, picture_.sets(), stepper, output_);
-    client_.progress("shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end_);
+    const std::optional<materials::RestClock>& rest = domain_.spec.rest;
+    const bool rests = rest && rest->has_begun(stepper.time());
+    if (rests && !rest->has_begun(stepper.time() - stepper.dt()))
+      fmt::print("note: the rest begins at {:.6g} s, after step {}\n", stepper.time(), stepper.steps());
+    client_.progress(rests ? "rest" : "shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(),
+                     end_);
   }
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
     output_.finish(stepper, gravity_seconds, waiting_seconds);
@@ -175,9 +180,17 @@ private:
   bool saves_ = false;
 };
 
+/// Whether a rest that ends at a pressure has come to it. All ranks ask, and hear the same answer.
+bool pressure_is_gone(const Stepper& stepper, const scene::Case& scene) {
+  constexpr long steps_between = 100; // looking at all particles costs a tenth of a step
+  return scene.rest && scene.rest->until_ratio && stepper.steps() % steps_between == 0 &&
+         scene.rest_clock()->has_begun(stepper.time()) &&
+         largest_pressure_ratio(stepper.domain()) <= *scene.rest->until_ratio;
+}
+
 /// Steps to the end. All ranks take part in all pictures.
-void step_to_end(Stepper& stepper, Picture& picture, Speaker* speaker, double end) {
-  while (stepper.time() < end) {
+void step_to_end(Stepper& stepper, Picture& picture, Speaker* speaker, const scene::Case& scene) {
+  while (stepper.time() < scene.end() && !pressure_is_gone(stepper, scene)) {
     stepper.step();
     picture.take(speaker != nullptr ? speaker->needs(stepper) : Picture::Extent::nothing);
     if (speaker != nullptr)
@@ -191,7 +204,7 @@ void step_to_end(Stepper& stepper, Picture& picture, Speaker* speaker, double en
 void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
            const coupler::ParticipantOptions& options, coupler::DomainClient* client, double gravity_seconds,
            const results::CheckpointReader* saved, Communicator* ranks) {
-  const double end = scene.shaking.duration;
+  const double end = scene.end();
   double waiting_seconds = 0.0;
   domain.boundary.build_supports(domain);
   CoupledFaces coupled(domain, scene, plan);
@@ -223,7 +236,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
     }
     if (client != nullptr)
       client->ready(coupled.faces(), 0.0, end, first);
-    step_to_end(stepper, picture, speaker ? &*speaker : nullptr, end);
+    step_to_end(stepper, picture, speaker ? &*speaker : nullptr, scene);
     if (speaker)
       speaker->finish(stepper, gravity_seconds, waiting_seconds);
   } catch (const std::exception& error) {

@@ -1,5 +1,8 @@
 #include "mpm_domain/process/followed_point.hpp"
 
+#include "mpm_domain/tiles/totals.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +22,15 @@ WaterState water_state(const Particles& set, std::size_t k) {
   return state;
 }
 
+double largest_pressure_ratio(const Ground& ground) {
+  double largest = 0.0;
+  for (const Particles& set : ground.sets_of_soil())
+    for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k)
+      largest = std::max(largest, std::abs(water_state(set, k).ratio));
+  take_largest(ground, {&largest, 1});
+  return largest;
+}
+
 Vector place(const Particles& set, std::size_t k, double dt) {
   return {set.x[k] - 0.5 * dt * set.vx[k], set.y[k] - 0.5 * dt * set.vy[k]};
 }
@@ -28,14 +40,19 @@ Vector displacement(const Particles& set, std::size_t k, double dt) {
   return {x - set.x_initial[k], y - set.y_initial[k]};
 }
 
-ParticleMotion motion_in_space(const Picture& picture, ParticleName particle, double dt,
-                               const BaseMotion& base) {
+ParticleMotion motion_in_space(const Picture& picture, ParticleName particle, const Stepper& stepper) {
   const auto& [s, id] = particle;
   const Particles& set = picture.sets()[s];
   const std::size_t k = set.index_of[id];
-  const auto sum = [](Vector p, Vector q) { return Vector{p.x + q.x, p.y + q.y}; };
-  return {place(set, k, dt), sum(displacement(set, k, dt), base.displacement),
-          sum(picture.velocity(s, k), base.velocity), sum(picture.acceleration(s, k), base.acceleration)};
+  const double dt = stepper.dt();
+  const double n = stepper.speed_of_time();
+  const BaseMotion base = stepper.domain().boundary.base_motion();
+  const auto sum = [](Vector p, Vector q, double unit) {
+    return Vector{(p.x + q.x) / unit, (p.y + q.y) / unit};
+  };
+  return {place(set, k, dt), sum(displacement(set, k, dt), base.displacement, 1.0),
+          sum(picture.velocity(s, k), base.velocity, n),
+          sum(picture.acceleration(s, k), base.acceleration, n * n)};
 }
 
 FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure) {
@@ -87,8 +104,7 @@ void FollowedPoint::append_values(const Picture& picture, const Stepper& stepper
   const Particles& set = picture.sets()[set_];
   const std::size_t k = set.index_of[id_];
   const double dt = stepper.dt();
-  const auto [x, u, v, a] =
-      motion_in_space(picture, {set_, id_}, dt, stepper.domain().boundary.base_motion());
+  const auto [x, u, v, a] = motion_in_space(picture, {set_, id_}, stepper);
   const Strain e = strain(set, dt);
   row.insert(row.end(), {x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y, set.sxx[k], set.syy[k], set.szz[k],
                          set.sxy[k], e.xx, e.yy, e.xy});

@@ -23,21 +23,23 @@ struct WaterState {
 };
 WaterState water_state(const Particles& set, std::size_t k);
 
+/// The largest excess pore pressure ratio of all particles, of all ranks, 1.
+double largest_pressure_ratio(const Ground& ground);
+
 /// Where a particle was at the time of its velocity, half a step before the present, m.
 Vector place(const Particles& set, std::size_t k, double dt);
 
 /// Displacement since the start at the time of the velocity, m.
 Vector displacement(const Particles& set, std::size_t k, double dt);
 
-/// A particle's motion, half a step before the present.
+/// A particle's motion in time of the soil, half a step before the present.
 struct ParticleMotion {
   Vector place;        ///< on a rigid base, where there is one, m
   Vector displacement; ///< in space, as the others, m
   Vector velocity;     ///< m/s
   Vector acceleration; ///< m/s2
 };
-ParticleMotion motion_in_space(const Picture& picture, ParticleName particle, double dt,
-                               const BaseMotion& base);
+ParticleMotion motion_in_space(const Picture& picture, ParticleName particle, const Stepper& stepper);
 
 /// A particle of soil, or of an elastic structure, whose motion, stress and strain are written as histories.
 ///

@@ -3,6 +3,7 @@
 #include "mpm_domain/process/add_history.hpp"
 #include "results/run_checksums.hpp"
 #include "results/stored_fields.hpp"
+#include "scene/plan/output/intervals.hpp"
 
 #include <fmt/format.h>
 
@@ -66,12 +67,12 @@ struct WaterField {
   std::span<const double> values;
 };
 
-void add_water(WaterFrame& frame, const Particles& set, std::size_t k) {
+void add_water(WaterFrame& frame, const Particles& set, std::size_t k, double speed_of_time) {
   const WaterState state = water_state(set, k);
   frame.pressure.push_back(state.pressure);
   frame.excess.push_back(state.excess);
   frame.ratio.push_back(state.ratio);
-  frame.flux.insert(frame.flux.end(), {state.flux.x, state.flux.y});
+  frame.flux.insert(frame.flux.end(), {state.flux.x / speed_of_time, state.flux.y / speed_of_time});
 }
 
 /// Arrays of a frame: all soils one after the other, each in the order of particle ids.
@@ -138,7 +139,8 @@ void reserve(Frame& frame, std::size_t particles) {
 }
 
 /// @param has_water  whether there is a water table, without which no field of the pore water is written
-Frame collect(const Domain& domain, const Picture& picture, double dt, bool has_water) {
+Frame collect(const Domain& domain, const Picture& picture, const Stepper& stepper, bool has_water) {
+  const double n = stepper.speed_of_time();
   const std::vector<std::string> names = soil_names(domain.spec);
   Frame frame;
   frame.carried = carried_fields(domain);
@@ -159,8 +161,8 @@ Frame collect(const Domain& domain, const Picture& picture, double dt, bool has_
     std::vector<double> vy(set.size());
     for (std::size_t k = 0; k < set.size(); ++k) {
       const Vector v = picture.velocity(s, k);
-      vx[k] = v.x;
-      vy[k] = v.y;
+      vx[k] = v.x / n;
+      vy[k] = v.y / n;
     }
     columns["vx"] = &vx;
     columns["vy"] = &vy;
@@ -174,16 +176,17 @@ Frame collect(const Domain& domain, const Picture& picture, double dt, bool has_
       if (k == Particles::nowhere)
         continue;
       const Vector acceleration = picture.acceleration(s, k);
-      const auto [x, y] = place(set, k, dt);
+      const auto [x, y] = place(set, k, stepper.dt());
       frame.position.insert(frame.position.end(), {x, y});
-      const Vector moved = displacement(set, k, dt);
+      const Vector moved = displacement(set, k, stepper.dt());
       frame.displacement.insert(frame.displacement.end(), {moved.x, moved.y});
-      frame.acceleration.insert(frame.acceleration.end(), {acceleration.x, acceleration.y});
+      frame.acceleration.insert(frame.acceleration.end(),
+                                {acceleration.x / (n * n), acceleration.y / (n * n)});
       for (std::size_t f = 0; f < carried.size(); ++f)
         for (const std::vector<double>* component : carried[f])
           frame.carried[f].values.push_back((*component)[k]);
       if (has_water)
-        add_water(frame.water, set, k);
+        add_water(frame.water, set, k, n);
       frame.soil.push_back(name);
       if (domain.mesh)
         frame.size.push_back(2.0 * set.half_size);
@@ -306,36 +309,35 @@ std::vector<ParticleName> RunOutput::followed() const {
 }
 
 Picture::Extent RunOutput::needs(const Stepper& stepper) const {
-  const double time = stepper.velocity_time();
+  const double time = stepper.time_of_soil();
   if (time >= next_frame_)
     return Picture::Extent::all;
   return time >= next_history_ ? Picture::Extent::followed : Picture::Extent::nothing;
 }
 
 Picture::Extent RunOutput::needs_to_finish(const Stepper& stepper) const {
-  const double time = stepper.velocity_time();
+  const double time = stepper.time_of_soil();
   if (time > last_frame_)
     return Picture::Extent::all;
   return time > last_history_ ? Picture::Extent::followed : Picture::Extent::nothing;
 }
 
 void RunOutput::after_step(const Stepper& stepper) {
-  const double time = stepper.velocity_time();
+  const double time = stepper.time_of_soil();
   bodies_.after_step(stepper);
   if (time >= next_history_) {
     write_history(stepper);
-    next_history_ += scene_.output.history_every *
-                     std::max(1.0, std::ceil((time - next_history_) / scene_.output.history_every));
+    next_history_ = scene::next_row(scene_, next_history_, time);
   }
   if (time >= next_frame_) {
     write_frame(stepper, time, bodies_.contact(stepper));
-    next_frame_ += scene_.output.every * std::max(1.0, std::ceil((time - next_frame_) / scene_.output.every));
+    next_frame_ = scene::next_frame(scene_, next_frame_, time);
   }
 }
 
 void RunOutput::write_history(const Stepper& stepper) {
   ++history_rows_;
-  last_history_ = stepper.velocity_time();
+  last_history_ = stepper.time_of_soil();
   std::vector<double> row{last_history_};
   for (const double value : domain_.energy.row())
     row.push_back(value);
@@ -357,7 +359,7 @@ void RunOutput::write_history(const Stepper& stepper) {
 }
 
 void RunOutput::write_frame(const Stepper& stepper, double time, const ContactFrame& contact) {
-  const Frame frame = collect(domain_, picture_, stepper.dt(), scene_.water.has_value());
+  const Frame frame = collect(domain_, picture_, stepper, scene_.water.has_value());
   std::vector<results::Field> fields{{"position", "m", 2, frame.position}, {"soil", "1", 1, frame.soil}};
   if (domain_.mesh)
     fields.push_back({"size", "m", 1, frame.size});
@@ -385,16 +387,18 @@ void RunOutput::write_frame(const Stepper& stepper, double time, const ContactFr
 
 void RunOutput::write_boundary(const Stepper& stepper) {
   std::vector<double> v_free, v_domain, traction;
+  const double n = stepper.speed_of_time();
   for (std::size_t f = 0; f < domain_.boundary.faces().size(); ++f) {
     const Boundary& boundary = domain_.boundary;
-    v_free.insert(v_free.end(), {boundary.free_field()[f].velocity.x, boundary.free_field()[f].velocity.y});
-    v_domain.insert(v_domain.end(), {boundary.velocities()[f].x, boundary.velocities()[f].y});
+    const Vector& field = boundary.free_field()[f].velocity;
+    v_free.insert(v_free.end(), {field.x / n, field.y / n});
+    v_domain.insert(v_domain.end(), {boundary.velocities()[f].x / n, boundary.velocities()[f].y / n});
     const Vector t = boundary.traction(f);
     traction.insert(traction.end(), {t.x, t.y});
   }
-  const double time = stepper.time() - stepper.dt();
-  lost_hold_.add(time, domain_.boundary.velocities(), domain_.boundary.free_field());
-  writer_.append_boundary(time, {v_free, v_domain, traction});
+  const double simulated = stepper.time() - stepper.dt();
+  lost_hold_.add(simulated, domain_.boundary.velocities(), domain_.boundary.free_field());
+  writer_.append_boundary(stepper.time_of_soil(simulated), {v_free, v_domain, traction});
 }
 
 std::optional<std::string> RunOutput::warning() const {
@@ -477,10 +481,10 @@ void RunOutput::take_over_frame(const results::RunReader& before, std::size_t fr
 }
 
 void RunOutput::finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
-  if (stepper.velocity_time() > last_history_)
+  if (stepper.time_of_soil() > last_history_)
     write_history(stepper);
-  if (stepper.velocity_time() > last_frame_)
-    write_frame(stepper, stepper.velocity_time(), bodies_.contact(stepper));
+  if (stepper.time_of_soil() > last_frame_)
+    write_frame(stepper, stepper.time_of_soil(), bodies_.contact(stepper));
   std::vector<std::string> names{"gravity stage", "waiting for the exchange"};
   std::vector<double> seconds{gravity_seconds, waiting_seconds};
   for (const PassTime& pass : stepper.times()) {

@@ -21,7 +21,7 @@ namespace tremolo::mpm_domain {
 /// Writes a run's file as the case asks: monitors, lines, sliding masses, energy, particle frames, boundary
 /// exchange, timings.
 ///
-/// Everything written belongs to the time of the particle velocities, Stepper::velocity_time(): displacements
+/// Everything written belongs to the time of the particle velocities, Stepper::time_of_soil(): displacements
 /// are taken back by v dt/2 to it; accelerations lie half a step before it, stresses half a step after.
 class RunOutput {
 public:

@@ -67,15 +67,14 @@ void SlidingMassOutput::write_history(const Picture& picture, const Stepper& ste
     for (std::size_t s = 0; s < sets.size(); ++s)
       for (const std::uint32_t k : members(scene_.sliding_masses[m].outline.corners, sets[s])) {
         const Particles& set = sets[s];
-        const auto [x, u, v, a] =
-            motion_in_space(picture, {s, set.id[k]}, stepper.dt(), stepper.domain().boundary.base_motion());
+        const auto [x, u, v, a] = motion_in_space(picture, {s, set.id[k]}, stepper);
         const std::array values{x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y};
         const double own = whole_mass(set, k);
         mass += own;
         for (std::size_t i = 0; i < sums.size(); ++i)
           sums[i] += own * values[i];
       }
-    std::vector<double> row{stepper.velocity_time(), mass};
+    std::vector<double> row{stepper.time_of_soil(), mass};
     for (const double sum : sums)
       row.push_back(mass > 0.0 ? sum / mass : 0.0);
     series_[m].second->append(row);

@@ -61,6 +61,16 @@ std::vector<PassTime> Stepper::times() const {
   return times;
 }
 
+double Stepper::time_of_soil(double simulated) const {
+  const std::optional<materials::RestClock>& rest = domain_.spec.rest;
+  return rest ? rest->time_of_soil(simulated) : simulated;
+}
+
+double Stepper::speed_of_time() const {
+  const std::optional<materials::RestClock>& rest = domain_.spec.rest;
+  return rest ? rest->speed(velocity_time()) : 1.0;
+}
+
 void Stepper::find_bounds() {
   step_.bounds = step_bounds(domain_);
   take_largest(domain_, step_.bounds);

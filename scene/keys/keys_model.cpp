@@ -74,14 +74,16 @@ Table stage() {
       .name = "stage",
       .kind = Kind::array,
       .required = true,
-      .meaning = "The stages in their order: at most one of gravity, then one of shaking. Without a gravity "
-                 "stage the "
-                 "model is weightless.",
+      .meaning =
+          "The stages in their order: at most one of gravity, then one of shaking, then at most one of "
+          "rest. Without a gravity stage the model is weightless. See docs/stages.md.",
       .keys = {
           choice(
-              "kind", {"gravity", "shaking"},
+              "kind", {"gravity", "shaking", "rest"},
               "`gravity`: base fixed, sides on rollers, brought to rest by damped relaxation; what held the "
-              "model then acts as static traction. `shaking`: the motion enters, t = 0 at its start."),
+              "model then acts as static traction. `shaking`: the motion enters, t = 0 at its start. `rest`: "
+              "strong motion is over and sand reconsolidates, with the stiffness that `pm4sand` has after "
+              "shaking; what is left of the motion goes on."),
           {.name = "acceleration",
            .unit = "m/s2",
            .meaning = "Gravity, downwards.",
@@ -102,10 +104,44 @@ Table stage() {
            .when = {"kind", {"gravity"}}},
           {.name = "duration_s",
            .unit = "s",
-           .meaning = "Length of the shaking.",
+           .meaning = "Length of the stage.",
            .required = true,
            .range = {.low = 0.0, .high = 1e4, .low_open = true},
-           .when = {"kind", {"shaking"}}}}};
+           .when = {"kind", {"shaking", "rest"}}},
+          {.name = "time_factor",
+           .unit = "1",
+           .meaning = "Water flows so many times as easily, and time passes so many times as fast: of the "
+                      "results, that of the soil. `check` says how large an error it brings.",
+           .fallback = "1",
+           .range = {.low = 1.0, .high = 1e4},
+           .when = {"kind", {"rest"}}},
+          {.name = "until_ratio",
+           .unit = "1",
+           .meaning = "The run ends before `duration_s` is over when no particle has a larger excess pore "
+                      "pressure ratio.",
+           .otherwise = "it lasts that long",
+           .range = {.low = 0.0, .high = 1.0, .low_open = true},
+           .when = {"kind", {"rest"}}},
+          {.name = "every_s",
+           .unit = "s",
+           .meaning = "Interval of particle frames in the rest.",
+           .otherwise = "that of [output]",
+           .range = {.low = 0.0, .high = 1e4, .low_open = true},
+           .when = {"kind", {"rest"}}},
+          {.name = "growth",
+           .unit = "1",
+           .meaning =
+               "Each interval of particle frames is so many times as long as the one before: with more "
+               "than 1 the frames stand at equal distances on a logarithmic axis.",
+           .fallback = "1",
+           .range = {.low = 1.0, .high = 10.0},
+           .when = {"kind", {"rest"}}},
+          {.name = "history_every_s",
+           .unit = "s",
+           .meaning = "Interval of histories in the rest.",
+           .otherwise = "that of [output]",
+           .range = {.low = 0.0, .high = 1e4, .low_open = true},
+           .when = {"kind", {"rest"}}}}};
 }
 
 /// Keys that a profile over depth may have besides K0. Sand in which stiffness and strength follow the

@@ -3,6 +3,7 @@
 #include "mpm_domain/spec/bytes.hpp"
 #include "scene/plan/boundary/springs.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/output/intervals.hpp"
 #include "scene/plan/output/output_size.hpp"
 #include "scene/plan/sources.hpp"
 #include "scene/plan/wet_soils.hpp"
@@ -33,13 +34,27 @@ constexpr double flow_cost_ns = 150.0;
 constexpr double pressure_bytes = 24.0;    // while pressures are found
 constexpr double mobility_cost_ns = 400.0; // PM4Sand or PDMY03 at small strain increments
 
-/// The soils of the domain that answer in one way: "soil 'sand', soil 'clay'"; empty where there are none.
-std::string soils_that_are(const Case& scene, materials::Response response) {
+/// The soils of the domain whose law has a trait: "soil 'sand', soil 'clay'"; empty where there are none.
+template <typename Trait>
+std::string soils_with(const Case& scene, Trait materials::Traits::*trait, Trait value) {
   std::string text;
   for (const Soil& soil : one_of_each_name(domain_soils(scene)))
-    if (materials::traits(soil.law).response == response)
+    if (materials::traits(soil.law).*trait == value)
       text += fmt::format("{}soil '{}'", text.empty() ? "" : ", ", soil.name);
   return text;
+}
+
+std::string soils_that_are(const Case& scene, materials::Response response) {
+  return soils_with(scene, &materials::Traits::response, response);
+}
+
+std::string rest_text(const Case& scene) {
+  if (!scene.rest)
+    return "no [[stage]] of kind rest";
+  const std::string soils = soils_with(scene, &materials::Traits::reconsolidates, true);
+  return fmt::format("[[stage]] rest from {:g} to {:g} s: {}", scene.shaking.duration,
+                     scene.end_of_soil_time(),
+                     soils.empty() ? "no soil of the domain has a law that knows it" : soils);
 }
 
 /// "soil 'sand' 2 % at 3 Hz"; empty where none is damped.
@@ -175,6 +190,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        hysteretic && !liquefies ? 8.0 * state_size(scene) : 0.0, hysteretic ? hysteresis_cost_ns : 0.0},
       {"cyclic mobility", liquefies, liquefies ? liquefying_soils : "no soil is sand that liquefies",
        liquefies ? 8.0 * state_size(scene) : 0.0, liquefies ? mobility_cost_ns : 0.0},
+      {"reconsolidation", scene.rest.has_value(), rest_text(scene)},
       {"mean dilatation", by_cell,
        by_cell ? "soil that yields sees the mean change of volume of its cell"
                : "no soil yields, or [mesh] dilatation = \"particle\"",
@@ -251,7 +267,7 @@ Plan plan(const Case& scene) {
   result.limit = step_limit(scene, result.levels);
   result.critical_dt = result.limit.dt;
   result.dt = scene.time.dt.value_or(scene.time.fraction * result.critical_dt);
-  result.steps = std::llround(std::ceil(scene.shaking.duration / result.dt));
+  result.steps = std::llround(std::ceil(scene.end() / result.dt));
 
   double particles = 0.0;
   double cells = 0.0;
@@ -283,8 +299,7 @@ Plan plan(const Case& scene) {
     step_ns += structure.contact_nodes * contact_node_cost_ns;
   }
   result.estimated_time = static_cast<double>(result.steps) * step_ns * 1e-9;
-  const double every = std::max(scene.output.every, result.dt); // a step writes one frame at most
-  result.frames = std::llround(std::floor(scene.shaking.duration / every + 1e-9)) + 1;
+  result.frames = most_frames(scene, result.dt);
   result.output_bytes = output_bytes(scene, result);
   return result;
 }

@@ -52,11 +52,11 @@ struct Plan {
   StepLimit limit;             ///< of the time step
   double critical_dt = 0.0;    ///< limit.dt, s
   double dt = 0.0;             ///< s
-  std::int64_t steps = 0;      ///< of the shaking stage
+  std::int64_t steps = 0;      ///< of shaking and rest
   std::int64_t frames = 0;     ///< particle frames written
   double memory_bytes = 0.0;   ///< of the domain process
   double output_bytes = 0.0;   ///< of run.h5 and run.xdmf, at most
-  double estimated_time = 0.0; ///< wall-clock of the shaking stage on one thread, s
+  double estimated_time = 0.0; ///< wall-clock of these steps on one thread, s
 };
 
 Plan plan(const Case& scene);

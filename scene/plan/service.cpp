@@ -47,7 +47,7 @@ Service service(const Case& scene, const SourceProcess& source, double slowness_
     service.lines.push_back({BaseForm::incident, {box.y_min}});
   service.x_line = box.x_min;
   service.start_time = -slowness_x * (box.x_max - box.x_min);
-  service.end_time = scene.shaking.duration;
+  service.end_time = scene.end();
   return service;
 }
 

@@ -56,7 +56,8 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
     record_is_readable(scene, findings);
   for (const auto rule :
        {models_take_the_wave, damping_suits_models, soils_suit_models, stress_at_rest_is_carried,
-        reference_lies_in_halfspace, columns_have_cells, wet_soil_has_pores, fe_is_marched_explicitly})
+        reference_lies_in_halfspace, columns_have_cells, wet_soil_has_pores, fe_is_marched_explicitly,
+        resting_sand_is_shaken_first, time_factor_is_allowed})
     rule(scene, findings);
   // The others know grains and water together, whose stress they take no part of from gravity.
   if (model == SourceModel::fe || model == SourceModel::mpm) {
@@ -67,8 +68,10 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
   findings.throw_if_any();
   findings.grade(Severity::warning);
   for (const auto rule : {table_lies_in_ground, values_are_in_si_units, water_is_stiffer_than_skeleton,
-                          sand_has_one_void_ratio, particles_take_all_damping})
+                          sand_has_one_void_ratio, particles_take_all_damping, time_factor_errs_little})
     rule(scene, findings);
+  if (record == CaseRecord::needed)
+    shaken_sand_rests(scene, findings);
   scene.remarks = findings.remarks();
   return scene;
 }

@@ -30,7 +30,7 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
     const auto kind = table.text("kind");
     legible = legible && !kind.empty();
     if (kind == "gravity") {
-      if (scene.gravity || shaken)
+      if (scene.gravity || shaken || scene.rest)
         findings.add(table.path("kind"), scene.gravity
                                              ? "a second gravity stage: there can be at most one"
                                              : "the gravity stage must come before the shaking stage");
@@ -38,10 +38,21 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
           GravityStage{table.number("acceleration"), table.number("residual"), table.number("max_time_s")};
     }
     if (kind == "shaking") {
-      if (shaken)
-        findings.add(table.path("kind"), "a second shaking stage: there must be exactly one");
+      if (shaken || scene.rest)
+        findings.add(table.path("kind"), shaken ? "a second shaking stage: there must be exactly one"
+                                                : "the shaking stage must come before the rest");
       shaken = true;
       scene.shaking.duration = table.number("duration_s");
+    }
+    if (kind == "rest") {
+      if (scene.rest)
+        findings.add(table.path("kind"), "a second rest: there can be at most one");
+      scene.rest = RestStage{.duration = table.number("duration_s"),
+                             .time_factor = table.number("time_factor"),
+                             .until_ratio = table.optional_number("until_ratio"),
+                             .every = table.optional_number("every_s").value_or(0.0),
+                             .growth = table.number("growth"),
+                             .history_every = table.optional_number("history_every_s").value_or(0.0)};
     }
   }
   if (!shaken && legible && findings.sound("stage"))

@@ -77,6 +77,10 @@ void dispersion_suits_case(const Case& scene, Findings& findings);
 void wet_soil_has_pores(const Case& scene, Findings& findings);
 /// Pore pressure begins with the hydrostatic one: a gravity stage.
 void water_has_weight(const Case& scene, Findings& findings);
+/// Sand that reconsolidates in a rest does not do so before.
+void resting_sand_is_shaken_first(const Case& scene, Findings& findings);
+/// A rest's time factor does not make inertia count in what consolidates.
+void time_factor_is_allowed(const Case& scene, Findings& findings);
 /// Finite-element columns of soil and water, of soil that remembers its geostatic stress, and under a wave at
 /// an angle, are marched by central differences.
 void fe_is_marched_explicitly(const Case& scene, Findings& findings);
@@ -117,6 +121,10 @@ void mesh_resolves_pulse(const Case& scene, Findings& findings);
 void wave_arrives_after_start(const Case& scene, Findings& findings);
 /// The run lasts until the incident wave has passed.
 void motion_ends_before_run(const Case& scene, Findings& findings);
+/// Sand whose law knows a rest has one, from the end of strong motion on.
+void shaken_sand_rests(const Case& scene, Findings& findings);
+/// A rest's time factor changes the settlement by little.
+void time_factor_errs_little(const Case& scene, Findings& findings);
 /// The case and the record's header give the same unit.
 void unit_is_that_of_header(const Case& scene, Findings& findings);
 /// PGA, PGV and step of the motion's record are those of a strong motion.

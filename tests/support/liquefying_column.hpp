@@ -169,12 +169,12 @@ inline TwoPhaseSettings liquefying_settings(double element_size, double dt) {
 }
 
 /// Our column, elements of 0.5 m as the reference's.
-/// @param rest_from  when shaking is over for the soil, s; never where it is not given
+/// @param rest  after the shaking, which is never over where it is not given
 inline LiquefactionHistory computed(const LiquefyingSand& sand, double element_size = 0.5, double dt = 2e-4,
-                                    std::optional<double> rest_from = {}) {
+                                    std::optional<materials::RestClock> rest = {}) {
   const Profile profile = liquefying_profile(sand);
   TwoPhaseSettings settings = liquefying_settings(element_size, dt);
-  settings.rest_from = rest_from;
+  settings.rest = rest;
   TwoPhaseColumn column(profile, settings, BaseShaking(0.981));
   std::vector<double> levels = {0.0};
   for (const double depth : depths)

@@ -59,7 +59,8 @@ wavefield::TimeGrid column_times(const ColumnGround& ground, std::optional<doubl
   double crossing = 0.0;
   for (const scene::Layer& layer : scene::layers(scene, source))
     crossing += layer.thickness / layer.elastic.s_wave_speed();
-  const double end = duration.value_or(motion.end() + std::max(0.0, delay) + 8.0 * crossing);
+  const double waves_end = motion.end() + std::max(0.0, delay) + 8.0 * crossing;
+  const double end = duration.value_or(scene.rest ? scene.end_of_soil_time() : waves_end);
   if (!(end > start && std::isfinite(end)))
     throw std::runtime_error(fmt::format("--duration: {} s, must be finite and > {:.4g} s", end, start));
   const double dt = every.value_or(std::min(0.005, 0.25 / motion.highest_frequency()));

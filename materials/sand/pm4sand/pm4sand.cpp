@@ -97,6 +97,7 @@ Traits traits(const Pm4Sand& law) {
           .three_dimensional = false,
           .follows_pressure = true,
           .remembers_initial_stress = true,
+          .reconsolidates = !law.post_shake,
           .in_plane = true,
           .least_pressure = pm4::least_pressure(law)};
 }

@@ -1,5 +1,7 @@
 #include "scene/plan/output/output_size.hpp"
 
+#include "scene/plan/output/intervals.hpp"
+
 #include "base/dataset_size.hpp"
 #include "mpm_domain/spec/output_columns.hpp"
 #include "scene/soils/domain_soils.hpp"
@@ -117,9 +119,7 @@ std::size_t most_faces(const Case& scene) {
 }
 
 double histories(const Case& scene, const Plan& plan) {
-  // A step writes one row at most; the last moment's comes on top.
-  const double every = std::max(scene.output.history_every, plan.dt);
-  const auto rows = static_cast<std::size_t>(scene.shaking.duration / every) + 3;
+  const auto rows = static_cast<std::size_t>(most_rows(scene, plan.dt)); // the last moment's comes on top
   const auto table = [&](std::size_t columns) { return growing_table_bytes(columns, rows, name_bytes); };
   const std::size_t point = mpm_domain::followed_point_columns.size() +
                             (scene.water ? mpm_domain::followed_water_columns.size() : 0);

@@ -1,10 +1,12 @@
 #include "scene/plan/wave/arrival.hpp"
 
+#include "motion/record.hpp"
 #include "scene/plan/wave/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace tremolo::scene {
 
@@ -17,6 +19,16 @@ double delay_to_model(const Case& scene) {
   const double dx = scene.mesh.box.x_min - scene.motion.reference.x;
   const double dy = scene.mesh.box.y_min - scene.motion.reference.y;
   return (dx * std::sin(angle) + dy * std::cos(angle)) / speed;
+}
+
+double arrival_of_intensity(const Case& scene, double share) {
+  const SampledMotion samples = sampled(motion(scene.motion));
+  double sum = 0.0;
+  std::vector<double> intensity;
+  for (const double a : motion::differentiate(samples.velocity, samples.dt))
+    intensity.push_back(sum += a * a);
+  const auto reached = std::ranges::lower_bound(intensity, share * sum);
+  return samples.time(static_cast<std::size_t>(reached - intensity.begin())) + delay_to_model(scene);
 }
 
 double incident_peak_velocity(const Case& scene) {

@@ -7,6 +7,9 @@ namespace tremolo::scene {
 /// How long after the reference point the incident wave reaches the model, at its lower left corner, s.
 double delay_to_model(const Case& scene);
 
+/// When a share (1) of the Arias intensity of the incident wave has reached the model there, s.
+double arrival_of_intensity(const Case& scene, double share);
+
 /// Largest velocity of the incident wave, m/s; of a motion within the ground, which is not known without the
 /// layers, that of an outcrop of the same motion.
 double incident_peak_velocity(const Case& scene);

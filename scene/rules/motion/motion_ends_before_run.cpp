@@ -16,7 +16,7 @@ constexpr double negligible_energy = 0.01;
 void motion_ends_before_run(const Case& scene, Findings& findings) {
   const Motion wave = motion(scene.motion);
   const double delay = delay_to_model(scene);
-  if (!(wave.end() + delay > scene.shaking.duration))
+  if (!(wave.end() + delay > scene.end()))
     return;
   const SampledMotion samples = sampled(wave);
   double all = 0.0;
@@ -24,14 +24,14 @@ void motion_ends_before_run(const Case& scene, Findings& findings) {
   for (std::size_t i = 0; i < samples.velocity.size(); ++i) {
     const double energy = samples.velocity[i] * samples.velocity[i];
     all += energy;
-    if (samples.time(i) + delay > scene.shaking.duration)
+    if (samples.time(i) + delay > scene.end())
       late += energy;
   }
   if (late > negligible_energy * all)
     findings.add("motion",
                  fmt::format("{:.3g} % of the incident wave's energy reaches the model after the run's "
                              "end at {} s; the wave ends at {:.4g} s",
-                             100.0 * late / all, scene.shaking.duration, wave.end() + delay));
+                             100.0 * late / all, scene.end(), wave.end() + delay));
 }
 
 } // namespace tremolo::scene

@@ -24,11 +24,11 @@ void steps_can_be_counted(const Case& scene, Findings& findings) {
     return;
   const double dt =
       scene.time.dt ? *scene.time.dt : scene.time.fraction * critical_time_step(scene, levels(scene));
-  const double steps = scene.shaking.duration / dt;
+  const double steps = scene.end() / dt;
   if (steps > most_steps)
     findings.add(scene.time.dt ? "time.dt" : "time.fraction",
-                 fmt::format("steps of {:.3g} s make {:.3g} for {} s of shaking, must be at most {:g}", dt,
-                             steps, scene.shaking.duration, most_steps));
+                 fmt::format("steps of {:.3g} s make {:.3g} for the {} s of the run, must be at most {:g}",
+                             dt, steps, scene.end(), most_steps));
 }
 
 } // namespace

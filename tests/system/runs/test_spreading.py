@@ -24,7 +24,7 @@ class Spreading(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory(prefix="tremolo_test_")
         place = Path(cls.folder.name)
         (place / "motion.csv").write_bytes((CASE / "motion.csv").read_bytes())
-        changes = {"size = 1.0": "size = 2.0", "duration_s = 25.0": "duration_s = 10.0"}
+        changes = {"size = 1.0": "size = 2.0", "duration_s = 14.0": "duration_s = 9.9", "duration_s = 11.0": "duration_s = 0.1"}
         cls.run_ = run_variant(TREMOLO, CASE / "slope.toml", changes, place, "slope")
 
     @classmethod

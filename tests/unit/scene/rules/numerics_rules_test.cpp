@@ -30,10 +30,10 @@ TEST(Rules, TimeStepIsStableWithUsl) {
 }
 
 TEST(Rules, StepsCanBeCounted) {
-  EXPECT_THAT(
-      errors_of(plus("[time]\nfraction = 1e-300\n")),
-      ElementsAre(HasSubstr("case.toml:32:12: [time] steps of 3.75e-303 s make 5.34e+302 for 2 s of shaking, "
-                            "must be at most 1e+09")));
+  EXPECT_THAT(errors_of(plus("[time]\nfraction = 1e-300\n")),
+              ElementsAre(HasSubstr(
+                  "case.toml:32:12: [time] steps of 3.75e-303 s make 5.34e+302 for the 2 s of the run, "
+                  "must be at most 1e+09")));
   EXPECT_THAT(errors_of(plus("[time]\ndt = 1e-12\n")), ElementsAre(HasSubstr("must be at most 1e+09")));
 }
 

@@ -1,0 +1,58 @@
+// Sand that has liquefied reconsolidates with a stiffness that its law has in a rest alone. It acts only on
+// the pressure that is left when the rest begins, so that the rest should begin when strong motion ends.
+
+#include "scene/plan/wave/arrival.hpp"
+#include "scene/plan/wet_soils.hpp"
+#include "scene/rules/rules.hpp"
+#include "scene/soils/domain_soils.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace tremolo::scene {
+
+namespace {
+
+/// Of the Arias intensity: strong motion is over, or goes on.
+constexpr double over = 0.99;
+constexpr double goes_on = 0.95;
+/// Time that costs no more than some per cent of the settlement, s.
+constexpr double delay_allowed = 1.0;
+
+std::string reconsolidating_soils(const Case& scene) {
+  std::string names;
+  for (const Soil& soil : one_of_each_name(soils_below_table(scene)))
+    if (materials::traits(soil.law).reconsolidates && soil.pores &&
+        soil.pores->drainage == materials::Drainage::coupled)
+      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", soil.name);
+  return names;
+}
+
+} // namespace
+
+void shaken_sand_rests(const Case& scene, Findings& findings) {
+  const std::string sand = reconsolidating_soils(scene);
+  if (sand.empty())
+    return;
+  const double end = arrival_of_intensity(scene, over);
+  const double shaken = scene.shaking.duration;
+  if (shaken > end + delay_allowed)
+    findings.add(
+        "stage",
+        fmt::format("{:.0f} % of the motion's Arias intensity has arrived at {:.3g} s, and the shaking stage "
+                    "lasts until {:g} s: meanwhile soil {} drains as if it had not been shaken, which gives "
+                    "too little settlement and too short a time under pressure. End the shaking at about "
+                    "{:.0f} s, and add a [[stage]] of kind = \"rest\" for what follows (docs/stages.md)",
+                    100.0 * over, end, shaken, sand, std::ceil(end)));
+  else if (scene.rest && shaken < arrival_of_intensity(scene, goes_on))
+    findings.add("stage",
+                 fmt::format("the rest begins at {:g} s, before {:.0f} % of the motion's Arias intensity has "
+                             "arrived, at {:.3g} s: soil {} is still shaken when it takes on the stiffness "
+                             "of sand that reconsolidates; a longer shaking stage avoids it",
+                             shaken, 100.0 * goes_on, arrival_of_intensity(scene, goes_on), sand));
+}
+
+} // namespace tremolo::scene

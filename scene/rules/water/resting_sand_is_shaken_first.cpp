@@ -1,0 +1,24 @@
+#include "scene/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tremolo::scene {
+
+void resting_sand_is_shaken_first(const Case& scene, Findings& findings) {
+  if (!scene.rest)
+    return;
+  for (const Soil& soil : scene.soils) {
+    const auto key = fmt::format("soil.{}.post_shake", soil.name);
+    const auto given = std::ranges::find(scene.values, key, &ValueInForce::key);
+    if (given != scene.values.end() && given->value == "true")
+      findings.add(key,
+                   fmt::format("'post_shake' = true gives soil '{}' the stiffness of sand that has been "
+                               "shaken from the first step on, and the rest gives it this stiffness when "
+                               "it begins: remove the key",
+                               soil.name));
+  }
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,137 @@
+// The rest after shaking: what a case says of it, and the rules of it, each with a case that keeps it and one
+// that breaks it, and the message.
+
+#include "rule_cases.hpp"
+
+#include "scene/plan/plan.hpp"
+#include "scene/plan/rest/fast_rest.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tremolo::scene::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+/// 10 m of saturated sand, shaken for 2 s by a pulse at 1 s, 99 % of which has come at 1.4 s.
+std::string sand(const std::string& more = "", const std::string& law = "contraction_rate = 0.4\n") {
+  return with("[soil.sand]\nmodel = \"linear_elastic\"\ndensity = 1700.0\nyoung = 40e6\npoisson = 0.28\n",
+              "[water]\nlevel = 0.0\n[soil.sand]\nmodel = \"pm4sand\"\nrelative_density = "
+              "0.55\nshear_modulus_coefficient = 677.0\nporosity = 0.4\npermeability = 1e-4\n" +
+                  law,
+              with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]")) +
+         more;
+}
+
+std::string rest(const std::string& keys = "") {
+  return "[[stage]]\nkind = \"rest\"\nduration_s = 100.0\n" + keys;
+}
+
+TEST(Rest, ComesOnceAndLast) {
+  EXPECT_THAT(errors_of(plus(rest())), IsEmpty());
+  EXPECT_THAT(errors_of(plus(rest() + rest())),
+              ElementsAre("case.toml:35:8: [[stage]] a second rest: there can be at most one"));
+  EXPECT_THAT(errors_of(with("[[stage]]", rest() + "[[stage]]")),
+              ElementsAre("case.toml:32:8: [[stage]] the shaking stage must come before the rest"));
+  EXPECT_THAT(errors_of(plus(rest() + "[[stage]]\nkind = \"gravity\"\n")),
+              ElementsAre(HasSubstr("the gravity stage must come before the shaking stage")));
+  EXPECT_THAT(errors_of(plus("[[stage]]\nkind = \"rest\"\n")),
+              ElementsAre(HasSubstr("missing 'duration_s'")));
+  EXPECT_THAT(errors_of(with("duration_s = 2.0", "duration_s = 2.0\ntime_factor = 2.0")),
+              ElementsAre(HasSubstr("'time_factor' does not apply to kind = \"shaking\", only to rest")));
+}
+
+TEST(Rest, LengthensTheRunByItsTime) {
+  const Case plain = parse_case(plus(rest("every_s = 2.0\nhistory_every_s = 0.5\n")));
+  EXPECT_EQ(plain.end(), 102.0);
+  EXPECT_EQ(plain.end_of_soil_time(), 102.0);
+  EXPECT_EQ(plain.rest->every, 2.0);
+  EXPECT_EQ(plain.rest->history_every, 0.5);
+  const Plan planned = plan(plain);
+  EXPECT_NEAR(static_cast<double>(planned.steps) * planned.dt, 102.0, planned.dt);
+  EXPECT_EQ(planned.frames, 21 + 51); // every 0.1 s, then every 2 s
+  EXPECT_EQ(parse_case(plus(rest())).rest->every, 0.1);
+  // 2 (1 + 1.5 + ...) of 8 intervals are 98.5 s
+  EXPECT_EQ(plan(parse_case(plus(rest("every_s = 2.0\ngrowth = 1.5\n")))).frames, 21 + 9);
+  EXPECT_FALSE(parse_case(std::string(flat_case)).rest_clock());
+}
+
+TEST(Rest, WithATimeFactorIsShorterToSimulate) {
+  const Case fast = parse_case(sand(rest("time_factor = 10.0\n")));
+  EXPECT_EQ(fast.end_of_soil_time(), 102.0);
+  // The factor rises by a power in 2 s, within which 9 s/ln(10)*2 of the soil's time pass.
+  const double in_rise = 2.0 * 9.0 / std::log(10.0);
+  EXPECT_NEAR(fast.end(), 2.0 + 2.0 + (100.0 - in_rise) / 10.0, 1e-9);
+}
+
+TEST(Rest, IsAnEffectOfThePlan) {
+  const auto why = [](const std::string& text) {
+    const Plan planned = plan(parse_case(text));
+    const auto effect = std::ranges::find(planned.effects, "reconsolidation", &Effect::name);
+    return effect->on ? effect->why : "off";
+  };
+  EXPECT_EQ(why(sand(rest())), "[[stage]] rest from 2 to 102 s: soil 'sand'");
+  EXPECT_EQ(why(plus(rest())),
+            "[[stage]] rest from 2 to 102 s: no soil of the domain has a law that knows it");
+  EXPECT_EQ(why(sand()), "off");
+}
+
+TEST(Rules, ShakenSandRests) {
+  const auto told = [](const std::string& text) { return remarks_of(text); };
+  EXPECT_THAT(told(sand()), Not(Contains(HasSubstr("Arias")))); // 0.6 s of draining cost nothing
+  const std::string longer = with("duration_s = 2.0", "duration_s = 5.0", sand());
+  EXPECT_THAT(told(longer),
+              Contains(AllOf(HasSubstr("99 % of the motion's Arias intensity has arrived at 1.2 s"),
+                             HasSubstr("soil 'sand' drains as if it had not been shaken"),
+                             HasSubstr("End the shaking at about 2 s"))));
+  EXPECT_THAT(told(longer + rest()), Contains(HasSubstr("lasts until 5 s")));
+  EXPECT_THAT(told(sand(rest())), Not(Contains(HasSubstr("Arias"))));
+  EXPECT_THAT(told(with("duration_s = 2.0", "duration_s = 1.0", sand(rest()))),
+              Contains(AllOf(HasSubstr("the rest begins at 1 s, before 95 %"), HasSubstr("still shaken"))));
+  // Other sand, and sand whose water cannot leave, has nothing to say.
+  EXPECT_THAT(told(with("permeability = 1e-4", "drainage = \"undrained\"", longer)),
+              Not(Contains(HasSubstr("Arias"))));
+}
+
+TEST(Rules, RestingSandIsShakenFirst) {
+  const std::string shaken = "contraction_rate = 0.4\npost_shake = true\n";
+  EXPECT_THAT(errors_of(sand("", shaken)), IsEmpty());
+  EXPECT_THAT(errors_of(sand(rest(), shaken)),
+              ElementsAre(AllOf(HasSubstr("'post_shake' = true"), HasSubstr("remove the key"))));
+}
+
+TEST(Rules, TimeFactorIsAllowed) {
+  const auto told = [](const std::string& factor, const std::string& text) {
+    return errors_of(text + rest("time_factor = " + factor + "\n"));
+  };
+  EXPECT_THAT(told("20.0", sand()), IsEmpty());
+  EXPECT_THAT(told("200.0", sand()), ElementsAre(AllOf(HasSubstr("is too large"), HasSubstr("at most 1"))));
+  EXPECT_THAT(told("20.0", std::string(flat_case)), ElementsAre(HasSubstr("has nothing to speed up")));
+  EXPECT_THAT(told("20.0", sand("[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n")),
+              ElementsAre(HasSubstr("does not go with [damping] model = \"rayleigh\"")));
+}
+
+/// M = 0.24 GPa, rho = 1990 kg/m3, H = 10 m, k = 1e-4 m/s: Pi = F 1e-4 sqrt(M rho)/(9.81e3 10).
+TEST(Rules, TimeFactorErrsLittle) {
+  const auto told = [](const std::string& factor) {
+    return remarks_of(sand(rest("time_factor = " + factor + "\n")));
+  };
+  const Case scene = parse_case(sand(rest("time_factor = 50.0\n")));
+  const double m = materials::elasticity(scene.soils[0].law).p_modulus();
+  EXPECT_NEAR(fast_rest(scene)->slow_wave, 50e-4 * std::sqrt(m * 1990.0) / 98100.0, 1e-9);
+  EXPECT_NEAR(fast_rest(scene)->ringing, 0.024, 0.002);
+  EXPECT_THAT(told("10.0"), Not(Contains(HasSubstr("time_factor"))));
+  EXPECT_THAT(told("50.0"), Contains(HasSubstr("makes inertia count: the settlement that the rest adds will "
+                                               "be wrong by about")));
+}
+
+} // namespace
+} // namespace tremolo::scene::testing
