@@ -7,7 +7,7 @@ namespace tremolo::mpm_domain {
 
 Domain::Domain(const Spec& specification) : Ground(specification), contact(spec) {
   contact.take_bodies(*this);
-  boundary.match(sets, spec);
+  boundary.match(*this);
   for (const BoundaryFace& face : boundary.faces())
     keep_whole(*this, face.set, face.id);
   sort_particles(*this);

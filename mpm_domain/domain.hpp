@@ -30,8 +30,7 @@ void find_reach(Domain& domain);
 /// Makes the grid large enough (particles/grid_growth.hpp), within the limits that the boundary sets.
 void make_room(Domain& domain, double time, long step);
 
-/// Leaves a whole domain, which is the same on all ranks, with this rank's share of it. What stands behind
-/// its faces is there already (Boundary::build_supports).
+/// Leaves a whole domain, which is the same on all ranks, with this rank's share of it.
 /// @param ranks  outlives the domain
 /// @throws std::invalid_argument as require_shareable() does (particles/share_out.hpp)
 void share_out(Domain& domain, Communicator& ranks);

@@ -54,8 +54,6 @@ BoundaryFace make_face(Side side, Vector normal, const Spec& spec, Particles& se
   const Impedances ground = ground_of(side, spec, set, k);
   face.ground = {normal, ground.p, ground.s};
   face.density = ground.density;
-  if (spec.rigid_base)
-    face.support = Support::rigid_base;
   return face;
 }
 

@@ -19,13 +19,12 @@ namespace tremolo::mpm_domain {
 
 struct Ground;
 
-/// What takes up the waves that the domain scatters at a face, or holds it.
-enum class Support {
-  dashpots,        ///< of Eq. (6)
-  matched_layer,   ///< matched_layer.hpp
-  opposite_face,   ///< a spring to the other side: periodic_springs.hpp
-  closing_element, ///< with reduced dispersion: closing_elements.hpp
-  rigid_base,      ///< nothing: the base's nodes move with it (rigid_base.hpp)
+/// What supports (support.hpp) have made of a face.
+struct Behind {
+  bool has_dashpots = true;   ///< of Eq. (6); elsewhere a support stands in their place
+  bool is_tied = false;       ///< to the opposite side: no free field drives it
+  bool has_own_field = false; ///< beside the one that Eq. (6) takes
+  Vector moving_mass;         ///< of what stands there and moves with the face, by direction, kg/m2
 };
 
 /// A face: the particle it rides on, and what Eq. (6) needs to know.
@@ -39,16 +38,13 @@ struct BoundaryFace {
                     ///< the base
   double density = 0.0; ///< of that soil with the water in it, or of that ground, kg/m3
   Vector held;          ///< f^st of Eq. (6), what held the model at rest, Pa
-  Support support = Support::dashpots;
-  Vector moving_mass;  ///< of what stands behind and moves with the face, by direction, kg/m2
+  Behind behind;
   int level = unknown; ///< of the one lattice of a graded mesh that it can touch until the next sort
 
   static constexpr int unknown = -1; ///< or several
 
   /// As Eq. (6) sees it: the dashpots that stand there, if any do.
-  eq6::Face dashpots() const {
-    return support == Support::dashpots ? ground : eq6::Face{ground.normal, 0.0, 0.0};
-  }
+  eq6::Face dashpots() const { return behind.has_dashpots ? ground : eq6::Face{ground.normal, 0.0, 0.0}; }
 };
 
 /// A node that a face touches, and W.

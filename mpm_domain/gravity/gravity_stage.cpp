@@ -165,7 +165,7 @@ std::vector<CutStress> begin_history(Domain& domain) {
     }
   }
   keep_vertical_stress(domain);
-  domain.boundary.match(domain.sets, domain.spec);
+  domain.boundary.match(domain);
   return cut;
 }
 

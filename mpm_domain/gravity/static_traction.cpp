@@ -77,7 +77,7 @@ double solve(Domain& domain, const std::vector<std::size_t>& nodes, const Reacti
 } // namespace
 
 double replace_constraints(Domain& domain, const Reactions& reactions) {
-  if (domain.boundary.rigid_base())
+  if (domain.spec.rigid_base)
     return 0.0;
   std::vector<std::size_t> held_x = reactions.base;
   held_x.insert(held_x.end(), reactions.sides.begin(), reactions.sides.end());

@@ -42,7 +42,7 @@ void Checkpoints::save(coupler::DomainClient& client, const Domain& domain, std:
 }
 
 void load_rest_state(const results::CheckpointReader& saved, Domain& domain) {
-  domain.boundary.set_rest_state(saved.numbers(rest_name));
+  domain.boundary.set_rest_state(domain, saved.numbers(rest_name));
 }
 
 } // namespace tremolo::mpm_domain

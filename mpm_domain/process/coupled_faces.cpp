@@ -21,8 +21,8 @@ eq6::FreeField mixed(const eq6::FreeField& a, const eq6::FreeField& b, double s)
 } // namespace
 
 CoupledFaces::CoupledFaces(const Domain& domain, const scene::Case& scene, const scene::Plan& plan)
-    : tied_(static_cast<std::size_t>(
-          std::ranges::count(domain.boundary.faces(), Support::opposite_face, &BoundaryFace::support))) {
+    : tied_(static_cast<std::size_t>(std::ranges::count_if(
+          domain.boundary.faces(), [](const BoundaryFace& face) { return face.behind.is_tied; }))) {
   const std::span<const BoundaryFace> all = domain.boundary.faces();
   const scene::BaseSources base = scene::base_sources(scene, plan);
   const bool incident = scene.boundary.base.form == scene::BaseForm::incident;
@@ -35,9 +35,8 @@ CoupledFaces::CoupledFaces(const Domain& domain, const scene::Case& scene, const
     for (Blend& blend : blends_)
       if (all[blend.field].side == Side::base)
         join(domain, blend, *base.right);
-  const GroundSprings* const springs = domain.boundary.ground_springs();
-  for (std::size_t f = tied_, more = all.size(); springs != nullptr && f < all.size(); ++f)
-    if (springs->has_own_field(f)) {
+  for (std::size_t f = tied_, more = all.size(); f < all.size(); ++f)
+    if (all[f].behind.has_own_field) {
       blends_.push_back({more++, announce(domain, f, scene::source_of(plan, Side::left).name, "total")});
       if (!scene.boundary.has_equal_sides())
         join(domain, blends_.back(), scene::source_of(plan, Side::right).name);

@@ -206,7 +206,6 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
            const results::CheckpointReader* saved, Communicator* ranks) {
   const double end = scene.end();
   double waiting_seconds = 0.0;
-  domain.boundary.build_supports(domain);
   CoupledFaces coupled(domain, scene, plan);
   std::filesystem::path before;
   if (saved != nullptr && client != nullptr)

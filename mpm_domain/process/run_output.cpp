@@ -255,7 +255,7 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
     units.emplace_back("J/m");
   }
   energy_ = &writer_.add_series("/energy", columns, units);
-  if (domain.boundary.rigid_base())
+  if (domain.spec.rigid_base)
     table_ = &add_history(writer_, table_path, table_columns);
   add_monitors();
   add_lines();

@@ -41,7 +41,7 @@ struct Region {
   std::vector<double> cuts = {}; ///< y below which the next of the soils lies, from the top down, m
 };
 
-/// Springs beside the dashpots of a side (boundary/ground_springs.hpp).
+/// Springs beside the dashpots of a side (boundary/springs/ground_springs.hpp).
 struct SideSprings {
   Side side = Side::left;
   double across = 1.0; ///< a_n

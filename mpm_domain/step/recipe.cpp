@@ -19,7 +19,6 @@ std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field) {
   add(wet_transfer_passes(domain));
   add(node_passes(domain));
   add(face_passes(domain, domain.boundary, free_field));
-  add(base_passes(domain, domain.boundary));
   add(wall_passes(domain, domain.boundary));
   add(node_books(domain));
   add(water_passes(domain));

@@ -13,7 +13,6 @@ namespace tremolo::mpm_domain {
 
 Stepper::Stepper(Domain& domain, double start_time, const FreeFieldSource& free_field)
     : domain_(domain), step_(domain, domain.energy, start_time) {
-  domain.boundary.build_supports(domain);
   passes_ = recipe(domain, free_field);
   step_.max_speed = fastest_point(domain);
   find_bounds();

@@ -31,7 +31,7 @@ struct PassTime {
 /// that begin or end a step of theirs with it (clocks/ticks.hpp).
 class Stepper {
 public:
-  /// Puts what the spec wants behind the faces of the domain, which is at rest, and makes it ready to step.
+  /// Makes a domain at rest ready to step.
   /// @param free_field gives the faces their free field; never called for a domain without faces
   /// @throws std::invalid_argument if the spec's fixed time step is over the critical one, or if the domain
   /// has faces and nobody gives their free field

@@ -40,7 +40,8 @@ constexpr double notable_excess = 0.05;
 } // namespace
 
 LostHold::LostHold(const Ground& ground, const Boundary& boundary, bool total_base, double far)
-    : boundary_(boundary), total_base_(total_base), far_(far), moved_(boundary.faces().size()) {
+    : boundary_(boundary), springs_(boundary.supports().find<GroundSprings>()), total_base_(total_base),
+      far_(far), moved_(boundary.faces().size()) {
   for (const BoundaryFace& face : boundary.faces())
     strength_.push_back(shear_strength(face, ground));
 }
@@ -54,14 +55,12 @@ void LostHold::add(double time, std::span<const Vector> ground, std::span<const 
 }
 
 const GroundSprings* LostHold::springs_at(std::size_t f) const {
-  const GroundSprings* const springs = boundary_.ground_springs();
-  return springs != nullptr && springs->holds(f) ? springs : nullptr;
+  return springs_ != nullptr && springs_->holds(f) ? springs_ : nullptr;
 }
 
 bool LostHold::counts(std::size_t f) const {
   const BoundaryFace& face = boundary_.faces()[f];
-  return springs_at(f) != nullptr ||
-         (face.support == Support::dashpots && (face.side != Side::base || total_base_));
+  return springs_at(f) != nullptr || (face.behind.has_dashpots && (face.side != Side::base || total_base_));
 }
 
 Vector LostHold::moved(std::size_t f) const {

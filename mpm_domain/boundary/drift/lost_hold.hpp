@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mpm_domain/boundary/boundary.hpp"
+#include "mpm_domain/boundary/springs/ground_springs.hpp"
 
 #include <optional>
 #include <span>
@@ -70,6 +71,7 @@ private:
   std::string place(std::size_t face) const;
 
   const Boundary& boundary_;
+  const GroundSprings* springs_; ///< of the boundary; null without any
   bool total_base_;
   double far_;
   std::vector<double> strength_; ///< shear strength of the soil at each face at rest, Pa

@@ -21,7 +21,7 @@
 // nodes there, and each of them gets half of its force and mass.
 
 #include "coupler/eq6/boundary_traction.hpp"
-#include "mpm_domain/boundary/bilinear_element.hpp"
+#include "mpm_domain/boundary/layer/bilinear_element.hpp"
 #include "mpm_domain/boundary/layer/layer_lattice.hpp"
 
 #include <array>

@@ -19,7 +19,7 @@
 // is put on it.
 
 #include "coupler/eq6/boundary_traction.hpp"
-#include "mpm_domain/boundary/bilinear_element.hpp"
+#include "mpm_domain/boundary/layer/bilinear_element.hpp"
 #include "mpm_domain/boundary/layer/layer_stretch.hpp"
 #include "mpm_domain/tiles/worker_pool.hpp"
 

@@ -175,7 +175,7 @@ void MatchedLayer::advance(double time, WorkerPool& workers) {
 }
 
 void MatchedLayer::react(double time, std::span<const eq6::FreeField> free_field,
-                         std::span<Vector> tractions) {
+                         std::span<SupportLoad> loads) {
   const double dt = time - time_;
   for (std::size_t f = 0; f < ties_.size(); ++f) {
     const Vector now = free_field[first_ + f].velocity;
@@ -187,7 +187,7 @@ void MatchedLayer::react(double time, std::span<const eq6::FreeField> free_field
     // The free field's acceleration, carried on by half a step.
     const Vector a = started_ ? Vector{(now.x - v_free_[f].x) / dt, (now.y - v_free_[f].y) / dt} : Vector{};
     const double mass = ties_[f].mass;
-    Vector& traction = tractions[first_ + f];
+    Vector& traction = loads[first_ + f].own = {};
     traction.x += (force.x * along_.x + force.y * normal_.x) / ties_[f].length +
                   mass * (1.5 * a.x - 0.5 * a_free_[f].x);
     traction.y += (force.x * along_.y + force.y * normal_.y) / ties_[f].length +
@@ -219,36 +219,6 @@ void MatchedLayer::restore(std::span<const double> state) {
   for (std::vector<Vector>* field : {&v_free_, &a_free_})
     for (Vector& value : *field)
       value = {*next++, *next++};
-}
-
-std::vector<JoinedLayers> join(std::span<MatchedLayer> layers) {
-  std::vector<JoinedLayers> joined;
-  for (std::size_t s = 0; s < layers.size(); ++s)
-    for (std::size_t b = 0; b < layers.size(); ++b)
-      if (layers[s].side() != Side::base && layers[b].side() == Side::base)
-        joined.push_back({s, b, LayerJoint(layers[s].side(), layers[s].lattice(), layers[b].lattice())});
-  for (MatchedLayer& layer : layers)
-    layer.lump();
-  return joined;
-}
-
-void react(std::span<MatchedLayer> layers, std::span<JoinedLayers> joined, double time,
-           std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field,
-           std::span<Vector> tractions, WorkerPool& workers) {
-  for (MatchedLayer& layer : layers)
-    layer.follow(v_domain, free_field);
-  workers.run(joined.size(), [&](std::size_t corner) { // each leads an end of its own of the base's layer
-    auto& [s, b, joint] = joined[corner];
-    if (const std::optional<double> dt = layers[b].step_to(time))
-      joint.advance(*dt, layers[s].end_velocity(0), layers[b].end_velocity(joint.base_end()),
-                    layers[s].lattice(), layers[b].lattice());
-  });
-  for (MatchedLayer& layer : layers)
-    layer.advance(time, workers);
-  for (auto& [s, b, joint] : joined)
-    joint.pull(layers[s].lattice(), layers[b].lattice());
-  for (MatchedLayer& layer : layers)
-    layer.react(time, free_field, tractions);
 }
 
 } // namespace tremolo::mpm_domain

@@ -17,9 +17,9 @@
 // Where both a side and the base have a layer, a corner stretched in both directions joins them
 // (layer_corner.hpp); where only one of them has, its layer ends in dashpots stretched like it.
 
-#include "mpm_domain/boundary/boundary_faces.hpp"
 #include "mpm_domain/boundary/layer/layer_joint.hpp"
 #include "mpm_domain/boundary/layer/layer_lattice.hpp"
+#include "mpm_domain/boundary/support.hpp"
 
 #include <optional>
 #include <span>
@@ -46,8 +46,8 @@ public:
   void follow(std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field);
   /// Moves the layer to this time (s), its boundary as it follows.
   void advance(double time, WorkerPool& workers);
-  /// Adds the layer's traction (Pa) to those of its faces, up to the inertia that the faces carry.
-  void react(double time, std::span<const eq6::FreeField> free_field, std::span<Vector> tractions);
+  /// The layer's traction on its faces, up to the inertia that the faces carry.
+  void react(double time, std::span<const eq6::FreeField> free_field, std::span<SupportLoad> loads);
 
   /// Time since the last one, s; none at the first time.
   [[nodiscard]] std::optional<double> step_to(double time) const {
@@ -91,22 +91,5 @@ private:
   std::vector<Vector> a_free_;   ///< half a step before it, m/s2
   std::vector<Vector> velocity_; ///< of the lattice's nodes on the boundary, m/s
 };
-
-/// Two layers of a domain and the corner between them.
-struct JoinedLayers {
-  std::size_t side; ///< which of the layers
-  std::size_t base;
-  LayerJoint joint;
-};
-
-/// Joins the layers that meet at a corner, and lumps the masses of all.
-std::vector<JoinedLayers> join(std::span<MatchedLayer> layers);
-
-/// Moves all layers to a time (s) and adds their tractions (Pa) to those of their faces.
-/// @param v_domain of half a step before it, or of the mean of the step before; free_field of this time
-/// @param v_domain, free_field, tractions of all faces of the domain
-void react(std::span<MatchedLayer> layers, std::span<JoinedLayers> joined, double time,
-           std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field,
-           std::span<Vector> tractions, WorkerPool& workers);
 
 } // namespace tremolo::mpm_domain

@@ -27,7 +27,7 @@ void LeaningSides::find(const Ground& ground, std::span<const BoundaryFace> face
   for (std::size_t f = 0; f + 1 < faces.size(); ++f) {
     const std::size_t next = f + 1;
     const Side side = faces[f].side;
-    if (side == Side::base || faces[next].side != side || faces[f].support == Support::opposite_face)
+    if (side == Side::base || faces[next].side != side || faces[f].behind.is_tied)
       continue;
     edges_.push_back(
         loads(faces[f].ground.normal.x, soil[f], soil[next], field[f].stress, field[next].stress));

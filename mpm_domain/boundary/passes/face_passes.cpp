@@ -1,6 +1,8 @@
 #include "mpm_domain/boundary/passes/passes.hpp"
 #include "mpm_domain/ground.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -8,9 +10,8 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-void book_faces(Ground& ground, Boundary& boundary, Step& step) {
-  const BoundaryWork work = boundary.follow_update(ground, step.ticks, step.nodes);
-  step.bookings.add([&energy = step.energy, work] {
+void book_faces(Boundary& boundary, Step& step) {
+  step.bookings.add([&energy = step.energy, work = boundary.follow_update(step)] {
     energy.static_ += work.held;
     energy.dashpots += work.dashpots;
     energy.springs += work.springs;
@@ -19,10 +20,14 @@ void book_faces(Ground& ground, Boundary& boundary, Step& step) {
   });
 }
 
-void take_off_remap_power(Ground& ground, const Boundary& boundary, Step& step) {
-  for (int clock = step.ticks.first_ending(); clock < step.ticks.clocks(); ++clock)
-    boundary.take_off_remap_power(ground, step.nodes, clock,
-                                  step.remap_power[static_cast<std::size_t>(clock)][0]);
+Pass exchange_pass(Boundary& boundary, Support& support) {
+  const auto run = [&](Step& step) {
+    if (step.ticks.is_first())
+      boundary.exchange(step, support);
+  };
+  if (support.is_timed())
+    return {Phase::supports, support.name(), run};
+  return {Phase::exchange, "", run};
 }
 
 } // namespace
@@ -35,21 +40,24 @@ std::vector<Pass> face_passes(Ground& ground, Boundary& boundary, FreeFieldSourc
   std::vector<Pass> passes;
   if (ground.share || ground.has_pore_pressure())
     passes.push_back({Phase::scatter, "", [&](Step&) { boundary.read_soil(ground); }});
-  passes.push_back({Phase::exchange, "boundary exchange", [&, source = std::move(free_field)](Step& step) {
-                      if (step.ticks.is_first())
-                        boundary.exchange(ground, step.nodes, source, step.count, step.time);
-                    }});
-  if (boundary.has_layers())
-    passes.push_back({Phase::supports, "matched layers", [&](Step& step) {
-                        if (step.ticks.is_first())
-                          boundary.react(step.time, ground.workers);
-                      }});
-  if (!boundary.rigid_base())
-    passes.push_back({Phase::forces, "boundary tractions",
-                      [&](Step& step) { boundary.apply(ground, step.ticks, step.nodes); }});
-  passes.push_back({Phase::books, "", [&](Step& step) { book_faces(ground, boundary, step); }});
+  passes.push_back(
+      {Phase::exchange, "boundary exchange", [&boundary, source = std::move(free_field)](Step& step) {
+         if (step.ticks.is_first())
+           boundary.exchange(step, source);
+       }});
+  for (const auto& support : boundary.supports().all())
+    passes.push_back(exchange_pass(boundary, *support));
+  if (!ground.spec.rigid_base)
+    passes.push_back(
+        {Phase::forces, "boundary tractions", [&boundary](Step& step) { boundary.apply(step); }});
+  passes.push_back({Phase::books, "", [&boundary](Step& step) { book_faces(boundary, step); }});
   if (ground.is_remapped())
-    passes.push_back({Phase::remap, "", [&](Step& step) { take_off_remap_power(ground, boundary, step); }});
+    passes.push_back({Phase::remap, "", [&boundary](Step& step) {
+                        for (int clock = step.ticks.first_ending(); clock < step.ticks.clocks(); ++clock)
+                          boundary.take_off_remap_power(step, clock);
+                      }});
+  for (const auto& support : boundary.supports().all())
+    std::ranges::move(support->passes(ground), std::back_inserter(passes));
   return passes;
 }
 

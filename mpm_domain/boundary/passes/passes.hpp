@@ -4,7 +4,7 @@
 //
 //   scatter:   the soil at the faces is read
 //   exchange:  v^m of the faces goes out, v^ff and sigma^ff come in       (once)
-//   supports:  matched layers step with them                              (once)
+//   supports:  what stands behind the faces steps with them               (once)
 //   forces:    f += l W t, with t of Eq. (6)
 //   books:     work of the parts of t on (v- + v+)/2
 //   remap:     power of the boundary's forces on u - v+ is left out of that of the nodes (musl)
@@ -16,13 +16,9 @@
 
 namespace tremolo::mpm_domain {
 
-/// The passes of the faces, and of what stands behind them. The boundary has its supports already.
+/// The passes of the faces, and of what stands behind them.
 /// @throws std::invalid_argument if there are faces and nobody gives their free field
 std::vector<Pass> face_passes(Ground& ground, Boundary& boundary, FreeFieldSource free_field);
-
-/// A rigid base takes momentum off the nodes that it holds, and gives inertia, -m dV/dt, to all others in the
-/// place of tractions (rigid_base.hpp).
-std::vector<Pass> base_passes(Ground& ground, Boundary& boundary);
 
 /// What stands before the flow of water during the update alone (walls/impervious_faces.hpp).
 std::vector<Pass> wall_passes(Ground& ground, const Boundary& boundary);

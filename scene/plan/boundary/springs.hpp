@@ -1,6 +1,6 @@
 #pragma once
 
-// Springs beside dashpots (mpm_domain/boundary/ground_springs.hpp): which sides have them, how stiff, and
+// Springs beside dashpots (mpm_domain/boundary/springs/ground_springs.hpp): which sides have them, how stiff, and
 // around which centre.
 
 #include "scene/case.hpp"

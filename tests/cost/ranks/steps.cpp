@@ -71,7 +71,6 @@ public:
       for (std::size_t k = 0; k < set.size(); ++k)
         set.vx[k] = 0.01 * std::sin(2.0 * std::numbers::pi * set.y[k] / domain_.spec.box.y_min);
     whole_ = static_cast<double>(domain_.particle_count());
-    domain_.boundary.build_supports(domain_);
     if (ranks != nullptr)
       share_out(domain_, *ranks);
     stepper_.emplace(domain_, 0.0, quiet_ground(domain_));

@@ -84,7 +84,6 @@ void start_domain(const scene::Case& scene) {
         domain, {scene.gravity->residual, scene.gravity->max_time}, [](long, double) {});
     mpm_domain::replace_constraints(domain, reactions);
   }
-  domain.boundary.build_supports(domain);
   mpm_domain::Stepper stepper(
       domain, 0.0, [](long, double, auto, auto field) { std::ranges::fill(field, eq6::FreeField{}); });
   for (int i = 0; i < steps; ++i)

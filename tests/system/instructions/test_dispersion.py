@@ -1,6 +1,6 @@
 """What reduced dispersion takes over the scheme without it: callgrind counts the instructions of a step of an elastic
 square of 144 x 144 cells with APIC and `musl`. The bound is the ratio that was measured with GCC 12, -O3 and
--march=x86-64-v3, 1.259, of which 0.035 are the faces (boundary/closing_elements.hpp).
+-march=x86-64-v3, 1.259, of which 0.035 are the faces (boundary/closing/closing_elements.hpp).
 
     test_dispersion.py STEPS
 """

@@ -59,12 +59,11 @@ constexpr double dt = 1e-3; // s
 
 /// Gives the nodes what the faces exert in a free field.
 void load(Domain& domain, const FreeFieldSource& source) {
-  Ticks ticks(1);
-  ticks.set_step(dt, dt);
-  const ClockNodes nodes(domain);
+  Step step(domain, domain.energy, 0.0);
+  step.ticks.set_step(dt, dt);
   domain.boundary.read_soil(domain);
-  domain.boundary.exchange(domain, nodes, source, 0, 0.0);
-  domain.boundary.apply(domain, ticks, nodes);
+  domain.boundary.exchange(step, source);
+  domain.boundary.apply(step);
 }
 
 class ShiftedFaces : public testing::TestWithParam<Vector> {};

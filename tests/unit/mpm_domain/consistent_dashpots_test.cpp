@@ -3,13 +3,12 @@
 
 #include "mpm_domain/boundary/consistent_dashpots.hpp"
 
-#include "mpm_domain/clocks/clock_nodes.hpp"
-#include "mpm_domain/clocks/ticks.hpp"
 #include "mpm_domain/step/grid_update.hpp"
 #include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/lumped_faces.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -97,16 +96,13 @@ TEST(ConsistentDashpots, AreThoseOfTheBoundary) {
   ConsistentDashpots dashpots(loaded.nodes);
   dashpots.fit(loaded.domain.grid.size());
   dashpots.correct(loaded.domain, loaded.domain.boundary.faces(), loaded.weights, dt);
-  Ticks ticks(1);
-  ticks.set_step(dt, dt);
-  const ClockNodes nodes(domain);
+  Step step(domain, domain.energy, 0.0);
+  step.ticks.set_step(dt, dt);
   for (BoundaryFace& face : domain.boundary.faces())
     face.held = traction_on(face);
   domain.boundary.read_soil(domain);
-  domain.boundary.exchange(
-      domain, nodes, [](long, double, auto, auto field) { std::ranges::fill(field, eq6::FreeField{}); }, 0,
-      0.0);
-  domain.boundary.apply(domain, ticks, nodes);
+  domain.boundary.exchange(step, test_support::quiet_ground());
+  domain.boundary.apply(step);
   double largest = 0.0;
   for (Domain* d : {&domain, &loaded.domain})
     update_grid(*d, dt, d->soil_rows);

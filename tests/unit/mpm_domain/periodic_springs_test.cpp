@@ -1,6 +1,6 @@
 // Periodic sides by springs against the wrapped grid, which is exact.
 
-#include "mpm_domain/boundary/periodic_springs.hpp"
+#include "mpm_domain/boundary/tied/periodic_springs.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/quiet_ground.hpp"
@@ -79,7 +79,6 @@ TEST(PeriodicSprings, AddNoEnergy) {
   spec.scheme.transfer = Transfer::flip; // which takes hardly any energy out by itself
   spec.scheme.order = StepOrder::usl;
   Domain domain(spec);
-  domain.boundary.build_supports(domain);
   for (BoundaryFace& face : domain.boundary.faces())
     face.ground.impedance_p = face.ground.impedance_s = 0.0;
   std::mt19937 random(3);
@@ -111,9 +110,8 @@ TEST(PeriodicSprings, RefuseSidesThatDoNotFaceEachOther) {
   Spec spec = test_support::elastic_box(6.0, 4.0, 1.0);
   spec.regions[0].polygon = {{0.0, -4.0}, {6.0, -4.0}, {6.0, -1.0}, {3.0, 0.0}, {0.0, 0.0}};
   spec.sides = Sides::periodic_springs;
-  Domain domain(spec);
   try {
-    domain.boundary.build_supports(domain);
+    const Domain domain(spec);
     FAIL() << "not refused";
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("there are 8 on the left and 6 on the right"));

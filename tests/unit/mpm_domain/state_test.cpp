@@ -37,7 +37,7 @@ struct Shaken {
       mpm_domain::replace_constraints(
           domain, mpm_domain::relax_under_gravity(domain, {.residual = 1e-6}, [](long, double) {}));
     else
-      domain.boundary.set_rest_state(at_rest);
+      domain.boundary.set_rest_state(domain, at_rest);
     return domain.boundary.rest_state();
   }
 
@@ -278,7 +278,7 @@ TEST(State, OfAGridThatHasGrownBehindItsFacesGoesOnWithTheSameBits) {
 
 TEST(State, FacesOfAnotherBoundaryAreRefused) {
   mpm_domain::Domain domain(box(softening_soil()));
-  EXPECT_THROW(domain.boundary.set_rest_state(std::vector<double>(3)), std::invalid_argument);
+  EXPECT_THROW(domain.boundary.set_rest_state(domain, std::vector<double>(3)), std::invalid_argument);
 }
 
 } // namespace

@@ -2,12 +2,13 @@
 // sides of a box; that they are slack where the soil moves with the free field; what they store; and their
 // lag.
 
-#include "mpm_domain/boundary/ground_springs.hpp"
+#include "mpm_domain/boundary/springs/ground_springs.hpp"
 
 #include "tests/support/box_models.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/particle_energy.hpp"
 #include "tests/support/quiet_ground.hpp"
+#include "tests/support/support_by_hand.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,8 @@ namespace tremolo::mpm_domain {
 namespace {
 
 using test_support::add_springs;
+
+using Springs = test_support::SupportByHand<GroundSprings>;
 
 constexpr double modulus = 40e6 / (2.0 * 1.28); // G of elastic_box(), Pa
 
@@ -45,10 +48,9 @@ struct Answer {
 };
 
 Answer answer(const Spec& spec, Vector pole, const std::function<Vector(Vector)>& moved) {
-  const Domain domain(spec);
-  const auto faces = domain.boundary.faces();
-  GroundSprings springs(faces, domain.spec);
-  const std::vector<eq6::FreeField> at_rest(faces.size());
+  Springs springs(spec);
+  const auto faces = springs.faces();
+  std::vector<eq6::FreeField> at_rest(faces.size());
   std::vector<Vector> v;
   for (const BoundaryFace& face : faces)
     v.push_back(moved(face.position)); // in one second
@@ -56,7 +58,7 @@ Answer answer(const Spec& spec, Vector pole, const std::function<Vector(Vector)>
   springs.move(1.0, v, at_rest);
   Answer answer;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto [x, y] = springs.traction(f);
+    const auto [x, y] = springs->traction(f);
     const double length = faces[f].length;
     answer.force.x += length * x;
     answer.force.y += length * y;
@@ -120,11 +122,10 @@ TEST(GroundSprings, AroundTheMiddleOfTheSurfaceAnswerLikeTheIntegralsOverTheSide
 TEST(GroundSprings, GrowNoStifferWithinTwoCells) {
   Spec spec = box(4.0, 4.0, 1.0);
   add_springs(spec, 1.0, 0.5, {0.0, -2.0}); // on the left side
-  const Domain domain(spec);
-  const GroundSprings springs(domain.boundary.faces(), domain.spec);
+  Springs springs(spec);
   double stiffest = 0.0;
-  for (std::size_t f = 0; f < domain.boundary.faces().size(); ++f)
-    stiffest = std::max(stiffest, springs.stiffness(f).x);
+  for (std::size_t f = 0; f < springs.faces().size(); ++f)
+    stiffest = std::max(stiffest, springs->stiffness(f).x);
   EXPECT_NEAR(stiffest, modulus / 2.0, 1e-9 * modulus);
 }
 
@@ -132,9 +133,8 @@ TEST(GroundSprings, GrowNoStifferWithinTwoCells) {
 TEST(GroundSprings, AreSlackWhereSoilMovesWithTheFreeField) {
   Spec spec = box(4.0, 4.0, 1.0);
   add_springs(spec, 1.0, 0.5, {4.0, 0.0});
-  const Domain domain(spec);
-  const std::size_t count = domain.boundary.faces().size();
-  GroundSprings springs(domain.boundary.faces(), domain.spec);
+  Springs springs(spec);
+  const std::size_t count = springs.faces().size();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> velocity(-1.0, 1.5);
   std::vector<eq6::FreeField> field(count);
@@ -153,8 +153,8 @@ TEST(GroundSprings, AreSlackWhereSoilMovesWithTheFreeField) {
   }
   EXPECT_GT(displaced.x, 1.0);
   for (std::size_t f = 0; f < count; ++f) {
-    EXPECT_EQ(springs.traction(f).x, 0.0);
-    EXPECT_EQ(springs.traction(f).y, 0.0);
+    EXPECT_EQ(springs->traction(f).x, 0.0);
+    EXPECT_EQ(springs->traction(f).y, 0.0);
   }
 }
 
@@ -162,24 +162,23 @@ TEST(GroundSprings, AreSlackWhereSoilMovesWithTheFreeField) {
 TEST(GroundSprings, BehindALagFollowADisplacementThatStays) {
   Spec spec = box(20.0, 20.0, 1.0);
   spec.springs.push_back({Side::base, 1.0, 0.5, {20.0, 0.0}, true});
-  const Domain domain(spec);
-  const auto faces = domain.boundary.faces();
-  GroundSprings springs(faces, domain.spec);
+  Springs springs(spec);
+  const auto faces = springs.faces();
   const std::size_t face = faces.size() - 1;
-  const double k = springs.stiffness(face).x;
+  const double k = springs->stiffness(face).x;
   const double tau = faces[face].ground.impedance_s / k;
   const double dt = 1e-3 * tau;
-  const std::vector<eq6::FreeField> at_rest(faces.size());
+  std::vector<eq6::FreeField> at_rest(faces.size());
   std::vector<Vector> v(faces.size());
   springs.move(0.0, v, at_rest);
   v[face].x = 0.01 / dt; // within one step
   springs.move(dt, v, at_rest);
-  EXPECT_EQ(springs.traction(face).x, 0.0);
+  EXPECT_EQ(springs->traction(face).x, 0.0);
   v[face].x = 0.0;
   for (int step = 2; step <= 1001; ++step)
     springs.move(step * dt, v, at_rest);
-  EXPECT_NEAR(springs.displacement(face).x, 0.01, 1e-12);
-  EXPECT_NEAR(springs.traction(face).x, -k * 0.01 * (1.0 - std::exp(-1.0)), 1e-3 * k * 0.01);
+  EXPECT_NEAR(springs->displacement(face).x, 0.01, 1e-12);
+  EXPECT_NEAR(springs->traction(face).x, -k * 0.01 * (1.0 - std::exp(-1.0)), 1e-3 * k * 0.01);
 }
 
 // A base whose dashpots see the incident wave alone has springs on another field.
@@ -197,10 +196,9 @@ TEST(GroundSprings, MoveAgainstAFieldOfTheirOwn) {
   });
   for (int step = 0; step < 3; ++step)
     stepper.step();
-  const GroundSprings* const springs = domain.boundary.ground_springs();
+  const GroundSprings* const springs = domain.boundary.supports().find<GroundSprings>();
   ASSERT_NE(springs, nullptr);
-  EXPECT_EQ(given, count + springs->more_fields());
-  EXPECT_EQ(springs->more_fields(), 16U);
+  EXPECT_EQ(given, count + 16U);
   EXPECT_LT(springs->displacement(count - 1).x, 0.0);
   EXPECT_EQ(domain.boundary.free_field().size(), count);
 }
@@ -220,8 +218,7 @@ Books books_of(const Spec& spec) {
   Books books;
   while (stepper.time() < 0.5) {
     stepper.step();
-    const double stored =
-        domain.boundary.ground_springs() != nullptr ? test_support::energy_of_springs(domain) : 0.0;
+    const double stored = test_support::energy_of_springs(domain);
     books.stored = std::max(books.stored, stored);
     books.missed = std::max(books.missed, std::abs(domain.energy.springs - stored));
     books.residual = std::max(books.residual, std::abs(domain.energy.residual()));

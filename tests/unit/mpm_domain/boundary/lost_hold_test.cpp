@@ -34,7 +34,6 @@ LostHold after(double seconds, const Domain& domain, double slip) {
 
 TEST(LostHold, TellsWhereSoilHasMovedMoreThanACellBeyondItsFreeField) {
   Domain domain(test_support::elastic_box(20.0, 10.0, 1.0));
-  domain.boundary.build_supports(domain);
   EXPECT_EQ(after(4.0, domain, 0.2).warning(), std::nullopt); // 0.8 m
   const auto told = after(10.0, domain, 0.2).warning();
   ASSERT_TRUE(told);
@@ -44,7 +43,6 @@ TEST(LostHold, TellsWhereSoilHasMovedMoreThanACellBeyondItsFreeField) {
 
 TEST(LostHold, GoesOnFromACheckpoint) {
   Domain domain(test_support::elastic_box(20.0, 10.0, 1.0));
-  domain.boundary.build_supports(domain);
   const LostHold before = after(10.0, domain, 0.2);
   LostHold again(domain, domain.boundary, true, 1.0);
   again.set_state(before.state());
@@ -58,7 +56,6 @@ public:
     for (Particles& set : domain_.sets)
       for (std::size_t k = 0; k < set.size(); ++k)
         set.sxx[k] = set.syy[k] = set.szz[k] = 1700.0 * 9.81 * set.y[k];
-    domain_.boundary.build_supports(domain_);
     hold_.emplace(domain_, domain_.boundary, true, 1.0);
   }
   /// The free field moves to the left, m/s, until so many faces of the left side pull with more than the

@@ -100,7 +100,6 @@ public:
         set.vx[k] = model.drift.x;
         set.vy[k] = model.drift.y;
       }
-    domain_.boundary.build_supports(domain_);
     wave_.angle = 0.2;
     start(ranks);
   }
@@ -197,7 +196,6 @@ INSTANTIATE_TEST_SUITE_P(Models, RankCount, testing::ValuesIn(models),
 TEST(Ranks, SettleWhenAllElseIsDone) {
   TREMOLO_NEED_RANKS();
   Domain domain(test_support::elastic_box(100.0, 40.0, 1.0));
-  domain.boundary.build_supports(domain);
   EXPECT_EQ(mpm_domain::recipe(domain, test_support::quiet_ground()).back().name, "accelerations");
   share_out(domain, *test_support::test_ranks());
   EXPECT_EQ(mpm_domain::recipe(domain, test_support::quiet_ground()).back().name, "totals over ranks");

@@ -20,14 +20,10 @@ using materials::Drainage;
 using mpm_domain::Domain;
 using mpm_domain::Pass;
 using mpm_domain::Phase;
+using mpm_domain::recipe;
 using mpm_domain::Spec;
 using mpm_domain::StepOrder;
 using Names = std::vector<std::string>;
-
-std::vector<Pass> passes_of(Domain& domain, const mpm_domain::FreeFieldSource& source) {
-  domain.boundary.build_supports(domain);
-  return mpm_domain::recipe(domain, source);
-}
 
 /// The names of the passes, in order of phase; passes without a name count for the one before. The boundary
 /// reads the soil at its faces, and ranks the sums there, when all is on the grid.
@@ -43,7 +39,7 @@ Names names_of(const std::vector<Pass>& passes) {
 
 Names names_of(const Spec& spec) {
   Domain domain(spec);
-  return names_of(passes_of(domain, test_support::quiet_ground()));
+  return names_of(recipe(domain, test_support::quiet_ground()));
 }
 
 Spec box(StepOrder order = StepOrder::musl) {
@@ -73,7 +69,7 @@ TEST(Recipe, OfAFreeBodyHasNoBoundary) {
   Domain domain(box());
   const auto none = test_support::no_traction(domain);
   EXPECT_EQ(
-      names_of(passes_of(domain, none)),
+      names_of(recipe(domain, none)),
       (Names{"time step", "sort", "particles to grid", "grid velocities", "grid update", "grid to particles",
              "velocities to grid again", "remapped velocities", "strain and stress", "accelerations"}));
 }
@@ -104,7 +100,7 @@ TEST(Recipe, OfFlowingWaterTransfersBothPhasesTogether) {
 TEST(Recipe, OfFlowingWaterClosesWallsForTheUpdateAlone) {
   const auto unnamed = [](const Spec& spec, Phase phase) {
     Domain domain(spec);
-    return std::ranges::count_if(passes_of(domain, test_support::quiet_ground()),
+    return std::ranges::count_if(recipe(domain, test_support::quiet_ground()),
                                  [&](const Pass& pass) { return pass.phase == phase && pass.name.empty(); });
   };
   const Spec flowing = wet_box(Drainage::coupled);

@@ -50,7 +50,7 @@ inline ShakenBox run_shaken_box(const mpm_domain::Spec& spec, const BasePulse& p
     result.residual = std::max(result.residual, std::abs(domain.energy.residual()));
     work = std::max(work, std::abs(domain.energy.input));
     const double time = stepper.velocity_time();
-    const eq6::Vector base = domain.boundary.rigid_base()->motion().velocity;
+    const eq6::Vector base = domain.boundary.base_motion().velocity;
     result.base =
         std::max(result.base,
                  std::hypot(base.x - pulse(time) * direction.x, base.y - pulse(time) * direction.y) / 0.1);

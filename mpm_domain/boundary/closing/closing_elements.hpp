@@ -26,54 +26,35 @@
 // which for dashpots, Z(s) = Z, is Eq. (6). The mass feels the rate of Z v*, extrapolated by half a step from
 // the last two steps.
 
-#include "mpm_domain/boundary/boundary_faces.hpp"
-
-#include <span>
-#include <vector>
+#include "mpm_domain/boundary/support.hpp"
 
 namespace tremolo::mpm_domain {
 
-/// One element per face, also behind faces that have another support, which do not use theirs.
-class ClosingElements {
+/// One element behind each face that still has dashpots, in their place.
+class ClosingElements final : public Support {
 public:
-  ClosingElements(const Ground& ground, std::span<const BoundaryFace> faces);
+  static bool is_wanted(const Ground& ground);
+  ClosingElements(const Ground& ground, std::span<BoundaryFace> faces);
 
-  /// Mass (kg/m2) that moves with a face in each direction.
-  Vector mass(std::size_t face) const { return elements_[face].mass; }
-
-  /// Goes on to a time (s).
-  /// @param v           of the soil at the faces half a step before, m/s
-  /// @param free_field  of that time
-  void advance(double time, std::span<const Vector> v, std::span<const eq6::FreeField> free_field);
-
-  /// Traction (Pa) on the soil by its own motion, without that of the mass.
-  Vector of_soil(std::size_t face) const { return state_[face].of_soil; }
-  /// Traction (Pa) on the soil by the free field's motion.
-  Vector of_free_field(std::size_t face) const { return state_[face].pull; }
-
-  /// All that changes with time, for a checkpoint.
-  std::vector<double> state() const;
-  /// @throws std::invalid_argument for the state of another boundary
-  void restore(std::span<const double> state);
+  std::string name() const override { return "closing elements"; }
+  void exchange(const Exchange& at, std::span<SupportLoad> loads) override;
+  std::vector<double> state() const override;
+  void restore(std::span<const double> state) override;
 
 private:
   struct Element {
+    std::size_t face = 0;
     Vector normal;
-    bool across = false; ///< the free field's waves go across the face, not along it
-    Vector impedance;    ///< Z, Pa s/m
-    Vector delay;        ///< b h/c, s
-    Vector mass;         ///< kg/m2
-  };
-  struct State {
+    bool across = false;  ///< the free field's waves go across the face, not along it
+    Vector impedance;     ///< Z, Pa s/m
+    Vector delay;         ///< b h/c, s
     Vector of_soil;       ///< -F of the soil's motion, Pa
     Vector of_free_field; ///< F of the free field's, Pa
     Vector load;          ///< Z v* at the last time, Pa
     Vector rate;          ///< its rate half a step before that, Pa/s
-    Vector pull;          ///< what the free field adds to the traction, Pa
   };
 
   std::vector<Element> elements_;
-  std::vector<State> state_;
   bool started_ = false;
   double time_ = 0.0; ///< s
 };

@@ -17,18 +17,10 @@
 //
 // Work is that of the frame: the base itself does none, and inertia does -m dV/dt . v.
 
-#include "mpm_domain/fields/node_fields.hpp"
+#include "mpm_domain/boundary/support.hpp"
 #include "mpm_domain/ranks/exact_sum.hpp"
-#include "mpm_domain/spec/lattice.hpp"
-#include "mpm_domain/spec/vector.hpp"
-
-#include <span>
-#include <vector>
 
 namespace tremolo::mpm_domain {
-
-struct Ground;
-class Ticks;
 
 /// Motion of the base at one time, in the directions of the axes.
 struct BaseMotion {
@@ -37,32 +29,35 @@ struct BaseMotion {
   Vector acceleration; ///< m/s2
 };
 
-class RigidBase {
+class RigidBase final : public Support {
 public:
-  /// Finds the nodes that are held, on the present extent of the grid.
-  void follow_sort(const Ground& ground);
+  static bool is_wanted(const Ground& ground);
+  RigidBase(const Ground& ground, std::span<BoundaryFace> faces);
 
+  std::string name() const override { return "rigid base"; }
+  /// Finds the nodes that are held, on the present extent of the grid.
+  void follow_sort(const Ground& ground) override;
+  /// The base has the velocity of the free field at t_n, from which a step begins.
+  void exchange(const Exchange& at, std::span<SupportLoad> loads) override;
+  /// It takes momentum off the nodes that it holds, and gives inertia, -m dV/dt, to all others in the place
+  /// of tractions.
+  std::vector<Pass> passes(Ground& ground) override;
+  std::vector<double> state() const override;
+  void restore(std::span<const double> state) override;
+
+  /// Motion of the base at the time at which particles' velocities and places are told, half a step before
+  /// the end of the step just made.
+  BaseMotion motion() const;
+
+private:
   /// Takes momentum, and with it velocity, off the nodes that are held.
   void stop(NodeFields& nodes) const;
-
-  /// The base has this velocity (m/s) at t_n, from which a step of dt (s) begins.
-  void move(Vector velocity, double dt, int clocks);
   /// Adds the inertia of a clock's kick to the forces of its nodes, in these rows, that are free.
   void push(Ground& ground, const Ticks& ticks, int clock, std::span<const NodeRange> rows);
   /// Power (W/m) of that inertia on the mean velocity of an update; the sum of one rank.
   ExactSums<1> power(Ground& ground, int clock, std::span<const NodeRange> rows) const;
   /// Likewise on the difference between v+ and the remapped velocity.
   ExactSums<1> remap_power(Ground& ground, int clock, std::span<const NodeRange> rows) const;
-
-  /// Motion of the base at the time at which particles' velocities and places are told, half a step before
-  /// the end of the step just made.
-  BaseMotion motion() const;
-
-  std::vector<double> state() const;
-  /// @throws std::invalid_argument for the state of something else
-  void set_state(std::span<const double> state);
-
-private:
   /// Base and walls take up the forces on the nodes that they hold.
   void bear(NodeFields& nodes) const;
 

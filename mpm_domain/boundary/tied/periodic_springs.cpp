@@ -1,4 +1,4 @@
-#include "mpm_domain/boundary/periodic_springs.hpp"
+#include "mpm_domain/boundary/tied/periodic_springs.hpp"
 
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/spec/limits.hpp"
@@ -37,7 +37,11 @@ Vector displacement(const Ground& ground, const BoundaryFace& face) {
 
 } // namespace
 
-PeriodicSprings::PeriodicSprings(const Ground& ground, std::span<const BoundaryFace> faces) {
+bool PeriodicSprings::is_wanted(const Ground& ground) {
+  return ground.spec.sides == Sides::periodic_springs;
+}
+
+PeriodicSprings::PeriodicSprings(const Ground& ground, std::span<BoundaryFace> faces) {
   const std::size_t left = count_of(faces, Side::left);
   const std::size_t right = count_of(faces, Side::right);
   const auto refuse = [](const std::string& why) {
@@ -47,29 +51,31 @@ PeriodicSprings::PeriodicSprings(const Ground& ground, std::span<const BoundaryF
   if (left != right)
     refuse(fmt::format("there are {} on the left and {} on the right", left, right));
   for (std::size_t f = 0; f < left; ++f) {
-    const BoundaryFace& a = faces[f];
-    const BoundaryFace& b = faces[left + f];
+    BoundaryFace& a = faces[f];
+    BoundaryFace& b = faces[left + f];
     if (std::abs(a.position.y - b.position.y) > 1e-6 * a.length ||
         std::abs(a.length - b.length) > 1e-6 * a.length)
       refuse(fmt::format("the one at y = {:.6g} m, {:.6g} m high, has none like it", a.position.y, a.length));
     stiffness_.push_back(std::min(stiffness_of(ground, a), stiffness_of(ground, b)));
+    for (BoundaryFace* face : {&a, &b}) {
+      face->behind.has_dashpots = false;
+      face->behind.is_tied = true;
+    }
   }
 }
 
-void PeriodicSprings::pull(const Ground& ground, std::span<const BoundaryFace> faces,
-                           std::span<const Vector> v, std::span<Vector> traction,
-                           std::span<eq6::FreeField> field) const {
+void PeriodicSprings::exchange(const Exchange& at, std::span<SupportLoad> loads) {
   const std::size_t pairs = stiffness_.size();
   for (std::size_t left = 0; left < pairs; ++left) {
     const std::size_t right = pairs + left;
-    const Vector u_left = displacement(ground, faces[left]);
-    const Vector u_right = displacement(ground, faces[right]);
+    const Vector u_left = displacement(at.ground, at.faces[left]);
+    const Vector u_right = displacement(at.ground, at.faces[right]);
     const Vector pull = {stiffness_[left] * (u_right.x - u_left.x),
                          stiffness_[left] * (u_right.y - u_left.y)};
-    traction[left] = pull;
-    traction[right] = {-pull.x, -pull.y};
-    field[left] = {v[right], {}};
-    field[right] = {v[left], {}};
+    loads[left].driven = pull;
+    loads[right].driven = {-pull.x, -pull.y};
+    at.field[left] = {at.seen[right], {}};
+    at.field[right] = {at.seen[left], {}};
   }
 }
 

@@ -1,4 +1,6 @@
-#include "mpm_domain/boundary/ground_springs.hpp"
+#include "mpm_domain/boundary/springs/ground_springs.hpp"
+
+#include "mpm_domain/ground.hpp"
 
 #include <fmt/format.h>
 
@@ -22,13 +24,18 @@ double rate_of(double stiffness, double impedance) {
 
 } // namespace
 
-GroundSprings::GroundSprings(std::span<const BoundaryFace> faces, const Spec& spec) {
+bool GroundSprings::is_wanted(const Ground& ground) {
+  return !ground.spec.springs.empty();
+}
+
+GroundSprings::GroundSprings(const Ground& ground, std::span<BoundaryFace> faces) {
+  const Spec& spec = ground.spec;
   of_face_.assign(faces.size(), none);
+  std::size_t next_own = faces.size();
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const BoundaryFace& face = faces[f];
+    BoundaryFace& face = faces[f];
     const auto of_side = std::ranges::find(spec.springs, face.side, &SideSprings::side);
-    if (of_side == spec.springs.end() ||
-        (face.support != Support::dashpots && face.support != Support::closing_element))
+    if (of_side == spec.springs.end() || !face.behind.has_dashpots)
       continue;
     const auto& [side, across, along, centre, lags, own_field] = *of_side;
     // Where the model repeats itself, what bears on it does too, and no place along the base is nearer to it.
@@ -39,9 +46,10 @@ GroundSprings::GroundSprings(std::span<const BoundaryFace> faces, const Spec& sp
     const double modulus = s * s / face.density; // G
     const double k_n = across * modulus / distance;
     const double k_t = along * modulus / distance;
+    face.behind.has_own_field = own_field;
     of_face_[f] = springs_.size();
     springs_.push_back({.face = f,
-                        .field = own_field ? faces.size() + more_fields_++ : f,
+                        .field = own_field ? next_own++ : f,
                         .length = face.length,
                         .stiffness = by_direction(normal, k_n, k_t),
                         .lags = lags,
@@ -49,28 +57,29 @@ GroundSprings::GroundSprings(std::span<const BoundaryFace> faces, const Spec& sp
   }
 }
 
-double GroundSprings::move(double time, std::span<const Vector> v, std::span<const eq6::FreeField> field) {
-  const double dt = started_ ? time - time_ : 0.0;
-  double work = 0.0;
+void GroundSprings::exchange(const Exchange& at, std::span<SupportLoad> loads) {
+  const double dt = started_ ? at.time - time_ : 0.0;
+  work_ = 0.0;
   for (Spring& spring : springs_) {
-    const Vector now = field[spring.field].velocity;
+    const Vector now = at.field[spring.field].velocity;
     const Vector last = started_ ? spring.field_velocity : now;
     const Vector strained = spring.strained;
-    const Vector moves{dt * (v[spring.face].x - 0.5 * (last.x + now.x)),
-                       dt * (v[spring.face].y - 0.5 * (last.y + now.y))};
+    const Vector v = at.mean[spring.face];
+    const Vector moves{dt * (v.x - 0.5 * (last.x + now.x)), dt * (v.y - 0.5 * (last.y + now.y))};
     const Vector lag{spring.moved.x - strained.x, spring.moved.y - strained.y};
     spring.moved = {spring.moved.x + moves.x, spring.moved.y + moves.y};
     spring.strained =
         spring.lags ? Vector{strained.x + dt * spring.rate.x * lag.x, strained.y + dt * spring.rate.y * lag.y}
                     : spring.moved;
     spring.field_velocity = now;
-    work += 0.5 * spring.length *
-            (spring.stiffness.x * (strained.x + spring.strained.x) * moves.x +
-             spring.stiffness.y * (strained.y + spring.strained.y) * moves.y);
+    work_ += 0.5 * spring.length *
+             (spring.stiffness.x * (strained.x + spring.strained.x) * moves.x +
+              spring.stiffness.y * (strained.y + spring.strained.y) * moves.y);
+    loads[spring.face].spring = traction(spring.face);
+    loads[spring.face].far_end = now;
   }
   started_ = true;
-  time_ = time;
-  return work;
+  time_ = at.time;
 }
 
 Vector GroundSprings::traction(std::size_t face) const {
@@ -78,10 +87,6 @@ Vector GroundSprings::traction(std::size_t face) const {
     return {};
   const Spring& spring = springs_[of_face_[face]];
   return {-spring.stiffness.x * spring.strained.x, -spring.stiffness.y * spring.strained.y};
-}
-
-Vector GroundSprings::field_velocity(std::size_t face) const {
-  return holds(face) ? springs_[of_face_[face]].field_velocity : Vector{};
 }
 
 Vector GroundSprings::displacement(std::size_t face) const {

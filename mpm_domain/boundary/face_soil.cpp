@@ -1,5 +1,6 @@
-#include "mpm_domain/boundary/boundary_share.hpp"
+#include "mpm_domain/boundary/face_soil.hpp"
 
+#include "mpm_domain/boundary/for_faces.hpp"
 #include "mpm_domain/ground.hpp"
 
 #include <algorithm>
@@ -65,20 +66,37 @@ std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const Bounda
 
 } // namespace
 
-BoundaryShare::BoundaryShare(const Ground& ground, std::span<const BoundaryFace> faces)
-    : faces_(owners_of_faces(ground, faces), *ground.share->ranks) {
-  std::vector<FaceSoil> soil(faces.size());
-  tell_all(*ground.share->ranks, numbers_, told_soil(ground, faces, faces_, soil));
-  nodes_ = nodes_near(ground, faces, soil);
+void SoilAtFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace> faces) {
+  if (!ground.share || faces.empty())
+    return;
+  Communicator& ranks = *ground.share->ranks;
+  faces_ = SharedList(owners_of_faces(ground, faces), ranks);
+  soil_.resize(faces.size());
+  tell_all(ranks, numbers_, told_soil(ground, faces, faces_, soil_));
+  nodes_ = nodes_near(ground, faces, soil_);
   const auto columns = static_cast<std::size_t>(ground.grid.nx);
   std::vector<int> owner;
   for (const std::size_t node : nodes_)
     owner.push_back(ground.share->owner(
         ground.tiles.tile_of(0, static_cast<int>(node % columns), static_cast<int>(node / columns))));
-  sums_ = SharedList(owner, *ground.share->ranks);
+  sums_ = SharedList(owner, ranks);
 }
 
-void BoundaryShare::tell(Ground& ground, std::span<const BoundaryFace> faces, std::span<FaceSoil> soil) {
+void SoilAtFaces::read(Ground& ground, std::span<BoundaryFace> faces) {
+  if (!ground.share && !ground.has_pore_pressure())
+    return;
+  soil_.resize(faces.size());
+  if (ground.share)
+    tell(ground, faces);
+  else
+    for_faces(ground.workers, faces.size(),
+              [&](std::size_t f) { soil_[f] = soil_at(faces[f], ground.sets[faces[f].set]); });
+  if (ground.has_pore_pressure())
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      faces[f].length = soil_[f].length;
+}
+
+void SoilAtFaces::tell(Ground& ground, std::span<const BoundaryFace> faces) {
   NodeFields& grid = ground.grid;
   std::vector<NodeField*> fields;
   for (const SumRange& range : scattered_sums(ground.grid.traits))
@@ -93,7 +111,7 @@ void BoundaryShare::tell(Ground& ground, std::span<const BoundaryFace> faces, st
                     for (NodeField* field : fields)
                       (*field)[nodes_[n]] = *numbers++;
                   }};
-  tell_all(*ground.share->ranks, numbers_, told_soil(ground, faces, faces_, soil), sums);
+  tell_all(*ground.share->ranks, numbers_, told_soil(ground, faces, faces_, soil_), sums);
 }
 
 } // namespace tremolo::mpm_domain

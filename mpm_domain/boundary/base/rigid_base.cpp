@@ -1,4 +1,4 @@
-#include "mpm_domain/boundary/rigid_base.hpp"
+#include "mpm_domain/boundary/base/rigid_base.hpp"
 
 #include "mpm_domain/clocks/ticks.hpp"
 #include "mpm_domain/ground.hpp"
@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -15,7 +16,7 @@ namespace tremolo::mpm_domain {
 namespace {
 
 Vector after(Vector start, double time, Vector rate) {
-  return {start.x + time * rate.x, start.y + time * rate.y};
+  return {std::fma(time, rate.x, start.x), std::fma(time, rate.y, start.y)};
 }
 
 /// Sum over the nodes of these rows.
@@ -30,6 +31,17 @@ ExactSums<1> sum_over(Ground& ground, std::span<const NodeRange> rows, const OfN
 }
 
 } // namespace
+
+bool RigidBase::is_wanted(const Ground& ground) {
+  return ground.spec.rigid_base;
+}
+
+RigidBase::RigidBase(const Ground& ground, std::span<BoundaryFace> faces) {
+  for (BoundaryFace& face : faces)
+    face.behind.has_dashpots = false;
+  seen_.resize(static_cast<std::size_t>(ground.clocks.count()));
+  follow_sort(ground);
+}
 
 void RigidBase::follow_sort(const Ground& ground) {
   all_.clear();
@@ -58,14 +70,14 @@ void RigidBase::bear(NodeFields& nodes) const {
     nodes.force_x[n] = 0.0;
 }
 
-void RigidBase::move(Vector velocity, double dt, int clocks) {
+void RigidBase::exchange(const Exchange& at, std::span<SupportLoad>) {
+  const Vector velocity = at.field.front().velocity;
   if (dt_ > 0.0) {
     displacement_ = after(displacement_, dt_, seen_.front().velocity);
     rate_ = {(velocity.x - told_.x) / dt_, (velocity.y - told_.y) / dt_};
   }
-  seen_.resize(static_cast<std::size_t>(clocks));
   told_ = velocity;
-  dt_ = dt;
+  dt_ = at.dt;
 }
 
 void RigidBase::push(Ground& ground, const Ticks& ticks, int clock, std::span<const NodeRange> rows) {
@@ -104,8 +116,6 @@ ExactSums<1> RigidBase::remap_power(Ground& ground, int clock, std::span<const N
 }
 
 BaseMotion RigidBase::motion() const {
-  if (seen_.empty())
-    return {};
   const auto& [velocity, acceleration] = seen_.front();
   return {after(displacement_, 0.5 * dt_, velocity), velocity, acceleration};
 }
@@ -117,7 +127,7 @@ std::vector<double> RigidBase::state() const {
   return state;
 }
 
-void RigidBase::set_state(std::span<const double> state) {
+void RigidBase::restore(std::span<const double> state) {
   constexpr std::size_t own = 7;
   constexpr std::size_t by_clock = 4;
   if (state.size() < own || (state.size() - own) % by_clock != 0)

@@ -22,47 +22,31 @@
 //
 // in each direction; with tau <= rho c/k it only takes up energy at every frequency.
 
-#include "mpm_domain/boundary/boundary_faces.hpp"
-
-#include <span>
-#include <vector>
+#include "mpm_domain/boundary/support.hpp"
 
 namespace tremolo::mpm_domain {
 
-class GroundSprings {
+class GroundSprings final : public Support {
 public:
-  /// Puts the spec's springs behind the faces that have dashpots or closing elements.
-  GroundSprings(std::span<const BoundaryFace> faces, const Spec& spec);
+  static bool is_wanted(const Ground& ground);
+  /// Puts the spec's springs beside the dashpots that faces have.
+  GroundSprings(const Ground& ground, std::span<BoundaryFace> faces);
 
-  bool any() const { return !springs_.empty(); }
+  std::string name() const override { return "ground springs"; }
+  void exchange(const Exchange& at, std::span<SupportLoad> loads) override;
+  /// All of it is stored but for what a lag dissipates.
+  double work() const override { return work_; }
+  std::vector<double> state() const override;
+  void restore(std::span<const double> state) override;
+
   /// Whether a face has springs.
   bool holds(std::size_t face) const { return of_face_[face] != none; }
-  /// Whether they move against a free field that the face's dashpots do not see.
-  bool has_own_field(std::size_t face) const { return holds(face) && springs_[of_face_[face]].field != face; }
-  /// Free fields that a source gives behind those of the faces: one for each face of the base whose springs
-  /// move against another field than its dashpots.
-  std::size_t more_fields() const { return more_fields_; }
-
-  /// Goes on to a time (s).
-  /// @param v      of the grains at all faces, mean since the last time, m/s
-  /// @param field  of all faces at that time, and more_fields()
-  /// @returns the work that the springs have taken up since the last time, J/m: all of it is stored but for
-  /// what a lag dissipates
-  double move(double time, std::span<const Vector> v, std::span<const eq6::FreeField> field);
-
   /// f^spr on a face, Pa; zero without springs.
   Vector traction(std::size_t face) const;
-  /// v^ff that the springs of a face move against, m/s.
-  Vector field_velocity(std::size_t face) const;
   /// d of a face, m; zero without springs.
   Vector displacement(std::size_t face) const;
   /// k of a face by direction, Pa/m.
   Vector stiffness(std::size_t face) const;
-
-  /// All that changes with time, for a checkpoint.
-  std::vector<double> state() const;
-  /// @throws std::invalid_argument for the state of another boundary
-  void restore(std::span<const double> state);
 
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -81,7 +65,7 @@ private:
 
   std::vector<Spring> springs_;
   std::vector<std::size_t> of_face_; ///< by face: its spring, or none
-  std::size_t more_fields_ = 0;
+  double work_ = 0.0;                ///< J/m
   bool started_ = false;
   double time_ = 0.0; ///< s
 };

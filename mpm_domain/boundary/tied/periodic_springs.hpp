@@ -14,26 +14,21 @@
 // seam gives way as 0.4 cells more would, an error of first order in h, where the wrapped grid
 // (periodic_sides.hpp) has none.
 
-#include "mpm_domain/boundary/boundary_faces.hpp"
-
-#include <span>
-#include <vector>
+#include "mpm_domain/boundary/support.hpp"
 
 namespace tremolo::mpm_domain {
 
-class PeriodicSprings {
+class PeriodicSprings final : public Support {
 public:
+  static bool is_wanted(const Ground& ground);
   /// Ties the sides of a domain at rest.
   /// @throws std::invalid_argument where the particles along the sides do not face each other
-  PeriodicSprings(const Ground& ground, std::span<const BoundaryFace> faces);
+  PeriodicSprings(const Ground& ground, std::span<BoundaryFace> faces);
 
-  /// Faces of the sides; they stand before those of the base.
-  std::size_t face_count() const { return 2 * stiffness_.size(); }
-
-  /// Sets what the springs add to the static tractions of the sides' faces, Pa, and as the free field of each
-  /// what it meets beyond the seam: the velocity of the opposite face among those of all faces, m/s.
-  void pull(const Ground& ground, std::span<const BoundaryFace> faces, std::span<const Vector> v,
-            std::span<Vector> traction, std::span<eq6::FreeField> field) const;
+  std::string name() const override { return "springs between the sides"; }
+  /// Sets the free field of the sides' faces too: what each meets beyond the seam, the velocity of the
+  /// opposite face.
+  void exchange(const Exchange& at, std::span<SupportLoad> loads) override;
 
 private:
   std::vector<double> stiffness_; ///< of a pair, Pa/m, upwards

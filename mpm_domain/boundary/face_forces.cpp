@@ -1,0 +1,223 @@
+#include "mpm_domain/boundary/face_forces.hpp"
+
+#include "mpm_domain/boundary/for_faces.hpp"
+#include "mpm_domain/ground.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// A clock for each level of cells.
+constexpr std::size_t most_clocks = mesh::finest_level_allowed + 1;
+
+/// Impulses of a clock given to a node of a faster one within one of its steps: the factor on the force.
+double impulse_factor(int node_clock, int clock) {
+  return static_cast<double>(1 << (node_clock - clock));
+}
+
+/// The part of Eq. (6) that moves with the face, and the springs beside it, Pa.
+Vector moving_part(const eq6::Traction& eq6, const SupportLoad& support) {
+  return {eq6.viscous.x + eq6.dynamic.x + support.spring.x, eq6.viscous.y + eq6.dynamic.y + support.spring.y};
+}
+
+/// Adds the work of a face in an update.
+/// @param v_of   of its nodes by clock, mean over the update, m/s
+/// @param kicks  time that the forces of a clock have acted for, s
+void add_work_of_face(std::size_t f, const FaceLoads& loads, const Ticks& ticks, std::span<const Vector> v_of,
+                      std::span<const double> kicks, BoundaryWork& work) {
+  const BoundaryFace& face = loads.faces[f];
+  const auto& [viscous, dynamic, held] = loads.eq6[f];
+  const SupportLoad& support = loads.supports[f];
+  const int of_face = loads.motion.clock(f);
+  const double steady = ticks.steady_share(of_face) * face.length;
+  Vector v_all;    // of all nodes that are due
+  Vector v_moving; // of those that the moving part acts on
+  for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
+    const Vector& v = v_of[static_cast<std::size_t>(clock)];
+    v_all = {v_all.x + v.x, v_all.y + v.y};
+    if (clock >= of_face)
+      v_moving = {v_moving.x + v.x, v_moving.y + v.y};
+    work.held += kicks[static_cast<std::size_t>(clock)] * steady * dot(held, v);
+  }
+  if (loads.motion.is_due(ticks, f)) {
+    const double impulse = kicks[static_cast<std::size_t>(of_face)] * face.length;
+    const double own = dot(eq6::viscous_traction(face.dashpots(), loads.motion.velocity(f)), v_moving);
+    work.dashpots += impulse * own;
+    work.input += impulse * (dot({viscous.x + dynamic.x, viscous.y + dynamic.y}, v_moving) - own);
+    // Springs keep what the free field gives to their far ends less what they give to the nodes.
+    const double given = impulse * dot(support.spring, support.far_end);
+    work.input += given;
+    work.transfer -= given - impulse * dot(support.spring, v_moving);
+  }
+  if (ticks.is_first()) {
+    work.dashpots += kicks[0] * face.length * dot(support.own, v_all);
+    work.input += kicks[0] * face.length * dot(support.driven, v_all);
+  }
+}
+
+} // namespace
+
+void FaceForces::follow_sort(const Ground& ground) {
+  const std::size_t nodes = ground.grid.size();
+  if (nodes_.restart(nodes))
+    for (NodeField* field : {&on_nodes_x_, &on_nodes_y_})
+      field->assign(nodes, 0.0);
+  dashpots_.resize(static_cast<std::size_t>(ground.clocks.count()), ConsistentDashpots(nodes_));
+  for (ConsistentDashpots& dashpots : dashpots_)
+    dashpots.fit(nodes);
+}
+
+void FaceForces::add(Step& step, const FaceLoads& loads) {
+  Grid& grid = step.ground.grid;
+  const Ticks& ticks = step.ticks;
+  const std::span<const FaceWeights> weights = loads.motion.weights();
+  nodes_.add(weights);
+  nodes_.add(loads.lean.weights());
+  const auto clocks = static_cast<std::size_t>(ticks.clocks());
+  if (ticks.first_due() > 0)
+    std::ranges::fill(loads_, Load{}); // for clocks that are not due
+  loads_.resize(weights.size() * clocks);
+  for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock)
+    find(clock, ticks, loads);
+  const bool one_clock = step.nodes.one_clock();
+  const auto is_due = [&](std::size_t n) { return one_clock || step.nodes.clock_of(n) >= ticks.first_due(); };
+  step.ground.workers.run(2, [&](std::size_t component) {
+    const auto spread_along = [&](double Vector::*axis, NodeField& boundary, NodeField& force,
+                                  NodeField& dashpot) {
+      for (const std::size_t n : nodes_.all())
+        if (is_due(n))
+          boundary[n] = 0.0;
+      for (std::size_t f = 0; f < weights.size(); ++f) {
+        const Load* const of_face = &loads_[f * clocks];
+        for (const auto& [node, w] : weights[f]) {
+          const Load& load = of_face[one_clock ? 0 : step.nodes.clock_of(node)];
+          boundary[node] += w * load.force.*axis;
+          dashpot[node] += w * load.dashpot.*axis;
+        }
+      }
+      for (std::size_t e = 0; e < loads.lean.edges().size(); ++e)
+        for (const auto& [node, w] : loads.lean.weights()[e])
+          boundary[node] += w * loads.lean.edges()[e].on_soil.*axis;
+      for (const std::size_t n : nodes_.all())
+        if (is_due(n))
+          force[n] += boundary[n];
+    };
+    if (component == 0)
+      spread_along(&Vector::x, on_nodes_x_, grid.force_x, grid.dashpot_x);
+    else
+      spread_along(&Vector::y, on_nodes_y_, grid.force_y, grid.dashpot_y);
+  });
+  correct_dashpots(step, loads);
+}
+
+/// Computes the loads of all faces on their nodes of a clock that is due at this tick.
+void FaceForces::find(int clock, const Ticks& ticks, const FaceLoads& loads) {
+  const auto clocks = static_cast<std::size_t>(ticks.clocks());
+  const double reacts = ticks.is_first() ? impulse_factor(clock, 0) : 0.0;
+  // A mass m_L that moves with the node adds m_L to m in (m + dt C/2) (v+ - v-) = dt f: it is a dashpot C = 2
+  // m_L/dt that is not in f.
+  const double per_kick = 2.0 / ticks.kick_of(clock);
+  std::array<double, most_clocks> steady{};
+  for (int of_face = 0; of_face < ticks.clocks(); ++of_face)
+    steady[static_cast<std::size_t>(of_face)] = ticks.steady_share(of_face);
+  for (std::size_t f = 0; f < loads.faces.size(); ++f) {
+    const BoundaryFace& face = loads.faces[f];
+    const int of_face = loads.motion.clock(f);
+    // A node of a slower clock that the face has come to touch since the first tick waits for the next one.
+    const double moves =
+        loads.motion.is_due(ticks, f) && clock >= of_face ? impulse_factor(clock, of_face) : 0.0;
+    const double holds = steady[static_cast<std::size_t>(of_face)];
+    const Vector z = dashpot_diagonal(face);
+    const Vector inertia{per_kick * face.behind.moving_mass.x, per_kick * face.behind.moving_mass.y};
+    const double l = face.length;
+    const Vector moving = moving_part(loads.eq6[f], loads.supports[f]);
+    const Vector reaction = loads.supports[f].reaction();
+    const Vector held = loads.eq6[f].held;
+    loads_[f * clocks + static_cast<std::size_t>(clock)] = {
+        {l * (moves * moving.x + reacts * reaction.x + holds * held.x),
+         l * (moves * moving.y + reacts * reaction.y + holds * held.y)},
+        {l * (moves * z.x + inertia.x), l * (moves * z.y + inertia.y)}};
+  }
+}
+
+/// Faces whose nodes are all of one clock have consistent dashpots; the few others stay lumped.
+void FaceForces::correct_dashpots(Step& step, const FaceLoads& loads) {
+  const Ticks& ticks = step.ticks;
+  const std::span<const FaceWeights> all = loads.motion.weights();
+  if (ticks.clocks() == 1)
+    return dashpots_.front().correct(step.ground, loads.faces, all, ticks.kick_of(0));
+  consistent_.resize(dashpots_.size());
+  for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
+    std::vector<FaceWeights>& weights = consistent_[static_cast<std::size_t>(clock)];
+    weights.assign(all.size(), {});
+    for (std::size_t f = 0; f < all.size(); ++f)
+      if (std::ranges::all_of(all[f],
+                              [&](const FaceWeight& w) { return step.nodes.clock_of(w.node) == clock; }))
+        weights[f] = all[f];
+    dashpots_[static_cast<std::size_t>(clock)].correct(step.ground, loads.faces, weights,
+                                                       ticks.kick_of(clock));
+  }
+}
+
+BoundaryWork FaceForces::work(Step& step, const FaceLoads& loads) const {
+  const Grid& grid = step.ground.grid;
+  const Ticks& ticks = step.ticks;
+  const bool one_clock = step.nodes.one_clock();
+  const std::span<const FaceWeights> weights = loads.motion.weights();
+  std::array<double, most_clocks> kicks{};
+  for (int clock = 0; clock < ticks.clocks(); ++clock)
+    kicks[static_cast<std::size_t>(clock)] = ticks.kick_of(clock);
+  std::vector<BoundaryWork> works((weights.size() + faces_per_task - 1) / faces_per_task);
+  for_portions_of_faces(step.ground.workers, weights.size(), [&](std::size_t first, std::size_t end) {
+    std::array<Vector, most_clocks> v_of;
+    BoundaryWork& work = works[first / faces_per_task];
+    for (std::size_t f = first; f < end; ++f) {
+      std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
+      for (const auto& [node, w] : weights[f]) {
+        Vector& v = v_of[one_clock ? 0 : static_cast<std::size_t>(step.nodes.clock_of(node))];
+        const double half = 0.5 * w;
+        v.x += half * (grid.vx_before[node] + grid.vx_after[node]);
+        v.y += half * (grid.vy_before[node] + grid.vy_after[node]);
+      }
+      add_work_of_face(f, loads, ticks, v_of, kicks, work);
+    }
+  });
+  BoundaryWork total;
+  for (const BoundaryWork& work : works)
+    total += work;
+  total.input += ticks.kick_of(0) * loads.lean.power(grid);
+  for (int clock = ticks.first_due(); clock < static_cast<int>(dashpots_.size()); ++clock) {
+    const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
+    total.dashpots +=
+        0.5 * ticks.kick_of(clock) *
+        (dashpots.power(grid.vx_before, grid.vy_before) + dashpots.power(grid.vx_after, grid.vy_after));
+  }
+  return total;
+}
+
+void FaceForces::take_off_remap_power(Step& step, int clock) const {
+  Ground& ground = step.ground;
+  const Grid& grid = ground.grid;
+  const auto of_clock = static_cast<std::size_t>(clock);
+  const ConsistentDashpots* const dashpots = of_clock < dashpots_.size() ? &dashpots_[of_clock] : nullptr;
+  const std::span<const std::size_t> all = nodes_.all();
+  constexpr std::size_t nodes_per_task = 256;
+  std::vector<ExactSum> parts((all.size() + nodes_per_task - 1) / nodes_per_task);
+  ground.workers.run(parts.size(), [&](std::size_t task) {
+    const std::size_t first = task * nodes_per_task;
+    for (const std::size_t n : all.subspan(first, std::min(nodes_per_task, all.size() - first))) {
+      if (step.nodes.clock_of(n) != clock || !ground.counts({n, n + 1}))
+        continue;
+      const Vector corrected = dashpots ? dashpots->force_on(n) : Vector{};
+      parts[task].add((on_nodes_x_[n] + corrected.x) * (grid.vx_strain[n] - grid.vx_after[n]) +
+                      (on_nodes_y_[n] + corrected.y) * (grid.vy_strain[n] - grid.vy_after[n]));
+    }
+  });
+  for (const ExactSum& part : parts)
+    step.remap_power[of_clock][0] += part;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,45 @@
+#pragma once
+
+// The soil at the faces: where it is, and its stress and pore pressure.
+//
+// Ranks that share a domain tell each other of it. Faces and their nodes are few, and the consistent dashpots
+// tie every node to its neighbours along the side. So every rank works out all of the boundary, with the same
+// bits: for that it is told where the particles of all faces are, and the sums at all nodes that faces may
+// touch until the next sort.
+
+#include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/fields/node_fields.hpp"
+#include "mpm_domain/ranks/shared_list.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+class SoilAtFaces {
+public:
+  /// After a sort: finds what ranks tell each other until the next one; to be called by all of them.
+  void follow_sort(const Ground& ground, std::span<const BoundaryFace> faces);
+  /// After a scatter: reads the soil. Ranks tell each other of it, and of the sums at the shared nodes, in
+  /// one message. Where there is pore water faces become as long as their soil. Places are all that dry soil
+  /// needs of its faces: nothing is read where no ranks share it.
+  void read(Ground& ground, std::span<BoundaryFace> faces);
+
+  /// By face, where there is pore water or where ranks share the domain; else empty.
+  std::span<const FaceSoil> all() const { return soil_; }
+  /// Rising; none without ranks.
+  std::span<const std::size_t> shared_nodes() const { return nodes_; }
+
+private:
+  void tell(Ground& ground, std::span<const BoundaryFace> faces);
+
+  std::vector<FaceSoil> soil_;
+  SharedList faces_;
+  std::vector<std::size_t> nodes_;
+  SharedList sums_; ///< at nodes_
+  std::vector<double> numbers_;
+};
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,73 @@
+#pragma once
+
+// What stands behind faces of the domain, in place of the dashpots of Eq. (6) or beside them: it takes up the
+// waves that the domain scatters, or holds what comes to bear on the ground beyond. supports.cpp lists the
+// kinds that there are. One is made for a domain at rest, claims its faces, and from then on is moved by each
+// exchange of the free field and exerts tractions,
+//
+//     own      on the soil by its own motion: its work is that of dashpots
+//     driven   on the soil by the free field: its work is input
+//     spring   of springs whose far ends move with the free field, f^spr: f^spr . v^ff is input
+//
+// The first two belong to clock 0, whose ticks they give impulses at; that of springs is held over the step
+// of its face, as the moving part of Eq. (6) is. Whatever else a support does in a step is a pass of its own.
+
+#include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/passes/pass.hpp"
+#include "mpm_domain/tiles/worker_pool.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// The exchange of a step, at its first tick. Spans are over all faces.
+struct Exchange {
+  const Ground& ground;
+  WorkerPool& workers;
+  std::span<const BoundaryFace> faces;
+  double time = 0.0;                 ///< s
+  double dt = 0.0;                   ///< of the step that begins, s
+  std::span<const Vector> seen;      ///< v^m as dashpots see it (face_motion.hpp), m/s
+  std::span<const Vector> seen_mean; ///< its mean over the ticks since the last exchange, m/s
+  std::span<const Vector> mean;      ///< that of v-, of grains and water together, m/s
+  /// Of this time; fields that faces have to themselves stand behind, in the order of these faces.
+  std::span<eq6::FreeField> field;
+};
+
+/// What supports exert on a face, Pa.
+struct SupportLoad {
+  Vector own, driven, spring;
+  Vector far_end; ///< velocity of the far ends of springs, m/s
+
+  Vector reaction() const { return {own.x + driven.x, own.y + driven.y}; }
+};
+
+class Support {
+public:
+  Support() = default;
+  Support(const Support&) = delete;
+  Support& operator=(const Support&) = delete;
+  virtual ~Support() = default;
+
+  /// Of its state in a checkpoint, and of its time where that is told.
+  virtual std::string name() const = 0;
+  /// Whether its time in the exchange is told by itself, not as part of that of the exchange.
+  virtual bool is_timed() const { return false; }
+  /// After a sort: the grid may have grown.
+  virtual void follow_sort(const Ground&) {}
+  /// Goes on to the time of an exchange, and leaves what it exerts from then on.
+  virtual void exchange(const Exchange& at, std::span<SupportLoad> loads) = 0;
+  /// What its springs have taken up from the last exchange to this one, J/m.
+  virtual double work() const { return 0.0; }
+  /// What it does in a step beside that.
+  virtual std::vector<Pass> passes(Ground&) { return {}; }
+
+  /// All that changes with time, for a checkpoint.
+  virtual std::vector<double> state() const { return {}; }
+  /// @throws std::invalid_argument for the state of another boundary
+  virtual void restore(std::span<const double>) {}
+};
+
+} // namespace tremolo::mpm_domain

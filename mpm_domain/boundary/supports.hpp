@@ -1,0 +1,54 @@
+#pragma once
+
+#include "mpm_domain/boundary/support.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// All that stands behind the faces of a domain.
+class FaceSupports {
+public:
+  FaceSupports() = default;
+  /// Puts what the spec wants behind the faces of a domain at rest, which learn what stands there.
+  /// @throws std::invalid_argument where it cannot stand there
+  FaceSupports(const Ground& ground, std::span<BoundaryFace> faces);
+
+  std::span<const std::unique_ptr<Support>> all() const { return all_; }
+  /// The one of a kind; null where there is none.
+  template <class Kind>
+  const Kind* find() const {
+    for (const auto& support : all_)
+      if (const auto* const kind = dynamic_cast<const Kind*>(support.get()))
+        return kind;
+    return nullptr;
+  }
+
+  void follow_sort(const Ground& ground);
+  /// One of them goes on to the time of an exchange.
+  void exchange(Support& support, const Exchange& at) { support.exchange(at, loads_); }
+  /// By face, as of the last exchange.
+  std::span<const SupportLoad> loads() const { return loads_; }
+  /// What all have taken up from the last exchange to this one, J/m.
+  double work() const;
+
+  /// What a checkpoint keeps between steps (state.hpp).
+  template <class Writer>
+  void save(Writer& to) const {
+    for (const auto& support : all_)
+      to.write(support->name(), support->state());
+  }
+  template <class Reader>
+  void restore(const Reader& from) {
+    for (const auto& support : all_)
+      support->restore(from.numbers(support->name()));
+  }
+
+private:
+  std::vector<std::unique_ptr<Support>> all_;
+  std::vector<SupportLoad> loads_;
+};
+
+} // namespace tremolo::mpm_domain
