@@ -10,9 +10,8 @@
 //     client.serve([&](std::size_t field,                  client.progress("gravity", step, time, end_time);
 //                      std::uint64_t step,                 client.ready(faces, start_time, end_time);
 //                      std::span<double> values) {         for (each step)
-//       ...fill values...                                    client.tractions(step, time, velocities,
-//     });                                                                     face_tractions);
-//                                                          client.finish(pass_times, particle_updates);
+//       ...fill values...                                    client.exchange(step, time, velocities);
+//     });                                                  client.finish(pass_times, particle_updates);
 //
 // All methods of a client are called from one thread. After an exception the client is good for nothing but
 // abandon(); the run has ended or will end.
@@ -93,9 +92,8 @@ private:
   bool finished_ = false;
 };
 
-/// The domain's side of the exchange. Whether Eq. (6) is evaluated here (mode window) or in the hub (mode
-/// lockstep) makes no difference to the caller, nor to a single bit of the tractions: both use
-/// FaceExchange.
+/// The domain's side of the exchange. Whether free fields are mapped to faces here (mode window) or in the
+/// hub (mode lockstep) makes no difference to the caller, nor to a single bit: both use FaceExchange.
 class DomainClient {
 public:
   /// Connects and waits until all participants are there. To be made early: a mismatch is found before any
@@ -111,35 +109,32 @@ public:
   };
 
   /// Declares the boundary and the time it will be shaken (s, on the sources' clock).
-  /// @pre called once, before the first tractions(); first as in the checkpoint that the run is resumed from
+  /// @pre called once, before the first exchange(); first as in the checkpoint that the run is resumed from
   /// @post the sources compute ahead
   /// @throws Error if a source does not exist or does not cover a face's elevation or the time
   void ready(const std::vector<ExchangedFace>& faces, double start_time, double end_time,
              const std::optional<FirstStep>& first = {});
 
-  /// What came with the tractions of a step.
+  /// What a step has brought.
   struct Exchanged {
-    std::span<const eq6::FreeField> free_field; ///< that Eq. (6) took at each face; until the next step
+    std::span<const eq6::FreeField> free_field; ///< at each face; until the next step
     double waiting_seconds = 0.0;               ///< wall time spent waiting for the exchange so far
   };
 
-  /// Eq. (6) for all faces at one time.
+  /// The free field at all faces at one time. In mode lockstep it comes with Eq. (6) as the hub evaluates it.
   /// @pre ready() was called; step is 0, or the first one, and one more every time; start_time <= time <=
-  /// end_time of ready(); time is not before that of the last step; both spans are as long as the list of
-  /// faces
+  /// end_time of ready(); time is not before that of the last step; the span is as long as the list of faces
   /// @param v_domain the domain's velocity at each face, m/s
-  /// @post tractions holds Eq. (6) of this time at each face, Pa
   /// @throws Aborted when the run was ended by another; Error if a source does not deliver within the step
-  /// deadline, or a velocity is not finite; std::logic_error where the precondition on steps and lengths does
-  /// not hold
-  Exchanged tractions(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain,
-                      std::span<eq6::Vector> tractions);
+  /// deadline, a velocity is not finite, or the hub's tractions are not those of Eq. (6) here to the last
+  /// bit; std::logic_error where the precondition on steps and lengths does not hold
+  Exchanged exchange(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain);
 
   /// Writes what the domain would go on from.
   using Save = std::function<void(results::CheckpointWriter& file)>;
 
   /// Makes the run one that can be resumed from here, by a domain that is given saved_state().
-  /// @pre ready() was called, and not between tractions() and the end of its step; the run has a folder
+  /// @pre ready() was called, and not between exchange() and the end of its step; the run has a folder
   /// @param time of the next step, s
   /// @post the domain's state is on the disk, and the hub has let the set count or has said why it cannot
   /// @throws std::runtime_error where the disk does not take it; whatever save throws
@@ -170,11 +165,12 @@ public:
 
 private:
   void wait_for_sources(std::uint64_t step, double time);
-  void wait_for_hub(std::uint64_t step, std::span<eq6::Vector> tractions);
+  void wait_for_hub(std::uint64_t step, std::span<const eq6::Vector> v_domain);
   void check_step(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain);
   void append_velocities(double time, std::span<const eq6::Vector> v_domain);
   void send_velocities();
-  void take_tractions(std::uint64_t step, std::span<const std::byte> bytes, std::span<eq6::Vector> tractions);
+  void take_tractions(std::uint64_t step, std::span<const std::byte> bytes,
+                      std::span<const eq6::Vector> v_domain);
   void take_source_frame(std::span<const std::byte> bytes);
   void grant_credits();
   void beat(const std::optional<FaceExchange::Missing>& awaited);

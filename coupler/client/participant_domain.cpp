@@ -54,20 +54,19 @@ void DomainClient::ready(const std::vector<ExchangedFace>& faces, double start_t
     grant_credits();
 }
 
-DomainClient::Exchanged DomainClient::tractions(std::uint64_t step, double time,
-                                                std::span<const eq6::Vector> v_domain,
-                                                std::span<eq6::Vector> tractions) {
+DomainClient::Exchanged DomainClient::exchange(std::uint64_t step, double time,
+                                               std::span<const eq6::Vector> v_domain) {
   const auto exchanging = timeline_.enter(mapping);
   check_step(step, time, v_domain);
   append_velocities(time, v_domain);
   if (mode_ == Mode::lockstep) {
     send_velocities();
-    wait_for_hub(step, tractions);
+    wait_for_hub(step, v_domain);
   } else {
     // What has come is taken when it is needed: until then it lies in the socket, bounded by the credit.
     if (exchange_->missing(time))
       wait_for_sources(step, time);
-    exchange_->evaluate(time, v_domain, free_field_, tractions);
+    exchange_->read(time, free_field_);
     grant_credits();
     if (batch_.size() >= batch_values || next_step_ - batch_first_step_ >= batch_steps)
       send_velocities();
@@ -77,9 +76,9 @@ DomainClient::Exchanged DomainClient::tractions(std::uint64_t step, double time,
 
 void DomainClient::check_step(std::uint64_t step, double time, std::span<const eq6::Vector> v_domain) {
   if (!exchange_)
-    throw std::logic_error("tractions() before ready()");
+    throw std::logic_error("exchange() before ready()");
   if (step != next_step_ || v_domain.size() != face_count_)
-    throw std::logic_error(fmt::format("tractions(): step {} with {} faces, expected step {} with {}", step,
+    throw std::logic_error(fmt::format("exchange(): step {} with {} faces, expected step {} with {}", step,
                                        v_domain.size(), next_step_, face_count_));
   if (!(time >= last_time_))
     connection_.fail(fmt::format("domain '{}', step {}: time {} s lies before the last one, {} s",
@@ -114,13 +113,13 @@ void DomainClient::wait_for_sources(std::uint64_t step, double time) {
   waiting_.stop();
 }
 
-void DomainClient::wait_for_hub(std::uint64_t step, std::span<eq6::Vector> tractions) {
+void DomainClient::wait_for_hub(std::uint64_t step, std::span<const eq6::Vector> v_domain) {
   waiting_.start();
   for (bool arrived = false; !arrived;) {
     if (auto incoming = await("hub")) {
       arrived = !incoming->message;
       if (arrived)
-        take_tractions(step, incoming->frame(), tractions);
+        take_tractions(step, incoming->frame(), v_domain);
       continue;
     }
     beat(std::nullopt);
@@ -136,7 +135,7 @@ void DomainClient::check_hub(const std::string& awaited) {
 }
 
 void DomainClient::take_tractions(std::uint64_t step, std::span<const std::byte> bytes,
-                                  std::span<eq6::Vector> tractions) {
+                                  std::span<const eq6::Vector> v_domain) {
   const auto decoded = decode(bytes, {.session = connection_.session(),
                                       .step = step,
                                       .count = static_cast<std::uint32_t>(layout::per_face * face_count_),
@@ -147,8 +146,13 @@ void DomainClient::take_tractions(std::uint64_t step, std::span<const std::byte>
   const auto& frame = std::get<Frame>(decoded);
   for (std::size_t i = 0; i < face_count_; ++i) {
     const auto value = frame.values<layout::per_face>(i * layout::per_face);
-    tractions[i] = {value[0], value[1]};
     free_field_[i] = {{value[2], value[3]}, {value[4], value[5], value[6]}};
+    const eq6::Vector here = exchange_->faces()[i].traction(v_domain[i], free_field_[i]);
+    if (here.x != value[0] || here.y != value[1])
+      connection_.fail(
+          fmt::format("domain '{}', step {}: the hub's traction on face {} is {:.17g}, {:.17g} Pa, Eq. (6) "
+                      "here gives {:.17g}, {:.17g} Pa: the programs of this run are of different builds",
+                      options_.name, step, i, value[0], value[1], here.x, here.y));
   }
 }
 

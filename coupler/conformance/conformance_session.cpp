@@ -69,9 +69,7 @@ void Session::shake_hands() {
 }
 
 void Session::exchange(double end_time) {
-  std::vector<eq6::Vector> v_domain(demand_.faces.size());
   std::vector<eq6::FreeField> free_field(demand_.faces.size());
-  std::vector<eq6::Vector> tractions(demand_.faces.size());
   const double step = std::ranges::min(source_.fields, {}, &FieldDescription::time_step).time_step;
   const auto count = static_cast<std::uint64_t>(std::ceil((end_time - demand_.start_time) / step));
   for (std::uint64_t n = 0; n <= count; ++n) {
@@ -81,7 +79,7 @@ void Session::exchange(double end_time) {
       wait_for(*missing);
       grant_credits();
     }
-    exchange_->evaluate(now, v_domain, free_field, tractions);
+    exchange_->read(now, free_field);
   }
   std::string counts;
   for (const auto& s : series_)

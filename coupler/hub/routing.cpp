@@ -216,14 +216,13 @@ void Routing::answer_pending_step() {
   if (watch_.domain_waits())
     return;
   std::vector<eq6::FreeField> free_field(face_count_);
-  std::vector<eq6::Vector> tractions(face_count_);
-  exchange_->evaluate(pending_->time, pending_->v_domain, free_field, tractions);
+  exchange_->read(pending_->time, free_field);
   zmq::message_t raw(frame_header_size + layout::per_face * face_count_ * sizeof(double));
   const std::span bytes(static_cast<std::byte*>(raw.data()), raw.size());
   for (std::size_t i = 0; i < face_count_; ++i) {
     const auto& [v, s] = free_field[i];
-    const std::array<double, layout::per_face> values{tractions[i].x, tractions[i].y, v.x, v.y,
-                                                      s.xx,           s.yy,           s.xy};
+    const auto [tx, ty] = exchange_->faces()[i].traction(pending_->v_domain[i], free_field[i]);
+    const std::array<double, layout::per_face> values{tx, ty, v.x, v.y, s.xx, s.yy, s.xy};
     std::memcpy(bytes.data() + frame_header_size + i * sizeof values, values.data(), sizeof values);
   }
   seal({.session = options_.session,

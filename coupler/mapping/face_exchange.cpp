@@ -131,17 +131,13 @@ std::optional<FaceExchange::Missing> FaceExchange::missing(double time) const {
   return std::nullopt;
 }
 
-void FaceExchange::evaluate(double time, std::span<const eq6::Vector> v_domain,
-                            std::span<eq6::FreeField> free_field, std::span<eq6::Vector> tractions) {
+void FaceExchange::read(double time, std::span<eq6::FreeField> free_field) {
   release_before(time);
   for (auto& [inlet, delay, which, points] : stations_)
     inlets_[inlet].history.in_time(time - delay, which, points);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     const auto& [station, first, map] = readers_[i];
     free_field[i] = in_depth(map, stations_[station].points.data() + components * first);
-    tractions[i] =
-        eq6::boundary_traction(faces_[i].dashpot, v_domain[i], free_field[i], faces_[i].static_traction)
-            .total();
   }
 }
 

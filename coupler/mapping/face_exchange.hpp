@@ -1,7 +1,7 @@
 #pragma once
 
-// Eq. (6) for all faces of the domain at one time: the histories of the fields they take, their maps, and the
-// sum. The hub owns one in mode lockstep, the domain in mode window; one implementation, so the modes cannot
+// The free field at all faces of the domain at one time: the histories of the fields they take, and their
+// maps. The hub uses one in mode lockstep, the domain in mode window; one implementation, so the modes cannot
 // differ.
 
 #include "coupler/mapping/mapping.hpp"
@@ -64,12 +64,8 @@ public:
   };
   [[nodiscard]] std::optional<Missing> missing(double time) const;
 
-  /// Evaluates Eq. (6) and releases the steps that are older than time.
-  /// @param v_domain velocities of the faces, m/s
-  /// @param free_field out: what Eq. (6) took, per face
-  /// @param tractions out, Pa
-  void evaluate(double time, std::span<const eq6::Vector> v_domain, std::span<eq6::FreeField> free_field,
-                std::span<eq6::Vector> tractions);
+  /// Reads the free field at each face and releases the steps that are older than time.
+  void read(double time, std::span<eq6::FreeField> free_field);
 
 private:
   /// Faces that read a field at one local time, as those of a vertical side do: a point that several of them

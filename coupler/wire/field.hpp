@@ -68,6 +68,11 @@ struct ExchangedFace {
   eq6::Vector static_traction; ///< what held the model at rest, Pa
   std::string source;          ///< name of the source it takes its free field from
   std::string field;           ///< which of that source's fields
+
+  /// Eq. (6) there, Pa.
+  eq6::Vector traction(eq6::Vector v_domain, const eq6::FreeField& free_field) const {
+    return eq6::boundary_traction(dashpot, v_domain, free_field, static_traction).total();
+  }
 };
 
 } // namespace tremolo::coupler

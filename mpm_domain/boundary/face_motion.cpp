@@ -3,10 +3,6 @@
 #include "mpm_domain/boundary/for_faces.hpp"
 #include "mpm_domain/ground.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 namespace tremolo::mpm_domain {
 
 namespace {
@@ -67,7 +63,7 @@ void FaceMotion::begin_step(Step& step, std::span<const BoundaryFace> faces, std
     const Vector v = velocity_at(step.ground.grid, weights_[f]);
     add_to_mean(f, v);
     mean_[f] = take_mean(f);
-    seen_[f] = kicked_.empty() ? v : without_residual(v, kicked_[f]);
+    seen_[f] = kicked_.empty() ? v : without_residual(v, {kicked_[2 * f], kicked_[2 * f + 1]});
     seen_mean_[f] = kicked_.empty() ? mean_[f] : seen_[f]; // water knows one clock
   });
   velocity_ = seen_;
@@ -84,9 +80,11 @@ void FaceMotion::go_on(Step& step, std::span<const BoundaryFace> faces, std::spa
 }
 
 void FaceMotion::see_kick(const Grid& grid) {
-  kicked_.resize(weights_.size());
-  for (std::size_t f = 0; f < weights_.size(); ++f)
-    kicked_[f] = velocity_after_at(grid, weights_[f]);
+  kicked_.clear();
+  for (const FaceWeights& weights : weights_) {
+    const Vector v = velocity_after_at(grid, weights);
+    kicked_.insert(kicked_.end(), {v.x, v.y});
+  }
 }
 
 /// Adds a velocity (m/s) of the face at a tick to the mean over a step of clock 0.
@@ -103,22 +101,6 @@ Vector FaceMotion::take_mean(std::size_t f) {
   const Vector mean{sums[0] / sums[2], sums[1] / sums[2]};
   std::fill_n(sums, 3, 0.0);
   return mean;
-}
-
-std::vector<double> FaceMotion::kicked() const {
-  std::vector<double> numbers;
-  for (const Vector& v : kicked_)
-    numbers.insert(numbers.end(), {v.x, v.y});
-  return numbers;
-}
-
-void FaceMotion::set_kicked(const std::vector<double>& numbers) {
-  if (!numbers.empty() && numbers.size() != 2 * weights_.size())
-    throw std::invalid_argument(
-        fmt::format("{} numbers of velocities do not go with {} faces", numbers.size(), weights_.size()));
-  kicked_.clear();
-  for (std::size_t i = 0; i < numbers.size(); i += 2)
-    kicked_.push_back({numbers[i], numbers[i + 1]});
 }
 
 } // namespace tremolo::mpm_domain

@@ -61,25 +61,25 @@ public:
   template <class Writer>
   void save(Writer& to) const {
     to.write("faces.step_sums", step_sums_);
-    to.write("faces.kicked", kicked());
+    to.write("faces.kicked", kicked_);
   }
   template <class Reader>
   void restore(const Reader& from) {
     step_sums_ = numbers_of_size(from, "faces.step_sums", step_sums_.size());
-    set_kicked(from.numbers("faces.kicked"));
+    kicked_ = from.numbers("faces.kicked");
+    if (!kicked_.empty())
+      kicked_ = numbers_of_size(from, "faces.kicked", 2 * weights_.size());
   }
 
 private:
   void weigh(Step& step, const BoundaryFace& face, std::size_t f, std::span<const FaceSoil> soil);
   void add_to_mean(std::size_t face, Vector v);
   Vector take_mean(std::size_t face);
-  std::vector<double> kicked() const;
-  void set_kicked(const std::vector<double>& numbers);
 
   std::vector<FaceWeights> weights_;
   std::vector<int> clock_;
   std::vector<Vector> seen_, seen_mean_, mean_, velocity_;
-  std::vector<Vector> kicked_;    ///< v+ of the last step where there is water, m/s; empty before the first
+  std::vector<double> kicked_;    ///< v+_x, v+_y of the last step where there is water, m/s; none: empty
   std::vector<double> step_sums_; ///< over ticks since the exchange: sum of w v_x, w v_y (m/s) and of w
 };
 

@@ -13,6 +13,7 @@
 // of its face, as the moving part of Eq. (6) is. Whatever else a support does in a step is a pass of its own.
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/fields/saved_numbers.hpp"
 #include "mpm_domain/passes/pass.hpp"
 #include "mpm_domain/tiles/worker_pool.hpp"
 
@@ -64,10 +65,8 @@ public:
   /// What it does in a step beside that.
   virtual std::vector<Pass> passes(Ground&) { return {}; }
 
-  /// All that changes with time, for a checkpoint.
-  virtual std::vector<double> state() const { return {}; }
-  /// @throws std::invalid_argument for the state of another boundary
-  virtual void restore(std::span<const double>) {}
+  /// Adds all that changes with time, for a checkpoint.
+  virtual void add_state(SavedNumbers&) {}
 };
 
 } // namespace tremolo::mpm_domain

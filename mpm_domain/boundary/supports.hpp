@@ -38,15 +38,22 @@ public:
   template <class Writer>
   void save(Writer& to) const {
     for (const auto& support : all_)
-      to.write(support->name(), support->state());
+      state_of(*support).save(saved_name(*support), to);
   }
   template <class Reader>
   void restore(const Reader& from) {
     for (const auto& support : all_)
-      support->restore(from.numbers(support->name()));
+      state_of(*support).restore(saved_name(*support), from);
   }
 
 private:
+  static std::string saved_name(const Support& support) { return "boundary." + support.name(); }
+  static SavedNumbers state_of(Support& support) {
+    SavedNumbers state;
+    support.add_state(state);
+    return state;
+  }
+
   std::vector<std::unique_ptr<Support>> all_;
   std::vector<SupportLoad> loads_;
 };

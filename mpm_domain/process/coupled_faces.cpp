@@ -42,7 +42,6 @@ CoupledFaces::CoupledFaces(const Domain& domain, const scene::Case& scene, const
         join(domain, blends_.back(), scene::source_of(plan, Side::right).name);
     }
   v_.resize(faces_.size());
-  traction_.resize(faces_.size());
 }
 
 /// @returns its index among those that are exchanged
@@ -76,25 +75,12 @@ double CoupledFaces::exchange(coupler::DomainClient& client, std::uint64_t step,
                               std::span<const Vector> v, std::span<eq6::FreeField> field) {
   for (std::size_t i = 0; i < faces_.size(); ++i)
     v_[i] = v[domain_faces_[i]];
-  const auto exchanged = client.tractions(step, time, v_, traction_);
+  const auto exchanged = client.exchange(step, time, v_);
   const auto& own = exchanged.free_field;
-  require_eq6(step, own);
   for (const Blend& blend : blends_)
     field[blend.field] =
         blend.right ? mixed(own[blend.left], own[*blend.right], blend.share) : own[blend.left];
   return exchanged.waiting_seconds;
-}
-
-void CoupledFaces::require_eq6(std::uint64_t step, std::span<const eq6::FreeField> field) const {
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const Vector here =
-        eq6::boundary_traction(faces_[f].dashpot, v_[f], field[f], faces_[f].static_traction).total();
-    if (here.x != traction_[f].x || here.y != traction_[f].y)
-      throw std::runtime_error(
-          fmt::format("step {}: the hub's traction on face {} is {:.17g}, {:.17g} Pa, Eq. (6) here gives "
-                      "{:.17g}, {:.17g} Pa: the programs of this run are of different builds",
-                      step, f, traction_[f].x, traction_[f].y, here.x, here.y));
-  }
 }
 
 } // namespace tremolo::mpm_domain

@@ -8,9 +8,6 @@
 //
 // A base that takes the incident wave alone and has springs is exchanged once more: its springs move against
 // the total field of the sides.
-//
-// Eq. (6) itself is the domain's boundary's. In mode lockstep the hub works it out too and sends the
-// tractions; both must agree to the last bit.
 
 #include "coupler/participant.hpp"
 #include "mpm_domain/domain.hpp"
@@ -36,13 +33,10 @@ public:
   /// Exchanges for one step. Spans are over all faces of the domain, of fields also over those that springs
   /// have to themselves; fields of tied sides stay as they are.
   /// @returns seconds spent waiting so far
-  /// @throws std::runtime_error if the tractions are not those of Eq. (6) here
   double exchange(coupler::DomainClient& client, std::uint64_t step, double time, std::span<const Vector> v,
                   std::span<eq6::FreeField> field);
 
 private:
-  void require_eq6(std::uint64_t step, std::span<const eq6::FreeField> field) const;
-
   /// A field of the domain, and the exchanged ones that it is blended from.
   struct Blend {
     std::size_t field;
@@ -58,7 +52,7 @@ private:
   std::vector<Blend> blends_;
   std::vector<coupler::ExchangedFace> faces_;
   std::vector<std::size_t> domain_faces_; ///< of faces_
-  std::vector<Vector> v_, traction_;
+  std::vector<Vector> v_;
 };
 
 } // namespace tremolo::mpm_domain

@@ -5,11 +5,8 @@
 #include "mpm_domain/spec/held_nodes.hpp"
 #include "mpm_domain/tiles/totals.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace tremolo::mpm_domain {
 
@@ -120,25 +117,10 @@ BaseMotion RigidBase::motion() const {
   return {after(displacement_, 0.5 * dt_, velocity), velocity, acceleration};
 }
 
-std::vector<double> RigidBase::state() const {
-  std::vector<double> state{told_.x, told_.y, rate_.x, rate_.y, displacement_.x, displacement_.y, dt_};
-  for (const auto& [v, a] : seen_)
-    state.insert(state.end(), {v.x, v.y, a.x, a.y});
-  return state;
-}
-
-void RigidBase::restore(std::span<const double> state) {
-  constexpr std::size_t own = 7;
-  constexpr std::size_t by_clock = 4;
-  if (state.size() < own || (state.size() - own) % by_clock != 0)
-    throw std::invalid_argument(fmt::format("{} numbers are not the state of a rigid base", state.size()));
-  told_ = {state[0], state[1]};
-  rate_ = {state[2], state[3]};
-  displacement_ = {state[4], state[5]};
-  dt_ = state[6];
-  seen_.clear();
-  for (std::size_t i = own; i < state.size(); i += by_clock)
-    seen_.push_back({{state[i], state[i + 1]}, {state[i + 2], state[i + 3]}});
+void RigidBase::add_state(SavedNumbers& state) {
+  state.add(told_, rate_, displacement_, dt_);
+  for (Seen& seen : seen_)
+    state.add(seen.velocity, seen.acceleration);
 }
 
 } // namespace tremolo::mpm_domain

@@ -42,8 +42,7 @@ public:
   /// It takes momentum off the nodes that it holds, and gives inertia, -m dV/dt, to all others in the place
   /// of tractions.
   std::vector<Pass> passes(Ground& ground) override;
-  std::vector<double> state() const override;
-  void restore(std::span<const double> state) override;
+  void add_state(SavedNumbers& state) override;
 
   /// Motion of the base at the time at which particles' velocities and places are told, half a step before
   /// the end of the step just made.

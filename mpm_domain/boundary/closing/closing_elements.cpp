@@ -2,19 +2,13 @@
 
 #include "mpm_domain/ground.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <stdexcept>
 
 namespace tremolo::mpm_domain {
 
 namespace {
 
 const double reach = std::sqrt(0.2); // b
-
-/// The numbers of an element in a checkpoint.
-constexpr std::size_t numbers_per_element = 8;
 
 /// F after dt (s) in which Z times the velocity at the spring's end is `load` (Pa).
 double spring_force(double before, double load, double delay, double dt) {
@@ -85,27 +79,10 @@ void ClosingElements::exchange(const Exchange& at, std::span<SupportLoad> loads)
   time_ = at.time;
 }
 
-std::vector<double> ClosingElements::state() const {
-  std::vector<double> numbers{started_ ? 1.0 : 0.0, time_};
-  for (const Element& element : elements_)
-    for (const Vector& v : {element.of_soil, element.of_free_field, element.load, element.rate})
-      numbers.insert(numbers.end(), {v.x, v.y});
-  return numbers;
-}
-
-void ClosingElements::restore(std::span<const double> state) {
-  const std::size_t needed = 2 + numbers_per_element * elements_.size();
-  if (state.size() != needed)
-    throw std::invalid_argument(fmt::format("{} numbers for {} elements behind faces, {} are needed",
-                                            state.size(), elements_.size(), needed));
-  auto next = state.begin();
-  started_ = *next++ != 0.0;
-  time_ = *next++;
+void ClosingElements::add_state(SavedNumbers& state) {
+  state.add(started_, time_);
   for (Element& element : elements_)
-    for (Vector* v : {&element.of_soil, &element.of_free_field, &element.load, &element.rate}) {
-      v->x = *next++;
-      v->y = *next++;
-    }
+    state.add(element.of_soil, element.of_free_field, element.load, element.rate);
 }
 
 } // namespace tremolo::mpm_domain

@@ -38,8 +38,7 @@ public:
 
   std::string name() const override { return "closing elements"; }
   void exchange(const Exchange& at, std::span<SupportLoad> loads) override;
-  std::vector<double> state() const override;
-  void restore(std::span<const double> state) override;
+  void add_state(SavedNumbers& state) override;
 
 private:
   struct Element {

@@ -107,27 +107,10 @@ void LayerCorner::strain_element(std::size_t column, std::size_t row, std::span<
     force_[nodes[k]] = added(force_[nodes[k]], 1.0, force[k]);
 }
 
-std::vector<double> LayerCorner::state() const {
-  std::vector<double> all;
-  for (const std::vector<Vector>* field : {&u_, &v_, &z_, &y_, &force_})
-    for (const Vector& value : *field)
-      all.insert(all.end(), {value.x, value.y});
-  for (const Memory& memory : memory_)
-    for (const Vector& value : {memory.qx, memory.qz, memory.sx, memory.sz})
-      all.insert(all.end(), {value.x, value.y});
-  return all;
-}
-
-void LayerCorner::restore(std::span<const double> state) {
-  if (state.size() != 10 * u_.size() + 8 * memory_.size())
-    throw std::invalid_argument("the state of the corner of matched layers is that of another corner");
-  auto next = state.begin();
-  for (std::vector<Vector>* field : {&u_, &v_, &z_, &y_, &force_})
-    for (Vector& value : *field)
-      value = {*next++, *next++};
+void LayerCorner::add_state(SavedNumbers& state) {
+  state.add(u_, v_, z_, y_, force_);
   for (Memory& memory : memory_)
-    for (Vector* value : {&memory.qx, &memory.qz, &memory.sx, &memory.sz})
-      *value = {*next++, *next++};
+    state.add(memory.qx, memory.qz, memory.sx, memory.sz);
 }
 
 } // namespace tremolo::mpm_domain

@@ -23,6 +23,7 @@
 #include "coupler/eq6/boundary_traction.hpp"
 #include "mpm_domain/boundary/layer/bilinear_element.hpp"
 #include "mpm_domain/boundary/layer/layer_lattice.hpp"
+#include "mpm_domain/fields/saved_numbers.hpp"
 
 #include <array>
 #include <cstddef>
@@ -61,10 +62,8 @@ public:
   /// Mass of the block at the domain's corner, kg/m.
   [[nodiscard]] double corner_mass() const { return mass_.front(); }
 
-  /// All that changes with time, for a checkpoint.
-  [[nodiscard]] std::vector<double> state() const;
-  /// @throws std::invalid_argument for a state of another shape
-  void restore(std::span<const double> state);
+  /// Adds all that changes with time, for a checkpoint.
+  void add_state(SavedNumbers& state);
 
 private:
   /// What an integration point remembers.

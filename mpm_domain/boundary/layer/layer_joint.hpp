@@ -31,10 +31,8 @@ public:
   /// Adds the corner's force to the layers' nodes at the domain's corner: after they have moved.
   void pull(LayerLattice& side_layer, LayerLattice& base_layer) const;
 
-  /// All that changes with time, for a checkpoint.
-  [[nodiscard]] std::vector<double> state() const { return corner_.state(); }
-  /// @throws std::invalid_argument for the state of another corner
-  void restore(std::span<const double> state) { corner_.restore(state); }
+  /// Adds all that changes with time, for a checkpoint.
+  void add_state(SavedNumbers& state) { corner_.add_state(state); }
 
   /// The end of the base's layer that meets the corner: 0 is its left one, 1 its right one.
   [[nodiscard]] std::size_t base_end() const { return outwards_ < 0.0 ? 0 : 1; }

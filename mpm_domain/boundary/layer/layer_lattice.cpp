@@ -211,27 +211,10 @@ void LayerLattice::add_corner_force(std::size_t end, Vector force) {
   force_.y[end_node(end, 0)] += force.y;
 }
 
-std::vector<double> LayerLattice::state() const {
-  std::vector<double> all;
-  for (const NodeVectors* field : {&u_, &v_, &z_, &force_})
-    for (const std::vector<double>* component : {&field->x, &field->y})
-      all.insert(all.end(), component->begin(), component->end());
-  all.insert(all.end(), memory_.begin(), memory_.end());
-  return all;
-}
-
-void LayerLattice::restore(std::span<const double> state) {
-  if (state.size() != 8 * mass_.size() + memory_.size())
-    throw std::invalid_argument("the state of a matched layer is that of another layer");
-  const auto take = [&](std::vector<double>& field) {
-    std::ranges::copy(state.first(field.size()), field.begin());
-    state = state.subspan(field.size());
-  };
-  for (NodeVectors* field : {&u_, &v_, &z_, &force_}) {
-    take(field->x);
-    take(field->y);
-  }
-  take(memory_);
+void LayerLattice::add_state(SavedNumbers& state) {
+  for (NodeVectors* field : {&u_, &v_, &z_, &force_})
+    state.add(field->x, field->y);
+  state.add(memory_);
 }
 
 } // namespace tremolo::mpm_domain

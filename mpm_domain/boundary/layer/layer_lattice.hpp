@@ -21,6 +21,7 @@
 #include "coupler/eq6/boundary_traction.hpp"
 #include "mpm_domain/boundary/layer/bilinear_element.hpp"
 #include "mpm_domain/boundary/layer/layer_stretch.hpp"
+#include "mpm_domain/fields/saved_numbers.hpp"
 #include "mpm_domain/tiles/worker_pool.hpp"
 
 #include <array>
@@ -94,10 +95,8 @@ public:
   /// Adds the force (N/m) of a corner to the node on the boundary, after every step.
   void add_corner_force(std::size_t end, eq6::Vector force);
 
-  /// All that changes with time, for a checkpoint.
-  [[nodiscard]] std::vector<double> state() const;
-  /// @throws std::invalid_argument for a state of another shape
-  void restore(std::span<const double> state);
+  /// Adds all that changes with time, for a checkpoint.
+  void add_state(SavedNumbers& state);
 
 private:
   /// A vector of each node, by component: four neighbours are worked on at a time.

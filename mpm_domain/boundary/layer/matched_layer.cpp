@@ -199,26 +199,9 @@ void MatchedLayer::react(double time, std::span<const eq6::FreeField> free_field
   started_ = true;
 }
 
-std::vector<double> MatchedLayer::state() const {
-  std::vector<double> all = lattice_.state();
-  all.insert(all.end(), {started_ ? 1.0 : 0.0, time_});
-  for (const std::vector<Vector>* field : {&v_free_, &a_free_})
-    for (const Vector& value : *field)
-      all.insert(all.end(), {value.x, value.y});
-  return all;
-}
-
-void MatchedLayer::restore(std::span<const double> state) {
-  const std::size_t own = 2 + 4 * ties_.size();
-  if (state.size() < own)
-    throw std::invalid_argument("the state of a matched layer is that of another layer");
-  lattice_.restore(state.first(state.size() - own));
-  auto next = state.last(own).begin();
-  started_ = *next++ != 0.0;
-  time_ = *next++;
-  for (std::vector<Vector>* field : {&v_free_, &a_free_})
-    for (Vector& value : *field)
-      value = {*next++, *next++};
+void MatchedLayer::add_state(SavedNumbers& state) {
+  lattice_.add_state(state);
+  state.add(started_, time_, v_free_, a_free_);
 }
 
 } // namespace tremolo::mpm_domain

@@ -65,10 +65,8 @@ public:
   /// Mass of the layer at one of its faces, kg/m2.
   [[nodiscard]] double mass(std::size_t face) const { return ties_[face].mass; }
 
-  /// All that changes with time, for a checkpoint.
-  [[nodiscard]] std::vector<double> state() const;
-  /// @throws std::invalid_argument for the state of another layer
-  void restore(std::span<const double> state);
+  /// Adds all that changes with time, for a checkpoint.
+  void add_state(SavedNumbers& state);
 
 private:
   /// H of one face, which touches up to three consecutive nodes.

@@ -2,8 +2,6 @@
 
 #include "mpm_domain/ground.hpp"
 
-#include <stdexcept>
-
 namespace tremolo::mpm_domain {
 
 bool MatchedLayers::is_wanted(const Ground& ground) {
@@ -44,30 +42,11 @@ void MatchedLayers::exchange(const Exchange& at, std::span<SupportLoad> loads) {
     layer.react(at.time, at.field, loads);
 }
 
-std::vector<double> MatchedLayers::state() const {
-  std::vector<double> all;
-  const auto add = [&all](const std::vector<double>& of_part) {
-    all.insert(all.end(), of_part.begin(), of_part.end());
-  };
-  for (const MatchedLayer& layer : layers_)
-    add(layer.state());
-  for (const Corner& corner : corners_)
-    add(corner.joint.state());
-  return all;
-}
-
-void MatchedLayers::restore(std::span<const double> state) {
-  if (state.size() != this->state().size())
-    throw std::invalid_argument("the state of matched layers is that of other layers");
-  const auto take = [&state](auto& part) {
-    const std::size_t own = part.state().size();
-    part.restore(state.first(own));
-    state = state.subspan(own);
-  };
+void MatchedLayers::add_state(SavedNumbers& state) {
   for (MatchedLayer& layer : layers_)
-    take(layer);
+    layer.add_state(state);
   for (Corner& corner : corners_)
-    take(corner.joint);
+    corner.joint.add_state(state);
 }
 
 } // namespace tremolo::mpm_domain

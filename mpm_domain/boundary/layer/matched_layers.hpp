@@ -16,8 +16,7 @@ public:
   std::string name() const override { return "matched layers"; }
   bool is_timed() const override { return true; }
   void exchange(const Exchange& at, std::span<SupportLoad> loads) override;
-  std::vector<double> state() const override;
-  void restore(std::span<const double> state) override;
+  void add_state(SavedNumbers& state) override;
 
 private:
   /// Two layers and the corner between them.

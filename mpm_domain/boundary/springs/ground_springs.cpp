@@ -2,11 +2,8 @@
 
 #include "mpm_domain/ground.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace tremolo::mpm_domain {
 
@@ -14,9 +11,6 @@ namespace {
 
 /// Cells from a centre within which springs grow no stiffer.
 constexpr double least_cells = 2.0;
-
-/// The numbers of a Spring in a checkpoint.
-constexpr std::size_t numbers_per_spring = 6;
 
 double rate_of(double stiffness, double impedance) {
   return impedance > 0.0 ? stiffness / impedance : 0.0;
@@ -97,26 +91,10 @@ Vector GroundSprings::stiffness(std::size_t face) const {
   return holds(face) ? springs_[of_face_[face]].stiffness : Vector{};
 }
 
-std::vector<double> GroundSprings::state() const {
-  std::vector<double> state{started_ ? 1.0 : 0.0, time_};
-  for (const Spring& spring : springs_)
-    for (const Vector& v : {spring.moved, spring.strained, spring.field_velocity})
-      state.insert(state.end(), {v.x, v.y});
-  return state;
-}
-
-void GroundSprings::restore(std::span<const double> state) {
-  if (state.size() != 2 + numbers_per_spring * springs_.size())
-    throw std::invalid_argument(fmt::format("{} numbers of springs do not go with {} faces that have some",
-                                            state.size(), springs_.size()));
-  started_ = state[0] != 0.0;
-  time_ = state[1];
-  auto next = state.begin() + 2;
+void GroundSprings::add_state(SavedNumbers& state) {
+  state.add(started_, time_);
   for (Spring& spring : springs_)
-    for (Vector* v : {&spring.moved, &spring.strained, &spring.field_velocity}) {
-      v->x = *next++;
-      v->y = *next++;
-    }
+    state.add(spring.moved, spring.strained, spring.field_velocity);
 }
 
 } // namespace tremolo::mpm_domain

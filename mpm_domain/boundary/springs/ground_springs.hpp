@@ -36,8 +36,7 @@ public:
   void exchange(const Exchange& at, std::span<SupportLoad> loads) override;
   /// All of it is stored but for what a lag dissipates.
   double work() const override { return work_; }
-  std::vector<double> state() const override;
-  void restore(std::span<const double> state) override;
+  void add_state(SavedNumbers& state) override;
 
   /// Whether a face has springs.
   bool holds(std::size_t face) const { return of_face_[face] != none; }

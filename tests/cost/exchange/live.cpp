@@ -31,8 +31,11 @@ Cost march(const ParticipantOptions& options, const Setup& setup) {
   std::vector<eq6::Vector> tractions(all.size());
   client.ready(all, 0.0, time_step * static_cast<double>(setup.steps));
   const Meter meter;
-  for (std::uint64_t step = 0; step < setup.steps; ++step)
-    client.tractions(step, time_step * static_cast<double>(step), v, tractions);
+  for (std::uint64_t step = 0; step < setup.steps; ++step) {
+    const auto field = client.exchange(step, time_step * static_cast<double>(step), v).free_field;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      tractions[i] = all[i].traction(v[i], field[i]);
+  }
   const Cost cost = meter.cost(setup.steps);
   client.finish({}, 0.0);
   return cost;

@@ -71,8 +71,11 @@ public:
   }
 
   void evaluate(std::uint64_t step, std::span<const eq6::Vector> v, std::span<eq6::Vector> tractions) {
-    if (exchange_)
-      exchange_->evaluate(time_step * static_cast<double>(step), v, free_field_, tractions);
+    if (!exchange_)
+      return;
+    exchange_->read(time_step * static_cast<double>(step), free_field_);
+    for (std::size_t i = 0; i < v.size(); ++i)
+      tractions[i] = exchange_->faces()[i].traction(v[i], free_field_[i]);
   }
 
   [[nodiscard]] std::uint64_t credit(std::uint64_t step) const { return step + 4ULL * frame_steps_ + 4; }

@@ -119,7 +119,9 @@ void shake(const ParticipantOptions& options, const Misdeed& misdeed) {
       v[i] = toy::domain_velocity(i, step);
     if (misdeed.what == "nan" && static_cast<std::uint64_t>(step) == misdeed.step)
       v[5].x = std::nan("");
-    client.tractions(static_cast<std::uint64_t>(step), toy::time(step), v, tractions);
+    const auto field = client.exchange(static_cast<std::uint64_t>(step), toy::time(step), v).free_field;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      tractions[i] = faces[i].traction(v[i], field[i]);
     result.write(reinterpret_cast<const char*>(tractions.data()),
                  static_cast<std::streamsize>(tractions.size() * sizeof(eq6::Vector)));
     client.progress("shaking", static_cast<std::uint64_t>(step), toy::time(step), toy::time(toy::steps));

@@ -78,10 +78,9 @@ std::pair<Resources, Resources> march(const ParticipantOptions& options, const E
   client.ready(faces, 0.0, end);
   std::this_thread::sleep_for(std::chrono::duration<double>(exchange.pause));
   const std::vector<eq6::Vector> v(faces.size());
-  std::vector<eq6::Vector> tractions(faces.size());
   Resources early;
   for (std::uint64_t step = 0; step < exchange.steps; ++step) {
-    client.tractions(step, dt * static_cast<double>(step), v, tractions);
+    client.exchange(step, dt * static_cast<double>(step), v);
     client.progress("shaking", step, dt * static_cast<double>(step), end);
     if (step == exchange.steps / 10)
       early = resources();

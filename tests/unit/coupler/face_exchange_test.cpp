@@ -53,12 +53,12 @@ TEST(FaceExchange, AppliesEquation6ToTheMappedFreeField) {
     inlet->history.append(std::as_bytes(std::span<const double>(ramp_step(0.5 * n))));
   EXPECT_FALSE(exchange.missing(0.25));
   std::vector<eq6::FreeField> free_field(1);
-  std::vector<eq6::Vector> tractions(1);
-  exchange.evaluate(0.25, std::vector<eq6::Vector>{{1.0, 1.0}}, free_field, tractions);
+  exchange.read(0.25, free_field);
   EXPECT_DOUBLE_EQ(free_field[0].velocity.y, 0.5);
   // n = (-1, 0): -rho c_p (1 - 0.25) - sxx + 100 and -rho c_s (1 - 0.5) - sxy + 7
-  EXPECT_DOUBLE_EQ(tractions[0].x, -6.0 * 0.75 - 10.0 + 100.0);
-  EXPECT_DOUBLE_EQ(tractions[0].y, -3.0 * 0.5 - 30.0 + 7.0);
+  const eq6::Vector traction = exchange.faces()[0].traction({1.0, 1.0}, free_field[0]);
+  EXPECT_DOUBLE_EQ(traction.x, -6.0 * 0.75 - 10.0 + 100.0);
+  EXPECT_DOUBLE_EQ(traction.y, -3.0 * 0.5 - 30.0 + 7.0);
 }
 
 TEST(FaceExchange, CreditsGrowOnceAndUpToTheFieldsEnd) {
