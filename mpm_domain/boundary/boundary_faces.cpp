@@ -86,6 +86,10 @@ void lattice_weights(const BoundaryFace& face, const FacePlace& place, const Lat
 
 } // namespace
 
+std::string text_of(Side side) {
+  return std::string(name(side)) + (side == Side::base ? "" : " side");
+}
+
 FacePlace place_of(const BoundaryFace& face, const Particles& set) {
   const std::size_t k = set.index_of[face.id];
   return {{set.x[k], set.y[k]}, half_sides(set, k)};

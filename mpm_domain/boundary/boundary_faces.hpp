@@ -13,11 +13,15 @@
 #include "mpm_domain/particles/particles.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
 struct Ground;
+
+/// "left side", "right side", "base"
+std::string text_of(Side side);
 
 /// What supports (support.hpp) have made of a face.
 struct Behind {

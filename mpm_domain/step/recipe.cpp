@@ -1,6 +1,7 @@
 #include "mpm_domain/step/recipe.hpp"
 
 #include "mpm_domain/boundary/passes/passes.hpp"
+#include "mpm_domain/boundary/walls/impervious_faces.hpp"
 #include "mpm_domain/contact/passes.hpp"
 #include "mpm_domain/step/node_passes.hpp"
 #include "mpm_domain/step/step_passes.hpp"

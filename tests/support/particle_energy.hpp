@@ -5,6 +5,8 @@
 #include "mpm_domain/boundary/springs/ground_springs.hpp"
 #include "mpm_domain/domain.hpp"
 
+#include <utility>
+
 namespace tremolo::test_support {
 
 /// Elastic energy of linear elastic particles in their present stress, J/m.
@@ -40,11 +42,11 @@ inline double particle_energy(const mpm_domain::Domain& domain) {
 inline double energy_of_springs(const mpm_domain::Domain& domain) {
   const auto* const springs = domain.boundary.supports().find<mpm_domain::GroundSprings>();
   double energy = 0.0;
-  for (std::size_t f = 0; springs != nullptr && f < domain.boundary.faces().size(); ++f) {
-    const auto k = springs->stiffness(f);
-    const auto d = springs->displacement(f);
-    energy += 0.5 * domain.boundary.faces()[f].length * (k.x * d.x * d.x + k.y * d.y * d.y);
-  }
+  for (std::size_t f = 0; springs != nullptr && f < domain.boundary.faces().size(); ++f)
+    if (const auto* const of_face = springs->at(f)) {
+      const auto [k, d] = std::pair(of_face->stiffness, of_face->moved);
+      energy += 0.5 * of_face->length * (k.x * d.x * d.x + k.y * d.y * d.y);
+    }
   return energy;
 }
 

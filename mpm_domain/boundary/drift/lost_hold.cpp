@@ -28,10 +28,6 @@ double shear_strength(const BoundaryFace& face, const Ground& ground) {
   return 0.5 * failure->q_of_p(-0.5 * (set.sxx[k] + set.syy[k]));
 }
 
-std::string name_of(Side side) {
-  return side == Side::base ? std::string("base") : fmt::format("{} side", name(side));
-}
-
 /// Pull beyond the soil's strength over the strength of its whole side from which on a user should know, 1.
 /// The ground beyond would yield there and hand this share to its neighbours. A face near the surface has
 /// almost no strength, and no weight in this sum.
@@ -54,8 +50,8 @@ void LostHold::add(double time, std::span<const Vector> ground, std::span<const 
   last_ = time;
 }
 
-const GroundSprings* LostHold::springs_at(std::size_t f) const {
-  return springs_ != nullptr && springs_->holds(f) ? springs_ : nullptr;
+const FaceSprings* LostHold::springs_at(std::size_t f) const {
+  return springs_ != nullptr ? springs_->at(f) : nullptr;
 }
 
 bool LostHold::counts(std::size_t f) const {
@@ -64,8 +60,8 @@ bool LostHold::counts(std::size_t f) const {
 }
 
 Vector LostHold::moved(std::size_t f) const {
-  const GroundSprings* const springs = springs_at(f);
-  return springs != nullptr ? springs->displacement(f) : moved_[f];
+  const FaceSprings* const springs = springs_at(f);
+  return springs != nullptr ? springs->moved : moved_[f];
 }
 
 double LostHold::moved_out(std::size_t f) const {
@@ -73,8 +69,8 @@ double LostHold::moved_out(std::size_t f) const {
 }
 
 double LostHold::pull(std::size_t f) const {
-  const GroundSprings* const springs = springs_at(f);
-  const Vector traction = springs != nullptr ? springs->traction(f) : Vector{};
+  const FaceSprings* const springs = springs_at(f);
+  const Vector traction = springs != nullptr ? springs->traction() : Vector{};
   return std::hypot(traction.x, traction.y);
 }
 
@@ -111,7 +107,7 @@ std::optional<std::size_t> LostHold::largest(const Value& value) const {
 /// "the base, x = 3 m, y = -12 m"
 std::string LostHold::place(std::size_t f) const {
   const BoundaryFace& face = boundary_.faces()[f];
-  return fmt::format("the {}, x = {:g} m, y = {:g} m", name_of(face.side), face.position.x, face.position.y);
+  return fmt::format("the {}, x = {:g} m, y = {:g} m", text_of(face.side), face.position.x, face.position.y);
 }
 
 std::vector<FaceDrift> LostHold::faces() const {
@@ -162,7 +158,7 @@ std::optional<std::string> LostHold::warning() const {
           "the springs at the {} pull with more than the strength of the soil at rest, most at "
           "{}, by {:.2g} of what the soil of the whole side bears: the ground beyond would yield "
           "there; sides and base farther from there ask for less of it",
-          name_of(side), place(pulled), excess);
+          text_of(side), place(pulled), excess);
     }
   return std::nullopt;
 }

@@ -51,8 +51,8 @@ public:
   void set_state(std::vector<double> state);
 
 private:
-  /// The boundary's springs where they hold a face, or null.
-  const GroundSprings* springs_at(std::size_t face) const;
+  /// The springs of a face, or null.
+  const FaceSprings* springs_at(std::size_t face) const;
   /// Whether d of a face is known, and nothing but dashpots and springs hold it.
   bool counts(std::size_t face) const;
   Vector moved(std::size_t face) const;

@@ -27,20 +27,16 @@ bool is_matched(const Ground& ground, Side side) {
   return std::ranges::find(ground.spec.matched_sides, side) != ground.spec.matched_sides.end();
 }
 
-std::string_view name(Side side) {
-  return side == Side::left ? "left side" : side == Side::right ? "right side" : "base";
-}
-
 std::span<const BoundaryFace> faces_of(std::span<const BoundaryFace> all, Side side) {
   const auto [first, last] = std::ranges::equal_range(all, side, {}, &BoundaryFace::side);
   if (first == last)
-    throw std::invalid_argument(fmt::format("the {} has no faces for a matched layer", name(side)));
+    throw std::invalid_argument(fmt::format("the {} has no faces for a matched layer", text_of(side)));
   for (auto face = first + 1; face != last; ++face)
     if (std::abs(reach(*face).from - reach(*(face - 1)).to) > 1e-6 * face->length)
       throw std::invalid_argument(
           fmt::format("a matched layer behind the {} needs soil all along it; there is none between {:.6g} "
                       "and {:.6g} m",
-                      name(side), reach(*(face - 1)).to, reach(*face).from));
+                      text_of(side), reach(*(face - 1)).to, reach(*face).from));
   return {first, last};
 }
 
@@ -148,11 +144,12 @@ Vector MatchedLayer::local(Vector v) const {
   return {dot(v, along_), dot(v, normal_)};
 }
 
-void MatchedLayer::lump() {
-  for (Tie& tie : ties_) {
-    tie.mass = 0.0;
+void MatchedLayer::lump(std::span<BoundaryFace> all) {
+  for (std::size_t f = 0; f < ties_.size(); ++f) {
+    Tie& tie = ties_[f];
     for (const auto& [j, weight] : tie.weights)
       tie.mass += weight * lattice_.boundary_mass()[j] / tie.length;
+    all[first_ + f].behind = {.has_dashpots = false, .moving_mass = {tie.mass, tie.mass}};
   }
 }
 

@@ -37,8 +37,9 @@ public:
   /// @throws std::invalid_argument if the side has no faces or soil is missing between them
   MatchedLayer(const Ground& ground, std::span<const BoundaryFace> all, Side side);
 
-  /// Shares out the mass of the layer and of its corners to the faces; before the first step.
-  void lump();
+  /// Takes the faces, and shares out the mass of the layer and of its corners to them.
+  /// @param all faces of the domain
+  void lump(std::span<BoundaryFace> all);
 
   /// How the layer's nodes on the boundary move to this time from the last one.
   /// @param v_domain of half a step before it, or of the mean of the step before; free_field of this time;
@@ -59,11 +60,6 @@ public:
   [[nodiscard]] Vector end_velocity(std::size_t end) const {
     return end == 0 ? velocity_.front() : velocity_.back();
   }
-
-  [[nodiscard]] std::size_t first_face() const { return first_; }
-  [[nodiscard]] std::size_t face_count() const { return ties_.size(); }
-  /// Mass of the layer at one of its faces, kg/m2.
-  [[nodiscard]] double mass(std::size_t face) const { return ties_[face].mass; }
 
   /// Adds all that changes with time, for a checkpoint.
   void add_state(SavedNumbers& state);

@@ -15,14 +15,8 @@ MatchedLayers::MatchedLayers(const Ground& ground, std::span<BoundaryFace> faces
     for (std::size_t b = 0; b < layers_.size(); ++b)
       if (layers_[s].side() != Side::base && layers_[b].side() == Side::base)
         corners_.push_back({s, b, LayerJoint(layers_[s].side(), layers_[s].lattice(), layers_[b].lattice())});
-  for (MatchedLayer& layer : layers_) {
-    layer.lump();
-    for (std::size_t f = 0; f < layer.face_count(); ++f) {
-      BoundaryFace& face = faces[layer.first_face() + f];
-      face.behind.has_dashpots = false;
-      face.behind.moving_mass = {layer.mass(f), layer.mass(f)};
-    }
-  }
+  for (MatchedLayer& layer : layers_)
+    layer.lump(faces);
 }
 
 void MatchedLayers::exchange(const Exchange& at, std::span<SupportLoad> loads) {

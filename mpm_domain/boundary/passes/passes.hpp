@@ -20,7 +20,4 @@ namespace tremolo::mpm_domain {
 /// @throws std::invalid_argument if there are faces and nobody gives their free field
 std::vector<Pass> face_passes(Ground& ground, Boundary& boundary, FreeFieldSource free_field);
 
-/// What stands before the flow of water during the update alone (walls/impervious_faces.hpp).
-std::vector<Pass> wall_passes(Ground& ground, const Boundary& boundary);
-
 } // namespace tremolo::mpm_domain

@@ -24,7 +24,6 @@ bool GroundSprings::is_wanted(const Ground& ground) {
 
 GroundSprings::GroundSprings(const Ground& ground, std::span<BoundaryFace> faces) {
   const Spec& spec = ground.spec;
-  of_face_.assign(faces.size(), none);
   std::size_t next_own = faces.size();
   for (std::size_t f = 0; f < faces.size(); ++f) {
     BoundaryFace& face = faces[f];
@@ -41,7 +40,6 @@ GroundSprings::GroundSprings(const Ground& ground, std::span<BoundaryFace> faces
     const double k_n = across * modulus / distance;
     const double k_t = along * modulus / distance;
     face.behind.has_own_field = own_field;
-    of_face_[f] = springs_.size();
     springs_.push_back({.face = f,
                         .field = own_field ? next_own++ : f,
                         .length = face.length,
@@ -54,7 +52,7 @@ GroundSprings::GroundSprings(const Ground& ground, std::span<BoundaryFace> faces
 void GroundSprings::exchange(const Exchange& at, std::span<SupportLoad> loads) {
   const double dt = started_ ? at.time - time_ : 0.0;
   work_ = 0.0;
-  for (Spring& spring : springs_) {
+  for (FaceSprings& spring : springs_) {
     const Vector now = at.field[spring.field].velocity;
     const Vector last = started_ ? spring.field_velocity : now;
     const Vector strained = spring.strained;
@@ -69,31 +67,21 @@ void GroundSprings::exchange(const Exchange& at, std::span<SupportLoad> loads) {
     work_ += 0.5 * spring.length *
              (spring.stiffness.x * (strained.x + spring.strained.x) * moves.x +
               spring.stiffness.y * (strained.y + spring.strained.y) * moves.y);
-    loads[spring.face].spring = traction(spring.face);
+    loads[spring.face].spring = spring.traction();
     loads[spring.face].far_end = now;
   }
   started_ = true;
   time_ = at.time;
 }
 
-Vector GroundSprings::traction(std::size_t face) const {
-  if (!holds(face))
-    return {};
-  const Spring& spring = springs_[of_face_[face]];
-  return {-spring.stiffness.x * spring.strained.x, -spring.stiffness.y * spring.strained.y};
-}
-
-Vector GroundSprings::displacement(std::size_t face) const {
-  return holds(face) ? springs_[of_face_[face]].moved : Vector{};
-}
-
-Vector GroundSprings::stiffness(std::size_t face) const {
-  return holds(face) ? springs_[of_face_[face]].stiffness : Vector{};
+const FaceSprings* GroundSprings::at(std::size_t face) const {
+  const auto found = std::ranges::lower_bound(springs_, face, {}, &FaceSprings::face);
+  return found != springs_.end() && found->face == face ? &*found : nullptr;
 }
 
 void GroundSprings::add_state(SavedNumbers& state) {
   state.add(started_, time_);
-  for (Spring& spring : springs_)
+  for (FaceSprings& spring : springs_)
     state.add(spring.moved, spring.strained, spring.field_velocity);
 }
 

@@ -26,6 +26,22 @@
 
 namespace tremolo::mpm_domain {
 
+/// The springs of a face.
+struct FaceSprings {
+  std::size_t face = 0;
+  std::size_t field = 0; ///< index of their free field
+  double length = 0.0;   ///< of the face, m
+  Vector stiffness;      ///< k by direction, Pa/m
+  bool lags = false;
+  Vector rate;           ///< 1/tau, 1/s; of springs that lag
+  Vector moved;          ///< d, m
+  Vector strained;       ///< s, or d without a lag, m
+  Vector field_velocity; ///< v^ff at the last time, m/s
+
+  /// f^spr, Pa.
+  Vector traction() const { return {-stiffness.x * strained.x, -stiffness.y * strained.y}; }
+};
+
 class GroundSprings final : public Support {
 public:
   static bool is_wanted(const Ground& ground);
@@ -38,32 +54,11 @@ public:
   double work() const override { return work_; }
   void add_state(SavedNumbers& state) override;
 
-  /// Whether a face has springs.
-  bool holds(std::size_t face) const { return of_face_[face] != none; }
-  /// f^spr on a face, Pa; zero without springs.
-  Vector traction(std::size_t face) const;
-  /// d of a face, m; zero without springs.
-  Vector displacement(std::size_t face) const;
-  /// k of a face by direction, Pa/m.
-  Vector stiffness(std::size_t face) const;
+  /// Those of a face, or null.
+  const FaceSprings* at(std::size_t face) const;
 
 private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-  struct Spring {
-    std::size_t face = 0;
-    std::size_t field = 0; ///< index of its free field
-    double length = 0.0;   ///< of the face, m
-    Vector stiffness;      ///< k, Pa/m
-    bool lags = false;
-    Vector rate;           ///< 1/tau, 1/s; of a spring that lags
-    Vector moved;          ///< d, m
-    Vector strained;       ///< s, or d without a lag, m
-    Vector field_velocity; ///< at the last time, m/s
-  };
-
-  std::vector<Spring> springs_;
-  std::vector<std::size_t> of_face_; ///< by face: its spring, or none
+  std::vector<FaceSprings> springs_; ///< by rising face
   double work_ = 0.0;                ///< J/m
   bool started_ = false;
   double time_ = 0.0; ///< s

@@ -1,13 +1,22 @@
 #include "mpm_domain/boundary/walls/impervious_faces.hpp"
 
-#include "mpm_domain/boundary/boundary.hpp"
+#include "mpm_domain/ground.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace tremolo::mpm_domain {
 
 namespace {
+
+/// Of the walls on the water at a node.
+struct Reaction {
+  std::size_t node;
+  Vector force; ///< N/m
+};
+
+using Reactions = std::vector<Reaction>;
 
 /// Closes the nodes of a lattice on the line of a face of the base, and those next to it outside.
 void close_nodes(const Lattice& lattice, const mesh::Rectangle& line, Grid& grid) {
@@ -20,9 +29,20 @@ void close_nodes(const Lattice& lattice, const mesh::Rectangle& line, Grid& grid
         grid.open_y[lattice.index(i, j)] = 0.0;
 }
 
-} // namespace
+/// Shares a force (N/m) on the water out among nodes, in the directions in which it can flow.
+void push(Grid& grid, std::span<const FaceWeight> weights, Vector force, Reactions& reactions) {
+  for (const auto& [node, w] : weights) {
+    const Vector share{w * force.x * grid.open_x[node], w * force.y * grid.open_y[node]};
+    if (share.x == 0.0 && share.y == 0.0)
+      continue;
+    grid.water_force_x[node] += share.x;
+    grid.water_force_y[node] += share.y;
+    reactions.push_back({node, share});
+  }
+}
 
-void ImperviousFaces::close(Ground& ground, const Boundary& boundary) {
+/// Closes the nodes of the base, and adds the reactions of the faces to the forces on water.
+void close(Ground& ground, const Boundary& boundary, Reactions& reactions) {
   Grid& grid = ground.grid;
   for_group(grid, NodeGroup::openness, [](NodeField& open) { std::ranges::fill(open, 1.0); });
   for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
@@ -31,35 +51,25 @@ void ImperviousFaces::close(Ground& ground, const Boundary& boundary) {
       for (int level = 0; level < ground.lattice_count(); ++level)
         close_nodes(ground.lattice(level), line_of(face, boundary.soil()[f].place), grid);
   }
-  reactions_.clear();
+  reactions.clear();
   for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
     const BoundaryFace& face = boundary.faces()[f];
     const double load = -face.length * boundary.soil()[f].excess;
     if (ground.sets[face.set].traits.flowing)
-      push(grid, boundary.weights(f), {load * face.ground.normal.x, load * face.ground.normal.y});
+      push(grid, boundary.weights(f), {load * face.ground.normal.x, load * face.ground.normal.y}, reactions);
   }
   const LeaningSides& lean = boundary.lean();
   for (std::size_t e = 0; e < lean.edges().size(); ++e)
-    push(grid, lean.weights()[e], {0.0, lean.edges()[e].on_water});
+    push(grid, lean.weights()[e], {0.0, lean.edges()[e].on_water}, reactions);
 }
 
-/// Shares a force (N/m) on the water out among nodes, in the directions in which it can flow.
-void ImperviousFaces::push(Grid& grid, std::span<const FaceWeight> weights, Vector force) {
-  for (const auto& [node, w] : weights) {
-    const Vector share{w * force.x * grid.open_x[node], w * force.y * grid.open_y[node]};
-    if (share.x == 0.0 && share.y == 0.0)
-      continue;
-    grid.water_force_x[node] += share.x;
-    grid.water_force_y[node] += share.y;
-    reactions_.push_back({node, share});
-  }
-}
-
-double ImperviousFaces::open(Ground& ground) {
+/// Takes the reactions off again.
+/// @returns their power on the flow n w, W/m
+double open(Ground& ground, const Reactions& reactions) {
   Grid& grid = ground.grid;
   const double density = ground.spec.water->fluid.density;
   double power = 0.0;
-  for (const auto& [n, force] : reactions_) {
+  for (const auto& [n, force] : reactions) {
     grid.water_force_x[n] -= force.x;
     grid.water_force_y[n] -= force.y;
     const double wet = grid.wet_volume[n];
@@ -69,6 +79,20 @@ double ImperviousFaces::open(Ground& ground) {
               force.y * (grid.wy_before[n] - grid.vy_before[n] + grid.wy_after[n] - grid.vy_after[n]));
   }
   return power;
+}
+
+} // namespace
+
+std::vector<Pass> wall_passes(Ground& ground, const Boundary& boundary) {
+  if (!ground.has_flow())
+    return {};
+  const auto reactions = std::make_shared<Reactions>();
+  return {
+      {Phase::forces, "", [&ground, &boundary, reactions](Step&) { close(ground, boundary, *reactions); }},
+      {Phase::books, "", [&ground, reactions](Step& step) {
+         const double work = step.kicks.front() * open(ground, *reactions);
+         step.bookings.add([&energy = step.energy, work] { energy.input += work; });
+       }}};
 }
 
 } // namespace tremolo::mpm_domain

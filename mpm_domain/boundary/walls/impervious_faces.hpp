@@ -18,35 +18,16 @@
 // drain in a cycle. With the reaction p_e n water beside a side feels no gradient across it, and passes as
 // fast as everywhere. Where the side leans, the reaction has a part along y (lean/leaning_sides.hpp).
 
-#include "mpm_domain/boundary/boundary_faces.hpp"
-#include "mpm_domain/ground.hpp"
+#include "mpm_domain/boundary/boundary.hpp"
 
-#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
-class Boundary;
-
-/// The boundary before the flow of water during one update of the nodes.
-class ImperviousFaces {
-public:
-  /// Closes the nodes of the base, and adds the reactions of the faces to the forces on water.
-  void close(Ground& ground, const Boundary& boundary);
-  /// Takes the reactions off the forces again, which are those of the pressure in the soil alone from then
-  /// on.
-  /// @returns power that they had on the flow n w, W/m: what the ground beyond gives, which the update has
-  /// booked as dissipated by drag too
-  double open(Ground& ground);
-
-private:
-  void push(Grid& grid, std::span<const FaceWeight> weights, Vector force);
-
-  struct Reaction {
-    std::size_t node;
-    Vector force; ///< N/m
-  };
-  std::vector<Reaction> reactions_;
-};
+/// The walls stand during the update of the nodes alone. They close before it, when the reactions of the
+/// faces are added to the forces on water; when its work is booked, they are taken off again, and the forces
+/// are those of the pressure in the soil alone. Their work on the flow n w is what the ground beyond gives,
+/// which the update has booked as dissipated by drag too.
+std::vector<Pass> wall_passes(Ground& ground, const Boundary& boundary);
 
 } // namespace tremolo::mpm_domain

@@ -58,7 +58,7 @@ Answer answer(const Spec& spec, Vector pole, const std::function<Vector(Vector)>
   springs.move(1.0, v, at_rest);
   Answer answer;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto [x, y] = springs->traction(f);
+    const auto [x, y] = springs->at(f)->traction();
     const double length = faces[f].length;
     answer.force.x += length * x;
     answer.force.y += length * y;
@@ -125,7 +125,7 @@ TEST(GroundSprings, GrowNoStifferWithinTwoCells) {
   Springs springs(spec);
   double stiffest = 0.0;
   for (std::size_t f = 0; f < springs.faces().size(); ++f)
-    stiffest = std::max(stiffest, springs->stiffness(f).x);
+    stiffest = std::max(stiffest, springs->at(f)->stiffness.x);
   EXPECT_NEAR(stiffest, modulus / 2.0, 1e-9 * modulus);
 }
 
@@ -153,8 +153,8 @@ TEST(GroundSprings, AreSlackWhereSoilMovesWithTheFreeField) {
   }
   EXPECT_GT(displaced.x, 1.0);
   for (std::size_t f = 0; f < count; ++f) {
-    EXPECT_EQ(springs->traction(f).x, 0.0);
-    EXPECT_EQ(springs->traction(f).y, 0.0);
+    EXPECT_EQ(springs->at(f)->traction().x, 0.0);
+    EXPECT_EQ(springs->at(f)->traction().y, 0.0);
   }
 }
 
@@ -165,7 +165,7 @@ TEST(GroundSprings, BehindALagFollowADisplacementThatStays) {
   Springs springs(spec);
   const auto faces = springs.faces();
   const std::size_t face = faces.size() - 1;
-  const double k = springs->stiffness(face).x;
+  const double k = springs->at(face)->stiffness.x;
   const double tau = faces[face].ground.impedance_s / k;
   const double dt = 1e-3 * tau;
   std::vector<eq6::FreeField> at_rest(faces.size());
@@ -173,12 +173,12 @@ TEST(GroundSprings, BehindALagFollowADisplacementThatStays) {
   springs.move(0.0, v, at_rest);
   v[face].x = 0.01 / dt; // within one step
   springs.move(dt, v, at_rest);
-  EXPECT_EQ(springs->traction(face).x, 0.0);
+  EXPECT_EQ(springs->at(face)->traction().x, 0.0);
   v[face].x = 0.0;
   for (int step = 2; step <= 1001; ++step)
     springs.move(step * dt, v, at_rest);
-  EXPECT_NEAR(springs->displacement(face).x, 0.01, 1e-12);
-  EXPECT_NEAR(springs->traction(face).x, -k * 0.01 * (1.0 - std::exp(-1.0)), 1e-3 * k * 0.01);
+  EXPECT_NEAR(springs->at(face)->moved.x, 0.01, 1e-12);
+  EXPECT_NEAR(springs->at(face)->traction().x, -k * 0.01 * (1.0 - std::exp(-1.0)), 1e-3 * k * 0.01);
 }
 
 // A base whose dashpots see the incident wave alone has springs on another field.
@@ -199,7 +199,7 @@ TEST(GroundSprings, MoveAgainstAFieldOfTheirOwn) {
   const GroundSprings* const springs = domain.boundary.supports().find<GroundSprings>();
   ASSERT_NE(springs, nullptr);
   EXPECT_EQ(given, count + 16U);
-  EXPECT_LT(springs->displacement(count - 1).x, 0.0);
+  EXPECT_LT(springs->at(count - 1)->moved.x, 0.0);
   EXPECT_EQ(domain.boundary.free_field().size(), count);
 }
 
