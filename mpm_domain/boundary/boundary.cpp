@@ -2,18 +2,9 @@
 
 #include "mpm_domain/ground.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 
 namespace tremolo::mpm_domain {
-
-namespace {
-
-constexpr std::size_t numbers_per_face = 4; // of the rest state
-
-} // namespace
 
 void Boundary::match(Ground& ground) {
   faces_ = find_faces(ground.sets, ground.spec);
@@ -38,25 +29,11 @@ void Boundary::remove_faces() {
   motion_ = {};
 }
 
-std::vector<double> Boundary::rest_state() const {
-  std::vector<double> state;
-  for (const BoundaryFace& face : faces_)
-    state.insert(state.end(), {face.ground.impedance_p, face.ground.impedance_s, face.held.x, face.held.y});
+SavedNumbers Boundary::rest_state() {
+  SavedNumbers state;
+  for (BoundaryFace& face : faces_)
+    state.add(face.ground.impedance_p, face.ground.impedance_s, face.held);
   return state;
-}
-
-void Boundary::set_rest_state(const Ground& ground, std::span<const double> state) {
-  if (state.size() != numbers_per_face * faces_.size())
-    throw std::invalid_argument(fmt::format("{} numbers for {} faces, {} are needed", state.size(),
-                                            faces_.size(), numbers_per_face * faces_.size()));
-  auto next = state.begin();
-  for (BoundaryFace& face : faces_) {
-    face.ground.impedance_p = *next++;
-    face.ground.impedance_s = *next++;
-    face.held.x = *next++;
-    face.held.y = *next++;
-  }
-  build_supports(ground);
 }
 
 void Boundary::follow_sort(const Ground& ground) {

@@ -39,11 +39,18 @@ public:
   /// stress, and puts what the spec wants behind them.
   /// @throws std::invalid_argument where that cannot stand there
   void match(Ground& ground);
-  /// Impedances P and S (Pa s/m) and static traction (Pa) of each face, for a checkpoint.
-  std::vector<double> rest_state() const;
-  /// Takes the place of a gravity stage that has left these faces.
-  /// @throws std::invalid_argument for those of another boundary
-  void set_rest_state(const Ground& ground, std::span<const double> state);
+  /// What a gravity stage leaves of the faces: impedances and static tractions.
+  template <class Writer>
+  void save_rest(Writer& to) {
+    rest_state().save("boundary.rest", to);
+  }
+  /// Takes the place of a gravity stage.
+  /// @throws std::runtime_error for the faces of another boundary
+  template <class Reader>
+  void restore_rest(const Ground& ground, const Reader& from) {
+    rest_state().restore("boundary.rest", from);
+    build_supports(ground);
+  }
 
   /// After a sort: the grid may have grown, and particles of faces may have come to other cells.
   void follow_sort(const Ground& ground);
@@ -101,6 +108,7 @@ public:
   }
 
 private:
+  SavedNumbers rest_state();
   void build_supports(const Ground& ground);
   void evaluate(std::size_t face);
   FaceLoads loads() const { return {faces_, motion_, traction_, supports_.loads(), lean_}; }

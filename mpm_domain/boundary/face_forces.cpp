@@ -171,10 +171,10 @@ BoundaryWork FaceForces::work(Step& step, const FaceLoads& loads) const {
   for (int clock = 0; clock < ticks.clocks(); ++clock)
     kicks[static_cast<std::size_t>(clock)] = ticks.kick_of(clock);
   std::vector<BoundaryWork> works((weights.size() + faces_per_task - 1) / faces_per_task);
-  for_portions_of_faces(step.ground.workers, weights.size(), [&](std::size_t first, std::size_t end) {
+  step.ground.workers.run(works.size(), [&](std::size_t task) {
     std::array<Vector, most_clocks> v_of;
-    BoundaryWork& work = works[first / faces_per_task];
-    for (std::size_t f = first; f < end; ++f) {
+    const std::size_t first = task * faces_per_task;
+    for (std::size_t f = first; f < std::min(first + faces_per_task, weights.size()); ++f) {
       std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
       for (const auto& [node, w] : weights[f]) {
         Vector& v = v_of[one_clock ? 0 : static_cast<std::size_t>(step.nodes.clock_of(node))];
@@ -182,7 +182,7 @@ BoundaryWork FaceForces::work(Step& step, const FaceLoads& loads) const {
         v.x += half * (grid.vx_before[node] + grid.vx_after[node]);
         v.y += half * (grid.vy_before[node] + grid.vy_after[node]);
       }
-      add_work_of_face(f, loads, ticks, v_of, kicks, work);
+      add_work_of_face(f, loads, ticks, v_of, kicks, works[task]);
     }
   });
   BoundaryWork total;

@@ -2,40 +2,40 @@
 
 #include "mpm_domain/boundary/base/rigid_base.hpp"
 #include "mpm_domain/boundary/closing/closing_elements.hpp"
-#include "mpm_domain/boundary/layer/matched_layers.hpp"
+#include "mpm_domain/boundary/layer/matched_layer.hpp"
 #include "mpm_domain/boundary/springs/ground_springs.hpp"
 #include "mpm_domain/boundary/tied/periodic_springs.hpp"
 #include "mpm_domain/ground.hpp"
-
-#include <array>
 
 namespace tremolo::mpm_domain {
 
 namespace {
 
-/// A kind of support.
+/// A kind of support, and whether a spec wants it.
 struct Kind {
-  bool (*is_wanted)(const Ground&);
   std::unique_ptr<Support> (*make)(const Ground&, std::span<BoundaryFace>);
+  bool (*is_wanted)(const Spec&);
 };
 
 template <class Made>
-constexpr Kind kind() {
-  return {Made::is_wanted, [](const Ground& ground, std::span<BoundaryFace> faces) {
-            return std::unique_ptr<Support>(std::make_unique<Made>(ground, faces));
-          }};
+std::unique_ptr<Support> make(const Ground& ground, std::span<BoundaryFace> faces) {
+  return std::make_unique<Made>(ground, faces);
 }
 
 /// In the order in which they claim faces: springs stand beside dashpots, which closing elements replace.
-constexpr std::array kinds{kind<RigidBase>(), kind<MatchedLayers>(), kind<PeriodicSprings>(),
-                           kind<GroundSprings>(), kind<ClosingElements>()};
+constexpr Kind kinds[]{
+    {make<RigidBase>, [](const Spec& spec) { return spec.rigid_base; }},
+    {make<MatchedLayers>, [](const Spec& spec) { return !spec.matched_sides.empty(); }},
+    {make<PeriodicSprings>, [](const Spec& spec) { return spec.sides == Sides::periodic_springs; }},
+    {make<GroundSprings>, [](const Spec& spec) { return !spec.springs.empty(); }},
+    {make<ClosingElements>, [](const Spec& spec) { return spec.scheme.dispersion == Dispersion::reduced; }}};
 
 } // namespace
 
 FaceSupports::FaceSupports(const Ground& ground, std::span<BoundaryFace> faces) : loads_(faces.size()) {
-  for (const auto& [is_wanted, make] : kinds)
-    if (is_wanted(ground))
-      all_.push_back(make(ground, faces));
+  for (const Kind& kind : kinds)
+    if (kind.is_wanted(ground.spec))
+      all_.push_back(kind.make(ground, faces));
 }
 
 void FaceSupports::follow_sort(const Ground& ground) {

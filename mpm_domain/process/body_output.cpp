@@ -177,17 +177,9 @@ ContactFrame BodyOutput::contact(const Stepper& stepper) const {
   return frame;
 }
 
-void BodyOutput::save(results::CheckpointWriter& checkpoint) const {
-  std::vector<double> values;
-  for (const Follower& follower : followers_)
-    values.insert(values.end(), {follower.velocity.x, follower.velocity.y});
-  checkpoint.write("output.followers", values);
-}
-
-void BodyOutput::restore(const results::CheckpointReader& checkpoint) {
-  const auto values = checkpoint.numbers("output.followers");
-  for (std::size_t f = 0; f < followers_.size(); ++f)
-    followers_[f].velocity = {values.at(2 * f), values.at(2 * f + 1)};
+void BodyOutput::add_state(SavedNumbers& state) {
+  for (Follower& follower : followers_)
+    state.add(follower.velocity);
 }
 
 } // namespace tremolo::mpm_domain

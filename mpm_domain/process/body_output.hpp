@@ -2,7 +2,6 @@
 
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/step/stepper.hpp"
-#include "results/checkpoint_file.hpp"
 #include "results/run_file.hpp"
 #include "scene/case.hpp"
 
@@ -45,9 +44,8 @@ public:
   /// The contact nodes of the step just made.
   ContactFrame contact(const Stepper& stepper) const;
 
-  /// The followers' velocities, for a checkpoint, and back.
-  void save(results::CheckpointWriter& checkpoint) const;
-  void restore(const results::CheckpointReader& checkpoint);
+  /// The followers' velocities, for a checkpoint.
+  void add_state(SavedNumbers& state);
 
   /// Series with a row in each row of the histories, by their paths.
   const std::vector<std::pair<std::string, results::TimeSeries*>>& series() const { return series_; }

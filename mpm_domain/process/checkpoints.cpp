@@ -9,12 +9,6 @@
 
 namespace tremolo::mpm_domain {
 
-namespace {
-
-constexpr const char* rest_name = "boundary.rest";
-
-} // namespace
-
 bool Checkpoints::due(long step) const {
   if (wanted_.keep == 0)
     return false;
@@ -23,12 +17,12 @@ bool Checkpoints::due(long step) const {
   return coupler::seconds_since(last_) >= wanted_.every_wall;
 }
 
-void Checkpoints::save(coupler::DomainClient& client, const Domain& domain, std::span<const Particles> sets,
+void Checkpoints::save(coupler::DomainClient& client, Domain& domain, std::span<const Particles> sets,
                        const Stepper& stepper, RunOutput& output) {
   try {
     client.checkpoint(stepper.time(), [&](results::CheckpointWriter& file) {
       output.save(file);
-      file.write(rest_name, domain.boundary.rest_state());
+      domain.boundary.save_rest(file);
       mpm_domain::save(domain, sets, file);
       stepper.save(file);
     });
@@ -39,10 +33,6 @@ void Checkpoints::save(coupler::DomainClient& client, const Domain& domain, std:
     std::fflush(stdout);
   }
   last_ = coupler::Clock::now();
-}
-
-void load_rest_state(const results::CheckpointReader& saved, Domain& domain) {
-  domain.boundary.set_rest_state(domain, saved.numbers(rest_name));
 }
 
 } // namespace tremolo::mpm_domain

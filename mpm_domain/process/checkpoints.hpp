@@ -11,7 +11,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Makes the domain's part of checkpoints when the case wants them, and reads it again.
+/// Makes the domain's part of checkpoints when the case wants them.
 class Checkpoints {
 public:
   explicit Checkpoints(const scene::Checkpoints& wanted) : wanted_(wanted), last_(coupler::Clock::now()) {}
@@ -21,15 +21,12 @@ public:
 
   /// Saves one. A disk that does not take it is a warning: the run goes on, and so does the last checkpoint.
   /// @param sets  of the whole domain
-  void save(coupler::DomainClient& client, const Domain& domain, std::span<const Particles> sets,
+  void save(coupler::DomainClient& client, Domain& domain, std::span<const Particles> sets,
             const Stepper& stepper, RunOutput& output);
 
 private:
   const scene::Checkpoints& wanted_;
   coupler::Clock::time_point last_;
 };
-
-/// Takes the place of the gravity stage in a run that is resumed.
-void load_rest_state(const results::CheckpointReader& saved, Domain& domain);
 
 } // namespace tremolo::mpm_domain

@@ -255,7 +255,7 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   Domain domain(spec);
   const auto saved = coupler::saved_state(options);
   if (saved)
-    load_rest_state(*saved, domain);
+    domain.boundary.restore_rest(domain, *saved);
   double gravity_seconds = 0.0;
   try {
     if (scene.gravity && !saved)

@@ -413,9 +413,15 @@ void RunOutput::save(results::CheckpointWriter& checkpoint) {
   writer_.sync();
   checkpoint.write("output.rows", std::array<std::uint64_t, 2>{history_rows_, writer_.frame_count()});
   checkpoint.write_text(std::string(results::checksums_name), results::checksum_text(writer_.checksums()));
-  checkpoint.write("output.times", std::array{next_history_, next_frame_, last_history_, last_frame_});
-  bodies_.save(checkpoint);
-  checkpoint.write("output.lost_hold", lost_hold_.state());
+  state().save("output", checkpoint);
+}
+
+SavedNumbers RunOutput::state() {
+  SavedNumbers state;
+  state.add(next_history_, next_frame_, last_history_, last_frame_);
+  bodies_.add_state(state);
+  lost_hold_.add_state(state);
+  return state;
 }
 
 void RunOutput::take_over(const std::filesystem::path& before, const results::CheckpointReader& checkpoint) {
@@ -425,13 +431,7 @@ void RunOutput::take_over(const std::filesystem::path& before, const results::Ch
   for (std::size_t frame = 0; frame < rows.at(1); ++frame)
     take_over_frame(old, frame);
   writer_.sync();
-  const auto times = checkpoint.numbers("output.times");
-  next_history_ = times.at(0);
-  next_frame_ = times.at(1);
-  last_history_ = times.at(2);
-  last_frame_ = times.at(3);
-  bodies_.restore(checkpoint);
-  lost_hold_.set_state(checkpoint.numbers("output.lost_hold"));
+  state().restore("output", checkpoint);
 }
 
 void RunOutput::take_over_histories(const results::RunReader& before, std::size_t rows, std::size_t frames) {

@@ -66,6 +66,8 @@ private:
     results::TimeSeries* series = nullptr;
   };
 
+  /// What it remembers from row to row.
+  SavedNumbers state();
   void add_monitors();
   void add_lines();
   /// Adds the series of one point, or of several, whose columns are then numbered.

@@ -29,10 +29,6 @@ ExactSums<1> sum_over(Ground& ground, std::span<const NodeRange> rows, const OfN
 
 } // namespace
 
-bool RigidBase::is_wanted(const Ground& ground) {
-  return ground.spec.rigid_base;
-}
-
 RigidBase::RigidBase(const Ground& ground, std::span<BoundaryFace> faces) {
   for (BoundaryFace& face : faces)
     face.behind.has_dashpots = false;
@@ -115,6 +111,33 @@ ExactSums<1> RigidBase::remap_power(Ground& ground, int clock, std::span<const N
 BaseMotion RigidBase::motion() const {
   const auto& [velocity, acceleration] = seen_.front();
   return {after(displacement_, 0.5 * dt_, velocity), velocity, acceleration};
+}
+
+std::vector<Pass> RigidBase::passes(Ground& ground) {
+  const auto halt = [this, &ground](Step&) { stop(ground.grid); };
+  std::vector<Pass> passes{
+      {Phase::scatter, "", halt},
+      {Phase::forces, "inertia",
+       [this, &ground](Step& step) {
+         for (int clock = step.ticks.first_due(); clock < step.ticks.clocks(); ++clock)
+           push(ground, step.ticks, clock, step.nodes.of(clock));
+       }},
+      {Phase::books, "", [this, &ground](Step& step) {
+         for (int clock = step.ticks.first_due(); clock < step.ticks.clocks(); ++clock)
+           step.bookings.add(power(ground, clock, step.nodes.of(clock)),
+                             [&energy = step.energy, kick = step.ticks.kick_of(clock)](const auto& total) {
+                               energy.input += kick * total[0];
+                             });
+       }}};
+  if (ground.is_remapped()) {
+    passes.push_back({Phase::gather, "", halt});
+    passes.push_back({Phase::remap, "", [this, &ground](Step& step) {
+                        for (int clock = step.ticks.first_ending(); clock < step.ticks.clocks(); ++clock)
+                          step.remap_power[static_cast<std::size_t>(clock)][0] +=
+                              remap_power(ground, clock, step.nodes.of(clock))[0];
+                      }});
+  }
+  return passes;
 }
 
 void RigidBase::add_state(SavedNumbers& state) {

@@ -31,7 +31,6 @@ struct BaseMotion {
 
 class RigidBase final : public Support {
 public:
-  static bool is_wanted(const Ground& ground);
   RigidBase(const Ground& ground, std::span<BoundaryFace> faces);
 
   std::string name() const override { return "rigid base"; }

@@ -18,10 +18,6 @@ double spring_force(double before, double load, double delay, double dt) {
 
 } // namespace
 
-bool ClosingElements::is_wanted(const Ground& ground) {
-  return ground.is_sharp();
-}
-
 ClosingElements::ClosingElements(const Ground& ground, std::span<BoundaryFace> faces) {
   for (std::size_t f = 0; f < faces.size(); ++f) {
     BoundaryFace& face = faces[f];

@@ -33,7 +33,6 @@ namespace tremolo::mpm_domain {
 /// One element behind each face that still has dashpots, in their place.
 class ClosingElements final : public Support {
 public:
-  static bool is_wanted(const Ground& ground);
   ClosingElements(const Ground& ground, std::span<BoundaryFace> faces);
 
   std::string name() const override { return "closing elements"; }

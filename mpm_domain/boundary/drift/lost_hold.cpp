@@ -163,21 +163,8 @@ std::optional<std::string> LostHold::warning() const {
   return std::nullopt;
 }
 
-std::vector<double> LostHold::state() const {
-  std::vector<double> state = strength_;
-  for (const Vector& d : moved_)
-    state.insert(state.end(), {d.x, d.y});
-  state.push_back(last_);
-  return state;
-}
-
-void LostHold::set_state(std::vector<double> state) {
-  const std::size_t count = moved_.size();
-  for (std::size_t f = 0; f < count; ++f) {
-    strength_[f] = state.at(f);
-    moved_[f] = {state.at(count + 2 * f), state.at(count + 2 * f + 1)};
-  }
-  last_ = state.at(3 * count);
+void LostHold::add_state(SavedNumbers& state) {
+  state.add(strength_, moved_, last_);
 }
 
 } // namespace tremolo::mpm_domain

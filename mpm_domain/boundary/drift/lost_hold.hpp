@@ -47,8 +47,7 @@ public:
   std::optional<std::string> warning() const;
 
   /// For a checkpoint.
-  std::vector<double> state() const;
-  void set_state(std::vector<double> state);
+  void add_state(SavedNumbers& state);
 
 private:
   /// The springs of a face, or null.

@@ -86,4 +86,27 @@ private:
   std::vector<Vector> velocity_; ///< of the lattice's nodes on the boundary, m/s
 };
 
+/// The matched layers of a domain, joined where they meet at a corner.
+class MatchedLayers final : public Support {
+public:
+  /// @throws std::invalid_argument as MatchedLayer does
+  MatchedLayers(const Ground& ground, std::span<BoundaryFace> faces);
+
+  std::string name() const override { return "matched layers"; }
+  bool is_timed() const override { return true; }
+  void exchange(const Exchange& at, std::span<SupportLoad> loads) override;
+  void add_state(SavedNumbers& state) override;
+
+private:
+  /// Two layers and the corner between them.
+  struct Corner {
+    std::size_t side; ///< which of the layers
+    std::size_t base;
+    LayerJoint joint;
+  };
+
+  std::vector<MatchedLayer> layers_;
+  std::vector<Corner> corners_;
+};
+
 } // namespace tremolo::mpm_domain

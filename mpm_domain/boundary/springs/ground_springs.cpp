@@ -18,10 +18,6 @@ double rate_of(double stiffness, double impedance) {
 
 } // namespace
 
-bool GroundSprings::is_wanted(const Ground& ground) {
-  return !ground.spec.springs.empty();
-}
-
 GroundSprings::GroundSprings(const Ground& ground, std::span<BoundaryFace> faces) {
   const Spec& spec = ground.spec;
   std::size_t next_own = faces.size();

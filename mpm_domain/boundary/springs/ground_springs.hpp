@@ -44,7 +44,6 @@ struct FaceSprings {
 
 class GroundSprings final : public Support {
 public:
-  static bool is_wanted(const Ground& ground);
   /// Puts the spec's springs beside the dashpots that faces have.
   GroundSprings(const Ground& ground, std::span<BoundaryFace> faces);
 

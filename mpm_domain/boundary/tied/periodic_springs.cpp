@@ -37,10 +37,6 @@ Vector displacement(const Ground& ground, const BoundaryFace& face) {
 
 } // namespace
 
-bool PeriodicSprings::is_wanted(const Ground& ground) {
-  return ground.spec.sides == Sides::periodic_springs;
-}
-
 PeriodicSprings::PeriodicSprings(const Ground& ground, std::span<BoundaryFace> faces) {
   const std::size_t left = count_of(faces, Side::left);
   const std::size_t right = count_of(faces, Side::right);

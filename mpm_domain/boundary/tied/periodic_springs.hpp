@@ -20,7 +20,6 @@ namespace tremolo::mpm_domain {
 
 class PeriodicSprings final : public Support {
 public:
-  static bool is_wanted(const Ground& ground);
   /// Ties the sides of a domain at rest.
   /// @throws std::invalid_argument where the particles along the sides do not face each other
   PeriodicSprings(const Ground& ground, std::span<BoundaryFace> faces);

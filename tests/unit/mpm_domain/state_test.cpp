@@ -24,21 +24,23 @@ constexpr Elasticity soil{1700.0, 40e6, 0.28};
 struct Shaken {
   mpm_domain::Domain domain;
   test_support::PlaneWave wave{.angle = 0.2, .arrival = 0.1, .amplitude = 0.6, .y_reference = -4.0};
-  std::vector<double> faces;
+  SavedState faces; ///< at rest
   mpm_domain::Stepper stepper;
 
-  /// @param at_rest of another one after its gravity stage; empty: this one has its own
-  Shaken(const mpm_domain::Spec& spec, const std::vector<double>& at_rest)
+  /// @param at_rest of another one after its gravity stage; null: this one has its own
+  explicit Shaken(const mpm_domain::Spec& spec, const SavedState* at_rest = nullptr)
       : domain(spec), faces(rest(domain, at_rest)),
         stepper(domain, 0.0, test_support::plane_wave_source(domain, wave, true)) {}
 
-  static std::vector<double> rest(mpm_domain::Domain& domain, const std::vector<double>& at_rest) {
-    if (at_rest.empty())
+  static SavedState rest(mpm_domain::Domain& domain, const SavedState* at_rest) {
+    if (at_rest == nullptr)
       mpm_domain::replace_constraints(
           domain, mpm_domain::relax_under_gravity(domain, {.residual = 1e-6}, [](long, double) {}));
     else
-      domain.boundary.set_rest_state(domain, at_rest);
-    return domain.boundary.rest_state();
+      domain.boundary.restore_rest(domain, *at_rest);
+    SavedState saved;
+    domain.boundary.save_rest(saved);
+    return saved;
   }
 
   void steps(int count) {
@@ -59,14 +61,14 @@ mpm_domain::Spec box(const Law& law) {
 }
 
 void expect_exact_resumption(const mpm_domain::Spec& spec) {
-  Shaken whole(spec, {});
+  Shaken whole(spec);
   const auto at_rest = whole.save();
   whole.steps(37);
   const SavedState saved = whole.save();
   EXPECT_NE(at_rest.numbers("soil0.state"), saved.numbers("soil0.state")) << "the law's memory is idle";
   whole.steps(40);
 
-  Shaken resumed(spec, whole.faces);
+  Shaken resumed(spec, &whole.faces);
   resumed.load(saved);
   expect_same(saved, resumed.save());
   resumed.steps(40);
@@ -278,7 +280,9 @@ TEST(State, OfAGridThatHasGrownBehindItsFacesGoesOnWithTheSameBits) {
 
 TEST(State, FacesOfAnotherBoundaryAreRefused) {
   mpm_domain::Domain domain(box(softening_soil()));
-  EXPECT_THROW(domain.boundary.set_rest_state(domain, std::vector<double>(3)), std::invalid_argument);
+  SavedState other;
+  other.write("boundary.rest", std::vector<double>(3));
+  EXPECT_THROW(domain.boundary.restore_rest(domain, other), std::runtime_error);
 }
 
 } // namespace

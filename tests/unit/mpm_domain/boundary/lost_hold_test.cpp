@@ -3,6 +3,7 @@
 #include "mpm_domain/boundary/drift/lost_hold.hpp"
 
 #include "tests/support/box_run.hpp"
+#include "tests/support/saved_state.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -43,9 +44,15 @@ TEST(LostHold, TellsWhereSoilHasMovedMoreThanACellBeyondItsFreeField) {
 
 TEST(LostHold, GoesOnFromACheckpoint) {
   Domain domain(test_support::elastic_box(20.0, 10.0, 1.0));
-  const LostHold before = after(10.0, domain, 0.2);
+  LostHold before = after(10.0, domain, 0.2);
+  SavedNumbers numbers;
+  before.add_state(numbers);
+  test_support::SavedState saved;
+  numbers.save("hold", saved);
   LostHold again(domain, domain.boundary, true, 1.0);
-  again.set_state(before.state());
+  SavedNumbers numbers_again;
+  again.add_state(numbers_again);
+  numbers_again.restore("hold", saved);
   EXPECT_EQ(again.warning(), before.warning());
 }
 
