@@ -16,6 +16,7 @@ public:
   explicit SupportByHand(const mpm_domain::Spec& spec)
       : domain_(bare(spec)), support_(as_if(spec), faces()), loads_(faces().size()) {}
 
+  mpm_domain::Domain& domain() { return domain_; }
   std::span<mpm_domain::BoundaryFace> faces() { return domain_.boundary.faces(); }
   Kind* operator->() { return &support_; }
   /// Goes on to a time (s) in which the soil at the faces has moved with v (m/s), in a free field of then.
@@ -28,6 +29,8 @@ public:
 private:
   static mpm_domain::Spec bare(mpm_domain::Spec spec) {
     spec.springs.clear();
+    spec.matched_sides.clear();
+    spec.sides = mpm_domain::Sides::free_field;
     spec.scheme.dispersion = mpm_domain::Dispersion::plain;
     return spec;
   }
