@@ -143,10 +143,6 @@ struct OdeNumerics {
   double cell_size = 0.0;          ///< m
 };
 
-struct ObliqueNumerics {
-  double cell_size = 0.0; ///< m
-};
-
 struct EquivalentLinearNumerics {
   double sublayer = 0.0;     ///< layers of soil with curves are cut into equal ones no thicker than this, m
   double strain_ratio = 0.0; ///< effective over largest shear strain
@@ -359,7 +355,6 @@ struct Case {
   Damping damping;
   FeNumerics fe;
   OdeNumerics ode;
-  ObliqueNumerics oblique;
   EquivalentLinearNumerics eql;
   Mesh mesh;
   TimeStepping time;

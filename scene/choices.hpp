@@ -60,7 +60,6 @@ enum class SourceModel {
   wave,          ///< plane waves in layers, frequency domain
   fe,            ///< finite-element column
   ode,           ///< column by the method of lines, SUNDIALS
-  oblique,       ///< column of oblique waves, time domain
   eql,           ///< equivalent-linear layers
   mpm,           ///< a domain of one periodic column
   recording,     ///< a free field recorded earlier
@@ -71,7 +70,6 @@ constexpr auto words(SourceModel) {
   return word_table<SourceModel>({{SourceModel::wave, "wave"},
                                   {SourceModel::fe, "fe"},
                                   {SourceModel::ode, "ode"},
-                                  {SourceModel::oblique, "oblique"},
                                   {SourceModel::eql, "eql"},
                                   {SourceModel::mpm, "mpm"},
                                   {SourceModel::recording, "recording"},

@@ -207,7 +207,7 @@ void add_column(Command& app) {
       ->add_option("CASE", options->scene,
                    "Case file; needs [motion], [surface], [halfspace] and [[profile]], for mpm also [mesh]")
       ->required();
-  command->add_option("--model", options->model, "Free-field model: wave, fe, ode, oblique, eql or mpm")
+  command->add_option("--model", options->model, "Free-field model: wave, fe, ode, eql or mpm")
       ->required()
       ->one_of(column_model_names());
   command

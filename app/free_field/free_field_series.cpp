@@ -122,7 +122,6 @@ FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceP
   }
   case scene::SourceModel::fe:
   case scene::SourceModel::ode:
-  case scene::SourceModel::oblique:
   case scene::SourceModel::mpm: {
     const auto column = source.field.model == scene::SourceModel::mpm
                             ? mpm_domain::column_from_case(scene, source, x_line, times.start)
@@ -135,7 +134,7 @@ FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceP
   }
   default:
     throw std::invalid_argument(
-        fmt::format("model \"{}\" is not computed here; wave, fe, ode, oblique, eql and mpm are",
+        fmt::format("model \"{}\" is not computed here; wave, fe, ode, eql and mpm are",
                     scene::name(source.field.model)));
   }
   series.cpu_seconds = cpu_seconds() - before;

@@ -28,7 +28,7 @@ struct FreeFieldSeries {
 /// Whose time a series has: they differ in a rest with a time factor (materials/water/rest_clock.hpp).
 enum class TimeOf { simulation, soil };
 
-/// Computes a free field in this process with the model of the source: wave, fe, ode, oblique, eql or mpm.
+/// Computes a free field in this process with the model of the source: wave, fe, ode, eql or mpm.
 /// Between the steps of a column, velocity, displacement and stress are cubic Hermite, strain and pore
 /// pressure linear.
 /// @param x_line  where the line stands, m

@@ -29,8 +29,8 @@ struct Options {
   int threads = machine_threads();
 };
 
-constexpr std::array known = {scene::SourceModel::wave,    scene::SourceModel::fe,  scene::SourceModel::ode,
-                              scene::SourceModel::oblique, scene::SourceModel::eql, scene::SourceModel::mpm};
+constexpr std::array known = {scene::SourceModel::wave, scene::SourceModel::fe, scene::SourceModel::ode,
+                              scene::SourceModel::eql, scene::SourceModel::mpm};
 
 std::vector<std::string> names() {
   std::vector<std::string> all;

@@ -28,20 +28,28 @@ public:
     for (std::size_t i = 0; i + 1 < diagonal_.size(); ++i) {
       lower_[i] = lower_[i] * diagonal_[i];
       diagonal_[i + 1] = (diagonal_[i + 1] - lower_[i] * upper_[i]).inverse().eval();
+      upper_[i] = diagonal_[i] * upper_[i];
     }
   }
 
   /// Solves for a right-hand side of Size values a block, in place, once factored.
-  void solve(std::vector<double>& x) const {
-    const auto block = [&](std::size_t i) {
-      return Eigen::Map<Eigen::Vector<double, Size>>(x.data() + Size * i);
-    };
+  void solve(double* x) const {
+    using Vector = Eigen::Vector<double, Size>;
+    const auto block = [&](std::size_t i) { return Eigen::Map<Vector>(x + Size * i); };
     const std::size_t last = diagonal_.size() - 1;
-    for (std::size_t i = 0; i < last; ++i)
-      block(i + 1) -= lower_[i] * block(i);
-    block(last) = (diagonal_[last] * block(last)).eval();
-    for (std::size_t i = last; i-- > 0;)
-      block(i) = (diagonal_[i] * (block(i) - upper_[i] * block(i + 1))).eval();
+    // Each loop carries one product from block to block; the diagonal's does not wait for it.
+    Vector below = block(0);
+    for (std::size_t i = 0; i < last; ++i) {
+      const Vector here = block(i + 1) - lower_[i] * below;
+      block(i) = diagonal_[i] * below;
+      below = here;
+    }
+    Vector above = diagonal_[last] * below;
+    block(last) = above;
+    for (std::size_t i = last; i-- > 0;) {
+      above = block(i) - upper_[i] * above;
+      block(i) = above;
+    }
   }
 
 private:

@@ -2,7 +2,7 @@
 
 #include "freefield/fe/column_mesh.hpp"
 #include "freefield/fe/fe_settings.hpp"
-#include "freefield/oblique/scalar_column.hpp"
+#include "freefield/fe/scalar_column.hpp"
 
 #include <vector>
 

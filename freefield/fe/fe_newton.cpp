@@ -117,11 +117,11 @@ bool FeNewton::step(const FeElements& elements, const FeSoil& soil, const FeStat
     ++iterations_;
     if (tangent_ == Tangent::consistent) {
       soil.tangents(begin.soil, end.soil, deyy, dgxy, stiffness);
-      jacobian(elements, dt, stiffness, soil.initial_stiffness()).solve(g);
+      jacobian(elements, dt, stiffness, soil.initial_stiffness()).solve(g.data());
     } else {
       if (!initial_ || initial_->dt != dt)
         initial_ = Factored{dt, jacobian(elements, dt, soil.initial_stiffness(), soil.initial_stiffness())};
-      initial_->matrix.solve(g);
+      initial_->matrix.solve(g.data());
     }
     for (std::size_t i = 0; i < n; ++i)
       end.a[i] -= g[i];

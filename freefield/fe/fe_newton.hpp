@@ -12,7 +12,7 @@
 #include "freefield/fe/block_tridiagonal.hpp"
 #include "freefield/fe/fe_elements.hpp"
 #include "freefield/fe/fe_soil.hpp"
-#include "freefield/oblique/scalar_column.hpp"
+#include "freefield/fe/scalar_column.hpp"
 
 #include <optional>
 

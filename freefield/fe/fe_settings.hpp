@@ -2,7 +2,7 @@
 
 #include "freefield/column.hpp"
 #include "freefield/fe/fe_newton.hpp"
-#include "freefield/oblique/scalar_column.hpp"
+#include "freefield/fe/scalar_column.hpp"
 #include "freefield/profile.hpp"
 
 namespace tremolo::freefield {

@@ -10,30 +10,24 @@
 
 #include "freefield/twophase/wet_grid.hpp"
 
-namespace tremolo::freefield {
+#include <Eigen/Core>
 
-/// Motion of one node in one step.
-struct NodeMove {
-  double vx = 0.0, vy = 0.0, qy = 0.0;    ///< half a step ahead, m/s
-  double dvx = 0.0, dvy = 0.0, dqx = 0.0; ///< change over the step, m/s
-};
+namespace tremolo::freefield {
 
 struct ElementStrain {
   double exx = 0.0, eyy = 0.0, gxy = 0.0;
   double theta = 0.0; ///< dilation of the water's space: of the soil, and by water that flows out
 };
 
-inline ElementStrain strain_of(const WetElement& element, const NodeMove& lower, const NodeMove& upper,
-                               double slowness, double dt) {
-  const double d = dt / element.length;
-  const double m = 0.5 * slowness;
-  ElementStrain strain{.exx = -m * (lower.dvx + upper.dvx),
-                       .eyy = d * (upper.vy - lower.vy),
-                       .gxy = d * (upper.vx - lower.vx) - m * (lower.dvy + upper.dvy)};
-  strain.theta = strain.exx + strain.eyy;
-  if (element.flows())
-    strain.theta += d * (upper.qy - lower.qy) - m * (lower.dqx + upper.dqx);
-  return strain;
+/// @param difference  of v and q half a step ahead between the upper and the lower node, (vx, vy, qx, qy),
+/// m/s
+/// @param changes  of v and q over the step, the sum of those of the nodes, m/s
+inline ElementStrain strain_of(const WetElement& element, const Eigen::Vector4d& difference,
+                               const Eigen::Vector4d& changes, double slowness, double dt) {
+  const Eigen::Vector4d d = dt / element.length * difference;
+  const Eigen::Vector4d m = 0.5 * slowness * changes;
+  const double expelled = element.flows() ? d[3] - m[2] : 0.0;
+  return {.exx = -m[0], .eyy = d[1], .gxy = d[0] - m[1], .theta = d[1] - m[0] + expelled};
 }
 
 } // namespace tremolo::freefield

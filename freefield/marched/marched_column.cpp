@@ -38,25 +38,18 @@ void require_not_critical(const ColumnMesh& mesh, const WetGrid& grid, const std
 
 const Profile& checked(const Profile& profile, const MarchedSettings& settings) {
   validate_march(profile, settings.damping, settings.time_step, settings.start_time);
-  require(settings.tolerance > 0.0 && settings.tolerance <= 1e-2, "tolerance of the column's steps",
-          settings.tolerance, "in (0, 0.01]");
+  require(settings.tolerance > 0.0 && settings.tolerance <= 1.0, "tolerance of the column's steps",
+          settings.tolerance, "in (0, 1]");
   return profile;
 }
 
-MarchedScheme scheme_of(const MarchedSettings& settings, const WetGrid& grid, const BaseImpedance& base) {
-  MarchedScheme scheme{settings.slowness_x, settings.time_step, settings.base, {}};
-  for (const WetNode& node : grid.nodes)
-    scheme.dashpots.push_back(node.mass_damping * Eigen::Matrix2d::Identity());
-  if (settings.base == BaseKind::compliant)
-    scheme.dashpots.front() += base.outgoing;
-  return scheme;
-}
-
-double largest(const std::vector<double>& values) {
-  double most = 0.0;
-  for (const double value : values)
-    most = std::max(most, std::abs(value));
-  return most;
+/// Of the laws' stress, which contains that at rest, Pa.
+double rounding_of(const SoilState& rest) {
+  double largest = 0.0;
+  for (const auto* stress : {&rest.sxx, &rest.syy, &rest.szz})
+    for (const double value : *stress)
+      largest = std::max(largest, std::abs(value));
+  return 16.0 * std::numeric_limits<double>::epsilon() * largest;
 }
 
 } // namespace
@@ -82,16 +75,13 @@ MarchedColumn::MarchedColumn(const Profile& profile, const MarchedSettings& sett
       base_(base_impedance(profile.half_space, settings.slowness_x)),
       rise_(rise_to_damped_soil(profile, settings.slowness_x)),
       state_(wet_grid(profile, mesh_, settings.damping, false), soil_), trial_(soil_, state_),
-      tangent_(mesh_.elements()), u_(mesh_.node_y.size(), Eigen::Vector2d::Zero()),
-      increment_(MarchedTrial::values * mesh_.elements()), increment_before_(increment_),
-      residual_(increment_) {
+      tangent_(mesh_.elements()), iteration_(mesh_.elements(), settings_.tolerance, rounding_of(state_.soil)),
+      u_(mesh_.node_y.size(), Eigen::Vector2d::Zero()) {
   if (!input_)
     throw std::invalid_argument("the column has no input motion");
-  scheme_ = scheme_of(settings_, state_.grid, base_);
-  // The laws' stress contains that at rest.
-  constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
-  for (const auto* stress : {&state_.soil.sxx, &state_.soil.syy, &state_.soil.szz})
-    rounding_ = std::max(rounding_, roundings * largest(*stress));
+  scheme_ = {.slowness = settings_.slowness_x, .dt = settings_.time_step, .base = settings_.base};
+  if (settings_.base == BaseKind::compliant)
+    scheme_.half_space = base_.outgoing;
   damped_ = std::ranges::any_of(state_.grid.elements, [](const WetElement& e) { return e.beta > 0.0; });
   soil_.p_moduli(state_.soil, modulus_);
   require_not_critical(mesh_, state_.grid, modulus_, settings_.slowness_x);
@@ -134,9 +124,10 @@ void MarchedColumn::step() {
     soil_.p_moduli(state_.soil, modulus_);
   const BaseDrive drive = drive_to_next();
   trial_.begin(scheme_, state_, drive, modulus_);
-  converge();
+  iteration_.converge(trial_, scheme_, state_, tangent_);
+  trial_.finish(scheme_);
   for (std::size_t i = 0; i < u_.size(); ++i)
-    u_[i] += settings_.time_step * trial_.half()[i].solid;
+    u_[i] += settings_.time_step * trial_.half(i).solid;
   ++steps_;
   count_work(drive);
   drive_ = drive;
@@ -145,52 +136,6 @@ void MarchedColumn::step() {
   stretch();
   if (steps_ % steps_between_checks == 0)
     check();
-}
-
-/// Newton's iteration with the elastic tangent, from the increments of the last two steps. Where a law has
-/// corners the tangent misleads it: from the sixth correction on a correction is halved while it makes things
-/// worse.
-void MarchedColumn::converge() {
-  constexpr int most = 60, plain = 5, halvings = 6;
-  std::vector<double> x(increment_.size());
-  for (std::size_t k = 0; k < x.size(); ++k)
-    x[k] = 2.0 * increment_[k] - increment_before_[k];
-  const auto evaluate = [&](const std::vector<double>& trial) {
-    ++evaluations_;
-    trial_.evaluate(scheme_, state_, trial, residual_);
-    return largest(residual_);
-  };
-  const auto tolerated = [&](double residual) {
-    // The increments as the laws made them: a bad start must not count.
-    double size = largest_increment_;
-    for (std::size_t k = 0; k < x.size(); ++k)
-      size = std::max(size, std::abs(x[k] + residual_[k]));
-    return residual <= settings_.tolerance * size + rounding_;
-  };
-  double residual = evaluate(x);
-  for (int i = 0; !tolerated(residual) && i < most; ++i) {
-    std::vector<double> correction = residual_;
-    tangent_.solve(correction);
-    const std::vector<double> from = x;
-    const double before = residual;
-    double share = 1.0;
-    for (int h = 0;; ++h, share *= 0.5) {
-      for (std::size_t k = 0; k < x.size(); ++k)
-        x[k] = from[k] + share * correction[k];
-      residual = evaluate(x);
-      if (i < plain || residual < before || h == halvings)
-        break;
-    }
-  }
-  const bool converged = tolerated(residual);
-  increment_before_.swap(increment_);
-  for (std::size_t k = 0; k < x.size(); ++k)
-    increment_[k] = x[k] + residual_[k];
-  largest_increment_ = std::max(largest_increment_, largest(increment_));
-  if (!converged) {
-    ++unconverged_;
-    largest_residual_ = std::max(largest_residual_, residual / largest_increment_);
-  }
 }
 
 /// Elements take their new lengths and porosities; water that comes or goes takes its velocity along.
@@ -216,7 +161,7 @@ void MarchedColumn::remember() {
   now.modulus = modulus_;
   now.stress = state_.stress;
   for (std::size_t e = 0; e < now.stress.size(); ++e) {
-    const Eigen::Vector2d& viscous = trial_.viscous()[e];
+    const Eigen::Vector2d viscous = trial_.viscous(e);
     now.stress[e].xx += state_.grid.elements[e].lateral_ratio * viscous.y();
     now.stress[e].yy += viscous.y();
     now.stress[e].xy += viscous.x();
@@ -227,7 +172,7 @@ void MarchedColumn::remember() {
         scheme_.held(i)
             ? Eigen::Vector2d((3.0 * base_bracket_[0] - 4.0 * base_bracket_[1] + base_bracket_[2]) /
                               (2.0 * settings_.time_step))
-            : trial_.total_force(scheme_, state_, i);
+            : trial_.force(i);
     finite += now.force[i].sum() + state_.velocity[i].relative.sum();
     const WetNode& node = state_.grid.nodes[i];
     // The water at a sealed node follows the grains: this is the force that their acceleration takes.
@@ -236,7 +181,7 @@ void MarchedColumn::remember() {
                           (3.0 * now.velocity[i].solid.y() - 4.0 * snapshots_[1].velocity[i].solid.y() +
                            snapshots_[2].velocity[i].solid.y()) /
                           (2.0 * settings_.time_step)
-                    : trial_.fluid_force(state_, i);
+                    : trial_.fluid_force(i);
   }
   if (!std::isfinite(finite)) {
     const Eigen::Vector2d v = input(time());
@@ -254,7 +199,7 @@ void MarchedColumn::check() {
     throw std::runtime_error(
         fmt::format("at {:.4g} s, as the soil has stiffened with its pressure, {}", time(), reason));
   require_stable(settings_.time_step, step_limit(state_.grid, modulus_, settings_.slowness_x), time());
-  tangent_.factor(scheme_, state_.grid, modulus_);
+  tangent_.follow(scheme_, state_.grid, modulus_);
 }
 
 void MarchedColumn::sample(std::span<const double> y, std::span<ColumnSample> samples) const {
@@ -277,17 +222,17 @@ void MarchedColumn::sample(std::span<const double> y, std::span<ColumnSample> sa
 }
 
 double MarchedColumn::evaluations_per_step() const {
-  return steps_ == 0 ? 0.0 : static_cast<double>(evaluations_) / static_cast<double>(steps_);
+  return steps_ == 0 ? 0.0 : static_cast<double>(iteration_.evaluations()) / static_cast<double>(steps_);
 }
 
 std::string MarchedColumn::report() const {
   std::string text = fmt::format("{} steps of {:.4g} s, {:.1f} calls of the soils' laws a step", steps_,
                                  settings_.time_step, evaluations_per_step());
-  if (unconverged_ > 0)
+  if (unconverged_steps() > 0)
     text += fmt::format(
         "; {} steps did not converge, with a residual of up to {:.2g} of the largest increment of "
         "stress",
-        unconverged_, largest_residual_);
+        unconverged_steps(), largest_residual());
   return text + missing_energy(energy());
 }
 

@@ -22,9 +22,9 @@ void MarchedColumn::count_work(const BaseDrive& drive) {
   const double dt = settings_.time_step;
   for (std::size_t e = 0; e < mesh_.elements(); ++e) {
     const double length = state_.grid.elements[e].length;
-    const ElementStrain& d = trial_.strain()[e];
+    const ElementStrain d = trial_.strain(e);
     const ElementStress& before = state_.stress[e];
-    const ElementStress& after = trial_.stress()[e];
+    const ElementStress after = trial_.stress(e);
     const SoilState& rest = soil_.initial();
     const double gravity = length * (rest.sxx[e] * d.exx + rest.syy[e] * d.eyy);
     spent_.gravity += gravity;
@@ -32,12 +32,12 @@ void MarchedColumn::count_work(const BaseDrive& drive) {
                                     ((before.xx + after.xx) * d.exx + (before.yy + after.yy) * d.eyy +
                                      (before.xy + after.xy) * d.gxy);
     spent_.pore -= 0.5 * length * (before.pressure + after.pressure) * d.theta;
-    const Vector2d vertical = dt * (trial_.half()[e + 1].solid - trial_.half()[e].solid);
-    spent_.damping += trial_.viscous()[e].dot(vertical);
+    const Vector2d vertical = dt * (trial_.half(e + 1).solid - trial_.half(e).solid);
+    spent_.damping += trial_.viscous(e).dot(vertical);
   }
   for (std::size_t i = 0; i < u_.size(); ++i) {
     const WetNode& node = state_.grid.nodes[i];
-    spent_.drag += dt * node.porosity() * node.drag * trial_.half()[i].relative.squaredNorm();
+    spent_.drag += dt * node.porosity() * node.drag * trial_.half(i).relative.squaredNorm();
     if (scheme_.held(i))
       continue;
     const auto brake = [&](const NodeVelocity& v, const Vector2d& reference) {
@@ -46,7 +46,7 @@ void MarchedColumn::count_work(const BaseDrive& drive) {
       spent_.base -= 0.5 * dt * drag.dot(reference);
     };
     brake(state_.velocity[i], drive_.reference);
-    brake(trial_.whole()[i], drive.reference);
+    brake(trial_.whole(i), drive.reference);
   }
   count_base_work(drive);
 }
@@ -55,19 +55,19 @@ void MarchedColumn::count_work(const BaseDrive& drive) {
 /// move as it does, half a step ahead.
 void MarchedColumn::count_base_work(const BaseDrive& drive) {
   const double dt = settings_.time_step;
-  const Vector2d force = trial_.internal_force(state_, 0);
+  const Vector2d force = trial_.base_internal_force();
   std::ranges::rotate(base_bracket_, base_bracket_.end() - 1);
-  base_bracket_[0] = trial_.bracket(scheme_, state_, 0);
+  base_bracket_[0] = trial_.base_bracket();
   if (settings_.base == BaseKind::rigid) {
     const Vector2d impulse = base_bracket_[0] - base_bracket_[1] - 0.5 * dt * (base_force_ + force);
-    spent_.base += impulse.dot(trial_.half().front().solid);
+    spent_.base += impulse.dot(trial_.half(0).solid);
     base_force_ = force;
     return;
   }
   const WetNode& node = state_.grid.nodes.front();
-  const NodeVelocity& velocity = trial_.whole().front();
-  const Vector2d traction = trial_.total_force(scheme_, state_, 0) - force +
-                            node.mass_damping * (velocity.mean(node) - drive.reference);
+  const NodeVelocity velocity = trial_.whole(0);
+  const Vector2d traction =
+      trial_.force(0) - force + node.mass_damping * (velocity.mean(node) - drive.reference);
   const double power = traction.dot(velocity.solid);
   spent_.base += 0.5 * dt * (base_power_ + power);
   base_power_ = power;

@@ -18,7 +18,6 @@
 #include "freefield/twophase/wet_grid.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 namespace tremolo::freefield {
 
@@ -27,30 +26,26 @@ struct ElementStress {
   double xx = 0.0, yy = 0.0, xy = 0.0, pressure = 0.0;
 };
 
-/// What the stress of the elements beside a node does to it, Pa or, times a slowness, Pa s.
+/// What the stress of the elements beside a node does to it, in the order of G and R.
 struct NodeLoad {
-  Eigen::Vector2d lateral = Eigen::Vector2d::Zero(); ///< s N(Sxx, sxy)
-  double lateral_pressure = 0.0;                     ///< s N(p) of elements in which water flows
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();   ///< F
-  double fluid_force = 0.0;                          ///< F~, vertical
+  Eigen::Vector4d lateral = Eigen::Vector4d::Zero(); ///< s N(Sxx, sxy) and (-s N(p), 0), Pa s
+  Eigen::Vector4d force = Eigen::Vector4d::Zero();   ///< F and (0, F~), Pa
 
-  /// Adds an element that lies above (+1) or below (-1) the node.
-  void add(const WetElement& element, const ElementStress& stress, double slowness, double side) {
+  NodeLoad() = default;
+  /// Of an element below the node; one above it pulls the other way.
+  NodeLoad(const WetElement& element, const ElementStress& stress, double slowness) {
     const double share = 0.5 * slowness * element.length;
-    lateral += share * Eigen::Vector2d(stress.xx - stress.pressure, stress.xy);
-    force += side * Eigen::Vector2d(stress.xy, stress.yy - stress.pressure);
-    if (element.flows()) {
-      lateral_pressure += share * stress.pressure;
-      fluid_force -= side * stress.pressure;
-    }
+    const double flowing = element.flows() ? stress.pressure : 0.0;
+    lateral << share * (stress.xx - stress.pressure), share * stress.xy, -share * flowing, 0.0;
+    force << -stress.xy, stress.pressure - stress.yy, 0.0, flowing;
   }
 
-  NodeLoad& add(double factor, const NodeLoad& other) {
-    lateral += factor * other.lateral;
-    lateral_pressure += factor * other.lateral_pressure;
-    force += factor * other.force;
-    fluid_force += factor * other.fluid_force;
-    return *this;
+  /// Loads of the elements below and above a node, each made as if it lay below.
+  static NodeLoad between(const NodeLoad& below, const NodeLoad& above) {
+    NodeLoad load;
+    load.lateral = below.lateral + above.lateral;
+    load.force = below.force - above.force;
+    return load;
   }
 };
 
@@ -67,32 +62,5 @@ struct NodeMomenta {
   Eigen::Vector2d mixture = Eigen::Vector2d::Zero();
   Eigen::Vector2d fluid = Eigen::Vector2d::Zero();
 };
-
-/// Velocities from G of a free node.
-/// @param fluid  R with what acts on the water
-/// @param drag_time  kappa, s
-inline NodeVelocity split(const WetNode& node, const Eigen::Vector2d& mixture, const Eigen::Vector2d& fluid,
-                          double drag_time) {
-  NodeVelocity v{mixture / node.mass()};
-  if (node.fluid == 0.0)
-    return v;
-  const double inertia = node.full * node.solid / node.mass() + drag_time * node.drag;
-  v.relative.x() = (fluid.x() - node.full * v.solid.x()) / inertia;
-  v.relative.y() = node.sealed ? 0.0 : (fluid.y() - node.full * v.solid.y()) / inertia;
-  v.solid -= node.fluid / node.mass() * v.relative;
-  return v;
-}
-
-/// Velocities where the grains move as prescribed.
-inline NodeVelocity split_held(const WetNode& node, const Eigen::Vector2d& solid,
-                               const Eigen::Vector2d& fluid, double drag_time) {
-  NodeVelocity v{solid};
-  if (node.fluid == 0.0)
-    return v;
-  const double inertia = node.full + drag_time * node.drag;
-  v.relative.x() = (fluid.x() - node.full * solid.x()) / inertia;
-  v.relative.y() = node.sealed ? 0.0 : (fluid.y() - node.full * solid.y()) / inertia;
-  return v;
-}
 
 } // namespace tremolo::freefield

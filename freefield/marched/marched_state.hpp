@@ -2,14 +2,26 @@
 
 #include "freefield/column.hpp"
 #include "freefield/fe/fe_soil.hpp"
+#include "freefield/marched/element_strain.hpp"
 #include "freefield/marched/marched_node.hpp"
+#include "freefield/marched/node_split.hpp"
 #include "freefield/twophase/wet_grid.hpp"
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
+#include <cstddef>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace tremolo::freefield {
+
+/// Values of the elements, from the base up, in columns: effective sxx, syy, sxy and pore pressure, or exx,
+/// eyy, gxy and theta.
+using ElementFields = Eigen::Array<double, Eigen::Dynamic, 4>;
+/// Increments of stress over a step, Pa.
+using Increments = ElementFields;
 
 /// A marched column at one time.
 struct MarchedState {
@@ -19,10 +31,14 @@ struct MarchedState {
   std::vector<double> excess;         ///< pore pressure, below cavitation too, Pa
   std::vector<NodeMomenta> momenta;   ///< half a step ahead, before drag
   std::vector<NodeVelocity> velocity; ///< at the present time
+  /// By which elements have strained more than their laws have followed. It counts as elastic, in `stress`
+  /// and not in `soil`, until the next step.
+  ElementFields owed;
 
   MarchedState(WetGrid made, const FeSoil& soil_at_rest)
       : grid(std::move(made)), soil(soil_at_rest.initial()), stress(grid.elements.size()),
-        excess(grid.elements.size()), momenta(grid.nodes.size()), velocity(grid.nodes.size()) {}
+        excess(grid.elements.size()), momenta(grid.nodes.size()), velocity(grid.nodes.size()),
+        owed(ElementFields::Zero(std::ssize(grid.elements), 4)) {}
 };
 
 /// What does not change in a march.
@@ -30,9 +46,24 @@ struct MarchedScheme {
   double slowness = 0.0; ///< s, s/m
   double dt = 0.0;       ///< s
   BaseKind base = BaseKind::compliant;
-  std::vector<Eigen::Matrix2d> dashpots; ///< D of each node, Pa s/m
+  Eigen::Matrix2d half_space = Eigen::Matrix2d::Zero(); ///< Z below a compliant base, Pa s/m
 
   bool held(std::size_t node) const { return node == 0 && base == BaseKind::rigid; }
+  /// (1 + dt/2 D/m)^-1 of the base node, D its dashpots of both kinds.
+  Eigen::Matrix2d braked(const WetNode& base_node) const {
+    const Eigen::Matrix2d all = half_space + base_node.mass_damping * Eigen::Matrix2d::Identity();
+    return (Eigen::Matrix2d::Identity() + 0.5 * dt / base_node.mass() * all).inverse();
+  }
+  /// What the base node is split from at the end of a step: G, or the velocity that a rigid base has.
+  Eigen::Vector2d at_base(const Eigen::Vector2d& momentum, const Eigen::Matrix2d& brake,
+                          const Eigen::Vector2d& prescribed) const {
+    return held(0) ? prescribed : Eigen::Vector2d(brake * momentum);
+  }
+  /// How the nodes move half a step ahead, and at the end of the step.
+  void set_half(NodeSplit& split, const NodeMasses& nodes) const { split.set(nodes, dt, 0.0, held(0)); }
+  void set_whole(NodeSplit& split, const NodeMasses& nodes) const {
+    split.set(nodes, 0.5 * dt, 0.5 * dt, held(0));
+  }
 };
 
 /// What comes in at the base in a step.

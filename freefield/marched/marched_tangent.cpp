@@ -9,6 +9,8 @@
 
 #include "freefield/marched/element_strain.hpp"
 
+#include <cmath>
+
 namespace tremolo::freefield {
 namespace {
 
@@ -18,31 +20,28 @@ using Move = Eigen::Vector<double, 6>;
 using MoveByStress = Eigen::Matrix<double, 6, 4>;
 using StrainByMove = Eigen::Matrix<double, 4, 6>;
 
-NodeMove move_of(const Move& m) {
-  return {m[0], m[1], m[2], m[3], m[4], m[5]};
-}
-
 /// How a unit of each increment of an element moves one of its nodes.
-MoveByStress move_by_stress(const MarchedScheme& scheme, const WetGrid& grid, std::size_t i, std::size_t e) {
+MoveByStress move_by_stress(const MarchedScheme& scheme, const WetGrid& grid, const NodeSplit& half_split,
+                            const NodeSplit& whole_split, std::size_t i, std::size_t e) {
   const WetNode& node = grid.nodes[i];
   const double dt = scheme.dt;
-  const Eigen::Matrix2d implicit =
-      (Eigen::Matrix2d::Identity() + 0.5 * dt / node.mass() * scheme.dashpots[i]).inverse();
-  const auto velocity = [&](const Vector2d& mixture, const Vector2d& fluid, double drag_time) {
-    return scheme.held(i) ? split_held(node, Vector2d::Zero(), fluid, drag_time)
-                          : split(node, mixture, fluid, drag_time);
-  };
+  const Eigen::Matrix2d braked = i == 0 ? scheme.braked(node) : Eigen::Matrix2d::Identity();
   MoveByStress moves;
   for (Eigen::Index k = 0; k < 4; ++k) {
     const Eigen::Vector4d unit = Eigen::Vector4d::Unit(k);
-    NodeLoad load;
-    load.add(grid.elements[e], {unit[0], unit[1], unit[2], unit[3]}, scheme.slowness, e == i ? 1.0 : -1.0);
-    const NodeVelocity half = velocity(-0.5 * load.lateral, {0.5 * load.lateral_pressure, 0.0}, dt);
-    const Vector2d fluid =
-        Vector2d(load.lateral_pressure, 0.5 * dt * load.fluid_force) - dt * node.drag * half.relative;
-    const NodeVelocity whole = velocity(implicit * (0.5 * dt * load.force - load.lateral), fluid, 0.5 * dt);
-    moves.col(k) << half.solid, node.porosity() * half.relative.y(), whole.solid,
-        node.porosity() * whole.relative.x();
+    const NodeLoad one(grid.elements[e], {unit[0], unit[1], unit[2], unit[3]}, scheme.slowness);
+    const NodeLoad load = e == i ? NodeLoad::between({}, one) : NodeLoad::between(one, {});
+    Eigen::Vector4d half = -0.5 * load.lateral;
+    if (scheme.held(i))
+      half.head<2>().setZero();
+    half = half_split.at(i, half);
+    Eigen::Vector4d whole = 0.5 * dt * load.force - load.lateral;
+    whole.tail<2>() -= dt * node.drag * half.tail<2>(); // drag takes momentum from the water in between
+    if (i == 0)
+      whole.head<2>() = scheme.at_base(whole.head<2>(), braked, Vector2d::Zero());
+    whole = whole_split.at(i, whole);
+    moves.col(k) << half[0], half[1], node.porosity() * half[3], whole[0], whole[1],
+        node.porosity() * whole[2];
   }
   return moves;
 }
@@ -51,9 +50,9 @@ MoveByStress move_by_stress(const MarchedScheme& scheme, const WetGrid& grid, st
 StrainByMove strain_by_move(const MarchedScheme& scheme, const WetElement& element, bool lower) {
   StrainByMove strains;
   for (Eigen::Index k = 0; k < 6; ++k) {
-    const NodeMove unit = move_of(Move::Unit(k));
-    const ElementStrain strain = lower ? strain_of(element, unit, {}, scheme.slowness, scheme.dt)
-                                       : strain_of(element, {}, unit, scheme.slowness, scheme.dt);
+    const Move unit = Move::Unit(k);
+    const Eigen::Vector4d half(unit[0], unit[1], 0.0, unit[2]), change(unit[3], unit[4], unit[5], 0.0);
+    const ElementStrain strain = strain_of(element, lower ? -half : half, change, scheme.slowness, scheme.dt);
     strains.col(k) = Strain(strain.exx, strain.eyy, strain.gxy, strain.theta);
   }
   return strains;
@@ -73,18 +72,44 @@ Eigen::Matrix4d stiffness(const WetElement& element, double modulus) {
 void MarchedTangent::factor(const MarchedScheme& scheme, const WetGrid& grid,
                             const std::vector<double>& moduli) {
   const std::size_t n = grid.elements.size();
+  modulus_ = moduli;
+  length_.resize(n);
+  NodeMasses masses;
+  masses.gather(grid.nodes);
+  NodeSplit half, whole;
+  scheme.set_half(half, masses);
+  scheme.set_whole(whole, masses);
+  const auto moves = [&](std::size_t i, std::size_t e) {
+    return move_by_stress(scheme, grid, half, whole, i, e);
+  };
   for (std::size_t e = 0; e < n; ++e) {
+    length_[e] = grid.elements[e].length;
     const Eigen::Matrix4d c = stiffness(grid.elements[e], moduli[e]);
     const Eigen::Matrix<double, 4, 6> below = c * strain_by_move(scheme, grid.elements[e], true);
     const Eigen::Matrix<double, 4, 6> above = c * strain_by_move(scheme, grid.elements[e], false);
-    matrix_.diagonal(e) = Eigen::Matrix4d::Identity() - below * move_by_stress(scheme, grid, e, e) -
-                          above * move_by_stress(scheme, grid, e + 1, e);
+    matrix_.diagonal(e) = Eigen::Matrix4d::Identity() - below * moves(e, e) - above * moves(e + 1, e);
     if (e > 0)
-      matrix_.lower(e - 1) = -below * move_by_stress(scheme, grid, e, e - 1);
+      matrix_.lower(e - 1) = -below * moves(e, e - 1);
     if (e + 1 < n)
-      matrix_.upper(e) = -above * move_by_stress(scheme, grid, e + 1, e + 1);
+      matrix_.upper(e) = -above * moves(e + 1, e + 1);
   }
   matrix_.factor();
+}
+
+void MarchedTangent::solve(Increments& residual) {
+  blocks_ = residual.transpose();
+  matrix_.solve(blocks_.data());
+  residual = blocks_.transpose();
+}
+
+void MarchedTangent::follow(const MarchedScheme& scheme, const WetGrid& grid,
+                            const std::vector<double>& moduli) {
+  const auto has_left = [](double now, double then) { return std::abs(now - then) > 0.01 * then; };
+  for (std::size_t e = 0; e < moduli.size(); ++e)
+    if (has_left(moduli[e], modulus_[e]) || has_left(grid.elements[e].length, length_[e])) {
+      factor(scheme, grid, moduli);
+      return;
+    }
 }
 
 } // namespace tremolo::freefield

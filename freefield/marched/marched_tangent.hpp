@@ -16,11 +16,17 @@ public:
   /// @param moduli  M of each element, Pa
   void factor(const MarchedScheme& scheme, const WetGrid& grid, const std::vector<double>& moduli);
 
+  /// Factors again where a modulus or a length has left what was factored by more than a per cent: less than
+  /// that costs the iteration nothing.
+  void follow(const MarchedScheme& scheme, const WetGrid& grid, const std::vector<double>& moduli);
+
   /// Replaces a residual by the correction of the increment that takes it away where soil is elastic.
-  void solve(std::vector<double>& residual) const { matrix_.solve(residual); }
+  void solve(Increments& residual);
 
 private:
   BlockTridiagonal<4> matrix_;
+  Eigen::Array<double, 4, Eigen::Dynamic> blocks_; ///< of a right-hand side
+  std::vector<double> modulus_, length_;           ///< that were factored, Pa and m
 };
 
 } // namespace tremolo::freefield

@@ -20,171 +20,237 @@
 #include "freefield/marched/marched_trial.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tremolo::freefield {
-namespace {
 
+using Eigen::ArrayXd;
 using Eigen::Vector2d;
 
-/// The loads of all nodes by the stresses of the elements.
-void find_loads(const MarchedScheme& scheme, const WetGrid& grid, const std::vector<ElementStress>& stress,
-                std::vector<NodeLoad>& loads) {
-  loads.assign(grid.nodes.size(), {});
-  for (std::size_t e = 0; e < stress.size(); ++e) {
-    loads[e].add(grid.elements[e], stress[e], scheme.slowness, 1.0);
-    loads[e + 1].add(grid.elements[e], stress[e], scheme.slowness, -1.0);
-  }
+namespace {
+
+auto x_y(auto& fields) {
+  return fields.template leftCols<2>();
+}
+auto w_xy(auto& fields) {
+  return fields.template rightCols<2>();
+}
+
+/// Of the upper node of each element, and of the lower one.
+auto upper(auto&& nodes) {
+  return nodes.bottomRows(nodes.rows() - 1);
+}
+auto lower(auto&& nodes) {
+  return nodes.topRows(nodes.rows() - 1);
+}
+
+void set_row(NodeFields& fields, Eigen::Index i, const Vector2d& left, const Vector2d& right) {
+  fields(i, 0) = left.x();
+  fields(i, 1) = left.y();
+  fields(i, 2) = right.x();
+  fields(i, 3) = right.y();
+}
+
+Eigen::Map<const ArrayXd> array(const std::vector<double>& values) {
+  return {values.data(), std::ssize(values)};
 }
 
 } // namespace
 
 MarchedTrial::MarchedTrial(const FeSoil& soil, const MarchedState& state)
-    : soil_(&soil), soil_state_(state.soil), implicit_(state.velocity.size()), half_(state.velocity.size()),
-      whole_(half_.size()), after_drag_(half_.size()), strain_(state.stress.size()), stress_(strain_.size()),
-      excess_(strain_.size()), viscosity_(strain_.size()), viscous_(strain_.size(), Vector2d::Zero()),
-      dexx_(strain_.size()), deyy_(strain_.size()), dgxy_(strain_.size()) {}
+    : soil_(&soil), soil_state_(state.soil) {
+  const Eigen::Index nodes = std::ssize(state.velocity), elements = std::ssize(state.stress);
+  for (NodeFields* fields :
+       {&half_given_, &whole_given_, &velocity_, &momenta_, &half_, &whole_, &lateral_, &force_})
+    fields->setZero(nodes, 4);
+  for (ElementFields* fields : {&before_, &stress_, &strain_, &followed_, &owed_})
+    fields->setZero(elements, 4);
+  drag_.setZero(nodes, 2);
+  viscosity_.setZero(elements, 2);
+  viscous_.setZero(elements, 2);
+  mean_.setZero(nodes, 2);
+  porosity_.setZero(nodes);
+  for (ArrayXd* values : {&share_, &flowing_, &per_length_, &stiff_, &lateral_stiff_, &shear_stiff_,
+                          &water_stiff_, &lowest_, &excess_})
+    values->setZero(elements);
+  for (std::vector<double>* strain : {&dexx_, &deyy_, &dgxy_})
+    strain->resize(state.stress.size());
+}
 
 void MarchedTrial::begin(const MarchedScheme& scheme, const MarchedState& state, const BaseDrive& drive,
                          const std::vector<double>& moduli) {
   drive_ = drive;
-  find_loads(scheme, state.grid, state.stress, before_);
-  for (std::size_t i = 0; i < implicit_.size(); ++i)
-    implicit_[i] =
-        (Eigen::Matrix2d::Identity() + 0.5 * scheme.dt / state.grid.nodes[i].mass() * scheme.dashpots[i])
-            .inverse();
-  for (std::size_t e = 0; e < viscosity_.size(); ++e)
-    viscosity_[e] = state.grid.elements[e].beta * moduli[e];
+  base_brake_ = scheme.braked(state.grid.nodes.front());
+  damped_ = false;
+  for (Eigen::Index e = 0; e < share_.size(); ++e) {
+    const auto k = static_cast<std::size_t>(e);
+    const WetElement& element = state.grid.elements[k];
+    const double m = moduli[k];
+    share_[e] = 0.5 * scheme.slowness * element.length;
+    flowing_[e] = element.flows() ? 1.0 : 0.0;
+    per_length_[e] = scheme.dt / element.length;
+    stiff_[e] = m;
+    lateral_stiff_[e] = element.lateral_ratio * m;
+    shear_stiff_[e] = element.shear_ratio * m;
+    water_stiff_[e] = element.stiffness;
+    lowest_[e] = element.stiffness > 0.0 ? element.lowest_excess : 0.0;
+    viscosity_.row(e) << element.beta * element.shear_ratio * m / element.length,
+        element.beta * m / element.length;
+    damped_ = damped_ || element.beta > 0.0;
+    const ElementStress& stress = state.stress[k];
+    before_.row(e) << stress.xx, stress.yy, stress.xy, stress.pressure;
+  }
+  find_loads(before_);
+  for (Eigen::Index i = 0; i < porosity_.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const WetNode& node = state.grid.nodes[k];
+    set_row(half_given_, i, state.momenta[k].mixture, state.momenta[k].fluid);
+    set_row(velocity_, i, state.velocity[k].solid, state.velocity[k].relative);
+    porosity_[i] = node.porosity();
+  }
+  masses_.gather(state.grid.nodes);
+  scheme.set_half(half_split_, masses_);
+  scheme.set_whole(whole_split_, masses_);
+  drag_.col(0) = drag_.col(1) = scheme.dt * masses_.drag;
+  add_driving_force();
+  half_given_ -= lateral_;
+  whole_given_ = half_given_ + 0.5 * scheme.dt * force_;
+}
+
+/// What stress of the elements does to the nodes: s N of it, and F and F~, in the order of G and R.
+void MarchedTrial::find_loads(const ElementFields& stress) {
+  const auto xx = stress.col(0), yy = stress.col(1), xy = stress.col(2), pressure = stress.col(3);
+  const auto add = [](NodeFields& fields, Eigen::Index c, double side, const auto& values) {
+    fields.col(c).setZero();
+    lower(fields.col(c)) = values;
+    upper(fields.col(c)) += side * values;
+  };
+  add(lateral_, 0, 1.0, share_ * (xx - pressure));
+  add(lateral_, 1, 1.0, share_ * xy);
+  add(lateral_, 2, 1.0, -share_ * flowing_ * pressure);
+  add(force_, 0, -1.0, xy);
+  add(force_, 1, -1.0, yy - pressure);
+  add(force_, 3, -1.0, -flowing_ * pressure);
+}
+
+void MarchedTrial::move(const MarchedScheme& scheme, const Increments& increment) {
+  const double tau = 0.5 * scheme.dt;
+  find_loads(increment);
+  momenta_ = half_given_ - 0.5 * lateral_;
+  if (scheme.held(0))
+    momenta_.row(0).head<2>() = drive_.half.transpose();
+  half_split_(momenta_, half_);
+
+  momenta_ = whole_given_ + tau * force_ - lateral_;
+  w_xy(momenta_) -= drag_ * w_xy(half_);
+  if (damped_) {
+    viscous_ = viscosity_ * (upper(x_y(half_)) - lower(x_y(half_)));
+    lower(x_y(momenta_)) += tau * viscous_;
+    upper(x_y(momenta_)) -= tau * viscous_;
+  }
+  const Vector2d base = momenta_.row(0).head<2>().transpose();
+  momenta_.row(0).head<2>() = scheme.at_base(base, base_brake_, drive_.whole).transpose();
+  whole_split_(momenta_, whole_);
+  find_strain(scheme);
+}
+
+/// By element_strain.hpp.
+void MarchedTrial::find_strain(const MarchedScheme& scheme) {
+  const double m = 0.5 * scheme.slowness;
+  const auto slope = [&](const auto& values) { return per_length_ * (upper(values) - lower(values)); };
+  const auto moved = [&](Eigen::Index c) { return whole_.col(c) - velocity_.col(c); };
+  strain_.col(0) = -m * (upper(moved(0)) + lower(moved(0)));
+  strain_.col(1) = slope(half_.col(1));
+  strain_.col(2) = slope(half_.col(0)) - m * (upper(moved(1)) + lower(moved(1)));
+  strain_.col(3) = strain_.col(0) + strain_.col(1);
+  const ArrayXd qy = porosity_ * half_.col(3), dqx = porosity_ * moved(2);
+  strain_.col(3) += flowing_ * (slope(qy) - m * (upper(dqx) + lower(dqx)));
+}
+
+void MarchedTrial::elastic_increment(Increments& made) const {
+  elastic(strain_, made);
+}
+
+/// Of elastic soil: effective stress, and the pressure of its water.
+void MarchedTrial::elastic(const ElementFields& strain, ElementFields& stress) const {
+  stress.col(0) = stiff_ * strain.col(0) + lateral_stiff_ * strain.col(1);
+  stress.col(1) = lateral_stiff_ * strain.col(0) + stiff_ * strain.col(1);
+  stress.col(2) = shear_stiff_ * strain.col(2);
+  stress.col(3) = -water_stiff_ * strain.col(3);
 }
 
 void MarchedTrial::evaluate(const MarchedScheme& scheme, const MarchedState& state,
-                            const std::vector<double>& increment, std::vector<double>& residual) {
-  for (std::size_t e = 0; e < stress_.size(); ++e) {
-    const double* x = &increment[values * e];
-    stress_[e] = {x[0], x[1], x[2], x[3]};
-  }
-  find_loads(scheme, state.grid, stress_, change_);
-  find_velocities(scheme, state);
-  find_strain(scheme, state);
-
+                            const Increments& increment, Increments& residual) {
+  move(scheme, increment);
+  followed_ = strain_ + state.owed;
+  owed_.setZero();
+  const auto pass_on = [&](Eigen::Index c, std::vector<double>& strain) {
+    ArrayXd::Map(strain.data(), std::ssize(strain)) = followed_.col(c);
+  };
+  pass_on(0, dexx_);
+  pass_on(1, deyy_);
+  pass_on(2, dgxy_);
   soil_state_ = state.soil;
   soil_->update(soil_state_, dexx_, deyy_, dgxy_);
-  for (std::size_t e = 0; e < stress_.size(); ++e) {
-    const WetElement& element = state.grid.elements[e];
-    excess_[e] = state.excess[e] - element.stiffness * strain_[e].theta;
-    const double pressure = element.stiffness > 0.0 ? std::max(excess_[e], element.lowest_excess) : 0.0;
-    stress_[e] = {soil_->lateral(soil_state_, e), soil_->vertical(soil_state_, e),
-                  soil_->shear(soil_state_, e), pressure};
-    const double* x = &increment[values * e];
-    double* r = &residual[values * e];
-    r[0] = stress_[e].xx - state.stress[e].xx - x[0];
-    r[1] = stress_[e].yy - state.stress[e].yy - x[1];
-    r[2] = stress_[e].xy - state.stress[e].xy - x[2];
-    r[3] = stress_[e].pressure - state.stress[e].pressure - x[3];
+  find_stress(state);
+  residual = stress_ - before_ - increment;
+}
+
+void MarchedTrial::settle(const MarchedScheme& scheme, const MarchedState& state,
+                          const Increments& increment) {
+  move(scheme, increment);
+  owed_ = strain_ + state.owed - followed_;
+  find_stress(state);
+}
+
+/// The stress of the elements by their laws, with what they are owed as elastic.
+void MarchedTrial::find_stress(const MarchedState& state) {
+  const SoilState& rest = soil_->initial();
+  elastic(owed_, stress_);
+  stress_.col(0) += array(soil_state_.sxx) - array(rest.sxx);
+  stress_.col(1) += array(soil_state_.syy) - array(rest.syy);
+  stress_.col(2) += array(soil_state_.sxy);
+  excess_ = array(state.excess) - water_stiff_ * strain_.col(3);
+  stress_.col(3) = excess_.max(lowest_);
+}
+
+/// What dashpots and incident wave bring to the nodes.
+void MarchedTrial::add_driving_force() {
+  force_.col(0) += drive_.reference.x() * masses_.mass_damping;
+  force_.col(1) += drive_.reference.y() * masses_.mass_damping;
+  force_.row(0).head<2>() += drive_.traction.transpose().array();
+}
+
+void MarchedTrial::finish(const MarchedScheme& scheme) {
+  find_loads(stress_);
+  lower(x_y(force_)) += viscous_;
+  upper(x_y(force_)) -= viscous_;
+  internal_force_ = force_.row(0).head<2>().transpose();
+  add_driving_force();
+  mean_ = x_y(whole_) + (masses_.fluid / masses_.mass).replicate<1, 2>() * w_xy(whole_);
+  x_y(force_) -= masses_.mass_damping.replicate<1, 2>() * mean_;
+  const Vector2d base = mean_.row(0).transpose();
+  force_.row(0).head<2>() -= (scheme.half_space * base).transpose().array();
+}
+
+Vector2d MarchedTrial::base_bracket() const {
+  return (masses_.mass[0] * mean_.row(0) + lateral_.row(0).head<2>()).transpose();
+}
+
+void MarchedTrial::accept(const MarchedScheme& scheme, MarchedState& state) {
+  for (std::size_t i = 0; i < state.velocity.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    NodeMomenta& momenta = state.momenta[i];
+    momenta.mixture += scheme.dt * force(i);
+    momenta.fluid -= (drag_.row(k) * w_xy(half_).row(k)).matrix().transpose();
+    momenta.fluid.y() += scheme.dt * fluid_force(i);
+    state.velocity[i] = whole(i);
   }
-}
-
-void MarchedTrial::find_velocities(const MarchedScheme& scheme, const MarchedState& state) {
-  const double dt = scheme.dt;
-  for (std::size_t i = 0; i < half_.size(); ++i) {
-    const WetNode& node = state.grid.nodes[i];
-    NodeLoad load = before_[i];
-    load.add(0.5, change_[i]);
-    const NodeMomenta& momenta = state.momenta[i];
-    const Vector2d fluid = momenta.fluid + Vector2d(load.lateral_pressure, 0.0);
-    half_[i] = scheme.held(i) ? split_held(node, drive_.half, fluid, dt)
-                              : split(node, momenta.mixture - load.lateral, fluid, dt);
-    after_drag_[i] = momenta.fluid - dt * node.drag * half_[i].relative;
-  }
-  for (std::size_t e = 0; e < viscous_.size(); ++e) {
-    const WetElement& element = state.grid.elements[e];
-    const Vector2d rate = (half_[e + 1].solid - half_[e].solid) / element.length;
-    viscous_[e] = viscosity_[e] * Vector2d(element.shear_ratio * rate.x(), rate.y());
-  }
-  for (std::size_t i = 0; i < whole_.size(); ++i) {
-    const WetNode& node = state.grid.nodes[i];
-    NodeLoad load = before_[i];
-    load.add(1.0, change_[i]);
-    const Vector2d fluid = after_drag_[i] + Vector2d(load.lateral_pressure, 0.5 * dt * load.fluid_force);
-    if (scheme.held(i)) {
-      whole_[i] = split_held(node, drive_.whole, fluid, 0.5 * dt);
-      continue;
-    }
-    Vector2d force = load.force + viscous_force(i) + node.mass_damping * drive_.reference;
-    if (i == 0)
-      force += drive_.traction;
-    const Vector2d momentum = state.momenta[i].mixture + 0.5 * dt * force - load.lateral;
-    whole_[i] = split(node, implicit_[i] * momentum, fluid, 0.5 * dt);
-  }
-}
-
-Vector2d MarchedTrial::viscous_force(std::size_t i) const {
-  Vector2d force = Vector2d::Zero();
-  if (i < viscous_.size())
-    force += viscous_[i];
-  if (i > 0)
-    force -= viscous_[i - 1];
-  return force;
-}
-
-void MarchedTrial::find_strain(const MarchedScheme& scheme, const MarchedState& state) {
-  const auto move = [&](std::size_t i) {
-    const double n = state.grid.nodes[i].porosity();
-    const Vector2d change = whole_[i].solid - state.velocity[i].solid;
-    return NodeMove{.vx = half_[i].solid.x(),
-                    .vy = half_[i].solid.y(),
-                    .qy = n * half_[i].relative.y(),
-                    .dvx = change.x(),
-                    .dvy = change.y(),
-                    .dqx = n * (whole_[i].relative.x() - state.velocity[i].relative.x())};
-  };
-  NodeMove lower = move(0);
-  for (std::size_t e = 0; e < strain_.size(); ++e) {
-    const NodeMove upper = move(e + 1);
-    strain_[e] = strain_of(state.grid.elements[e], lower, upper, scheme.slowness, scheme.dt);
-    dexx_[e] = strain_[e].exx;
-    deyy_[e] = strain_[e].eyy;
-    dgxy_[e] = strain_[e].gxy;
-    lower = upper;
-  }
-}
-
-NodeLoad MarchedTrial::end_load(const MarchedState& state, std::size_t i, double slowness) const {
-  NodeLoad load;
-  if (i < stress_.size())
-    load.add(state.grid.elements[i], stress_[i], slowness, 1.0);
-  if (i > 0)
-    load.add(state.grid.elements[i - 1], stress_[i - 1], slowness, -1.0);
-  return load;
-}
-
-Vector2d MarchedTrial::internal_force(const MarchedState& state, std::size_t i) const {
-  return end_load(state, i).force + viscous_force(i);
-}
-
-Vector2d MarchedTrial::total_force(const MarchedScheme& scheme, const MarchedState& state,
-                                   std::size_t i) const {
-  const WetNode& node = state.grid.nodes[i];
-  Vector2d force = internal_force(state, i) - scheme.dashpots[i] * whole_[i].mean(node) +
-                   node.mass_damping * drive_.reference;
-  if (i == 0)
-    force += drive_.traction;
-  return force;
-}
-
-Vector2d MarchedTrial::bracket(const MarchedScheme& scheme, const MarchedState& state, std::size_t i) const {
-  const WetNode& node = state.grid.nodes[i];
-  return node.mass() * whole_[i].mean(node) + end_load(state, i, scheme.slowness).lateral;
-}
-
-void MarchedTrial::accept(const MarchedScheme& scheme, MarchedState& state) const {
-  for (std::size_t i = 0; i < state.momenta.size(); ++i) {
-    state.momenta[i].mixture += scheme.dt * total_force(scheme, state, i);
-    state.momenta[i].fluid = after_drag_[i] + Vector2d(0.0, scheme.dt * fluid_force(state, i));
-  }
-  state.velocity = whole_;
-  state.stress = stress_;
-  state.excess = excess_;
-  state.soil = soil_state_;
+  for (std::size_t e = 0; e < state.stress.size(); ++e)
+    state.stress[e] = stress(e);
+  Eigen::ArrayXd::Map(state.excess.data(), std::ssize(state.excess)) = excess_;
+  state.owed = owed_;
+  std::swap(state.soil, soil_state_);
 }
 
 } // namespace tremolo::freefield

@@ -3,6 +3,7 @@
 #include "freefield/marched/element_strain.hpp"
 #include "freefield/marched/marched_state.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace tremolo::freefield {
@@ -12,60 +13,102 @@ namespace tremolo::freefield {
 /// unchanged.
 class MarchedTrial {
 public:
-  /// Values of an increment: effective sxx, syy, sxy and pore pressure, Pa.
-  static constexpr std::size_t values = 4;
-
   MarchedTrial(const FeSoil& soil, const MarchedState& state);
 
   /// Begins a step from a state.
-  /// @param moduli  M of each element for its small-strain damping, Pa
+  /// @param moduli  M of each element, Pa, for its small-strain damping and for strain that is owed to its
+  /// law
   void begin(const MarchedScheme& scheme, const MarchedState& state, const BaseDrive& drive,
              const std::vector<double>& moduli);
 
-  /// Fills the residual: what the increments become, less the increments.
-  /// @param increment  4 values an element, from the base up
-  void evaluate(const MarchedScheme& scheme, const MarchedState& state, const std::vector<double>& increment,
-                std::vector<double>& residual);
+  /// Moves the nodes by increments of stress.
+  void move(const MarchedScheme& scheme, const Increments& increment);
 
-  /// Makes the last evaluation the state: stress is that of the laws.
-  void accept(const MarchedScheme& scheme, MarchedState& state) const;
+  /// What elastic soil makes of the present motion.
+  void elastic_increment(Increments& made) const;
 
-  const std::vector<NodeVelocity>& half() const { return half_; }
-  const std::vector<NodeVelocity>& whole() const { return whole_; }
-  const std::vector<ElementStrain>& strain() const { return strain_; }
-  const std::vector<ElementStress>& stress() const { return stress_; } ///< at the end of the step
-  const SoilState& soil() const { return soil_state_; }
-  /// Vertical stress (sxy, syy) of the small-strain damping of an element, Pa.
-  const std::vector<Eigen::Vector2d>& viscous() const { return viscous_; }
-  /// At the end of the step: F on a node by stress and damping of its elements, and with what dashpots and
-  /// incident wave bring, Pa.
-  Eigen::Vector2d internal_force(const MarchedState& state, std::size_t node) const;
-  Eigen::Vector2d total_force(const MarchedScheme& scheme, const MarchedState& state, std::size_t node) const;
-  /// F~ on a node at the end of the step, Pa.
-  double fluid_force(const MarchedState& state, std::size_t node) const {
-    return end_load(state, node).fluid_force;
+  /// Moves the nodes, lets the laws follow, and fills the residual: what the increments become, less the
+  /// increments.
+  void evaluate(const MarchedScheme& scheme, const MarchedState& state, const Increments& increment,
+                Increments& residual);
+
+  /// Moves the nodes by increments that the last evaluation has been corrected to. The laws are not called
+  /// again: what the elements strain beyond that evaluation counts as elastic and is owed to their laws.
+  void settle(const MarchedScheme& scheme, const MarchedState& state, const Increments& increment);
+
+  /// What the laws, and the water, have made of the increments.
+  Increments change() const { return stress_ - before_; }
+
+  /// Finds the forces at the end of the step.
+  void finish(const MarchedScheme& scheme);
+
+  /// Makes a finished step the state.
+  void accept(const MarchedScheme& scheme, MarchedState& state);
+
+  NodeVelocity half(std::size_t node) const { return velocity(half_, node); }
+  NodeVelocity whole(std::size_t node) const { return velocity(whole_, node); }
+  ElementStrain strain(std::size_t element) const {
+    const auto d = strain_.row(static_cast<Eigen::Index>(element));
+    return {d[0], d[1], d[2], d[3]};
   }
-  /// m v + m_f w + s N(S) of a node at the end of the step, kg/(m s).
-  Eigen::Vector2d bracket(const MarchedScheme& scheme, const MarchedState& state, std::size_t node) const;
+  /// At the end of the step, Pa.
+  ElementStress stress(std::size_t element) const {
+    const auto s = stress_.row(static_cast<Eigen::Index>(element));
+    return {s[0], s[1], s[2], s[3]};
+  }
+  /// Vertical stress (sxy, syy) of the small-strain damping of an element, Pa.
+  Eigen::Vector2d viscous(std::size_t element) const {
+    return viscous_.row(static_cast<Eigen::Index>(element)).transpose();
+  }
+  /// Of a finished step: F on a node with what dashpots and incident wave bring, and F~, Pa.
+  Eigen::Vector2d force(std::size_t node) const {
+    return force_.row(static_cast<Eigen::Index>(node)).head<2>().transpose();
+  }
+  double fluid_force(std::size_t node) const { return force_(static_cast<Eigen::Index>(node), 3); }
+  /// F on the base node by stress and damping of its element alone, Pa.
+  const Eigen::Vector2d& base_internal_force() const { return internal_force_; }
+  /// m v + m_f w + s N(S) of the base node, kg/(m s).
+  Eigen::Vector2d base_bracket() const;
 
 private:
-  void find_velocities(const MarchedScheme& scheme, const MarchedState& state);
-  void find_strain(const MarchedScheme& scheme, const MarchedState& state);
-  Eigen::Vector2d viscous_force(std::size_t node) const;
-  NodeLoad end_load(const MarchedState& state, std::size_t node, double slowness = 0.0) const;
+  void find_loads(const ElementFields& stress);
+  void find_strain(const MarchedScheme& scheme);
+  void find_stress(const MarchedState& state);
+  void elastic(const ElementFields& strain, ElementFields& stress) const;
+  void add_driving_force();
+  static NodeVelocity velocity(const NodeFields& fields, std::size_t node) {
+    const auto v = fields.row(static_cast<Eigen::Index>(node));
+    return {{v[0], v[1]}, {v[2], v[3]}};
+  }
+
+  using Pairs = Eigen::Array<double, Eigen::Dynamic, 2>;
 
   const FeSoil* soil_;
-  BaseDrive drive_;
   SoilState soil_state_;
-  std::vector<NodeLoad> before_, change_;
-  std::vector<Eigen::Matrix2d> implicit_; ///< (1 + dt/2 D/m)^-1
-  std::vector<NodeVelocity> half_, whole_;
-  std::vector<Eigen::Vector2d> after_drag_; ///< R'
-  std::vector<ElementStrain> strain_;
-  std::vector<ElementStress> stress_;
-  std::vector<double> excess_;
-  std::vector<double> viscosity_; ///< beta M of each element, Pa s
-  std::vector<Eigen::Vector2d> viscous_;
+  BaseDrive drive_;
+  Eigen::Matrix2d base_brake_ = Eigen::Matrix2d::Identity();
+  Eigen::Vector2d internal_force_ = Eigen::Vector2d::Zero();
+  bool damped_ = false;
+
+  // Of the nodes: what is split at either level of a step without an increment, and drag times dt.
+  NodeMasses masses_;
+  NodeSplit half_split_, whole_split_;
+  NodeFields half_given_, whole_given_;
+  Pairs drag_; ///< kg/m2
+  Eigen::ArrayXd porosity_;
+  NodeFields velocity_;        ///< when the step begins, m/s
+  NodeFields lateral_, force_; ///< s N, Pa s, and F, Pa
+  NodeFields momenta_, half_, whole_;
+  Pairs mean_; ///< velocity of both phases at the end of the step, m/s
+
+  // Of the elements: s h/2, 1 where water flows, dt/h, and the stiffness of soil and water, Pa.
+  Eigen::ArrayXd share_, flowing_, per_length_, stiff_, lateral_stiff_, shear_stiff_, water_stiff_;
+  Eigen::ArrayXd lowest_;         ///< excess pressure in a cavity, Pa
+  Pairs viscosity_, viscous_;     ///< of damping, Pa s/m and Pa
+  ElementFields before_, stress_; ///< when the step begins and ends
+  Eigen::ArrayXd excess_;
+  ElementFields strain_;          ///< of the step
+  ElementFields followed_, owed_; ///< what the laws were last called with, and what they still owe
   std::vector<double> dexx_, deyy_, dgxy_;
 };
 

@@ -5,17 +5,16 @@
 
 namespace tremolo::freefield {
 
-std::optional<materials::Backbone> shear_backbone(const Profile& profile, std::size_t layer,
-                                                  std::string_view model) {
+std::optional<materials::Backbone> shear_backbone(const Profile& profile, std::size_t layer) {
   const auto& law = profile.layers[layer].law;
   if (!law || materials::traits(*law).response == materials::Response::elastic)
     return std::nullopt;
   if (const auto backbone = materials::shear_backbone(*law))
     return backbone;
-  throw std::invalid_argument("layer " + std::to_string(layer + 1) + " from the top: the model `" +
-                              std::string(model) +
-                              "` takes linear elastic layers and Masing rules in shear, not the law `" +
-                              std::string(materials::name(*law)) + "`; the model `fe` takes it");
+  throw std::invalid_argument(
+      "layer " + std::to_string(layer + 1) +
+      " from the top: the model `ode` takes linear elastic layers and Masing rules in shear, not the law `" +
+      std::string(materials::name(*law)) + "`; the model `fe` takes it");
 }
 
 } // namespace tremolo::freefield

@@ -5,15 +5,11 @@
 
 #include <cstddef>
 #include <optional>
-#include <string_view>
 
 namespace tremolo::freefield {
 
 /// The backbone of a layer that follows Masing rules in shear; nothing for a linear elastic one.
-/// @throws std::invalid_argument for another law, naming the layer, the `model` that refuses it and the model
-/// that
-///         takes it
-std::optional<materials::Backbone> shear_backbone(const Profile& profile, std::size_t layer,
-                                                  std::string_view model);
+/// @throws std::invalid_argument for another law, naming the layer and the model that takes it
+std::optional<materials::Backbone> shear_backbone(const Profile& profile, std::size_t layer);
 
 } // namespace tremolo::freefield

@@ -48,7 +48,7 @@ std::unique_ptr<OdePolarisation> polarisation(Wave wave, const Profile& profile,
     const Layer& layer = profile.layers[grid.mesh.element_layer[e]];
     const DampingCoefficients c = coefficients(settings.damping, layer.damping_ratio);
     cells.push_back({grid.mesh.length(e), layer.soil.density, modulus(layer.soil), c.alpha, c.beta});
-    const auto backbone = shear_backbone(profile, grid.mesh.element_layer[e], "ode");
+    const auto backbone = shear_backbone(profile, grid.mesh.element_layer[e]);
     if (wave == Wave::shear && backbone)
       nonlinear.push_back({e, *backbone});
   }

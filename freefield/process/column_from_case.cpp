@@ -2,7 +2,6 @@
 
 #include "freefield/fe/fe_column.hpp"
 #include "freefield/marched/marched_column.hpp"
-#include "freefield/oblique/oblique_column.hpp"
 #include "freefield/ode/ode_column.hpp"
 #include "freefield/process/incident_input.hpp"
 #include "freefield/twophase/two_phase_column.hpp"
@@ -24,6 +23,8 @@ namespace {
 
 /// Share of central differences' stability limit that a column takes if the case names no step.
 constexpr double fraction_of_limit = 0.8;
+/// And the column at an angle, whose error is the smaller the nearer to the limit its steps are.
+constexpr double fraction_at_an_angle = 0.9;
 /// Stiffness that goes with pressure may double in dilation.
 constexpr double stiffening = 2.0;
 
@@ -175,7 +176,7 @@ std::unique_ptr<Column> marched_column(const scene::Case& scene, const Profile& 
   };
   if (scene.fe.dt)
     require_step(scene, limit(1.0));
-  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_of_limit * limit(stiffening);
+  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_at_an_angle * limit(stiffening);
   settings.start_time = start - 2.0 * settings.time_step;
   return std::make_unique<MarchedColumn>(profile, settings, input.velocity);
 }
@@ -212,17 +213,6 @@ std::unique_ptr<Column> ode_column(const scene::Case& scene, const Profile& prof
   return std::make_unique<OdeColumn>(profile, settings, input.velocity);
 }
 
-std::unique_ptr<Column> oblique_column(const scene::Case& scene, const Profile& profile,
-                                       const ColumnInput& input, double start) {
-  ObliqueColumnSettings settings;
-  settings.max_cell_size = scene.oblique.cell_size;
-  settings.slowness_x = slowness_from_case(scene);
-  constexpr double fraction = 0.9;
-  settings.time_step = fraction * oblique_step_limit(profile, settings.max_cell_size, settings.slowness_x);
-  settings.start_time = start - 2.0 * settings.time_step;
-  return std::make_unique<ObliqueColumn>(profile, settings, input.velocity);
-}
-
 } // namespace
 
 std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::SourceProcess& source,
@@ -245,8 +235,6 @@ std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::
     throw std::logic_error("a march without a column");
   case scene::SourceModel::ode:
     return made(scene.ode.cell_size, ode_column);
-  case scene::SourceModel::oblique:
-    return made(scene.oblique.cell_size, oblique_column);
   default:
     throw std::invalid_argument(fmt::format("model \"{}\" is not a column", scene::name(source.field.model)));
   }

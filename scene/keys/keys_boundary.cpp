@@ -11,8 +11,7 @@ constexpr std::string_view models_meaning =
     "Who computes the free field. `wave`: plane waves in layers, exact, any "
     "angle. `fe`: finite-element column of soil and water, any law, any angle below the first critical one. "
     "`ode`: "
-    "column by the method of lines with error control. `oblique`: column of "
-    "oblique waves in the time domain. `eql`: "
+    "column by the method of lines with error control. `eql`: "
     "equivalent-linear layers. `recording`: served again from a `file`. "
     "`external`: a program of your own. `mpm`: a "
     "periodic column of the domain's own cells.";

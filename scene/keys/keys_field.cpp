@@ -124,9 +124,7 @@ Table damping() {
       .keys = {
           choice<DampingModel>(
               "model",
-              "How damping depends on frequency. `kelvin_voigt`: proportional to it, domain and all models "
-              "but "
-              "`oblique`. "
+              "How damping depends on frequency. `kelvin_voigt`: proportional to it, domain and all models. "
               "`rayleigh`: the "
               "ratio at two frequencies, columns `fe` and `ode` only, its part proportional to mass relative "
               "to "

@@ -68,16 +68,6 @@ Table ode() {
            .range = positive}}};
 }
 
-Table oblique() {
-  return {.name = "oblique",
-          .meaning = "Numerics of the column of oblique waves (`model = \"oblique\"`).",
-          .keys = {{.name = "cell_size",
-                    .unit = "m",
-                    .meaning = "Largest cell.",
-                    .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
-                    .range = positive}}};
-}
-
 Table eql() {
   return {
       .name = "eql",
@@ -113,7 +103,7 @@ Table eql() {
 } // namespace
 
 std::vector<Table> numerics_keys() {
-  return {fe(), ode(), oblique(), eql()};
+  return {fe(), ode(), eql()};
 }
 
 } // namespace tremolo::scene

@@ -101,7 +101,6 @@ std::string program(const FreeFieldModel& field) {
     return "tremolo-wave";
   case SourceModel::fe:
   case SourceModel::ode:
-  case SourceModel::oblique:
     return "tremolo-column";
   case SourceModel::mpm:
     return "tremolo-domain";

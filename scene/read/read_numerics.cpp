@@ -16,9 +16,6 @@ void read_numerics(Document& document, Case& scene) {
                ode.number("absolute_tolerance"),
                ode.optional_number("cell_size").value_or(0.5 * scene.mesh.size)};
 
-  scene.oblique.cell_size =
-      document.table("oblique").optional_number("cell_size").value_or(0.5 * scene.mesh.size);
-
   const auto eql = document.table("eql");
   scene.eql = {eql.number("sublayer"), eql.number("strain_ratio"), eql.number("tolerance"),
                eql.integer("iterations"), eql.text("unconverged") == "allow"};

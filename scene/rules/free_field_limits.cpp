@@ -16,7 +16,7 @@ namespace {
 
 using enum SourceModel;
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr std::array computed = {wave, fe, ode, oblique, eql, mpm};
+constexpr std::array computed = {wave, fe, ode, eql, mpm};
 
 bool in_frequency_domain(SourceModel model) {
   return model == wave || model == eql;
@@ -29,8 +29,8 @@ struct Fastest {
 };
 
 /// c_1, m/s: of P waves, in two phases without drag where water flows.
-double fast_speed(const Case& scene, SourceModel model, const Layer& layer) {
-  if (model == fe && layer.wet) {
+double fast_speed(const Case& scene, const Layer& layer) {
+  if (layer.wet) {
     const Soil& soil = scene.soils[*layer.soil];
     const double modulus = materials::elasticity(soil.law).p_modulus();
     if (soil.pores->drainage == materials::Drainage::coupled)
@@ -39,11 +39,11 @@ double fast_speed(const Case& scene, SourceModel model, const Layer& layer) {
   return layer.elastic.p_wave_speed();
 }
 
-/// At a horizontal slowness of 1/c_1 or more a column's initial-value problem is ill posed.
-Fastest fastest(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
+/// At a horizontal slowness of 1/c_1 or more the column's initial-value problem is ill posed.
+Fastest fastest(const Case& scene, const std::vector<Layer>& layers) {
   Fastest fastest{scene.halfspace.p_wave_speed(), "the half-space"};
   for (std::size_t i = 0; i < layers.size(); ++i)
-    if (const double speed = fast_speed(scene, model, layers[i]); speed > fastest.speed) {
+    if (const double speed = fast_speed(scene, layers[i]); speed > fastest.speed) {
       fastest = {speed, fmt::format("layer {} from the top", i + 1)};
       if (layers[i].soil)
         fastest.place += fmt::format(", {}soil '{}'", layers[i].wet ? "saturated " : "",
@@ -57,11 +57,11 @@ std::string refused_angle(const Case& scene, SourceModel model, const std::vecto
   if ((model == ode || model == mpm) && angle != 0.0)
     return fmt::format("model = \"{}\" knows vertical incidence only, but [motion] angle_deg = {}",
                        name(model), angle);
-  if ((model != fe && model != oblique) || angle == 0.0)
+  if (model != fe || angle == 0.0)
     return {};
   const double incident =
       scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
-  const auto [speed, place] = fastest(scene, model, layers);
+  const auto [speed, place] = fastest(scene, layers);
   if (std::sin(angle * degree) * speed < incident)
     return {};
   return fmt::format(
@@ -74,7 +74,7 @@ std::string refused_angle(const Case& scene, SourceModel model, const std::vecto
 std::string refused_kind(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
   if (scene.motion.kind != motion::MotionKind::within)
     return {};
-  if (model == eql || model == oblique || model == mpm)
+  if (model == eql || model == mpm)
     return fmt::format("model = \"{}\" takes an incident or outcrop motion, not one within the ground",
                        name(model));
   if (model == wave && !layers.empty() && !damped(layers))
@@ -114,7 +114,7 @@ bool takes(const Case& scene, SourceModel model, double surface, const std::vect
          !refused_damping(scene, model, layers) && (model != mpm || scene.mesh.size > 0.0);
 }
 
-/// "wave", "oblique" or "eql"
+/// "wave", "fe" or "eql"
 std::string listed(const std::vector<SourceModel>& models) {
   std::string text;
   for (std::size_t i = 0; i < models.size(); ++i)
@@ -150,18 +150,15 @@ std::string refused_wave(const Case& scene, SourceModel model, double surface,
 }
 
 std::string refused_soil(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
-  if (model == oblique && damped(layers))
-    return "model = \"oblique\" takes layers without viscous damping, with which waves of one slowness have "
-           "no well-posed column";
   for (const Layer& layer : layers) {
     if (!layer.soil)
       continue;
     const Soil& soil = scene.soils[*layer.soil];
-    if ((model == ode || model == oblique) && materials::traits(soil.law).remembers_initial_stress)
+    if (model == ode && materials::traits(soil.law).remembers_initial_stress)
       return fmt::format("model = \"{}\" gives its soil no memory of the geostatic stress, with which {} "
                          "(soil '{}') begins",
                          name(model), materials::name(soil.law), soil.name);
-    if ((model == ode || model == oblique) && !in_one_shear(soil.column_law))
+    if (model == ode && !in_one_shear(soil.column_law))
       return fmt::format("model = \"{}\" takes linear and hysteretic soil, but soil '{}' is {}", name(model),
                          soil.name, materials::name(soil.law));
   }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string>
 #include <vector>
@@ -41,9 +42,22 @@ std::string lower(std::string_view text) {
 
 } // namespace
 
+namespace {
+
+/// A word that files no longer have, and what has taken its place.
+struct Former {
+  std::string_view word, now, why;
+};
+constexpr std::array former_words = {Former{"oblique", "fe", "whose column takes waves at an angle"}};
+
+} // namespace
+
 std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
   if (known.empty())
     return "none is known here";
+  for (const auto& [former, now, why] : former_words)
+    if (word == former && std::ranges::find(known, now) != known.end())
+      return fmt::format("it is '{}' now, {}", now, why);
   constexpr std::size_t longest_sensible_word = 64;
   // "sv" for "SV" is no other word, but a slip all the same.
   const std::string small = lower(word);

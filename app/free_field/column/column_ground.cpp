@@ -73,6 +73,18 @@ wavefield::TimeGrid column_times(const ColumnGround& ground, std::optional<doubl
   return {start, dt, static_cast<std::size_t>(steps) + 1};
 }
 
+namespace {
+
+/// Whether the surface's displacement stays finite, which its synthesis alone says.
+void displace_surface(const wavefield::LayeredField& field, const ColumnGround& ground,
+                      const wavefield::TimeGrid& times) {
+  const std::array surface{wavefield::Point{ground.x, ground.source.surface}};
+  const wavefield::TimeGrid ends{times.start, times.dt * static_cast<double>(times.count - 1), 2};
+  field.sample(surface, ends, wavefield::Part::total, {.stress = false, .strain = false});
+}
+
+} // namespace
+
 std::string start_column(const ColumnGround& ground) {
   const auto& [scene, source, x] = ground;
   const wavefield::TimeGrid times = column_times(ground);
@@ -82,11 +94,11 @@ std::string start_column(const ColumnGround& ground) {
   switch (source.field.model) {
   case scene::SourceModel::eql: {
     const auto result = wavefield::equivalent_linear_from_case(scene, source);
-    wavefield::field_from_case(scene, source, result);
+    displace_surface(wavefield::field_from_case(scene, source, result), ground, times);
     return wavefield::summary(result);
   }
   case scene::SourceModel::wave:
-    wavefield::field_from_case(scene, source);
+    displace_surface(wavefield::field_from_case(scene, source), ground, times);
     return "plane waves";
   case scene::SourceModel::mpm:
     return of_steps(*mpm_domain::column_from_case(scene, source, x, times.start));
@@ -116,8 +128,7 @@ void start_source(const scene::Case& scene, const scene::SourceProcess& source) 
   case wave:
     return start_waves(scene, source);
   case fe:
-  case ode:
-  case oblique: {
+  case ode: {
     const scene::Service service = scene::service(scene, source, freefield::slowness_from_case(scene));
     freefield::column_from_case(scene, source, service.x_line, service.start_time);
     return;

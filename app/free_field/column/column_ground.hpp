@@ -15,8 +15,8 @@ namespace tremolo::app {
 
 /// The models that `tremolo column` computes.
 inline constexpr std::array column_models = {scene::SourceModel::wave, scene::SourceModel::fe,
-                                             scene::SourceModel::ode,  scene::SourceModel::oblique,
-                                             scene::SourceModel::eql,  scene::SourceModel::mpm};
+                                             scene::SourceModel::ode, scene::SourceModel::eql,
+                                             scene::SourceModel::mpm};
 std::vector<std::string> column_model_names();
 scene::SourceModel column_model(std::string_view name);
 
@@ -45,7 +45,7 @@ wavefield::TimeGrid column_times(const ColumnGround& ground, std::optional<doubl
 /// @throws as free_field_series() before its first step
 std::string start_column(const ColumnGround& ground);
 
-/// Builds the free fields wave, fe, ode and oblique of a complete case as their processes do.
+/// Builds the free fields wave, fe and ode of a complete case as their processes do.
 /// @throws std::runtime_error that names the side and says why one cannot be built
 void start_free_fields(const scene::Case& scene, const scene::Plan& plan);
 

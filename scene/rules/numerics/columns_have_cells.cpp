@@ -17,8 +17,6 @@ void columns_have_cells(const Case& scene, Findings& findings) {
     return need(scene.fe.element_size, "fe", "element_size");
   case ode:
     return need(scene.ode.cell_size, "ode", "cell_size");
-  case oblique:
-    return need(scene.oblique.cell_size, "oblique", "cell_size");
   case mpm:
     if (!(scene.mesh.size > 0.0) && findings.sound("mesh"))
       findings.add("mesh", "missing [mesh]: model = \"mpm\" is a column of its cells, from its 'box' up");

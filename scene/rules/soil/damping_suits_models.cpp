@@ -18,7 +18,7 @@ bool in_frequency_domain(SourceModel model) {
 
 bool marched_in_time(SourceModel model) {
   using enum SourceModel;
-  return model == fe || model == ode || model == oblique || model == mpm;
+  return model == fe || model == ode || model == mpm;
 }
 
 std::string without_model(double ratio) {

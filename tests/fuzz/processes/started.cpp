@@ -104,7 +104,6 @@ void start_processes(const scene::Case& scene) {
       break;
     case fe:
     case ode:
-    case oblique:
       start_marched(scene, source);
       break;
     case mpm:

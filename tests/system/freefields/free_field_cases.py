@@ -135,9 +135,6 @@ element_size = {size}
 cell_size = {size}
 relative_tolerance = 1e-7
 absolute_tolerance = 1e-10
-
-[oblique]
-cell_size = {size}
 """
 
 

@@ -46,7 +46,7 @@ class Columns(unittest.TestCase):
 
     def test_what_check_refuses_column_refuses_alike(self):
         with ColumnWorkspace(TREMOLO, ground=GROUNDS["soil"], motion=PULSE.format("outcrop"), size=1.0) as work:
-            for name in ("wave", "eql", "oblique", "mpm"):
+            for name in ("wave", "eql", "mpm"):
                 checked = work.command("check", work.case, "--column", name)
                 ran = work.command("column", work.case, "--model", name, "--out", "out.h5")
                 self.assertEqual((2, 2), (checked.returncode, ran.returncode), (name, checked.stderr, ran.stderr))

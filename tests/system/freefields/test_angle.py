@@ -88,16 +88,18 @@ class Column(unittest.TestCase):
         return work
 
     def test_sand_liquefies_under_a_wave_at_an_angle(self):
-        """r_u, settlement, stress paths and books as of the vertical column; at 0.01 degrees its pore pressure."""
+        """r_u, settlement, stress paths and books as of the vertical column; at 0.01 degrees its pore pressure, in steps of the
+        same length: other steps change r_u of either column by 0.02, as they count a reversal that small or do not."""
         peaks = {}
         for angle in (0.0, 0.01, 10.0):
             with self.at(angle, SAND_UNDER_WATER) as work:
+                work.case.write_text(work.case.read_text().replace("[fe]\n", "[fe]\ndt = 2e-4\n"))
                 result = work.command("column", work.case, "--model", "fe", "--out", "out.h5", "--depths", "3,8,15", "--duration", "4")
                 self.assertEqual(0, result.returncode, result.stderr)
                 for words in ("largest r_u", "settlement", "of the energy given"):
                     self.assertIn(words, result.stdout)
                 peaks[angle] = [history["pore_pressure_ratio"].max() for history in pore_pressure.read(work.path / "out.h5")[1]]
-        np.testing.assert_allclose(peaks[0.01], peaks[0.0], atol=5e-3)
+        np.testing.assert_allclose(peaks[0.01], peaks[0.0], atol=1e-3)
         self.assertGreater(max(peaks[10.0]), 0.7)
 
     def test_what_a_new_user_gets_wrong(self):

@@ -66,7 +66,7 @@ def write_velocity(path, history):
 class Hysteretic(unittest.TestCase):
     """Clay under a pulse that strains it by 0.2 %, twice the reference strain: G/G0 is 0.3 there."""
 
-    models = ("fe", "ode", "oblique", "eql", "wave")
+    models = ("fe", "ode", "eql", "wave")
     sizes = (0.5, 0.25)  # m
 
     @classmethod
@@ -87,18 +87,14 @@ class Hysteretic(unittest.TestCase):
         strain = max(np.abs(level["gxy"]).max() for level in self.fields[0.25]["fe"])
         self.assertTrue(1e-3 < strain < 5e-3, strain)
 
-    def test_three_columns_agree(self):
+    def test_two_columns_agree(self):
         """Stiffness jumps at each reversal, and the times of reversals are where the integrators differ: first order. Measured
-        at 0.25 m: velocity 0.2 % (oblique) and 0.5 % (ode), strain below the surface 0.15 % and 0.9 %."""
-        for model, velocity, strain in (("oblique", 0.005, 0.005), ("ode", 0.01, 0.02)):
-            self.assertLess(self.largest(model, "fe", 0.25, "vx", range(4)), velocity, model)
-            self.assertLess(self.largest(model, "fe", 0.25, "gxy", range(1, 4)), strain, model)
+        at 0.25 m: velocity 0.5 %, strain below the surface 0.9 %."""
+        self.assertLess(self.largest("ode", "fe", 0.25, "vx", range(4)), 0.01)
+        self.assertLess(self.largest("ode", "fe", 0.25, "gxy", range(1, 4)), 0.02)
 
     def test_the_difference_falls_with_the_cell_size(self):
-        """Measured at the surface, from 0.5 to 0.125 m: oblique 0.29 to 0.07 %, ode 0.38 to 0.28 % to fe."""
-        differences = [self.largest("oblique", "fe", size, "vx", [0]) for size in self.sizes]
-        orders = np.log2(np.divide(differences[:-1], differences[1:]))
-        self.assertGreater(min(orders), 0.6, differences)
+        """Measured at the surface, from 0.5 to 0.125 m: 0.38 to 0.28 %."""
         self.assertLess(self.largest("ode", "fe", self.sizes[-1], "vx", [0]), self.largest("ode", "fe", 0.5, "vx", [0]))
 
     def test_linear_models_differ(self):
@@ -113,7 +109,7 @@ class Hysteretic(unittest.TestCase):
         """At a strain of 1.6e-6 the soil's G is 0.3 % less than G0. Measured: 0.5 to 0.6 %."""
         with ColumnWorkspace(TREMOLO, ground=CLAY, motion=PULSE.format(1e-4), size=0.25) as work:
             wave = work.histories("wave")
-            for model in ("fe", "ode", "oblique", "eql"):
+            for model in ("fe", "ode", "eql"):
                 for ours, exact in zip(work.histories(model), wave, strict=True):
                     self.assertLess(difference(ours, exact), 0.01, model)
 
@@ -163,7 +159,7 @@ class Kinds(unittest.TestCase):
     """incident, outcrop, within."""
 
     def test_an_outcrop_motion_is_twice_the_incident_one(self):
-        for model in ("wave", "eql", "fe", "ode", "oblique"):
+        for model in ("wave", "eql", "fe", "ode"):
             with ColumnWorkspace(TREMOLO, ground=CLAY, motion=PULSE.format(0.1), size=0.5) as work:
                 incident = work.histories(model)
                 text = work.case.read_text()
@@ -251,11 +247,11 @@ class Strength(unittest.TestCase):
 
     def test_columns_agree_and_keep_to_the_strength(self):
         with ColumnWorkspace(TREMOLO, ground=self.ground, motion=PULSE.format(0.15), size=0.25) as work:
-            fields = {model: work.histories(model, "--depths", "0,10,19") for model in ("fe", "ode", "oblique")}
+            fields = {model: work.histories(model, "--depths", "0,10,19") for model in ("fe", "ode")}
         stress = max(np.abs(level["sxy"]).max() for level in fields["fe"])
         self.assertGreater(stress, 0.9 * 8e3)
-        for model, allowed in (("ode", 0.02), ("oblique", 0.01)):
-            self.assertLess(difference(fields[model][0], fields["fe"][0], "vx"), allowed, model)
+        self.assertLess(difference(fields["ode"][0], fields["fe"][0], "vx"), 0.02)
+        for model in fields:
             self.assertLess(max(np.abs(level["sxy"]).max() for level in fields[model]), 1.01 * 8e3, model)
 
     def test_implied_and_given_strength_are_compared(self):
@@ -280,8 +276,7 @@ class Refusals(unittest.TestCase):
 
     def test_oblique_incidence(self):
         self.refused("ode", '"ode" knows vertical incidence only', angle=15.0)
-        for model in ("fe", "oblique"):
-            self.refused(model, f'"{model}" is possible below 30.00 degrees only, the critical angle of the half-space', angle=31.0)
+        self.refused("fe", '"fe" is possible below 30.00 degrees only, the critical angle of the half-space', angle=31.0)
 
     def test_a_reference_in_the_layers(self):
         for model in ("fe", "wave"):
@@ -305,11 +300,9 @@ class Refusals(unittest.TestCase):
                 self.assertIn(f"--record excludes {others[0]}", result.stderr + result.stdout)
 
     def test_motion_within(self):
-        for model in ("eql", "oblique"):
-            self.refused(model, f'"{model}" takes an incident or outcrop motion', motion='\nkind = "within"')
+        self.refused("eql", '"eql" takes an incident or outcrop motion', motion='\nkind = "within"')
 
     def test_damping(self):
-        self.refused("oblique", '"oblique" takes layers without viscous damping', ground=DAMPED)
         rayleigh = DAMPED.replace("kelvin_voigt", "rayleigh").replace("reference_hz = 2.0", "frequencies = [1.0, 4.0]")
         for model in ("wave", "eql"):
             self.refused(model, '"rayleigh" is for columns', ground=rayleigh)

@@ -116,9 +116,9 @@ class Sides(unittest.TestCase):
             expected = PEAK_TIME + delay(angle, history["x"][0], history["y"][0])
             self.assertLess(abs(arrival - expected), 1e-3, (angle, name))
 
-    def test_plane_waves_and_oblique_column(self):
-        self.sides(15.0, "wave", "oblique")
-        self.sides(15.0, "oblique", "wave")
+    def test_plane_waves_and_a_column_at_an_angle(self):
+        self.sides(15.0, "wave", "fe")
+        self.sides(15.0, "fe", "wave")
 
     def test_two_columns(self):
         self.sides(0.0, "fe", "ode")
@@ -131,7 +131,7 @@ class Columns(unittest.TestCase):
         """The same ground as [[profile]], under the pulse that has reached x of the side, gives the same."""
         for side, thickness, soil, surface, x in (("left", 4.0, "loose", 0.0, 0.0), ("right", 6.0, "fill", 4.0, 20.0)):
             with workspace(15.0, "wave", "wave") as work:
-                given = work.command("column", work.case, "--model", "oblique", "--side", side, "--out", "side.h5", "--duration", "0.8")
+                given = work.command("column", work.case, "--model", "fe", "--side", side, "--out", "side.h5", "--duration", "0.8")
                 self.assertEqual(0, given.returncode, given.stderr)
                 text = work.case.read_text().replace("level = 0.0", f"level = {surface}")
                 text = text.replace("reference = [0.0, -10.0]", f"reference = [{x}, -10.0]")
@@ -139,7 +139,7 @@ class Columns(unittest.TestCase):
                 late = x * math.sin(math.radians(15.0)) / SPEED
                 text = text.replace("time = 0.25", f"time = {0.25 + late}")
                 work.case.write_text(text.replace("[mesh]", profile + "[mesh]"))
-                alone = work.command("column", work.case, "--model", "oblique", "--out", "alone.h5", "--duration", "0.8")
+                alone = work.command("column", work.case, "--model", "fe", "--out", "alone.h5", "--duration", "0.8")
                 self.assertEqual(0, alone.returncode, alone.stderr)
                 levels, ours, *_ = column.read(work.path / "side.h5")
                 expected_levels, expected, *_ = column.read(work.path / "alone.h5")

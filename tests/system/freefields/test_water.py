@@ -195,13 +195,12 @@ class ObliqueWaves(unittest.TestCase):
 
     def test_columns_serve_what_is_below_the_critical_angle_and_refuse_the_rest_with_it(self):
         with self.at(10.0) as work:
-            for model in ("oblique", "fe"):
-                for ours, exact in zip(work.histories(model, *self.SPAN), work.histories("wave", *self.SPAN), strict=True):
-                    self.assertLess(np.linalg.norm(ours["vx"] - exact["vx"]), 0.01 * np.linalg.norm(exact["vx"]), model)
+            for ours, exact in zip(work.histories("fe", *self.SPAN), work.histories("wave", *self.SPAN), strict=True):
+                self.assertLess(np.linalg.norm(ours["vx"] - exact["vx"]), 0.01 * np.linalg.norm(exact["vx"]))
         with self.at(15.0) as work:
-            result = work.command("column", work.case, "--model", "oblique", "--out", "out.h5")
+            result = work.command("column", work.case, "--model", "fe", "--out", "out.h5")
             self.assertEqual(2, result.returncode, result.stdout)
-            self.assertIn('model = "oblique" is possible below 13.70 degrees only', result.stderr)
+            self.assertIn('model = "fe" is possible below 12.37 degrees only', result.stderr)
             result = work.command("column", work.case, "--model", "wave", "--out", "out.h5", "--duration", "2")
             self.assertIn("c_u = 1689 m/s undrained, c_s = 173.6 m/s, critical angle of SV 5.90 degrees", result.stdout)
 

@@ -26,5 +26,12 @@ TEST(Nearest, SuggestsOnlyWhatIsNear) {
   EXPECT_EQ(suggestion("q", known), "known: size, box, particles_per_cell");
 }
 
+TEST(Nearest, NamesWhatHasTakenThePlaceOfAFormerWord) {
+  constexpr std::array<std::string_view, 2> models = {"wave", "fe"};
+  EXPECT_EQ(suggestion("oblique", models), "it is 'fe' now, whose column takes waves at an angle");
+  constexpr std::array<std::string_view, 2> others = {"size", "box"};
+  EXPECT_EQ(suggestion("oblique", others), "known: size, box");
+}
+
 } // namespace
 } // namespace tremolo::scene

@@ -1,8 +1,8 @@
-// Nonlinear layers in the oblique column: at vertical incidence the column by the method of lines is the
+// Hysteretic layers in the marched column: at vertical incidence the column by the method of lines is the
 // second method; obliquely, small strains are the elastic column's, and differences between grids fall as
 // second order says.
 
-#include "freefield/oblique/oblique_column.hpp"
+#include "freefield/marched/marched_column.hpp"
 #include "freefield/ode/ode_column.hpp"
 
 #include <gtest/gtest.h>
@@ -56,11 +56,11 @@ std::vector<double> history(Column& column) {
   return values;
 }
 
-std::vector<double> oblique(const Profile& soil, double velocity, double direction, double cell,
+std::vector<double> marched(const Profile& soil, double velocity, double direction, double cell,
                             double step) {
-  ObliqueColumn column(soil,
-                       {.max_cell_size = cell, .time_step = step, .slowness_x = std::sin(direction) / 500.0},
-                       pulse(velocity, direction));
+  MarchedColumn column(
+      soil, {.max_element_size = cell, .time_step = step, .slowness_x = std::sin(direction) / 500.0},
+      pulse(velocity, direction));
   return history(column);
 }
 
@@ -74,7 +74,7 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(squares / total);
 }
 
-TEST(ObliqueNonlinear, VerticallyIsTheColumnByTheMethodOfLines) {
+TEST(MarchedNonlinear, VerticallyIsTheColumnByTheMethodOfLines) {
   OdeColumnSettings settings;
   settings.max_cell_size = 0.0625;
   settings.time_step = interval;
@@ -82,24 +82,24 @@ TEST(ObliqueNonlinear, VerticallyIsTheColumnByTheMethodOfLines) {
   settings.absolute_tolerance = 1e-9;
   OdeColumn reference(profile(1e-3), settings, pulse(0.1, 0.0));
   const auto exact = history(reference);
-  const double coarse = difference(oblique(profile(1e-3), 0.1, 0.0, 0.25, 2.5e-4), exact);
-  const double fine = difference(oblique(profile(1e-3), 0.1, 0.0, 0.125, 1.25e-4), exact);
+  const double coarse = difference(marched(profile(1e-3), 0.1, 0.0, 0.25, 2.5e-4), exact);
+  const double fine = difference(marched(profile(1e-3), 0.1, 0.0, 0.125, 1.25e-4), exact);
   std::printf("difference %.2e %.2e\n", coarse, fine);
   EXPECT_LT(fine, 3e-3);
   EXPECT_LT(fine, 0.5 * coarse);
 }
 
-TEST(ObliqueNonlinear, FarBelowItsReferenceStrainSoilIsElastic) {
+TEST(MarchedNonlinear, FarBelowItsReferenceStrainSoilIsElastic) {
   Profile elastic = profile(1.0);
   elastic.layers[0].law.reset();
-  const auto expected = oblique(elastic, 0.1, angle, 0.5, 5e-4);
-  EXPECT_LT(difference(oblique(profile(1e4), 0.1, angle, 0.5, 5e-4), expected), 1e-5);
-  EXPECT_GT(difference(oblique(profile(1e-3), 0.1, angle, 0.5, 5e-4), expected), 0.1);
+  const auto expected = marched(elastic, 0.1, angle, 0.5, 5e-4);
+  EXPECT_LT(difference(marched(profile(1e4), 0.1, angle, 0.5, 5e-4), expected), 1e-5);
+  EXPECT_GT(difference(marched(profile(1e-3), 0.1, angle, 0.5, 5e-4), expected), 0.1);
 }
 
 // Where soil yields and turns back, second derivatives of the motion jump and no scheme keeps order two. A
 // smooth rise before its reflection comes back loads the soil monotonically.
-TEST(ObliqueNonlinear, ConvergesAtSecondOrderAtTwentyDegreesUnderMonotonicLoading) {
+TEST(MarchedNonlinear, ConvergesAtSecondOrderAtTwentyDegreesUnderMonotonicLoading) {
   Profile soil = profile(1e-3);
   soil.layers[0] = layer_of(40.0, MasingShear{soil.layers[0].soil, 5e-4, 1.0, 1.0});
   const InputVelocity rise = [](double t) {
@@ -109,8 +109,9 @@ TEST(ObliqueNonlinear, ConvergesAtSecondOrderAtTwentyDegreesUnderMonotonicLoadin
   constexpr std::array<double, 3> within = {-26.0, -30.25, -35.3};
   double strain = 0.0;
   const auto run = [&](double cell) {
-    ObliqueColumn column(
-        soil, {.max_cell_size = cell, .time_step = 5e-4 * cell, .slowness_x = std::sin(angle) / 500.0}, rise);
+    MarchedColumn column(
+        soil, {.max_element_size = cell, .time_step = 5e-4 * cell, .slowness_x = std::sin(angle) / 500.0},
+        rise);
     std::vector<double> values;
     std::array<ColumnSample, 3> samples;
     while (column.time() < 0.74) {

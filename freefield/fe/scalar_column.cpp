@@ -31,7 +31,7 @@
 // own equation of motion, so tau is continuous across nodes and layer interfaces, 0 at the surface and the
 // dashpot's at the base.
 
-#include "freefield/oblique/scalar_column.hpp"
+#include "freefield/fe/scalar_column.hpp"
 
 #include "base/require.hpp"
 

@@ -1,7 +1,7 @@
-// The oblique column against exact oblique waves: a homogeneous half-space (closed form) and three layers, at
-// several depths and distances along x, all quantities, as cell and step are halved.
+// The marched column against the closed form of oblique waves in a homogeneous half-space, at several depths
+// and distances along x, all quantities, as element and step are halved.
 
-#include "freefield/oblique/oblique_column.hpp"
+#include "freefield/marched/marched_column.hpp"
 #include "tests/support/reference_table.hpp"
 
 #include <gtest/gtest.h>
@@ -19,6 +19,9 @@ namespace {
 using namespace tremolo::freefield;
 using tremolo::materials::Elasticity;
 
+/// So small that elements keep their length: the closed form holds for small strain.
+constexpr double scale = 1e-4;
+
 double ricker(double t) {
   const double a = std::pow(std::numbers::pi * 3.0 * (t - 1.0), 2);
   return 0.1 * (1.0 - 2.0 * a) * std::exp(-a);
@@ -30,7 +33,7 @@ struct Case {
   double angle_deg;
   double reference_y;
   Profile profile; ///< down to the lowest point of the file
-  double cell, step;
+  double element, step;
   double largest_error; ///< at half of both
 };
 
@@ -43,21 +46,6 @@ Case half_space(const char* file, bool shear, double angle_deg) {
   return {file, shear, angle_deg, -40.0, {.layers = {{40.0, soil}}, .half_space = soil}, 0.5, 2e-3, 3e-3};
 }
 
-Case three_layers() {
-  const auto rock = Elasticity::from_wave_speeds(2100.0, 500.0, 1000.0);
-  return {"layered3_SV_20deg_elastic.csv",
-          true,
-          20.0,
-          -20.0,
-          {.layers = {{6.0, Elasticity::from_wave_speeds(1700.0, 120.0, 300.0)},
-                      {14.0, Elasticity::from_wave_speeds(1850.0, 220.0, 500.0)},
-                      {10.0, rock}},
-           .half_space = rock},
-          0.5,
-          2.5e-4,
-          3e-3};
-}
-
 constexpr std::array<const char*, 7> names = {"ux", "uy", "vx", "vy", "sxx", "syy", "sxy"};
 
 std::array<double, 7> values(const ColumnSample& s) {
@@ -65,7 +53,7 @@ std::array<double, 7> values(const ColumnSample& s) {
 }
 
 /// Largest error of each quantity over the file, relative to its peak.
-std::array<double, 7> errors(const Case& c, const std::vector<std::vector<double>>& rows, double cell,
+std::array<double, 7> errors(const Case& c, const std::vector<std::vector<double>>& rows, double element,
                              double step) {
   const double angle = c.angle_deg * std::numbers::pi / 180.0;
   const double speed = c.shear ? c.profile.half_space.s_wave_speed() : c.profile.half_space.p_wave_speed();
@@ -75,13 +63,12 @@ std::array<double, 7> errors(const Case& c, const std::vector<std::vector<double
   while (i < rows.size()) {
     const double x = rows[i][1], y = rows[i][2];
     const double delay = p * x + std::cos(angle) / speed * (c.profile.base_level() - c.reference_y);
-    ObliqueColumn column(c.profile, {.max_cell_size = cell, .time_step = step, .slowness_x = p},
+    MarchedColumn column(c.profile, {.max_element_size = element, .time_step = step, .slowness_x = p},
                          [&](double t) {
-                           const double v = ricker(t - delay);
+                           const double v = scale * ricker(t - delay);
                            return c.shear ? Velocity{v * std::cos(angle), -v * std::sin(angle)}
                                           : Velocity{v * std::sin(angle), v * std::cos(angle)};
                          });
-    EXPECT_EQ(column.slowness_x(), p);
     for (; i < rows.size() && rows[i][1] == x && rows[i][2] == y; ++i) {
       while (column.time() < rows[i][0] - 0.5 * step) {
         column.step();
@@ -90,10 +77,7 @@ std::array<double, 7> errors(const Case& c, const std::vector<std::vector<double
       column.sample({&y, 1}, {&sample, 1});
       const auto computed = values(sample);
       for (std::size_t q = 0; q < names.size(); ++q) {
-        if (q == 4 && y == -6.0) {
-          continue; // sxx jumps at the interface
-        }
-        error[q] = std::max(error[q], std::abs(computed[q] - rows[i][3 + q]));
+        error[q] = std::max(error[q], std::abs(computed[q] / scale - rows[i][3 + q]));
         peak[q] = std::max(peak[q], std::abs(rows[i][3 + q]));
       }
     }
@@ -104,21 +88,18 @@ std::array<double, 7> errors(const Case& c, const std::vector<std::vector<double
   return error;
 }
 
-class ObliqueReference : public testing::TestWithParam<Case> {};
+class MarchedInHalfSpace : public testing::TestWithParam<Case> {};
 
-TEST_P(ObliqueReference, ConvergesAtSecondOrder) {
+TEST_P(MarchedInHalfSpace, ConvergesAtSecondOrder) {
   const Case& c = GetParam();
   const auto file = tremolo::testing::reference_folder() / "waves" / c.file;
   if (!std::filesystem::exists(file)) {
     GTEST_SKIP() << "no reference data at " << file;
   }
   const auto rows = tremolo::testing::read_table(file);
-  const auto coarse = errors(c, rows, c.cell, c.step);
-  const auto fine = errors(c, rows, 0.5 * c.cell, 0.5 * c.step);
+  const auto coarse = errors(c, rows, c.element, c.step);
+  const auto fine = errors(c, rows, 0.5 * c.element, 0.5 * c.step);
   for (std::size_t q = 0; q < names.size(); ++q) {
-    if (c.angle_deg == 0.0 && coarse[q] == 0.0) {
-      continue; // shear and dilation do not mix
-    }
     const double order = std::log2(coarse[q] / fine[q]);
     std::printf("%-4s %.2e %.2e order %.2f\n", names[q], coarse[q], fine[q], order);
     EXPECT_GT(order, 1.8) << names[q];
@@ -126,9 +107,8 @@ TEST_P(ObliqueReference, ConvergesAtSecondOrder) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, ObliqueReference,
-                         testing::Values(half_space("halfspace_SV_0deg.csv", true, 0.0),
-                                         half_space("halfspace_SV_15deg.csv", true, 15.0),
-                                         half_space("halfspace_P_30deg.csv", false, 30.0), three_layers()));
+INSTANTIATE_TEST_SUITE_P(, MarchedInHalfSpace,
+                         testing::Values(half_space("halfspace_SV_15deg.csv", true, 15.0),
+                                         half_space("halfspace_P_30deg.csv", false, 30.0)));
 
 } // namespace
