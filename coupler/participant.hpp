@@ -125,6 +125,7 @@ public:
   /// @pre ready() was called; step is 0, or the first one, and one more every time; start_time <= time <=
   /// end_time of ready(); time is not before that of the last step; the span is as long as the list of faces
   /// @param v_domain the domain's velocity at each face, m/s
+  /// @post the result has what Eq. (6) takes of this time at each face
   /// @throws Aborted when the run was ended by another; Error if a source does not deliver within the step
   /// deadline, a velocity is not finite, or the hub's tractions are not those of Eq. (6) here to the last
   /// bit; std::logic_error where the precondition on steps and lengths does not hold

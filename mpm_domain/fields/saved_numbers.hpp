@@ -4,7 +4,7 @@
 // std::vector<std::uint64_t>; a Reader has numbers(name) and integers(name). Those of
 // results/checkpoint_file.hpp are such.
 
-#include "mpm_domain/spec/vector.hpp"
+#include "coupler/eq6/boundary_traction.hpp"
 
 #include <fmt/format.h>
 
@@ -61,7 +61,7 @@ private:
 
   void add_part(double& value) { numbers_.push_back({&value, nullptr}); }
   void add_part(bool& flag) { numbers_.push_back({nullptr, &flag}); }
-  void add_part(Vector& v) { add(v.x, v.y); }
+  void add_part(eq6::Vector& v) { add(v.x, v.y); }
   template <class Part>
   void add_part(std::vector<Part>& parts) {
     for (Part& part : parts)

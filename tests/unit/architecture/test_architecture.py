@@ -170,7 +170,7 @@ class Architecture(unittest.TestCase):
                 self.assertIn("@pre", comment, name)
                 self.assertIn("@post", comment, name)
         self.assertIn("serve", methods)
-        self.assertIn("tractions", methods)
+        self.assertIn("exchange", methods)
         self.assertLessEqual(len(methods), PUBLIC_METHODS, methods)
 
     def test_no_file_is_too_long(self):
