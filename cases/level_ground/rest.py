@@ -50,8 +50,9 @@ def domain(tremolo, folder):
     """The same of the domain, in the mean over x."""
     with run_variant(tremolo, HERE / "case.toml", COARSE | FAST, folder, "rest_domain") as run:
         level = Level(run)
-        ratios = [level.ratio(depth).mean(axis=1) for depth in DEPTHS]
-        return run.times, np.array(ratios), level.settlement().mean(axis=1), cpu_time(run)
+        time = np.arange(0.0, run.times[-1], 0.1)
+        even = lambda values: np.interp(time, run.times, values.mean(axis=1))
+        return time, np.array([even(level.ratio(depth)) for depth in DEPTHS]), even(level.settlement()), cpu_time(run)
 
 
 def picture(results, path):

@@ -59,8 +59,9 @@ bool begins_with_any(std::string_view key, const auto& prefixes) {
 /// The values on which the free field of a side depends; keys of the side's own ground without its name.
 /// @param model of the recording
 Values of_free_field(const Values& values, scene::Side side, const std::string& model) {
-  const std::array<std::string, 8> always{"motion.",  "surface.", "halfspace.", "profile[",
-                                          "damping.", "mesh.",    model + ".",  std::string(record_checksum)};
+  const std::array<std::string, 9> always{"motion.",  "surface.", "halfspace.", "profile[",
+                                          "damping.", "mesh.",    model + ".",  std::string(record_checksum),
+                                          "rest."};
   const auto soils = soils_of_layers(values);
   const std::string ground = ground_prefix(side);
   Values kept;
@@ -88,6 +89,10 @@ std::vector<results::RecordedValue> recorded_values(const scene::Case& scene) {
     values.push_back({value.key, value.value});
   if (const auto* file = std::get_if<scene::MotionFile>(&scene.motion.source))
     values.push_back({std::string(record_checksum), text_crc(read_text_file(file->path))});
+  if (const auto rest = scene.rest_clock()) {
+    values.push_back({"rest.from", fmt::format("{} s", rest->from)});
+    values.push_back({"rest.time_factor", fmt::format("{}", rest->factor)});
+  }
   return values;
 }
 

@@ -87,6 +87,9 @@ void set_lengths(WetGrid& grid, const std::vector<double>& lengths) {
 }
 
 void set_flow_speed(WetGrid& grid, double times) {
+  if (times == grid.flow_speed)
+    return;
+  grid.flow_speed = times;
   for (WetElement& element : grid.elements)
     element.resistance = element.given_resistance / times;
   add_elements(grid);

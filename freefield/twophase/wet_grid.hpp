@@ -68,6 +68,7 @@ struct WetGrid {
   std::vector<WetNode> nodes;
   double impedance_x = 0.0; ///< rho c_s of the half-space, Pa s/m; 0 over a rigid base
   double impedance_y = 0.0; ///< rho c_p
+  double flow_speed = 1.0;  ///< how many times as easily as its soil says water flows, 1
 };
 
 WetGrid wet_grid(const Profile& profile, const ColumnMesh& mesh, const Damping& damping, bool compliant);

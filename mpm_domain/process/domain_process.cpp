@@ -196,6 +196,9 @@ void step_to_end(Stepper& stepper, Picture& picture, Speaker* speaker, const sce
     if (speaker != nullptr)
       speaker->after_step(stepper);
   }
+  if (speaker != nullptr && stepper.time() < scene.end())
+    fmt::print("note: the rest ends at {:.6g} s: no excess pore pressure ratio is above {:g}\n",
+               stepper.time_of_soil(stepper.time()), *scene.rest->until_ratio);
   picture.take(speaker != nullptr ? speaker->output().needs_to_finish(stepper) : Picture::Extent::nothing);
 }
 

@@ -24,9 +24,14 @@ WaterState water_state(const Particles& set, std::size_t k) {
 
 double largest_pressure_ratio(const Ground& ground) {
   double largest = 0.0;
-  for (const Particles& set : ground.sets_of_soil())
-    for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k)
-      largest = std::max(largest, std::abs(water_state(set, k).ratio));
+  for (const Particles& set : ground.sets_of_soil()) {
+    if (!set.traits.wet)
+      continue;
+    const double of_a_cell = set.water->unit_weight * set.cell_size;
+    for (std::size_t k = 0; k < set.size(); ++k)
+      largest = std::max(largest, std::abs(water_state(set, k).excess) /
+                                      std::max(-set.vertical_at_rest[k], of_a_cell));
+  }
   take_largest(ground, {&largest, 1});
   return largest;
 }

@@ -23,7 +23,8 @@ struct WaterState {
 };
 WaterState water_state(const Particles& set, std::size_t k);
 
-/// The largest excess pore pressure ratio of all particles, of all ranks, 1.
+/// The largest magnitude of an excess pore pressure ratio, over the particles of all ranks, 1. It is taken
+/// over the weight of a cell of water where less than that rests on a particle.
 double largest_pressure_ratio(const Ground& ground);
 
 /// Where a particle was at the time of its velocity, half a step before the present, m.

@@ -10,7 +10,10 @@ PERIODS = np.geomspace(0.05, 4.0, 80)  # s
 
 def even_steps(time, values):
     """Values resampled linearly to equal steps, and the step (s): output follows a time step that may vary."""
-    dt = float(np.median(np.diff(time)))
+    steps = np.diff(time)
+    dt = float(np.median(steps))
+    if (first := float(np.median(steps[:100]))) < 0.5 * dt:  # a rest with longer intervals follows
+        dt = first
     even = np.arange(time[0], time[-1] + 0.5 * dt, dt)
     return np.interp(even, time, values), dt
 

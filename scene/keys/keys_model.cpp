@@ -110,15 +110,17 @@ Table stage() {
            .when = {"kind", {"shaking", "rest"}}},
           {.name = "time_factor",
            .unit = "1",
-           .meaning = "Water flows so many times as easily, and time passes so many times as fast: of the "
-                      "results, that of the soil. `check` says how large an error it brings.",
+           .meaning =
+               "Water flows so many times as easily, and time passes so many times as fast. The `time` of "
+               "results is the soil's. `check` says how large an error the factor brings.",
            .fallback = "1",
            .range = {.low = 1.0, .high = 1e4},
            .when = {"kind", {"rest"}}},
           {.name = "until_ratio",
            .unit = "1",
-           .meaning = "The run ends before `duration_s` is over when no particle has a larger excess pore "
-                      "pressure ratio.",
+           .meaning =
+               "Ends the run early, as soon as no particle has an excess pore pressure ratio that is larger "
+               "in magnitude.",
            .otherwise = "it lasts that long",
            .range = {.low = 0.0, .high = 1.0, .low_open = true},
            .when = {"kind", {"rest"}}},

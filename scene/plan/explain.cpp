@@ -162,13 +162,16 @@ std::string explain(const Case& scene, const Plan& plan) {
   text += fmt::format("  base       {}\n", plan.base);
   text += fmt::format("\nSize\n"
                       "  particles  {}, in a grid of {} cells of {}\n{}"
-                      "  time step  {:.4g} s ({:.2f} of the critical {:.4g} s), {} steps for {} s\n"
+                      "  time step  {:.4g} s ({:.2f} of the critical {:.4g} s), {} steps for {:.4g} s{}\n"
                       "             {}\n"
                       "  memory     {} of arrays in the domain\n"
                       "  output     at most {} in run.h5 and run.xdmf, {} particle frames\n"
                       "  time       about {} on one thread for these steps, of the order of magnitude\n",
                       plan.particles, plan.cells, cell_sizes_text(plan.levels), levels_text(plan.levels),
                       plan.dt, plan.dt / plan.critical_dt, plan.critical_dt, plan.steps, scene.end(),
+                      scene.end() < scene.end_of_soil_time()
+                          ? fmt::format(", in which {:g} s of the soil's time pass", scene.end_of_soil_time())
+                          : "",
                       step_limit_text(plan.limit), size_text(plan.memory_bytes), size_text(plan.output_bytes),
                       plan.frames, duration_text(plan.estimated_time));
   text += soils_text(scene);

@@ -54,7 +54,7 @@ std::string rest_text(const Case& scene) {
   const std::string soils = soils_with(scene, &materials::Traits::reconsolidates, true);
   return fmt::format("[[stage]] rest from {:g} to {:g} s: {}", scene.shaking.duration,
                      scene.end_of_soil_time(),
-                     soils.empty() ? "no soil of the domain has a law that knows it" : soils);
+                     soils.empty() ? "no soil of the domain changes its law in the rest" : soils);
 }
 
 /// "soil 'sand' 2 % at 3 Hz"; empty where none is damped.

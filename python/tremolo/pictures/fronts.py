@@ -7,6 +7,7 @@ a slant stack: of all trial values, the one for which the traces, shifted by p x
 import numpy as np
 
 from tremolo import style
+from tremolo.histories import even_steps
 
 STEEPEST = 0.02  # s/m: the largest slowness tried, an apparent velocity of 50 m/s
 PARALLEL = 1e-5  # s/m: below it (faster than 100 km/s) fronts are called parallel to the base
@@ -26,10 +27,10 @@ def slowness(x, t, v):
     The shift by p x is a phase exp(i w p x) of the padded spectrum, exact for what the sampling resolves. A run writes
     at the first step after each interval, so its times are uniform only to a step: they are made so first.
     """
-    uniform = np.linspace(t[0], t[-1], len(t))
-    v = np.column_stack([np.interp(uniform, t, trace) for trace in v.T])
-    spectrum = np.fft.rfft(v, 2 * len(t), axis=0)
-    omega = 2.0 * np.pi * np.fft.rfftfreq(2 * len(t), uniform[1] - uniform[0])
+    dt = even_steps(t, t)[1]
+    v = np.column_stack([even_steps(t, trace)[0] for trace in v.T])
+    spectrum = np.fft.rfft(v, 2 * len(v), axis=0)
+    omega = 2.0 * np.pi * np.fft.rfftfreq(2 * len(v), dt)
     strong = np.sum(np.abs(spectrum), axis=1) > 1e-3 * np.sum(np.abs(spectrum), axis=1).max()
     offset = x - 0.5 * (x[0] + x[-1])
 

@@ -19,9 +19,12 @@ double intervals_in(double time, double first, double growth) {
   return std::floor((growth > 1.0 ? std::log1p((growth - 1.0) * equal) / std::log(growth) : equal) + 1e-9);
 }
 
-/// Times that have passed meanwhile are left out.
-double next(double due, double every, double time) {
-  return due + every * std::max(1.0, std::ceil((time - due) / every));
+/// The first time after `time` at which something is due. Times that have passed meanwhile are left out, and
+/// a rest begins with one.
+double next(const Case& scene, double due, double every, double time) {
+  const double next = due + every * std::max(1.0, std::ceil((time - due) / every));
+  const bool passes_start = scene.rest && time < scene.shaking.duration && next > scene.shaking.duration;
+  return passes_start ? scene.shaking.duration : next;
 }
 
 } // namespace
@@ -30,11 +33,12 @@ double next_frame(const Case& scene, double due, double time) {
   const double grown = rests_at(scene, due)
                            ? scene.rest->every + (scene.rest->growth - 1.0) * (due - scene.shaking.duration)
                            : scene.output.every;
-  return next(due, grown, time);
+  return next(scene, due, grown, time);
 }
 
 double next_row(const Case& scene, double due, double time) {
-  return next(due, rests_at(scene, due) ? scene.rest->history_every : scene.output.history_every, time);
+  return next(scene, due, rests_at(scene, due) ? scene.rest->history_every : scene.output.history_every,
+              time);
 }
 
 std::int64_t most_frames(const Case& scene, double dt) {
@@ -47,7 +51,7 @@ std::int64_t most_frames(const Case& scene, double dt) {
 std::int64_t most_rows(const Case& scene, double dt) {
   double rows = intervals_in(scene.shaking.duration, std::max(scene.output.history_every, dt), 1.0) + 3.0;
   if (scene.rest)
-    rows += intervals_in(scene.rest->duration, std::max(scene.rest->history_every, dt), 1.0);
+    rows += intervals_in(scene.rest->duration, std::max(scene.rest->history_every, dt), 1.0) + 1.0;
   return std::llround(rows);
 }
 

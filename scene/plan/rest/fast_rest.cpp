@@ -1,20 +1,50 @@
 #include "scene/plan/rest/fast_rest.hpp"
 
-#include "scene/plan/layers.hpp"
 #include "scene/plan/wet_soils.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tremolo::scene {
 
 namespace {
 
-/// H, m
-double wet_depth(const Case& scene) {
-  const double base =
-      scene.mesh.size > 0.0 ? scene.mesh.box.y_min : base_level(scene.surface_level, scene.profile);
-  return std::min(scene.water->level, scene.surface_level) - base;
+struct Extent {
+  double bottom = 0.0; ///< y, m
+  double top = 0.0;
+};
+
+bool lets_water_flow(const Soil& soil) {
+  return soil.pores && soil.pores->drainage == materials::Drainage::coupled;
+}
+
+/// Ground below the table, from the lowest to the highest point of what `counts`, in regions and layers.
+template <typename Counts>
+Extent extent_below_table(const Case& scene, const Counts& counts) {
+  Extent extent{scene.water->level, -std::numeric_limits<double>::infinity()};
+  const auto add = [&](double bottom, double top) {
+    if (bottom >= scene.water->level)
+      return;
+    extent.bottom = std::min(extent.bottom, bottom);
+    extent.top = std::max(extent.top, std::min(top, scene.water->level));
+  };
+  for (const Region& region : scene.regions)
+    if (counts(scene.soils[region.soil])) {
+      const auto [low, high] = std::ranges::minmax(region.polygon, {}, &Point::y);
+      add(low.y, high.y);
+    }
+  double top = scene.surface_level;
+  for (const Layer& layer : scene.profile) {
+    if (layer.soil && counts(scene.soils[*layer.soil]))
+      add(top - layer.thickness, top);
+    top -= layer.thickness;
+  }
+  return extent;
+}
+
+double height(const Extent& extent) {
+  return extent.top - extent.bottom;
 }
 
 } // namespace
@@ -26,22 +56,29 @@ double FastRest::settlement_error() const {
 std::optional<FastRest> fast_rest(const Case& scene) {
   if (!scene.rest || scene.rest->time_factor == 1.0 || !scene.water || !scene.gravity)
     return std::nullopt;
-  const double factor = scene.rest->time_factor;
-  const double depth = wet_depth(scene);
+  const double depth = height(extent_below_table(scene, [](const Soil&) { return true; }));
+  const double drained = height(extent_below_table(scene, lets_water_flow));
   std::optional<FastRest> fast;
+  double stiffest = 0.0; // sqrt(M rho)
   for (const Soil& soil : soils_below_table(scene)) {
-    if (!soil.pores || soil.pores->drainage != materials::Drainage::coupled)
+    if (!lets_water_flow(soil))
       continue;
     const double m = materials::elasticity(soil.law).p_modulus();
-    const double rho = materials::saturated_density(*soil.pores, scene.water->fluid);
-    const double unit_weight = scene.water->fluid.density * scene.gravity->acceleration;
-    const double flow = factor * soil.pores->permeability;
-    const double c_u = materials::saturated_speeds(m, *soil.pores, scene.water->fluid).undrained;
-    FastRest& largest = fast ? *fast : fast.emplace();
-    largest.slow_wave = std::max(largest.slow_wave, flow * std::sqrt(m * rho) / (unit_weight * depth));
-    largest.permeability = std::max(largest.permeability, flow);
-    largest.ringing = std::max(largest.ringing, 4.0 * depth / c_u);
+    const double flow = scene.rest->time_factor * soil.pores->permeability;
+    FastRest& worst = fast ? *fast : fast.emplace();
+    if (flow > worst.permeability) {
+      worst.permeability = flow;
+      worst.most_permeable = soil.name;
+    }
+    stiffest =
+        std::max(stiffest, std::sqrt(m * materials::saturated_density(*soil.pores, scene.water->fluid)));
+    worst.ringing =
+        std::max(worst.ringing,
+                 4.0 * depth / materials::saturated_speeds(m, *soil.pores, scene.water->fluid).undrained);
   }
+  if (fast)
+    fast->slow_wave =
+        fast->permeability * stiffest / (scene.water->fluid.density * scene.gravity->acceleration * drained);
   return fast;
 }
 

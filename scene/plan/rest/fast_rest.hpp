@@ -3,18 +3,20 @@
 #include "scene/case.hpp"
 
 #include <optional>
+#include <string>
 
 namespace tremolo::scene {
 
-/// What a rest with a time factor F asks of the ground. Of the wet soils in which water flows, each number is
-/// that of the one where it is largest.
+/// What a rest with a time factor F asks of the wet soils in which water flows.
 struct FastRest {
-  /// Pi = F k sqrt(M rho)/(gamma_w H), 1: the way of the slow wave against that of diffusion, with k, the
-  /// skeleton's modulus M, the saturated density rho and the depth H of the wet ground. Settlement errs by
-  /// about 0.8 Pi^1.5 of what the rest adds.
+  /// Pi = F k sqrt(M rho)/(gamma_w H), 1: the way of the slow wave against that of diffusion, with the
+  /// largest k and the largest sqrt(M rho), M the modulus of the skeleton, rho the saturated density, and the
+  /// height H from the lowest to the highest of these soils. Settlement errs by about 0.8 Pi^1.5 of what the
+  /// rest adds.
   double slow_wave = 0.0;
-  double permeability = 0.0; ///< F k, m/s
-  double ringing = 0.0;      ///< T_u = 4 H/c_u, s: the period in which pressure rings
+  double permeability = 0.0;  ///< the largest F k, m/s
+  std::string most_permeable; ///< name of the soil that it belongs to
+  double ringing = 0.0;       ///< T_u = 4 H_w/c_u, s: the period in which pressure rings in all wet ground
 
   /// Of the settlement that the rest adds, 1.
   double settlement_error() const;

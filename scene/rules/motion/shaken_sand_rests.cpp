@@ -44,9 +44,13 @@ void shaken_sand_rests(const Case& scene, Findings& findings) {
         "stage",
         fmt::format("{:.0f} % of the motion's Arias intensity has arrived at {:.3g} s, and the shaking stage "
                     "lasts until {:g} s: meanwhile soil {} drains as if it had not been shaken, which gives "
-                    "too little settlement and too short a time under pressure. End the shaking at about "
-                    "{:.0f} s, and add a [[stage]] of kind = \"rest\" for what follows (docs/stages.md)",
-                    100.0 * over, end, shaken, sand, std::ceil(end)));
+                    "too little settlement and too short a time under pressure. {} (docs/stages.md)",
+                    100.0 * over, end, shaken, sand,
+                    scene.rest
+                        ? fmt::format("Let the rest begin at about {:.0f} s", std::ceil(end))
+                        : fmt::format("End the shaking at about {:.0f} s, and add a [[stage]] of kind = "
+                                      "\"rest\" for what follows",
+                                      std::ceil(end))));
   else if (scene.rest && shaken < arrival_of_intensity(scene, goes_on))
     findings.add("stage",
                  fmt::format("the rest begins at {:g} s, before {:.0f} % of the motion's Arias intensity has "

@@ -23,7 +23,7 @@ class LevelGround(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory(prefix="tremolo_test_")
         place = Path(cls.folder.name)
         (place / "motion.csv").write_bytes((CASE / "motion.csv").read_bytes())
-        changes = {"size = 0.5": "size = 2.0", "duration_s = 14.0": "duration_s = 11.9", "duration_s = 11.0": "duration_s = 0.1"}
+        changes = {"size = 0.5": "size = 2.0", "duration_s = 14.0": "duration_s = 9.0", "duration_s = 11.0": "duration_s = 3.0"}
         cls.run_ = run_variant(TREMOLO, CASE / "case.toml", changes, place, "level")
         cls.level = Level(cls.run_)
 

@@ -88,6 +88,27 @@ class Rest(unittest.TestCase):
             self.assertEqual([], differences(folder, whole))
             self.assertEqual([], differences(work.run("threads", "--threads", 2), whole))
 
+    def test_a_long_rest_of_a_column_passes_check(self):
+        # Histories at every 5 ms would be more than a column takes.
+        with RestWorkspace(TREMOLO, permeability=1e-4, rest=rest(3000.0, time_factor=20.0)) as work:
+            result = work.command("check", work.case, "--column", "fe")
+            self.assertEqual(0, result.returncode, result.stdout + result.stderr)
+
+    def test_a_recording_with_another_rest_is_refused(self):
+        changes = {"boundary": 'left = { model = "mpm" }\nright = { model = "mpm" }', "shaking": 0.2}
+        with RestWorkspace(TREMOLO, rest=rest(0.2) + "\n[record]\nexchange = true\n", **changes) as work:
+            work.run("run", "--threads", 1)
+            replay = work.case.read_text()
+            for side in ("left", "right", "base"):
+                replay = replay.replace(f'{side} = {{ model = "mpm"', f'{side} = {{ model = "recording", file = "run/exchange.h5", side = "{side}"')
+            work.case.write_text(replay)
+            same = work.command("run", work.case, "--out", work.path / "same", "--threads", 1)
+            self.assertEqual(0, same.returncode, same.stdout + same.stderr)
+            work.case.write_text(replay.replace('kind = "rest"\n', 'kind = "rest"\ntime_factor = 2.0\n'))
+            other = work.command("run", work.case, "--out", work.path / "other", "--threads", 1)
+            self.assertNotEqual(0, other.returncode)
+            self.assertIn("rest.time_factor is 1 in the recording, 2 in the case", other.stdout + other.stderr)
+
     def test_ends_when_the_pressure_is_gone(self):
         run = self.run_of(rest=rest(100.0, time_factor=5.0, until_ratio=0.3), boundary='sides = "periodic"')
         end = run.monitor("2.5 m")

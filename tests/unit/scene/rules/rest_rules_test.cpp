@@ -3,6 +3,7 @@
 
 #include "rule_cases.hpp"
 
+#include "scene/plan/output/intervals.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/plan/rest/fast_rest.hpp"
 
@@ -21,7 +22,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-/// 10 m of saturated sand, shaken for 2 s by a pulse at 1 s, 99 % of which has come at 1.4 s.
+/// 10 m of saturated sand, shaken for 2 s by a pulse at 1 s, 99 % of which has come at 1.2 s.
 std::string sand(const std::string& more = "", const std::string& law = "contraction_rate = 0.4\n") {
   return with("[soil.sand]\nmodel = \"linear_elastic\"\ndensity = 1700.0\nyoung = 40e6\npoisson = 0.28\n",
               "[water]\nlevel = 0.0\n[soil.sand]\nmodel = \"pm4sand\"\nrelative_density = "
@@ -64,6 +65,15 @@ TEST(Rest, LengthensTheRunByItsTime) {
   EXPECT_FALSE(parse_case(std::string(flat_case)).rest_clock());
 }
 
+TEST(Rest, BeginsWithAFrame) {
+  const Case scene = parse_case(plus("[output]\nevery_s = 0.75\n" + rest("every_s = 1.0\ngrowth = 1.5\n")));
+  std::vector<double> times{0.0};
+  while (times.back() < 7.0)
+    times.push_back(next_frame(scene, times.back(), times.back() + 0.01)); // written a little late
+  EXPECT_THAT(times, ElementsAre(0.0, 0.75, 1.5, 2.0, 3.0, 4.5, 6.75, 10.125));
+  EXPECT_EQ(next_row(scene, 1.995, 1.999), 2.0);
+}
+
 TEST(Rest, WithATimeFactorIsShorterToSimulate) {
   const Case fast = parse_case(sand(rest("time_factor = 10.0\n")));
   EXPECT_EQ(fast.end_of_soil_time(), 102.0);
@@ -80,23 +90,24 @@ TEST(Rest, IsAnEffectOfThePlan) {
   };
   EXPECT_EQ(why(sand(rest())), "[[stage]] rest from 2 to 102 s: soil 'sand'");
   EXPECT_EQ(why(plus(rest())),
-            "[[stage]] rest from 2 to 102 s: no soil of the domain has a law that knows it");
+            "[[stage]] rest from 2 to 102 s: no soil of the domain changes its law in the rest");
   EXPECT_EQ(why(sand()), "off");
 }
 
 TEST(Rules, ShakenSandRests) {
   const auto told = [](const std::string& text) { return remarks_of(text); };
-  EXPECT_THAT(told(sand()), Not(Contains(HasSubstr("Arias")))); // 0.6 s of draining cost nothing
+  EXPECT_THAT(told(sand()), Not(Contains(HasSubstr("Arias")))); // 0.8 s of draining cost little
   const std::string longer = with("duration_s = 2.0", "duration_s = 5.0", sand());
   EXPECT_THAT(told(longer),
               Contains(AllOf(HasSubstr("99 % of the motion's Arias intensity has arrived at 1.2 s"),
                              HasSubstr("soil 'sand' drains as if it had not been shaken"),
                              HasSubstr("End the shaking at about 2 s"))));
-  EXPECT_THAT(told(longer + rest()), Contains(HasSubstr("lasts until 5 s")));
+  EXPECT_THAT(told(longer + rest()), Contains(HasSubstr("Let the rest begin at about 2 s (docs/stages.md)")));
   EXPECT_THAT(told(sand(rest())), Not(Contains(HasSubstr("Arias"))));
   EXPECT_THAT(told(with("duration_s = 2.0", "duration_s = 1.0", sand(rest()))),
               Contains(AllOf(HasSubstr("the rest begins at 1 s, before 95 %"), HasSubstr("still shaken"))));
-  // Other sand, and sand whose water cannot leave, has nothing to say.
+  // Other soil, and sand whose water cannot leave, has nothing to say.
+  EXPECT_THAT(told(with("duration_s = 2.0", "duration_s = 5.0")), Not(Contains(HasSubstr("Arias"))));
   EXPECT_THAT(told(with("permeability = 1e-4", "drainage = \"undrained\"", longer)),
               Not(Contains(HasSubstr("Arias"))));
 }
@@ -113,13 +124,38 @@ TEST(Rules, TimeFactorIsAllowed) {
     return errors_of(text + rest("time_factor = " + factor + "\n"));
   };
   EXPECT_THAT(told("20.0", sand()), IsEmpty());
-  EXPECT_THAT(told("200.0", sand()), ElementsAre(AllOf(HasSubstr("is too large"), HasSubstr("at most 1"))));
+  // Pi = 0.1 with M = 0.24 GPa, 1990 kg/m3 and 10 m is F = 142; F k = 0.01 m/s is F = 100.
+  EXPECT_THAT(told("90.0", sand()), IsEmpty());
+  EXPECT_THAT(told("110.0", sand()),
+              ElementsAre(AllOf(HasSubstr("makes soil 'sand' let water flow by 0.011 m/s"),
+                                HasSubstr("allowed: at most 100"))));
+  EXPECT_THAT(told("150.0", sand()), ElementsAre(HasSubstr("inertia counts"), HasSubstr("at most 100")));
+  EXPECT_THAT(told("2.0", with("permeability = 1e-4", "permeability = 0.02", sand())),
+              Contains(HasSubstr("allowed: none, that is 1")));
   EXPECT_THAT(told("20.0", std::string(flat_case)), ElementsAre(HasSubstr("has nothing to speed up")));
   EXPECT_THAT(told("20.0", sand("[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n")),
               ElementsAre(HasSubstr("does not go with [damping] model = \"rayleigh\"")));
 }
 
 /// M = 0.24 GPa, rho = 1990 kg/m3, H = 10 m, k = 1e-4 m/s: Pi = F 1e-4 sqrt(M rho)/(9.81e3 10).
+/// What drains 2 m of the wet 10 m is five times as short a way.
+TEST(Rest, KnowsTheHeightThatDrains) {
+  const std::string clay = with("[soil.sand]",
+                                "[soil.clay]\nmodel = \"linear_elastic\"\nporosity = 0.4\ndrainage = "
+                                "\"undrained\"\nyoung = 40e6\npoisson = 0.28\n[soil.sand]",
+                                sand(rest("time_factor = 10.0\n")));
+  const std::string lens =
+      with("polygon = [[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]",
+           "polygon = [[0.0, -6.0], [20.0, -6.0], [20.0, -4.0], [0.0, -4.0]]\n"
+           "[[region]]\nsoil = \"clay\"\npolygon = [[0.0, -10.0], [20.0, -10.0], [20.0, -6.0], "
+           "[0.0, -6.0]]\n[[region]]\nsoil = \"clay\"\npolygon = [[0.0, -4.0], [20.0, -4.0], "
+           "[20.0, 0.0], [0.0, 0.0]]",
+           clay);
+  const auto all = fast_rest(parse_case(clay)), some = fast_rest(parse_case(lens));
+  EXPECT_NEAR(some->slow_wave / all->slow_wave, 5.0, 1e-9);
+  EXPECT_NEAR(some->ringing / all->ringing, 1.0, 1e-9);
+}
+
 TEST(Rules, TimeFactorErrsLittle) {
   const auto told = [](const std::string& factor) {
     return remarks_of(sand(rest("time_factor = " + factor + "\n")));
@@ -130,7 +166,10 @@ TEST(Rules, TimeFactorErrsLittle) {
   EXPECT_NEAR(fast_rest(scene)->ringing, 0.024, 0.002);
   EXPECT_THAT(told("10.0"), Not(Contains(HasSubstr("time_factor"))));
   EXPECT_THAT(told("50.0"), Contains(HasSubstr("makes inertia count: the settlement that the rest adds will "
-                                               "be wrong by about")));
+                                               "be off by about")));
+  const auto early = with("duration_s = 2.0", "duration_s = 1.0", sand(rest("time_factor = 10.0\n")));
+  EXPECT_THAT(remarks_of(early),
+              Contains(HasSubstr("what is left of the motion acts on ground in which water")));
 }
 
 } // namespace
