@@ -18,11 +18,6 @@ double impulse_factor(int node_clock, int clock) {
   return static_cast<double>(1 << (node_clock - clock));
 }
 
-/// The part of Eq. (6) that moves with the face, and the springs beside it, Pa.
-Vector moving_part(const eq6::Traction& eq6, const SupportLoad& support) {
-  return {eq6.viscous.x + eq6.dynamic.x + support.spring.x, eq6.viscous.y + eq6.dynamic.y + support.spring.y};
-}
-
 /// Adds the work of a face in an update.
 /// @param v_of   of its nodes by clock, mean over the update, m/s
 /// @param kicks  time that the forces of a clock have acted for, s
@@ -30,7 +25,6 @@ void add_work_of_face(std::size_t f, const FaceLoads& loads, const Ticks& ticks,
                       std::span<const double> kicks, BoundaryWork& work) {
   const BoundaryFace& face = loads.faces[f];
   const auto& [viscous, dynamic, held] = loads.eq6[f];
-  const SupportLoad& support = loads.supports[f];
   const int of_face = loads.motion.clock(f);
   const double steady = ticks.steady_share(of_face) * face.length;
   Vector v_all;    // of all nodes that are due
@@ -47,12 +41,16 @@ void add_work_of_face(std::size_t f, const FaceLoads& loads, const Ticks& ticks,
     const double own = dot(eq6::viscous_traction(face.dashpots(), loads.motion.velocity(f)), v_moving);
     work.dashpots += impulse * own;
     work.input += impulse * (dot({viscous.x + dynamic.x, viscous.y + dynamic.y}, v_moving) - own);
-    // Springs keep what the free field gives to their far ends less what they give to the nodes.
-    const double given = impulse * dot(support.spring, support.far_end);
-    work.input += given;
-    work.transfer -= given - impulse * dot(support.spring, v_moving);
+    if (!loads.supports.empty()) {
+      // Springs keep what the free field gives to their far ends less what they give to the nodes.
+      const SupportLoad& support = loads.supports[f];
+      const double given = impulse * dot(support.spring, support.far_end);
+      work.input += given;
+      work.transfer -= given - impulse * dot(support.spring, v_moving);
+    }
   }
-  if (ticks.is_first()) {
+  if (ticks.is_first() && !loads.supports.empty()) {
+    const SupportLoad& support = loads.supports[f];
     work.dashpots += kicks[0] * face.length * dot(support.own, v_all);
     work.input += kicks[0] * face.length * dot(support.driven, v_all);
   }
@@ -133,9 +131,14 @@ void FaceForces::find(int clock, const Ticks& ticks, const FaceLoads& loads) {
     const Vector z = dashpot_diagonal(face);
     const Vector inertia{per_kick * face.behind.moving_mass.x, per_kick * face.behind.moving_mass.y};
     const double l = face.length;
-    const Vector moving = moving_part(loads.eq6[f], loads.supports[f]);
-    const Vector reaction = loads.supports[f].reaction();
-    const Vector held = loads.eq6[f].held;
+    const auto& [viscous, dynamic, held] = loads.eq6[f];
+    Vector moving{viscous.x + dynamic.x, viscous.y + dynamic.y};
+    Vector reaction;
+    if (!loads.supports.empty()) {
+      const SupportLoad& support = loads.supports[f];
+      moving = {moving.x + support.spring.x, moving.y + support.spring.y};
+      reaction = support.reaction();
+    }
     loads_[f * clocks + static_cast<std::size_t>(clock)] = {
         {l * (moves * moving.x + reacts * reaction.x + holds * held.x),
          l * (moves * moving.y + reacts * reaction.y + holds * held.y)},

@@ -42,8 +42,8 @@ struct BoundaryWork {
 struct FaceLoads {
   std::span<const BoundaryFace> faces;
   const FaceMotion& motion;
-  std::span<const eq6::Traction> eq6; ///< Pa
-  std::span<const SupportLoad> supports;
+  std::span<const eq6::Traction> eq6;    ///< Pa
+  std::span<const SupportLoad> supports; ///< none where none stand there
   const LeaningSides& lean;
 };
 

@@ -61,10 +61,11 @@ void FaceMotion::begin_step(Step& step, std::span<const BoundaryFace> faces, std
   for_faces(step.ground.workers, faces.size(), [&](std::size_t f) {
     weigh(step, faces[f], f, soil);
     const Vector v = velocity_at(step.ground.grid, weights_[f]);
-    add_to_mean(f, v);
-    mean_[f] = take_mean(f);
+    if (step.ticks.clocks() > 1)
+      add_to_mean(f, v);
     seen_[f] = kicked_.empty() ? v : without_residual(v, {kicked_[2 * f], kicked_[2 * f + 1]});
-    seen_mean_[f] = kicked_.empty() ? mean_[f] : seen_[f]; // water knows one clock
+    mean_[f] = step.ticks.clocks() > 1 ? take_mean(f) : v;
+    seen_mean_[f] = step.ticks.clocks() > 1 ? mean_[f] : seen_[f]; // water knows one clock
   });
   velocity_ = seen_;
 }

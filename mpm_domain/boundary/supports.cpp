@@ -32,10 +32,12 @@ constexpr Kind kinds[]{
 
 } // namespace
 
-FaceSupports::FaceSupports(const Ground& ground, std::span<BoundaryFace> faces) : loads_(faces.size()) {
+FaceSupports::FaceSupports(const Ground& ground, std::span<BoundaryFace> faces) {
   for (const Kind& kind : kinds)
     if (kind.is_wanted(ground.spec))
       all_.push_back(kind.make(ground, faces));
+  if (!all_.empty())
+    loads_.resize(faces.size());
 }
 
 void FaceSupports::follow_sort(const Ground& ground) {

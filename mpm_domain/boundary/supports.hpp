@@ -29,7 +29,7 @@ public:
   void follow_sort(const Ground& ground);
   /// One of them goes on to the time of an exchange.
   void exchange(Support& support, const Exchange& at) { support.exchange(at, loads_); }
-  /// By face, as of the last exchange.
+  /// By face, as of the last exchange; none without any support.
   std::span<const SupportLoad> loads() const { return loads_; }
   /// What all have taken up from the last exchange to this one, J/m.
   double work() const;
