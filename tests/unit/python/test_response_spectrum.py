@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from tremolo.histories import even_steps
 from tremolo.response_spectrum import oscillators, response_spectrum
 
 G = 9.81  # m/s2, of the reference values
@@ -19,6 +20,14 @@ def read_at2(path):
     lines = path.read_text().splitlines()
     dt = float(lines[3].upper().split("DT=")[1].split()[0].rstrip(","))
     return G * np.array([float(word) for line in lines[4:] for word in line.split()]), dt
+
+
+class EvenSteps(unittest.TestCase):
+    def test_keep_the_step_of_the_shaking_where_a_rest_has_longer_ones(self):
+        time = np.concatenate([np.arange(0.0, 17.0, 0.01), np.arange(17.0, 600.0, 0.1)])
+        even, dt = even_steps(time, np.sin(time))
+        self.assertAlmostEqual(0.01, dt, places=9)
+        np.testing.assert_allclose(even[:1700], np.sin(0.01 * np.arange(1700)), atol=1e-9)
 
 
 class ClosedForms(unittest.TestCase):
