@@ -20,8 +20,8 @@
 // work `pore`, drag dissipates what the water loses on its way through the grains (water/mixture_update.hpp),
 // and the weight is that under water.
 //
-// Springs beside dashpots (boundary/springs/ground_springs.hpp) take up `springs`, which they store; behind a lag
-// part of it is dissipated. What the free field does at their far ends, f^spr . v^ff, is input.
+// Springs beside dashpots (boundary/springs/ground_springs.hpp) take up `springs`, which they store; behind a
+// lag part of it is dissipated. What the free field does at their far ends, f^spr . v^ff, is input.
 //
 // Structures have kinetic energy and weight as the soil has; sliding along them dissipates `friction`, and
 // where soil and structures, or two structures, take a common velocity the impulses dissipate `impact`

@@ -1,7 +1,7 @@
 #pragma once
 
-// Springs beside dashpots (mpm_domain/boundary/springs/ground_springs.hpp): which sides have them, how stiff, and
-// around which centre.
+// Springs beside dashpots (mpm_domain/boundary/springs/ground_springs.hpp): which sides have them, how stiff,
+// and around which centre.
 
 #include "scene/case.hpp"
 
