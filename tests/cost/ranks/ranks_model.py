@@ -77,7 +77,7 @@ def halo_bytes(particles, ranks):
 
 def share_bytes(columns, rows):
     """What is told of the soil at all faces, and sums at all nodes near them."""
-    return NUMBER * (7 * rank_tiles.faces(columns, rows) + SUMS * rank_tiles.boundary_nodes(columns, rows))
+    return NUMBER * (8 * rank_tiles.faces(columns, rows) + SUMS * rank_tiles.boundary_nodes(columns, rows))
 
 
 def follow_first_bytes(columns, rows):
