@@ -89,6 +89,10 @@ std::vector<std::reference_wrapper<const Soil>> soils_below_table(const Case& sc
   return soils;
 }
 
+bool lets_water_flow(const Soil& soil) {
+  return soil.pores && soil.pores->drainage == materials::Drainage::coupled;
+}
+
 std::string water_text(const Case& scene) {
   const auto soils = soils_below_table(scene);
   if (soils.empty())

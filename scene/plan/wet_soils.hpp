@@ -12,6 +12,9 @@ namespace tremolo::scene {
 /// case; none without [water].
 std::vector<std::reference_wrapper<const Soil>> soils_below_table(const Case& scene);
 
+/// Whether water flows in a soil below the table.
+bool lets_water_flow(const Soil& soil);
+
 /// What water does in each of them, in words: densities, stiffness, speeds of waves, drag.
 std::string water_text(const Case& scene);
 

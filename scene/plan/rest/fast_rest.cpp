@@ -1,5 +1,6 @@
 #include "scene/plan/rest/fast_rest.hpp"
 
+#include "scene/plan/layers.hpp"
 #include "scene/plan/wet_soils.hpp"
 
 #include <algorithm>
@@ -14,10 +15,6 @@ struct Extent {
   double bottom = 0.0; ///< y, m
   double top = 0.0;
 };
-
-bool lets_water_flow(const Soil& soil) {
-  return soil.pores && soil.pores->drainage == materials::Drainage::coupled;
-}
 
 /// Ground below the table, from the lowest to the highest point of what `counts`, in regions and layers.
 template <typename Counts>
@@ -34,11 +31,13 @@ Extent extent_below_table(const Case& scene, const Counts& counts) {
       const auto [low, high] = std::ranges::minmax(region.polygon, {}, &Point::y);
       add(low.y, high.y);
     }
-  double top = scene.surface_level;
-  for (const Layer& layer : scene.profile) {
-    if (layer.soil && counts(scene.soils[*layer.soil]))
-      add(top - layer.thickness, top);
-    top -= layer.thickness;
+  for (const LateralBoundary* side : {&scene.boundary.left, &scene.boundary.right}) {
+    double top = side->surface;
+    for (const Layer& layer : layers(scene, *side)) {
+      if (layer.soil && counts(scene.soils[*layer.soil]))
+        add(top - layer.thickness, top);
+      top -= layer.thickness;
+    }
   }
   return extent;
 }

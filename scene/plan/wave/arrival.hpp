@@ -9,6 +9,8 @@ double delay_to_model(const Case& scene);
 
 /// When a share (1) of the Arias intensity of the incident wave has reached the model there, s.
 double arrival_of_intensity(const Case& scene, double share);
+/// The share with which strong motion is over.
+inline constexpr double strong_motion_over = 0.99;
 
 /// Largest velocity of the incident wave, m/s; of a motion within the ground, which is not known without the
 /// layers, that of an outcrop of the same motion.

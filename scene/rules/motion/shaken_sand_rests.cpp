@@ -16,8 +16,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// Of the Arias intensity: strong motion is over, or goes on.
-constexpr double over = 0.99;
+/// Below this share of the Arias intensity strong motion goes on.
 constexpr double goes_on = 0.95;
 /// Time that costs no more than some per cent of the settlement, s.
 constexpr double delay_allowed = 1.0;
@@ -25,8 +24,7 @@ constexpr double delay_allowed = 1.0;
 std::string reconsolidating_soils(const Case& scene) {
   std::string names;
   for (const Soil& soil : one_of_each_name(soils_below_table(scene)))
-    if (materials::traits(soil.law).reconsolidates && soil.pores &&
-        soil.pores->drainage == materials::Drainage::coupled)
+    if (materials::traits(soil.law).reconsolidates && lets_water_flow(soil))
       names += fmt::format("{}'{}'", names.empty() ? "" : ", ", soil.name);
   return names;
 }
@@ -37,7 +35,7 @@ void shaken_sand_rests(const Case& scene, Findings& findings) {
   const std::string sand = reconsolidating_soils(scene);
   if (sand.empty())
     return;
-  const double end = arrival_of_intensity(scene, over);
+  const double end = arrival_of_intensity(scene, strong_motion_over);
   const double shaken = scene.shaking.duration;
   if (shaken > end + delay_allowed)
     findings.add(
@@ -45,7 +43,7 @@ void shaken_sand_rests(const Case& scene, Findings& findings) {
         fmt::format("{:.0f} % of the motion's Arias intensity has arrived at {:.3g} s, and the shaking stage "
                     "lasts until {:g} s: meanwhile soil {} drains as if it had not been shaken, which gives "
                     "too little settlement and too short a time under pressure. {} (docs/stages.md)",
-                    100.0 * over, end, shaken, sand,
+                    100.0 * strong_motion_over, end, shaken, sand,
                     scene.rest
                         ? fmt::format("Let the rest begin at about {:.0f} s", std::ceil(end))
                         : fmt::format("End the shaking at about {:.0f} s, and add a [[stage]] of kind = "

@@ -36,6 +36,14 @@ std::string rest(const std::string& keys = "") {
   return "[[stage]]\nkind = \"rest\"\nduration_s = 100.0\n" + keys;
 }
 
+/// A case with one soil more, which holds its water.
+std::string with_clay(const std::string& text) {
+  return with("[soil.sand]",
+              "[soil.clay]\nmodel = \"linear_elastic\"\nporosity = 0.4\ndrainage = \"undrained\"\nyoung = "
+              "40e6\npoisson = 0.28\n[soil.sand]",
+              text);
+}
+
 TEST(Rest, ComesOnceAndLast) {
   EXPECT_THAT(errors_of(plus(rest())), IsEmpty());
   EXPECT_THAT(errors_of(plus(rest() + rest())),
@@ -58,8 +66,8 @@ TEST(Rest, LengthensTheRunByItsTime) {
   EXPECT_EQ(plain.rest->history_every, 0.5);
   const Plan planned = plan(plain);
   EXPECT_NEAR(static_cast<double>(planned.steps) * planned.dt, 102.0, planned.dt);
-  EXPECT_EQ(planned.frames, 21 + 51); // every 0.1 s, then every 2 s
-  EXPECT_EQ(parse_case(plus(rest())).rest->every, 0.1);
+  EXPECT_EQ(planned.frames, 21 + 51);                          // every 0.1 s, then every 2 s
+  EXPECT_EQ(plan(parse_case(plus(rest()))).frames, 21 + 1001); // as [output] says
   // 2 (1 + 1.5 + ...) of 8 intervals are 98.5 s
   EXPECT_EQ(plan(parse_case(plus(rest("every_s = 2.0\ngrowth = 1.5\n")))).frames, 21 + 9);
   EXPECT_FALSE(parse_case(std::string(flat_case)).rest_clock());
@@ -95,20 +103,20 @@ TEST(Rest, IsAnEffectOfThePlan) {
 }
 
 TEST(Rules, ShakenSandRests) {
-  const auto told = [](const std::string& text) { return remarks_of(text); };
-  EXPECT_THAT(told(sand()), Not(Contains(HasSubstr("Arias")))); // 0.8 s of draining cost little
+  EXPECT_THAT(remarks_of(sand()), Not(Contains(HasSubstr("Arias")))); // 0.8 s of draining cost little
   const std::string longer = with("duration_s = 2.0", "duration_s = 5.0", sand());
-  EXPECT_THAT(told(longer),
+  EXPECT_THAT(remarks_of(longer),
               Contains(AllOf(HasSubstr("99 % of the motion's Arias intensity has arrived at 1.2 s"),
                              HasSubstr("soil 'sand' drains as if it had not been shaken"),
                              HasSubstr("End the shaking at about 2 s"))));
-  EXPECT_THAT(told(longer + rest()), Contains(HasSubstr("Let the rest begin at about 2 s (docs/stages.md)")));
-  EXPECT_THAT(told(sand(rest())), Not(Contains(HasSubstr("Arias"))));
-  EXPECT_THAT(told(with("duration_s = 2.0", "duration_s = 1.0", sand(rest()))),
+  EXPECT_THAT(remarks_of(longer + rest()),
+              Contains(HasSubstr("Let the rest begin at about 2 s (docs/stages.md)")));
+  EXPECT_THAT(remarks_of(sand(rest())), Not(Contains(HasSubstr("Arias"))));
+  EXPECT_THAT(remarks_of(with("duration_s = 2.0", "duration_s = 1.0", sand(rest()))),
               Contains(AllOf(HasSubstr("the rest begins at 1 s, before 95 %"), HasSubstr("still shaken"))));
   // Other soil, and sand whose water cannot leave, has nothing to say.
-  EXPECT_THAT(told(with("duration_s = 2.0", "duration_s = 5.0")), Not(Contains(HasSubstr("Arias"))));
-  EXPECT_THAT(told(with("permeability = 1e-4", "drainage = \"undrained\"", longer)),
+  EXPECT_THAT(remarks_of(with("duration_s = 2.0", "duration_s = 5.0")), Not(Contains(HasSubstr("Arias"))));
+  EXPECT_THAT(remarks_of(with("permeability = 1e-4", "drainage = \"undrained\"", longer)),
               Not(Contains(HasSubstr("Arias"))));
 }
 
@@ -120,30 +128,27 @@ TEST(Rules, RestingSandIsShakenFirst) {
 }
 
 TEST(Rules, TimeFactorIsAllowed) {
-  const auto told = [](const std::string& factor, const std::string& text) {
+  const auto errors_with = [](const std::string& factor, const std::string& text) {
     return errors_of(text + rest("time_factor = " + factor + "\n"));
   };
-  EXPECT_THAT(told("20.0", sand()), IsEmpty());
+  EXPECT_THAT(errors_with("20.0", sand()), IsEmpty());
   // Pi = 0.1 with M = 0.24 GPa, 1990 kg/m3 and 10 m is F = 142; F k = 0.01 m/s is F = 100.
-  EXPECT_THAT(told("90.0", sand()), IsEmpty());
-  EXPECT_THAT(told("110.0", sand()),
+  EXPECT_THAT(errors_with("90.0", sand()), IsEmpty());
+  EXPECT_THAT(errors_with("110.0", sand()),
               ElementsAre(AllOf(HasSubstr("makes soil 'sand' let water flow by 0.011 m/s"),
                                 HasSubstr("allowed: at most 100"))));
-  EXPECT_THAT(told("150.0", sand()), ElementsAre(HasSubstr("inertia counts"), HasSubstr("at most 100")));
-  EXPECT_THAT(told("2.0", with("permeability = 1e-4", "permeability = 0.02", sand())),
+  EXPECT_THAT(errors_with("150.0", sand()),
+              ElementsAre(HasSubstr("inertia counts"), HasSubstr("at most 100")));
+  EXPECT_THAT(errors_with("2.0", with("permeability = 1e-4", "permeability = 0.02", sand())),
               Contains(HasSubstr("allowed: none, that is 1")));
-  EXPECT_THAT(told("20.0", std::string(flat_case)), ElementsAre(HasSubstr("has nothing to speed up")));
-  EXPECT_THAT(told("20.0", sand("[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n")),
+  EXPECT_THAT(errors_with("20.0", std::string(flat_case)), ElementsAre(HasSubstr("has nothing to speed up")));
+  EXPECT_THAT(errors_with("20.0", sand("[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n")),
               ElementsAre(HasSubstr("does not go with [damping] model = \"rayleigh\"")));
 }
 
-/// M = 0.24 GPa, rho = 1990 kg/m3, H = 10 m, k = 1e-4 m/s: Pi = F 1e-4 sqrt(M rho)/(9.81e3 10).
 /// What drains 2 m of the wet 10 m is five times as short a way.
 TEST(Rest, KnowsTheHeightThatDrains) {
-  const std::string clay = with("[soil.sand]",
-                                "[soil.clay]\nmodel = \"linear_elastic\"\nporosity = 0.4\ndrainage = "
-                                "\"undrained\"\nyoung = 40e6\npoisson = 0.28\n[soil.sand]",
-                                sand(rest("time_factor = 10.0\n")));
+  const std::string clay = with_clay(sand(rest("time_factor = 10.0\n")));
   const std::string lens =
       with("polygon = [[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]",
            "polygon = [[0.0, -6.0], [20.0, -6.0], [20.0, -4.0], [0.0, -4.0]]\n"
@@ -156,17 +161,32 @@ TEST(Rest, KnowsTheHeightThatDrains) {
   EXPECT_NEAR(some->ringing / all->ringing, 1.0, 1e-9);
 }
 
+/// Sand that only the free field of a side has drains as well.
+TEST(Rest, KnowsTheLayersOfASide) {
+  const std::string beside =
+      with("left = { model = \"wave\" }\nright = { model = \"wave\" }\nbase = { model = \"wave\", form = "
+           "\"total\" }\n",
+           "right = { model = \"wave\" }\nbase = { model = \"wave\" }\n[boundary.left]\nmodel = "
+           "\"fe\"\n[[boundary.left.profile]]\nthickness = 10.0\nsoil = \"sand\"\n",
+           with("[[region]]\nsoil = \"sand\"", "[[region]]\nsoil = \"clay\"",
+                with_clay(sand(rest("time_factor = 10.0\n")))));
+  EXPECT_EQ(fast_rest(parse_case(beside))->slow_wave,
+            fast_rest(parse_case(sand(rest("time_factor = 10.0\n"))))->slow_wave);
+}
+
+/// M = 0.24 GPa, rho = 1990 kg/m3, H = 10 m, k = 1e-4 m/s: Pi = F 1e-4 sqrt(M rho)/(9.81e3 10).
 TEST(Rules, TimeFactorErrsLittle) {
-  const auto told = [](const std::string& factor) {
+  const auto remarks_with = [](const std::string& factor) {
     return remarks_of(sand(rest("time_factor = " + factor + "\n")));
   };
   const Case scene = parse_case(sand(rest("time_factor = 50.0\n")));
   const double m = materials::elasticity(scene.soils[0].law).p_modulus();
   EXPECT_NEAR(fast_rest(scene)->slow_wave, 50e-4 * std::sqrt(m * 1990.0) / 98100.0, 1e-9);
   EXPECT_NEAR(fast_rest(scene)->ringing, 0.024, 0.002);
-  EXPECT_THAT(told("10.0"), Not(Contains(HasSubstr("time_factor"))));
-  EXPECT_THAT(told("50.0"), Contains(HasSubstr("makes inertia count: the settlement that the rest adds will "
-                                               "be off by about")));
+  EXPECT_THAT(remarks_with("10.0"), Not(Contains(HasSubstr("time_factor"))));
+  EXPECT_THAT(remarks_with("50.0"),
+              Contains(HasSubstr("makes inertia count: the settlement that the rest adds will "
+                                 "be off by about")));
   const auto early = with("duration_s = 2.0", "duration_s = 1.0", sand(rest("time_factor = 10.0\n")));
   EXPECT_THAT(remarks_of(early),
               Contains(HasSubstr("what is left of the motion acts on ground in which water")));
