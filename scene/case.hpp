@@ -244,9 +244,10 @@ struct RestStage {
   double duration = 0.0;             ///< of the soil's time, s
   double time_factor = 1.0;          ///< F of the rest's clock (materials/water/rest_clock.hpp)
   std::optional<double> until_ratio; ///< ends when no excess pore pressure ratio is larger, 1
-  double every = 0.0;                ///< first interval of particle frames, of the soil's time, s
-  double growth = 1.0;               ///< of each interval of frames over the one before
-  double history_every = 0.0;        ///< interval of histories, of the soil's time, s
+  /// First interval of particle frames, of the soil's time, s; none: that of the output.
+  std::optional<double> every;
+  double growth = 1.0;                 ///< of each interval of frames over the one before
+  std::optional<double> history_every; ///< interval of histories, likewise
 };
 
 struct Coupling {

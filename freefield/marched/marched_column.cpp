@@ -43,7 +43,7 @@ const Profile& checked(const Profile& profile, const MarchedSettings& settings) 
   return profile;
 }
 
-/// Of the laws' stress, which contains that at rest, Pa.
+/// How much rounding the stress of the laws carries, which contains that at rest, Pa.
 double rounding_of(const SoilState& rest) {
   double largest = 0.0;
   for (const auto* stress : {&rest.sxx, &rest.syy, &rest.szz})
@@ -116,10 +116,7 @@ BaseDrive MarchedColumn::drive_to_next() const {
 }
 
 void MarchedColumn::step() {
-  if (settings_.rest && settings_.rest->has_begun(time())) {
-    soil_.reconsolidate();
-    set_flow_speed(state_.grid, settings_.rest->speed(time()));
-  }
+  rest_if_due(settings_.rest, time(), soil_, state_.grid);
   if (damped_)
     soil_.p_moduli(state_.soil, modulus_);
   const BaseDrive drive = drive_to_next();

@@ -30,8 +30,8 @@ struct MarchedSettings {
   /// When it has begun, shaking is over and soil reconsolidates.
   std::optional<materials::RestClock> rest = {};
   BaseKind base = BaseKind::compliant; ///< a rigid base moves as v(t - s x)
-  /// Of the last residual of a step's iteration, relative to the largest stress increment so far, in (0, 1];
-  /// what it leaves is less by orders (docs/free-fields/angle-column.md).
+  /// Largest residual at which a step's iteration ends, over the largest stress increment so far, in (0, 1].
+  /// The error that remains is smaller by orders of magnitude (docs/free-fields/angle-column.md).
   double tolerance = 0.1;
 };
 
@@ -44,9 +44,8 @@ struct MarchedSettings {
 class MarchedColumn final : public Column {
 public:
   /// @throws std::invalid_argument for values outside their range, for a wave that is critical in a layer,
-  /// for a step
-  ///         over the stability limit (the message states the limit), and for an initial stress beyond the
-  ///         soil's strength
+  /// for a step over the stability limit (the message states the limit), and for an initial stress beyond the
+  /// soil's strength
   MarchedColumn(const Profile& profile, const MarchedSettings& settings, InputVelocity input);
 
   /// @throws std::runtime_error if the motion is no longer finite, if the soil has become so stiff that the

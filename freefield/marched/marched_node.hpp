@@ -32,7 +32,7 @@ struct NodeLoad {
   Eigen::Vector4d force = Eigen::Vector4d::Zero();   ///< F and (0, F~), Pa
 
   NodeLoad() = default;
-  /// Of an element below the node; one above it pulls the other way.
+  /// The load of an element below the node; an element above it pulls the other way.
   NodeLoad(const WetElement& element, const ElementStress& stress, double slowness) {
     const double share = 0.5 * slowness * element.length;
     const double flowing = element.flows() ? stress.pressure : 0.0;

@@ -1,10 +1,13 @@
 // Fields that depend on t - s x have d/dx = -s d/dt. Zienkiewicz & Shiomi's equations in the form of two
 // velocities (two_phase_column.cpp), excess over the state at rest, S = sigma' - p, q = n w:
 //
-//     d/dt [rho vx + rho_f qx + s Sxx] = d sxy/dy         d/dt [rho_f (vx + qx/n) - s p] = -(rho_f g/k) qx
-//     d/dt [rho vy + rho_f qy + s sxy] = d Syy/dy         d/dt [rho_f (vy + qy/n)]       = -dp/dy - (rho_f
-//     g/k) qy d exx = -s dvx,  d eyy = d(vy)/dy dt,  d gxy = d(vx)/dy dt - s dvy,   d sigma' = law(d exx, d
-//     eyy, d gxy) dp = -(K_f/n) [d(vy + qy)/dy dt - s d(vx + qx)].
+//     d/dt [rho vx + rho_f qx + s Sxx] = d sxy/dy
+//     d/dt [rho vy + rho_f qy + s sxy] = d Syy/dy
+//     d/dt [rho_f (vx + qx/n) - s p]   = -(rho_f g/k) qx
+//     d/dt [rho_f (vy + qy/n)]         = -dp/dy - (rho_f g/k) qy
+//
+//     d exx = -s dvx,   d eyy = d(vy)/dy dt,   d gxy = d(vx)/dy dt - s dvy
+//     d sigma' = law(d exx, d eyy, d gxy),     dp = -(K_f/n) [d(vy + qy)/dy dt - s d(vx + qx)]
 //
 // Brackets at nodes (marched_node.hpp), stress at centres. From t to t + dt, the momenta P, R at t + dt/2
 // known and X the increments of stress:
@@ -36,7 +39,7 @@ auto w_xy(auto& fields) {
   return fields.template rightCols<2>();
 }
 
-/// Of the upper node of each element, and of the lower one.
+/// The values at the upper node of each element, and at the lower one.
 auto upper(auto&& nodes) {
   return nodes.bottomRows(nodes.rows() - 1);
 }
@@ -171,7 +174,7 @@ void MarchedTrial::elastic_increment(Increments& made) const {
   elastic(strain_, made);
 }
 
-/// Of elastic soil: effective stress, and the pressure of its water.
+/// The effective stress of elastic soil, and the pressure of its water.
 void MarchedTrial::elastic(const ElementFields& strain, ElementFields& stress) const {
   stress.col(0) = stiff_ * strain.col(0) + lateral_stiff_ * strain.col(1);
   stress.col(1) = lateral_stiff_ * strain.col(0) + stiff_ * strain.col(1);

@@ -60,7 +60,7 @@ public:
   Eigen::Vector2d viscous(std::size_t element) const {
     return viscous_.row(static_cast<Eigen::Index>(element)).transpose();
   }
-  /// Of a finished step: F on a node with what dashpots and incident wave bring, and F~, Pa.
+  /// After finish(): F on a node, dashpots and incident wave included, and F~, Pa.
   Eigen::Vector2d force(std::size_t node) const {
     return force_.row(static_cast<Eigen::Index>(node)).head<2>().transpose();
   }
@@ -90,7 +90,7 @@ private:
   Eigen::Vector2d internal_force_ = Eigen::Vector2d::Zero();
   bool damped_ = false;
 
-  // Of the nodes: what is split at either level of a step without an increment, and drag times dt.
+  // At the nodes: G and R at both levels of a step without an increment, how they split, and drag times dt.
   NodeMasses masses_;
   NodeSplit half_split_, whole_split_;
   NodeFields half_given_, whole_given_;
@@ -101,7 +101,7 @@ private:
   NodeFields momenta_, half_, whole_;
   Pairs mean_; ///< velocity of both phases at the end of the step, m/s
 
-  // Of the elements: s h/2, 1 where water flows, dt/h, and the stiffness of soil and water, Pa.
+  // In the elements: s h/2, 1 where water flows, dt/h, and the stiffness of soil and water, Pa.
   Eigen::ArrayXd share_, flowing_, per_length_, stiff_, lateral_stiff_, shear_stiff_, water_stiff_;
   Eigen::ArrayXd lowest_;         ///< excess pressure in a cavity, Pa
   Pairs viscosity_, viscous_;     ///< of damping, Pa s/m and Pa

@@ -74,10 +74,7 @@ double TwoPhaseColumn::time() const {
 }
 
 void TwoPhaseColumn::step() {
-  if (settings_.rest && settings_.rest->has_begun(time())) {
-    soil_.reconsolidate();
-    set_flow_speed(grid_, settings_.rest->speed(time()));
-  }
+  rest_if_due(settings_.rest, time(), soil_, grid_);
   const double dt = settings_.time_step;
   for (std::size_t i = 0; i < u_.size(); ++i) {
     u_[i].x += dt * v_[i][0].solid;

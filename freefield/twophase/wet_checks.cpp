@@ -35,6 +35,13 @@ RestingColumn resting_column(const Profile& profile, double max_element_size, co
   return column;
 }
 
+void rest_if_due(const std::optional<materials::RestClock>& rest, double time, FeSoil& soil, WetGrid& grid) {
+  if (!rest || !rest->has_begun(time))
+    return;
+  soil.reconsolidate();
+  set_flow_speed(grid, rest->speed(time));
+}
+
 void require_pores(const WetGrid& grid, const ColumnMesh& mesh, double time) {
   constexpr double least = 0.01, most = 0.95;
   for (std::size_t e = 0; e < grid.elements.size(); ++e) {

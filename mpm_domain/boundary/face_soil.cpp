@@ -24,9 +24,9 @@ std::vector<int> owners_of_faces(const Ground& ground, std::span<const BoundaryF
   return {owner.begin(), owner.end()};
 }
 
-/// What ranks tell of the soil at faces.
-auto told_soil(const Ground& ground, std::span<const BoundaryFace> faces, const SharedList& list,
-               std::span<FaceSoil> soil) {
+/// What ranks share of the soil at faces.
+auto shared_soil(const Ground& ground, std::span<const BoundaryFace> faces, const SharedList& list,
+                 std::span<FaceSoil> soil) {
   return Told{&list, 8,
               [&ground, faces, soil](std::size_t f, double* numbers) {
                 const auto& [place, moved, syy, excess, length] = soil[f] =
@@ -72,7 +72,7 @@ void SoilAtFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace
   Communicator& ranks = *ground.share->ranks;
   faces_ = SharedList(owners_of_faces(ground, faces), ranks);
   soil_.resize(faces.size());
-  tell_all(ranks, numbers_, told_soil(ground, faces, faces_, soil_));
+  tell_all(ranks, numbers_, shared_soil(ground, faces, faces_, soil_));
   nodes_ = nodes_near(ground, faces, soil_);
   const auto columns = static_cast<std::size_t>(ground.grid.nx);
   std::vector<int> owner;
@@ -87,7 +87,7 @@ void SoilAtFaces::read(Ground& ground, std::span<BoundaryFace> faces) {
     return;
   soil_.resize(faces.size());
   if (ground.share)
-    tell(ground, faces);
+    share(ground, faces);
   else
     for_faces(ground.workers, faces.size(),
               [&](std::size_t f) { soil_[f] = soil_at(faces[f], ground.sets[faces[f].set]); });
@@ -96,7 +96,7 @@ void SoilAtFaces::read(Ground& ground, std::span<BoundaryFace> faces) {
       faces[f].length = soil_[f].length;
 }
 
-void SoilAtFaces::tell(Ground& ground, std::span<const BoundaryFace> faces) {
+void SoilAtFaces::share(Ground& ground, std::span<const BoundaryFace> faces) {
   NodeFields& grid = ground.grid;
   std::vector<NodeField*> fields;
   for (const SumRange& range : scattered_sums(ground.grid.traits))
@@ -111,7 +111,7 @@ void SoilAtFaces::tell(Ground& ground, std::span<const BoundaryFace> faces) {
                     for (NodeField* field : fields)
                       (*field)[nodes_[n]] = *numbers++;
                   }};
-  tell_all(*ground.share->ranks, numbers_, told_soil(ground, faces, faces_, soil_), sums);
+  tell_all(*ground.share->ranks, numbers_, shared_soil(ground, faces, faces_, soil_), sums);
 }
 
 } // namespace tremolo::mpm_domain

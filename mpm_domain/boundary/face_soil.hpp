@@ -2,10 +2,10 @@
 
 // The soil at the faces: where it is, and its stress and pore pressure.
 //
-// Ranks that share a domain tell each other of it. Faces and their nodes are few, and the consistent dashpots
-// tie every node to its neighbours along the side. So every rank works out all of the boundary, with the same
-// bits: for that it is told where the particles of all faces are, and the sums at all nodes that faces may
-// touch until the next sort.
+// Ranks that share a domain exchange it. Faces and their nodes are few, and the consistent dashpots tie every
+// node to its neighbours along the side. So every rank works out all of the boundary, with the same bits: for
+// that it receives where the particles of all faces are, and the sums at all nodes that faces may touch until
+// the next sort.
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
 #include "mpm_domain/fields/node_fields.hpp"
@@ -20,9 +20,9 @@ namespace tremolo::mpm_domain {
 
 class SoilAtFaces {
 public:
-  /// After a sort: finds what ranks tell each other until the next one; to be called by all of them.
+  /// After a sort: finds what ranks exchange until the next one; all of them must call it.
   void follow_sort(const Ground& ground, std::span<const BoundaryFace> faces);
-  /// After a scatter: reads the soil. Ranks tell each other of it, and of the sums at the shared nodes, in
+  /// After a scatter: reads the soil. Ranks exchange it, and the sums at the shared nodes, in
   /// one message. Where there is pore water faces become as long as their soil. Places are all that dry soil
   /// needs of its faces: nothing is read where no ranks share it.
   void read(Ground& ground, std::span<BoundaryFace> faces);
@@ -33,7 +33,7 @@ public:
   std::span<const std::size_t> shared_nodes() const { return nodes_; }
 
 private:
-  void tell(Ground& ground, std::span<const BoundaryFace> faces);
+  void share(Ground& ground, std::span<const BoundaryFace> faces);
 
   std::vector<FaceSoil> soil_;
   SharedList faces_;

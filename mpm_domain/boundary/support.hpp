@@ -33,7 +33,7 @@ struct Exchange {
   std::span<const Vector> seen;      ///< v^m as dashpots see it (face_motion.hpp), m/s
   std::span<const Vector> seen_mean; ///< its mean over the ticks since the last exchange, m/s
   std::span<const Vector> mean;      ///< that of v-, of grains and water together, m/s
-  /// Of this time; fields that faces have to themselves stand behind, in the order of these faces.
+  /// The free field at this time, by face; then the own fields of the faces that have one, in their order.
   std::span<eq6::FreeField> field;
 };
 
@@ -52,9 +52,10 @@ public:
   Support& operator=(const Support&) = delete;
   virtual ~Support() = default;
 
-  /// Of its state in a checkpoint, and of its time where that is told.
+  /// Names its state in a checkpoint, and its row in the table of times where it has one.
   virtual std::string name() const = 0;
-  /// Whether its time in the exchange is told by itself, not as part of that of the exchange.
+  /// Whether its exchange has a row of its own in the table of times; otherwise it counts as boundary
+  /// exchange.
   virtual bool is_timed() const { return false; }
   /// After a sort: the grid may have grown.
   virtual void follow_sort(const Ground&) {}
@@ -62,7 +63,7 @@ public:
   virtual void exchange(const Exchange& at, std::span<SupportLoad> loads) = 0;
   /// What its springs have taken up from the last exchange to this one, J/m.
   virtual double work() const { return 0.0; }
-  /// What it does in a step beside that.
+  /// The passes of whatever else it does in a step.
   virtual std::vector<Pass> passes(Ground&) { return {}; }
 
   /// Adds all that changes with time, for a checkpoint.

@@ -50,9 +50,9 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
       scene.rest = RestStage{.duration = table.number("duration_s"),
                              .time_factor = table.number("time_factor"),
                              .until_ratio = table.optional_number("until_ratio"),
-                             .every = table.optional_number("every_s").value_or(0.0),
+                             .every = table.optional_number("every_s"),
                              .growth = table.number("growth"),
-                             .history_every = table.optional_number("history_every_s").value_or(0.0)};
+                             .history_every = table.optional_number("history_every_s")};
     }
   }
   if (!shaken && legible && findings.sound("stage"))

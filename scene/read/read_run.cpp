@@ -97,10 +97,6 @@ void read_run(Document& document, Findings& findings, Case& scene) {
   for (const auto& table : document.array("sliding_mass"))
     scene.sliding_masses.push_back(read_sliding_mass(table, findings));
   scene.output = read_output(document, scene, findings);
-  if (scene.rest && scene.rest->every == 0.0)
-    scene.rest->every = scene.output.every;
-  if (scene.rest && scene.rest->history_every == 0.0)
-    scene.rest->history_every = scene.output.history_every;
   scene.verify_tolerance = document.table("verify").number("tolerance");
 }
 

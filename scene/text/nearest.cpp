@@ -40,10 +40,6 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-} // namespace
-
-namespace {
-
 /// A word that files no longer have, and what has taken its place.
 struct Former {
   std::string_view word, now, why;

@@ -76,12 +76,12 @@ wavefield::TimeGrid column_times(const ColumnGround& ground, std::optional<doubl
 
 namespace {
 
-/// Whether the surface's displacement stays finite, which its synthesis alone says.
-void displace_surface(const wavefield::LayeredField& field, const ColumnGround& ground,
-                      const wavefield::TimeGrid& times) {
-  const std::array surface{wavefield::Point{ground.x, ground.source.surface}};
-  const wavefield::TimeGrid ends{times.start, times.dt * static_cast<double>(times.count - 1), 2};
-  field.sample(surface, ends, wavefield::Part::total, {.stress = false, .strain = false});
+/// Samples the surface at two times, which shows whether the ground lets go of the wave.
+/// @param displacement  whether its displacement must stay finite too
+void sample_surface(const wavefield::LayeredField& field, wavefield::Point surface, double from, double to,
+                    bool displacement) {
+  field.sample(std::array{surface}, {from, to - from, 2}, wavefield::Part::total,
+               {.displacement = displacement, .stress = false, .strain = false});
 }
 
 } // namespace
@@ -89,17 +89,19 @@ void displace_surface(const wavefield::LayeredField& field, const ColumnGround& 
 std::string start_column(const ColumnGround& ground) {
   const auto& [scene, source, x] = ground;
   const wavefield::TimeGrid times = column_times(ground);
+  const double end = times.start + times.dt * static_cast<double>(times.count - 1);
+  const wavefield::Point surface{x, source.surface};
   const auto of_steps = [](const freefield::Column& column) {
     return fmt::format("steps of {:.3g} s", column.time_step());
   };
   switch (source.field.model) {
   case scene::SourceModel::eql: {
     const auto result = wavefield::equivalent_linear_from_case(scene, source);
-    displace_surface(wavefield::field_from_case(scene, source, result), ground, times);
+    sample_surface(wavefield::field_from_case(scene, source, result), surface, times.start, end, true);
     return wavefield::summary(result);
   }
   case scene::SourceModel::wave:
-    displace_surface(wavefield::field_from_case(scene, source), ground, times);
+    sample_surface(wavefield::field_from_case(scene, source), surface, times.start, end, true);
     return "plane waves";
   case scene::SourceModel::mpm:
     return of_steps(*mpm_domain::column_from_case(scene, source, x, times.start));
@@ -110,17 +112,13 @@ std::string start_column(const ColumnGround& ground) {
 
 namespace {
 
-/// Whether its ground lets go of the wave, which the surface shows.
 void start_waves(const scene::Case& scene, const scene::SourceProcess& source) {
   if (std::ranges::none_of(
           source.serves, [](const scene::Served& served) { return served.field == scene::BaseForm::total; }))
     return;
   const wavefield::LayeredField field = wavefield::field_from_case(scene, source);
   const scene::Service service = scene::service(scene, source, field.slowness_x());
-  const std::array surface{wavefield::Point{service.x_line, source.surface}};
-  const wavefield::TimeGrid ends{service.start_time, service.end_time - service.start_time, 2};
-  field.sample(surface, ends, wavefield::Part::total,
-               {.displacement = false, .stress = false, .strain = false});
+  sample_surface(field, {service.x_line, source.surface}, service.start_time, service.end_time, false);
 }
 
 void start_source(const scene::Case& scene, const scene::SourceProcess& source) {

@@ -67,9 +67,9 @@ void RigidBase::exchange(const Exchange& at, std::span<SupportLoad>) {
   const Vector velocity = at.field.front().velocity;
   if (dt_ > 0.0) {
     displacement_ = after(displacement_, dt_, seen_.front().velocity);
-    rate_ = {(velocity.x - told_.x) / dt_, (velocity.y - told_.y) / dt_};
+    rate_ = {(velocity.x - velocity_.x) / dt_, (velocity.y - velocity_.y) / dt_};
   }
-  told_ = velocity;
+  velocity_ = velocity;
   dt_ = at.dt;
 }
 
@@ -77,7 +77,7 @@ void RigidBase::push(Ground& ground, const Ticks& ticks, int clock, std::span<co
   const double time = ticks.now() * ticks.dt_of(ticks.clocks() - 1) + 0.5 * ticks.dt_of(clock);
   const double kick = ticks.kick_of(clock);
   Seen& seen = seen_[static_cast<std::size_t>(clock)];
-  const Vector next = after(told_, time, rate_);
+  const Vector next = after(velocity_, time, rate_);
   const Vector a{(next.x - seen.velocity.x) / kick, (next.y - seen.velocity.y) / kick};
   seen = {next, a};
   NodeFields& nodes = ground.grid;
@@ -141,7 +141,7 @@ std::vector<Pass> RigidBase::passes(Ground& ground) {
 }
 
 void RigidBase::add_state(SavedNumbers& state) {
-  state.add(told_, rate_, displacement_, dt_);
+  state.add(velocity_, rate_, displacement_, dt_);
   for (Seen& seen : seen_)
     state.add(seen.velocity, seen.acceleration);
 }

@@ -43,7 +43,7 @@ public:
   std::vector<Pass> passes(Ground& ground) override;
   void add_state(SavedNumbers& state) override;
 
-  /// Motion of the base at the time at which particles' velocities and places are told, half a step before
+  /// Motion of the base at the time to which output of particles belongs, half a step before
   /// the end of the step just made.
   BaseMotion motion() const;
 
@@ -66,7 +66,7 @@ private:
   };
 
   std::vector<std::size_t> all_, across_; ///< nodes that are held
-  Vector told_;                           ///< V(t_n), m/s
+  Vector velocity_;                       ///< V(t_n), m/s
   Vector rate_;                           ///< of V from t_n-1 to t_n, m/s2
   std::vector<Seen> seen_;                ///< by clock
   Vector displacement_;                   ///< at t_n, m

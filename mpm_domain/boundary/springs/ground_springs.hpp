@@ -53,7 +53,7 @@ public:
   double work() const override { return work_; }
   void add_state(SavedNumbers& state) override;
 
-  /// Those of a face, or null.
+  /// The springs of a face; null where it has none.
   const FaceSprings* at(std::size_t face) const;
 
 private:

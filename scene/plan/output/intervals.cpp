@@ -27,31 +27,40 @@ double next(const Case& scene, double due, double every, double time) {
   return passes_start ? scene.shaking.duration : next;
 }
 
+double first_frame_interval(const Case& scene) {
+  return scene.rest->every.value_or(scene.output.every);
+}
+
+double rest_row_interval(const Case& scene) {
+  return scene.rest->history_every.value_or(scene.output.history_every);
+}
+
 } // namespace
 
 double next_frame(const Case& scene, double due, double time) {
-  const double grown = rests_at(scene, due)
-                           ? scene.rest->every + (scene.rest->growth - 1.0) * (due - scene.shaking.duration)
-                           : scene.output.every;
+  const double grown = rests_at(scene, due) ? first_frame_interval(scene) +
+                                                  (scene.rest->growth - 1.0) * (due - scene.shaking.duration)
+                                            : scene.output.every;
   return next(scene, due, grown, time);
 }
 
 double next_row(const Case& scene, double due, double time) {
-  return next(scene, due, rests_at(scene, due) ? scene.rest->history_every : scene.output.history_every,
-              time);
+  return next(scene, due, rests_at(scene, due) ? rest_row_interval(scene) : scene.output.history_every, time);
 }
 
 std::int64_t most_frames(const Case& scene, double dt) {
   double frames = intervals_in(scene.shaking.duration, std::max(scene.output.every, dt), 1.0) + 1.0;
   if (scene.rest)
-    frames += intervals_in(scene.rest->duration, std::max(scene.rest->every, dt), scene.rest->growth) + 1.0;
+    frames +=
+        intervals_in(scene.rest->duration, std::max(first_frame_interval(scene), dt), scene.rest->growth) +
+        1.0;
   return std::llround(frames);
 }
 
 std::int64_t most_rows(const Case& scene, double dt) {
   double rows = intervals_in(scene.shaking.duration, std::max(scene.output.history_every, dt), 1.0) + 3.0;
   if (scene.rest)
-    rows += intervals_in(scene.rest->duration, std::max(scene.rest->history_every, dt), 1.0) + 1.0;
+    rows += intervals_in(scene.rest->duration, std::max(rest_row_interval(scene), dt), 1.0) + 1.0;
   return std::llround(rows);
 }
 

@@ -10,10 +10,10 @@ void resting_sand_is_shaken_first(const Case& scene, Findings& findings) {
   if (!scene.rest)
     return;
   for (const Soil& soil : scene.soils) {
-    const auto key = fmt::format("soil.{}.post_shake", soil.name);
-    const auto given = std::ranges::find(scene.values, key, &ValueInForce::key);
-    if (given != scene.values.end() && given->value == "true")
-      findings.add(key,
+    const auto parameters = materials::parameters(soil.law);
+    const auto shaken = std::ranges::find(parameters, "post_shake", &materials::ParameterValue::name);
+    if (shaken != parameters.end() && shaken->value == 1.0)
+      findings.add(fmt::format("soil.{}.post_shake", soil.name),
                    fmt::format("'post_shake' = true gives soil '{}' the stiffness of sand that has been "
                                "shaken from the first step on, and the rest gives it this stiffness when "
                                "it begins: remove the key",

@@ -1,12 +1,7 @@
 #include "scene/plan/rest/fast_rest.hpp"
-#include "scene/plan/wave/arrival.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace tremolo::scene {
 
@@ -16,31 +11,8 @@ namespace {
 constexpr double largest_slow_wave = 0.1;
 /// m/s; beyond it the drag that takes the velocity of water relative to the grains needs more than 2 ms.
 constexpr double largest_permeability = 1e-2;
-/// Of the periods in which pressure rings: how many the factor must take to rise.
+/// How many of the periods in which pressure rings the factor must take to rise.
 constexpr double periods_to_rise = 20.0;
-
-void look_for_motion(const Case& scene, Findings& findings) {
-  const double end = arrival_of_intensity(scene, 0.99);
-  if (scene.shaking.duration < end)
-    findings.add(
-        "stage",
-        fmt::format("the rest begins at {:g} s, and 99 % of the motion's Arias intensity has arrived at "
-                    "{:.3g} s only: what is left of the motion acts on ground in which water flows {:g} "
-                    "times as easily, and stands in the results {:g} times as long",
-                    scene.shaking.duration, end, scene.rest->time_factor, scene.rest->time_factor));
-}
-
-/// A recording and a program of one's own are not sped up.
-void look_for_other_fields(const Case& scene, Findings& findings) {
-  const auto& [sides, left, right, base] = scene.boundary;
-  for (const auto& [key, model] :
-       {std::pair{"boundary.left", left.field.model}, std::pair{"boundary.right", right.field.model},
-        std::pair{"boundary.base", base.field.model}})
-    if (model == SourceModel::recording || model == SourceModel::external)
-      findings.add(key, fmt::format("the free field must have the same rest, at {:g} s, with the same "
-                                    "'time_factor' = {:g}, which cannot be checked here",
-                                    scene.shaking.duration, scene.rest->time_factor));
-}
 
 } // namespace
 
@@ -80,23 +52,6 @@ void time_factor_is_allowed(const Case& scene, Findings& findings) {
         fmt::format("rises within {:g} s, in which the pressure of this ground, with a period of {:.3g} s, "
                     "would ring; allowed: periods up to {:g} s",
                     materials::RestClock::rise, fast->ringing, materials::RestClock::rise / periods_to_rise));
-}
-
-void time_factor_errs_little(const Case& scene, Findings& findings) {
-  constexpr double small_error = 0.002; // of the settlement
-  const std::optional<FastRest> fast = fast_rest(scene);
-  if (!fast)
-    return;
-  look_for_motion(scene, findings);
-  look_for_other_fields(scene, findings);
-  if (fast->settlement_error() > small_error)
-    findings.add(
-        "stage",
-        fmt::format("the rest's 'time_factor' = {:g} makes inertia count: the settlement that the "
-                    "rest adds will be off by about {:.2g} %; {:.3g} would keep it below {:g} %",
-                    scene.rest->time_factor, 100.0 * fast->settlement_error(),
-                    scene.rest->time_factor * std::pow(small_error / 0.8, 1.0 / 1.5) / fast->slow_wave,
-                    100.0 * small_error));
 }
 
 } // namespace tremolo::scene

@@ -58,7 +58,7 @@ class Rest(unittest.TestCase):
             self.assertAlmostEqual(1.0, settlement(run, time) / (-1e3 * at(fields["fe"], "uy", time)), delta=0.05)
         self.assertGreater(settlement(run, 32.9), 3.0 * -1e3 * at(shaken, "uy", 32.9))
 
-    def test_a_time_factor_changes_little(self):
+    def test_acceptance_a_time_factor_changes_little(self):
         keys = {"permeability": 1e-4, "boundary": 'sides = "periodic"'}
         slow = self.run_of(rest=rest(7.0), **keys)
         fast = self.run_of(rest=rest(7.0, time_factor=10.0), **keys)
