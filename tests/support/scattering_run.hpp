@@ -162,11 +162,16 @@ struct ScatteredMotion {
   double largest = 0.0;         ///< of any velocity component, m/s
 };
 
-inline constexpr double sample = 0.015; ///< s, four steps
+inline constexpr double sample = 0.015; ///< s
+/// A whole number of steps, each below its limit: 0.65 h/c_p is 3.75 ms in cells of 1 m.
+inline long steps_a_sample(double cell) {
+  return cell < 2.0 ? 5 : 4;
+}
 
 inline ScatteredMotion shake(const ScatteringRun& run) {
   mpm_domain::Spec spec = scattering_spec(run);
-  spec.scheme.dt = 0.25 * sample;
+  const long steps = steps_a_sample(run.cell);
+  spec.scheme.dt = sample / static_cast<double>(steps);
   mpm_domain::Domain domain(spec);
   PlaneWave wave;
   wave.angle = run.angle_deg * std::numbers::pi / 180.0;
@@ -190,7 +195,7 @@ inline ScatteredMotion shake(const ScatteringRun& run) {
   ScatteredMotion motion;
   while (stepper.time() < end_time) {
     stepper.step();
-    if (stepper.time() < 0.5 * spec.scheme.dt.value() || stepper.steps() % 4 != 0)
+    if (stepper.time() < 0.5 * spec.scheme.dt.value() || stepper.steps() % steps != 0)
       continue;
     for (const auto& [place, id] : watched) {
       const std::size_t k = set.index_of[id];

@@ -40,19 +40,31 @@ struct BilinearElement {
             near * (u[2].y - u[0].y) + far * (u[3].y - u[1].y)};
   }
 
-  /// Takes from the nodes' forces (N/m) what the stresses at a point, on planes across x and across z (Pa),
-  /// pull at them.
-  void pull(Vectors& force, double xi, double zeta, const Vector& on_x, const Vector& on_z) const {
+  /// Takes from the nodes' forces (N/m) what stresses on planes across x (Pa) at a depth pull at them. What
+  /// they pull depends on zeta alone, so that the stresses of both xi come in as their sum.
+  void pull_across(Vectors& force, double zeta, const Vector& on_x) const {
     const double p = 0.25 * height; // a quarter of the area over the width
-    const Real q = 0.25 * width;    // and over the height
-    const auto take = [&](Vector& f, double nx, double nz) {
-      f.x -= nx * p * on_x.x + nz * q * on_z.x;
-      f.y -= nx * p * on_x.y + nz * q * on_z.y;
-    };
-    take(force[0], zeta - 1.0, xi - 1.0);
-    take(force[1], 1.0 - zeta, -xi);
-    take(force[2], -zeta, 1.0 - xi);
-    take(force[3], zeta, xi);
+    const Vector near{(1.0 - zeta) * p * on_x.x, (1.0 - zeta) * p * on_x.y};
+    const Vector far{zeta * p * on_x.x, zeta * p * on_x.y};
+    add(force[0], near), take(force[1], near), add(force[2], far), take(force[3], far);
+  }
+
+  /// What stresses on planes across z at one xi pull, the sum of both zeta.
+  void pull_down(Vectors& force, double xi, const Vector& on_z) const {
+    const Real q = 0.25 * width; // a quarter of the area over the height
+    const Vector near{(1.0 - xi) * (q * on_z.x), (1.0 - xi) * (q * on_z.y)};
+    const Vector far{xi * (q * on_z.x), xi * (q * on_z.y)};
+    add(force[0], near), add(force[1], far), take(force[2], near), take(force[3], far);
+  }
+
+private:
+  static void add(Vector& force, const Vector& by) {
+    force.x += by.x;
+    force.y += by.y;
+  }
+  static void take(Vector& force, const Vector& by) {
+    force.x -= by.x;
+    force.y -= by.y;
   }
 };
 

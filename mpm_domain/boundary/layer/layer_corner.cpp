@@ -17,7 +17,7 @@ Vector added(const Vector& a, double factor, const Vector& b) {
 
 LayerCorner::LayerCorner(const CornerShape& shape)
     : shape_(shape), cells_(static_cast<std::size_t>(shape.cells)), size_(shape.depth / shape.cells),
-      mass_((cells_ + 1) * (cells_ + 1)), memory_(gauss_points * cells_ * cells_) {
+      mass_((cells_ + 1) * (cells_ + 1)), memory_(cells_ * cells_) {
   for (std::vector<Vector>* field : {&u_, &v_, &z_, &y_, &force_})
     field->resize(mass_.size());
   for (std::size_t j = 0; j < cells_; ++j)
@@ -85,23 +85,29 @@ void LayerCorner::strain_element(std::size_t column, std::size_t row, std::span<
                                          node(column + 1, row + 1)};
   const BilinearElement<Vector> element{size_, size_};
   const std::array<Vector, 4> u{u_[nodes[0]], u_[nodes[1]], u_[nodes[2]], u_[nodes[3]]};
-  std::array<Vector, 4> force{};
-  Memory* memory = &memory_[gauss_points * (row * cells_ + column)];
+  Memory& memory = memory_[row * cells_ + column];
+  const StretchAt* across = &stretches[gauss.size() * column];
+  const StretchAt* down = &stretches[gauss.size() * row];
+
+  std::array<Vector, 2> on_x{}, on_z{}; // of each zeta, the sum of both xi, and of each xi that of both zeta
   for (std::size_t g = 0; g < gauss.size(); ++g) {
-    const auto& [bz, decay_z] = stretches[gauss.size() * row + g];
     const Vector ux = element.along(u, gauss[g]);
     for (std::size_t h = 0; h < gauss.size(); ++h) {
-      const auto& [bx, decay_x] = stretches[gauss.size() * column + h];
       const Vector uz = element.down(u, gauss[h]);
-      const Vector ex = added(ux, -bx, remember(memory->qx, decay_x, ux));
-      const Vector ez = added(uz, -bz, remember(memory->qz, decay_z, uz));
+      auto& [qx, qz] = memory.q[gauss.size() * g + h];
+      const Vector ex = added(ux, -across[h].rate, remember(qx, across[h].decay, ux));
+      const Vector ez = added(uz, -down[g].rate, remember(qz, down[g].decay, uz));
       const double sxz = shear * (ez.x + ex.y);
-      const Vector on_x = {p_modulus * ex.x + lame * ez.y, sxz};
-      const Vector on_z = {sxz, p_modulus * ez.y + lame * ex.x};
-      element.pull(force, gauss[h], gauss[g], added(on_x, bz, remember(memory->sx, stress_decay, on_x)),
-                   added(on_z, bx, remember(memory->sz, stress_decay, on_z)));
-      ++memory;
+      on_x[g] = added(on_x[g], 1.0, {p_modulus * ex.x + lame * ez.y, sxz});
+      on_z[h] = added(on_z[h], 1.0, {sxz, p_modulus * ez.y + lame * ex.x});
     }
+  }
+  std::array<Vector, 4> force{};
+  for (std::size_t g = 0; g < gauss.size(); ++g) {
+    const Vector sx = remember(memory.sx[g], stress_decay, on_x[g]);
+    const Vector sz = remember(memory.sz[g], stress_decay, on_z[g]);
+    element.pull_across(force, gauss[g], added(on_x[g], down[g].rate, sx));
+    element.pull_down(force, gauss[g], added(on_z[g], across[g].rate, sz));
   }
   for (std::size_t k = 0; k < nodes.size(); ++k)
     force_[nodes[k]] = added(force_[nodes[k]], 1.0, force[k]);
@@ -109,8 +115,12 @@ void LayerCorner::strain_element(std::size_t column, std::size_t row, std::span<
 
 void LayerCorner::add_state(SavedNumbers& state) {
   state.add(u_, v_, z_, y_, force_);
-  for (Memory& memory : memory_)
-    state.add(memory.qx, memory.qz, memory.sx, memory.sz);
+  for (Memory& memory : memory_) {
+    for (auto& [qx, qz] : memory.q)
+      state.add(qx, qz);
+    for (std::size_t g = 0; g < gauss.size(); ++g)
+      state.add(memory.sx[g], memory.sz[g]);
+  }
 }
 
 } // namespace tremolo::mpm_domain

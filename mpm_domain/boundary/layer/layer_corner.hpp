@@ -12,9 +12,10 @@
 //     dZ/dt = w - a Z,    dY/dt = Z - a Y,    dS_x/dt = s_x - a S_x,    dS_z/dt = s_z - a S_z,
 //     e_x = du/dx - b_x Q_x,    dQ_x/dt = du/dx - (a + b_x) Q_x,    and so for z,
 //
-// with Z, Y memories of each node, S and Q of each integration point. Where z = 0, b_z = 0, and these are the
-// equations of the side's layer (layer_lattice.hpp), which goes on there; where x = 0 those of the base's. So
-// nothing is reflected where a wave passes from one into the other (Basu and Chopra 2004, sec. 4.2).
+// with Z, Y memories of each node, Q of each integration point, S_x of each of their depths z and S_z of each
+// x (layer_lattice.hpp). Where z = 0, b_z = 0, and these are the equations of the side's layer
+// (layer_lattice.hpp), which goes on there; where x = 0 those of the base's. So nothing is reflected where a
+// wave passes from one into the other (Basu and Chopra 2004, sec. 4.2).
 //
 // The block's nodes at z = 0 are the last ones of the side's layer, those at x = 0 of the base's layer, and
 // all move as one mass. The node at x = z = 0 is the domain's own: it moves with the mean of the two layers'
@@ -66,9 +67,13 @@ public:
   void add_state(SavedNumbers& state);
 
 private:
-  /// What an integration point remembers.
+  /// What an element remembers.
   struct Memory {
-    eq6::Vector qx, qz, sx, sz;
+    struct Q {
+      eq6::Vector x, z;
+    };
+    std::array<Q, gauss_points> q;                ///< [zeta][xi]
+    std::array<eq6::Vector, gauss.size()> sx, sz; ///< of each zeta, of each xi
   };
 
   void move_node(std::size_t i, std::size_t j, double dt, double mass, eq6::Vector force);

@@ -55,7 +55,7 @@ LayerLattice::LayerLattice(LayerShape shape) : shape_(std::move(shape)) {
     shear_modulus_.push_back(column.shear_modulus);
     width_.push_back(column.width);
   }
-  memory_.resize(memories * gauss_points * rows * shape_.columns.size());
+  memory_.resize(memories * rows * shape_.columns.size());
   lump();
 }
 
@@ -110,9 +110,10 @@ void LayerLattice::kick_row(std::size_t row, double dt) {
   const double b = stretch_.rate(static_cast<double>(row) * shape_.depth / shape_.cells);
   const std::size_t first = row * across_ + (shape_.ends[0] == LayerEnd::corner ? 1 : 0);
   const std::size_t last = (row + 1) * across_ - (shape_.ends[1] == LayerEnd::corner ? 1 : 0);
+  const double steps_a_second = 1.0 / dt;
   by_fours(first, last, [&](std::size_t n, auto group) {
     const Lanes mass = group.present(group.load(&mass_[n]), all(1.0));
-    const Lanes rate = mass / dt;
+    const Lanes rate = steps_a_second * mass;
     const auto kick = [&](double& velocity, const double& force, const double& memory,
                           const double& dashpot) {
       const Lanes c = 0.5 * (b * mass + group.load(&dashpot));
@@ -168,29 +169,41 @@ void LayerLattice::strain_elements(const Row& row, std::size_t column, Group gro
   std::array<LaneVector, 4> u{};
   for (std::size_t k = 0; k < nodes.size(); ++k)
     u[k] = {group.load(&u_.x[nodes[k]]), group.load(&u_.y[nodes[k]])};
-  std::array<LaneVector, 4> force{};
   const std::size_t columns = shape_.columns.size();
-  double* memory = &memory_[memories * gauss_points * row.index * columns + column];
+  double* memory = &memory_[memories * row.index * columns + column];
+  const auto recall = [&](const Decay& decay, const LaneVector& now) {
+    LaneVector kept{group.load(memory), group.load(memory + columns)};
+    const LaneVector mean = remember(kept, decay, now);
+    group.store(memory, kept.x);
+    group.store(memory + columns, kept.y);
+    memory += 2 * columns;
+    return mean;
+  };
+  const auto add = [](LaneVector& sum, const LaneVector& by) { sum = {sum.x + by.x, sum.y + by.y}; };
+
+  const std::array<LaneVector, 2> uz{element.down(u, gauss[0]), element.down(u, gauss[1])};
+  std::array<LaneVector, 2> ez_of_xi{}; // the sum of both depths
+  LaneVector ux_of_depths{};
+  std::array<LaneVector, 4> force{};
   for (std::size_t g = 0; g < gauss.size(); ++g) {
     const auto& [b, decay] = row.stretches[g];
-    const LaneVector ux = element.along(u, gauss[g]);
-    for (const double xi : gauss) {
-      LaneVector q{group.load(memory), group.load(memory + columns)};
-      LaneVector s{group.load(memory + 2 * columns), group.load(memory + 3 * columns)};
-      const LaneVector uz = element.down(u, xi);
-      const LaneVector mean_q = remember(q, decay, uz);
-      const LaneVector e = {uz.x - b * mean_q.x, uz.y - b * mean_q.y};
-      const Lanes sxz = shear * (e.x + ux.y);
-      const LaneVector on_x = {p_modulus * ux.x + lame * e.y, sxz};
-      const LaneVector on_z = {sxz, p_modulus * e.y + lame * ux.x};
-      const LaneVector mean_s = remember(s, row.stress_decay, on_x);
-      element.pull(force, xi, gauss[g], {on_x.x + b * mean_s.x, on_x.y + b * mean_s.y}, on_z);
-      for (const Lanes& value : {q.x, q.y, s.x, s.y}) {
-        group.store(memory, value);
-        memory += columns;
-      }
+    LaneVector ez{}; // of both xi
+    for (std::size_t h = 0; h < gauss.size(); ++h) {
+      const LaneVector q = recall(decay, uz[h]);
+      const LaneVector e{uz[h].x - b * q.x, uz[h].y - b * q.y};
+      add(ez, e);
+      add(ez_of_xi[h], e);
     }
+    const LaneVector ux = element.along(u, gauss[g]);
+    add(ux_of_depths, ux);
+    const LaneVector on_x{2.0 * p_modulus * ux.x + lame * ez.y, shear * (ez.x + 2.0 * ux.y)};
+    const LaneVector s = recall(row.stress_decay, on_x);
+    element.pull_across(force, gauss[g], {on_x.x + b * s.x, on_x.y + b * s.y});
   }
+  for (std::size_t h = 0; h < gauss.size(); ++h)
+    element.pull_down(
+        force, gauss[h],
+        {shear * (ez_of_xi[h].x + ux_of_depths.y), p_modulus * ez_of_xi[h].y + lame * ux_of_depths.x});
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     group.store(&force_.x[nodes[k]], group.load(&force_.x[nodes[k]]) + force[k].x);
     group.store(&force_.y[nodes[k]], group.load(&force_.y[nodes[k]]) + force[k].y);

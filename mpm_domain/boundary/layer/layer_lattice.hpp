@@ -14,9 +14,10 @@
 //     rho (dw/dt + b (w - a Z)) = d/dx (s_x + b S) + d/dz s_z,     dZ/dt = w - a Z,   dS/dt = s_x - a S,
 //     e_z = du/dz - b Q,                                           dQ/dt = du/dz - (a + b) Q,
 //
-// with Z a memory of each node, S (of the stress on planes across x) and Q memories of each integration
-// point. At rest g = 1 + b/a: the layer then stands for ground of finite depth on rigid rock and holds what
-// is put on it.
+// with Z a memory of each node, Q of each integration point and S, of the stress on planes across x, of each
+// depth of points: what it pulls at the nodes depends on depth alone, and sums decay as their parts do. At
+// rest g = 1 + b/a: the layer then stands for ground of finite depth on rigid rock and holds what is put on
+// it.
 
 #include "coupler/eq6/boundary_traction.hpp"
 #include "mpm_domain/boundary/layer/bilinear_element.hpp"
@@ -105,8 +106,9 @@ private:
     [[nodiscard]] eq6::Vector at(std::size_t node) const { return {x[node], y[node]}; }
     void set(std::size_t node, eq6::Vector value) { x[node] = value.x, y[node] = value.y; }
   };
-  /// What an integration point remembers: Q and S (of s_xx and s_xz), two components each.
-  static constexpr std::size_t memories = 4;
+  /// What an element remembers: Q of each integration point and S (of s_xx and s_xz) of each of their depths,
+  /// two components each.
+  static constexpr std::size_t memories = 2 * (gauss_points + gauss.size());
   /// What the elements of a row have in common: the stretch at the two depths of their integration points.
   struct Row {
     std::size_t index;
@@ -135,7 +137,7 @@ private:
   NodeVectors end_dashpot_; ///< of each node, Pa s
   NodeVectors u_, v_, z_, force_;
   std::vector<double> p_modulus_, shear_modulus_, width_; ///< of each column
-  std::vector<double> memory_;                            ///< [row][integration point][memories][column]
+  std::vector<double> memory_; ///< [row][depth][Q of each xi, then S][component][column]
 };
 
 } // namespace tremolo::mpm_domain

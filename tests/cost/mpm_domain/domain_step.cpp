@@ -5,6 +5,8 @@
 //   domain/<order>_<transfer>     the schemes, elastic soil
 //   boxes_follow/...              the same where the particles' boxes follow the soil
 //   reduced_dispersion           musl and apic with it
+//   matched_layers/<n>            musl and apic on 100 by 40 cells, layers of n cells on three sides; 0:
+//                                 dashpots
 //   threads/<case>/<n>            the wall clock, for n threads on as many free cores
 //   softening/<c>                 Mohr-Coulomb that softens, cohesion c (Pa), each particle with its own
 //                                 dilatation: `yielding` tells the share of particles that yield in a step
@@ -100,6 +102,19 @@ void boxes_follow(benchmark::State& run, Transfer transfer, StepOrder order) {
 void reduced_dispersion(benchmark::State& run) {
   mpm_domain::Spec spec = square(cells, elastic(), Transfer::apic, StepOrder::musl, 1);
   spec.scheme.dispersion = mpm_domain::Dispersion::reduced;
+  Shaken shaken(spec);
+  step_on(run, shaken);
+}
+
+void matched_layers(benchmark::State& run) {
+  mpm_domain::Spec spec = square(100, elastic(), Transfer::apic, StepOrder::musl, 1);
+  spec.box.y_max = 40 * cell_size;
+  spec.regions.front().polygon = {
+      {0.0, 0.0}, {spec.box.x_max, 0.0}, {spec.box.x_max, spec.box.y_max}, {0.0, spec.box.y_max}};
+  if (run.range(0) > 0) {
+    spec.layer_cells = static_cast<int>(run.range(0));
+    spec.matched_sides = {mpm_domain::Side::left, mpm_domain::Side::right, mpm_domain::Side::base};
+  }
   Shaken shaken(spec);
   step_on(run, shaken);
 }
@@ -244,6 +259,7 @@ BENCHMARK_CAPTURE(domain, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK_CAPTURE(boxes_follow, usl_apic, Transfer::apic, StepOrder::usl);
 BENCHMARK_CAPTURE(boxes_follow, musl_apic, Transfer::apic, StepOrder::musl);
 BENCHMARK(reduced_dispersion);
+BENCHMARK(matched_layers)->Arg(0)->Arg(5)->Arg(10);
 BENCHMARK_CAPTURE(slices, usl_flip, Transfer::flip, StepOrder::usl)->Arg(1)->Arg(20)->Arg(80)->Arg(160);
 BENCHMARK_CAPTURE(slices, musl_apic, Transfer::apic, StepOrder::musl)->Arg(1)->Arg(20)->Arg(80)->Arg(160);
 BENCHMARK_CAPTURE(graded, usl_flip, Transfer::flip, StepOrder::usl);
