@@ -16,7 +16,7 @@
 namespace tremolo::materials {
 namespace {
 
-/// The largest component of a strain increment: 2000 sub-steps.
+/// The largest component of a strain increment.
 constexpr double largest_increment = 0.02;
 
 /// In-plane stress, tension positive, as p and s, compression positive.
@@ -50,7 +50,7 @@ void advance(const Pm4Sand& law, const Points& points, std::size_t i, Group grou
   const pm4::Stresses& offset = states.start.offset;
   pm4::Stresses stress{reported.p - offset.p, reported.s - offset.s};
   const Lanes size = magnitude(strain.volumetric) + magnitude(strain.e.d) + magnitude(strain.e.s);
-  const Lanes work = pm4::integrate(law, states, stress, strain, size > 0.0);
+  const Lanes work = pm4::integrate(law, states, stress, strain, size > 0.0).plastic_work;
   for (std::size_t lane = 0; lane < group.count; ++lane)
     if (!std::isfinite(work[lane]))
       throw std::domain_error(fmt::format("pm4sand: no finite stress of point {} follows from its strain "

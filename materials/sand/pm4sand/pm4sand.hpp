@@ -66,8 +66,9 @@ struct Pm4SandInput {
 
 /// How a step is cut into sub-steps.
 struct Pm4Integration {
-  double largest_strain = 1e-5; ///< largest strain component of a sub-step
-  double tolerance = 1e-4;      ///< relative error of a sub-step in stress, back stress and fabric
+  double largest_strain = 1e-3;  ///< largest strain component of a sub-step
+  double tolerance = 1e-4;       ///< relative error of a sub-step in stress, back stress and fabric
+  double smallest_strain = 1e-7; ///< of a sub-step that is taken whatever its error
 };
 
 /// PM4Sand with every parameter in force. Make it with pm4sand(); h_po and post_shake may be changed after.

@@ -20,10 +20,12 @@ Lanes largest_component(const Strains& strain) {
 }
 
 /// The part of an elastic change of stress up to the yield surface |s - p alpha| = m p/sqrt2; 0 if it is
-/// reached and loading goes on, 1 or more if it is not reached.
+/// reached and loading goes on, 1 or more if it is not reached. A part so small that it would not bring the
+/// step nearer to its end is 0.
 /// @param x  s - p alpha
 Lanes elastic_part(const Sites& at, const Deviators& x, const Stresses& elastic) {
   constexpr double reached = 0.99; // of the radius: within 1 per cent of m
+  constexpr double nothing = 1e-9; // rounding, where the stress lies on the surface
   const Lanes never = all(2.0);
   const Lanes p = at.stress.p;
   const Deviators dx = elastic.s - elastic.p * at.now.alpha;
@@ -40,7 +42,7 @@ Lanes elastic_part(const Sites& at, const Deviators& x, const Stresses& elastic)
   const Lanes root = sqrt(discriminant);
   const Lanes inward = choose(a > 0.0, (root - b) / a, never);
   const Lanes part = choose(b > 0.0, -c / (b + root), inward);
-  return choose(loads, Lanes{}, choose(discriminant < 0.0, never, part));
+  return choose(loads | (part < nothing), Lanes{}, choose(discriminant < 0.0, never, part));
 }
 
 /// The motion after a change of it.
@@ -192,9 +194,13 @@ void attempt(const Pm4Sand& law, const States& from, const Stresses& stress, con
   const Deviators n = choose(plastic, (1.0 / norm(x)) * x, {});
   const Changes one = change(first, n, strain);
 
-  const Motions ahead = after(from.now, one, strain.volumetric);
-  const Sites second = site(law, start, *first.memory, ahead, after(stress, one));
-  const Deviators y = second.stress.s - second.stress.p * ahead.alpha;
+  Motions ahead = after(from.now, one, strain.volumetric);
+  Stresses stress_ahead = after(stress, one);
+  stress_ahead.p = larger(floor_pressure(start), stress_ahead.p);
+  correct(law, start, ahead, stress_ahead, first.surface);
+  const Sites second = site(law, start, *first.memory, ahead, stress_ahead);
+  const Deviators elastic_s = (2.0 * second.G) * strain.e;
+  const Deviators y = stress.s + 0.5 * (one.stress.s + elastic_s) - stress_ahead.p * ahead.alpha;
   const Lanes length = norm(y);
   const Deviators n_ahead = choose(plastic, choose(length > 0.0, (1.0 / length) * y, n), {});
   const Changes two = change(second, n_ahead, strain);
@@ -211,18 +217,17 @@ void attempt(const Pm4Sand& law, const States& from, const Stresses& stress, con
 
 } // namespace
 
-Lanes integrate(const Pm4Sand& law, States& states, Stresses& stress, const Strains& increment,
-                const LaneMask& strained) {
+Integrated integrate(const Pm4Sand& law, States& states, Stresses& stress, const Strains& increment,
+                     const LaneMask& strained) {
   constexpr double safety = 0.9;
-  // A sub-step this much smaller than the largest is taken whatever its error: where loading slides along the
-  // bounding surface the plastic modulus has no smallest scale.
-  constexpr double smallest_part = 0.01;
   const Lanes one = all(1.0);
   const Lanes size = largest_component(increment);
   const Lanes largest = law.integration.largest_strain / size;
-  const Lanes smallest = smallest_part * largest;
+  // Where loading slides along the bounding surface the plastic modulus has no smallest scale.
+  const Lanes smallest = law.integration.smallest_strain / size;
   const double tolerance2 = law.integration.tolerance * law.integration.tolerance;
-  Lanes work{};
+  Integrated result;
+  Lanes& work = result.plastic_work;
   Lanes done{};
   Lanes length = smaller(largest, one);
   LaneMask rejected{};
@@ -232,6 +237,7 @@ Lanes integrate(const Pm4Sand& law, States& states, Stresses& stress, const Stra
     const LaneMask last = done + length * (1.0 + 1e-9) >= 1.0;
     const Lanes taken = choose(last, 1.0 - done, length);
     attempt(law, states, stress, taken * increment, next);
+    ++result.attempts;
     const LaneMask finite = is_finite(next.error2) & is_finite(next.plastic_work);
     const LaneMask refused = ~(finite & (next.error2 <= tolerance2)) & (taken > smallest);
     const Lanes fitting = safety * sqrt(sqrt(tolerance2 / larger(all(1e-300), next.error2)));
@@ -256,7 +262,7 @@ Lanes integrate(const Pm4Sand& law, States& states, Stresses& stress, const Stra
     rejected = refused;
     going &= ~lost & (done < 1.0);
   }
-  return work;
+  return result;
 }
 
 } // namespace tremolo::materials::pm4

@@ -190,6 +190,7 @@ void validate(const Pm4Sand& law) {
   if (law.z_max)
     check_range("z_max", *law.z_max, 1e-3, 1e3);
   check_range("integration.largest_strain", law.integration.largest_strain, 1e-8, 0.01);
+  check_range("integration.smallest_strain", law.integration.smallest_strain, 1e-12, 0.01);
   check_range("integration.tolerance", law.integration.tolerance, 1e-12, 1.0);
 }
 

@@ -164,6 +164,34 @@ TEST(Pm4Hard, JumpOf500KPaInOneIncrement) {
   EXPECT_EQ(broken_bound(law, at_once), "");
 }
 
+/// Pulled apart, with the stress on the yield surface to within rounding, and strained along that surface:
+/// what is left of the way to it is nothing, and the step ends all the same.
+TEST(Pm4Hard, LoadingAlongTheYieldSurfaceWithAnOpenGapEnds) {
+  const Pm4Sand law = report_sand(55);
+  for (int n = 0; n < 400; ++n) {
+    const double angle = 2.0 * std::numbers::pi * n / 400.0;
+    PointTest point(law, geostatic(50.0 * kilopascal, 1.0));
+    point.apply(extension(0.01));
+    PointState apart = point.now();
+    pm4::State state = pm4::load(apart.variables.data());
+    ASSERT_GT(state.now.gap, 0.0);
+    const double p = pm4::floor_pressure(state.start);
+    state.now.alpha = {0.3 * std::cos(3.0 * angle), 0.3 * std::sin(3.0 * angle)};
+    const double radius = law.m * p / pm4::sqrt2; // |t|^2 = 2 (d^2 + s^2)
+    const double x = radius / pm4::sqrt2;
+    const Deviator s = {p * state.now.alpha.d + x * std::cos(angle),
+                        p * state.now.alpha.s + x * std::sin(angle)};
+    apart.stress = {-p - s.d, -p + s.d, 0.0, -s.s};
+    pm4::store(state, apart.variables.data());
+    point.set(apart);
+    const double turn = (n % 2 == 0 ? 1e-15 : -1e-15);
+    const double d = -std::sin(angle) + turn * std::cos(angle);
+    const double g = std::cos(angle) + turn * std::sin(angle);
+    point.apply({Control::strain(-5e-3 * d), Control::strain(5e-3 * d), Control::strain(-1e-2 * g)});
+    ASSERT_EQ(broken_bound(law, point), "") << n;
+  }
+}
+
 TEST(Pm4Hard, TinyIncrementsAddUp) {
   const Pm4Sand law = report_sand(55);
   PointTest tiny(law, geostatic(100.0 * kilopascal, 0.5));

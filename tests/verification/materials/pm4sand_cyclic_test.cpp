@@ -1,12 +1,16 @@
 // Cycles to liquefaction of PM4Sand under shear stress of constant amplitude at constant volume, found by its
 // own stress reversals, against those of an independent implementation: within half a cycle.
 
+#include "materials/sand/pm4sand/pm4sand_initial.hpp"
+#include "materials/sand/pm4sand/pm4sand_integration.hpp"
 #include "tests/support/cyclic_shear.hpp"
 #include "tests/support/pm4sand_soil.hpp"
 
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <tuple>
+#include <vector>
 
 namespace tremolo::materials::test {
 namespace {
@@ -80,14 +84,70 @@ TEST(Pm4Increments, DoNotChangeTheCyclesToLiquefaction) {
   const Pm4Sand law = report_sand(55);
   const double sv = 101.3 * kilopascal;
   const Cycles fine = cycles_to_liquefaction(law, geostatic(sv, 0.5), 0.147 * sv, 1e-6);
-  for (const double increment : {1e-5, 1e-4}) {
+  for (const double increment : {1e-5, 1e-4, 1e-3}) {
     const Cycles coarse = cycles_to_liquefaction(law, geostatic(sv, 0.5), 0.147 * sv, increment);
     // What is left is the resolution of a coarse increment within the last half cycle.
-    EXPECT_NEAR(coarse.ru_98, fine.ru_98, 0.02) << increment;
-    EXPECT_NEAR(coarse.strain_1, fine.strain_1, 0.02) << increment;
-    EXPECT_NEAR(coarse.strain_3, fine.strain_3, 0.02) << increment;
+    const double resolution = increment > 1e-4 ? 0.1 : 0.02;
+    EXPECT_NEAR(coarse.ru_98, fine.ru_98, resolution) << increment;
+    EXPECT_NEAR(coarse.strain_1, fine.strain_1, resolution) << increment;
+    EXPECT_NEAR(coarse.strain_3, fine.strain_3, increment > 1e-4 ? 0.01 : 0.002) << increment;
     RecordProperty("strain_3_at_" + std::to_string(increment),
                    std::to_string(coarse.strain_3 - fine.strain_3));
+  }
+}
+
+/// Nor does the largest sub-step: the error estimate cuts it where the cap does not. The counts are those of
+/// increments of 1e-6.
+TEST(Pm4Increments, NeitherDoesTheLargestSubStep) {
+  const double sv = 101.3 * kilopascal;
+  for (const auto& [density, csr, cycles] :
+       {std::tuple{35, 0.090, 13.739}, {55, 0.147, 14.192}, {75, 0.312, 13.707}}) {
+    Pm4Sand law = report_sand(density);
+    law.integration.largest_strain = 1e-2;
+    for (const double increment : {1e-5, 1e-4, 1e-3}) {
+      const Cycles found = cycles_to_liquefaction(law, geostatic(sv, 0.5), csr * sv, increment);
+      EXPECT_NEAR(found.strain_3, cycles, 0.01) << density << " " << increment;
+    }
+  }
+}
+
+/// Attempts at a sub-step along cycles of shear at constant volume, in increments of 1e-4.
+long attempts(const Pm4Sand& law, double amplitude, int cycles) {
+  const double sv = 101.3 * kilopascal;
+  const pm4::Stress initial = {0.75 * sv, {-0.25 * sv, 0.0}};
+  const pm4::State state = pm4::initial_state(law, initial);
+  std::vector<double> block(pm4::state_size);
+  pm4::store(state, block.data());
+  pm4::States states = pm4::load_four(block.data(), 1);
+  pm4::Stresses stress = {all(initial.p), {all(initial.s.d), all(initial.s.s)}};
+  const long quarter = std::lround(amplitude / 1e-4);
+  long count = 0;
+  for (long n = 0; n < 4 * quarter * cycles; ++n) {
+    const double direction = (n + quarter) / (2 * quarter) % 2 == 0 ? 1.0 : -1.0;
+    const pm4::Strains strain = {Lanes{}, {Lanes{}, all(direction * 0.5e-4)}};
+    count += pm4::integrate(law, states, stress, strain, strain.e.s != 0.0).attempts;
+  }
+  return count;
+}
+
+/// What an update costs is the number of its attempts. Per 0.1 % of strain; measured 70 to 75 with cycles
+/// of 0.1 %, 34 to 50 with 1 %, 15 to 16 with 10 %; sub-steps of 1e-5 would be 100 at least.
+TEST(Pm4Attempts, StayFew) {
+  struct Row {
+    double amplitude;
+    int cycles;
+    double most;
+  };
+  for (const int density : {35, 55, 75}) {
+    const Pm4Sand law = report_sand(density);
+    for (const Row& row : {Row{1e-3, 20, 90.0}, Row{1e-2, 10, 60.0}, Row{1e-1, 3, 25.0}}) {
+      const double strained = 4.0 * row.amplitude * row.cycles;
+      const double per_mille =
+          1e-3 * static_cast<double>(attempts(law, row.amplitude, row.cycles)) / strained;
+      EXPECT_LT(per_mille, row.most) << density << " " << row.amplitude;
+      RecordProperty(std::to_string(density) + "_" + std::to_string(row.amplitude),
+                     std::to_string(per_mille));
+    }
   }
 }
 
