@@ -229,6 +229,7 @@ struct Boundary {
 
 /// [[stage]] kind = "gravity": base fixed, sides on rollers, damped relaxation to rest.
 struct GravityStage {
+  std::string name = "gravity";
   double acceleration = 9.81; ///< m/s2, downwards
   double residual = 1e-9;     ///< 2-norm of the unbalanced nodal forces over that of the nodal weights
   double max_time = 0.0;      ///< simulated time within which it must be reached, s
@@ -236,11 +237,13 @@ struct GravityStage {
 
 /// [[stage]] kind = "shaking"; t = 0 of the motion is its start.
 struct ShakingStage {
+  std::string name = "shaking";
   double duration = 0.0; ///< s
 };
 
 /// [[stage]] kind = "rest": sand reconsolidates as sand that has been shaken (materials::after_shaking).
 struct RestStage {
+  std::string name = "rest";
   double duration = 0.0;             ///< of the soil's time, s
   double time_factor = 1.0;          ///< F of the rest's clock (materials/water/rest_clock.hpp)
   std::optional<double> until_ratio; ///< ends when no excess pore pressure ratio is larger, 1

@@ -76,7 +76,7 @@ double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::
   const GravitySettings settings{stage.residual, stage.max_time};
   const auto progress = [&](long step, double residual) {
     if (client != nullptr)
-      client->progress("gravity", static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
+      client->progress(stage.name, static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
   };
   const Reactions reactions = relax_under_gravity(domain, settings, progress);
   if (client != nullptr && !reactions.cut.empty())
@@ -128,7 +128,7 @@ public:
   Speaker(coupler::DomainClient& client, const scene::Case& scene, const scene::Plan& plan,
           const coupler::ParticipantOptions& options, Domain& domain, const Picture& picture,
           const CoupledFaces& faces)
-      : client_(client), domain_(domain), picture_(picture), end_(scene.end()),
+      : client_(client), scene_(scene), domain_(domain), picture_(picture), end_(scene.end()),
         output_(options.out, scene, scene::to_json(scene, plan), domain, picture, faces.sources()),
         checkpoints_(scene.checkpoints) {}
 
@@ -145,9 +145,10 @@ public:
     const std::optional<materials::RestClock>& rest = domain_.spec.rest;
     const bool rests = rest && rest->has_begun(stepper.time());
     if (rests && !rest->has_begun(stepper.time() - stepper.dt()))
-      fmt::print("note: the rest begins at {:.6g} s, after step {}\n", stepper.time(), stepper.steps());
-    client_.progress(rests ? "rest" : "shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(),
-                     end_);
+      fmt::print("note: the {} begins at {:.6g} s, after step {}\n", scene_.rest->name, stepper.time(),
+                 stepper.steps());
+    client_.progress(rests ? scene_.rest->name : scene_.shaking.name,
+                     static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end_);
   }
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
     output_.finish(stepper, gravity_seconds, waiting_seconds);
@@ -172,6 +173,7 @@ private:
   }
 
   coupler::DomainClient& client_;
+  const scene::Case& scene_;
   Domain& domain_;
   const Picture& picture_;
   double end_;
@@ -197,8 +199,8 @@ void step_to_end(Stepper& stepper, Picture& picture, Speaker* speaker, const sce
       speaker->after_step(stepper);
   }
   if (speaker != nullptr && stepper.time() < scene.end())
-    fmt::print("note: the rest ends at {:.6g} s: no excess pore pressure ratio is above {:g}\n",
-               stepper.time_of_soil(stepper.time()), *scene.rest->until_ratio);
+    fmt::print("note: the {} ends at {:.6g} s: no excess pore pressure ratio is above {:g}\n",
+               scene.rest->name, stepper.time_of_soil(stepper.time()), *scene.rest->until_ratio);
   picture.take(speaker != nullptr ? speaker->output().needs_to_finish(stepper) : Picture::Extent::nothing);
 }
 
