@@ -23,6 +23,7 @@
 #include "mpm_domain/transfer/picture.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
+#include "scene/plan/stages/stages.hpp"
 
 #include <fmt/format.h>
 
@@ -70,17 +71,21 @@ std::string told_of_cut(const std::vector<CutStress>& cut) {
 
 /// Brings the whole domain to rest and returns the wall time it took, s. All ranks do so.
 /// @param client  null on all ranks but the first
-double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::DomainClient* client) {
+double static_stages(Domain& domain, const scene::Case& scene, coupler::DomainClient* client) {
   coupler::Stopwatch watch;
   watch.start();
-  const GravitySettings settings{stage.residual, stage.max_time};
-  const auto progress = [&](long step, double residual) {
+  const scene::GravityStage& gravity = *scene.gravity;
+  std::vector<LoadSettings> loads;
+  for (const scene::LoadStage& load : scene.loads)
+    loads.push_back({loads.size(), scene::ramp_of(scene, load), load.residual, load.max_time});
+  const auto progress = [&](std::size_t stage, long step, double residual) {
     if (client != nullptr)
-      client->progress(stage.name, static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
+      client->progress(stage == 0 ? gravity.name : scene.loads[stage - 1].name,
+                       static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
   };
-  const Reactions reactions = relax_under_gravity(domain, settings, progress);
+  const Reactions reactions = bring_to_rest(domain, {gravity.residual, gravity.max_time}, loads, progress);
   if (client != nullptr && !reactions.cut.empty())
-    fmt::print("warning: the laws of these soils cannot hold the stress under gravity and have cut it: {} of "
+    fmt::print("warning: the laws of these soils cannot hold the stress at rest and have cut it: {} of "
                "{} particles; the soil there is not at rest, a gentler slope or stronger soil would be\n",
                told_of_cut(reactions.cut), domain.particle_count());
   if (client != nullptr && reactions.slipping)
@@ -264,7 +269,7 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   double gravity_seconds = 0.0;
   try {
     if (scene.gravity && !saved)
-      gravity_seconds = gravity_stage(domain, *scene.gravity, client);
+      gravity_seconds = static_stages(domain, scene, client);
   } catch (const NotAtRest& failure) {
     if (client == nullptr)
       throw;

@@ -30,6 +30,34 @@ std::string read_name(const TableReader& table, const std::string& kind, std::ve
   return name;
 }
 
+LoadStage read_load(const TableReader& table, const std::string& name, const Case& so_far, bool shaken,
+                    Findings& findings) {
+  const auto ends = table.numbers("x_m");
+  if (ends.size() == 2 && !(ends[0] < ends[1]))
+    findings.add(table.path("x_m"), fmt::format("'x_m' = [{:g}, {:g}] goes from right to left: the first end "
+                                                "must be the smaller one",
+                                                ends[0], ends[1]));
+  const double pressure = table.number("pressure_pa");
+  const double shear = table.number("shear_pa");
+  if (pressure == 0.0 && shear == 0.0 && findings.sound(table.path("pressure_pa")) &&
+      findings.sound(table.path("shear_pa")))
+    findings.add(table.path("pressure_pa"), "missing 'pressure_pa' or 'shear_pa': how large the load is");
+  if (shaken || so_far.rest)
+    findings.add(table.path("kind"), "a load must come before the shaking stage");
+  else if (!so_far.gravity)
+    findings.add(table.path("kind"),
+                 "a load must come after a gravity stage, whose relaxation it goes on with");
+  return {.name = name,
+          .x_min = ends.size() == 2 ? ends[0] : 0.0,
+          .x_max = ends.size() == 2 ? ends[1] : 0.0,
+          .pressure = pressure,
+          .shear = shear,
+          .ramp = table.optional_number("ramp_s"),
+          .residual = table.number("residual"),
+          .max_time = table.number("max_time_s"),
+          .path = table.path()};
+}
+
 } // namespace
 
 void read_stages(Document& document, Findings& findings, Case& scene) {
@@ -49,9 +77,13 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
         findings.add(table.path("kind"), scene.gravity
                                              ? "a second gravity stage: there can be at most one"
                                              : "the gravity stage must come before the shaking stage");
+      else if (!scene.loads.empty())
+        findings.add(table.path("kind"), "the gravity stage must come before a load");
       scene.gravity = GravityStage{name_of_stage(), table.number("acceleration"), table.number("residual"),
                                    table.number("max_time_s")};
     }
+    if (kind == "load")
+      scene.loads.push_back(read_load(table, name_of_stage(), scene, shaken, findings));
     if (kind == "shaking") {
       if (shaken || scene.rest)
         findings.add(table.path("kind"), shaken ? "a second shaking stage: there must be exactly one"

@@ -16,6 +16,11 @@ struct PlannedStage {
   std::string lasts;     ///< how long, or until when
 };
 
+/// Five periods 4 H/c_s of ground as deep as the mesh and all of its slowest soil, s.
+double slow_ramp(const Case& scene);
+/// The time in which a load grows, s.
+double ramp_of(const Case& scene, const LoadStage& load);
+
 std::vector<PlannedStage> stages(const Case& scene);
 
 /// A line for each stage.
