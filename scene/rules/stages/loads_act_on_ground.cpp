@@ -67,7 +67,7 @@ void loads_act_on_ground(const Case& scene, Findings& findings) {
   if (scene.loads.empty() || !mesh_is_sound(scene, findings) || !findings.sound("region"))
     return;
   for (const LoadStage& load : scene.loads) {
-    if (!findings.sound(load.path))
+    if (!findings.sound(load.path + ".x_m"))
       continue;
     const auto refuse = [&](const std::string& key, const std::string& why) {
       findings.add(load.path + key, fmt::format("the load '{}' {}", load.name, why));
