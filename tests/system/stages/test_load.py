@@ -1,5 +1,5 @@
-"""A load on saturated sand, as a user runs it: the ground has settled under it when the shaking begins, it goes on acting,
-and a run that is broken goes on with the same bits.
+"""A load on saturated sand, as a user runs it: the ground has settled under it when the shaking begins, it goes on
+acting, and a run that is broken goes on with the same bits.
 
     usage: test_load.py TREMOLO SOURCE_DIR
 """
