@@ -24,7 +24,7 @@ Table stage_table() {
               "shaking; what is left of the motion goes on."),
           {.name = "name",
            .type = Type::text,
-           .meaning = "What log and reports call the stage. No two have the same name.",
+           .meaning = "What log, reports and `--until` call the stage. No two have the same name.",
            .otherwise = "its kind"},
           {.name = "acceleration",
            .unit = "m/s2",
