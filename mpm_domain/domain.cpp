@@ -5,7 +5,7 @@
 
 namespace tremolo::mpm_domain {
 
-Domain::Domain(const Spec& specification) : Ground(specification), contact(spec) {
+Domain::Domain(const Spec& specification) : Ground(specification), loads(*this), contact(spec) {
   contact.take_bodies(*this);
   boundary.match(*this);
   for (const BoundaryFace& face : boundary.faces())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mpm_domain/boundary/boundary.hpp"
+#include "mpm_domain/boundary/load/surface_loads.hpp"
 #include "mpm_domain/contact/contact.hpp"
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/passes/energy_ledger.hpp"
@@ -15,6 +16,7 @@ struct Domain : Ground {
   explicit Domain(const Spec& specification);
 
   Boundary boundary;
+  SurfaceLoads loads;
   Contact contact;
   EnergyLedger energy;
 };

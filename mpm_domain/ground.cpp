@@ -67,6 +67,24 @@ void check_rigid_base(const Spec& spec) {
                                 "reduced dispersion");
 }
 
+/// Loads lie in the model, and go with neither what moves them in a static stage nor several clocks.
+template <typename RefuseUnless>
+void check_loads(const Spec& spec, const RefuseUnless& refuse_unless) {
+  for (const SurfaceLoad& load : spec.loads) {
+    refuse_unless(load.x_min >= spec.box.x_min && load.x_min < spec.box.x_max,
+                  "the left end of a load on the surface (m)", load.x_min, "inside the model");
+    refuse_unless(load.x_max > load.x_min && load.x_max <= spec.box.x_max,
+                  "the right end of a load on the surface (m)", load.x_max,
+                  "inside the model and beyond the left end");
+    refuse_unless(load.pressure >= 0.0 && std::isfinite(load.pressure), "the pressure of a load (Pa)",
+                  load.pressure, "finite, >= 0");
+    refuse_unless(std::isfinite(load.shear), "the shear of a load (Pa)", load.shear, "finite");
+  }
+  if (!spec.structures.empty() || spec.scheme.subcycle || spec.sides == Sides::periodic_springs)
+    throw std::invalid_argument("a load on the surface goes neither with structures, nor with sub-cycling, "
+                                "nor with springs between the sides");
+}
+
 const Spec& checked(const Spec& spec) {
   const auto refuse_unless = [](bool good, std::string_view what, double value, std::string_view range) {
     if (!good)
@@ -111,6 +129,8 @@ const Spec& checked(const Spec& spec) {
   }
   if (!spec.structures.empty())
     check_structures(spec);
+  if (!spec.loads.empty())
+    check_loads(spec, refuse_unless);
   if (spec.water) {
     materials::validate(spec.water->fluid);
     refuse_unless(spec.gravity > 0.0, "gravity above a water table (m/s2)", spec.gravity, "> 0");

@@ -229,18 +229,34 @@ struct Boundary {
 
 /// [[stage]] kind = "gravity": base fixed, sides on rollers, damped relaxation to rest.
 struct GravityStage {
+  std::string name = "gravity";
   double acceleration = 9.81; ///< m/s2, downwards
   double residual = 1e-9;     ///< 2-norm of the unbalanced nodal forces over that of the nodal weights
   double max_time = 0.0;      ///< simulated time within which it must be reached, s
 };
 
+/// [[stage]] kind = "load": a load comes onto the surface of the ground, and stays.
+struct LoadStage {
+  std::string name = "load";
+  double x_min = 0.0; ///< where it begins and ends at the start, m
+  double x_max = 0.0;
+  double pressure = 0.0;      ///< onto the surface, Pa
+  double shear = 0.0;         ///< along it, towards +x, Pa
+  std::optional<double> ramp; ///< time in which it grows, s; none: as slow as the ground asks for
+  double residual = 1e-9;     ///< as of gravity
+  double max_time = 0.0;      ///< simulated time after the ramp within which it must be reached, s
+  std::string path;           ///< of its table in messages, "stage[1]"
+};
+
 /// [[stage]] kind = "shaking"; t = 0 of the motion is its start.
 struct ShakingStage {
+  std::string name = "shaking";
   double duration = 0.0; ///< s
 };
 
 /// [[stage]] kind = "rest": sand reconsolidates as sand that has been shaken (materials::after_shaking).
 struct RestStage {
+  std::string name = "rest";
   double duration = 0.0;             ///< of the soil's time, s
   double time_factor = 1.0;          ///< F of the rest's clock (materials/water/rest_clock.hpp)
   std::optional<double> until_ratio; ///< ends when no excess pore pressure ratio is larger, 1
@@ -361,6 +377,7 @@ struct Case {
   TimeStepping time;
   Boundary boundary;
   std::optional<GravityStage> gravity; ///< absent: weightless, the model starts at rest without stress
+  std::vector<LoadStage> loads;        ///< in the order in which they come
   ShakingStage shaking;
   std::optional<RestStage> rest; ///< absent: sand drains to the end as it does while it is shaken
   Coupling coupling;

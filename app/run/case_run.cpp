@@ -60,6 +60,10 @@ std::string description(const coupler::ProcessSpec& process, const scene::Case& 
                                                            : "by " + process.elsewhere->started_by);
 }
 
+std::vector<std::string> until_arguments(const CaseRun& run) {
+  return run.until.empty() ? std::vector<std::string>{} : std::vector<std::string>{"--until", run.until};
+}
+
 /// @param shared_memory  folder for ranks
 coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& run,
                                       const fs::path& shared_memory) {
@@ -85,7 +89,8 @@ coupler::LaunchOptions launch_options(const scene::Case& scene, const CaseRun& r
   options.processes.push_back({.name = "domain",
                                .role = coupler::Role::domain,
                                .program = located("tremolo-domain"),
-                               .threads = run.threads});
+                               .threads = run.threads,
+                               .arguments = until_arguments(run)});
   start_as_ranks(options.processes.back(), scene, run.ranks, run.local, shared_memory,
                  options.deadlines.connect);
   place_elsewhere(scene, run, options);

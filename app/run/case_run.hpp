@@ -22,6 +22,7 @@ struct CaseRun {
   std::filesystem::path keys{};    ///< folder of CURVE keys; empty: none
   bool local = false;              ///< all processes on this machine, whatever [hosts] says
   DomainRanks ranks{};
+  std::string until{}; ///< name of the stage that it ends after; empty: the last one
   std::optional<coupler::CheckpointSet> resume{}; ///< goes on from there, in a folder that has it
 };
 

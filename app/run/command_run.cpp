@@ -10,7 +10,9 @@
 #include "app/run/run_display.hpp"
 #include "results/exchange_file.hpp"
 #include "scene/plan/plan.hpp"
+#include "scene/plan/stages/stages.hpp"
 #include "scene/read/override.hpp"
+#include "scene/text/nearest.hpp"
 
 #include <fmt/format.h>
 
@@ -39,6 +41,7 @@ struct RunArguments {
   std::optional<fs::path> motion;
   std::optional<double> angle_deg;
   std::vector<std::string> replays;
+  std::string until;
   bool report = false;
   LocalOptions local;
 };
@@ -96,6 +99,27 @@ std::map<scene::Side, scene::RecordedSide> replays(const std::vector<std::string
   return sides;
 }
 
+/// Refuses to end after a stage that is not there, or that leaves nothing to go on from.
+void check_until(const scene::Case& scene, const std::string& until) {
+  const auto stages = scene::stages(scene);
+  const auto stage = std::ranges::find(stages, until, &scene::PlannedStage::name);
+  if (stage == stages.end()) {
+    std::vector<std::string_view> names;
+    for (const scene::PlannedStage& one : stages)
+      names.push_back(one.name);
+    throw std::invalid_argument(fmt::format("--until {}: the case has no stage of this name, {}", until,
+                                            scene::suggestion(until, names)));
+  }
+  if (const auto next = std::next(stage); next != stages.end() && next->kind == "load")
+    throw std::invalid_argument(fmt::format(
+        "--until {}: a run cannot go on between stages before the shaking; name one from '{}' on", until,
+        std::prev(std::ranges::find(stages, "shaking", &scene::PlannedStage::kind))->name));
+  if (scene.checkpoints.keep == 0 && std::next(stage) != stages.end())
+    throw std::invalid_argument(fmt::format("--until {}: the case keeps no checkpoint to go on from: give "
+                                            "[checkpoint] 'keep' at least 1",
+                                            until));
+}
+
 void run(const RunArguments& arguments) {
   const auto given = scene::load(arguments.case_file);
   std::optional<fs::path> record = arguments.motion;
@@ -107,6 +131,8 @@ void run(const RunArguments& arguments) {
                                                    .replays = replays(arguments.replays)});
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
+  if (!arguments.until.empty())
+    check_until(scene, arguments.until);
   check_ranks(scene, arguments.local.ranks, arguments.local.local);
   const auto folder = new_folder(arguments);
   fmt::print("  {}{}", motion_levels_text(scene), scene::remarks_text(scene));
@@ -116,7 +142,8 @@ void run(const RunArguments& arguments) {
                                           .threads = arguments.local.threads_of_domain(scene),
                                           .keys = arguments.local.keys,
                                           .local = arguments.local.local,
-                                          .ranks = arguments.local.ranks});
+                                          .ranks = arguments.local.ranks,
+                                          .until = arguments.until});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
   if (arguments.report && run_python("report", {folder.string()}) != 0)
     throw Exit{EXIT_FAILURE};
@@ -140,6 +167,8 @@ void add_run(Command& app) {
   command->add_option("--replay", arguments->replays,
                       "RUN:left, RUN:right or RUN:base: this side is served from the recorded exchange of an "
                       "earlier run instead of its model; RUN alone: all sides. Several are allowed");
+  command->add_option("--until", arguments->until,
+                      "Stage to end after, by its name; `tremolo resume` goes on from there");
   command->add_flag("--report", arguments->report, "Write report.html beside the results at the end");
   command->callback([arguments] { run(*arguments); });
 }

@@ -50,6 +50,7 @@ BoundaryFace make_face(Side side, Vector normal, const Spec& spec, Particles& se
   face.set = set_index;
   face.id = set.id[k];
   face.position = {set.x[k] + 0.5 * size * normal.x, set.y[k] + 0.5 * size * normal.y};
+  face.start_x = set.x[k];
   face.length = size;
   const Impedances ground = ground_of(side, spec, set, k);
   face.ground = {normal, ground.p, ground.s};
@@ -100,7 +101,7 @@ FaceSoil soil_at(const BoundaryFace& face, const Particles& set) {
   const double excess = set.traits.wet ? set.water->excess(set.pore_pressure[k], set.y[k]) : 0.0;
   const FacePlace place = place_of(face, set);
   const double length = face.side == Side::base ? face.length : set.volume[k] / (2.0 * place.half.x);
-  return {place, set.x[k] - set.x_initial[k], set.syy[k] - excess, excess, length};
+  return {place, set.x[k] - face.start_x, set.syy[k] - excess, excess, length};
 }
 
 mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place) {

@@ -37,6 +37,7 @@ struct BoundaryFace {
   std::size_t set = 0;  ///< which soil's particles
   std::uint32_t id = 0; ///< the particle
   Vector position;      ///< where it lay at the start: the material point its free field is taken from, m
+  double start_x = 0.0; ///< of the particle at the start, m
   double length = 0.0;  ///< m; of a side where there is pore water, at present
   eq6::Face ground; ///< normal, and the impedances of the soil in its stress at rest, or of the ground below
                     ///< the base

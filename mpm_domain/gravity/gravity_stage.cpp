@@ -173,6 +173,46 @@ std::vector<CutStress> begin_history(Domain& domain) {
 
 namespace {
 
+/// From 0 to 1 along half of a cosine as s goes there, without a jump of velocity.
+double ramped(double s) {
+  return s < 1.0 ? 0.5 * (1.0 - std::cos(std::numbers::pi * s)) : 1.0;
+}
+
+/// The way that nodes go while loads come onto the ground, m.
+class NodalWay {
+public:
+  explicit NodalWay(const Grid& grid) : x_(grid.size()), y_(grid.size()) {}
+
+  /// Adds that of a step (s) with v+.
+  void add(const Grid& grid, double dt) {
+    for (std::size_t n = 0; n < x_.size(); ++n) {
+      x_[n] += dt * grid.vx_after[n];
+      y_[n] += dt * grid.vy_after[n];
+    }
+  }
+
+  /// Lets the particles' displacement begin with it, u_p = sum S u_i: they keep their places, and have come
+  /// from others.
+  void count_as_displacement(Domain& domain) const {
+    std::ranges::copy(x_, domain.grid.vx_after.begin());
+    std::ranges::copy(y_, domain.grid.vy_after.begin());
+    take_velocities_of_nodes(domain);
+    for (Particles& set : domain.sets) {
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        set.x_initial[k] -= set.vx[k];
+        set.y_initial[k] -= set.vy[k];
+      }
+      for (std::vector<double>* field : {&set.vx, &set.vy, &set.bxx, &set.bxy, &set.byx, &set.byy})
+        std::ranges::fill(*field, 0.0);
+    }
+    for (NodeField* field : {&domain.grid.vx_after, &domain.grid.vy_after})
+      std::ranges::fill(*field, 0.0);
+  }
+
+private:
+  std::vector<double> x_, y_;
+};
+
 /// Where a relaxation has ended.
 struct Relaxed {
   long step;
@@ -211,8 +251,8 @@ std::vector<std::size_t> release(Domain& domain, const Relax& relax) {
 
 } // namespace
 
-Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
-                              const GravityProgress& progress) {
+Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const LoadSettings> loads,
+                        const StageProgress& progress) {
   if (!(domain.spec.gravity > 0.0))
     throw std::invalid_argument(
         fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", domain.spec.gravity));
@@ -240,25 +280,39 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
   const double alpha = std::numbers::pi * slowest / depth;
   const double dt = domain.spec.scheme.fraction * critical_skeleton_step(domain); // pore pressures stay
 
-  const auto relax = [&](bool bonded, long first, double time) {
+  for (const LoadSettings& load : loads)
+    domain.loads.scale(load.load, 0.0);
+  domain.loads.follow(domain);
+  NodalWay way(domain.grid);
+  std::size_t stage = 0;
+  /// @param load  that grows; null: none
+  const auto relax = [&](bool bonded, long first, double time, double residual, const LoadSettings* load) {
     Relaxed relaxed{first, 0.0};
     for (long step = first;; ++step) {
+      const double passed = static_cast<double>(step - first) * dt;
+      if (load != nullptr && passed < load->ramp + dt) {
+        domain.loads.scale(load->load, ramped(passed / load->ramp));
+        domain.loads.follow(domain);
+      }
       scatter_forces(domain);
+      domain.loads.add(domain.grid);
       relaxed = {step, relax_grid(domain, supports, dt, alpha, bonded)};
       prolong(domain, NodeGroup::velocity);
-      const bool ends =
-          relaxed.residual < settings.residual || !(static_cast<double>(step - first) * dt < time);
+      const bool grows = load != nullptr && passed < load->ramp;
+      const bool ends = !grows && (relaxed.residual < residual || !(passed < time));
       if (ends || step % report_every == 0)
-        progress(step, relaxed.residual);
+        progress(stage, step, relaxed.residual);
       if (ends)
         return relaxed;
+      if (load != nullptr)
+        way.add(domain.grid, dt);
       strain(domain, dt);
       // Geometry is given: volumes, boxes and places do not change.
       for (std::size_t s = 0; s < domain.sets.size(); ++s)
         given[s].restore(domain.sets[s]);
     }
   };
-  const Relaxed rest = relax(true, 0, settings.max_time);
+  const Relaxed rest = relax(true, 0, settings.max_time, settings.residual, nullptr);
   if (!(rest.residual < settings.residual))
     throw NotAtRest(fmt::format(
         "the gravity stage did not come to rest: residual {:.3g} after {:.3g} s of relaxation, wanted "
@@ -269,8 +323,19 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
       constexpr long least =
           1000; // steps that friction may take to find its share, and as often those of the bonds
       const double time = static_cast<double>(std::max(least, 4 * rest.step)) * dt;
-      return relax(false, rest.step, time).residual < settings.residual;
+      return relax(false, rest.step, time, settings.residual, nullptr).residual < settings.residual;
     });
+  for (const LoadSettings& load : loads) {
+    ++stage;
+    const double time = load.ramp + load.max_time;
+    const Relaxed loaded = relax(false, 0, time, load.residual, &load);
+    if (!(loaded.residual < load.residual))
+      throw NotAtRest(fmt::format(
+          "the ground did not come to rest under the load from x = {:.6g} to {:.6g} m: residual {:.3g} after "
+          "{:.3g} s of relaxation, wanted {:.3g}; it may not carry the load",
+          domain.spec.loads[load.load].x_min, domain.spec.loads[load.load].x_max, loaded.residual, time,
+          load.residual));
+  }
 
   reactions.slipping = !reactions.slipping_bodies.empty();
   reactions.force.assign(domain.grid.size(), Vector{});
@@ -284,8 +349,16 @@ Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
     if (!set.body)
       set.damping_time = domain.spec.soils[set.soil_index].damping_time;
   }
+  if (!loads.empty())
+    way.count_as_displacement(domain);
   reactions.cut = begin_history(domain);
   return reactions;
+}
+
+Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
+                              const GravityProgress& progress) {
+  return bring_to_rest(domain, settings, {},
+                       [&](std::size_t, long step, double residual) { progress(step, residual); });
 }
 
 void take_velocities_of_nodes(Domain& domain) {

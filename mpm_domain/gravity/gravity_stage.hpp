@@ -10,6 +10,14 @@
 // mode of a layer of depth H critically and every other at the same rate. It ends when the unbalanced force
 // in the free directions, ||f|| over the norm of all nodal weights, is below the stated residual.
 //
+// Loads on the surface follow as stages of their own. Each grows from 0 to its size along half of a cosine,
+//
+//     share(t) = (1 - cos(pi t/T))/2,      0 <= t <= T,
+//
+// while the ground is damped as above, and stays; then the stage goes on until all rests. Places, and with
+// them the weights, are kept here too, as in any analysis of small displacements; the way that the soil has
+// gone, u = int v dt, counts as displacement from then on.
+//
 // Structures stand in place, bonded to the soil. Once all rests, bonds become contact with friction, and the
 // stage goes on until all rests again. Where it cannot, since a structure stands on a slope that is too
 // steep for it, say, the bonded state is kept.
@@ -17,6 +25,7 @@
 #include "mpm_domain/domain.hpp"
 
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,6 +54,14 @@ struct GravitySettings {
   double max_time = 60.0; ///< s of relaxation after which the stage gives up
 };
 
+/// A stage in which a load comes onto the surface.
+struct LoadSettings {
+  std::size_t load = 0;   ///< index into Spec::loads
+  double ramp = 0.0;      ///< T, s
+  double residual = 1e-9; ///< as in GravitySettings
+  double max_time = 60.0; ///< s of relaxation after the ramp
+};
+
 /// The stage has run out of time before all was at rest.
 class NotAtRest : public std::runtime_error {
 public:
@@ -54,14 +71,21 @@ public:
 /// Reports how far the stage is, now and then and at its end: steps done, and the residual reached.
 using GravityProgress = std::function<void(long step, double residual)>;
 
-/// Brings the domain to rest under gravity, all laws at peak strength (no softening); plastic strains are
-/// reset after it.
+/// The same of several stages, the first of which is that of gravity.
+using StageProgress = std::function<void(std::size_t stage, long step, double residual)>;
+
+/// Brings the domain to rest under gravity and the loads on its surface, all laws at peak strength (no
+/// softening); plastic strains are reset after it.
 /// @returns the reactions of the constraints
 /// @throws NotAtRest if the residual is not reached. The domain is then as the relaxation has left it:
 /// particles with their plastic strains, and nodes with the velocity with which they go on, vx_after and
 /// vy_after.
 Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                               const GravityProgress& progress);
+
+/// The same, with loads that come one after the other; others act from the start.
+Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const LoadSettings> loads,
+                        const StageProgress& progress);
 
 /// After NotAtRest: gives the particles the velocity with which the nodes go on, so that they show where the
 /// soil moves.

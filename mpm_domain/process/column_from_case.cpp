@@ -38,6 +38,7 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   spec.soils.clear();
   spec.regions.clear();
   spec.structures.clear();
+  spec.loads.clear();
   spec.matched_sides.clear();
   spec.springs.clear();
   const double half_space = scene::base_level(source.surface, scene::layers(scene, source));

@@ -23,6 +23,7 @@
 #include "mpm_domain/transfer/picture.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
+#include "scene/plan/stages/stages.hpp"
 
 #include <fmt/format.h>
 
@@ -70,17 +71,21 @@ std::string told_of_cut(const std::vector<CutStress>& cut) {
 
 /// Brings the whole domain to rest and returns the wall time it took, s. All ranks do so.
 /// @param client  null on all ranks but the first
-double gravity_stage(Domain& domain, const scene::GravityStage& stage, coupler::DomainClient* client) {
+double static_stages(Domain& domain, const scene::Case& scene, coupler::DomainClient* client) {
   coupler::Stopwatch watch;
   watch.start();
-  const GravitySettings settings{stage.residual, stage.max_time};
-  const auto progress = [&](long step, double residual) {
+  const scene::GravityStage& gravity = *scene.gravity;
+  std::vector<LoadSettings> loads;
+  for (const scene::LoadStage& load : scene.loads)
+    loads.push_back({loads.size(), scene::ramp_of(scene, load), load.residual, load.max_time});
+  const auto progress = [&](std::size_t stage, long step, double residual) {
     if (client != nullptr)
-      client->progress("gravity", static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
+      client->progress(stage == 0 ? gravity.name : scene.loads[stage - 1].name,
+                       static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
   };
-  const Reactions reactions = relax_under_gravity(domain, settings, progress);
+  const Reactions reactions = bring_to_rest(domain, {gravity.residual, gravity.max_time}, loads, progress);
   if (client != nullptr && !reactions.cut.empty())
-    fmt::print("warning: the laws of these soils cannot hold the stress under gravity and have cut it: {} of "
+    fmt::print("warning: the laws of these soils cannot hold the stress at rest and have cut it: {} of "
                "{} particles; the soil there is not at rest, a gentler slope or stronger soil would be\n",
                told_of_cut(reactions.cut), domain.particle_count());
   if (client != nullptr && reactions.slipping)
@@ -98,7 +103,7 @@ std::string leave_frame(Domain& domain, const scene::Case& scene, const scene::P
   const CoupledFaces faces(domain, scene, plan);
   const Picture picture(domain);
   RunOutput output(options.out, scene, scene::to_json(scene, plan), domain, picture, faces.sources());
-  output.write_failed_rest(Stepper(domain, 0.0, [](auto&&...) {}));
+  output.write_before_shaking(Stepper(domain, 0.0, [](auto&&...) {}));
   output.abort(failure.what());
   return fmt::format("{}; the frame in run.h5 shows where the ground moves", failure.what());
 }
@@ -122,36 +127,65 @@ FreeFieldSource coupled_source(const Domain& domain, CoupledFaces& faces, couple
   };
 }
 
+/// Where a run ends: after which stage, and the simulated time then, s.
+struct StageEnd {
+  std::string stage;
+  double time = 0.0;
+};
+
+/// The end of a stage; without a name, of the last one. Of those before the shaking only the last one leaves
+/// a state to go on from.
+StageEnd end_of(const scene::Case& scene, const std::string& stage) {
+  if (stage == scene.shaking.name)
+    return {stage, scene.shaking.duration};
+  const bool is_last = stage.empty() || (scene.rest && stage == scene.rest->name);
+  return {stage, is_last ? scene.end() : 0.0};
+}
+
 /// What rank 0 does beside its share of the domain: it talks with the coupler and writes the results.
 class Speaker {
 public:
   Speaker(coupler::DomainClient& client, const scene::Case& scene, const scene::Plan& plan,
           const coupler::ParticipantOptions& options, Domain& domain, const Picture& picture,
-          const CoupledFaces& faces)
-      : client_(client), domain_(domain), picture_(picture), end_(scene.end()),
+          const CoupledFaces& faces, const StageEnd& stop)
+      : client_(client), scene_(scene), domain_(domain), picture_(picture), end_(scene.end()), stop_(stop),
         output_(options.out, scene, scene::to_json(scene, plan), domain, picture, faces.sources()),
         checkpoints_(scene.checkpoints) {}
 
   RunOutput& output() { return output_; }
   /// What of the picture it needs after a step.
   Picture::Extent needs(const Stepper& stepper) {
-    saves_ = stepper.time() < end_ && checkpoints_.due(stepper.steps());
+    saves_ = stepper.time() < end_ && (checkpoints_.due(stepper.steps()) || stepper.time() >= stop_.time);
     return saves_ ? Picture::Extent::all : output_.needs(stepper);
   }
   void after_step(const Stepper& stepper) {
     output_.after_step(stepper);
     if (saves_)
-      checkpoints_.save(client_, domain_, picture_.sets(), stepper, output_);
+      save(stepper);
     const std::optional<materials::RestClock>& rest = domain_.spec.rest;
     const bool rests = rest && rest->has_begun(stepper.time());
     if (rests && !rest->has_begun(stepper.time() - stepper.dt()))
-      fmt::print("note: the rest begins at {:.6g} s, after step {}\n", stepper.time(), stepper.steps());
-    client_.progress(rests ? "rest" : "shaking", static_cast<std::uint64_t>(stepper.steps()), stepper.time(),
-                     end_);
+      fmt::print("note: the {} begins at {:.6g} s, after step {}\n", scene_.rest->name, stepper.time(),
+                 stepper.steps());
+    client_.progress(rests ? scene_.rest->name : scene_.shaking.name,
+                     static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end_);
+  }
+  /// Makes a checkpoint.
+  void save(const Stepper& stepper) {
+    checkpoints_.save(client_, domain_, picture_.sets(), stepper, output_);
   }
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
-    output_.finish(stepper, gravity_seconds, waiting_seconds);
-    warn();
+    if (stop_.time < end_) {
+      if (stepper.steps() == 0)
+        output_.write_before_shaking(stepper);
+      const std::string reason =
+          fmt::format("ended after the stage '{}', as was asked; tremolo resume goes on", stop_.stage);
+      fmt::print("note: {}\n", reason);
+      abort(reason);
+    } else {
+      output_.finish(stepper, gravity_seconds, waiting_seconds);
+      warn();
+    }
     std::vector<coupler::PassTime> passes{{"gravity stage", gravity_seconds}};
     for (const PassTime& pass : stepper.times())
       passes.push_back({pass.name, pass.seconds});
@@ -172,9 +206,11 @@ private:
   }
 
   coupler::DomainClient& client_;
+  const scene::Case& scene_;
   Domain& domain_;
   const Picture& picture_;
   double end_;
+  StageEnd stop_;
   RunOutput output_;
   Checkpoints checkpoints_;
   bool saves_ = false;
@@ -189,16 +225,22 @@ bool pressure_is_gone(const Stepper& stepper, const scene::Case& scene) {
 }
 
 /// Steps to the end. All ranks take part in all pictures.
-void step_to_end(Stepper& stepper, Picture& picture, Speaker* speaker, const scene::Case& scene) {
-  while (stepper.time() < scene.end() && !pressure_is_gone(stepper, scene)) {
+void step_to_end(Stepper& stepper, Picture& picture, Speaker* speaker, const scene::Case& scene,
+                 double stop) {
+  if (!(stepper.time() < stop)) {
+    picture.take(speaker != nullptr ? Picture::Extent::all : Picture::Extent::nothing);
+    if (speaker != nullptr)
+      speaker->save(stepper);
+  }
+  while (stepper.time() < stop && !pressure_is_gone(stepper, scene)) {
     stepper.step();
     picture.take(speaker != nullptr ? speaker->needs(stepper) : Picture::Extent::nothing);
     if (speaker != nullptr)
       speaker->after_step(stepper);
   }
-  if (speaker != nullptr && stepper.time() < scene.end())
-    fmt::print("note: the rest ends at {:.6g} s: no excess pore pressure ratio is above {:g}\n",
-               stepper.time_of_soil(stepper.time()), *scene.rest->until_ratio);
+  if (speaker != nullptr && stepper.time() < stop)
+    fmt::print("note: the {} ends at {:.6g} s: no excess pore pressure ratio is above {:g}\n",
+               scene.rest->name, stepper.time_of_soil(stepper.time()), *scene.rest->until_ratio);
   picture.take(speaker != nullptr ? speaker->output().needs_to_finish(stepper) : Picture::Extent::nothing);
 }
 
@@ -206,7 +248,7 @@ void step_to_end(Stepper& stepper, Picture& picture, Speaker* speaker, const sce
 /// @param ranks   null where there is one
 void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
            const coupler::ParticipantOptions& options, coupler::DomainClient* client, double gravity_seconds,
-           const results::CheckpointReader* saved, Communicator* ranks) {
+           const results::CheckpointReader* saved, Communicator* ranks, const StageEnd& stop) {
   const double end = scene.end();
   double waiting_seconds = 0.0;
   CoupledFaces coupled(domain, scene, plan);
@@ -217,7 +259,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
   std::optional<Speaker> speaker;
   std::vector<ParticleName> followed;
   if (client != nullptr) {
-    speaker.emplace(*client, scene, plan, options, domain, picture, coupled);
+    speaker.emplace(*client, scene, plan, options, domain, picture, coupled, stop);
     followed = speaker->output().followed();
   }
   try {
@@ -238,7 +280,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
     }
     if (client != nullptr)
       client->ready(coupled.faces(), 0.0, end, first);
-    step_to_end(stepper, picture, speaker ? &*speaker : nullptr, scene);
+    step_to_end(stepper, picture, speaker ? &*speaker : nullptr, scene, stop.time);
     if (speaker)
       speaker->finish(stepper, gravity_seconds, waiting_seconds);
   } catch (const std::exception& error) {
@@ -249,7 +291,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
 }
 
 void run_share(const coupler::ParticipantOptions& options, const scene::Case& scene, const scene::Plan& plan,
-               coupler::DomainClient* client, Communicator* ranks) {
+               coupler::DomainClient* client, Communicator* ranks, const std::string& until) {
   if (ranks != nullptr)
     require_same_inputs(*ranks, scene, plan, options);
   const Spec spec = spec_from_case(scene, options.threads);
@@ -262,13 +304,13 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   double gravity_seconds = 0.0;
   try {
     if (scene.gravity && !saved)
-      gravity_seconds = gravity_stage(domain, *scene.gravity, client);
+      gravity_seconds = static_stages(domain, scene, client);
   } catch (const NotAtRest& failure) {
     if (client == nullptr)
       throw;
     throw NotAtRest(leave_frame(domain, scene, plan, options, failure));
   }
-  shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), ranks);
+  shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), ranks, end_of(scene, until));
 }
 
 std::string this_machine() {
@@ -278,10 +320,11 @@ std::string this_machine() {
 }
 
 /// What the ranks besides the first one do.
-void run_as_helper(const coupler::ParticipantOptions& options, Communicator& ranks) {
+void run_as_helper(const coupler::ParticipantOptions& options, Communicator& ranks,
+                   const std::string& until) {
   try {
     const scene::Case scene = scene::load(options.case_file);
-    run_share(options, scene, scene::plan(scene), nullptr, &ranks);
+    run_share(options, scene, scene::plan(scene), nullptr, &ranks, until);
   } catch (const std::exception& error) {
     fmt::print(stderr, "rank {} of the domain, on {}: {}\n", ranks.rank(), this_machine(), error.what());
     // Where all ranks fail alike the first one tells it.
@@ -304,10 +347,10 @@ std::unique_ptr<Communicator> joined_ranks(int count) {
   return ranks;
 }
 
-void run(const coupler::ParticipantOptions& options, int rank_count) {
+void run(const coupler::ParticipantOptions& options, int rank_count, const std::string& until) {
   const std::unique_ptr<Communicator> ranks = joined_ranks(rank_count);
   if (ranks && ranks->rank() > 0)
-    return run_as_helper(options, *ranks);
+    return run_as_helper(options, *ranks, until);
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   if (const auto source = std::ranges::find(plan.sources, options.name, &scene::SourceProcess::name);
@@ -315,7 +358,7 @@ void run(const coupler::ParticipantOptions& options, int rank_count) {
     return serve_column(scene, plan, *source, options);
   coupler::DomainClient client(options);
   try {
-    run_share(options, scene, plan, &client, ranks.get());
+    run_share(options, scene, plan, &client, ranks.get(), until);
   } catch (const std::exception& error) {
     client.abandon(error.what());
     throw;
@@ -327,10 +370,12 @@ void run(const coupler::ParticipantOptions& options, int rank_count) {
 
 int main(int argc, char** argv) {
   std::string ranks = "1";
+  std::string until;
   return tremolo::coupler::participant_main(
       "tremolo-domain", "The Material Point Method domain of a tremolo run.", argc, argv,
       [&](const tremolo::coupler::ParticipantOptions& options) {
-        tremolo::mpm_domain::run(options, std::stoi(ranks));
+        tremolo::mpm_domain::run(options, std::stoi(ranks), until);
       },
-      {{"--ranks", "how many ranks share the domain, this one being one of them", ranks}});
+      {{"--ranks", "how many ranks share the domain, this one being one of them", ranks},
+       {"--until", "name of the stage that it ends after", until}});
 }

@@ -39,8 +39,8 @@ public:
   /// Called after every step; writes what is due.
   void after_step(const Stepper& stepper);
 
-  /// Writes a domain whose gravity stage has found no rest, as a frame at time 0. Contact has no forces yet.
-  void write_failed_rest(const Stepper& stepper) { write_frame(stepper, 0.0, {}); }
+  /// Writes a domain that has not been shaken, as a frame at time 0. Contact has no forces yet.
+  void write_before_shaking(const Stepper& stepper) { write_frame(stepper, 0.0, {}); }
 
   /// Writes the last state and the timings, and closes the file as complete.
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds);

@@ -63,6 +63,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
     spec.regions.push_back({region.soil, corners_of(region.polygon), region.cuts});
   for (const scene::Structure& structure : scene.structures)
     spec.structures.push_back(structure_of(structure));
+  for (const scene::LoadStage& load : scene.loads)
+    spec.loads.push_back({load.x_min, load.x_max, load.pressure, load.shear});
   spec.normals = scene.mesh.contact_normals;
   spec.scheme = {.transfer = scene.time.transfer,
                  .order = scene.time.order,

@@ -53,6 +53,14 @@ struct SideSprings {
   bool own_field = false;
 };
 
+/// A load on the surface of the soil (boundary/load/surface_loads.hpp), per unit of its length.
+struct SurfaceLoad {
+  double x_min = 0.0; ///< where it begins and ends at the start, m
+  double x_max = 0.0;
+  double pressure = 0.0; ///< onto the surface, Pa
+  double shear = 0.0;    ///< along it, towards +x, Pa
+};
+
 /// Everything the domain is built from.
 struct Spec {
   Box box;                    ///< model; its left, right and lower edges carry boundary faces
@@ -66,6 +74,7 @@ struct Spec {
   std::vector<Soil> soils;
   std::vector<Region> regions;
   std::vector<Structure> structures = {};
+  std::vector<SurfaceLoad> loads = {};
   ContactNormals normals = ContactNormals::automatic;
   ContactGaps gaps = {}; ///< no key of a case: tests/cost/structures measures what other values would do
   Scheme scheme;

@@ -1,5 +1,6 @@
 #include "mpm_domain/step/recipe.hpp"
 
+#include "mpm_domain/boundary/load/surface_loads.hpp"
 #include "mpm_domain/boundary/passes/passes.hpp"
 #include "mpm_domain/boundary/walls/impervious_faces.hpp"
 #include "mpm_domain/contact/passes.hpp"
@@ -20,6 +21,7 @@ std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field) {
   add(wet_transfer_passes(domain));
   add(node_passes(domain));
   add(face_passes(domain, domain.boundary, free_field));
+  add(load_passes(domain, domain.loads));
   add(wall_passes(domain, domain.boundary));
   add(node_books(domain));
   add(water_passes(domain));

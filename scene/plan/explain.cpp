@@ -1,5 +1,6 @@
 #include "scene/plan/layers.hpp"
 #include "scene/plan/plan.hpp"
+#include "scene/plan/stages/stages.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/soils/domain_soils.hpp"
 #include "scene/soils/ground_column.hpp"
@@ -150,6 +151,7 @@ std::string soils_text(const Case& scene) {
 
 std::string explain(const Case& scene, const Plan& plan) {
   std::string text = fmt::format("{}\n  motion     {}\n", scene.title, motion_text(scene));
+  text += "\nStages\n" + stages_text(scene);
   text += "\nEffects\n";
   for (const Effect& effect : plan.effects)
     text += fmt::format("  {:<4}{:<20}{}{}\n", effect.on ? "on" : "off", effect.name, effect.why,
@@ -231,6 +233,9 @@ std::string to_json(const Case& scene, const Plan& plan) {
     for (const auto& [side, field] :
          {std::pair(Side::left, &scene.boundary.left), std::pair(Side::right, &scene.boundary.right)})
       json["free_field"][std::string(name(side))] = layers_json(scene, *field);
+  for (const PlannedStage& stage : stages(scene))
+    json["stages"].push_back(
+        {{"name", stage.name}, {"kind", stage.kind}, {"changes", stage.changes}, {"lasts", stage.lasts}});
   json["base"] = plan.base;
   json["notes"] = ordered_json::array();
   for (const Finding& remark : scene.remarks)

@@ -23,42 +23,6 @@ void read_time(Document& document, Findings& findings, Case& scene) {
                 table.choice<StepOrder>("order"), table.boolean("subcycle")};
 }
 
-void read_stages(Document& document, Findings& findings, Case& scene) {
-  bool shaken = false;
-  bool legible = true;
-  for (const auto& table : document.array("stage")) {
-    const auto kind = table.text("kind");
-    legible = legible && !kind.empty();
-    if (kind == "gravity") {
-      if (scene.gravity || shaken || scene.rest)
-        findings.add(table.path("kind"), scene.gravity
-                                             ? "a second gravity stage: there can be at most one"
-                                             : "the gravity stage must come before the shaking stage");
-      scene.gravity =
-          GravityStage{table.number("acceleration"), table.number("residual"), table.number("max_time_s")};
-    }
-    if (kind == "shaking") {
-      if (shaken || scene.rest)
-        findings.add(table.path("kind"), shaken ? "a second shaking stage: there must be exactly one"
-                                                : "the shaking stage must come before the rest");
-      shaken = true;
-      scene.shaking.duration = table.number("duration_s");
-    }
-    if (kind == "rest") {
-      if (scene.rest)
-        findings.add(table.path("kind"), "a second rest: there can be at most one");
-      scene.rest = RestStage{.duration = table.number("duration_s"),
-                             .time_factor = table.number("time_factor"),
-                             .until_ratio = table.optional_number("until_ratio"),
-                             .every = table.optional_number("every_s"),
-                             .growth = table.number("growth"),
-                             .history_every = table.optional_number("history_every_s")};
-    }
-  }
-  if (!shaken && legible && findings.sound("stage"))
-    findings.add("stage", "missing [[stage]] of kind = \"shaking\": how long the motion acts");
-}
-
 void read_mesh(Document& document, Case& scene) {
   const auto table = document.table("mesh");
   scene.mesh = {table.number("size"),

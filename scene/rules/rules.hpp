@@ -81,6 +81,8 @@ void water_has_weight(const Case& scene, Findings& findings);
 void resting_sand_is_shaken_first(const Case& scene, Findings& findings);
 /// A rest's time factor does not make inertia count in what consolidates.
 void time_factor_is_allowed(const Case& scene, Findings& findings);
+/// A load lies on soil, away from what it does not go with.
+void loads_act_on_ground(const Case& scene, Findings& findings);
 /// Finite-element columns of soil and water, of soil that remembers its geostatic stress, and under a wave at
 /// an angle, are marched by central differences.
 void fe_is_marched_explicitly(const Case& scene, Findings& findings);
@@ -123,6 +125,8 @@ void wave_arrives_after_start(const Case& scene, Findings& findings);
 void motion_ends_before_run(const Case& scene, Findings& findings);
 /// Sand whose law knows a rest has one, from the end of strong motion on.
 void shaken_sand_rests(const Case& scene, Findings& findings);
+/// A load comes slowly for the ground.
+void loads_are_ramped(const Case& scene, Findings& findings);
 /// A rest's time factor changes the settlement by little.
 void time_factor_errs_little(const Case& scene, Findings& findings);
 /// The case and the record's header give the same unit.

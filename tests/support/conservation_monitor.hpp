@@ -10,9 +10,10 @@
 //     speed         below what the case allows
 //     bits          the same on a second run, with three threads
 //
-// The external force is weight, under water where soil lies there, and boundary tractions, less what the
-// lumped dashpots give back, -dt/2 sum C (v+ - v-) (grid_update.hpp). Rigid structures take part with their
-// momentum, weight and energy; one that moves at the start was pushed by nothing that the ledger knows of.
+// The external force is weight, under water where soil lies there, boundary tractions and loads on the
+// surface, less what the lumped dashpots give back, -dt/2 sum C (v+ - v-) (grid_update.hpp). Rigid structures
+// take part with their momentum, weight and energy; one that moves at the start was pushed by nothing that
+// the ledger knows of.
 
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/centred_residual.hpp"
@@ -60,6 +61,8 @@ public:
       const double length = boundary.faces()[f].length;
       add_impulse({length * t.x, length * t.y}, dt);
     }
+    for (const mpm_domain::LoadedFace& face : domain_.loads.faces())
+      add_impulse(face.force, dt);
     for (const mpm_domain::LeaningEdge& edge : boundary.lean().edges())
       add_impulse(edge.on_soil, dt);
     if (!boundary.faces().empty()) {

@@ -77,6 +77,8 @@ def plan(run):
         ["time on one thread, of the order of magnitude", f"{content['estimated_time_s']:.3g} s"],
     ]
     tables = [
+        Table(["stage", "kind", "what changes", "lasts"],
+              [[stage[key] for key in ("name", "kind", "changes", "lasts")] for stage in content.get("stages", [])], "Stages"),
         Table(["", "effect", "why"], effects, "Effects"),
         Table(["source", "program", "model", "serves"], served, free_fields),
         Table(["cell size (m)", "particle size (m)", "cells", "particles", "time step (s)", "critical time step (s)"], levels,

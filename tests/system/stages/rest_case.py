@@ -61,7 +61,7 @@ base = {{ model = "mpm", form = "total" }}
 
 [[stage]]
 kind = "gravity"
-
+{load}
 [[stage]]
 kind = "shaking"
 duration_s = {shaking}
@@ -90,4 +90,4 @@ def rest(duration, **keys):
 
 class RestWorkspace(small_case.Workspace):
     template = CASE
-    defaults = {"permeability": 1e-3, "soil": "", "boundary": BESIDE_COLUMNS, "shaking": 3.0, "rest": ""}
+    defaults = {"permeability": 1e-3, "soil": "", "boundary": BESIDE_COLUMNS, "load": "", "shaking": 3.0, "rest": ""}

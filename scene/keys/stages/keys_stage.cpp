@@ -1,0 +1,118 @@
+#include "scene/keys/stages/keys_stage.hpp"
+
+#include "scene/choices.hpp"
+#include "scene/keys/soil/keys_elastic.hpp"
+
+namespace tremolo::scene {
+
+Table stage_table() {
+  return {
+      .name = "stage",
+      .kind = Kind::array,
+      .required = true,
+      .meaning = "The stages in their order: at most one of gravity, then any number of loads, then one of "
+                 "shaking, then at most one of "
+                 "rest. Without a gravity stage the model is weightless. See docs/stages.md.",
+      .keys = {
+          choice(
+              "kind", {"gravity", "load", "shaking", "rest"},
+              "`gravity`: base fixed, sides on rollers, brought to rest by damped relaxation; what held the "
+              "model then acts as static traction. `load`: a load comes onto the surface and stays, and the "
+              "ground comes to rest under it in the same way. `shaking`: the motion enters, t = 0 at its "
+              "start. `rest`: "
+              "strong motion is over and sand reconsolidates, with the stiffness that `pm4sand` has after "
+              "shaking; what is left of the motion goes on."),
+          {.name = "name",
+           .type = Type::text,
+           .meaning = "What log, reports and `--until` call the stage. No two have the same name.",
+           .otherwise = "its kind"},
+          {.name = "acceleration",
+           .unit = "m/s2",
+           .meaning = "Gravity, downwards.",
+           .fallback = "9.81",
+           .range = positive,
+           .when = {"kind", {"gravity"}}},
+          {.name = "residual",
+           .unit = "1",
+           .meaning = "Unbalanced nodal forces at rest, relative to the nodal weights (2-norms).",
+           .fallback = "1e-9",
+           .range = {.low = 1e-12, .high = 0.1},
+           .when = {"kind", {"gravity", "load"}}},
+          {.name = "max_time_s",
+           .unit = "s",
+           .meaning = "Simulated time within which rest must be reached, after the ramp of a load.",
+           .fallback = "60",
+           .range = {.low = 0.0, .high = 1e4, .low_open = true},
+           .when = {"kind", {"gravity", "load"}}},
+          {.name = "x_m",
+           .type = Type::numbers,
+           .unit = "m",
+           .meaning = "Where the load begins and ends: it lies on the uppermost soil between.",
+           .required = true,
+           .count = 2,
+           .form = "[x_min, x_max]",
+           .when = {"kind", {"load"}}},
+          {.name = "pressure_pa",
+           .unit = "Pa",
+           .meaning = "Onto the surface, along its present normal and per present length.",
+           .fallback = "0",
+           .range = {.low = 0.0, .high = 1e8},
+           .when = {"kind", {"load"}}},
+          {.name = "shear_pa",
+           .unit = "Pa",
+           .meaning = "Along the surface, towards +x.",
+           .fallback = "0",
+           .range = {.low = -1e8, .high = 1e8},
+           .when = {"kind", {"load"}}},
+          {.name = "ramp_s",
+           .unit = "s",
+           .meaning = "Time in which the load grows, along half of a cosine.",
+           .otherwise =
+               "five periods 4 H/c_s of the ground, with the depth H of the mesh and its slowest soil",
+           .range = {.low = 0.0, .high = 1e4, .low_open = true},
+           .when = {"kind", {"load"}}},
+          {.name = "duration_s",
+           .unit = "s",
+           .meaning = "Length of the stage.",
+           .required = true,
+           .range = {.low = 0.0, .high = 1e4, .low_open = true},
+           .when = {"kind", {"shaking", "rest"}}},
+          {.name = "time_factor",
+           .unit = "1",
+           .meaning =
+               "Water flows so many times as easily, and time passes so many times as fast. The `time` of "
+               "results is the soil's. `check` says how large an error the factor brings.",
+           .fallback = "1",
+           .range = {.low = 1.0, .high = 1e4},
+           .when = {"kind", {"rest"}}},
+          {.name = "until_ratio",
+           .unit = "1",
+           .meaning =
+               "Ends the run early, as soon as no particle has an excess pore pressure ratio that is larger "
+               "in magnitude.",
+           .otherwise = "it lasts that long",
+           .range = {.low = 0.0, .high = 1.0, .low_open = true},
+           .when = {"kind", {"rest"}}},
+          {.name = "every_s",
+           .unit = "s",
+           .meaning = "Interval of particle frames in the rest.",
+           .otherwise = "that of [output]",
+           .range = {.low = 0.0, .high = 1e4, .low_open = true},
+           .when = {"kind", {"rest"}}},
+          {.name = "growth",
+           .unit = "1",
+           .meaning =
+               "Each interval of particle frames is so many times as long as the one before: with more "
+               "than 1 the frames stand at equal distances on a logarithmic axis.",
+           .fallback = "1",
+           .range = {.low = 1.0, .high = 10.0},
+           .when = {"kind", {"rest"}}},
+          {.name = "history_every_s",
+           .unit = "s",
+           .meaning = "Interval of histories in the rest.",
+           .otherwise = "that of [output]",
+           .range = {.low = 0.0, .high = 1e4, .low_open = true},
+           .when = {"kind", {"rest"}}}}};
+}
+
+} // namespace tremolo::scene

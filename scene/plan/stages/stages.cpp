@@ -1,0 +1,85 @@
+#include "scene/plan/stages/stages.hpp"
+
+#include "scene/soils/domain_soils.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace tremolo::scene {
+
+namespace {
+
+PlannedStage gravity(const GravityStage& stage) {
+  return {stage.name, "gravity",
+          fmt::format("weight of {:g} m/s2, base fixed, sides on rollers", stage.acceleration),
+          fmt::format("until at rest to {:g}, at most {:g} s of relaxation", stage.residual, stage.max_time)};
+}
+
+PlannedStage load(const Case& scene, const LoadStage& stage) {
+  std::string what;
+  if (stage.pressure != 0.0)
+    what = fmt::format("pressure of {:g} Pa", stage.pressure);
+  if (stage.shear != 0.0)
+    what += fmt::format("{}shear of {:g} Pa", what.empty() ? "" : ", ", stage.shear);
+  return {
+      stage.name, "load",
+      fmt::format("{} on the surface from x = {:g} to {:g} m, which stays", what, stage.x_min, stage.x_max),
+      fmt::format("grows in {:.3g} s of relaxation, then until at rest to {:g}, at most {:g} s",
+                  ramp_of(scene, stage), stage.residual, stage.max_time)};
+}
+
+PlannedStage shaking(const Case& scene) {
+  return {scene.shaking.name, "shaking",
+          scene.gravity ? "the motion enters; static tractions hold what the constraints held"
+                        : "the motion enters a model without weight",
+          fmt::format("{:g} s, from 0 s", scene.shaking.duration)};
+}
+
+PlannedStage rest(const Case& scene) {
+  const RestStage& stage = *scene.rest;
+  std::string changes = "sand reconsolidates";
+  if (stage.time_factor > 1.0)
+    changes += fmt::format(", time passes up to {:g} times as fast", stage.time_factor);
+  std::string lasts = fmt::format("{:g} s, from {:g} s", stage.duration, scene.shaking.duration);
+  if (stage.until_ratio)
+    lasts += fmt::format(", or until no excess pore pressure ratio is above {:g}", *stage.until_ratio);
+  return {stage.name, "rest", changes, lasts};
+}
+
+} // namespace
+
+double slow_ramp(const Case& scene) {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const Soil& soil : domain_soils(scene))
+    slowest = std::min(slowest, materials::elasticity(soil.law).s_wave_speed());
+  return 5.0 * 4.0 * scene.mesh.box.height() / slowest;
+}
+
+double ramp_of(const Case& scene, const LoadStage& load) {
+  return load.ramp.value_or(slow_ramp(scene));
+}
+
+std::vector<PlannedStage> stages(const Case& scene) {
+  std::vector<PlannedStage> all;
+  if (scene.gravity)
+    all.push_back(gravity(*scene.gravity));
+  for (const LoadStage& stage : scene.loads)
+    all.push_back(load(scene, stage));
+  all.push_back(shaking(scene));
+  if (scene.rest)
+    all.push_back(rest(scene));
+  return all;
+}
+
+std::string stages_text(const Case& scene) {
+  std::string text;
+  int number = 0;
+  for (const PlannedStage& stage : stages(scene))
+    text += fmt::format("  {}  {:<20}{:<10}{}; {}\n", ++number, stage.name, stage.kind, stage.changes,
+                        stage.lasts);
+  return text;
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,29 @@
+#pragma once
+
+// The stages of a case in their order: what a run goes through, by name.
+
+#include "scene/case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tremolo::scene {
+
+struct PlannedStage {
+  std::string name;
+  std::string_view kind; ///< as the case has it
+  std::string changes;   ///< what is other than in the stage before
+  std::string lasts;     ///< how long, or until when
+};
+
+/// Five periods 4 H/c_s of ground as deep as the mesh and all of its slowest soil, s.
+double slow_ramp(const Case& scene);
+/// The time in which a load grows, s.
+double ramp_of(const Case& scene, const LoadStage& load);
+
+std::vector<PlannedStage> stages(const Case& scene);
+
+/// A line for each stage.
+std::string stages_text(const Case& scene);
+
+} // namespace tremolo::scene

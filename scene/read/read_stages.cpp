@@ -1,0 +1,110 @@
+#include "scene/read/read.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+namespace tremolo::scene {
+
+namespace {
+
+/// The name of a stage, and where it stands.
+struct StageName {
+  std::string name;
+  std::string path;
+};
+
+/// The name that a stage has been given, or its kind; refused where an earlier stage has it.
+std::string read_name(const TableReader& table, const std::string& kind, std::vector<StageName>& earlier,
+                      Findings& findings) {
+  const std::string given = table.text("name");
+  const std::string name = given.empty() ? kind : given;
+  const std::string path = given.empty() ? table.path("kind") : table.path("name");
+  for (const StageName& other : earlier)
+    if (other.name == name)
+      findings.add(path, fmt::format("the stage in line {} has the name '{}' already: give one of both "
+                                     "another 'name'",
+                                     findings.place(other.path).line, name));
+  earlier.push_back({name, path});
+  return name;
+}
+
+LoadStage read_load(const TableReader& table, const std::string& name, const Case& so_far, bool shaken,
+                    Findings& findings) {
+  const auto ends = table.numbers("x_m");
+  if (ends.size() == 2 && !(ends[0] < ends[1]))
+    findings.add(table.path("x_m"), fmt::format("'x_m' = [{:g}, {:g}] goes from right to left: the first end "
+                                                "must be the smaller one",
+                                                ends[0], ends[1]));
+  const double pressure = table.number("pressure_pa");
+  const double shear = table.number("shear_pa");
+  if (pressure == 0.0 && shear == 0.0 && findings.sound(table.path("pressure_pa")) &&
+      findings.sound(table.path("shear_pa")))
+    findings.add(table.path("pressure_pa"), "missing 'pressure_pa' or 'shear_pa': how large the load is");
+  if (shaken || so_far.rest)
+    findings.add(table.path("kind"), "a load must come before the shaking stage");
+  else if (!so_far.gravity)
+    findings.add(table.path("kind"),
+                 "a load must come after a gravity stage, whose relaxation it goes on with");
+  return {.name = name,
+          .x_min = ends.size() == 2 ? ends[0] : 0.0,
+          .x_max = ends.size() == 2 ? ends[1] : 0.0,
+          .pressure = pressure,
+          .shear = shear,
+          .ramp = table.optional_number("ramp_s"),
+          .residual = table.number("residual"),
+          .max_time = table.number("max_time_s"),
+          .path = table.path()};
+}
+
+} // namespace
+
+void read_stages(Document& document, Findings& findings, Case& scene) {
+  bool shaken = false;
+  bool legible = true;
+  std::vector<StageName> names;
+  for (const auto& table : document.array("stage")) {
+    const auto kind = table.text("kind");
+    legible = legible && !kind.empty();
+    const bool again = (kind == "gravity" && scene.gravity) || (kind == "shaking" && shaken) ||
+                       (kind == "rest" && scene.rest);
+    const auto name_of_stage = [&] { // a second one of its kind is refused for that alone
+      return again ? kind : read_name(table, kind, names, findings);
+    };
+    if (kind == "gravity") {
+      if (scene.gravity || shaken || scene.rest)
+        findings.add(table.path("kind"), scene.gravity
+                                             ? "a second gravity stage: there can be at most one"
+                                             : "the gravity stage must come before the shaking stage");
+      else if (!scene.loads.empty())
+        findings.add(table.path("kind"), "the gravity stage must come before a load");
+      scene.gravity = GravityStage{name_of_stage(), table.number("acceleration"), table.number("residual"),
+                                   table.number("max_time_s")};
+    }
+    if (kind == "load")
+      scene.loads.push_back(read_load(table, name_of_stage(), scene, shaken, findings));
+    if (kind == "shaking") {
+      if (shaken || scene.rest)
+        findings.add(table.path("kind"), shaken ? "a second shaking stage: there must be exactly one"
+                                                : "the shaking stage must come before the rest");
+      scene.shaking = {name_of_stage(), table.number("duration_s")};
+      shaken = true;
+    }
+    if (kind == "rest") {
+      if (scene.rest)
+        findings.add(table.path("kind"), "a second rest: there can be at most one");
+      scene.rest = RestStage{.name = name_of_stage(),
+                             .duration = table.number("duration_s"),
+                             .time_factor = table.number("time_factor"),
+                             .until_ratio = table.optional_number("until_ratio"),
+                             .every = table.optional_number("every_s"),
+                             .growth = table.number("growth"),
+                             .history_every = table.optional_number("history_every_s")};
+    }
+  }
+  if (!shaken && legible && findings.sound("stage"))
+    findings.add("stage", "missing [[stage]] of kind = \"shaking\": how long the motion acts");
+}
+
+} // namespace tremolo::scene
