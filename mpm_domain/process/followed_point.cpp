@@ -85,7 +85,8 @@ void FollowedPoint::find_neighbours(const Particles& set) {
   // The eight around it on an even grid of particles, whose distance is twice half_size.
   const double reach = 1.6 * 2.0 * set.half_size;
   for (std::size_t k = 0; k < set.size(); ++k) {
-    const Vector offset{set.x_initial[k] - set.x_initial[own], set.y_initial[k] - set.y_initial[own]};
+    const Vector offset{set.x[k] - set.x[own],
+                        set.y[k] - set.y[own]}; // x_initial knows what loads have moved
     if (k != own && std::hypot(offset.x, offset.y) < reach)
       neighbours_.push_back({set.id[k], offset});
   }
