@@ -71,7 +71,7 @@ public:
 /// Reports how far the stage is, now and then and at its end: steps done, and the residual reached.
 using GravityProgress = std::function<void(long step, double residual)>;
 
-/// The same of several stages, the first of which is that of gravity.
+/// Reports how far a stage is, as GravityProgress does; stage 0 is gravity, the loads follow.
 using StageProgress = std::function<void(std::size_t stage, long step, double residual)>;
 
 /// Brings the domain to rest under gravity and the loads on its surface, all laws at peak strength (no
@@ -83,7 +83,7 @@ using StageProgress = std::function<void(std::size_t stage, long step, double re
 Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                               const GravityProgress& progress);
 
-/// The same, with loads that come one after the other; others act from the start.
+/// Does what relax_under_gravity does, and then adds one load after the other; others act from the start.
 Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const LoadSettings> loads,
                         const StageProgress& progress);
 

@@ -82,11 +82,12 @@ FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<s
 
 void FollowedPoint::find_neighbours(const Particles& set) {
   const std::size_t own = set.index_of[id_];
-  // The eight around it on an even grid of particles, whose distance is twice half_size.
+  // The eight around it on an even grid of particles, whose distance is twice half_size. Places are those of
+  // now, before anything is shaken: x_initial already has the settlement under loads, but not in a resumed
+  // run.
   const double reach = 1.6 * 2.0 * set.half_size;
   for (std::size_t k = 0; k < set.size(); ++k) {
-    const Vector offset{set.x[k] - set.x[own],
-                        set.y[k] - set.y[own]}; // x_initial knows what loads have moved
+    const Vector offset{set.x[k] - set.x[own], set.y[k] - set.y[own]};
     if (k != own && std::hypot(offset.x, offset.y) < reach)
       neighbours_.push_back({set.id[k], offset});
   }

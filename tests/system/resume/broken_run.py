@@ -14,8 +14,8 @@ import h5py
 import numpy as np
 from recorded_case import BoxWorkspace, SlopeWorkspace, differences, model, record
 
-__all__ = ["BoxWorkspace", "SlopeWorkspace", "checkpoints", "differences", "exchange_differences", "killed", "model", "record", "resumed",
-           "whole_run", "with_checkpoints"]
+__all__ = ["BoxWorkspace", "SlopeWorkspace", "checkpoints", "differences", "exchange_differences", "goes_on_with_the_same_bits", "killed",
+           "model", "record", "resumed", "whole_run", "with_checkpoints"]
 
 
 def with_checkpoints(work, **settings):
@@ -70,6 +70,18 @@ def killed(work, folder, command, after_step, victim=None, chance=random):
         output.seek(0)
         text = output.read()
     return (None if status == 0 or is_complete(folder) else name), text
+
+
+def goes_on_with_the_same_bits(test, work, whole, before_last=400):
+    """Breaks a run this many steps before the last checkpoint of a whole one, and resumes it; then tries two threads."""
+    folder = work.path / "broken"
+    after = checkpoints(whole)[-1] - before_last
+    victim, text = killed(work, folder, ["run", work.case, "--out", folder], after, victim="domain")
+    test.assertEqual("domain", victim, text)
+    result = resumed(work, folder)
+    test.assertEqual(0, result.returncode, result.stdout + result.stderr)
+    test.assertEqual([], differences(folder, whole))
+    test.assertEqual([], differences(work.run("threads", "--threads", 2), whole))
 
 
 def is_complete(folder):

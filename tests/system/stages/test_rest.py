@@ -12,7 +12,7 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "tests" / "system" / "resume"), str(Path(__file__).parent)]
 
 import numpy as np
-from broken_run import checkpoints, differences, killed, resumed, whole_run, with_checkpoints
+from broken_run import goes_on_with_the_same_bits, whole_run, with_checkpoints
 from rest_case import RestWorkspace, rest
 from tremolo import column
 from tremolo.run import Run
@@ -79,14 +79,7 @@ class Rest(unittest.TestCase):
         changes = {"rest": rest(0.5, time_factor=5.0), "boundary": 'sides = "periodic"', "shaking": 0.5}
         with with_checkpoints(RestWorkspace(TREMOLO, **changes), every_steps=400) as work:
             whole = whole_run(work)
-            last = checkpoints(whole)[-1]
-            folder = work.path / "broken"
-            victim, text = killed(work, folder, ["run", work.case, "--out", folder], last - 400, victim="domain")
-            self.assertEqual("domain", victim, text)
-            result = resumed(work, folder)
-            self.assertEqual(0, result.returncode, result.stdout + result.stderr)
-            self.assertEqual([], differences(folder, whole))
-            self.assertEqual([], differences(work.run("threads", "--threads", 2), whole))
+            goes_on_with_the_same_bits(self, work, whole)
 
     def test_a_long_rest_of_a_column_passes_check(self):
         # Histories at every 5 ms would be more than a column takes.
