@@ -23,7 +23,7 @@ SHAKEN = 16.0  # s
 COARSE = {
     "size = 0.5\n": "size = 1.0\n",
     "level = 0.0\n\n[soil.sand]": "level = 0.0\nbulk_modulus = 2.2e8\n\n[soil.sand]",
-    "duration_s = 36.0 ": "duration_s = 26.0 ",
+    "duration_s = 20.0\n": "duration_s = 10.0\n",
 }
 TALL = "polygon = [[-6.25, -0.5], [-1.25, -0.5], [-1.25, 17.5], [-6.25, 17.5]]"
 LOW = "polygon = [[1.25, -0.5], [13.25, -0.5], [13.25, 8.5], [1.25, 8.5]]"
@@ -44,6 +44,7 @@ def box(left, bottom, width, height):
     return f"polygon = [[{left}, {bottom}], [{right}, {bottom}], [{right}, {top}], [{left}, {top}]]"
 
 
+ALONE = {FREE_FIELD: FREE_FIELD.replace(" }", ", spring = false }")}
 FINER = COARSE | {"size = 0.5\n": "size = 0.5\n"}
 FINEST = COARSE | {"[boundary]\n": "[[refine]]\nbox = [-9.0, -3.0, 16.0, 1.0]\nlevel = 2\n\n[boundary]\n"}
 
@@ -91,6 +92,7 @@ VARIANTS = {
     "finest": ("cells of 0.25 m to 3 m of depth", FINEST),
     "finer": ("cells of 0.5 m", FINER),
     "coarse": ("coarse", COARSE),
+    "alone": ("dashpots alone", COARSE | ALONE),
     "step": ("time step 0.8 of the critical", FASTER),
     "step_periodic": ("the same, periodic sides", FASTER | PERIODIC),
     "step_near": ("the same, sides at 6 m", FASTER | sides(-12.0, 20.0)),
@@ -116,6 +118,8 @@ VARIANTS = {
     "periodic": ("periodic sides", COARSE | PERIODIC),
     "near": ("sides at 6 m", COARSE | sides(-12.0, 20.0)),
     "far": ("sides at 24 m", COARSE | sides(-30.0, 38.0)),
+    "farther": ("sides at 36 m", COARSE | sides(-42.0, 50.0)),
+    "farther_alone": ("the same, dashpots alone", COARSE | sides(-42.0, 50.0) | ALONE),
     "undrained": ("undrained", COARSE | {"permeability = 1e-4\n": 'permeability = 1e-4\ndrainage = "undrained"\n'}),
     "pm4sand": ("PM4Sand, 55 %", COARSE | {'library = "pdmy03_dr57"': 'library = "pm4sand_dr55"'}),
     "elastic": ("elastic, E = 10 MPa", COARSE | elastic(TALL, WALLS) | elastic(LOW, "density = 340.0")),

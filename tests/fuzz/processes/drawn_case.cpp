@@ -205,17 +205,24 @@ std::string Text::boundary() const {
   const auto as_left = [&](std::string_view model) {
     return first_word(model == "as left" ? value("left") : model);
   };
+  const auto springs = value("springs");
+  const bool everywhere = springs == "none" || springs == "stiff";
+  const std::string_view at_face = springs == "own"      ? ""
+                                   : springs == "none"   ? "spring = false\n"
+                                   : springs == "centre" ? "spring_centre = [4.0, -1.0]\n"
+                                                         : "spring = [2.0, 1.0]\n";
   std::string text = fmt::format("[boundary]\nsides = \"{}\"\n", value("sides"));
   if (is("sides", "free_field")) {
-    text += fmt::format("[boundary.left]\nmodel = \"{}\"\n{}", first_word(value("left")), at_sides);
+    text += fmt::format("[boundary.left]\nmodel = \"{}\"\n{}{}", first_word(value("left")), at_sides,
+                        everywhere ? at_face : "");
     if (is("profile", "left's own"))
       text += layer("boundary.left.profile", 1.5, false) + layer("boundary.left.profile", 2.5, true);
-    text += fmt::format("[boundary.right]\nmodel = \"{}\"\n{}{}", as_left(value("right")), at_sides,
-                        is("surface", "lower right") ? "surface = -1.0\n" : "");
+    text += fmt::format("[boundary.right]\nmodel = \"{}\"\n{}{}{}", as_left(value("right")), at_sides,
+                        everywhere ? at_face : "", is("surface", "lower right") ? "surface = -1.0\n" : "");
   }
   text += fmt::format("[boundary.base]\nmodel = \"{}\"\n", as_left(value("base")));
   if (!on_table())
-    text += fmt::format("form = \"{}\"\n{}", value("form"), at_base);
+    text += fmt::format("form = \"{}\"\n{}{}", value("form"), at_base, at_face);
   return text;
 }
 
@@ -252,6 +259,7 @@ const std::vector<Factor>& factors() {
       {"form", {"blended", "total", "incident"}},
       {"sides", {"free_field", "periodic", "periodic_springs", "container"}},
       {"absorber", {"dashpots", "matched sides", "matched base", "matched"}},
+      {"springs", {"own", "none", "stiff", "stiff base", "centre"}},
       {"damping",
        {"none", "none soil", "none layer", "rayleigh all", "rayleigh soil", "rayleigh half-space",
         "kelvin_voigt soil", "kelvin_voigt layer", "kelvin_voigt soil timeless", "hysteretic all",

@@ -2,7 +2,7 @@
 thread, and how many of them lie within loops that are shared out. All passes together leave less to one thread than
 any one of them may.
 
-    test_serial_share.py STEPS
+    test_serial_share.py STEPS MODEL...
 """
 
 import sys
@@ -16,7 +16,7 @@ SHARED_OUT = "tremolo::mpm_domain::WorkerPool::take_tasks()"
 
 def main():
     require_valgrind()
-    for model in ("uniform", "graded", "subcycled"):
+    for model in sys.argv[2:]:
         serial = 1.0 - Counted(sys.argv[1], model, STEP).share_within(SHARED_OUT)
         print(f"{model}: {100 * serial:.2f} % of a step's instructions are one thread's alone")
         assert 0.0 < serial <= LARGEST_SHARE, f"{model}: {serial:.4f}; allowed: {LARGEST_SHARE}"

@@ -55,27 +55,34 @@ class Ranks(unittest.TestCase):
         self.assertEqual([], [process for process in ranks.values() if alive(process)])
         return folder, output
 
-    def test_give_the_bits_of_one(self):
-        for options in (["--ranks", 2, "--oversubscribe"], ["--ranks", 2, "--oversubscribe", "--mode", "lockstep"], ["--ranks", 3, "--oversubscribe"]):
-            with self.subTest(options):
-                name = "_".join(map(str, options)).replace("-", "")
-                self.assertEqual([], differences(self.work.run(name, *options, "--threads", 1), self.whole))
+    def give_the_bits_of_one(self, *options):
+        name = "_".join(map(str, options)).replace("-", "")
+        self.assertEqual([], differences(self.work.run(name, *options, "--oversubscribe", "--threads", 1), self.whole))
 
-    def test_a_rank_that_dies_ends_the_run_with_its_name(self):
-        for rank in (0, 1):
-            with self.subTest(rank):
-                _, output = self.killed(f"killed_{rank}", rank)
-                self.assertIn("'domain' exited with code 137 before the run was over", output)
-                self.assertIn(f"rank {rank} ", output)
-                self.assertIn("tremolo resume", output)
+    def end_with_its_name(self, rank):
+        folder, output = self.killed(f"killed_{rank}", rank)
+        self.assertIn("'domain' exited with code 137 before the run was over", output)
+        self.assertIn(f"rank {rank} ", output)
+        self.assertIn("tremolo resume", output)
+        return folder
 
-    def test_others_go_on_from_a_checkpoint(self):
-        for count in (1, 3):
-            with self.subTest(count):
-                folder, _ = self.killed(f"resumed_{count}", 1)
-                result = self.work.command("resume", folder, "--ranks", count, "--oversubscribe", "--threads", 1)
-                self.assertEqual(0, result.returncode, result.stdout + result.stderr)
-                self.assertEqual([], differences(folder, self.whole))
+    def resume_with(self, folder, count):
+        result = self.work.command("resume", folder, "--ranks", count, "--oversubscribe", "--threads", 1)
+        self.assertEqual(0, result.returncode, result.stdout + result.stderr)
+        self.assertEqual([], differences(folder, self.whole))
+
+    def test_two_give_the_bits_of_one(self):
+        self.give_the_bits_of_one("--ranks", 2)
+
+    def test_acceptance_three_and_two_in_lockstep_give_the_bits_of_one(self):
+        self.give_the_bits_of_one("--ranks", 3)
+        self.give_the_bits_of_one("--ranks", 2, "--mode", "lockstep")
+
+    def test_a_rank_that_dies_ends_the_run_with_its_name_and_three_go_on(self):
+        self.resume_with(self.end_with_its_name(1), 3)
+
+    def test_acceptance_the_first_rank_dies_and_one_process_goes_on(self):
+        self.resume_with(self.end_with_its_name(0), 1)
 
 
 class Refused(unittest.TestCase):

@@ -16,7 +16,8 @@ import numpy as np
 from study import FASTER, SHAKEN, low, middle, overlap, rise, settlement, synthesise, tall, thickness, tilt
 from tremolo.variants import run_variant
 
-SHORT = FASTER | {"duration_s = 36.0 ": "duration_s = 21.0 "}
+REST = "duration_s = 20.0\n"
+SHORT = FASTER | {REST: "duration_s = 5.0\n"}
 
 
 class Buildings(unittest.TestCase):
@@ -35,7 +36,7 @@ class Buildings(unittest.TestCase):
 class AdjacentBuildings(Buildings):
     """As long as it takes the sand to liquefy and the buildings to sink."""
 
-    changes = FASTER | {"duration_s = 36.0 ": "duration_s = 9.0 "}
+    changes = FASTER | {"duration_s = 16.0 ": "duration_s = 8.0 ", REST: "duration_s = 1.0\n"}
     least_settlement = 0.05  # m, of the low one
 
     @classmethod
@@ -104,7 +105,7 @@ class AcceptanceOtherBuildings(Buildings):
         self.assertLess(after, 0.1 * during)
 
     def test_the_soil_between_rises_in_a_wide_gap_on_half_as_thick_sand(self):
-        changes = FASTER | tall(5.0, 6.0) | low(12.0, 6.0) | thickness(4.0) | {"duration_s = 36.0 ": "duration_s = 12.0 "}
+        changes = FASTER | tall(5.0, 6.0) | low(12.0, 6.0) | thickness(4.0) | {"duration_s = 16.0 ": "duration_s = 11.0 ", REST: "duration_s = 1.0\n"}
         thin = self.run_of(changes, "thin")
         self.assertGreater(rise(thin)[0][-1], 0.03)
         self.assertGreater(middle(thin), 0.08)

@@ -16,7 +16,6 @@ from structure_cases import BlockWorkspace, checkpoints, differences, killed, re
 from tremolo import Run
 
 
-KINDS = ("rigid = true", "young = 500e6\npoisson = 0.2")
 SLOPE = SOURCE / "cases" / "block_on_slope" / "case.toml"
 
 
@@ -26,16 +25,58 @@ def on_slope(along):
     return [[(along + x) * c - y * s, (along + x) * s + y * c] for x, y in ((-1, 0), (1, 0), (1, 1), (-1, 1))]
 
 
-class Block(unittest.TestCase):
-    def test_bears_on_the_ground_with_its_weight(self):
-        for kind in KINDS:
-            with self.subTest(kind), BlockWorkspace(TREMOLO, velocity=1e-6, kind=kind) as work, Run(work.run("run")) as run:
-                block = run.body("block")
-                np.testing.assert_allclose(block["weight_y"], -work.weight, rtol=1e-12)
-                np.testing.assert_allclose(block["normal_y"] + block["friction_y"], work.weight, rtol=5e-3)
-                np.testing.assert_allclose(block["normal_x"] + block["friction_x"], 0.0, atol=5e-3 * work.weight)
-                self.assertFalse(block["water_y"].any())
+class EitherKind:
+    """What a rigid and an elastic block have to do."""
 
+    def test_bears_on_the_ground_with_its_weight(self):
+        with BlockWorkspace(TREMOLO, velocity=1e-6, kind=self.kind) as work, Run(work.run("run")) as run:
+            block = run.body("block")
+            np.testing.assert_allclose(block["weight_y"], -work.weight, rtol=1e-12)
+            np.testing.assert_allclose(block["normal_y"] + block["friction_y"], work.weight, rtol=5e-3)
+            np.testing.assert_allclose(block["normal_x"] + block["friction_x"], 0.0, atol=5e-3 * work.weight)
+            self.assertFalse(block["water_y"].any())
+
+    def test_resumed_after_a_kill_it_gives_the_same_bits(self):
+        with with_checkpoints(BlockWorkspace(TREMOLO, duration=1.5, kind=self.kind), every_steps=200) as work:
+            whole = whole_run(work)
+            steps = checkpoints(whole)[-1]
+            folder = work.path / "broken"
+            victim, text = killed(work, folder, ["run", work.case, "--out", folder], steps // 3, victim="domain")
+            self.assertEqual("domain", victim, text)
+            again = resumed(work, folder)
+            self.assertEqual(0, again.returncode, again.stdout + again.stderr)
+            self.assertEqual([], differences(folder, whole))
+
+    def test_a_sliding_block_has_the_same_bits_for_any_number_of_threads(self):
+        with BlockWorkspace(TREMOLO, kind=self.kind, friction=0.05) as work:
+            one, *others = (work.run(f"threads_{n}", "--threads", n) for n in (1, 2, 3))
+            with Run(one) as run:
+                block, ground = run.body("block"), run.monitor("ground")
+                slip = np.ptp(np.array(block["x"]) - block["x"][0] - np.interp(block["time"], ground["time"], ground["ux"]))
+                self.assertGreater(slip, 0.01)  # m
+            for other in others:
+                self.assertEqual([], differences(other, one))
+
+    def test_pictures(self):
+        with BlockWorkspace(TREMOLO, kind=self.kind) as work:
+            folder = work.run("run")
+            done = work.command("plot", folder)
+            self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+            names = [Path(line).name for line in done.stdout.split()]
+            for name in ("model.png", "acceleration.png", "bodies.png", "monitor_roof.png"):
+                self.assertIn(name, names)
+                self.assertGreater((folder / "pictures" / name).stat().st_size, 10_000)
+
+
+class Rigid(EitherKind, unittest.TestCase):
+    kind = "rigid = true"
+
+
+class AcceptanceElastic(EitherKind, unittest.TestCase):
+    kind = "young = 500e6\npoisson = 0.2"
+
+
+class Block(unittest.TestCase):
     def test_a_stiff_block_moves_as_a_rigid_one(self):
         """Velocities within 2 % of the largest; the elastic one sways a little by itself."""
         histories = []
@@ -98,40 +139,6 @@ friction = 0.6
                 force = sum(block[f"{name}_{axis}"] for name in ("normal", "friction", "water", "weight"))
                 np.testing.assert_allclose(block.mass * centre[f"a{axis}"], force, rtol=0, atol=1e-6 * work.weight)
             self.assertGreater(np.abs(centre["ax"]).max(), 1.0)
-
-    def test_resumed_after_a_kill_it_gives_the_same_bits(self):
-        for kind in KINDS:
-            with self.subTest(kind), with_checkpoints(BlockWorkspace(TREMOLO, duration=1.5, kind=kind), every_steps=200) as work:
-                whole = whole_run(work)
-                steps = checkpoints(whole)[-1]
-                folder = work.path / "broken"
-                victim, text = killed(work, folder, ["run", work.case, "--out", folder], steps // 3, victim="domain")
-                self.assertEqual("domain", victim, text)
-                again = resumed(work, folder)
-                self.assertEqual(0, again.returncode, again.stdout + again.stderr)
-                self.assertEqual([], differences(folder, whole))
-
-    def test_a_sliding_block_has_the_same_bits_for_any_number_of_threads(self):
-        for kind in KINDS:
-            with self.subTest(kind), BlockWorkspace(TREMOLO, kind=kind, friction=0.05) as work:
-                one, *others = (work.run(f"threads_{n}", "--threads", n) for n in (1, 2, 3))
-                with Run(one) as run:
-                    block, ground = run.body("block"), run.monitor("ground")
-                    slip = np.ptp(np.array(block["x"]) - block["x"][0] - np.interp(block["time"], ground["time"], ground["ux"]))
-                    self.assertGreater(slip, 0.01)  # m
-                for other in others:
-                    self.assertEqual([], differences(other, one))
-
-    def test_pictures(self):
-        for kind in KINDS:
-            with self.subTest(kind), BlockWorkspace(TREMOLO, kind=kind) as work:
-                folder = work.run("run")
-                done = work.command("plot", folder)
-                self.assertEqual(0, done.returncode, done.stdout + done.stderr)
-                names = [Path(line).name for line in done.stdout.split()]
-                for name in ("model.png", "acceleration.png", "bodies.png", "monitor_roof.png"):
-                    self.assertIn(name, names)
-                    self.assertGreater((folder / "pictures" / name).stat().st_size, 10_000)
 
 
 if __name__ == "__main__":
