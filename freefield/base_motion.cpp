@@ -5,16 +5,6 @@
 #include <cmath>
 
 namespace tremolo::freefield {
-namespace {
-
-BaseComponent advanced(const BaseComponent& before, double middle, double end, double step) {
-  return {.displacement = before.displacement + step / 6.0 * (before.velocity + 4.0 * middle + end),
-          .velocity = end,
-          .acceleration = (3.0 * end - 4.0 * middle + before.velocity) / step,
-          .reference = end};
-}
-
-} // namespace
 
 Rise rise_to_damped_soil(const Profile& profile, double slowness_x) {
   const auto cosine = [&](double speed) { return std::sqrt(1.0 - std::pow(slowness_x * speed, 2)); };
@@ -33,17 +23,6 @@ Velocity reference_velocity(BaseKind kind, const InputVelocity& input, const Ris
   if (kind == BaseKind::rigid)
     return input(time);
   return {2.0 * input(time - rise.x).x, 2.0 * input(time - rise.y).y};
-}
-
-BaseMotion advanced(BaseKind kind, const InputVelocity& input, const Rise& rise, const BaseMotion& before,
-                    double time, double step) {
-  const Velocity end = input(time + step);
-  const Velocity reference = reference_velocity(kind, input, rise, time + step);
-  if (kind == BaseKind::compliant)
-    return {.x = {.velocity = end.x, .reference = reference.x},
-            .y = {.velocity = end.y, .reference = reference.y}};
-  const Velocity middle = input(time + 0.5 * step);
-  return {advanced(before.x, middle.x, end.x, step), advanced(before.y, middle.y, end.y, step)};
 }
 
 } // namespace tremolo::freefield

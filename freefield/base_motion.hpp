@@ -17,20 +17,6 @@ namespace tremolo::freefield {
 
 struct Profile;
 
-/// One component of the motion that enters a column at its base, at one time. Under a compliant base it is
-/// the incident wave's and only the velocity is meant.
-struct BaseComponent {
-  double displacement = 0.0; ///< m
-  double velocity = 0.0;     ///< m/s
-  double acceleration = 0.0; ///< m/s2
-  double reference = 0.0;    ///< v_ref, m/s
-};
-
-struct BaseMotion {
-  BaseComponent x;
-  BaseComponent y;
-};
-
 /// t_rise of shear (x) and P waves (y), s.
 struct Rise {
   double x = 0.0;
@@ -42,11 +28,5 @@ Rise rise_to_damped_soil(const Profile& profile, double slowness_x = 0.0);
 
 /// v_ref at a time, m/s.
 Velocity reference_velocity(BaseKind kind, const InputVelocity& input, const Rise& rise, double time);
-
-/// The input motion at time + step, given what it was at `time`. The displacement of a rigid base follows by
-/// Simpson's rule, its acceleration by three-point differences; exact for a velocity that is quadratic in the
-/// step.
-BaseMotion advanced(BaseKind kind, const InputVelocity& input, const Rise& rise, const BaseMotion& before,
-                    double time, double step);
 
 } // namespace tremolo::freefield

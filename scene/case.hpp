@@ -129,9 +129,6 @@ struct Damping {
 
 /// Numerics of the free-field models, one table each.
 struct FeNumerics {
-  Integrator integrator = Integrator::central_difference;
-  double alpha = 0.0; ///< of hht, in [-1/3, 0]
-  NewtonTangent tangent = NewtonTangent::consistent;
   double element_size = 0.0; ///< m
   std::optional<double> dt;  ///< s; otherwise the column chooses its own
 };

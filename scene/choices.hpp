@@ -35,19 +35,6 @@ constexpr auto words(DampingModel) {
                                    {DampingModel::kjartansson, "kjartansson"}});
 }
 
-enum class Integrator { central_difference, newmark, hht };
-constexpr auto words(Integrator) {
-  return word_table<Integrator>({{Integrator::central_difference, "central_difference"},
-                                 {Integrator::newmark, "newmark"},
-                                 {Integrator::hht, "hht"}});
-}
-
-enum class NewtonTangent { consistent, initial };
-constexpr auto words(NewtonTangent) {
-  return word_table<NewtonTangent>(
-      {{NewtonTangent::consistent, "consistent"}, {NewtonTangent::initial, "initial"}});
-}
-
 enum class OdeMethod { adams, bdf, erk, imex };
 constexpr auto words(OdeMethod) {
   return word_table<OdeMethod>({{OdeMethod::adams, "adams"},

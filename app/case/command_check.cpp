@@ -2,6 +2,7 @@
 #include "app/free_field/column/column_ground.hpp"
 #include "app/free_field/motion_levels.hpp"
 
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/plan.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +26,7 @@ void check_case(const std::string& file) {
 }
 
 void check_column(const std::string& file, const std::string& model) {
-  const ColumnGround ground = column_ground(file, column_model(model));
+  const ColumnGround ground = column_ground(file, scene::computed_model(model));
   fmt::print("{}: ok for `tremolo column --model {}`, {}\n", file, model, start_column(ground));
   fmt::print("  {}{}", motion_levels_text(ground.scene), scene::remarks_text(ground.scene));
 }
@@ -41,7 +42,7 @@ void add_check(Command& app) {
   command
       ->add_option("--column", *column,
                    "The file is for `tremolo column` with this model, and needs the tables of that alone")
-      ->one_of(column_model_names());
+      ->one_of(scene::names_of_computed_models());
   command->callback([file, column] {
     if (column->empty())
       check_case(*file);

@@ -3,6 +3,7 @@
 #include "app/free_field/motion_levels.hpp"
 #include "app/run/hosts/domain_ranks.hpp"
 
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/plan/resolved.hpp"
 #include "scene/plan/wet_soils.hpp"
@@ -36,7 +37,7 @@ void print_values(const scene::Case& scene) {
 }
 
 void explain_column(const std::string& file, const std::string& model, bool values) {
-  const ColumnGround ground = column_ground(file, column_model(model));
+  const ColumnGround ground = column_ground(file, scene::computed_model(model));
   const scene::Case& scene = ground.scene;
   const std::string started = start_column(ground);
   const wavefield::TimeGrid times = column_times(ground);
@@ -78,7 +79,7 @@ void add_explain(Command& app) {
       command
           ->add_option("--column", *column,
                        "The file is for `tremolo column` with this model, and needs the tables of that alone")
-          ->one_of(column_model_names());
+          ->one_of(scene::names_of_computed_models());
   for_column->excludes(as_json);
   for_column->excludes(with_ranks);
   command->callback([file, values, json, ranks, column] {

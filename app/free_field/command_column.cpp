@@ -9,6 +9,7 @@
 #include "app/output_place.hpp"
 #include "app/python.hpp"
 #include "results/run_file.hpp"
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/read/override.hpp"
@@ -49,15 +50,15 @@ scene::Side side_of(const Options& options) {
 /// The complete case, with the model on both sides and at the base.
 scene::Case with_model(const Options& options) {
   const scene::Case given = scene::load(options.scene);
-  const auto text =
-      scene::overridden_text(given, {.record = {}, .angle_deg = {}, .model = column_model(options.model)});
+  const auto text = scene::overridden_text(
+      given, {.record = {}, .angle_deg = {}, .model = scene::computed_model(options.model)});
   return scene::parse(text, given.file, given.directory);
 }
 
 /// The profile of the case, for which only its tables are needed; or that of a side.
 ColumnGround ground_of(const Options& options) {
   if (options.side.empty())
-    return column_ground(options.scene, column_model(options.model));
+    return column_ground(options.scene, scene::computed_model(options.model));
   auto scene = with_model(options);
   const auto source = scene::source_of(scene::plan(scene), side_of(options));
   const double x = side_of(options) == scene::Side::left ? scene.mesh.box.x_min : scene.mesh.box.x_max;
@@ -209,7 +210,7 @@ void add_column(Command& app) {
       ->required();
   command->add_option("--model", options->model, "Free-field model: wave, fe, ode, eql or mpm")
       ->required()
-      ->one_of(column_model_names());
+      ->one_of(scene::names_of_computed_models());
   command
       ->add_option(
           "--side", options->side,

@@ -1,5 +1,6 @@
 #include "app/free_field/water_tables.hpp"
 
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 
 #include <fmt/format.h>
@@ -88,8 +89,7 @@ results::Table over_depth(const scene::Case& scene, const scene::SourceProcess& 
 } // namespace
 
 bool has_pore_pressure(const scene::Case& scene, const scene::SourceProcess& source) {
-  const scene::SourceModel model = source.field.model;
-  return (model == scene::SourceModel::fe || model == scene::SourceModel::mpm) &&
+  return scene::traits(source.field.model).effective_stress &&
          std::ranges::any_of(scene::layers(scene, source), &scene::Layer::wet);
 }
 

@@ -6,6 +6,7 @@
 #include "app/run/local_options.hpp"
 #include "app/swap/swap.hpp"
 #include "base/text_file.hpp"
+#include "scene/plan/free_field_traits.hpp"
 
 #include <fmt/format.h>
 
@@ -29,17 +30,6 @@ struct Options {
   int threads = machine_threads();
 };
 
-constexpr std::array known = {scene::SourceModel::wave, scene::SourceModel::fe, scene::SourceModel::ode,
-                              scene::SourceModel::eql, scene::SourceModel::mpm};
-
-std::vector<std::string> names() {
-  std::vector<std::string> all;
-  all.reserve(known.size());
-  for (const auto model : known)
-    all.emplace_back(scene::name(model));
-  return all;
-}
-
 void compare(const Options& options) {
   const auto scene = scene::load(options.case_file);
   if (scene.monitors.empty())
@@ -50,7 +40,7 @@ void compare(const Options& options) {
   for (const std::string& model : options.models) {
     if (std::ranges::count(options.models, model) > 1)
       throw std::runtime_error(fmt::format("--models: '{}' is named twice", model));
-    models.push_back(*std::ranges::find(known, model, [](scene::SourceModel m) { return scene::name(m); }));
+    models.push_back(scene::computed_model(model));
   }
 
   make_folder(options.out);
@@ -79,7 +69,7 @@ void add_swap(Command& app) {
                    "Models for both sides and the base, separated by commas; the first is the reference")
       ->required()
       ->delimiter(',')
-      ->one_of(names());
+      ->one_of(scene::names_of_computed_models());
   command->add_option("--out", options->out, "New folder: one run a model, swap.json and swap.png")
       ->required();
   command->add_option("--threads", options->threads, "Threads of the domain")

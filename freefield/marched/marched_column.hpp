@@ -2,8 +2,8 @@
 
 #include "freefield/base_motion.hpp"
 #include "freefield/column.hpp"
-#include "freefield/fe/column_mesh.hpp"
-#include "freefield/fe/fe_soil.hpp"
+#include "freefield/column_mesh.hpp"
+#include "freefield/column_soil.hpp"
 #include "freefield/marched/base_impedance.hpp"
 #include "freefield/marched/marched_iteration.hpp"
 #include "freefield/marched/marched_snapshot.hpp"
@@ -31,7 +31,7 @@ struct MarchedSettings {
   std::optional<materials::RestClock> rest = {};
   BaseKind base = BaseKind::compliant; ///< a rigid base moves as v(t - s x)
   /// Largest residual at which a step's iteration ends, over the largest stress increment so far, in (0, 1].
-  /// The error that remains is smaller by orders of magnitude (docs/free-fields/angle-column.md).
+  /// The error that remains is smaller by orders of magnitude (docs/free-fields/fe-column.md).
   double tolerance = 0.1;
 };
 
@@ -81,7 +81,7 @@ private:
 
   MarchedSettings settings_;
   ColumnMesh mesh_;
-  FeSoil soil_;
+  ColumnSoil soil_;
   InputVelocity input_;
   BaseImpedance base_;
   Rise rise_;

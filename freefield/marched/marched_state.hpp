@@ -1,7 +1,7 @@
 #pragma once
 
 #include "freefield/column.hpp"
-#include "freefield/fe/fe_soil.hpp"
+#include "freefield/column_soil.hpp"
 #include "freefield/marched/element_strain.hpp"
 #include "freefield/marched/marched_node.hpp"
 #include "freefield/marched/node_split.hpp"
@@ -35,7 +35,7 @@ struct MarchedState {
   /// and not in `soil`, until the next step.
   ElementFields owed;
 
-  MarchedState(WetGrid made, const FeSoil& soil_at_rest)
+  MarchedState(WetGrid made, const ColumnSoil& soil_at_rest)
       : grid(std::move(made)), soil(soil_at_rest.initial()), stress(grid.elements.size()),
         excess(grid.elements.size()), momenta(grid.nodes.size()), velocity(grid.nodes.size()),
         owed(ElementFields::Zero(std::ssize(grid.elements), 4)) {}

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "freefield/fe/block_tridiagonal.hpp"
+#include "freefield/marched/block_tridiagonal.hpp"
 #include "freefield/marched/marched_state.hpp"
 
 #include <vector>

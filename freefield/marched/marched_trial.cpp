@@ -60,7 +60,7 @@ Eigen::Map<const ArrayXd> array(const std::vector<double>& values) {
 
 } // namespace
 
-MarchedTrial::MarchedTrial(const FeSoil& soil, const MarchedState& state)
+MarchedTrial::MarchedTrial(const ColumnSoil& soil, const MarchedState& state)
     : soil_(&soil), soil_state_(state.soil) {
   const Eigen::Index nodes = std::ssize(state.velocity), elements = std::ssize(state.stress);
   for (NodeFields* fields :

@@ -13,7 +13,7 @@ namespace tremolo::freefield {
 /// unchanged.
 class MarchedTrial {
 public:
-  MarchedTrial(const FeSoil& soil, const MarchedState& state);
+  MarchedTrial(const ColumnSoil& soil, const MarchedState& state);
 
   /// Begins a step from a state.
   /// @param moduli  M of each element, Pa, for its small-strain damping and for strain that is owed to its
@@ -83,7 +83,7 @@ private:
 
   using Pairs = Eigen::Array<double, Eigen::Dynamic, 2>;
 
-  const FeSoil* soil_;
+  const ColumnSoil* soil_;
   SoilState soil_state_;
   BaseDrive drive_;
   Eigen::Matrix2d base_brake_ = Eigen::Matrix2d::Identity();

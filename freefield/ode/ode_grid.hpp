@@ -1,7 +1,7 @@
 #pragma once
 
 #include "freefield/column.hpp"
-#include "freefield/fe/column_mesh.hpp"
+#include "freefield/column_mesh.hpp"
 #include "freefield/profile.hpp"
 
 #include <vector>

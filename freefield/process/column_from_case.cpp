@@ -1,12 +1,10 @@
 #include "freefield/process/column_from_case.hpp"
 
-#include "freefield/fe/fe_column.hpp"
 #include "freefield/marched/marched_column.hpp"
 #include "freefield/ode/ode_column.hpp"
 #include "freefield/process/incident_input.hpp"
 #include "freefield/twophase/two_phase_column.hpp"
 #include "scene/plan/layers.hpp"
-#include "scene/plan/step/fe_march.hpp"
 #include "scene/plan/wave/motion.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
@@ -14,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace tremolo::freefield {
@@ -23,10 +20,15 @@ namespace {
 
 /// Share of central differences' stability limit that a column takes if the case names no step.
 constexpr double fraction_of_limit = 0.8;
-/// And the column at an angle, whose error is the smaller the nearer to the limit its steps are.
+/// The column at an angle errs the less, the nearer to the limit its steps are.
 constexpr double fraction_at_an_angle = 0.9;
-/// Stiffness that goes with pressure may double in dilation.
-constexpr double stiffening = 2.0;
+/// By how much the soil's stiffness may grow: where it goes with pressure, it may double in dilation.
+double stiffening(const Profile& profile) {
+  const auto follows = [](const Layer& layer) {
+    return layer.law && materials::traits(*layer.law).follows_pressure;
+  };
+  return std::ranges::any_of(profile.layers, follows) ? 2.0 : 1.0;
+}
 
 materials::Law with_constants(materials::Law law, const materials::Elasticity& elastic) {
   std::visit([&](auto& known) { known.elastic = elastic; }, law);
@@ -99,24 +101,6 @@ ColumnInput input_from_case(const scene::Case& scene, const scene::SourceProcess
                                                          : incident_input(scene, source, x, base);
 }
 
-Integrator integrator_of(scene::Integrator integrator) {
-  return integrator == scene::Integrator::central_difference ? Integrator::central_difference
-                                                             : Integrator::newmark;
-}
-
-/// The step of a column if the case names none: under the limit of central differences; for implicit
-/// integrators one crossing time of P waves, which damping does not shrink.
-double default_step(const scene::Case& scene, const Profile& profile, const FeColumnSettings& settings) {
-  if (scene.fe.integrator == scene::Integrator::central_difference)
-    return fraction_of_limit * central_difference_limit(profile, settings.max_element_size, settings.damping);
-  double crossing = std::numeric_limits<double>::infinity();
-  for (const Layer& layer : profile.layers) {
-    const double elements = std::ceil(layer.thickness / settings.max_element_size - 1e-9);
-    crossing = std::min(crossing, layer.thickness / std::max(elements, 1.0) / layer.soil.p_wave_speed());
-  }
-  return crossing;
-}
-
 /// @param limit  of central differences, s
 void require_step(const scene::Case& scene, double limit) {
   if (!(*scene.fe.dt < limit))
@@ -125,25 +109,7 @@ void require_step(const scene::Case& scene, double limit) {
                                             *scene.fe.dt, limit));
 }
 
-std::unique_ptr<Column> fe_column(const scene::Case& scene, const Profile& profile, const ColumnInput& input,
-                                  double start) {
-  FeColumnSettings settings;
-  settings.max_element_size = scene.fe.element_size;
-  settings.damping = damping_from_case(scene);
-  settings.integrator = integrator_of(scene.fe.integrator);
-  settings.hht_alpha = scene.fe.integrator == scene::Integrator::hht ? scene.fe.alpha : 0.0;
-  settings.tangent =
-      scene.fe.tangent == scene::NewtonTangent::consistent ? Tangent::consistent : Tangent::initial;
-  settings.base = input.base;
-  settings.time_step = scene.fe.dt ? *scene.fe.dt : default_step(scene, profile, settings);
-  if (scene.fe.dt && settings.integrator == Integrator::central_difference)
-    require_step(scene, central_difference_limit(profile, settings.max_element_size, settings.damping));
-  // Two steps ahead for the exchange to interpolate.
-  settings.start_time = start - 2.0 * settings.time_step;
-  return std::make_unique<FeColumn>(profile, settings, input.velocity);
-}
-
-/// Soil and water with velocities of their own.
+/// Any soil, and water with velocities of its own.
 std::unique_ptr<Column> two_phase_column(const scene::Case& scene, const Profile& profile,
                                          const ColumnInput& input, double start) {
   TwoPhaseSettings settings;
@@ -156,7 +122,7 @@ std::unique_ptr<Column> two_phase_column(const scene::Case& scene, const Profile
   };
   if (scene.fe.dt)
     require_step(scene, limit(1.0));
-  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_of_limit * limit(stiffening);
+  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_of_limit * limit(stiffening(profile));
   settings.start_time = start - 2.0 * settings.time_step;
   return std::make_unique<TwoPhaseColumn>(profile, settings, input.velocity);
 }
@@ -176,7 +142,7 @@ std::unique_ptr<Column> marched_column(const scene::Case& scene, const Profile& 
   };
   if (scene.fe.dt)
     require_step(scene, limit(1.0));
-  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_at_an_angle * limit(stiffening);
+  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_at_an_angle * limit(stiffening(profile));
   settings.start_time = start - 2.0 * settings.time_step;
   return std::make_unique<MarchedColumn>(profile, settings, input.velocity);
 }
@@ -217,24 +183,17 @@ std::unique_ptr<Column> ode_column(const scene::Case& scene, const Profile& prof
 
 std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::SourceProcess& source,
                                          double x_line, double needed_from) {
-  const auto made = [&](double size, auto make, Water water = Water::in_total_stress) {
+  const auto made = [&](double size, auto make, Water water) {
     const Profile profile = profile_from_case(scene, source, size, water);
     const ColumnInput input = input_from_case(scene, source, x_line, profile.base_level());
     return make(scene, profile, input, std::min(needed_from, input.begin));
   };
   switch (source.field.model) {
   case scene::SourceModel::fe:
-    switch (scene::fe_march(scene, scene::layers(scene, source))) {
-    case scene::FeMarch::one_phase:
-      return made(scene.fe.element_size, fe_column);
-    case scene::FeMarch::two_phases:
-      return made(scene.fe.element_size, two_phase_column, Water::two_phases);
-    case scene::FeMarch::at_an_angle:
-      return made(scene.fe.element_size, marched_column, Water::two_phases);
-    }
-    throw std::logic_error("a march without a column");
+    return made(scene.fe.element_size, scene.motion.angle_deg == 0.0 ? two_phase_column : marched_column,
+                Water::two_phases);
   case scene::SourceModel::ode:
-    return made(scene.ode.cell_size, ode_column);
+    return made(scene.ode.cell_size, ode_column, Water::in_total_stress);
   default:
     throw std::invalid_argument(fmt::format("model \"{}\" is not a column", scene::name(source.field.model)));
   }

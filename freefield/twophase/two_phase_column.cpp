@@ -251,8 +251,7 @@ void TwoPhaseColumn::sample(std::span<const double> y, std::span<ColumnSample> s
 }
 
 std::string TwoPhaseColumn::report() const {
-  return fmt::format("{} steps of {:.4g} s, soil and water", steps_, settings_.time_step) +
-         missing_energy(energy());
+  return fmt::format("{} steps of {:.4g} s", steps_, settings_.time_step) + missing_energy(energy());
 }
 
 } // namespace tremolo::freefield

@@ -2,8 +2,8 @@
 
 #include "freefield/base_motion.hpp"
 #include "freefield/column.hpp"
-#include "freefield/fe/column_mesh.hpp"
-#include "freefield/fe/fe_soil.hpp"
+#include "freefield/column_mesh.hpp"
+#include "freefield/column_soil.hpp"
 #include "freefield/profile.hpp"
 #include "freefield/twophase/node_kick.hpp"
 #include "freefield/twophase/wet_energy.hpp"
@@ -81,7 +81,7 @@ private:
   ColumnMesh mesh_;
   Rise rise_;
   WetGrid grid_;
-  FeSoil soil_;
+  ColumnSoil soil_;
   InputVelocity input_;
   SoilState state_;
   std::vector<WetSnapshot::Vector> u_;        ///< of the solid, m

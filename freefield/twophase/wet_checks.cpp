@@ -1,7 +1,7 @@
 #include "freefield/twophase/wet_checks.hpp"
 
 #include "base/require.hpp"
-#include "freefield/fe/fe_soil.hpp"
+#include "freefield/column_soil.hpp"
 
 #include <fmt/format.h>
 
@@ -28,14 +28,15 @@ void validate_march(const Profile& profile, const Damping& damping, double time_
 RestingColumn resting_column(const Profile& profile, double max_element_size, const Damping& damping) {
   validate(profile);
   RestingColumn column{mesh_profile(profile, max_element_size), {}, {}};
-  const FeSoil soil(profile, column.mesh);
+  const ColumnSoil soil(profile, column.mesh);
   SoilState state = soil.initial();
   soil.p_moduli(state, column.moduli);
   column.grid = wet_grid(profile, column.mesh, damping, false);
   return column;
 }
 
-void rest_if_due(const std::optional<materials::RestClock>& rest, double time, FeSoil& soil, WetGrid& grid) {
+void rest_if_due(const std::optional<materials::RestClock>& rest, double time, ColumnSoil& soil,
+                 WetGrid& grid) {
   if (!rest || !rest->has_begun(time))
     return;
   soil.reconsolidate();

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "freefield/column.hpp"
-#include "freefield/fe/column_mesh.hpp"
-#include "freefield/fe/fe_soil.hpp"
+#include "freefield/column_mesh.hpp"
+#include "freefield/column_soil.hpp"
 #include "freefield/profile.hpp"
 #include "freefield/twophase/wet_energy.hpp"
 #include "freefield/twophase/wet_grid.hpp"
@@ -32,7 +32,8 @@ struct RestingColumn {
 RestingColumn resting_column(const Profile& profile, double max_element_size, const Damping& damping);
 
 /// When the rest has begun, lets all soil reconsolidate and its water flow as the clock says.
-void rest_if_due(const std::optional<materials::RestClock>& rest, double time, FeSoil& soil, WetGrid& grid);
+void rest_if_due(const std::optional<materials::RestClock>& rest, double time, ColumnSoil& soil,
+                 WetGrid& grid);
 
 /// @throws std::runtime_error where an element has strained so much that its porosity has left 0.01 to 0.95
 void require_pores(const WetGrid& grid, const ColumnMesh& mesh, double time);

@@ -15,7 +15,7 @@
 // and m_s stays while m_f, m~_f and d follow n and h. In one dimension stress on horizontal planes is force
 // per plan area whatever h is, so that the equations of motion of the nodes are those of any strain.
 
-#include "freefield/fe/column_mesh.hpp"
+#include "freefield/column_mesh.hpp"
 #include "freefield/profile.hpp"
 
 #include <cstddef>

@@ -8,37 +8,18 @@ namespace tremolo::scene {
 namespace {
 
 Table fe() {
-  return {
-      .name = "fe",
-      .meaning = "Numerics of the finite-element column (`model = \"fe\"`).",
-      .keys = {
-          choice<Integrator>("integrator",
-                             "Explicit central differences, implicit Newmark (1/4, 1/2), or HHT-alpha.",
-                             Integrator::central_difference),
-          {.name = "alpha",
-           .unit = "1",
-           .meaning = "Of `hht`: the more negative, the more numerical damping of the highest frequencies.",
-           .fallback = "-0.05",
-           .range = {.low = -1.0 / 3.0, .high = 0.0},
-           .when = {"integrator", {name(Integrator::hht)}}},
-          {.name = "tangent",
-           .type = Type::choice,
-           .meaning =
-               "Of implicit steps in nonlinear soil: Newton with the `consistent` tangent, or modified "
-               "Newton with the `initial` one.",
-           .fallback = "consistent",
-           .choices = all_words<NewtonTangent>(),
-           .when = {"integrator", {name(Integrator::newmark), name(Integrator::hht)}}},
-          {.name = "element_size",
-           .unit = "m",
-           .meaning = "Largest finite element.",
-           .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
-           .range = positive},
-          {.name = "dt",
-           .unit = "s",
-           .meaning = "Time step of the column.",
-           .otherwise = "chosen by the column",
-           .range = positive}}};
+  return {.name = "fe",
+          .meaning = "Numerics of the finite-element column (`model = \"fe\"`).",
+          .keys = {{.name = "element_size",
+                    .unit = "m",
+                    .meaning = "Largest finite element.",
+                    .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
+                    .range = positive},
+                   {.name = "dt",
+                    .unit = "s",
+                    .meaning = "Time step of the column.",
+                    .otherwise = "chosen by the column",
+                    .range = positive}}};
 }
 
 Table ode() {

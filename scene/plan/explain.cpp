@@ -1,3 +1,4 @@
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/plan/stages/stages.hpp"
@@ -198,7 +199,7 @@ namespace {
 /// of a program of the user, whose ground is not known.
 nlohmann::ordered_json layers_json(const Case& scene, const LateralBoundary& side) {
   auto json = nlohmann::ordered_json::array();
-  if (side.field.model == SourceModel::recording || side.field.model == SourceModel::external)
+  if (!traits(side.field.model).computed)
     return json;
   for (const GroundPiece& piece : ground_of_free_field(scene, side)) {
     json.push_back({{"top_m", piece.top}, {"bottom_m", piece.bottom}, {"soil", nullptr}});

@@ -4,6 +4,7 @@
 // bit of it.
 
 #include "scene/plan/sources.hpp"
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/plan.hpp"
 
 #include <fmt/format.h>
@@ -94,22 +95,8 @@ std::size_t source_index(const std::vector<SourceProcess>& sources, Side side) {
 }
 
 std::string program(const FreeFieldModel& field) {
-  switch (field.model) {
-  case SourceModel::wave:
-  case SourceModel::eql:
-  case SourceModel::shaking_table:
-    return "tremolo-wave";
-  case SourceModel::fe:
-  case SourceModel::ode:
-    return "tremolo-column";
-  case SourceModel::mpm:
-    return "tremolo-domain";
-  case SourceModel::recording:
-    return "tremolo-recording";
-  case SourceModel::external:
-    return field.file.string();
-  }
-  return {};
+  const std::string_view ours = traits(field.model).program;
+  return ours.empty() ? field.file.string() : std::string(ours);
 }
 
 BaseSources base_sources(const Case& scene, const Plan& plan) {

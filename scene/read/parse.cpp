@@ -1,6 +1,7 @@
 #include "scene/case.hpp"
 
 #include "scene/ground.hpp"
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/read/read.hpp"
 #include "scene/read/soil/slice_soils.hpp"
 #include "scene/rules/rules.hpp"
@@ -54,13 +55,12 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
   slice_soils(root, profiles, findings, scene);
   if (record == CaseRecord::needed)
     record_is_readable(scene, findings);
-  for (const auto rule :
-       {models_take_the_wave, damping_suits_models, soils_suit_models, stress_at_rest_is_carried,
-        reference_lies_in_halfspace, columns_have_cells, wet_soil_has_pores, fe_is_marched_explicitly,
-        resting_sand_is_shaken_first, time_factor_is_allowed})
+  for (const auto rule : {models_take_the_wave, damping_suits_models, soils_suit_models,
+                          stress_at_rest_is_carried, reference_lies_in_halfspace, columns_have_cells,
+                          wet_soil_has_pores, resting_sand_is_shaken_first, time_factor_is_allowed})
     rule(scene, findings);
   // The others know grains and water together, whose stress they take no part of from gravity.
-  if (model == SourceModel::fe || model == SourceModel::mpm) {
+  if (traits(model).effective_stress) {
     water_has_weight(scene, findings);
     sand_has_weight(scene, findings);
   }

@@ -4,9 +4,6 @@ namespace tremolo::scene {
 
 void read_numerics(Document& document, Case& scene) {
   const auto fe = document.table("fe");
-  scene.fe.integrator = fe.choice<Integrator>("integrator");
-  scene.fe.alpha = fe.number("alpha");
-  scene.fe.tangent = fe.choice<NewtonTangent>("tangent");
   scene.fe.element_size = fe.optional_number("element_size").value_or(0.5 * scene.mesh.size);
   scene.fe.dt = fe.optional_number("dt");
 

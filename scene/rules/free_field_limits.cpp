@@ -1,11 +1,11 @@
 #include "scene/rules/free_field_limits.hpp"
 
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -16,11 +16,6 @@ namespace {
 
 using enum SourceModel;
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr std::array computed = {wave, fe, ode, eql, mpm};
-
-bool in_frequency_domain(SourceModel model) {
-  return model == wave || model == eql;
-}
 
 /// Where a wave is the fastest, and its speed.
 struct Fastest {
@@ -54,10 +49,10 @@ Fastest fastest(const Case& scene, const std::vector<Layer>& layers) {
 
 std::string refused_angle(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
   const double angle = scene.motion.angle_deg;
-  if ((model == ode || model == mpm) && angle != 0.0)
+  if (traits(model).incidence == Incidence::vertical && angle != 0.0)
     return fmt::format("model = \"{}\" knows vertical incidence only, but [motion] angle_deg = {}",
                        name(model), angle);
-  if (model != fe || angle == 0.0)
+  if (traits(model).incidence != Incidence::below_critical || angle == 0.0)
     return {};
   const double incident =
       scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
@@ -74,12 +69,13 @@ std::string refused_angle(const Case& scene, SourceModel model, const std::vecto
 std::string refused_kind(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
   if (scene.motion.kind != motion::MotionKind::within)
     return {};
-  if (model == eql || model == mpm)
+  if (traits(model).computed && traits(model).within == WithinMotion::refuses)
     return fmt::format("model = \"{}\" takes an incident or outcrop motion, not one within the ground",
                        name(model));
-  if (model == wave && !layers.empty() && !damped(layers))
-    return "model = \"wave\" under a motion within the ground needs damped layers: undamped ones resonate "
-           "on it without end; give them 'damping'";
+  if (traits(model).within == WithinMotion::divides && !layers.empty() && !damped(layers))
+    return fmt::format("model = \"{}\" under a motion within the ground needs damped layers: undamped ones "
+                       "resonate on it without end; give them 'damping'",
+                       name(model));
   return {};
 }
 
@@ -124,7 +120,7 @@ std::string listed(const std::vector<SourceModel>& models) {
 
 std::vector<SourceModel> all_that_take(const Case& scene, double surface, const std::vector<Layer>& layers) {
   std::vector<SourceModel> models;
-  for (const SourceModel model : computed)
+  for (const SourceModel model : computed_models())
     if (takes(scene, model, surface, layers))
       models.push_back(model);
   return models;

@@ -46,7 +46,6 @@ constexpr std::array rules = {
     Rule{Severity::error, resting_sand_is_shaken_first},
     Rule{Severity::error, time_factor_is_allowed},
     Rule{Severity::error, loads_act_on_ground},
-    Rule{Severity::error, fe_is_marched_explicitly},
     Rule{Severity::error, structures_have_names},
     Rule{Severity::error, structures_are_simple},
     Rule{Severity::error, structures_lie_in_mesh},

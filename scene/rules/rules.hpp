@@ -83,9 +83,6 @@ void resting_sand_is_shaken_first(const Case& scene, Findings& findings);
 void time_factor_is_allowed(const Case& scene, Findings& findings);
 /// A load lies on soil, away from what it does not go with.
 void loads_act_on_ground(const Case& scene, Findings& findings);
-/// Finite-element columns of soil and water, of soil that remembers its geostatic stress, and under a wave at
-/// an angle, are marched by central differences.
-void fe_is_marched_explicitly(const Case& scene, Findings& findings);
 /// Names of structures can be those of results, and are different.
 void structures_have_names(const Case& scene, Findings& findings);
 /// Outlines and holes have an area and do not cross themselves, and holes lie inside.

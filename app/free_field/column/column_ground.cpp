@@ -17,17 +17,6 @@
 
 namespace tremolo::app {
 
-std::vector<std::string> column_model_names() {
-  std::vector<std::string> names;
-  for (const auto model : column_models)
-    names.emplace_back(scene::name(model));
-  return names;
-}
-
-scene::SourceModel column_model(std::string_view name) {
-  return *std::ranges::find(column_models, name, [](scene::SourceModel model) { return scene::name(model); });
-}
-
 ColumnGround column_ground(const std::filesystem::path& file, scene::SourceModel model) {
   auto scene = scene::load_free_field(file, model);
   const scene::SourceProcess source{.name = "column", .field = {model, {}}, .surface = scene.surface_level};

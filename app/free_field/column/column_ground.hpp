@@ -13,13 +13,6 @@
 
 namespace tremolo::app {
 
-/// The models that `tremolo column` computes.
-inline constexpr std::array column_models = {scene::SourceModel::wave, scene::SourceModel::fe,
-                                             scene::SourceModel::ode, scene::SourceModel::eql,
-                                             scene::SourceModel::mpm};
-std::vector<std::string> column_model_names();
-scene::SourceModel column_model(std::string_view name);
-
 /// A free field to compute alone, and where it stands.
 struct ColumnGround {
   scene::Case scene;

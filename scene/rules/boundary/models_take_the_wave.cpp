@@ -1,3 +1,4 @@
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/rules/free_field_limits.hpp"
 #include "scene/rules/rules.hpp"
@@ -31,8 +32,8 @@ void outcrop_has_a_factor(const Case& scene, Findings& findings) {
 /// A column under a motion within the ground ends where that motion is: at the top of the half-space.
 bool ends_above_the_base(const Case& scene, SourceModel model, double surface,
                          const std::vector<Layer>& layers) {
-  const bool column = model == SourceModel::fe || model == SourceModel::ode;
-  return scene.motion.kind == motion::MotionKind::within && column && scene.mesh.size > 0.0 &&
+  return scene.motion.kind == motion::MotionKind::within &&
+         traits(model).within == WithinMotion::moves_base && scene.mesh.size > 0.0 &&
          scene.mesh.box.y_min < base_level(surface, layers) - 1e-6;
 }
 

@@ -1,3 +1,4 @@
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/soils/ground_column.hpp"
@@ -110,7 +111,7 @@ void profile_is_that_of_side(const Case& scene, Findings& findings) {
        {std::tuple(&scene.boundary.left, "left", scene.mesh.box.x_min + inside),
         std::tuple(&scene.boundary.right, "right", scene.mesh.box.x_max - inside)}) {
     const SourceModel model = side->field.model;
-    if (layers(scene, *side).empty() || model == SourceModel::recording || model == SourceModel::external)
+    if (layers(scene, *side).empty() || !traits(model).computed)
       continue;
     const auto found = differences(scene, *side, x);
     if (!found.empty())

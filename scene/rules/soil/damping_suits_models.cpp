@@ -1,3 +1,4 @@
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/soils/domain_soils.hpp"
@@ -11,15 +12,6 @@
 namespace tremolo::scene {
 
 namespace {
-
-bool in_frequency_domain(SourceModel model) {
-  return model == SourceModel::wave || model == SourceModel::eql;
-}
-
-bool marched_in_time(SourceModel model) {
-  using enum SourceModel;
-  return model == fe || model == ode || model == mpm;
-}
 
 std::string without_model(double ratio) {
   return fmt::format("'damping' = {} has no effect without a damping model; set [damping] model, e.g. to "

@@ -1,5 +1,6 @@
 #include "motion/measures.hpp"
 #include "motion/read/read.hpp"
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/soils/domain_soils.hpp"
@@ -92,9 +93,8 @@ void frequencies_agree(const Case& scene, Findings& findings) {
   const Damping& damping = scene.damping;
   const auto& [sides, left, right, base] = scene.boundary;
   if (damping.model != rayleigh && damping.model != kelvin_voigt && damping.reference_hz &&
-      std::ranges::any_of(
-          std::array{left.field.model, right.field.model, base.field.model},
-          [](SourceModel model) { return model == SourceModel::wave || model == SourceModel::eql; }))
+      std::ranges::any_of(std::array{left.field.model, right.field.model, base.field.model},
+                          in_frequency_domain))
     findings.add("damping.model",
                  fmt::format("the damping of the domain is proportional to frequency, that of the free field "
                              "(\"{}\") hardly depends on it: they agree at {} Hz alone; model = "

@@ -1,3 +1,4 @@
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/rules/rules.hpp"
 
@@ -18,7 +19,7 @@ bool stands_under_weight(const Case& scene, std::size_t soil) {
     return true;
   const auto& [sides, left, right, base] = scene.boundary;
   return std::ranges::any_of(std::array{&left, &right}, [&](const LateralBoundary* side) {
-    return (side->field.model == SourceModel::fe || side->field.model == SourceModel::mpm) &&
+    return traits(side->field.model).effective_stress &&
            std::ranges::find(layers(scene, *side), std::optional(soil), &Layer::soil) !=
                layers(scene, *side).end();
   });

@@ -1,3 +1,4 @@
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/rest/fast_rest.hpp"
 #include "scene/plan/wave/arrival.hpp"
 #include "scene/rules/rules.hpp"
@@ -28,7 +29,7 @@ void look_for_other_fields(const Case& scene, Findings& findings) {
   for (const auto& [key, model] :
        {std::pair{"boundary.left", left.field.model}, std::pair{"boundary.right", right.field.model},
         std::pair{"boundary.base", base.field.model}})
-    if (model == SourceModel::recording || model == SourceModel::external)
+    if (!traits(model).computed && model != SourceModel::shaking_table)
       findings.add(key, fmt::format("the free field must have the same rest, at {:g} s, with the same "
                                     "'time_factor' = {:g}, which cannot be checked here",
                                     scene.shaking.duration, scene.rest->time_factor));

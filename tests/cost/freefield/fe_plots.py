@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Draws the FE column's studies into a folder.
+"""Draws the response of PRENOLIN's profile P1 into a folder.
 
-    cost_fe_work_precision > wp.csv
     cost_fe_prenolin $TREMOLO_REFERENCE/records/prenolin_P1_sem2dpack/inputp1 > p1.csv
-    fe_plots.py docs/free-fields/pictures --work-precision wp.csv --prenolin p1.csv
+    fe_plots.py docs/free-fields/pictures p1.csv
 """
 
 import argparse
@@ -15,28 +14,6 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-
-MARKS = {"central differences": "o-", "Newmark": "s", "HHT -0.1": "^", "Newmark (initial tangent)": "x"}
-
-
-def work_precision(path, folder):
-    runs = defaultdict(lambda: defaultdict(list))
-    with open(path, encoding="utf-8") as file:
-        for row in csv.DictReader(file):
-            runs[row["problem"]][row["scheme"]].append((float(row["cpu_s"]), float(row["relative_error"])))
-    figure, axes = plt.subplots(1, len(runs), figsize=(9.5, 4.0), sharey=True)
-    for axis, (problem, schemes) in zip(axes, runs.items()):
-        for scheme, points in schemes.items():
-            cost, error = zip(*sorted(points))
-            axis.loglog(cost, error, MARKS[scheme], label=scheme, markersize=5, alpha=0.8)
-        axis.set_title({"linear": "damped layer on rock", "simple wave": "hyperbolic simple wave"}[problem])
-        axis.set_xlabel("CPU time (s)")
-        axis.grid(True, which="major", alpha=0.4)
-    axes[0].set_ylabel("RMS error of velocity / peak")
-    axes[1].legend(fontsize=8)
-    figure.tight_layout()
-    figure.savefig(folder / "fe-work-precision.png", dpi=110)
-
 
 def prenolin(path, folder):
     history = defaultdict(list)
@@ -67,13 +44,9 @@ def prenolin(path, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--work-precision", type=pathlib.Path)
-    parser.add_argument("--prenolin", type=pathlib.Path)
+    parser.add_argument("table", type=pathlib.Path)
     arguments = parser.parse_args()
-    if arguments.work_precision:
-        work_precision(arguments.work_precision, arguments.folder)
-    if arguments.prenolin:
-        prenolin(arguments.prenolin, arguments.folder)
+    prenolin(arguments.table, arguments.folder)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
 // named, two columns, time and velocity; prints three tables: histories, peak profile, loop at the largest
 // strain.
 
-#include "freefield/fe/fe_column.hpp"
+#include "freefield/twophase/two_phase_column.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,16 +46,16 @@ InputVelocity record(const std::string& path) {
   };
 }
 
-FeColumn column(bool linear, const InputVelocity& motion) {
+TwoPhaseColumn column(bool linear, const InputVelocity& motion) {
   const Elasticity soil = Elasticity::from_wave_speeds(2000.0, 300.0, 700.0);
   const Layer layer = linear ? Layer{height, soil}
                              : layer_of(height, MasingShear{.elastic = soil, .reference_strain = 3.65e-4});
   return {{.layers = {layer}, .half_space = soil},
-          {.max_element_size = element, .time_step = 2.5e-4, .base = BaseKind::rigid, .hht_alpha = -0.1},
+          {.max_element_size = element, .time_step = 2.5e-4, .base = BaseKind::rigid},
           motion};
 }
 
-void respond(const char* name, FeColumn soil) {
+void respond(const char* name, TwoPhaseColumn soil) {
   std::vector<double> levels;
   for (int i = 0; i < static_cast<int>(height / element); ++i) {
     levels.push_back(-height + (i + 0.5) * element);

@@ -65,16 +65,24 @@ void march(benchmark::State& state, Made made) {
   }
 }
 
-MarchedColumn marched(const Profile& ground, double element, double peak) {
+MarchedColumn marched(const Profile& ground, double element, double peak, double growth) {
   const Damping damping = KelvinVoigtDamping{5.0};
-  const double limit = marched_step_limit(ground, element, slowness, damping, 2.0);
+  const double limit = marched_step_limit(ground, element, slowness, damping, growth);
   return {ground,
           {.max_element_size = element, .time_step = 0.9 * limit, .slowness_x = slowness, .damping = damping},
           strong_shaking(peak, angle)};
 }
 
+void mkz_vertical(benchmark::State& state) {
+  march(state, [] {
+    const double limit = two_phase_step_limit(mkz_profile(), 0.5, Damping{});
+    return TwoPhaseColumn(mkz_profile(), {.max_element_size = 0.5, .time_step = 0.8 * limit},
+                          strong_shaking(0.3));
+  });
+}
+
 void mkz_marched(benchmark::State& state) {
-  march(state, [] { return marched(mkz_profile(), 0.5, 0.3); });
+  march(state, [] { return marched(mkz_profile(), 0.5, 0.3, 1.0); });
 }
 
 void pm4sand_vertical(benchmark::State& state) {
@@ -87,9 +95,10 @@ void pm4sand_vertical(benchmark::State& state) {
 }
 
 void pm4sand_marched(benchmark::State& state) {
-  march(state, [] { return marched(sand(), 0.25, 0.1); });
+  march(state, [] { return marched(sand(), 0.25, 0.1, 2.0); });
 }
 
+BENCHMARK(mkz_vertical)->Arg(40)->Unit(benchmark::kMillisecond);
 BENCHMARK(mkz_marched)->Arg(40)->Unit(benchmark::kMillisecond);
 BENCHMARK(pm4sand_vertical)->Arg(40)->Unit(benchmark::kMillisecond);
 BENCHMARK(pm4sand_marched)->Arg(40)->Unit(benchmark::kMillisecond);

@@ -7,6 +7,7 @@
 #include "drawn_case.hpp"
 #include "started.hpp"
 
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/plan.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -129,7 +130,7 @@ protected:
   std::size_t expect_columns_run(const Draw& draw) const {
     const auto file = folder_.write("column.toml", column_text(draw));
     return static_cast<std::size_t>(std::ranges::count_if(
-        app::column_models, [&](scene::SourceModel model) { return expect_column_runs(file, model); }));
+        scene::computed_models(), [&](scene::SourceModel model) { return expect_column_runs(file, model); }));
   }
 
 private:

@@ -147,11 +147,6 @@ std::string Text::profile() const {
 
 std::string Text::numerics() const {
   std::string text = "[fe]\nelement_size = 0.5\n";
-  for (const std::string_view integrator : {"newmark", "hht"})
-    if (has("left", integrator))
-      text += fmt::format("integrator = \"{}\"\n", integrator);
-  if (has("left", "initial"))
-    text += "tangent = \"initial\"\n";
   for (const std::string_view step : {"1e-4", "0.5"})
     if (has("left", step))
       text += fmt::format("dt = {}\n", step);
@@ -251,9 +246,7 @@ std::string Text::domain() const {
 
 const std::vector<Factor>& factors() {
   static const std::vector<Factor> all = {
-      {"left",
-       {"wave", "fe", "fe newmark", "fe hht initial", "fe 1e-4", "fe 0.5", "ode", "ode adams", "ode bdf",
-        "ode imex", "eql", "mpm"}},
+      {"left", {"wave", "fe", "fe 1e-4", "fe 0.5", "ode", "ode adams", "ode bdf", "ode imex", "eql", "mpm"}},
       {"right", {"as left", "wave", "fe", "ode", "eql", "mpm"}},
       {"base", {"as left", "wave", "fe", "ode", "eql", "mpm", "shaking_table"}},
       {"form", {"blended", "total", "incident"}},

@@ -59,7 +59,7 @@ std::vector<Ground> grounds() {
 double largest_eigenvalue(const Profile& profile, BaseKind base, double share_of_critical,
                           double share_of_limit) {
   const ColumnMesh mesh = mesh_profile(profile, 1.0);
-  const FeSoil soil(profile, mesh);
+  const ColumnSoil soil(profile, mesh);
   MarchedState rest(wet_grid(profile, mesh, {}, false), soil);
   std::vector<double> moduli;
   soil.p_moduli(rest.soil, moduli);

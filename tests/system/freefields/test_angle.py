@@ -115,10 +115,6 @@ class Column(unittest.TestCase):
                 result = work.command("column", work.case, "--model", model, "--out", "out.h5")
                 self.assertEqual(2, result.returncode, result.stdout)
                 self.assertRegex(result.stderr, why)
-        with self.at(10.0, SAND_UNDER_WATER) as work:
-            work.case.write_text(work.case.read_text().replace("[fe]\n", '[fe]\nintegrator = "newmark"\n'))
-            result = work.command("column", work.case, "--model", "fe", "--out", "out.h5")
-            self.assertIn("remove 'integrator'", result.stderr)
 
     def test_a_base_that_moves_at_an_angle(self):
         """`within`: the base moves as v(t - s x); at the reference point that is the record itself."""

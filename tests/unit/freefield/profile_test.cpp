@@ -1,4 +1,4 @@
-#include "freefield/fe/column_mesh.hpp"
+#include "freefield/column_mesh.hpp"
 #include "freefield/profile.hpp"
 
 #include <gmock/gmock.h>

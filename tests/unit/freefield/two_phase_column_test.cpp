@@ -1,7 +1,7 @@
 // The column of soil and water where another one says the same: without water, without drainage, in total
 // stress; its start, its limits, and what it refuses.
 
-#include "freefield/fe/fe_column.hpp"
+#include "freefield/ode/ode_column.hpp"
 #include "freefield/twophase/step_limit.hpp"
 #include "materials/law/law.hpp"
 #include "tests/support/saturated_ground.hpp"
@@ -60,15 +60,7 @@ Difference difference(A& a, B& b, double until) {
   return found;
 }
 
-FeColumnSettings single_phase(const TwoPhaseSettings& settings) {
-  return {.max_element_size = settings.max_element_size,
-          .time_step = settings.time_step,
-          .integrator = Integrator::central_difference,
-          .damping = settings.damping,
-          .base = settings.base};
-}
-
-TEST(TwoPhaseColumn, WithoutWaterIsTheColumnOfOnePhase) {
+TEST(TwoPhaseColumn, WithoutWaterIsTheColumnByTheMethodOfLines) {
   const auto elastic = materials::Elasticity::from_wave_speeds(1700.0, 150.0, 300.0);
   Profile profile{
       0.0,
@@ -78,10 +70,14 @@ TEST(TwoPhaseColumn, WithoutWaterIsTheColumnOfOnePhase) {
     const TwoPhaseSettings settings{
         .max_element_size = 0.5, .time_step = 2e-4, .damping = KelvinVoigtDamping{3.0}, .base = base};
     const auto input = [](double t) { return pulse(t); };
-    TwoPhaseColumn wet(profile, settings, input);
-    FeColumn dry(profile, single_phase(settings), input);
-    // Both are of second order, and take the base's motion and the damping half a step apart.
-    EXPECT_LT(difference(wet, dry, 2.0).largest, 2e-3);
+    TwoPhaseColumn elements(profile, settings, input);
+    OdeColumnSettings lines{.max_cell_size = 0.125, .time_step = 2e-4};
+    lines.relative_tolerance = 1e-7;
+    lines.absolute_tolerance = 1e-9;
+    lines.damping = settings.damping;
+    lines.base = base;
+    OdeColumn cells(profile, lines, input);
+    EXPECT_LT(difference(elements, cells, 2.0).largest, 1e-2);
   }
 }
 
@@ -101,7 +97,7 @@ TEST(TwoPhaseColumn, WithoutFlowIsTheColumnInTotalStress) {
     for (Layer& layer : wet.layers)
       layer.pores->drainage = drainage;
     TwoPhaseColumn column(wet, settings, input);
-    FeColumn reference(total, single_phase(settings), input);
+    TwoPhaseColumn reference(total, settings, input);
     EXPECT_LT(difference(column, reference, 1.5).largest, 2e-3) << tremolo::name(drainage);
   }
 }
@@ -115,7 +111,7 @@ TEST(TwoPhaseColumn, DrainedSoilIsTheSkeletonWithTheMassOfBoth) {
   const TwoPhaseSettings settings{.max_element_size = 0.5, .time_step = 1e-3};
   const auto input = [](double t) { return pulse(t); };
   TwoPhaseColumn column(wet, settings, input);
-  FeColumn reference(skeleton, single_phase(settings), input);
+  TwoPhaseColumn reference(skeleton, settings, input);
   EXPECT_LT(difference(column, reference, 2.0).largest, 5e-3);
 }
 
@@ -131,7 +127,7 @@ TEST(TwoPhaseColumn, BeginsWithTheEffectiveStress) {
   validate(profile);
   EXPECT_DOUBLE_EQ(profile.hydrostatic_pressure(-5.0), 3.0 * unit_weight);
   const ColumnMesh mesh = mesh_profile(profile, 0.5);
-  const FeSoil soil(profile, mesh);
+  const ColumnSoil soil(profile, mesh);
   const double overburden = 2.0 * 1590.0 * gravity + 7.75 * 990.0 * gravity;
   EXPECT_NEAR(soil.initial().syy.front(), -overburden, 1e-6 * overburden);
   const double at_rest = 0.3 / 0.7;
@@ -139,9 +135,9 @@ TEST(TwoPhaseColumn, BeginsWithTheEffectiveStress) {
 
   // Free water loads the ground, and the pores as much.
   Profile under_sea = wet_profile({below});
-  const FeSoil dry_shore(under_sea, mesh_profile(under_sea, 0.5));
+  const ColumnSoil dry_shore(under_sea, mesh_profile(under_sea, 0.5));
   under_sea.water->level = 50.0;
-  const FeSoil sea_bed(under_sea, mesh_profile(under_sea, 0.5));
+  const ColumnSoil sea_bed(under_sea, mesh_profile(under_sea, 0.5));
   EXPECT_NEAR(sea_bed.initial().syy.front(), dry_shore.initial().syy.front(), 1e-6);
 }
 
@@ -268,8 +264,6 @@ TEST(TwoPhaseColumn, RefusesWhatItCannotMarch) {
   Profile high = profile;
   high.water->level = -3.0;
   EXPECT_THAT([&] { validate(high); }, ThrowsMessage<std::invalid_argument>(HasSubstr("water table, -3 m")));
-  EXPECT_THAT([&] { FeColumn(profile, {.max_element_size = 0.5, .time_step = 1e-4}, at_rest); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("one phase")));
 }
 
 } // namespace

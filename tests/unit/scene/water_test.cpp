@@ -168,12 +168,10 @@ TEST_F(GroundWaterCase, WrongUnitsAndPlacesAreTold) {
               ElementsAre(HasSubstr("no soil lies below the water table")));
 }
 
-TEST_F(GroundWaterCase, WithoutGravityOrWithImplicitStepsItIsRefused) {
+TEST_F(GroundWaterCase, WithoutGravityItIsRefused) {
   auto light = ground(join(elastic, pores));
   light = with("[[stage]]\nkind = \"gravity\"\n", "", light);
   EXPECT_THAT(errors(light), ElementsAre(HasSubstr("add a [[stage]] of kind = \"gravity\"")));
-  EXPECT_THAT(errors(ground(join(elastic, pores), "[water]\nlevel = -2.0\n", "integrator = \"newmark\"\n")),
-              ElementsAre(HasSubstr("marched by central differences")));
 }
 
 /// c_1 of n = 0.4 and M = 51 MPa is 1,859 m/s: SV waves in rock of 760 m/s are critical there from 24.1
@@ -193,24 +191,10 @@ TEST_F(GroundWaterCase, FiniteElementsTakeAnAngleBelowTheCriticalOne) {
                         HasSubstr("use model = \"wave\""))));
 }
 
-TEST_F(GroundWaterCase, FiniteElementsAtAnAngleAreMarchedExplicitly) {
-  const auto dry = [&](const std::string& angle, const std::string& more) {
-    return errors(with("angle_deg = 0.0", "angle_deg = " + angle,
-                       ground(join(elastic, "density = 1700.0\n"), "", more)));
-  };
-  EXPECT_THAT(dry("0.0", "integrator = \"newmark\"\n"), IsEmpty());
-  EXPECT_THAT(dry("10.0", ""), IsEmpty());
-  EXPECT_THAT(dry("10.0", "integrator = \"newmark\"\n"),
-              ElementsAre(HasSubstr("a column under a wave at an angle is marched by central differences")));
-}
-
 /// Sand without water begins with the stress of its weight as well.
 TEST_F(GroundWaterCase, FiniteElementsTakeDrySandThatHasWeight) {
   const auto sand = ground(join(pm4sand, "density = 1700.0\n"), "");
   EXPECT_THAT(errors(sand), IsEmpty());
-  EXPECT_THAT(
-      errors(sand + "integrator = \"newmark\"\n"),
-      ElementsAre(HasSubstr("soil that remembers its geostatic stress is marched by central differences")));
   EXPECT_THAT(errors(with("[[stage]]\nkind = \"gravity\"\n", "", sand)),
               ElementsAre(HasSubstr("add a [[stage]] of kind = \"gravity\"")));
 }

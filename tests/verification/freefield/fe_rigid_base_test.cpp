@@ -1,7 +1,7 @@
 // A Kelvin-Voigt layer on a rigid base that moves as prescribed. Per frequency the motion at height z above
 // the base is cos(k*(H - z))/cos(k*H) times that of the base, k* = w sqrt(rho/(G (1 + i w beta))).
 
-#include "freefield/fe/fe_column.hpp"
+#include "freefield/twophase/two_phase_column.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,6 +22,8 @@ constexpr double pulse_frequency = 4.0;
 constexpr double pulse_time = 0.4;
 constexpr double damping_frequency = 3.0;
 constexpr double damping_ratio = 0.05;
+/// Of the pulse, m/s: so small that the length of an element, which the closed form keeps, hardly changes.
+constexpr double amplitude = 1e-4;
 const Elasticity soil = Elasticity::from_wave_speeds(2000.0, 300.0, 700.0);
 
 double pulse(double t) {
@@ -55,24 +57,16 @@ Exact exact(double speed, double z, double time) {
   return sum;
 }
 
-struct Scheme {
-  Integrator integrator;
-  double hht_alpha;
-  bool law;
-};
-
 /// Largest errors of velocity, displacement and strain of both components, relative to the peaks.
-std::array<double, 3> errors(double size, double dt, const Scheme& scheme) {
+std::array<double, 3> errors(double size, double dt, bool with_law) {
   const Layer layer =
-      scheme.law ? layer_of(height, LinearElastic{soil}, damping_ratio) : Layer{height, soil, damping_ratio};
-  const FeColumnSettings settings{.max_element_size = size,
+      with_law ? layer_of(height, LinearElastic{soil}, damping_ratio) : Layer{height, soil, damping_ratio};
+  const TwoPhaseSettings settings{.max_element_size = size,
                                   .time_step = dt,
-                                  .integrator = scheme.integrator,
                                   .damping = KelvinVoigtDamping{damping_frequency},
-                                  .base = BaseKind::rigid,
-                                  .hht_alpha = scheme.hht_alpha};
-  FeColumn column({.layers = {layer}, .half_space = soil}, settings, [](double t) {
-    return Velocity{pulse(t), 0.5 * pulse(t)};
+                                  .base = BaseKind::rigid};
+  TwoPhaseColumn column({.layers = {layer}, .half_space = soil}, settings, [](double t) {
+    return Velocity{amplitude * pulse(t), 0.5 * amplitude * pulse(t)};
   });
   constexpr std::array<double, 4> heights = {0.0, 7.3, 15.0, 20.0};
   std::array<double, 4> levels;
@@ -94,7 +88,7 @@ std::array<double, 3> errors(double size, double dt, const Scheme& scheme) {
       const std::array<double, 6> expected = {x.velocity, x.displacement, x.strain,
                                               y.velocity, y.displacement, y.strain};
       for (std::size_t q = 0; q < 6; ++q) {
-        error[q % 3] = std::max(error[q % 3], std::abs(computed[q] - expected[q]));
+        error[q % 3] = std::max(error[q % 3], std::abs(computed[q] / amplitude - expected[q]));
         peak[q % 3] = std::max(peak[q % 3], std::abs(expected[q]));
       }
     }
@@ -102,11 +96,10 @@ std::array<double, 3> errors(double size, double dt, const Scheme& scheme) {
   return {error[0] / peak[0], error[1] / peak[1], error[2] / peak[2]};
 }
 
-class RigidBase : public ::testing::TestWithParam<Scheme> {};
+class RigidBase : public ::testing::TestWithParam<bool> {};
 
 TEST_P(RigidBase, FollowsTheTransferFunctionAtOrderTwo) {
-  // Stiffness-proportional damping limits the explicit step to 2.4e-5 s on the finer mesh.
-  const double dt = GetParam().integrator == Integrator::newmark ? 2e-3 : 4e-5;
+  constexpr double dt = 8e-5; // damping limits the step to 4.8e-5 s on the finer mesh
   const auto coarse = errors(1.0, dt, GetParam());
   const auto fine = errors(0.5, dt / 2.0, GetParam());
   for (std::size_t q = 0; q < 3; ++q) {
@@ -116,11 +109,6 @@ TEST_P(RigidBase, FollowsTheTransferFunctionAtOrderTwo) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, RigidBase,
-                         ::testing::Values(Scheme{Integrator::newmark, 0.0, false},
-                                           Scheme{Integrator::newmark, -0.1, false},
-                                           Scheme{Integrator::central_difference, 0.0, false},
-                                           Scheme{Integrator::newmark, 0.0, true},
-                                           Scheme{Integrator::central_difference, 0.0, true}));
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutALaw, RigidBase, ::testing::Bool());
 
 } // namespace

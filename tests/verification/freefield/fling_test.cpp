@@ -2,7 +2,6 @@
 // in its incident part says takes the ground with it by 2 m, and a rigid base that moves by 1 m by 1 m,
 // whatever the damping.
 
-#include "freefield/fe/fe_column.hpp"
 #include "freefield/marched/marched_column.hpp"
 #include "freefield/ode/ode_column.hpp"
 #include "freefield/twophase/two_phase_column.hpp"
@@ -59,32 +58,6 @@ void expect_displacement(Column& column, double expected) {
   expect_displacement(column, expected, -0.5 * expected);
 }
 
-FeColumnSettings fe(Integrator integrator, BaseKind base = BaseKind::compliant) {
-  return {.max_element_size = 1.0,
-          .time_step = integrator == Integrator::newmark ? 4e-3 : 2.5e-4,
-          .integrator = integrator,
-          .damping = rayleigh,
-          .base = base};
-}
-
-TEST(Fling, IsWholeInLinearFiniteElements) {
-  for (const Integrator integrator : {Integrator::newmark, Integrator::central_difference}) {
-    FeColumn over_rock(ground(), fe(integrator), fling);
-    expect_displacement(over_rock, 2.0 * permanent);
-    FeColumn on_rigid_base(ground(), fe(integrator, BaseKind::rigid), fling);
-    expect_displacement(on_rigid_base, permanent);
-  }
-}
-
-TEST(Fling, IsWholeInNonlinearFiniteElements) {
-  for (const Integrator integrator : {Integrator::newmark, Integrator::central_difference}) {
-    Profile profile = ground();
-    profile.layers[0].law = materials::LinearElastic{profile.layers[0].soil};
-    FeColumn column(profile, fe(integrator), fling);
-    expect_displacement(column, 2.0 * permanent);
-  }
-}
-
 TEST(Fling, IsWholeByTheMethodOfLines) {
   for (const OdeMethod method : {OdeMethod::bdf, OdeMethod::imex, OdeMethod::explicit_runge_kutta}) {
     OdeColumnSettings settings;
@@ -99,14 +72,8 @@ TEST(Fling, IsWholeByTheMethodOfLines) {
   }
 }
 
-TEST(Fling, IsWholeInTwoPhases) {
+void expect_displacement_of_elements(const Profile& profile) {
   for (const BaseKind base : {BaseKind::compliant, BaseKind::rigid}) {
-    Profile profile = ground();
-    profile.gravity = 9.81;
-    profile.water = WaterTable{-4.0, {}};
-    Layer& wet = profile.layers[1];
-    wet.pores = materials::PoreSpace{.porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3};
-    wet.soil.density = materials::saturated_density(*wet.pores, profile.water->fluid);
     const TwoPhaseSettings settings{.max_element_size = 1.0,
                                     .time_step = 0.8 * two_phase_step_limit(profile, 1.0, rayleigh),
                                     .damping = rayleigh,
@@ -114,6 +81,20 @@ TEST(Fling, IsWholeInTwoPhases) {
     TwoPhaseColumn column(profile, settings, fling);
     expect_displacement(column, base == BaseKind::rigid ? permanent : 2.0 * permanent);
   }
+}
+
+TEST(Fling, IsWholeInDryElements) {
+  expect_displacement_of_elements(ground());
+}
+
+TEST(Fling, IsWholeInTwoPhases) {
+  Profile profile = ground();
+  profile.gravity = 9.81;
+  profile.water = WaterTable{-4.0, {}};
+  Layer& wet = profile.layers[1];
+  wet.pores = materials::PoreSpace{.porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3};
+  wet.soil.density = materials::saturated_density(*wet.pores, profile.water->fluid);
+  expect_displacement_of_elements(profile);
 }
 
 /// At an angle the ground comes to rest where the outcrop would: Z v = B v_inc. What is missing of the energy

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "freefield/fe/column_mesh.hpp"
+#include "freefield/column_mesh.hpp"
 #include "freefield/profile.hpp"
 #include "materials/law/law.hpp"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -17,15 +16,12 @@ struct SoilState {
   std::vector<double> plastic_work; ///< J/m3
 };
 
-/// d (sxy, syy) / d (gxy, eyy) of one element, Pa: { xx, xy, yx, yy }.
-using Stiffness = std::array<double, 4>;
-
 /// The soil of a column: the law of each layer at the centres of its elements, in one block a layer.
-class FeSoil {
+class ColumnSoil {
 public:
   /// @throws std::invalid_argument naming the layer and the depth where the geostatic stress is more than the
   ///         soil's strength
-  FeSoil(const Profile& profile, const ColumnMesh& mesh);
+  ColumnSoil(const Profile& profile, const ColumnMesh& mesh);
 
   /// Geostatic stress and no history.
   const SoilState& initial() const { return initial_; }
@@ -40,14 +36,6 @@ public:
   /// From now on all soil reconsolidates by materials::after_shaking(). Stress and history of a state stay:
   /// laws are incremental, so only their rates change.
   void reconsolidate();
-
-  /// The stiffness at small strain.
-  const std::vector<Stiffness>& initial_stiffness() const { return initial_stiffness_; }
-
-  /// The derivative of update() with respect to its strain increments, by forward differences in the
-  /// direction of the increment; `end` is what update() makes of `begin`.
-  void tangents(const SoilState& begin, const SoilState& end, const std::vector<double>& deyy,
-                const std::vector<double>& dgxy, std::vector<Stiffness>& stiffness) const;
 
   /// M of each element at its present stress, elastic, Pa; of laws whose stiffness falls with strain or
   /// fabric that without it.
@@ -77,7 +65,6 @@ private:
   std::vector<Block> blocks_; ///< from the base up
   bool resting_ = false;
   std::vector<double> no_strain_;
-  std::vector<Stiffness> initial_stiffness_;
   SoilState initial_;
 };
 

@@ -1,4 +1,4 @@
-#include "freefield/fe/fe_soil.hpp"
+#include "freefield/column_soil.hpp"
 
 #include "base/require.hpp"
 
@@ -8,11 +8,6 @@
 
 namespace tremolo::freefield {
 namespace {
-
-/// Strain by which a tangent looks ahead: small against the step's own increment, large against rounding.
-double look_ahead(double increment) {
-  return std::copysign(1e-5 * std::abs(increment) + 1e-10, increment);
-}
 
 /// Fills the effective syy = -rho g depth + pore pressure at the element centres, and K0 of it sideways.
 void set_geostatic(SoilState& state, const Profile& profile, const ColumnMesh& mesh) {
@@ -31,14 +26,12 @@ void set_geostatic(SoilState& state, const Profile& profile, const ColumnMesh& m
 
 } // namespace
 
-FeSoil::FeSoil(const Profile& profile, const ColumnMesh& mesh)
-    : no_strain_(mesh.elements()), initial_stiffness_(mesh.elements()) {
+ColumnSoil::ColumnSoil(const Profile& profile, const ColumnMesh& mesh) : no_strain_(mesh.elements()) {
   const std::size_t n = mesh.elements();
   for (auto* stress : {&initial_.sxx, &initial_.syy, &initial_.szz, &initial_.sxy, &initial_.plastic_work})
     stress->resize(n);
   for (std::size_t e = 0; e < n; ++e) {
     const Layer& layer = profile.layers[mesh.element_layer[e]];
-    initial_stiffness_[e] = {layer.soil.shear_modulus(), 0.0, 0.0, layer.soil.p_modulus()};
     if (e == 0 || mesh.element_layer[e] != mesh.element_layer[e - 1]) {
       blocks_.push_back(
           {layer.law.value_or(materials::LinearElastic{layer.soil}), e, 0, initial_.history.size()});
@@ -51,7 +44,7 @@ FeSoil::FeSoil(const Profile& profile, const ColumnMesh& mesh)
 }
 
 /// The geostatic state, refused where it is beyond the soil's strength: no strain must leave it as it is.
-void FeSoil::start(const Profile& profile, const ColumnMesh& mesh) {
+void ColumnSoil::start(const Profile& profile, const ColumnMesh& mesh) {
   set_geostatic(initial_, profile, mesh);
   const SoilState wanted = initial_;
   for (const Block& block : blocks_)
@@ -72,7 +65,7 @@ void FeSoil::start(const Profile& profile, const ColumnMesh& mesh) {
   }
 }
 
-materials::Points FeSoil::points(SoilState& state, const Block& block) const {
+materials::Points ColumnSoil::points(SoilState& state, const Block& block) const {
   const std::size_t first = block.first;
   return {.count = block.count,
           .sxx = state.sxx.data() + first,
@@ -87,8 +80,8 @@ materials::Points FeSoil::points(SoilState& state, const Block& block) const {
           .dwxy = no_strain_.data() + first};
 }
 
-void FeSoil::update(SoilState& state, const std::vector<double>& dexx, const std::vector<double>& deyy,
-                    const std::vector<double>& dgxy) const {
+void ColumnSoil::update(SoilState& state, const std::vector<double>& dexx, const std::vector<double>& deyy,
+                        const std::vector<double>& dgxy) const {
   for (const Block& block : blocks_) {
     materials::Points moved = points(state, block);
     moved.dexx = dexx.data() + block.first;
@@ -98,7 +91,7 @@ void FeSoil::update(SoilState& state, const std::vector<double>& dexx, const std
   }
 }
 
-void FeSoil::reconsolidate() {
+void ColumnSoil::reconsolidate() {
   if (resting_)
     return;
   resting_ = true;
@@ -106,27 +99,7 @@ void FeSoil::reconsolidate() {
     block.law = materials::after_shaking(block.law);
 }
 
-void FeSoil::tangents(const SoilState& begin, const SoilState& end, const std::vector<double>& deyy,
-                      const std::vector<double>& dgxy, std::vector<Stiffness>& stiffness) const {
-  const std::size_t n = deyy.size();
-  stiffness.resize(n);
-  for (const bool shear : {true, false}) {
-    std::vector<double> ahead_eyy = deyy;
-    std::vector<double> ahead_gxy = dgxy;
-    std::vector<double>& ahead = shear ? ahead_gxy : ahead_eyy;
-    for (double& increment : ahead)
-      increment += look_ahead(increment);
-    SoilState state = begin;
-    update(state, ahead_eyy, ahead_gxy);
-    for (std::size_t e = 0; e < n; ++e) {
-      const double step = shear ? ahead[e] - dgxy[e] : ahead[e] - deyy[e];
-      stiffness[e][shear ? 0 : 1] = (state.sxy[e] - end.sxy[e]) / step;
-      stiffness[e][shear ? 2 : 3] = (state.syy[e] - end.syy[e]) / step;
-    }
-  }
-}
-
-void FeSoil::p_moduli(SoilState& state, std::vector<double>& moduli) const {
+void ColumnSoil::p_moduli(SoilState& state, std::vector<double>& moduli) const {
   moduli.resize(no_strain_.size());
   for (const Block& block : blocks_) {
     const std::size_t variables = materials::state_variables(block.law).size();
@@ -139,7 +112,7 @@ void FeSoil::p_moduli(SoilState& state, std::vector<double>& moduli) const {
   }
 }
 
-double FeSoil::elastic_energy(const SoilState& state, std::size_t e, double eyy) const {
+double ColumnSoil::elastic_energy(const SoilState& state, std::size_t e, double eyy) const {
   const auto block =
       std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return e < b.first + b.count; });
   const materials::Elasticity& soil = materials::elasticity(block->law);

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "scene/choices.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tremolo::scene {
+
+/// Angles of incidence that a model takes.
+enum class Incidence {
+  any,            ///< any at which there is an incident wave
+  below_critical, ///< below the first critical angle of its ground
+  vertical
+};
+
+/// How a model answers to a motion within the ground.
+enum class WithinMotion {
+  moves_base, ///< its base is rigid there and moves as the motion says: it ends at the top of the half-space
+  divides,    ///< divides by the transfer function, which damped layers alone allow
+  refuses
+};
+
+/// What a model of a free field is and takes.
+struct FreeFieldTraits {
+  SourceModel model;
+  std::string_view program;    ///< that serves it; empty for one of the user's own
+  bool computed = false;       ///< from the ground of the case file, as `column` and `swap` do
+  bool marched_in_time = false; ///< if computed; otherwise it is in the frequency domain
+  Incidence incidence = Incidence::any;
+  WithinMotion within = WithinMotion::refuses;
+  bool effective_stress = false; ///< begins with the stress of its weight and knows pore pressure
+};
+
+inline constexpr std::array free_field_traits = {
+    FreeFieldTraits{.model = SourceModel::wave,
+                    .program = "tremolo-wave",
+                    .computed = true,
+                    .within = WithinMotion::divides},
+    FreeFieldTraits{.model = SourceModel::fe,
+                    .program = "tremolo-column",
+                    .computed = true,
+                    .marched_in_time = true,
+                    .incidence = Incidence::below_critical,
+                    .within = WithinMotion::moves_base,
+                    .effective_stress = true},
+    FreeFieldTraits{.model = SourceModel::ode,
+                    .program = "tremolo-column",
+                    .computed = true,
+                    .marched_in_time = true,
+                    .incidence = Incidence::vertical,
+                    .within = WithinMotion::moves_base},
+    FreeFieldTraits{.model = SourceModel::eql, .program = "tremolo-wave", .computed = true},
+    FreeFieldTraits{.model = SourceModel::mpm,
+                    .program = "tremolo-domain",
+                    .computed = true,
+                    .marched_in_time = true,
+                    .incidence = Incidence::vertical,
+                    .effective_stress = true},
+    FreeFieldTraits{.model = SourceModel::recording, .program = "tremolo-recording"},
+    FreeFieldTraits{.model = SourceModel::external, .program = ""},
+    FreeFieldTraits{.model = SourceModel::shaking_table, .program = "tremolo-wave"}};
+
+constexpr const FreeFieldTraits& traits(SourceModel model) {
+  return *std::ranges::find(free_field_traits, model, &FreeFieldTraits::model);
+}
+
+constexpr bool marched_in_time(SourceModel model) {
+  return traits(model).marched_in_time;
+}
+
+constexpr bool in_frequency_domain(SourceModel model) {
+  return traits(model).computed && !traits(model).marched_in_time;
+}
+
+/// Those that are computed from the ground of the case file.
+inline std::vector<SourceModel> computed_models() {
+  std::vector<SourceModel> models;
+  for (const FreeFieldTraits& one : free_field_traits)
+    if (one.computed)
+      models.push_back(one.model);
+  return models;
+}
+
+inline std::vector<std::string> names_of_computed_models() {
+  std::vector<std::string> names;
+  for (const SourceModel model : computed_models())
+    names.emplace_back(name(model));
+  return names;
+}
+
+/// @param word  one of names_of_computed_models()
+inline SourceModel computed_model(std::string_view word) {
+  const auto models = computed_models();
+  return *std::ranges::find(models, word, [](SourceModel model) { return name(model); });
+}
+
+} // namespace tremolo::scene
