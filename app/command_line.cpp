@@ -167,12 +167,13 @@ Command::Command(CLI::App& app) : app_(app) {}
 Command::~Command() = default;
 
 Command* Command::add_subcommand(const std::string& name, const std::string& description) {
-  return commands_.emplace_back(std::make_unique<Command>(*app_.add_subcommand(name, description))).get();
+  CLI::App& command = *app_.add_subcommand(name, description)->group(group_);
+  return commands_.emplace_back(std::make_unique<Command>(command)).get();
 }
 
 void Command::add_relay(const std::string& name, const std::string& description,
                         const std::function<void(const std::vector<std::string>&)>& action) {
-  auto* command = app_.add_subcommand(name, description);
+  auto* command = app_.add_subcommand(name, description)->group(group_);
   commands_.emplace_back(std::make_unique<Command>(*command))->relay_ = true;
   command->prefix_command();
   command->set_help_flag();

@@ -60,6 +60,8 @@ public:
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;
 
+  /// Commands that are added from here on stand under this heading in the help.
+  void begin_group(const std::string& heading) { group_ = heading; }
   Command* add_subcommand(const std::string& name, const std::string& description);
   /// A command that leaves all that follows its name, --help too, to the action.
   void add_relay(const std::string& name, const std::string& description,
@@ -80,6 +82,7 @@ private:
 
   CLI::App& app_;
   bool relay_ = false;
+  std::string group_ = "Commands";
   std::vector<std::unique_ptr<Option>> options_;
   std::vector<std::unique_ptr<Command>> commands_;
 };

@@ -22,7 +22,7 @@ constexpr std::array crashes{SIGSEGV, SIGBUS, SIGABRT, SIGFPE};
 /// One text a signal, in the order of `crashes`.
 std::array<std::string, crashes.size()> words; // NOLINT: what a signal handler says stands outside functions
 
-void tell(int signal) {
+void report(int signal) {
   for (std::size_t i = 0; i < crashes.size(); ++i)
     if (crashes[i] == signal)
       static_cast<void>(::write(STDERR_FILENO, words[i].data(), words[i].size()));
@@ -49,7 +49,7 @@ void explain_crashes(int argc, char** argv) {
     words[i] = crash_words(command, crashes[i]);
     struct sigaction before {};
     struct sigaction action {};
-    action.sa_handler = tell;
+    action.sa_handler = report;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
     ::sigaction(crashes[i], nullptr, &before);
     if (before.sa_handler == SIG_DFL) // a sanitizer has words of its own

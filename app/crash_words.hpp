@@ -4,9 +4,9 @@
 
 namespace tremolo::app {
 
-/// From now on a crash of this process (SIGSEGV, SIGBUS, SIGABRT, SIGFPE) is told in one line before it ends
-/// the process: the command line, the signal, and that a damaged file can be the reason, since libhdf5 itself
-/// crashes over some.
+/// From now on a crash of this process (SIGSEGV, SIGBUS, SIGABRT, SIGFPE) is reported in one line before it
+/// ends the process: the command line, the signal, and that a damaged file can be the reason, since libhdf5
+/// itself crashes over some.
 void explain_crashes(int argc, char** argv);
 
 /// That line for another process that a signal has ended. It is shorter where that was no crash.

@@ -23,30 +23,39 @@ constexpr const char* greeting =
     "All commands: tremolo --help. One of them: tremolo run --help.\n";
 
 void add_commands(tremolo::app::Command& program) {
-  tremolo::app::add_check(program);
-  tremolo::app::add_conform(program);
-  tremolo::app::add_explain(program);
-  tremolo::app::add_join(program);
-  tremolo::app::add_keygen(program);
-  tremolo::app::add_docs(program);
-  tremolo::app::add_export(program);
-  tremolo::app::add_import(program);
-  tremolo::app::add_motion(program);
-  tremolo::app::add_deconvolve(program);
-  tremolo::app::add_new(program);
-  tremolo::app::add_plot(program);
-  tremolo::app::add_wave(program);
-  tremolo::app::add_verify(program);
-  tremolo::app::add_run(program);
-  tremolo::app::add_sbatch(program);
-  tremolo::app::add_resume(program);
-  tremolo::app::add_swap(program);
-  tremolo::app::add_sweep(program);
-  tremolo::app::add_cost(program);
-  tremolo::app::add_column(program);
-  tremolo::app::add_safety(program);
-  tremolo::app::add_soiltest(program);
-  tremolo::app::add_calibrate(program);
+  using namespace tremolo::app;
+  program.begin_group("Run a case");
+  add_run(program);
+  add_new(program);
+  add_check(program);
+  add_explain(program);
+  add_resume(program);
+  program.begin_group("Look at results");
+  add_plot(program);
+  add_verify(program);
+  program.begin_group("Study a case");
+  add_swap(program);
+  add_sweep(program);
+  add_cost(program);
+  add_safety(program);
+  program.begin_group("Ground motion and free fields");
+  add_motion(program);
+  add_column(program);
+  add_wave(program);
+  add_deconvolve(program);
+  program.begin_group("Test a soil");
+  add_soiltest(program);
+  add_calibrate(program);
+  program.begin_group("Free fields of other programs");
+  add_conform(program);
+  add_import(program);
+  add_export(program);
+  program.begin_group("Other machines");
+  add_sbatch(program);
+  add_join(program);
+  add_keygen(program);
+  program.begin_group("This manual");
+  add_docs(program);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// All that a participant of a run needs of the coupler: what it is told (ParticipantOptions, and
+// All that a participant of a run needs of the coupler: what it is given (ParticipantOptions, and
 // participant_main that reads them), what passes (field.hpp), and its side of the exchange, one class for
 // either role. tremolo's own processes use nothing else.
 //
@@ -151,7 +151,7 @@ public:
   void progress(const std::string& stage, std::uint64_t step, double time, double end_time,
                 std::optional<double> residual = std::nullopt);
 
-  /// Tells the hub why this participant gives up: its log may lie on the disk that is full.
+  /// Reports to the hub why this participant gives up: its log may lie on the disk that is full.
   /// @pre none: also after an exception
   /// @post the hub, if it listens, ends the run with this reason; no wait
   void abandon(const std::string& reason) { connection_.abandon(reason); }

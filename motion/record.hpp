@@ -89,7 +89,7 @@ struct Origin {
   std::string format;              ///< "PEER", "K-NET, KiK-net"
   std::string component;           ///< as the file calls it; empty where it names none
   std::size_t components = 1;      ///< of the file
-  std::string unit;                ///< "cm/s2 as the file says", "g, PEER's own", "g as told"
+  std::string unit;                ///< "cm/s2 as the file says", "g, PEER's own", "g as given"
   std::string baseline;            ///< what was done to it before or while reading; empty where nobody says
   std::vector<std::string> doubts; ///< each worth a warning
 };
@@ -100,7 +100,7 @@ struct Record {
   std::optional<MotionKind> kind = std::nullopt; ///< nothing where nobody has said
   double dt = 0.0;                               ///< s
   std::vector<double> samples = {};              ///< in `unit`
-  /// What the file calls the unit, where its reader was told another one.
+  /// What the file calls the unit, where its reader was given another one.
   std::optional<ScaledUnit> overruled_unit = std::nullopt;
   Origin origin = {};
 

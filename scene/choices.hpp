@@ -51,7 +51,7 @@ enum class SourceModel {
   mpm,           ///< a domain of one periodic column
   recording,     ///< a free field recorded earlier
   external,      ///< a program of the user
-  shaking_table, ///< a rigid base that moves as it is told
+  shaking_table, ///< a rigid base that moves as prescribed
 };
 constexpr auto words(SourceModel) {
   return word_table<SourceModel>({{SourceModel::wave, "wave"},

@@ -208,7 +208,7 @@ bool encloses(const Polygon& outer, const Polygon& inner) {
   return strictly_inside(outer, inner.front());
 }
 
-// If no edge of either runs inside the other, the interiors are equal or disjoint; one inner point tells
+// If no edge of either runs inside the other, the interiors are equal or disjoint; one inner point shows
 // which.
 bool overlap(const Polygon& a, const Polygon& b) {
   return meet(box_of(a), box_of(b)) &&

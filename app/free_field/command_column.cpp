@@ -138,7 +138,7 @@ void print_linearised(const scene::Case& scene, const scene::SourceProcess& sour
 }
 
 void print_strengths(const scene::Case& scene) {
-  for (const auto& [name, soil] : scene::told_soils(scene))
+  for (const auto& [name, soil] : scene::named_soils(scene))
     if (const auto compared = scene::implied_strength(soil))
       fmt::print("  {}\n", *compared);
 }

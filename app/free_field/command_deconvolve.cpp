@@ -57,7 +57,7 @@ motion::Record record_of(const Options& options) {
   return record;
 }
 
-/// The kind that is written: what the case takes, unless told.
+/// The kind that is written: what the case takes, unless given.
 MotionKind kind_of(const Options& options, const scene::Case& scene) {
   if (!options.as.empty())
     return *motion::kind_named(options.as);

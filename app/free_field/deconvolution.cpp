@@ -19,7 +19,8 @@ namespace {
 
 using motion::MotionKind;
 
-/// Soil amplifies more often than not: a base that shakes so much more than the ground above it is told.
+/// Soil amplifies more often than not: a base that shakes so much more than the ground above it is worth a
+/// note.
 constexpr double remarkable_peak = 1.5;
 
 motion::Record acceleration(std::vector<double> samples, double dt, std::optional<MotionKind> kind) {

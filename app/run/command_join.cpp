@@ -62,17 +62,17 @@ coupler::Command command(const JoinArguments& arguments, const coupler::Invitati
   std::vector<std::string> words{located(scene::program(field)).string()};
   const auto own = own_arguments(field);
   words.insert(words.end(), own.begin(), own.end());
-  const coupler::ParticipantOptions told{.case_file = file,
-                                         .name = arguments.role,
-                                         .endpoint = arguments.endpoint,
-                                         .session = invitation.session,
-                                         .threads = arguments.threads,
-                                         .out = arguments.out.empty() ? folder : arguments.out,
-                                         .deadlines = invitation.deadlines,
-                                         .keys = arguments.keys};
-  const auto common = coupler::command_line(told);
+  const coupler::ParticipantOptions options{.case_file = file,
+                                            .name = arguments.role,
+                                            .endpoint = arguments.endpoint,
+                                            .session = invitation.session,
+                                            .threads = arguments.threads,
+                                            .out = arguments.out.empty() ? folder : arguments.out,
+                                            .deadlines = invitation.deadlines,
+                                            .keys = arguments.keys};
+  const auto common = coupler::command_line(options);
   words.insert(words.end(), common.begin(), common.end());
-  return {std::move(words), coupler::environment(told)};
+  return {std::move(words), coupler::environment(options)};
 }
 
 /// Until the participant has ended, or must: then why.

@@ -49,7 +49,7 @@ struct RunArguments {
 constexpr std::array all_sides{scene::Side::left, scene::Side::right, scene::Side::base};
 
 bool in_use(const fs::path& folder) {
-  std::error_code not_reached; // by a path that leads nowhere, which make_folder() tells
+  std::error_code not_reached; // by a path that leads nowhere, which make_folder() reports
   return fs::exists(folder, not_reached) && !(fs::is_directory(folder) && fs::is_empty(folder));
 }
 

@@ -32,7 +32,7 @@ std::string stress_doubt(const scene::SoilTestFile& file) {
   return doubt ? "; " + *doubt : "";
 }
 
-/// A static bias that the soil cannot carry shows only when it is applied: it is told where it stands.
+/// A static bias that the soil cannot carry shows only when it is applied: it is reported at its place.
 SoilTestRun run_at_place(const scene::SoilTestFile& file) {
   try {
     return run(file);

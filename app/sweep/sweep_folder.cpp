@@ -43,7 +43,7 @@ std::string stem(const std::string& toml) {
   return fs::path(table["value"].value_or(std::string())).stem().string();
 }
 
-/// A value as JSON; of a file, its name without folder and extension where that tells it from the others.
+/// A value as JSON; of a file, its name without folder and extension where the others have another one.
 Json shown(const scene::Axis& axis, const scene::AxisValue& value) {
   if (value.toml != value.shown) {
     const std::string name = stem(value.toml);

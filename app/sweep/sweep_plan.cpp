@@ -108,10 +108,10 @@ std::string setting(const std::vector<scene::Axis>& axes, const Combination& val
   return text;
 }
 
-/// Tells what is wrong with the case of a run, at the places in the study that it comes from.
+/// Reports what is wrong with the case of a run, at the places in the study that it comes from.
 /// @return whether every error comes from one axis; the others belong to the combination
-bool tell(const scene::CaseErrors& errors, const std::vector<scene::Axis>& axes, const Combination& values,
-          const std::string& text, scene::Findings& findings) {
+bool report(const scene::CaseErrors& errors, const std::vector<scene::Axis>& axes, const Combination& values,
+            const std::string& text, scene::Findings& findings) {
   bool all = true;
   for (const scene::Finding& error : errors.errors()) {
     const std::size_t a = axis_at(axes, text, error);
@@ -175,7 +175,7 @@ std::vector<SweepRun> planned_runs(const scene::Study& study, const std::vector<
     try {
       runs.push_back(run_of(scene::parse(text, given.file, given.directory), values));
     } catch (const scene::CaseErrors& errors) {
-      if (!tell(errors, axes, values, text, findings))
+      if (!report(errors, axes, values, text, findings))
         break; // the next ones would say the same in other words
     }
   }

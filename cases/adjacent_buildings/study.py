@@ -45,6 +45,8 @@ def box(left, bottom, width, height):
 
 
 ALONE = {FREE_FIELD: FREE_FIELD.replace(" }", ", spring = false }")}
+ELEMENTS = {FREE_FIELD: FREE_FIELD.replace('"mpm"', '"fe"')}
+OBLIQUE = {"angle_deg = 0.0\n": "angle_deg = 15.0\n"}
 FINER = COARSE | {"size = 0.5\n": "size = 0.5\n"}
 FINEST = COARSE | {"[boundary]\n": "[[refine]]\nbox = [-9.0, -3.0, 16.0, 1.0]\nlevel = 2\n\n[boundary]\n"}
 
@@ -114,7 +116,8 @@ VARIANTS = {
     "0.20g": ("0.20 g", COARSE | {RECORD: 'file = "0.20g.csv" '}),
     "0.25g": ("0.25 g", COARSE | {RECORD: 'file = "0.25g.csv" '}),
     "1Hz": ("1 Hz, 16 cycles", COARSE | {RECORD: 'file = "1Hz.csv" '}),
-    "fe": ("free field `fe`", COARSE | {FREE_FIELD: FREE_FIELD.replace('"mpm"', '"fe"')}),
+    "fe": ("free field `fe`", COARSE | ELEMENTS),
+    "fe_15": ("the same, the wave at 15 degrees", COARSE | ELEMENTS | OBLIQUE),
     "periodic": ("periodic sides", COARSE | PERIODIC),
     "near": ("sides at 6 m", COARSE | sides(-12.0, 20.0)),
     "far": ("sides at 24 m", COARSE | sides(-30.0, 38.0)),

@@ -31,8 +31,8 @@ FAST = {"duration_s = 11.0\n": f"duration_s = {DURATION - 14.0}\ntime_factor = 2
 
 def column(tremolo, folder, model):
     """Time (s), r_u [depth, time] and settlement (m) of a column, and its CPU time (s)."""
-    out, told = folder / f"rest_{model}.h5", folder / f"rest_{model}.txt"
-    if not told.exists():
+    out, words = folder / f"rest_{model}.h5", folder / f"rest_{model}.txt"
+    if not words.exists():
         case = folder / "rest.toml"
         case.write_text(variant(HERE / "case.toml", COARSE | LONG))
         depths = ",".join(str(depth) for depth in DEPTHS)
@@ -40,10 +40,10 @@ def column(tremolo, folder, model):
             [tremolo, "column", case, "--model", model, "--depths", depths, "--duration", f"{DURATION:g}",
              "--every", "0.1", "--out", out], check=True, capture_output=True, text=True,
         )
-        told.write_text(done.stdout)
+        words.write_text(done.stdout)
     levels, histories, _, settlement, _ = pore_pressure.read(out)
     ratios = [histories[int(np.argmin(np.abs(levels + depth)))]["pore_pressure_ratio"] for depth in DEPTHS]
-    return settlement["time"], np.array(ratios), settlement["settlement"], float(re.search(r"([\d.]+) s CPU", told.read_text())[1])
+    return settlement["time"], np.array(ratios), settlement["settlement"], float(re.search(r"([\d.]+) s CPU", words.read_text())[1])
 
 
 def domain(tremolo, folder):

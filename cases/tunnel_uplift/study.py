@@ -61,6 +61,8 @@ def sides(distance):
 COARSE = coarse(COMPARED + 1.05 * PERIOD)
 TWO = coarse(COMPARED + 1.05 * PERIOD, 2.0)
 ALONE = {FREE_FIELD: FREE_FIELD.replace(" }", ", spring = false }")}
+ELEMENTS = {FREE_FIELD: FREE_FIELD.replace('"mpm"', '"fe"')}
+OBLIQUE = {"angle_deg = 0.0\n": "angle_deg = 15.0\n"}
 VARIANTS = {
     "main": ("as it is", {}),
     "coarse": ("coarse", coarse(SHORT + 4.0)),
@@ -71,7 +73,8 @@ VARIANTS = {
     "step": ("time step 0.5 of the critical", COARSE | {STEP: "fraction = 0.5 "}),
     "smooth": ("friction 0", COARSE | {"friction = 0.4": "friction = 0.0"}),
     "heavy": ("1900 kg/m³", COARSE | {"density = 300.0 ": "density = 1900.0 "}),
-    "fe": ("free field `fe`", COARSE | {FREE_FIELD: FREE_FIELD.replace('"mpm"', '"fe"')}),
+    "fe": ("free field `fe`", COARSE | ELEMENTS),
+    "fe_15": ("the same, the wave at 15 degrees", COARSE | ELEMENTS | OBLIQUE),
     "periodic": ("periodic sides", COARSE | {FREE_FIELD: 'sides = "periodic"\nbase = { model = "mpm", form = "total" }\n'}),
     "near": ("sides at 12.5 m", COARSE | sides(12.5)),
     "far": ("sides at 32.5 m", COARSE | sides(32.5)),
@@ -139,7 +142,7 @@ def displacement(run, folder):
 
 
 def row(label, run, reference):
-    """A line of the table, and the run's rise at 8 s, of which the differences are told."""
+    """A line of the table, and the run's rise at 8 s, from which the others differ."""
     time, rise = uplift(run)
     at = float(np.interp(COMPARED, time, rise))
     shaken = next((end for end in (SHAKEN, SHORT) if time[-1] > end + PERIOD), None)

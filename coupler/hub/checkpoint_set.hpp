@@ -3,7 +3,7 @@
 // A set of files from which a run can go on, in a folder of its own, RUN/checkpoints/STEP: one file for every
 // participant, and a manifest that names them with their sizes and checksums. A set that is being made lies
 // in STEP.part; one rename makes it count, when all its files are on the disk. A set that has been damaged
-// since is told from a good one before anything starts, and the run goes on from an older one.
+// since is recognised before anything starts, and the run goes on from an older one.
 
 #include "coupler/wire/mode.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Somebody who looks on while a run exchanges its frames: what the hub tells it is all that a recording
+// Somebody who looks on while a run exchanges its frames: what the hub passes to it is all that a recording
 // needs.
 
 #include "coupler/wire/field.hpp"

@@ -61,7 +61,7 @@ void Hub::take_from(Participant& participant, Letter& letter) {
 void Hub::take_from_stranger(Letter& letter) {
   require_one_part(letter.parts);
   if (!looks_like_message(letter.bytes())) {
-    notes_.tell_of_stranger(
+    notes_.show_of_stranger(
         letter.routing_id,
         fmt::format("ignored {} bytes from a stranger that has not said HELLO", letter.raw.size()));
     return;
@@ -139,7 +139,7 @@ void Hub::take_checkpoint(const json& body) {
   try {
     keeper_.complete(step, time);
   } catch (const std::exception& error) {
-    notes_.tell(fmt::format("warning: no checkpoint at step {}: {}", step, message_of(error)));
+    notes_.show(fmt::format("warning: no checkpoint at step {}: {}", step, message_of(error)));
   }
   post_.send(roster_.domain().routing_id, {"CHECKPOINT", {{"step", step}}});
 }
@@ -171,7 +171,7 @@ bool Hub::has_left(const std::string& participant) const {
 }
 
 void Hub::tick() {
-  // Nobody is waited for after the sources' dismissal, and a dismissed source is told nothing more: it closes
+  // Nobody is waited for after the sources' dismissal, and a dismissed source is sent nothing more: it closes
   // its connection behind its BYE. A BEAT that came to its machine later would be answered with a reset
   // there, and a BYE that the line had lost would not be sent again.
   if (failure_ || routing_.has_dismissed())
@@ -190,14 +190,14 @@ void Hub::tick() {
 }
 
 void Hub::abort(const std::string& reason) {
-  // Those who are gone already cannot be told.
+  // Those who are gone already hear nothing.
   for (const auto& participant : roster_.all())
     if (!participant.routing_id.empty() && !participant.left)
       post_.send(participant.routing_id, {"ABORT", {{"reason", reason}}});
 }
 
 void Hub::refuse(const std::string& routing_id, const std::string& reason) {
-  notes_.tell_of_stranger(routing_id, "refused: " + reason);
+  notes_.show_of_stranger(routing_id, "refused: " + reason);
   post_.send(routing_id, {"REFUSE", {{"reason", reason}}});
 }
 

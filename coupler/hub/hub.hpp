@@ -57,7 +57,7 @@ public:
   /// Beats, and looks whether somebody has waited too long. Call it several times a second.
   void tick();
 
-  /// Tells every participant that the run is over and why.
+  /// Sends every participant word that the run is over, and why.
   void abort(const std::string& reason);
 
   /// The first failure, if any. The caller ends the run.

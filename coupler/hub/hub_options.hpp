@@ -1,6 +1,6 @@
 #pragma once
 
-// What a hub is told about its run.
+// What a hub is given about its run.
 
 #include "coupler/client/participant_options.hpp"
 #include "coupler/hub/checkpoint_set.hpp"
@@ -45,10 +45,10 @@ struct HubOptions {
   std::vector<ExpectedParticipant> participants; ///< one domain and its sources
   Deadlines deadlines;
   std::filesystem::path keys{};                 ///< folder of CURVE keys; empty: a local endpoint only
-  std::function<void(const std::string&)> note; ///< told what was refused without ending the run
+  std::function<void(const std::string&)> note; ///< called with what was refused without ending the run
   ExchangeObserver* observer = nullptr;         ///< none, or one that outlives the hub
   std::string outer_endpoint{};  ///< for those from elsewhere, who alone use the keys; or empty
-  std::string run_number{};      ///< random, no secret: it tells JOIN from one that is meant for another run
+  std::string run_number{};      ///< random, no secret: JOIN of another run has another one
   std::vector<DataFile> files{}; ///< what they must have too
   CheckpointOptions checkpoints{};
   std::optional<CheckpointSet> resume{}; ///< where the run goes on from; none: from its beginning

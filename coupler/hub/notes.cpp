@@ -8,11 +8,11 @@
 
 namespace tremolo::coupler {
 
-void Notes::tell(const std::string& text) {
+void Notes::show(const std::string& text) {
   note_(printable(text));
 }
 
-void Notes::tell_of_stranger(const std::string& connection, const std::string& text, Clock::time_point now) {
+void Notes::show_of_stranger(const std::string& connection, const std::string& text, Clock::time_point now) {
   const double elapsed = std::chrono::duration<double>(now - std::exchange(last_, now)).count();
   allowance_ = std::min(most_at_once, allowance_ + each_second * elapsed);
   in_a_row_ = connection == connection_ ? in_a_row_ + 1 : 1;
@@ -24,7 +24,7 @@ void Notes::tell_of_stranger(const std::string& connection, const std::string& t
   allowance_ -= 1.0;
   if (const auto count = std::exchange(left_out_, 0); count > 0)
     note_(fmt::format("{} notes about strangers were left out", count));
-  tell(text);
+  show(text);
 }
 
 } // namespace tremolo::coupler

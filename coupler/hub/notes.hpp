@@ -1,7 +1,7 @@
 #pragma once
 
-// What the user of a run is told while it goes on. Others' words are made printable. Strangers may say
-// anything as often as they like: of one connection five notes in a row are told, of all twenty at once and
+// What the user of a run reads while it goes on. Others' words are made printable. Strangers may say
+// anything as often as they like: of one connection five notes in a row are shown, of all twenty at once and
 // then one a second.
 
 #include "coupler/mapping/timing.hpp"
@@ -19,11 +19,11 @@ public:
       : note_(std::move(note)), last_(now) {}
 
   /// About the run itself.
-  void tell(const std::string& text);
+  void show(const std::string& text);
 
   /// About somebody who is no participant.
   /// @param connection routing id of theirs
-  void tell_of_stranger(const std::string& connection, const std::string& text,
+  void show_of_stranger(const std::string& connection, const std::string& text,
                         Clock::time_point now = Clock::now());
 
 private:
@@ -32,10 +32,10 @@ private:
   static constexpr double each_second = 1.0;
 
   std::function<void(const std::string&)> note_;
-  double allowance_ = most_at_once; ///< notes that may be told now
+  double allowance_ = most_at_once; ///< notes that may be shown now
   Clock::time_point last_;
   std::string connection_; ///< of the last stranger
-  int in_a_row_ = 0;       ///< notes about it, told or not
+  int in_a_row_ = 0;       ///< notes about it, shown or not
   std::size_t left_out_ = 0;
 };
 

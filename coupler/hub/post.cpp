@@ -56,7 +56,7 @@ std::string as_told(const std::string& bound) {
 } // namespace
 
 std::string Letter::key_owner() {
-  const char* owner = zmq_msg_gets(raw.handle(), "User-Id"); // as ClientGate has told it
+  const char* owner = zmq_msg_gets(raw.handle(), "User-Id"); // as ClientGate has set it
   return owner == nullptr ? "" : owner;
 }
 

@@ -112,7 +112,7 @@ std::optional<Failure> Watch::overdue_source() {
     return Failure{source->expected.name, wait_text(*source, waited, patience)};
   if (!wait_->noted && waited > std::min(long_wait_s, 0.5 * patience)) {
     wait_->noted = true;
-    notes_.tell(wait_text(*source, waited, patience));
+    notes_.show(wait_text(*source, waited, patience));
   }
   return std::nullopt;
 }

@@ -50,7 +50,7 @@ public:
   /// Whoever has not got on in time.
   /// @param owed what the domain owes
   [[nodiscard]] std::optional<Failure> overdue(const std::string& owed);
-  /// Where a participant of another machine ends, no child of this one does: the connection tells it.
+  /// Where a participant of another machine ends, no child of this one does: the connection shows it.
   [[nodiscard]] std::optional<Failure> lost(const Participant& participant, bool connected);
 
 private:

@@ -34,7 +34,7 @@ public:
   /// has closed the connection. A line that is cut shows only in the deadlines.
   bool hub_is_gone();
 
-  /// Tells the hub that the participant will not go on, and why.
+  /// Reports to the hub that the participant will not go on, and why.
   void abandon(const std::string& reason);
 
 private:

@@ -99,7 +99,7 @@ private:
       return {process.elsewhere->command(hub_.outer_endpoint(), hub_options_.run_number)};
     std::vector<std::string> words{process.program.string()};
     words.insert(words.end(), process.arguments.begin(), process.arguments.end());
-    const ParticipantOptions told{
+    const ParticipantOptions options{
         .case_file = options_.case_file,
         .name = process.name,
         .endpoint = hub_.endpoint(),
@@ -110,9 +110,9 @@ private:
         .keys = options_.outer_endpoint.empty() ? options_.keys : std::filesystem::path{},
         .resume = options_.resume && process.role == Role::domain ? options_.resume->folder
                                                                   : std::filesystem::path()};
-    const auto common = command_line(told);
+    const auto common = command_line(options);
     words.insert(words.end(), common.begin(), common.end());
-    auto variables = environment(told);
+    auto variables = environment(options);
     variables.insert(variables.end(), process.environment.begin(), process.environment.end());
     return {std::move(words), std::move(variables)};
   }
@@ -194,7 +194,7 @@ private:
     if (!died)
       text += fmt::format(" ('{}' {})", culprit->name(), culprit->ending());
     auto lines = culprit->last_lines(shown_lines);
-    // What it has told the hub stands in its log too.
+    // What it has reported to the hub stands in its log too.
     std::erase_if(lines, [&](const auto& line) { return !died && line.ends_with(failure.text); });
     if (!died && lines.empty())
       throw RunFailed(text, 1, circumstances(failure));
@@ -221,7 +221,7 @@ private:
                     128 + signal);
   }
 
-  /// Tells all why, gives them a moment to close their files, and kills who is still there.
+  /// Informs all, gives them a moment to close their files, and kills who is still there.
   void stop_all(const std::string& reason) {
     hub_.abort(reason);
     given_up_ = true;

@@ -21,7 +21,7 @@ namespace tremolo::coupler {
 
 /// How a process comes to be on another machine.
 struct Elsewhere {
-  std::string started_by; ///< "ssh to node2", "srun"; empty: the user, whom the run tells the command
+  std::string started_by; ///< "ssh to node2", "srun"; empty: the user, to whom the run prints the command
   /// The words of the command that starts it, for the hub's address and the run's number.
   std::function<std::vector<std::string>(const std::string& endpoint, const std::string& run)> command;
 };
@@ -85,7 +85,7 @@ private:
   FailureCircumstances circumstances_;
 };
 
-/// Runs all processes to their end. On Ctrl-C or SIGTERM all are told to close their files; a second Ctrl-C
+/// Runs all processes to their end. On Ctrl-C or SIGTERM all are asked to close their files; a second Ctrl-C
 /// kills them.
 /// @throws RunFailed when no process is left; Error if the run cannot be set up
 std::vector<ProcessSummary> launch(const LaunchOptions& options);

@@ -38,7 +38,7 @@ public:
     FieldAddress address;
     std::string source;
     FreeFieldHistory history;
-    std::uint64_t announced_credit = 0; ///< the last one told to the source
+    std::uint64_t announced_credit = 0; ///< the last one sent to the source
   };
   /// Only fields that a face takes are here: the others are never asked for.
   [[nodiscard]] Inlet* find(FieldAddress address);
@@ -52,7 +52,7 @@ public:
   /// Forgets the steps that no face needs from this time on.
   void release_before(double time);
 
-  /// Credits that have grown by a frame or more since the last call, to be told to their sources.
+  /// Credits that have grown by a frame or more since the last call, to be sent to their sources.
   std::vector<Credit> new_credits();
 
   /// What the exchange still waits for at a time.

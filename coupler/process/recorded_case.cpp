@@ -118,7 +118,7 @@ std::vector<std::string> free_field_differences(const std::vector<results::Recor
 std::string free_field_identity(const scene::Case& scene) {
   const Values all = by_key(recorded_values(scene));
   std::string identity;
-  // What a recording need not share with the case, but may end or be told apart by.
+  // What a recording need not share with the case, but may end or differ by.
   constexpr std::array beside{"stage", "time.", "water.", "boundary.base.form"};
   for (const auto& [key, value] : all)
     if (begins_with_any(key, beside))

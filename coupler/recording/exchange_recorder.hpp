@@ -37,7 +37,7 @@ struct RecorderOptions {
   std::string case_text;
   std::vector<results::RecordedValue> case_values;
   std::map<std::string, std::vector<std::string>> serves; ///< the sides of each source
-  std::function<void(const std::string&)> note;           ///< told, from the hub's thread, that it goes on
+  std::function<void(const std::string&)> note;           ///< called, from the hub's thread, when it goes on
   std::optional<CheckpointSet> resume{}; ///< goes on in a new file from what was recorded until then
 };
 

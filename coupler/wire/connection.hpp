@@ -49,7 +49,7 @@ public:
   /// @throws Aborted for ABORT and REFUSE
   std::optional<Incoming> receive(double wait_s);
 
-  /// Tells the hub, if it listens, why this participant leaves.
+  /// Reports to the hub, if it listens, why this participant leaves.
   void abandon(const std::string& reason);
 
   /// The same, and throws the reason.

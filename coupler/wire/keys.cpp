@@ -76,7 +76,7 @@ std::string read_public_key(const fs::path& folder, std::string_view name) {
 
 CurveKeys read_keys(const fs::path& folder, std::string_view name) {
   const fs::path secret = file_of(folder, name, "secret");
-  std::error_code missing; // read_key tells it better
+  std::error_code missing; // read_key reports it better
   constexpr auto others = fs::perms::group_all | fs::perms::others_all;
   if (const auto status = fs::status(secret, missing);
       fs::exists(status) && (status.permissions() & others) != fs::perms::none)

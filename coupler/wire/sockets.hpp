@@ -13,8 +13,8 @@
 
 namespace tremolo::coupler {
 
-/// Bytes that a message may have. libzmq drops the connection of whoever sends more, and the sender is not
-/// told: so senders look at it first.
+/// Bytes that a message may have. libzmq drops the connection of whoever sends more, and the sender does not
+/// learn of it: so senders look at it first.
 inline constexpr std::int64_t largest_message = std::int64_t{64} << 20;
 
 /// A context for so many connections.

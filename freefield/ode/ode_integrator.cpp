@@ -243,7 +243,7 @@ struct OdeIntegrator::Sundials {
       give_up(flag);
   }
 
-  /// Tells the integrator to give up where the equations have no finite value: no smaller step would mend an
+  /// Makes the integrator give up where the equations have no finite value: no smaller step would mend an
   /// input that is not a number. Adams' functional iteration would try them nevertheless.
   int finite_or_stop(double t, N_Vector rate) {
     const auto rates = values(rate);

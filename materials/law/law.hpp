@@ -32,7 +32,7 @@ namespace tremolo::materials {
 using Law = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay,
                          Pm4Sand, Pdmy03>;
 
-/// Tells what a law is like.
+/// What a law is like.
 Traits traits(const Law& law);
 
 /// The name of the law, e.g. "linear_elastic".

@@ -13,7 +13,7 @@
 //
 // r need not be monotonic: with one free component a law may hold the stress at more than one strain, or at
 // none near where the last increments lead. The root next to there is taken. Where even that lies half a step
-// or more away, on another branch, that is told, and in the steps that follow the branch that was left is
+// or more away, on another branch, that is reported, and in the steps that follow the branch that was left is
 // looked for first: it is come back to once its root lies where its last steady increments lead.
 
 #include <array>

@@ -30,7 +30,7 @@ bool has_decimal_commas(std::string_view line) {
 }
 
 /// The numbers of fixed fields that touch: "0.000541-0.000624". Fields of one width have as many decimals
-/// each, which tells where one ends.
+/// each, which shows where one ends.
 /// @return false where the word is something else
 bool split(std::string_view word, std::vector<double>& values) {
   std::optional<std::size_t> decimals;

@@ -17,7 +17,7 @@ namespace {
   throw RecordError(fmt::format("{}: {}", place, text));
 }
 
-std::optional<Quantity> told(const ReadAs& as, const std::string& place) {
+std::optional<Quantity> stated(const ReadAs& as, const std::string& place) {
   if (!as.unit)
     return as.quantity;
   if (as.quantity && *as.quantity != quantity_of(*as.unit))
@@ -27,7 +27,7 @@ std::optional<Quantity> told(const ReadAs& as, const std::string& place) {
 
 Quantity settled_quantity(const Stated& by_name, const Stated& by_header, const ReadAs& as,
                           const std::string& place) {
-  const auto given = told(as, place);
+  const auto given = stated(as, place);
   const auto& a = by_name.quantity;
   const auto& b = by_header.quantity;
   if (given) {
@@ -105,12 +105,12 @@ void settle(Record& record, const Stated& by_name, const Stated& by_header, cons
   ScaledUnit unit;
   if (as.unit) {
     unit = {*as.unit};
-    record.origin.unit = fmt::format("{} as told", name(unit));
+    record.origin.unit = fmt::format("{} as given", name(unit));
     if (by_header.unit && *by_header.unit != unit)
       record.overruled_unit = by_header.unit;
     if (!by_header.strange.empty())
       record.origin.doubts.push_back(fmt::format(
-          "the samples are taken in {} as told; the header says '{}', which is not wholly understood",
+          "the samples are taken in {} as given; the header says '{}', which is not wholly understood",
           name(unit), by_header.strange));
   } else if (by_header.unit && quantity_of(by_header.unit->unit) == quantity) {
     unit = *by_header.unit;

@@ -55,7 +55,7 @@ public:
   /// After a sort: the grid may have grown, and particles of faces may have come to other cells.
   void follow_sort(const Ground& ground);
   /// Where ranks share the domain: the nodes that faces may touch until the next sort, whose sums each rank
-  /// is told.
+  /// gets.
   std::span<const std::size_t> shared_nodes() const { return soil_.shared_nodes(); }
 
   /// The passes of a step. After a scatter: reads the soil at the faces.

@@ -27,21 +27,22 @@ std::vector<int> owners_of_faces(const Ground& ground, std::span<const BoundaryF
 /// What ranks share of the soil at faces.
 auto shared_soil(const Ground& ground, std::span<const BoundaryFace> faces, const SharedList& list,
                  std::span<FaceSoil> soil) {
-  return Told{&list, 8,
-              [&ground, faces, soil](std::size_t f, double* numbers) {
-                const auto& [place, moved, syy, excess, length] = soil[f] =
-                    soil_at(faces[f], ground.sets[faces[f].set]);
-                const auto& [centre, half] = place;
-                std::ranges::copy(std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess, length},
-                                  numbers);
-              },
-              [soil](std::size_t f, const double* numbers) {
-                soil[f] = {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}},
-                           numbers[4],
-                           numbers[5],
-                           numbers[6],
-                           numbers[7]};
-              }};
+  return SharedRows{&list, 8,
+                    [&ground, faces, soil](std::size_t f, double* numbers) {
+                      const auto& [place, moved, syy, excess, length] = soil[f] =
+                          soil_at(faces[f], ground.sets[faces[f].set]);
+                      const auto& [centre, half] = place;
+                      std::ranges::copy(
+                          std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess, length},
+                          numbers);
+                    },
+                    [soil](std::size_t f, const double* numbers) {
+                      soil[f] = {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}},
+                                 numbers[4],
+                                 numbers[5],
+                                 numbers[6],
+                                 numbers[7]};
+                    }};
 }
 
 /// The nodes that faces may touch while particles move by the distance between two sorts.
@@ -102,15 +103,15 @@ void SoilAtFaces::share(Ground& ground, std::span<const BoundaryFace> faces) {
   for (const SumRange& range : scattered_sums(ground.grid.traits))
     for (std::size_t f = range.first; f < range.end; ++f)
       fields.push_back(&(grid.*particle_sums[f]));
-  const Told sums{&sums_, fields.size(),
-                  [&](std::size_t n, double* numbers) {
-                    for (const NodeField* field : fields)
-                      *numbers++ = (*field)[nodes_[n]];
-                  },
-                  [&](std::size_t n, const double* numbers) {
-                    for (NodeField* field : fields)
-                      (*field)[nodes_[n]] = *numbers++;
-                  }};
+  const SharedRows sums{&sums_, fields.size(),
+                        [&](std::size_t n, double* numbers) {
+                          for (const NodeField* field : fields)
+                            *numbers++ = (*field)[nodes_[n]];
+                        },
+                        [&](std::size_t n, const double* numbers) {
+                          for (NodeField* field : fields)
+                            (*field)[nodes_[n]] = *numbers++;
+                        }};
   tell_all(*ground.share->ranks, numbers_, shared_soil(ground, faces, faces_, soil_), sums);
 }
 

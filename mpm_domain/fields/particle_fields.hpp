@@ -1,6 +1,6 @@
 #pragma once
 
-// The table of particle fields. Sorting, cutting, checkpoints, output and the bytes that a plan tells all run
+// The table of particle fields. Sorting, cutting, checkpoints, output and the bytes that a plan names all run
 // over it: a new field is one line here, or one of Spec::more_fields.
 
 #include <array>

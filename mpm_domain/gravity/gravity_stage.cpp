@@ -316,7 +316,7 @@ Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::sp
   if (!(rest.residual < settings.residual))
     throw NotAtRest(fmt::format(
         "the gravity stage did not come to rest: residual {:.3g} after {:.3g} s of relaxation, wanted "
-        "{:.3g}; the slope may not be stable under its weight, which tremolo safety tells",
+        "{:.3g}; the slope may not be stable under its weight, which tremolo safety finds out",
         rest.residual, settings.max_time, settings.residual));
   if (domain.contact.any())
     reactions.slipping_bodies = release(domain, [&] {

@@ -50,7 +50,7 @@ struct ReducibleSoils {
 
 ReducibleSoils reducible_soils(const Spec& spec);
 
-/// Told as each trial ends.
+/// Called as each trial ends.
 using TrialProgress = std::function<void(const StrengthTrial&)>;
 
 /// @param tolerance  of fails/stands - 1, 1

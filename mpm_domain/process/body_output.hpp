@@ -23,9 +23,9 @@ struct ContactFrame {
   std::vector<results::Field> fields() const;
 };
 
-/// The part of a run's file that tells of structures: a series a body, one a monitor that moves with a rigid
+/// The part of a run's file about structures: a series a body, one a monitor that moves with a rigid
 /// one, and, frame by frame, outlines of elastic ones and contact nodes. Everything belongs to the times that
-/// RunOutput tells.
+/// RunOutput names.
 class BodyOutput {
 public:
   /// Adds the series to the file.

@@ -20,7 +20,7 @@
 #include "mpm_domain/process/spec_from_case.hpp"
 #include "mpm_domain/ranks/mpi_communicator.hpp"
 #include "mpm_domain/state.hpp"
-#include "mpm_domain/transfer/picture.hpp"
+#include "mpm_domain/transfer/snapshot.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/plan/stages/stages.hpp"
@@ -101,14 +101,14 @@ std::string leave_frame(Domain& domain, const scene::Case& scene, const scene::P
                         const coupler::ParticipantOptions& options, const NotAtRest& failure) {
   take_velocities_of_nodes(domain);
   const CoupledFaces faces(domain, scene, plan);
-  const Picture picture(domain);
-  RunOutput output(options.out, scene, scene::to_json(scene, plan), domain, picture, faces.sources());
+  const Snapshot snapshot(domain);
+  RunOutput output(options.out, scene, scene::to_json(scene, plan), domain, snapshot, faces.sources());
   output.write_before_shaking(Stepper(domain, 0.0, [](auto&&...) {}));
   output.abort(failure.what());
   return fmt::format("{}; the frame in run.h5 shows where the ground moves", failure.what());
 }
 
-/// Rank 0 asks the coupler for the free field and tells it to all others.
+/// Rank 0 asks the coupler for the free field and passes it to all others.
 FreeFieldSource coupled_source(const Domain& domain, CoupledFaces& faces, coupler::DomainClient* client,
                                double& waiting_seconds) {
   return [&domain, &faces, client, &waiting_seconds](long step, double time, auto v, auto field) {
@@ -143,20 +143,20 @@ StageEnd end_of(const scene::Case& scene, const std::string& stage) {
 }
 
 /// What rank 0 does beside its share of the domain: it talks with the coupler and writes the results.
-class Speaker {
+class RankZeroDriver {
 public:
-  Speaker(coupler::DomainClient& client, const scene::Case& scene, const scene::Plan& plan,
-          const coupler::ParticipantOptions& options, Domain& domain, const Picture& picture,
-          const CoupledFaces& faces, const StageEnd& stop)
-      : client_(client), scene_(scene), domain_(domain), picture_(picture), end_(scene.end()), stop_(stop),
-        output_(options.out, scene, scene::to_json(scene, plan), domain, picture, faces.sources()),
+  RankZeroDriver(coupler::DomainClient& client, const scene::Case& scene, const scene::Plan& plan,
+                 const coupler::ParticipantOptions& options, Domain& domain, const Snapshot& snapshot,
+                 const CoupledFaces& faces, const StageEnd& stop)
+      : client_(client), scene_(scene), domain_(domain), snapshot_(snapshot), end_(scene.end()), stop_(stop),
+        output_(options.out, scene, scene::to_json(scene, plan), domain, snapshot, faces.sources()),
         checkpoints_(scene.checkpoints) {}
 
   RunOutput& output() { return output_; }
-  /// What of the picture it needs after a step.
-  Picture::Extent needs(const Stepper& stepper) {
+  /// What of the snapshot it needs after a step.
+  Snapshot::Extent needs(const Stepper& stepper) {
     saves_ = stepper.time() < end_ && (checkpoints_.due(stepper.steps()) || stepper.time() >= stop_.time);
-    return saves_ ? Picture::Extent::all : output_.needs(stepper);
+    return saves_ ? Snapshot::Extent::all : output_.needs(stepper);
   }
   void after_step(const Stepper& stepper) {
     output_.after_step(stepper);
@@ -172,7 +172,7 @@ public:
   }
   /// Makes a checkpoint.
   void save(const Stepper& stepper) {
-    checkpoints_.save(client_, domain_, picture_.sets(), stepper, output_);
+    checkpoints_.save(client_, domain_, snapshot_.sets(), stepper, output_);
   }
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
     if (stop_.time < end_) {
@@ -208,7 +208,7 @@ private:
   coupler::DomainClient& client_;
   const scene::Case& scene_;
   Domain& domain_;
-  const Picture& picture_;
+  const Snapshot& snapshot_;
   double end_;
   StageEnd stop_;
   RunOutput output_;
@@ -225,23 +225,23 @@ bool pressure_is_gone(const Stepper& stepper, const scene::Case& scene) {
 }
 
 /// Steps to the end. All ranks take part in all pictures.
-void step_to_end(Stepper& stepper, Picture& picture, Speaker* speaker, const scene::Case& scene,
+void step_to_end(Stepper& stepper, Snapshot& snapshot, RankZeroDriver* driver, const scene::Case& scene,
                  double stop) {
   if (!(stepper.time() < stop)) {
-    picture.take(speaker != nullptr ? Picture::Extent::all : Picture::Extent::nothing);
-    if (speaker != nullptr)
-      speaker->save(stepper);
+    snapshot.take(driver != nullptr ? Snapshot::Extent::all : Snapshot::Extent::nothing);
+    if (driver != nullptr)
+      driver->save(stepper);
   }
   while (stepper.time() < stop && !pressure_is_gone(stepper, scene)) {
     stepper.step();
-    picture.take(speaker != nullptr ? speaker->needs(stepper) : Picture::Extent::nothing);
-    if (speaker != nullptr)
-      speaker->after_step(stepper);
+    snapshot.take(driver != nullptr ? driver->needs(stepper) : Snapshot::Extent::nothing);
+    if (driver != nullptr)
+      driver->after_step(stepper);
   }
-  if (speaker != nullptr && stepper.time() < stop)
+  if (driver != nullptr && stepper.time() < stop)
     fmt::print("note: the {} ends at {:.6g} s: no excess pore pressure ratio is above {:g}\n",
                scene.rest->name, stepper.time_of_soil(stepper.time()), *scene.rest->until_ratio);
-  picture.take(speaker != nullptr ? speaker->output().needs_to_finish(stepper) : Picture::Extent::nothing);
+  snapshot.take(driver != nullptr ? driver->output().needs_to_finish(stepper) : Snapshot::Extent::nothing);
 }
 
 /// @param client  null on all ranks but the first
@@ -255,37 +255,37 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
   std::filesystem::path before;
   if (saved != nullptr && client != nullptr)
     before = results::set_aside(options.out / "run.h5");
-  Picture picture(domain);
-  std::optional<Speaker> speaker;
+  Snapshot snapshot(domain);
+  std::optional<RankZeroDriver> driver;
   std::vector<ParticleName> followed;
   if (client != nullptr) {
-    speaker.emplace(*client, scene, plan, options, domain, picture, coupled, stop);
-    followed = speaker->output().followed();
+    driver.emplace(*client, scene, plan, options, domain, snapshot, coupled, stop);
+    followed = driver->output().followed();
   }
   try {
     if (saved != nullptr)
       restore(domain, *saved);
     if (ranks != nullptr)
       share_out(domain, *ranks);
-    picture.follow(followed);
+    snapshot.follow(followed);
     Stepper stepper(domain, 0.0, coupled_source(domain, coupled, client, waiting_seconds));
     std::optional<coupler::DomainClient::FirstStep> first;
     if (saved != nullptr) {
       stepper.restore(*saved);
       first = {static_cast<std::uint64_t>(stepper.steps()), stepper.time()};
     }
-    if (speaker && saved != nullptr) {
-      speaker->output().take_over(before, *saved);
+    if (driver && saved != nullptr) {
+      driver->output().take_over(before, *saved);
       std::filesystem::remove(before);
     }
     if (client != nullptr)
       client->ready(coupled.faces(), 0.0, end, first);
-    step_to_end(stepper, picture, speaker ? &*speaker : nullptr, scene, stop.time);
-    if (speaker)
-      speaker->finish(stepper, gravity_seconds, waiting_seconds);
+    step_to_end(stepper, snapshot, driver ? &*driver : nullptr, scene, stop.time);
+    if (driver)
+      driver->finish(stepper, gravity_seconds, waiting_seconds);
   } catch (const std::exception& error) {
-    if (speaker)
-      speaker->abort(error.what());
+    if (driver)
+      driver->abort(error.what());
     throw;
   }
 }
@@ -327,7 +327,7 @@ void run_as_helper(const coupler::ParticipantOptions& options, Communicator& ran
     run_share(options, scene, scene::plan(scene), nullptr, &ranks, until);
   } catch (const std::exception& error) {
     fmt::print(stderr, "rank {} of the domain, on {}: {}\n", ranks.rank(), this_machine(), error.what());
-    // Where all ranks fail alike the first one tells it.
+    // Where all ranks fail alike the first one reports it.
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     throw;
   }

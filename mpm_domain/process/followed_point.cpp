@@ -45,9 +45,9 @@ Vector displacement(const Particles& set, std::size_t k, double dt) {
   return {x - set.x_initial[k], y - set.y_initial[k]};
 }
 
-ParticleMotion motion_in_space(const Picture& picture, ParticleName particle, const Stepper& stepper) {
+ParticleMotion motion_in_space(const Snapshot& snapshot, ParticleName particle, const Stepper& stepper) {
   const auto& [s, id] = particle;
-  const Particles& set = picture.sets()[s];
+  const Particles& set = snapshot.sets()[s];
   const std::size_t k = set.index_of[id];
   const double dt = stepper.dt();
   const double n = stepper.speed_of_time();
@@ -56,8 +56,8 @@ ParticleMotion motion_in_space(const Picture& picture, ParticleName particle, co
     return Vector{(p.x + q.x) / unit, (p.y + q.y) / unit};
   };
   return {place(set, k, dt), sum(displacement(set, k, dt), base.displacement, 1.0),
-          sum(picture.velocity(s, k), base.velocity, n),
-          sum(picture.acceleration(s, k), base.acceleration, n * n)};
+          sum(snapshot.velocity(s, k), base.velocity, n),
+          sum(snapshot.acceleration(s, k), base.acceleration, n * n)};
 }
 
 FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure) {
@@ -106,12 +106,12 @@ void FollowedPoint::add_followed(std::vector<ParticleName>& to) const {
     to.push_back({set_, neighbour.id});
 }
 
-void FollowedPoint::append_values(const Picture& picture, const Stepper& stepper, bool water,
+void FollowedPoint::append_values(const Snapshot& snapshot, const Stepper& stepper, bool water,
                                   std::vector<double>& row) const {
-  const Particles& set = picture.sets()[set_];
+  const Particles& set = snapshot.sets()[set_];
   const std::size_t k = set.index_of[id_];
   const double dt = stepper.dt();
-  const auto [x, u, v, a] = motion_in_space(picture, {set_, id_}, stepper);
+  const auto [x, u, v, a] = motion_in_space(snapshot, {set_, id_}, stepper);
   const Strain e = strain(set, dt);
   row.insert(row.end(), {x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y, set.sxx[k], set.syy[k], set.szz[k],
                          set.sxy[k], e.xx, e.yy, e.xy});

@@ -3,7 +3,7 @@
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/spec/output_columns.hpp"
 #include "mpm_domain/step/stepper.hpp"
-#include "mpm_domain/transfer/picture.hpp"
+#include "mpm_domain/transfer/snapshot.hpp"
 #include "scene/case.hpp"
 
 #include <cstddef>
@@ -40,7 +40,7 @@ struct ParticleMotion {
   Vector velocity;     ///< m/s
   Vector acceleration; ///< m/s2
 };
-ParticleMotion motion_in_space(const Picture& picture, ParticleName particle, const Stepper& stepper);
+ParticleMotion motion_in_space(const Snapshot& snapshot, ParticleName particle, const Stepper& stepper);
 
 /// A particle of soil, or of an elastic structure, whose motion, stress and strain are written as histories.
 ///
@@ -63,7 +63,7 @@ public:
   /// Appends place, displacement, velocity, acceleration, effective stress, strain and, in a case with water,
   /// pore pressure and its ratio, as columns() names them. Strain is NaN where the soil has too few particles
   /// around the point.
-  void append_values(const Picture& picture, const Stepper& stepper, bool water,
+  void append_values(const Snapshot& snapshot, const Stepper& stepper, bool water,
                      std::vector<double>& row) const;
 
   /// Adds the particles that the values depend on.

@@ -139,7 +139,7 @@ void reserve(Frame& frame, std::size_t particles) {
 }
 
 /// @param has_water  whether there is a water table, without which no field of the pore water is written
-Frame collect(const Domain& domain, const Picture& picture, const Stepper& stepper, bool has_water) {
+Frame collect(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper, bool has_water) {
   const double n = stepper.speed_of_time();
   const std::vector<std::string> names = soil_names(domain.spec);
   Frame frame;
@@ -147,11 +147,11 @@ Frame collect(const Domain& domain, const Picture& picture, const Stepper& stepp
   frame.variables = all_state_variables(domain);
   frame.states.resize(frame.variables.size());
   std::size_t particles = 0;
-  for (const Particles& set : picture.sets_of_soil())
+  for (const Particles& set : snapshot.sets_of_soil())
     particles += set.size();
   reserve(frame, particles);
   for (std::size_t s = 0; s < domain.soil_sets; ++s) {
-    const Particles& set = picture.sets()[s];
+    const Particles& set = snapshot.sets()[s];
     const auto name = static_cast<std::int32_t>(std::ranges::find(names, set.soil) - names.begin());
     std::map<std::string_view, const std::vector<double>*> columns;
     set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
@@ -160,7 +160,7 @@ Frame collect(const Domain& domain, const Picture& picture, const Stepper& stepp
     std::vector<double> vx(set.size());
     std::vector<double> vy(set.size());
     for (std::size_t k = 0; k < set.size(); ++k) {
-      const Vector v = picture.velocity(s, k);
+      const Vector v = snapshot.velocity(s, k);
       vx[k] = v.x / n;
       vy[k] = v.y / n;
     }
@@ -175,7 +175,7 @@ Frame collect(const Domain& domain, const Picture& picture, const Stepper& stepp
     for (const std::uint32_t k : set.index_of) {
       if (k == Particles::nowhere)
         continue;
-      const Vector acceleration = picture.acceleration(s, k);
+      const Vector acceleration = snapshot.acceleration(s, k);
       const auto [x, y] = place(set, k, stepper.dt());
       frame.position.insert(frame.position.end(), {x, y});
       const Vector moved = displacement(set, k, stepper.dt());
@@ -229,9 +229,9 @@ results::Table drift_table(std::span<const FaceDrift> faces) {
 } // namespace
 
 RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& scene,
-                     const std::string& plan, Domain& domain, const Picture& picture,
+                     const std::string& plan, Domain& domain, const Snapshot& snapshot,
                      std::span<const std::string> face_sources)
-    : scene_(scene), domain_(domain), picture_(picture),
+    : scene_(scene), domain_(domain), snapshot_(snapshot),
       writer_(directory / "run.h5", description(scene, plan)), bodies_(scene, domain, writer_),
       sliding_masses_(scene, writer_),
       lost_hold_(domain, domain.boundary, scene.boundary.base.form != scene::BaseForm::incident,
@@ -308,18 +308,18 @@ std::vector<ParticleName> RunOutput::followed() const {
   return particles;
 }
 
-Picture::Extent RunOutput::needs(const Stepper& stepper) const {
+Snapshot::Extent RunOutput::needs(const Stepper& stepper) const {
   const double time = stepper.time_of_soil();
   if (time >= next_frame_)
-    return Picture::Extent::all;
-  return time >= next_history_ ? Picture::Extent::followed : Picture::Extent::nothing;
+    return Snapshot::Extent::all;
+  return time >= next_history_ ? Snapshot::Extent::followed : Snapshot::Extent::nothing;
 }
 
-Picture::Extent RunOutput::needs_to_finish(const Stepper& stepper) const {
+Snapshot::Extent RunOutput::needs_to_finish(const Stepper& stepper) const {
   const double time = stepper.time_of_soil();
   if (time > last_frame_)
-    return Picture::Extent::all;
-  return time > last_history_ ? Picture::Extent::followed : Picture::Extent::nothing;
+    return Snapshot::Extent::all;
+  return time > last_history_ ? Snapshot::Extent::followed : Snapshot::Extent::nothing;
 }
 
 void RunOutput::after_step(const Stepper& stepper) {
@@ -345,21 +345,21 @@ void RunOutput::write_history(const Stepper& stepper) {
   for (const Followers& followers : followers_) {
     std::vector<double> values{last_history_};
     for (const FollowedPoint& point : followers.points)
-      point.append_values(picture_, stepper, scene_.water.has_value(), values);
+      point.append_values(snapshot_, stepper, scene_.water.has_value(), values);
     followers.series->append(values);
   }
   if (table_ != nullptr) {
     const auto [u, v, a] = stepper.domain().boundary.base_motion();
     table_->append(std::array{last_history_, u.x, u.y, v.x, v.y, a.x, a.y});
   }
-  sliding_masses_.write_history(picture_, stepper);
+  sliding_masses_.write_history(snapshot_, stepper);
   bodies_.write_history(stepper);
   write_boundary(stepper);
   writer_.flush_if_large();
 }
 
 void RunOutput::write_frame(const Stepper& stepper, double time, const ContactFrame& contact) {
-  const Frame frame = collect(domain_, picture_, stepper, scene_.water.has_value());
+  const Frame frame = collect(domain_, snapshot_, stepper, scene_.water.has_value());
   std::vector<results::Field> fields{{"position", "m", 2, frame.position}, {"soil", "1", 1, frame.soil}};
   if (domain_.mesh)
     fields.push_back({"size", "m", 1, frame.size});

@@ -26,15 +26,15 @@ namespace tremolo::mpm_domain {
 class RunOutput {
 public:
   /// Creates DIR/run.h5 for a domain at the start of shaking; particles that monitors follow stay whole.
-  /// @param picture  what is written of the particles; it and the domain outlive this
+  /// @param snapshot  what is written of the particles; it and the domain outlive this
   RunOutput(const std::filesystem::path& directory, const scene::Case& scene, const std::string& plan,
-            Domain& domain, const Picture& picture, std::span<const std::string> face_sources);
+            Domain& domain, const Snapshot& snapshot, std::span<const std::string> face_sources);
 
-  /// The particles that histories tell of.
+  /// The particles that have histories.
   std::vector<ParticleName> followed() const;
-  /// What of the picture is needed after a step, and to finish.
-  Picture::Extent needs(const Stepper& stepper) const;
-  Picture::Extent needs_to_finish(const Stepper& stepper) const;
+  /// What of the snapshot is needed after a step, and to finish.
+  Snapshot::Extent needs(const Stepper& stepper) const;
+  Snapshot::Extent needs_to_finish(const Stepper& stepper) const;
 
   /// Called after every step; writes what is due.
   void after_step(const Stepper& stepper);
@@ -81,7 +81,7 @@ private:
 
   const scene::Case& scene_;
   Domain& domain_;
-  const Picture& picture_;
+  const Snapshot& snapshot_;
   results::RunWriter writer_;
   BodyOutput bodies_;
   SlidingMassOutput sliding_masses_;

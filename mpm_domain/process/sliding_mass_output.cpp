@@ -59,15 +59,15 @@ void SlidingMassOutput::add_followed(std::span<const Particles> sets, std::vecto
         to.push_back({s, sets[s].id[k]});
 }
 
-void SlidingMassOutput::write_history(const Picture& picture, const Stepper& stepper) {
-  const std::span<const Particles> sets = picture.sets_of_soil();
+void SlidingMassOutput::write_history(const Snapshot& snapshot, const Stepper& stepper) {
+  const std::span<const Particles> sets = snapshot.sets_of_soil();
   for (std::size_t m = 0; m < series_.size(); ++m) {
     double mass = 0.0;
     std::array<double, 8> sums{};
     for (std::size_t s = 0; s < sets.size(); ++s)
       for (const std::uint32_t k : members(scene_.sliding_masses[m].outline.corners, sets[s])) {
         const Particles& set = sets[s];
-        const auto [x, u, v, a] = motion_in_space(picture, {s, set.id[k]}, stepper);
+        const auto [x, u, v, a] = motion_in_space(snapshot, {s, set.id[k]}, stepper);
         const std::array values{x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y};
         const double own = whole_mass(set, k);
         mass += own;

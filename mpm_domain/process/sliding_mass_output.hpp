@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mpm_domain/step/stepper.hpp"
-#include "mpm_domain/transfer/picture.hpp"
+#include "mpm_domain/transfer/snapshot.hpp"
 #include "results/run_file.hpp"
 #include "scene/case.hpp"
 
@@ -12,7 +12,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// The part of a run's file that tells of sliding masses: a series each with the means over the mass m of the
+/// The part of a run's file about sliding masses: a series each with the means over the mass m of the
 /// soil that began within an outline,
 ///
 ///     a(t) = sum m_p a_p / sum m_p,
@@ -26,7 +26,7 @@ public:
   SlidingMassOutput(const scene::Case& scene, results::RunWriter& writer);
 
   /// Writes a row of each series.
-  void write_history(const Picture& picture, const Stepper& stepper);
+  void write_history(const Snapshot& snapshot, const Stepper& stepper);
 
   /// Adds the particles of the masses.
   void add_followed(std::span<const Particles> sets, std::vector<ParticleName>& to) const;

@@ -30,16 +30,16 @@ private:
   std::vector<std::vector<std::size_t>> of_rank_;
 };
 
-/// What ranks tell of a list.
+/// What ranks pass on of a list.
 template <typename Read, typename Write>
-struct Told {
+struct SharedRows {
   const SharedList* list;
   std::size_t width; ///< numbers of an entry
   Read read;         ///< (entry, numbers) gives those of an entry that this rank knows
   Write write;       ///< (entry, numbers) takes those of another
 };
 
-/// All ranks tell each other what they know of some lists, in one message.
+/// All ranks pass what they know of some lists to each other, in one message.
 /// @param numbers  room for it
 template <typename... Lists>
 void tell_all(Communicator& ranks, std::vector<double>& numbers, const Lists&... lists) {
@@ -50,10 +50,10 @@ void tell_all(Communicator& ranks, std::vector<double>& numbers, const Lists&...
   numbers.resize(static_cast<std::size_t>(std::accumulate(lengths.begin(), lengths.end(), 0)));
   // act(list, entry, its numbers) for what a rank knows.
   const auto walk = [&](std::size_t rank, double* next, const auto& act) {
-    const auto walk_list = [&](const auto& told) {
-      for (const std::size_t entry : told.list->known_to(rank)) {
-        act(told, entry, next);
-        next += told.width;
+    const auto walk_list = [&](const auto& rows) {
+      for (const std::size_t entry : rows.list->known_to(rank)) {
+        act(rows, entry, next);
+        next += rows.width;
       }
     };
     (walk_list(lists), ...);
@@ -61,13 +61,13 @@ void tell_all(Communicator& ranks, std::vector<double>& numbers, const Lists&...
   };
   const int before = std::accumulate(lengths.begin(), lengths.begin() + ranks.rank(), 0);
   walk(me, numbers.data() + before,
-       [](const auto& told, std::size_t entry, double* its) { told.read(entry, its); });
+       [](const auto& rows, std::size_t entry, double* its) { rows.read(entry, its); });
   ranks.share(numbers, lengths);
   double* next = numbers.data();
   for (std::size_t rank = 0; rank < lengths.size(); ++rank)
     next = rank == me ? next + lengths[rank]
-                      : walk(rank, next, [](const auto& told, std::size_t entry, const double* its) {
-                          told.write(entry, its);
+                      : walk(rank, next, [](const auto& rows, std::size_t entry, const double* its) {
+                          rows.write(entry, its);
                         });
 }
 

@@ -18,7 +18,7 @@ void add_clock(Ground& ground, int clock) {
   add_sums(
       ground, clock, std::array{fields},
       [&](const Particles& p, std::size_t tile, double* window) {
-        return scatter_set<Company::none, motion, force>(ground, p, clock, tile, window);
+        return scatter_set<PoreWaterCoupling::none, motion, force>(ground, p, clock, tile, window);
       },
       [&](AcrossTile& tile) { scatter_across_set<SoilPhase, motion, force>(ground, tile); });
 }

@@ -176,7 +176,7 @@ template <typename Sums, std::size_t rows, typename To, typename Add>
 }
 
 /// What water adds to what the soil brings to the nodes.
-enum class Company {
+enum class PoreWaterCoupling {
   none,
   numbers, ///< what it takes off the weight, and pore volumes
   flow,    ///< these, and water that flows with its mass, momentum, force, drag
@@ -219,7 +219,7 @@ template <std::size_t count, std::size_t rows, typename ValuesOf>
 
 /// All calls in this function are inlined (`flatten`): a call would push the sums out of the registers.
 /// @returns the rows of the lattice that the particles touch
-template <Company company, Motion motion, bool force, Around around, typename Boxes>
+template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, typename Boxes>
 [[gnu::flatten]] RowRange scatter_range(const Particles& p, const ParticleRange& range,
                                         const Lattice& lattice, const NodeBlock& place, double* window,
                                         double gravity) {
@@ -246,18 +246,18 @@ template <Company company, Motion motion, bool force, Around around, typename Bo
       soil.cross_y = &p.cross_y[k];
     }
     scatter_phase<SoilPhase::pull, motion, force, around>(soil, count, w, lattice.h, g);
-    if constexpr (company == Company::flow) {
+    if constexpr (coupling == PoreWaterCoupling::flow) {
       const Arrays water = WaterPhase::arrays<force>(p, k, count, window, store);
       scatter_phase<WaterPhase::pull, motion, force, around>(water, count, w, lattice.h, g);
     }
-    if constexpr (force && company == Company::flow)
+    if constexpr (force && coupling == PoreWaterCoupling::flow)
       scatter_numbers<4>(k, count, w, window + WaterPhase::first_scalar * window_nodes,
                          [&](std::size_t of, auto group) {
                            const auto [volume, resistance] = WaterPhase::scalars_of(p, of, group);
                            const auto [lift, pores] = numbers_of_water(p, of, group, gravity);
                            return std::array{volume, resistance, lift, pores};
                          });
-    if constexpr (force && company == Company::numbers)
+    if constexpr (force && coupling == PoreWaterCoupling::numbers)
       scatter_numbers<2>(k, count, w, window + static_cast<std::size_t>(Sum::lift) * window_nodes,
                          [&](std::size_t of, auto group) { return numbers_of_water(p, of, group, gravity); });
   }
@@ -292,7 +292,7 @@ template <std::size_t count, typename Boxes, typename ValuesOf>
 
 /// Scatters the particles of a set in a tile, by the boxes and velocities that the set has.
 /// @returns the rows of the lattice that they touch
-template <Company company, Motion motion, bool force>
+template <PoreWaterCoupling coupling, Motion motion, bool force>
 RowRange scatter_set(const Ground& ground, const Particles& p, int clock, std::size_t tile, double* window) {
   const ParticleRange range = p.in_block(ground.block(clock, tile));
   if (range.begin == range.end)
@@ -300,7 +300,7 @@ RowRange scatter_set(const Ground& ground, const Particles& p, int clock, std::s
   const Lattice& lattice = ground.tiles.lattice(ground.tiles.level_of(tile));
   const NodeBlock place = ground.tiles.window(tile);
   const double gravity = ground.spec.gravity;
-  if constexpr (company == Company::none && !force)
+  if constexpr (coupling == PoreWaterCoupling::none && !force)
     if (p.traits.bilinear)
       return scatter_range<company, motion, force, Around::bilinear, OneSquare>(p, range, lattice, place,
                                                                                 window, gravity);

@@ -58,9 +58,10 @@ void add_mixture(Ground& ground, std::span<const SumRange> fields) {
         if constexpr (takes_velocities)
           gather_mixture(ground, p, tile);
         if (p.traits.flowing)
-          return scatter_set<Company::flow, motion, force>(ground, p, 0, tile, window);
-        RowRange rows = p.water ? scatter_set<Company::numbers, motion, force>(ground, p, 0, tile, window)
-                                : scatter_set<Company::none, motion, force>(ground, p, 0, tile, window);
+          return scatter_set<PoreWaterCoupling::flow, motion, force>(ground, p, 0, tile, window);
+        RowRange rows =
+            p.water ? scatter_set<PoreWaterCoupling::numbers, motion, force>(ground, p, 0, tile, window)
+                    : scatter_set<PoreWaterCoupling::none, motion, force>(ground, p, 0, tile, window);
         if (force && ground.has_flow() && is_sealed(ground, p))
           rows.add(seal_tile(ground, p, tile, window));
         return rows;

@@ -199,9 +199,9 @@ def _parser():
     pair.add_argument("run", help="folder of a run, or its run.h5")
     pair.add_argument("other", help="the run to set beside it")
     add_picture_options(pair)
-    told = add("report", report, "One HTML file of a run, of several side by side, or of studies: frames that play, charts that zoom.")
-    told.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5; or what soiltest, column, swap, cost or sweep wrote")
-    told.add_argument("--out", metavar="FILE",
+    command = add("report", report, "One HTML file of a run, of several side by side, or of studies: frames that play, charts that zoom.")
+    command.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5; or what soiltest, column, swap, cost or sweep wrote")
+    command.add_argument("--out", metavar="FILE",
                       help="the page (default: report.html beside the run or in the study's folder; of several runs, comparison.html; "
                       "of OUT.h5, OUT.html)")
     live = add("watch", follow, "The report of a run in a browser of this machine while the run goes on, until Ctrl-C.")

@@ -31,7 +31,7 @@ def draw(ax, run, index):
 
 
 def _millimetres(values):
-    """(factor, unit) in which lengths (m) are told."""
+    """(factor, unit) in which lengths (m) are shown."""
     return (1e3, "mm") if np.max(np.abs(values)) < 0.1 else (1.0, "m")
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 SOFTWARE = "tremolo"  # of the text in pictures that names what drew them
 PAGE = ": tremolo report</title>"
-HEAD = 4096  # bytes that tell whose a file is
+HEAD = 4096  # bytes that show whose a file is
 
 
 def _is_own(path, beginning):

@@ -153,13 +153,13 @@ std::filesystem::path draft_of(const std::filesystem::path& file) {
   return draft;
 }
 
-/// @param told for messages
-Handle created(const std::filesystem::path& file, const std::filesystem::path& told) {
+/// @param shown  in messages
+Handle created(const std::filesystem::path& file, const std::filesystem::path& shown) {
   prepare_hdf5();
   constexpr std::size_t expected_root_links = 32;
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   reserve_links(creation.get(), expected_root_links);
-  return {checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.get(), access_properties().get()), told,
+  return {checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.get(), access_properties().get()), shown,
                   "create the file"),
           H5Fclose};
 }

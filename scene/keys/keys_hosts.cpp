@@ -74,7 +74,7 @@ std::vector<Table> hosts_keys() {
                  .type = Type::text,
                  .meaning = "Where processes on other machines reach this run: `tcp://ADDRESS:PORT`. "
                             "ADDRESS is a number of this machine, the name of one of its network "
-                            "interfaces, or `*`, all of them; others are then told this machine's name. "
+                            "interfaces, or `*`, all of them; others are then given this machine's name. "
                             "PORT may be `*`, any free one.",
                  .otherwise = "needed where a side is placed"},
                 {.name = "slurm_options",

@@ -22,7 +22,7 @@ constexpr std::string_view of_cases = R"(# The case file
 One TOML file describes a whole case: the motion, the soils, the model, what drives its boundaries, and what is written.
 All values are in SI units; x points right, y up. A key that is not listed here is an error. `tremolo check CASE`
 reports everything that is wrong with a file at once, each as `file:line:column: [table] what, why, what would be
-right`; `tremolo explain CASE` tells what a case leads to. A key of a soil that is a `number or profile` may
+right`; `tremolo explain CASE` shows what a case leads to. A key of a soil that is a `number or profile` may
 [vary over depth](materials/over-depth.md): `{ depth = [...], value = [...] }`, `{ elevation = [...], value = [...] }`
 or `{ reference = ..., stress = ..., exponent = ... }` stand in place of the number.
 

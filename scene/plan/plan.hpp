@@ -79,7 +79,7 @@ BaseSources base_sources(const Case& scene, const Plan& plan);
 std::string explain(const Case& scene, const Plan& plan);
 
 /// The warnings and notes on a case, a line each; empty where there are none. `check`, `explain` and `run`
-/// tell them alike.
+/// print them alike.
 std::string remarks_text(const Case& scene);
 
 /// The plan and the remarks as JSON, for result files.

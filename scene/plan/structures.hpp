@@ -1,6 +1,6 @@
 #pragma once
 
-// The structures of a case, as the plan tells them and as rules look at them.
+// The structures of a case, as the plan describes them and as rules look at them.
 
 #include "scene/case.hpp"
 

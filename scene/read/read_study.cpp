@@ -168,7 +168,7 @@ void check_list(const Study& study, Findings& findings) {
                                axis.key, axis.values.size(), longest, length));
 }
 
-/// The axis whose values are told apart by colours.
+/// The axis whose values differ by colour.
 std::string colour_of(const Study& study, const TableReader& measures, Findings& findings) {
   const auto compared = [&](std::string_view key) {
     return std::ranges::any_of(study.axes,
@@ -182,7 +182,7 @@ std::string colour_of(const Study& study, const TableReader& measures, Findings&
       findings.add(measures.path("colour"), fmt::format("no axis '{}', {}", asked, suggestion(asked, keys)));
     else if (!compared(asked))
       findings.add(measures.path("colour"),
-                   fmt::format("'{}' has no array of several values to tell apart", asked));
+                   fmt::format("'{}' has no array of several values to distinguish", asked));
     return asked;
   }
   if (compared(angle_key))

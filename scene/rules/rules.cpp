@@ -13,7 +13,7 @@ struct Rule {
   void (*look)(const Case& scene, Findings& findings);
 };
 
-/// Errors, then warnings, then notes: the order in which they are found and told.
+/// Errors, then warnings, then notes: the order in which they are found and printed.
 constexpr std::array rules = {
     Rule{Severity::error, record_is_readable},
     Rule{Severity::error, box_fits_lattice},

@@ -38,7 +38,7 @@ void regions_hold_particles(const Case& scene, Findings& findings);
 void soil_reaches_boundaries(const Case& scene, Findings& findings);
 /// Periodic sides go with waves that are the same all along the base, and with what can be tied or wrapped.
 void sides_can_be_periodic(const Case& scene, Findings& findings);
-/// A shaking table moves dry soil between walls or periodic sides, as a motion of its own tells it.
+/// A shaking table moves dry soil between walls or periodic sides, as a motion of its own prescribes.
 void shaking_table_suits_case(const Case& scene, Findings& findings);
 /// Springs tie particles of one side to those of the other: cells there are equal.
 void springs_tie_equal_cells(const Case& scene, Findings& findings);
@@ -109,7 +109,7 @@ void structures_suit_time_stepping(const Case& scene, Findings& findings);
 void monitors_lie_in_soil(const Case& scene, Findings& findings);
 /// Monitors that move with a structure lie in or on it.
 void monitors_lie_on_structures(const Case& scene, Findings& findings);
-/// [hosts] places sides, one host for a process, at an endpoint that other machines can be told.
+/// [hosts] places sides, one host for a process, at an endpoint that other machines can reach.
 void hosts_can_meet(const Case& scene, Findings& findings);
 /// [hosts.domain] names machines, each once.
 void ranks_can_be_placed(const Case& scene, Findings& findings);

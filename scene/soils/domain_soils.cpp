@@ -42,24 +42,24 @@ one_of_each_name(std::vector<std::reference_wrapper<const Soil>> soils) {
   return soils;
 }
 
-std::vector<ToldSoil> told_soils(const Case& scene) {
-  std::vector<ToldSoil> told;
+std::vector<NamedSoil> named_soils(const Case& scene) {
+  std::vector<NamedSoil> named;
   for (std::size_t i = 0; i < scene.soils.size(); ++i) {
     const Soil& soil = scene.soils[i];
     const auto profile =
         std::ranges::find_if(scene.soil_profiles, [&](const SoilProfile& one) { return one.has(i); });
     if (profile == scene.soil_profiles.end()) {
-      told.push_back({soil.name, soil});
+      named.push_back({soil.name, soil});
       continue;
     }
     const std::size_t slice = i - profile->first;
     if (slice != 0 && slice + 1 != profile->slices())
       continue;
-    told.push_back({soil.name, soil});
-    told.back().soil.name =
+    named.push_back({soil.name, soil});
+    named.back().soil.name =
         fmt::format("{}, y = {:g} to {:g} m", soil.name, profile->levels[slice], profile->levels[slice + 1]);
   }
-  return told;
+  return named;
 }
 
 } // namespace tremolo::scene

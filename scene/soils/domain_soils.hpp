@@ -23,13 +23,13 @@ bool domain_is_damped(const Case& scene);
 std::vector<std::reference_wrapper<const Soil>>
 one_of_each_name(std::vector<std::reference_wrapper<const Soil>> soils);
 
-/// A soil as messages tell of it.
-struct ToldSoil {
+/// A soil as messages name it.
+struct NamedSoil {
   std::string name_in_file;
   Soil soil; ///< the name of a slice has its levels behind it
 };
 
 /// The soils of a case; of one that is sliced the uppermost and the lowermost slice.
-std::vector<ToldSoil> told_soils(const Case& scene);
+std::vector<NamedSoil> named_soils(const Case& scene);
 
 } // namespace tremolo::scene

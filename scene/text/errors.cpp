@@ -11,15 +11,15 @@ namespace tremolo::scene {
 
 namespace {
 
-/// Errors that are told; what is behind them is mostly the same again.
-constexpr std::size_t most_told = 100;
+/// Errors that are printed; those behind them mostly repeat them.
+constexpr std::size_t most_printed = 100;
 
 std::string all_messages(const std::vector<Finding>& errors) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(errors.size(), most_told); ++i)
+  for (std::size_t i = 0; i < std::min(errors.size(), most_printed); ++i)
     text += fmt::format("{}{}", text.empty() ? "" : "\n", errors[i].message());
-  if (errors.size() > most_told)
-    text += fmt::format("\n{}: {} more errors like these", errors.back().file, errors.size() - most_told);
+  if (errors.size() > most_printed)
+    text += fmt::format("\n{}: {} more errors like these", errors.back().file, errors.size() - most_printed);
   return text;
 }
 

@@ -28,7 +28,7 @@ ColumnGround column_ground(const std::filesystem::path& file, scene::SourceModel
 /// @throws std::runtime_error where the ground has no layers
 double deepest_level(const scene::Case& scene, const scene::SourceProcess& source);
 
-/// Times of the histories: until the motion has ended and the column has rung out, unless told.
+/// Times of the histories: until the motion has ended and the column has rung out, unless given.
 /// @throws std::runtime_error naming the option where there are too few or too many
 wavefield::TimeGrid column_times(const ColumnGround& ground, std::optional<double> duration = {},
                                  std::optional<double> every = {});

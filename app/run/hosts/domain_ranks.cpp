@@ -59,7 +59,7 @@ void require_other_machines(const scene::Case& scene) {
                                               machine.name));
 }
 
-/// Slurm tells mpirun the nodes. Rank 0 comes to the first one, and the hub's socket is on this machine.
+/// Slurm gives mpirun the nodes. Rank 0 comes to the first one, and the hub's socket is on this machine.
 void require_job(const DomainRanks& ranks) {
   if (environment("SLURM_JOB_ID").empty())
     throw std::runtime_error(

@@ -22,7 +22,7 @@ void Admission::require_own_key(Letter& letter, const std::string& claimed) {
 Participant& Admission::take_hello(Letter& letter, const json& hello) {
   const auto claimed = text_at(hello, "name");
   require_own_key(letter, claimed);
-  // The session is a secret: it is not told to those who do not know it.
+  // The session is a secret: it is not sent to those who do not know it.
   if (const auto session = text_at(hello, "session"); session != session_text(options_.session))
     throw Refusal(fmt::format("'{}' belongs to session {}, which is not that of this run", claimed, session));
   auto* participant = roster_.with_name(claimed);

@@ -1,7 +1,7 @@
 #pragma once
 
 // Reading what another process has written: a key that is missing, or holds something else than it should, is
-// that process's mistake and is told in words, with the key and the value.
+// that process's mistake and is reported in words, with the key and the value.
 
 #include <cstdint>
 #include <nlohmann/json.hpp>

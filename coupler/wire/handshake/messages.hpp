@@ -1,7 +1,7 @@
 #pragma once
 
 // Control messages: one JSON object each, rare and readable. Data frames travel on the same connection; the
-// first byte tells them apart ('{' or 'T').
+// first byte distinguishes them ('{' or 'T').
 
 #include "coupler/client/timeline.hpp"
 #include "coupler/mapping/timing.hpp"

@@ -192,7 +192,7 @@ void resolve_curve(Resolver& resolver, const Pdmy03Input& input, Pdmy03& law) {
     throw std::invalid_argument("modulus_reduction already fixes friction, surfaces and peak_shear_strain; "
                                 "leave them out");
   }
-  law.friction = law.phase_transformation; // until the curve has told
+  law.friction = law.phase_transformation; // until the curve gives it
   check_values(law);
   build_surfaces(law, input.modulus_reduction);
   for (const P parameter : {P::friction, P::surfaces, P::peak_shear_strain})

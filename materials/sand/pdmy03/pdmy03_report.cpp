@@ -1,4 +1,4 @@
-// What a user is told about the parameters in force.
+// What is reported of the parameters in force.
 
 #include "materials/sand/pdmy03/pdmy03.hpp"
 #include "materials/sand/pdmy03/pdmy03_flow.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-// A rigid base that moves as it is told, whatever the soil above it does: a shaking table. The domain is seen
+// A rigid base that moves as prescribed, whatever the soil above it does: a shaking table. The domain is seen
 // from the base, which therefore stands still,
 //
 //     m dv/dt = f - m dV/dt,      v = 0 at the base,      v_x = 0 at the walls of a container,
@@ -8,7 +8,7 @@
 // v being the velocity relative to the base, and V that of the base. Walls are smooth, and soil does not part
 // from them.
 //
-// The base is told V at t_n; nodes of a clock are kicked up to half a step of theirs after a tick. What a
+// The base is given V at t_n; nodes of a clock are kicked up to half a step of theirs after a tick. What a
 // kick takes off them is the growth since the last one of
 //
 //     V(t) = V(t_n) + (t - t_n) (V(t_n) - V(t_n-1)) / (t_n - t_n-1),

@@ -23,7 +23,8 @@ public:
   /// @param side left or right
   LayerJoint(Side side, LayerLattice& side_layer, LayerLattice& base_layer);
 
-  /// Moves the corner over the next dt (s), and tells the layers how their shared ends move: before they do.
+  /// Moves the corner over the next dt (s), and passes the motion of their shared ends to the layers: before
+  /// they move.
   /// @param side_velocity, base_velocity  of the layers' nodes at the domain's corner, in their own
   /// directions
   void advance(double dt, eq6::Vector side_velocity, eq6::Vector base_velocity, LayerLattice& side_layer,

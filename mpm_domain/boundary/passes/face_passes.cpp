@@ -36,7 +36,7 @@ std::vector<Pass> face_passes(Ground& ground, Boundary& boundary, FreeFieldSourc
   if (boundary.faces().empty())
     return {};
   if (!free_field)
-    throw std::invalid_argument("a domain with boundary faces needs to be told their free field");
+    throw std::invalid_argument("a domain with boundary faces needs their free field");
   std::vector<Pass> passes;
   if (ground.share || ground.has_pore_pressure())
     passes.push_back({Phase::scatter, "", [&](Step&) { boundary.read_soil(ground); }});

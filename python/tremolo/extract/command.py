@@ -49,7 +49,7 @@ def _profiles(run, folder, base, draw):
 
 
 def _downslope(run, given):
-    """+1 or -1 along x. Raises ValueError where it is neither given nor told by the surfaces."""
+    """+1 or -1 along x. Raises ValueError where it is neither given nor shown by the surfaces."""
     if given:
         return {"left": -1.0, "right": 1.0}[given]
     left, right = run.attribute("surface_levels", [0.0, 0.0])

@@ -1,4 +1,4 @@
-"""What a report tells in tables and words: model, plan, motion measures, differences, verification, versions, warnings."""
+"""What a report says in tables and words: model, plan, motion measures, differences, verification, versions, warnings."""
 
 import numpy as np
 

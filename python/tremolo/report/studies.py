@@ -13,7 +13,7 @@ from tremolo.report import panels
 from tremolo.report.facts import Table
 from tremolo.report.kinds import kind_of
 from tremolo.sweep import pictures, statistics
-from tremolo.sweep.plan import COMPLETE, Plan, told
+from tremolo.sweep.plan import COMPLETE, Plan, in_words
 
 
 class Study(NamedTuple):
@@ -87,7 +87,7 @@ def _sweep_groups(sweep, names, labels):
     rest = [key for key, _ in sweep.groups()[0].rest]
     rows = []
     for group in sweep.groups():
-        row = [told(group.colour)] * len(colour) + [told(value) for _, value in group.rest]
+        row = [in_words(group.colour)] * len(colour) + [in_words(value) for _, value in group.rest]
         for name in names:
             count, median, low, high = sweep.spread(name, group)
             row.append(f"{median:.4g} ({low:.4g} to {high:.4g}), {count} of {len(group.runs)}" if count else f"none of {len(group.runs)}")
@@ -100,11 +100,11 @@ def _sweep_pairs(sweep, names, labels):
     if not sweep.colour_key:
         return []
     rows = [
-        [label, told(pair.colour), str(pair.pairs), str(pair.smaller), str(pair.larger), str(pair.alike), _number(pair.median)]
+        [label, in_words(pair.colour), str(pair.pairs), str(pair.smaller), str(pair.larger), str(pair.alike), _number(pair.median)]
         for name, label in zip(names, labels) for pair in statistics.compared(sweep, name)
     ]
     headings = ["response", sweep.colour_key, "pairs", "smaller", "larger", "alike", "median difference"]
-    caption = f"Against {sweep.colour_key} = {told(sweep.colours[0])}, all else alike; a failure that comes is earlier than one that does not"
+    caption = f"Against {sweep.colour_key} = {in_words(sweep.colours[0])}, all else alike; a failure that comes is earlier than one that does not"
     return [Table(headings, rows, caption)]
 
 
@@ -118,7 +118,7 @@ def _sweep_lines(sweep, names, labels):
             runs = [number for number in sweep.complete if sweep.has_colour(number, colour)]
             line = statistics.fitted(sweep.numbers(sweep.intensity)[runs], sweep.numbers(name)[runs])
             if line:
-                rows.append([label, "all" if colour is None else told(colour), str(line.runs), _number(line.factor), _number(line.power),
+                rows.append([label, "all" if colour is None else in_words(colour), str(line.runs), _number(line.factor), _number(line.power),
                              _number(line.deviation)])
     headings = ["response y", sweep.colour_key or "runs", "runs", "factor", "power", "standard deviation of ln y"]
     return [Table(headings, rows, f"Lines y = factor x^power, x: {pictures.INTENSITIES[sweep.intensity]}")] if rows else []
@@ -128,7 +128,7 @@ def _sweep_runs(sweep, names, labels):
     columns = [sweep.columns[name] for name in ("run", *sweep.plan.varied(), *names)]
     rows = []
     for number, (status, message) in enumerate(zip(sweep.columns["status"].values, sweep.columns["message"].values)):
-        row = [told(value) if isinstance(value, (str, list)) else _number(value) for value in (column.values[number] for column in columns)]
+        row = [in_words(value) if isinstance(value, (str, list)) else _number(value) for value in (column.values[number] for column in columns)]
         rows.append([*row, status if status == COMPLETE else f"{status}: {message}".removesuffix(": ")])
     return Table(["run", *sweep.plan.varied(), *labels, "status"], rows, "Runs")
 

@@ -5,7 +5,7 @@ import signal
 import sys
 
 from tremolo.sweep import pictures, pool, slurm, statistics, table, task
-from tremolo.sweep.plan import COMPLETE, FAILED, Plan, told
+from tremolo.sweep.plan import COMPLETE, FAILED, Plan, in_words
 
 
 class Interrupted(Exception):
@@ -60,13 +60,13 @@ def found_text(sweep):
         for group in sweep.groups():
             count, median, low, high = sweep.spread(name, group)
             setting = [*([(sweep.colour_key, group.colour)] if sweep.colour_key else []), *group.rest]
-            at = ", ".join(f"{key} = {told(value)}" for key, value in setting) or "all runs"
+            at = ", ".join(f"{key} = {in_words(value)}" for key, value in setting) or "all runs"
             spread = f" ({low:.4g} to {high:.4g})" if count > 1 else ""
             value = f"median {median:.4g}{spread}" if count else "none"
             yield f"  {what}; {at}: {value}, {count} of {len(group.runs)} runs"
         if sweep.colour_key and name == "failure_time_s":
             for pair in statistics.compared(sweep, name):
-                yield (f"  {sweep.colour_key} = {told(pair.colour)} against {told(sweep.colours[0])}: fails earlier in {pair.smaller} "
+                yield (f"  {sweep.colour_key} = {in_words(pair.colour)} against {in_words(sweep.colours[0])}: fails earlier in {pair.smaller} "
                        f"of {pair.pairs}, later in {pair.larger}, alike in {pair.alike}")
 
 

@@ -9,7 +9,7 @@ from matplotlib import ticker
 from tremolo import style
 from tremolo.run import Run
 from tremolo.sweep import statistics
-from tremolo.sweep.plan import told
+from tremolo.sweep.plan import in_words
 
 MOST_COLUMNS = 4  # of groups, and of sampled keys
 MOST_MONITORS = 4
@@ -42,7 +42,7 @@ def _colour(sweep, colour):
 
 
 def _name(sweep, colour):
-    return "" if colour is None else f"{sweep.colour_key} = {told(colour)}"
+    return "" if colour is None else f"{sweep.colour_key} = {in_words(colour)}"
 
 
 def _places(sweep):
@@ -71,7 +71,7 @@ def _head(axes, columns):
     """What the panels of a column have in common above it; the panels below know it too, for reports that show them alone."""
     for number, row in enumerate(axes):
         for ax, rest in zip(row, columns):
-            ax.set_title(", ".join(f"{key} = {told(value)}" for key, value in rest), visible=number == 0)
+            ax.set_title(", ".join(f"{key} = {in_words(value)}" for key, value in rest), visible=number == 0)
 
 
 def _draw_groups(ax, sweep, name, groups):
@@ -92,7 +92,7 @@ def _draw_groups(ax, sweep, name, groups):
     ends = sorted(places.values())
     margin = 0.25 * (ends[-1] - ends[0]) or 0.5
     ax.set_xlim(ends[0] - margin, ends[-1] + margin)
-    names = {places[json.dumps(colour)]: told(colour) if colour is not None else "" for colour in sweep.colours}
+    names = {places[json.dumps(colour)]: in_words(colour) if colour is not None else "" for colour in sweep.colours}
     ax.set_xticks(list(names), list(names.values()))
 
 

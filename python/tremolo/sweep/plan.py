@@ -98,10 +98,10 @@ class Plan:
     def setting(self, run):
         """"motion.angle_deg = 15, motion.file = a" of a run: what is varied."""
         varied = self.varied()
-        return ", ".join(f"{key} = {told(value)}" for key, value in zip(self.keys, run.values) if key in varied)
+        return ", ".join(f"{key} = {in_words(value)}" for key, value in zip(self.keys, run.values) if key in varied)
 
 
-def told(value):
+def in_words(value):
     """A value in words."""
     return f"{value:.6g}" if isinstance(value, float) else value if isinstance(value, str) else json.dumps(value)
 

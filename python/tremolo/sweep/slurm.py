@@ -77,10 +77,10 @@ class Arrays:
         log = folder / "log"
         log.mkdir(parents=True, exist_ok=True)
         script = folder / "cases" / f"slurm_{name}.sh"
-        told = f" --records {','.join(map(str, records))}" if records else ""
+        option = f" --records {','.join(map(str, records))}" if records else ""
         script.write_text(SCRIPT.format(folder=shlex.quote(str(folder)), python=shlex.quote(sys.executable),
                                         path=shlex.quote(":".join(filter(None, sys.path))), tremolo=shlex.quote(str(self._tremolo)),
-                                        records=told), encoding="utf-8")
+                                        records=option), encoding="utf-8")
         at_a_time = f"%{self._jobs}" if self._jobs else ""
         command = ["sbatch", "--parsable", "--requeue", "--job-name=tremolo-sweep", f"--output={log}/slurm_%A_%a.txt", *self._options,
                    *more, f"--array={','.join(map(str, numbers))}{at_a_time}", str(script)]

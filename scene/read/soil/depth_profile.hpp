@@ -48,7 +48,7 @@ inline constexpr std::string_view profile_forms =
     "{ reference = ..., stress = ..., exponent = ... }";
 
 /// Reads a profile.
-/// @param refuse  told what is wrong, and where
+/// @param refuse  called with what is wrong, and where
 std::optional<DepthProfile> read_profile(const Key& key, const toml::table& table,
                                          const std::function<void(const toml::node&, std::string)>& refuse);
 

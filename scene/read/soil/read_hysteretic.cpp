@@ -89,7 +89,7 @@ std::optional<Backbone> read_gqh(const TableReader& table, const SoilCurves* cur
   return backbone;
 }
 
-/// Sets what unloading keeps of the damping. False, and said, where neither numbers nor a curve tell.
+/// Sets what unloading keeps of the damping. False, and reported, where neither numbers nor a curve say.
 bool read_unloading(const TableReader& table, const SoilCurves* curve, Backbone& backbone,
                     Findings& findings) {
   if (table.choice<Unloading>("unloading") == Unloading::masing)

@@ -156,7 +156,7 @@ std::optional<double> void_ratio_of_law(const TableReader& table) {
     const auto law = materials::pm4sand(input);
     return law.e_max - law.relative_density * (law.e_max - law.e_min);
   } catch (const std::invalid_argument&) {
-    return std::nullopt; // told when the soil is read
+    return std::nullopt; // reported when the soil is read
   }
 }
 
@@ -169,7 +169,7 @@ std::optional<double> saturated_density_of_law(const TableReader& table) {
     const auto set = table.optional_number("relative_density");
     return set ? materials::pdmy03_recommended(*set).density : std::nullopt;
   } catch (const std::invalid_argument&) {
-    return std::nullopt; // told when the soil is read
+    return std::nullopt; // reported when the soil is read
   }
 }
 

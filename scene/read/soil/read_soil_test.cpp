@@ -190,7 +190,7 @@ std::string path_error(const SoilTestFile& file) {
   }
 }
 
-/// What only the law and the whole test together can tell.
+/// What only the law and the whole test together can show.
 void check_test(const SoilTestFile& file, SoilTestUse use, Findings& findings) {
   try {
     materials::validate(file.soil.law);

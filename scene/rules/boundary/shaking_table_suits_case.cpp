@@ -10,7 +10,7 @@ void motion_is_that_of_the_table(const MotionInput& motion, Findings& findings) 
   if (motion.kind != motion::MotionKind::within && findings.sound("motion.kind"))
     findings.add("motion.kind",
                  fmt::format("kind = \"{}\" is that of a wave in rock, but a shaking table moves as "
-                             "it is told: its motion is kind = \"within\"",
+                             "prescribed: its motion is kind = \"within\"",
                              motion::name(motion.kind)));
   if (motion.angle_deg != 0.0 && findings.sound("motion.angle_deg"))
     findings.add(

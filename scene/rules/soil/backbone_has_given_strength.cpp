@@ -5,7 +5,7 @@
 namespace tremolo::scene {
 
 void backbone_has_given_strength(const Case& scene, Findings& findings) {
-  for (const auto& [name, soil] : told_soils(scene))
+  for (const auto& [name, soil] : named_soils(scene))
     if (const auto compared = implied_strength(soil))
       findings.add("soil." + name + ".shear_strength", *compared);
 }

@@ -29,7 +29,7 @@ std::string in_words(const materials::LoopReduction& loops) {
 /// Compares the backbone and the damping of its loops with the curve at one strain.
 void backbone_is_fitted(const Case& scene, Findings& findings) {
   constexpr double strain = 1e-3;
-  for (const auto& [name, soil] : told_soils(scene)) {
+  for (const auto& [name, soil] : named_soils(scene)) {
     const auto backbone = materials::shear_backbone(soil.column_law);
     if (!backbone || !soil.curves || !soil.curves->whole)
       continue;

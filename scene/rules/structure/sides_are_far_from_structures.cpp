@@ -29,7 +29,7 @@ void sides_are_far_from_structures(const Case& scene, Findings& findings) {
         "mesh.box",
         fmt::format("the nearer side is {:.3g} m from the middle of the structures: their settlement "
                     "depends on the box unless that is 4 depths of the model, {:.3g} m; springs and "
-                    "matched layers hold them, and a run in another box tells how much it is "
+                    "matched layers hold them, and a run in another box shows how much it is "
                     "(docs/boundaries.md)",
                     half_width, wanted_depths * depth));
 }

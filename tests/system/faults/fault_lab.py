@@ -146,7 +146,7 @@ class Attack:
         return (self.folder / "output").read_text(errors="replace")
 
     def endpoint(self):
-        """The hub's address, as the participants are told it."""
+        """The hub's address, as the participants are reported it."""
         words = Path(f"/proc/{next(iter(self.participants().values()))}/cmdline").read_bytes().decode().split("\0")
         return words[words.index("--endpoint") + 1]
 
@@ -163,7 +163,7 @@ class Attack:
         raise Failed(f"still there after {limit + 5.0:.1f} s: {left}; it said:\n{self.output()}")
 
     def must_fail(self, message, limit, since=None, status=1):
-        """Ends within the limit, without success, with the cause told once; nothing is left behind."""
+        """Ends within the limit, without success, with the cause reported once; nothing is left behind."""
         seconds = self.wait(limit, since)
         said = self.output()
         require(self.process.returncode == status, f"exit status {self.process.returncode}, expected {status}:\n{said}")

@@ -88,7 +88,7 @@ def missing_key(faults):
         make_keys(faults, keys, "domain", SLOPE_SOURCES[0])
         with faults.attack(options=("--transport", "tcp", "--keys", keys)) as run:
             run.must_fail(r"cannot read the key .*/right.public; `tremolo keygen` makes keys", 2.0)
-    return "told"
+    return "reported"
 
 
 @fault("an address that other machines can reach, no keys", "refused by the participant")
@@ -103,16 +103,16 @@ def open_address(faults):
     return "refused"
 
 
-@fault("files may have 200 kB (RLIMIT_FSIZE)", "ends, file and reason told, what was written is readable")
+@fault("files may have 200 kB (RLIMIT_FSIZE)", "ends, file and reason reported, what was written is readable")
 def file_size_limit(faults):
     limit = 200_000
     with faults.attack(duration=60.0, preexec=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))) as run:
         # A source keeps its steps in a file too, which may be too large first.
         run.must_fail("(run.h5|cannot keep the free field in).*File too large", 60.0, run.started)
-    return "told; the file is readable"
+    return "reported; the file is readable"
 
 
-@fault("output on a tmpfs of 400 kB", "ends, file and reason told", in_suite=True)
+@fault("output on a tmpfs of 400 kB", "ends, file and reason reported", in_suite=True)
 def full_disk(faults):
     if os.geteuid() != 0:
         return "not tried: needs root"
@@ -125,7 +125,7 @@ def full_disk(faults):
                 run.must_fail("run/run.*: No space left on device", 60.0, run.started)
         finally:
             subprocess.run(["umount", disk], check=True)
-    return "told; the file is readable"
+    return "reported; the file is readable"
 
 
 @fault("an output folder that cannot be written", "ends before any process starts")
@@ -137,10 +137,10 @@ def read_only_output(faults):
             run.must_fail("cannot|denied|not permitted|No such file", 2.0)
             require(not run._seen, "a process was started")
         os.chmod(folder, 0o700)
-    return "told at once"
+    return "reported at once"
 
 
-@fault("8, 10, ... 32 open files at most (ulimit -n)", "a normal run, or the reason told at once")
+@fault("8, 10, ... 32 open files at most (ulimit -n)", "a normal run, or the reason reported at once")
 def few_descriptors(faults):
     words = []
     for most in (8, 10, 12, 16, 20, 24, 32):
@@ -148,7 +148,7 @@ def few_descriptors(faults):
             run.wait(60.0, run.started)
             require(run.process.returncode in (0, 1), run.output())
             require(run.process.returncode == 0 or "raise `ulimit -n`" in run.output(), run.output())
-            words.append(f"{most}: {'runs' if run.process.returncode == 0 else 'told'}")
+            words.append(f"{most}: {'runs' if run.process.returncode == 0 else 'reported'}")
     return ", ".join(words)
 
 

@@ -1,4 +1,4 @@
-"""Processes that are killed, stopped, or told to end."""
+"""Processes that are killed, stopped, or reported to end."""
 
 import os
 import signal

@@ -173,17 +173,17 @@ def failing(faults, rank):
     with RankAttack(faults.tremolo, 3, environment={"LD_PRELOAD": library, "TREMOLO_FAILING_RANK": str(rank), "TREMOLO_FAILING_CALL": call},
                     duration=60.0) as run:
         await_until(run.ended, "the end")
-        told = f"rank {rank} of the domain, on " if rank > 0 else "'domain' exited with code|this step fails on purpose"
-        run.must_fail(rf"{told}.*this step fails on purpose" if rank > 0 else told, GONE)
+        reported = f"rank {rank} of the domain, on " if rank > 0 else "'domain' exited with code|this step fails on purpose"
+        run.must_fail(rf"{reported}.*this step fails on purpose" if rank > 0 else reported, GONE)
 
 
-@fault("a rank whose step throws", "all gone, the rank and its words told", in_suite=True)
+@fault("a rank whose step throws", "all gone, the rank and its words reported", in_suite=True)
 def failing_rank(faults):
     if not timed(faults).has_mpi:
         return NO_MPI
     failing(faults, 0)
     failing(faults, 2)
-    return "told, of rank 0 and of rank 2"
+    return "reported, of rank 0 and of rank 2"
 
 
 @fault("Ctrl-C in a run of ranks", "files closed, exit status 130, nothing of it is left")

@@ -18,7 +18,7 @@ def pausing_source(faults):
     with faults.rogue("pause", 130, step_deadline=6.0) as run:
         run.must_succeed(faults.box())
         require(re.search(r"waits for source 'left', field 'total', step \d+, since 3", run.output()), run.output())
-    return "told after 3 s; the same bits"
+    return "reported after 3 s; the same bits"
 
 
 @fault("a source whose solver never returns, step deadline 2 s", "ends within the deadline + 1 s, the source named")
@@ -48,11 +48,11 @@ def starts_late(faults):
     return "the same bits"
 
 
-@fault("a source that ends with status 3, control characters in its last line", "status and last lines told", in_suite=True)
+@fault("a source that ends with status 3, control characters in its last line", "status and last lines reported", in_suite=True)
 def source_that_dies(faults):
     with faults.rogue("die") as run:
         run.must_fail(r"'left' exited with code 3.*\\x1b\[31mthe rogue has had enough", 10.0, run.started)
-    return "its last line told, the characters as bytes"
+    return "its last line reported, the characters as bytes"
 
 
 @fault("a source that stays after BYE", "killed after the shutdown deadline, which is said; the results are complete")
@@ -119,7 +119,7 @@ def frame_fault(misdeed, injected, message, in_suite=False):
                 run.must_fail(message, 10.0, run.started)
         return "refused in both modes"
     check.__name__ = "frame_" + misdeed.replace("-", "_")
-    fault(injected, "refused before use, found and expected told", in_suite)(check)
+    fault(injected, "refused before use, found and expected reported", in_suite)(check)
 
 
 frame_fault("nan", "a frame with NaN, checksum right", r"source 'left' sent nonsense: field 'total', step \d+: stress syy at y = -?[\d.]+ m \(point 0 of \d+\) is nan Pa, allowed are",
@@ -148,7 +148,7 @@ def hello_fault(misdeed, injected, message, in_suite=False):
     def check(faults):
         with faults.rogue("hello-" + misdeed) as run:
             run.must_fail(message, 5.0, run.started)
-            require(re.search(r"the hub says REFUSE", (run.out / "log/left.log").read_text()), "not told to the participant")
+            require(re.search(r"the hub says REFUSE", (run.out / "log/left.log").read_text()), "not reported to the participant")
         return "refused on both sides"
     check.__name__ = "hello_" + misdeed
     fault(injected, "refused with a message on both sides, no wait", in_suite)(check)
@@ -170,11 +170,11 @@ hello_fault("twice", "HELLO with two fields of one name", "it serves two fields 
 hello_fault("colours", "HELLO with control characters in its build", r"\(build \\x1b\[31mred\\x1b\[0m\) says units = cgs")
 
 
-@fault("HELLO behind an empty part, as a REQ socket sends it", "refused and told")
+@fault("HELLO behind an empty part, as a REQ socket sends it", "refused and reported")
 def hello_delimiter(faults):
     with faults.rogue("delimiter") as run:
         run.must_fail("refused: a message of 2 parts, expected one", 5.0, run.started)
-    return "refused and told"
+    return "refused and reported"
 
 
 @fault("HELLO without the field that is asked for", "ends, the field named")

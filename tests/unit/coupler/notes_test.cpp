@@ -16,15 +16,15 @@ protected:
 };
 
 TEST_F(NotesTold, WordsOfOthersAreMadePrintable) {
-  notes_.tell("'left' says \x1b[2J");
+  notes_.show("'left' says \x1b[2J");
   EXPECT_EQ(told_.back(), "'left' says \\x1b[2J");
 }
 
 TEST_F(NotesTold, OneConnectionIsToldOfFiveTimesInARow) {
   for (int i = 0; i < 10'000; ++i)
-    notes_.tell_of_stranger("one", "refused", start_);
+    notes_.show_of_stranger("one", "refused", start_);
   EXPECT_EQ(told_.size(), 5U);
-  notes_.tell_of_stranger("two", "somebody else", start_);
+  notes_.show_of_stranger("two", "somebody else", start_);
   ASSERT_EQ(told_.size(), 7U);
   EXPECT_EQ(told_[5], "9995 notes about strangers were left out");
   EXPECT_EQ(told_[6], "somebody else");
@@ -32,19 +32,19 @@ TEST_F(NotesTold, OneConnectionIsToldOfFiveTimesInARow) {
 
 TEST_F(NotesTold, AFloodOfConnectionsIsTwentyNotesAndThenOneASecond) {
   for (int i = 0; i < 10'000; ++i)
-    notes_.tell_of_stranger(std::to_string(i), "refused", start_);
+    notes_.show_of_stranger(std::to_string(i), "refused", start_);
   EXPECT_EQ(told_.size(), 20U);
-  notes_.tell_of_stranger("x", "again", start_ + std::chrono::milliseconds(1100));
+  notes_.show_of_stranger("x", "again", start_ + std::chrono::milliseconds(1100));
   EXPECT_EQ(told_.size(), 22U);
   EXPECT_EQ(told_[20], "9980 notes about strangers were left out");
   EXPECT_EQ(told_[21], "again");
-  notes_.tell_of_stranger("y", "once more", start_ + std::chrono::milliseconds(1200));
+  notes_.show_of_stranger("y", "once more", start_ + std::chrono::milliseconds(1200));
   EXPECT_EQ(told_.size(), 22U);
 }
 
 TEST_F(NotesTold, TheRunItselfIsAlwaysHeard) {
   for (int i = 0; i < 100; ++i)
-    notes_.tell("waits");
+    notes_.show("waits");
   EXPECT_EQ(told_.size(), 100U);
 }
 

@@ -36,7 +36,7 @@ public:
   double value(double x, double y, const std::string& column) {
     const FollowedPoint point(at_start_, {x, y}); // as output does, which begins before anything moves
     std::vector<double> row;
-    point.append_values(Picture(domain_), stepper_, false, row);
+    point.append_values(Snapshot(domain_), stepper_, false, row);
     const auto columns = FollowedPoint::columns(scene::parse(scene::testing::flat_case, "flat.toml", "."));
     EXPECT_EQ(columns.size(), row.size());
     const auto at = std::ranges::find(columns, column, &OutputColumn::name);
@@ -98,7 +98,7 @@ TEST(FollowedPoint, TooFewParticlesHaveNoStrain) {
   stepper.step();
   const FollowedPoint point(domain, {4.25, -0.25});
   std::vector<double> row;
-  point.append_values(Picture(domain), stepper, false, row);
+  point.append_values(Snapshot(domain), stepper, false, row);
   EXPECT_TRUE(std::isnan(row.back()));
 }
 

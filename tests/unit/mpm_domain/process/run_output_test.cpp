@@ -28,7 +28,7 @@ TEST(RunOutput, WritesAFieldOfOnesOwnInEveryFrame) {
 
   const testing::TemporaryFolder folder;
   const std::vector<std::string> sources(domain.boundary.faces().size(), "wave");
-  const Picture picture(domain);
+  const Snapshot picture(domain);
   RunOutput output(folder / "", scene, "{}", domain, picture, sources);
   Stepper stepper(domain, 0.0, test_support::quiet_ground());
   stepper.step();

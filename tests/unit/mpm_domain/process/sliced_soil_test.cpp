@@ -65,7 +65,7 @@ TEST(SlicedSoil, IsOneSoilInTheRunsFile) {
   const scene::Case scene = growing_case();
   Domain domain(spec_from_case(scene, 1));
   Stepper stepper(domain, 0.0, test_support::quiet_ground());
-  const Picture picture(domain);
+  const Snapshot picture(domain);
   RunOutput output(folder / "", scene, "{}", domain, picture,
                    std::vector<std::string>(domain.boundary.faces().size(), "left"));
   stepper.step();

@@ -85,7 +85,7 @@ public:
                     scene::Polygon hole = {})
       : scene_(with_hole(block_case(kind), std::move(hole))), domain_(spec_from_case(scene_, 1)),
         stepper_(at_rest(), 0.0, test_support::quiet_ground()),
-        output_(folder, scene_, "{}", domain_, picture_,
+        output_(folder, scene_, "{}", domain_, snapshot_,
                 std::vector<std::string>(domain_.boundary.faces().size(), "wave")) {}
 
   void step(int count) {
@@ -109,7 +109,7 @@ private:
   scene::Case scene_;
   Domain domain_;
   Stepper stepper_;
-  Picture picture_{domain_};
+  Snapshot snapshot_{domain_};
   RunOutput output_;
 };
 

@@ -283,7 +283,7 @@ TEST(Rules, ShakingTableSuitsCase) {
   EXPECT_THAT(
       changed("kind = \"within\"\n", ""),
       ElementsAre("case.toml:2:1: [motion] kind = \"incident\" is that of a wave in rock, but a shaking "
-                  "table moves as it is told: its motion is kind = \"within\""));
+                  "table moves as prescribed: its motion is kind = \"within\""));
   EXPECT_THAT(
       changed("wave = \"SV\"", "wave = \"SV\"\nangle_deg = 15.0"),
       ElementsAre(HasSubstr("case.toml:5:13: [motion] angle_deg = 15, but a shaking table moves along x")));

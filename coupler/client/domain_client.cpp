@@ -38,7 +38,7 @@ void DomainClient::ready(const std::vector<ExchangedFace>& faces, double start_t
   free_field_.resize(face_count_);
   last_time_ = first ? first->time : start_time;
   next_step_ = batch_first_step_ = first ? first->step : 0;
-  // Both modes build it, so that a mistake is told by whoever finds it first, in the same words.
+  // Both modes build it, so that a mistake is reported by whoever finds it first, in the same words.
   try {
     exchange_.emplace(sources_, faces, start_time, end_time);
     exchange_->release_before(last_time_);

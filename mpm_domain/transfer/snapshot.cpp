@@ -1,22 +1,22 @@
-#include "mpm_domain/transfer/picture.hpp"
+#include "mpm_domain/transfer/snapshot.hpp"
 
 #include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 
 namespace tremolo::mpm_domain {
 
-Vector Picture::velocity(std::size_t set, std::size_t k) const {
+Vector Snapshot::velocity(std::size_t set, std::size_t k) const {
   return particle_velocity(ground_, sets()[set], k);
 }
 
-Vector Picture::acceleration(std::size_t set, std::size_t k) const {
+Vector Snapshot::acceleration(std::size_t set, std::size_t k) const {
   if (!ground_.share)
     return particle_acceleration(ground_, ground_.sets[set], k);
   const std::vector<double>& of_set = copy_.numbers[set];
   return {of_set[2 * k], of_set[2 * k + 1]};
 }
 
-void Picture::follow(const std::vector<ParticleName>& followed) {
+void Snapshot::follow(const std::vector<ParticleName>& followed) {
   if (!ground_.share)
     return;
   Communicator& ranks = *ground_.share->ranks;
@@ -33,7 +33,7 @@ void Picture::follow(const std::vector<ParticleName>& followed) {
     followed_[static_cast<std::size_t>(numbers[i])][static_cast<std::size_t>(numbers[i + 1])] = true;
 }
 
-Picture::Extent Picture::take(Extent wanted) {
+Snapshot::Extent Snapshot::take(Extent wanted) {
   if (!ground_.share)
     return wanted;
   double number = static_cast<double>(wanted);

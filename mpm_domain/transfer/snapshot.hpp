@@ -19,10 +19,10 @@ struct ParticleName {
   std::uint32_t id;
 };
 
-class Picture {
+class Snapshot {
 public:
   /// @param domain outlives this; shared out later, if at all
-  explicit Picture(const Ground& ground) : ground_(ground) {}
+  explicit Snapshot(const Ground& ground) : ground_(ground) {}
 
   /// A particle that is not in it has no place in index_of.
   std::span<const Particles> sets() const {
@@ -35,9 +35,9 @@ public:
 
   enum class Extent { nothing, followed, all };
 
-  /// Tells all ranks which particles are followed. That of rank 0 counts; all ranks call it once.
+  /// Passes to all ranks which particles are followed. That of rank 0 counts; all ranks call it once.
   void follow(const std::vector<ParticleName>& followed);
-  /// Brings the picture up to date as far as rank 0 wants it; after a step. All ranks call it.
+  /// Brings the snapshot up to date as far as rank 0 wants it; after a step. All ranks call it.
   /// @returns what rank 0 wants
   Extent take(Extent wanted);
 
