@@ -80,6 +80,13 @@ std::vector<Key> pm4sand_keys() {
           "min(0.03 exp(2.6 D_R), 0.99)", {.low = 1e-4, .high = 1.0}),
       may("p_sedo", "Pa", "Pressure scale of that reduction.", "`atmospheric_pressure`/5",
           {.low = 0.0, .high = 1e9}),
+      {.name = "tolerance",
+       .unit = "1",
+       .meaning = "Relative error of a sub-step of the law's integration, in stress, back stress and fabric. "
+                  "1e-3 saves a third of the law's time (docs/materials/pm4sand.md).",
+       .fallback = "1e-4",
+       .range = {.low = 1e-8, .high = 1e-2},
+       .when = {"model", {scene::name(SoilModel::pm4sand)}}},
       {.name = "post_shake",
        .type = Type::boolean,
        .meaning = "The sand has been shaken and reconsolidates: elastic stiffness reduced by F_sed.",

@@ -58,6 +58,12 @@ materials::Pm4SandInput pm4sand_input(const TableReader& table) {
           .post_shake = table.boolean("post_shake")};
 }
 
+materials::Law pm4sand(const TableReader& table) {
+  materials::Pm4Sand law = materials::pm4sand(pm4sand_input(table));
+  law.integration.tolerance = table.number("tolerance");
+  return law;
+}
+
 /// G/Gmax that the surfaces share. The built-in curve at as many strains as there are surfaces by default.
 std::vector<materials::ModulusReduction> modulus_reduction(const TableReader& table,
                                                            const std::filesystem::path& directory) {
@@ -187,7 +193,7 @@ Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, F
   if (!pm4 && (!recommended(table, findings) || !suits_pdmy03(table, findings)))
     return placeholder(soil.name);
   try {
-    const auto law = pm4 ? materials::pm4sand(pm4sand_input(table)) : pdmy03(table, directory);
+    const materials::Law law = pm4 ? pm4sand(table) : pdmy03(table, directory);
     return {soil.name, law, law, {}, {}};
   } catch (const std::exception& error) {
     findings.add(table.path(), error.what() + pressure_doubts(table));

@@ -56,7 +56,7 @@ TEST(Sand, EveryKeyOfPm4SandReachesItsParameter) {
       pm4sand +
       "atmospheric_pressure = 1e5\ne_max = 0.9\ne_min = 0.4\nn_b = 0.6\nn_d = 0.2\nQ = 9.0\nR = 1.4\n"
       "m = 0.02\nh_o = 0.5\nA_do = 1.1\nz_max = 3.0\nc_z = 240.0\nc_eps = 0.3\nC_DR = 6.0\nC_kaf = 7.0\n"
-      "F_sed_min = 0.2\np_sedo = 3e4\npost_shake = true\n");
+      "F_sed_min = 0.2\np_sedo = 3e4\npost_shake = true\ntolerance = 1e-3\n");
   EXPECT_EQ(law.p_A, 1e5);
   EXPECT_EQ(law.e_max, 0.9);
   EXPECT_EQ(law.e_min, 0.4);
@@ -75,6 +75,8 @@ TEST(Sand, EveryKeyOfPm4SandReachesItsParameter) {
   EXPECT_EQ(law.F_sed_min, 0.2);
   EXPECT_EQ(law.p_sedo, 3e4);
   EXPECT_TRUE(law.post_shake);
+  EXPECT_EQ(law.integration.tolerance, 1e-3);
+  EXPECT_EQ(law_of<materials::Pm4Sand>(pm4sand).integration.tolerance, materials::Pm4Integration{}.tolerance);
   EXPECT_FALSE(law_of<materials::Pm4Sand>(pm4sand).post_shake);
 }
 
