@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tremolo import drift, outputs
 from tremolo.pictures import preview
-from tremolo.report import facts, frames, kinds
+from tremolo.report import checklist, facts, frames, kinds
 from tremolo.run import Run
 
 HERE = Path(__file__).parent
@@ -155,6 +155,7 @@ class Report:
                     "title": title, "name": run.title, "status": run.status, "case": run.case, "model": facts.model(run),
                     "picture": _model_picture(run), "plan": facts.plan(run), "measures": facts.measures(run), "waits": facts.waits(run),
                     "processes": facts.processes(run), "origin": facts.origin(run), "warnings": facts.warnings(run),
+                    "checklist": None if live else checklist.checklist(run),
                 }
                 for run, title in zip(runs, titles)
             ],
