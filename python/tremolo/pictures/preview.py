@@ -59,7 +59,8 @@ def _box(run, position):
 
 def _surfaces(run, position, low, high):
     """y of the ground's surface at the left and at the right side, m: that of the free field, where there is one."""
-    size, strip = np.max(style.sizes(run, 0)), 0.02 * (high[0] - low[0])
+    size = np.max(style.sizes(run, 0))
+    strip = max(size, 0.02 * (high[0] - low[0]))
     sides = position[:, 0] < low[0] + strip, position[:, 0] > high[0] - strip
     tops = np.array([position[beside, 1].max() + 0.5 * size for beside in sides])
     levels = np.array(run.attribute("surface_levels", tops))
