@@ -302,14 +302,14 @@ RowRange scatter_set(const Ground& ground, const Particles& p, int clock, std::s
   const double gravity = ground.spec.gravity;
   if constexpr (coupling == PoreWaterCoupling::none && !force)
     if (p.traits.bilinear)
-      return scatter_range<company, motion, force, Around::bilinear, OneSquare>(p, range, lattice, place,
-                                                                                window, gravity);
+      return scatter_range<coupling, motion, force, Around::bilinear, OneSquare>(p, range, lattice, place,
+                                                                                 window, gravity);
   return for_boxes(p, [&]<typename Boxes>() {
     return p.traits.affine
-               ? scatter_range<company, motion, force, Around::affine, Boxes>(p, range, lattice, place,
-                                                                              window, gravity)
-               : scatter_range<company, motion, force, Around::uniform, Boxes>(p, range, lattice, place,
-                                                                               window, gravity);
+               ? scatter_range<coupling, motion, force, Around::affine, Boxes>(p, range, lattice, place,
+                                                                               window, gravity)
+               : scatter_range<coupling, motion, force, Around::uniform, Boxes>(p, range, lattice, place,
+                                                                                window, gravity);
   });
 }
 
