@@ -61,10 +61,10 @@ void check_dispersion(const Spec& spec) {
 void check_rigid_base(const Spec& spec) {
   if (spec.sides != Sides::container && spec.sides != Sides::periodic)
     throw std::invalid_argument("a rigid base goes with the walls of a container or with periodic sides");
-  if (spec.water || !spec.structures.empty() || !spec.matched_sides.empty() ||
+  if (!spec.structures.empty() || !spec.matched_sides.empty() ||
       spec.scheme.dispersion == Dispersion::reduced)
-    throw std::invalid_argument("a rigid base goes with dry soil, without structures, matched layers and "
-                                "reduced dispersion");
+    throw std::invalid_argument("a rigid base goes without structures, matched layers and reduced "
+                                "dispersion");
 }
 
 /// Loads lie in the model, and go with neither what moves them in a static stage nor several clocks.

@@ -27,6 +27,30 @@ ExactSums<1> sum_over(Ground& ground, std::span<const NodeRange> rows, const OfN
   });
 }
 
+/// Mass of a node with the water that flows in it, kg/m.
+class MassOfAll {
+public:
+  explicit MassOfAll(const Ground& ground) : nodes_(ground.grid), flows_(ground.has_flow()) {}
+  double operator()(std::size_t n) const { return nodes_.mass[n] + (flows_ ? nodes_.water_mass[n] : 0.0); }
+
+private:
+  const NodeFields& nodes_;
+  bool flows_;
+};
+
+/// Density of the water where it flows, kg/m3, or nothing.
+double density_of_flow(const Ground& ground) {
+  return ground.has_flow() ? ground.spec.water->fluid.density : 0.0;
+}
+
+/// Adds a force per volume of water (N/m3) to that on the water of these nodes.
+void pull_water(NodeFields& nodes, const NodeRange& row, Vector force) {
+  for (std::size_t n = row.begin; n < row.end; ++n) {
+    nodes.water_force_x[n] += nodes.wet_volume[n] * force.x;
+    nodes.water_force_y[n] += nodes.wet_volume[n] * force.y;
+  }
+}
+
 } // namespace
 
 RigidBase::RigidBase(const Ground& ground, std::span<BoundaryFace> faces) {
@@ -49,11 +73,25 @@ void RigidBase::follow_sort(const Ground& ground) {
   }
 }
 
-void RigidBase::stop(NodeFields& nodes) const {
+void RigidBase::stop(Ground& ground) const {
+  NodeFields& nodes = ground.grid;
   for (const std::size_t n : all_)
     nodes.momentum_x[n] = nodes.momentum_y[n] = 0.0;
   for (const std::size_t n : across_)
     nodes.momentum_x[n] = 0.0;
+  if (!ground.has_flow())
+    return;
+  for (const std::size_t n : all_)
+    nodes.water_momentum_x[n] = nodes.water_momentum_y[n] = 0.0;
+  for (const std::size_t n : across_)
+    nodes.water_momentum_x[n] = 0.0;
+}
+
+void RigidBase::close_to_water(NodeFields& nodes) const {
+  for (const std::size_t n : all_)
+    nodes.open_x[n] = nodes.open_y[n] = 0.0;
+  for (const std::size_t n : across_)
+    nodes.open_x[n] = 0.0;
 }
 
 void RigidBase::bear(NodeFields& nodes) const {
@@ -81,29 +119,47 @@ void RigidBase::push(Ground& ground, const Ticks& ticks, int clock, std::span<co
   const Vector a{(next.x - seen.velocity.x) / kick, (next.y - seen.velocity.y) / kick};
   seen = {next, a};
   NodeFields& nodes = ground.grid;
+  const MassOfAll mass(ground);
+  const double density = density_of_flow(ground);
   ground.workers.run(rows.size(), [&](std::size_t row) {
     for (std::size_t n = rows[row].begin; n < rows[row].end; ++n) {
-      nodes.force_x[n] -= nodes.mass[n] * a.x;
-      nodes.force_y[n] -= nodes.mass[n] * a.y;
+      nodes.force_x[n] -= mass(n) * a.x;
+      nodes.force_y[n] -= mass(n) * a.y;
     }
+    if (density > 0.0)
+      pull_water(nodes, rows[row], {-density * a.x, -density * a.y});
   });
   bear(nodes);
+}
+
+void RigidBase::release_water(Ground& ground, int clock, std::span<const NodeRange> rows) const {
+  const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
+  const double density = density_of_flow(ground);
+  ground.workers.run(rows.size(), [&](std::size_t row) {
+    pull_water(ground.grid, rows[row], {density * a.x, density * a.y});
+  });
 }
 
 ExactSums<1> RigidBase::power(Ground& ground, int clock, std::span<const NodeRange> rows) const {
   const NodeFields& nodes = ground.grid;
   const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
+  const bool flows = ground.has_flow();
   return sum_over(ground, rows, [&](std::size_t n) {
-    return -0.5 * nodes.mass[n] *
-           (a.x * (nodes.vx_before[n] + nodes.vx_after[n]) + a.y * (nodes.vy_before[n] + nodes.vy_after[n]));
+    const double of_soil = nodes.mass[n] * (a.x * (nodes.vx_before[n] + nodes.vx_after[n]) +
+                                            a.y * (nodes.vy_before[n] + nodes.vy_after[n]));
+    const double of_water = flows ? nodes.water_mass[n] * (a.x * (nodes.wx_before[n] + nodes.wx_after[n]) +
+                                                           a.y * (nodes.wy_before[n] + nodes.wy_after[n]))
+                                  : 0.0;
+    return -0.5 * (of_soil + of_water);
   });
 }
 
 ExactSums<1> RigidBase::remap_power(Ground& ground, int clock, std::span<const NodeRange> rows) const {
   const NodeFields& nodes = ground.grid;
   const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
+  const MassOfAll mass(ground);
   return sum_over(ground, rows, [&](std::size_t n) {
-    return nodes.mass[n] *
+    return mass(n) *
            (a.x * (nodes.vx_strain[n] - nodes.vx_after[n]) + a.y * (nodes.vy_strain[n] - nodes.vy_after[n]));
   });
 }
@@ -114,7 +170,7 @@ BaseMotion RigidBase::motion() const {
 }
 
 std::vector<Pass> RigidBase::passes(Ground& ground) {
-  const auto halt = [this, &ground](Step&) { stop(ground.grid); };
+  const auto halt = [this, &ground](Step&) { stop(ground); };
   std::vector<Pass> passes{
       {Phase::scatter, "", halt},
       {Phase::forces, "inertia",
@@ -129,6 +185,9 @@ std::vector<Pass> RigidBase::passes(Ground& ground) {
                                energy.input += kick * total[0];
                              });
        }}};
+  if (ground.has_flow())
+    passes.push_back(
+        {Phase::books, "", [this, &ground](Step& step) { release_water(ground, 0, step.nodes.of(0)); }});
   if (ground.is_remapped()) {
     passes.push_back({Phase::gather, "", halt});
     passes.push_back({Phase::remap, "", [this, &ground](Step& step) {

@@ -6,7 +6,10 @@
 //     m dv/dt = f - m dV/dt,      v = 0 at the base,      v_x = 0 at the walls of a container,
 //
 // v being the velocity relative to the base, and V that of the base. Walls are smooth, and soil does not part
-// from them.
+// from them. Base and walls stop the water in the ground too. Water that flows has its own inertia: with m_f
+// its mass and M_f that of the water which would fill the soil (water/mixture_kick.hpp),
+//
+//     F -= (m_s + m_f) dV/dt,      f -= M_f dV/dt.
 //
 // The base is given V at t_n; nodes of a clock are kicked up to half a step of theirs after a tick. What a
 // kick takes off them is the growth since the last one of
@@ -15,7 +18,7 @@
 //
 // so that all of it adds up to V, whatever the steps are.
 //
-// Work is that of the frame: the base itself does none, and inertia does -m dV/dt . v.
+// Work is that of the frame: the base itself does none, and inertia does -m dV/dt . v on each phase.
 
 #include "mpm_domain/boundary/support.hpp"
 #include "mpm_domain/ranks/exact_sum.hpp"
@@ -43,19 +46,24 @@ public:
   std::vector<Pass> passes(Ground& ground) override;
   void add_state(SavedNumbers& state) override;
 
+  /// Closes the nodes that are held to water, after the faces have opened all others.
+  void close_to_water(NodeFields& nodes) const;
+
   /// Motion of the base at the time to which output of particles belongs, half a step before
   /// the end of the step just made.
   BaseMotion motion() const;
 
 private:
   /// Takes momentum, and with it velocity, off the nodes that are held.
-  void stop(NodeFields& nodes) const;
+  void stop(Ground& ground) const;
   /// Adds the inertia of a clock's kick to the forces of its nodes, in these rows, that are free.
   void push(Ground& ground, const Ticks& ticks, int clock, std::span<const NodeRange> rows);
   /// Power (W/m) of that inertia on the mean velocity of an update; the sum of one rank.
   ExactSums<1> power(Ground& ground, int clock, std::span<const NodeRange> rows) const;
   /// Likewise on the difference between v+ and the remapped velocity.
   ExactSums<1> remap_power(Ground& ground, int clock, std::span<const NodeRange> rows) const;
+  /// Takes the inertia of the water off the forces on it again: what is left is that of the pressure alone.
+  void release_water(Ground& ground, int clock, std::span<const NodeRange> rows) const;
   /// Base and walls take up the forces on the nodes that they hold.
   void bear(NodeFields& nodes) const;
 

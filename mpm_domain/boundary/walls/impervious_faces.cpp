@@ -51,6 +51,8 @@ void close(Ground& ground, const Boundary& boundary, Reactions& reactions) {
       for (int level = 0; level < ground.lattice_count(); ++level)
         close_nodes(ground.lattice(level), line_of(face, boundary.soil()[f].place), grid);
   }
+  if (const RigidBase* const table = boundary.supports().find<RigidBase>())
+    table->close_to_water(grid);
   reactions.clear();
   for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
     const BoundaryFace& face = boundary.faces()[f];

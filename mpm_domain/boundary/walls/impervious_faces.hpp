@@ -17,6 +17,8 @@
 // ground beyond a side is no wall: where w . n = 0, pressures rise and fall by rho_f a over the way that they
 // drain in a cycle. With the reaction p_e n water beside a side feels no gradient across it, and passes as
 // fast as everywhere. Where the side leans, the reaction has a part along y (lean/leaning_sides.hpp).
+//
+// The walls of a container are closed, as the base is.
 
 #include "mpm_domain/boundary/boundary.hpp"
 

@@ -40,9 +40,6 @@ void shaking_table_suits_case(const Case& scene, Findings& findings) {
                     "use sides = \"container\" or \"periodic\"",
                     name(boundary.sides)));
   motion_is_that_of_the_table(scene.motion, findings);
-  if (scene.water)
-    findings.add("water",
-                 "soil on a shaking table must be dry: the inertia of pore water there was not studied");
   if (!scene.structures.empty())
     findings.add("structure",
                  "soil on a shaking table carries no structures: their inertia there was not studied");

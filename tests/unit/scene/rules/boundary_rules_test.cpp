@@ -300,7 +300,7 @@ TEST(Rules, ShakingTableSuitsCase) {
               ElementsAre(HasSubstr("'form' does not apply to model = \"shaking_table\"")));
   EXPECT_THAT(
       changed("poisson = 0.28", "poisson = 0.28\nporosity = 0.4\npermeability = 1e-4\n[water]\nlevel = -2.0"),
-      Contains(HasSubstr("soil on a shaking table must be dry")));
+      ::testing::Each(Not(HasSubstr("shaking table"))));
   EXPECT_THAT(errors_of(with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n",
                              "sides = \"container\"\n")),
               ElementsAre(HasSubstr("walls that stand on a shaking table: they need [boundary.base] model = "
