@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Excess pore pressure of the column against the centrifuge's, and what it depends on: the tables of README.md and pressures.png.
+"""Excess pore pressure of the column and of the slope in its container against the centrifuge's, and what it depends on: the tables
+of README.md, pressures.png and displacement.png.
 
     cases/leap_ucd_2017/study.py [TREMOLO [FOLDER]]      default: build/release/bin/tremolo, runs/leap_ucd_2017
 
@@ -15,7 +16,7 @@ sys.path.insert(0, str(CASE.parents[2] / "python"))
 
 import numpy as np
 from tremolo import pore_pressure, style
-from tremolo.variants import variant
+from tremolo.variants import cpu_time, run_variant, variant
 
 DEPTHS = (4.0, 3.0, 2.0, 1.0)  # m
 # Means over some seconds of sensors good to 2 kPa, at these times (s).
@@ -49,9 +50,37 @@ def column(tremolo, folder, name, changes, case=CASE):
     return at[0]["time"], np.array([1e-3 * history["pore_pressure"] for history in at]), settlement["settlement"]
 
 
+def container(tremolo, folder):
+    """Likewise of the soil within 3 m of mid-slope in the container, at the times of the frames; how far its surface has gone downhill
+    (m), and CPU time (s)."""
+    with run_variant(tremolo, CASE.with_name("container.toml"), {}, folder, "container") as run:
+        place = run.field(0, "position")
+        middle = np.abs(place[:, 0]) < 3.0
+        rows = [middle & (np.abs(place[:, 1] + depth) < 0.26) for depth in DEPTHS]
+        pressure = [[1e-3 * run.field(frame, "excess_pore_pressure")[row].mean() for frame in range(len(run.times))] for row in rows]
+        surface = middle & (place[:, 1] > -0.3)
+        moved = [run.field(frame, "displacement")[surface, 0].mean() for frame in range(len(run.times))]
+        final_displacement(run, folder)
+        return run.times, np.array(pressure), np.array(moved), cpu_time(run)
+
+
+def final_displacement(run, folder):
+    """Size of the displacement at the end."""
+    last = len(run.times) - 1
+    figure, axes = style.map_axes(style.extent(run, [0, last]), 1, 1)
+    ax, size = axes[0, 0], np.hypot(*run.field(last, "displacement").T)
+    colouring = dict(cmap=style.SEQUENTIAL, vmin=0.0, vmax=float(size.max()))
+    mappable = style.plt.cm.ScalarMappable(style.plt.Normalize(0.0, colouring["vmax"]), colouring["cmap"])
+    figure.colorbar(mappable, ax=ax, label="displacement (m)", shrink=0.8)
+    style.fix_layout(figure)
+    style.fill_particles(ax, run.field(last, "position"), size, style.sizes(run, last), **colouring)
+    return style.save(figure, folder, "displacement.png")
+
+
 def means(time, pressure, when):
-    """Means over 3 s about a time, kPa."""
-    return pressure[:, np.abs(time - when) < 1.5].mean(axis=1)
+    """Means over 3 s about a time, kPa, or what is nearest to it."""
+    near = np.abs(time - when) < max(1.5, 1.001 * np.abs(time - when).min())
+    return pressure[:, near].mean(axis=1)
 
 
 def largest_miss(time, pressure):
@@ -60,10 +89,11 @@ def largest_miss(time, pressure):
     return float(np.max(shares))
 
 
-def picture(time, pressure, without, folder):
+def picture(time, pressure, slope, without, folder):
     figure, axes = style.plt.subplots(len(DEPTHS), 1, figsize=(7.6, 7.6), sharex=True, layout="constrained")
     for number, (ax, depth) in enumerate(zip(axes, DEPTHS)):
         ax.plot(time, pressure[number], linewidth=0.7, color=style.COLOURS[0], label="column")
+        ax.plot(slope[0], slope[1][number], linewidth=0.7, color=style.COLOURS[2], label="slope in its container")
         ax.plot(without[0], without[1][number], linewidth=0.7, color="0.6", label="without a rest")
         ax.errorbar(list(MEASURED), [row[number] for row in MEASURED.values()], yerr=2.0, fmt="o", color=style.COLOURS[1], markersize=4,
                     capsize=3, label="centrifuge")
@@ -81,15 +111,20 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     found = {name: column(tremolo, folder, name, changes) for name, (_, changes) in VARIANTS.items()}
     time, pressure, _ = found["main"]
+    slope = container(tremolo, folder)
     print("| excess pore pressure, kPa | 4 m | 3 m | 2 m | 1 m |\n| --- | --- | --- | --- | --- |")
     for when, measured in MEASURED.items():
         print(f"| {when:g} s, centrifuge | " + " | ".join(f"{value:g}" for value in measured) + " |")
         print("| column | " + " | ".join(f"{value:.1f}" for value in means(time, pressure, when)) + " |")
+        print("| slope in its container | " + " | ".join(f"{value:.1f}" for value in means(*slope[:2], when)) + " |")
+    at_end, last = np.interp([16.0, slope[0][-1]], slope[0], slope[2])
+    print(f"\nLargest miss of the slope {100.0 * largest_miss(*slope[:2]):.0f} % of the overburden; downhill {at_end:.2f} m at 16 s, "
+          f"{last:.2f} m at the end; {slope[3] / 60.0:.1f} min of CPU time")
     print("\n| variant | largest miss, share of the overburden | at 94 s, 4 m, kPa | settlement, mm |\n| --- | --- | --- | --- |")
     for name, (label, _) in VARIANTS.items():
         time, pressure, settlement = found[name]
         print(f"| {label} | {100.0 * largest_miss(time, pressure):.0f} % | {means(time, pressure, 94.0)[0]:.1f} | {1e3 * settlement[-1]:.0f} |")
-    print(picture(*found["main"][:2], found["no_rest"][:2], folder))
+    print(picture(*found["main"][:2], slope, found["no_rest"][:2], folder))
 
 
 if __name__ == "__main__":
