@@ -101,11 +101,25 @@ def extract(arguments):
     yield from extract_command.carry_out(arguments)
 
 
+def point(text):
+    """A point of the command line, X,Y in m."""
+    try:
+        x, y = map(float, text.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}' is no point, X,Y in m; one that begins with a minus is --from=-3,2") from None
+    if not (abs(x) < float("inf") and abs(y) < float("inf")):
+        raise argparse.ArgumentTypeError(f"'{text}' is not finite")
+    return x, y
+
+
 def failure_times(arguments):
     """Yields a line a run: when its slope failed."""
+    ends = (getattr(arguments, "from"), arguments.to)
+    if (ends[0] is None) != (ends[1] is None):
+        raise ValueError("--from and --to are the two ends of one band: give both, or neither")
     for path in arguments.runs:
         run = Run(path)
-        time = failure.failure_time(run, arguments.strain)
+        time = failure.failure_time(run, arguments.strain, None if ends[0] is None else ends)
         when = f"fails at {time:.2f} s" if time is not None else f"has not failed by {run.times[-1]:.2f} s"
         yield f"{run.path.parent}: {run.attribute('angle_deg'):g} degrees, {when}"
 
@@ -222,9 +236,11 @@ def _parser():
                        help="left or right, where masses slide to (default: towards the lower surface)")
     taken.add_argument("--plot", action="store_true", help="also pictures of the tables")
     taken.add_argument("--out", metavar="DIR", help="folder of the tables (default: tables/ beside the run)")
-    failed = add("failure", failure_times, "When a shear band first connects the toe of a slope with its crest.")
+    failed = add("failure", failure_times, "When a shear band first connects the toe of a slope with its crest, or two points.")
     failed.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5")
     failed.add_argument("--strain", type=float, default=0.1, help="equivalent plastic strain of the band (default 0.1)")
+    failed.add_argument("--from", type=point, metavar="X,Y", help="one end of the band in the undeformed model, m (default: the monitor 'toe')")
+    failed.add_argument("--to", type=point, metavar="X,Y", help="the other end (default: the ground behind the crest)")
     alone = add("column", column_picture, "Picture of a free field alone: OUT.png beside OUT.h5.")
     alone.add_argument("path", help="the file that `tremolo column` wrote")
     tested = add("soiltest", soiltest_picture, "Picture of a soil test: OUT.png beside OUT.h5.")

@@ -1,5 +1,7 @@
 """The time at which a shear band connects toe and crest, on bands drawn by hand."""
 
+import contextlib
+import io
 import tempfile
 import unittest
 from pathlib import Path
@@ -7,6 +9,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 from tremolo import Run, failure
+from tremolo.__main__ import main
 
 SIZE = 1.0
 
@@ -98,6 +101,31 @@ class FailureTime(unittest.TestCase):
 
     def test_weaker_strain_is_no_band(self):
         self.assertIsNone(self.failure_time([diagonal(0, 10)], strain=0.3))
+
+
+class BetweenTwoPoints(unittest.TestCase):
+    """The band of the cells (21, 0) to (28, 7), whose centres lie half a metre from their corners."""
+
+    def printed(self, *options):
+        with tempfile.TemporaryDirectory() as folder:
+            write(Path(folder) / "run.h5", [[], diagonal(0, 8)])
+            out, error = io.StringIO(), io.StringIO()
+            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(error), contextlib.suppress(SystemExit):
+                main(["failure", folder, *options])
+            return out.getvalue() + error.getvalue()
+
+    def test_it_connects_what_it_comes_near_to(self):
+        self.assertIn("fails at 1.00 s", self.printed("--from", "21.5,0.5", "--to", "28.5,7.5"))
+        self.assertIn("fails at 1.00 s", self.printed("--from=20.5,-0.5", "--to=28.5,5.9"))
+
+    def test_it_does_not_connect_what_is_farther_away_than_two_cells(self):
+        self.assertIn("has not failed by 1.00 s", self.printed("--from", "21.5,0.5", "--to", "31.0,9.5"))
+        self.assertIn("has not failed", self.printed("--from", "10.0,-5.0", "--to", "28.5,7.5"))
+
+    def test_wrong_points_are_refused(self):
+        self.assertIn("is no point, X,Y in m", self.printed("--from", "21.5", "--to", "28.5,7.5"))
+        self.assertIn("give both, or neither", self.printed("--from", "21.5,0.5"))
+        self.assertIn("m from the nearest soil", self.printed("--from", "21.5,0.5", "--to", "80.0,7.5"))
 
 
 if __name__ == "__main__":
