@@ -70,6 +70,7 @@ constexpr std::array rules = {
     Rule{Severity::warning, shaken_sand_rests},
     Rule{Severity::warning, time_factor_errs_little},
     Rule{Severity::warning, loads_are_ramped},
+    Rule{Severity::warning, loads_are_far_from_sides},
     Rule{Severity::warning, unit_is_that_of_header},
     Rule{Severity::warning, record_is_plausible},
     Rule{Severity::warning, record_ends_at_rest},

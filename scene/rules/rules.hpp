@@ -199,5 +199,7 @@ void drained_soil_needs_no_permeability(const Case& scene, Findings& findings);
 void monitors_lie_on_particles(const Case& scene, Findings& findings);
 /// Sides are so far from structures on yielding soil that settlement hardly depends on the box.
 void sides_are_far_from_structures(const Case& scene, Findings& findings);
+/// Loads end some of their widths before a side that a free field drives.
+void loads_are_far_from_sides(const Case& scene, Findings& findings);
 
 } // namespace tremolo::scene

@@ -43,6 +43,15 @@ TEST(Stages, HaveTheNameOfTheirKindOrOneOfTheirOwn) {
               ElementsAre("before", "shaking", "ten minutes"));
 }
 
+// The box is 20 m wide.
+TEST(Loads, EndTwoOfTheirWidthsBeforeASideThatAFreeFieldDrives) {
+  const auto far = HasSubstr("before a side whose free field does not have it");
+  EXPECT_THAT(remarks_of(loaded()), Not(Contains(far)));
+  EXPECT_THAT(remarks_of(loaded(load("x_m = [7.9, 11.9]\npressure_pa = 1e3\n"))),
+              Contains(HasSubstr("'load' ends 7.9 m before a side")));
+  EXPECT_THAT(remarks_of(loaded(load("x_m = [8.0, 12.1]\npressure_pa = 1e3\n"))), Contains(far));
+}
+
 TEST(Stages, HaveDifferentNames) {
   EXPECT_THAT(errors_of(plus(rest + "name = \"shaking\"\n")),
               ElementsAre("case.toml:34:8: [[stage]] the stage in line 29 has the name 'shaking' already: "
