@@ -1,6 +1,6 @@
-// A free field does not know the load. Under a strip of width B the ground bears a tenth of its pressure at a
-// distance of some 2 B from its end (Boussinesq), which a side nearer than that would hold against a free
-// field without it.
+// A free field does not know the load. At a distance of two of its widths from its end a strip still presses
+// the ground sideways with some 8 % of its pressure (Boussinesq), which a side nearer than that would hold
+// against a free field without it.
 
 #include "scene/rules/rules.hpp"
 
