@@ -171,7 +171,7 @@ class OfARunThatIsNotComplete(unittest.TestCase):
             text = (Path(folder) / "report.html").read_text(encoding="utf-8")
         # What a run says of itself is text, never markup.
         self.assertIn("run aborted: &lt;b&gt;killed&lt;/b&gt; &amp; gone", text)
-        self.assertIn("Told when a run has ended well.", text)
+        self.assertIn("Shown when a run has ended well.", text)
         for section in ("frames", "monitors", "structures", "water", "drift"):
             self.assertIn(f'<section id="{section}">', text)
         self.assertNotIn('<section id="energy">', text)
