@@ -171,7 +171,8 @@ class Kinds(unittest.TestCase):
 
     def test_what_a_wave_leaves_at_the_base_brings_the_surface_back(self):
         """A rigid base under undamped soil would ring for ever, hence 5 % of damping. Measured: wave 2e-9, fe and ode
-        7.5e-5 and a quarter of it in half the cell size."""
+        7.5e-5 and a quarter of it in half the cell size. The base itself moves as given, to 1e-8 with fe: what is read
+        between its steps is a cubic through velocities and accelerations, and these are differences over a step."""
         with ColumnWorkspace(TREMOLO, ground=DAMPED, motion=PULSE.format(0.1), size=0.25) as work:
             span = ("--every", "0.002", "--duration", "4.0")
             wave = work.histories("wave", *span)
@@ -179,10 +180,10 @@ class Kinds(unittest.TestCase):
             write_velocity(work.path / "base.csv", wave[-1])
             within = 'file = "base.csv"\nquantity = "velocity"\nunit = "m/s"\nkind = "within"'
             work.case.write_text(work.case.read_text().replace(PULSE.format(0.1), within))
-            for model, bound in (("wave", 1e-7), ("fe", 2e-4), ("ode", 2e-4)):
+            for model, surface, base in (("wave", 1e-7, 1e-9), ("fe", 2e-4, 1e-7), ("ode", 2e-4, 1e-9)):
                 again = work.histories(model, *span)
-                self.assertLess(difference(again[0], wave[0]), bound, model)
-                self.assertLess(difference(again[-1], wave[-1]), 1e-9, model)
+                self.assertLess(difference(again[0], wave[0]), surface, model)
+                self.assertLess(difference(again[-1], wave[-1]), base, model)
 
 
 class Outcrop(unittest.TestCase):
