@@ -118,6 +118,14 @@ class Install(unittest.TestCase):
         run("cmake", "--build", build)
         self.assertEqual(run(build / "consumer").strip(), "peak 0.200000 m/s")
 
+    def test_the_domain_runs_in_a_program_of_ones_own(self):
+        example = CONSUMER.parents[3] / "docs/examples/domain_alone"
+        build = Path(self.folder.name) / "domain_alone"
+        run("cmake", "-S", example, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release",
+            "-DCMAKE_CXX_FLAGS=-Werror=psabi")
+        run("cmake", "--build", build)
+        self.assertIn("the surface moves with 1.997 times the incident wave", run(build / "shaken_box"))
+
     def test_acceptance_template_of_an_own_free_field_builds_and_conforms(self):
         template = CONSUMER.parents[3] / "docs/examples/own_free_field"
         build = Path(self.folder.name) / "own_free_field"
