@@ -31,7 +31,8 @@ void add_plot(Command& app) {
   add_python_command(
       app, "extract",
       "Tables of a run: histories, profiles along lines, spectral ratios, Newmark's displacement");
-  add_python_command(app, "failure", "When a shear band first connects the toe of a slope with its crest, or two points");
+  add_python_command(app, "failure",
+                     "When a shear band first connects the toe of a slope with its crest, or two points");
 }
 
 } // namespace tremolo::app

@@ -27,8 +27,8 @@ enum class WithinMotion {
 /// What a model of a free field is and takes.
 struct FreeFieldTraits {
   SourceModel model;
-  std::string_view program;    ///< that serves it; empty for one of the user's own
-  bool computed = false;       ///< from the ground of the case file, as `column` and `swap` do
+  std::string_view program;     ///< that serves it; empty for one of the user's own
+  bool computed = false;        ///< from the ground of the case file, as `column` and `swap` do
   bool marched_in_time = false; ///< if computed; otherwise it is in the frequency domain
   Incidence incidence = Incidence::any;
   WithinMotion within = WithinMotion::refuses;
