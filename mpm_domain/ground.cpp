@@ -266,8 +266,9 @@ Ground::Ground(const Spec& specification)
 }
 
 std::span<const Particles> Ground::sets_of_body(std::size_t body) const {
-  const auto found = std::ranges::equal_range(body_sets(), std::optional(body), {}, &Particles::body);
-  return {found.begin(), found.end()};
+  const std::span<const Particles> all = body_sets();
+  return {std::ranges::lower_bound(all, std::optional(body), {}, &Particles::body),
+          std::ranges::upper_bound(all, std::optional(body), {}, &Particles::body)};
 }
 
 bool Ground::has_pore_pressure() const {

@@ -168,10 +168,10 @@ void for_pieces(const Polygon& polygon, double level, double longest,
     const double crossing = a.y > level || b.y > level ? (level - a.y) / (b.y - a.y) : 0.0;
     const double begin = a.y > level ? crossing : 0.0;
     const double end = b.y > level ? crossing : 1.0;
-    const double parts = std::max(1.0, std::ceil(length(minus(at(end), at(begin))) / longest));
+    const int parts = std::max(1, static_cast<int>(std::ceil(length(minus(at(end), at(begin))) / longest)));
     const auto part = [=](double n) { return at(begin + n / parts * (end - begin)); };
-    for (double n = 0.0; n < parts; ++n)
-      visit(part(n), part(n + 1.0));
+    for (int n = 0; n < parts; ++n)
+      visit(part(n), part(n + 1));
   }
 }
 

@@ -105,6 +105,7 @@ void check_until(const scene::Case& scene, const std::string& until) {
   const auto stage = std::ranges::find(stages, until, &scene::PlannedStage::name);
   if (stage == stages.end()) {
     std::vector<std::string_view> names;
+    names.reserve(stages.size());
     for (const scene::PlannedStage& one : stages)
       names.push_back(one.name);
     throw std::invalid_argument(fmt::format("--until {}: the case has no stage of this name, {}", until,

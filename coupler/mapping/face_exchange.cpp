@@ -94,8 +94,7 @@ void FaceExchange::add_reader(std::size_t inlet, const FaceMap& map) {
 void FaceExchange::finish_stations() {
   for (auto& [inlet, delay, which, points] : stations_) {
     std::ranges::sort(which);
-    const auto doubles = std::ranges::unique(which);
-    which.erase(doubles.begin(), doubles.end());
+    which.erase(std::unique(which.begin(), which.end()), which.end());
     points.resize(components * which.size());
   }
   for (auto& [station, first, map] : readers_) {

@@ -151,7 +151,7 @@ void MarchedColumn::stretch() {
 }
 
 void MarchedColumn::remember() {
-  std::ranges::rotate(snapshots_, snapshots_.end() - 1);
+  std::rotate(snapshots_.begin(), snapshots_.end() - 1, snapshots_.end());
   MarchedSnapshot& now = snapshots_.front();
   now.u = u_;
   now.velocity = state_.velocity;

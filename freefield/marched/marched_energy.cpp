@@ -56,7 +56,7 @@ void MarchedColumn::count_work(const BaseDrive& drive) {
 void MarchedColumn::count_base_work(const BaseDrive& drive) {
   const double dt = settings_.time_step;
   const Vector2d force = trial_.base_internal_force();
-  std::ranges::rotate(base_bracket_, base_bracket_.end() - 1);
+  std::rotate(base_bracket_.begin(), base_bracket_.end() - 1, base_bracket_.end());
   base_bracket_[0] = trial_.base_bracket();
   if (settings_.base == BaseKind::rigid) {
     const Vector2d impulse = base_bracket_[0] - base_bracket_[1] - 0.5 * dt * (base_force_ + force);

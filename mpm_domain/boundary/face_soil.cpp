@@ -60,8 +60,7 @@ std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const Bounda
         nodes.push_back(lattice.index(i, j));
   }
   std::ranges::sort(nodes);
-  const auto repeated = std::ranges::unique(nodes);
-  nodes.erase(repeated.begin(), repeated.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
 }
 

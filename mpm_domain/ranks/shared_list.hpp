@@ -38,6 +38,8 @@ struct SharedRows {
   Read read;         ///< (entry, numbers) gives those of an entry that this rank knows
   Write write;       ///< (entry, numbers) takes those of another
 };
+template <typename Read, typename Write>
+SharedRows(const SharedList*, std::size_t, Read, Write) -> SharedRows<Read, Write>;
 
 /// All ranks pass what they know of some lists to each other, in one message.
 /// @param numbers  room for it

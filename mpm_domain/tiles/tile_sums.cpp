@@ -107,8 +107,7 @@ void TileSums::find_owners(const TileMap& tiles, const RankShare* share) {
       if (share->is_mine(tile))
         add_around(tile);
   std::ranges::sort(owners);
-  const auto repeated = std::ranges::unique(owners);
-  owners.erase(repeated.begin(), repeated.end());
+  owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
   for (const std::size_t tile : owners) {
     Owner& owner = owners_.emplace_back(Owner{tile, {}});
     for (const std::size_t other : tiles.around(tile)) {

@@ -36,9 +36,9 @@ bool domain_is_damped(const Case& scene) {
 
 std::vector<std::reference_wrapper<const Soil>>
 one_of_each_name(std::vector<std::reference_wrapper<const Soil>> soils) {
-  const auto rest =
-      std::ranges::unique(soils, {}, [](const Soil& soil) -> const std::string& { return soil.name; });
-  soils.erase(rest.begin(), rest.end());
+  soils.erase(std::unique(soils.begin(), soils.end(),
+                          [](const Soil& one, const Soil& other) { return one.name == other.name; }),
+              soils.end());
   return soils;
 }
 

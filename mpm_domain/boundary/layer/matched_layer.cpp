@@ -28,7 +28,8 @@ bool is_matched(const Ground& ground, Side side) {
 }
 
 std::span<const BoundaryFace> faces_of(std::span<const BoundaryFace> all, Side side) {
-  const auto [first, last] = std::ranges::equal_range(all, side, {}, &BoundaryFace::side);
+  const auto first = std::ranges::lower_bound(all, side, {}, &BoundaryFace::side);
+  const auto last = std::ranges::upper_bound(all, side, {}, &BoundaryFace::side);
   if (first == last)
     throw std::invalid_argument(fmt::format("the {} has no faces for a matched layer", text_of(side)));
   for (auto face = first + 1; face != last; ++face)
