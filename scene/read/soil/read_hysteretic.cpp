@@ -124,7 +124,7 @@ Soil read_hysteretic(const NamedTable& soil, const std::filesystem::path& direct
   const auto& table = soil.reader;
   need(table, "density", findings);
   const auto elastic = read_elasticity(table, findings);
-  const Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
+  Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
   if (!findings.sound(table.path()) || !(elastic.density > 0.0))
     return linear;
   const char* source = table.given("curve") ? "curve" : "model";

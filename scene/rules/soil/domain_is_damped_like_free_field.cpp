@@ -45,7 +45,9 @@ Layer layer_at(const Case& scene, const LateralBoundary& side, double y) {
 DampedTimes damped_times(const Case& scene, const LateralBoundary& side, double x) {
   const Mesh& mesh = scene.mesh;
   DampedTimes times;
-  for (double y = mesh.box.y_min + 0.5 * mesh.size; y < side.surface; y += mesh.size) {
+  const auto cells = static_cast<int>(std::ceil((side.surface - mesh.box.y_min) / mesh.size - 0.5));
+  for (int i = 0; i < cells; ++i) {
+    const double y = mesh.box.y_min + (i + 0.5) * mesh.size;
     const auto region = std::ranges::find_if(scene.regions, [&](const Region& one) {
       return contains(one.polygon, {x, y});
     });

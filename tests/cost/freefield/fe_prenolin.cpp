@@ -56,10 +56,11 @@ TwoPhaseColumn column(bool linear, const InputVelocity& motion) {
 }
 
 void respond(const char* name, TwoPhaseColumn soil) {
+  const auto elements = static_cast<int>(height / element);
   std::vector<double> levels;
-  for (int i = 0; i < static_cast<int>(height / element); ++i) {
+  levels.reserve(static_cast<std::size_t>(elements) + 2);
+  for (int i = 0; i < elements; ++i)
     levels.push_back(-height + (i + 0.5) * element);
-  }
   levels.push_back(-height);
   levels.push_back(0.0);
   std::vector<ColumnSample> s(levels.size());

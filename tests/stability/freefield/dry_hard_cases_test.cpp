@@ -15,7 +15,6 @@ namespace {
 
 using namespace tremolo::freefield;
 using tremolo::materials::Elasticity;
-using tremolo::materials::LinearElastic;
 using tremolo::materials::MasingShear;
 using tremolo::testing::LayeredColumn;
 
