@@ -16,7 +16,8 @@ import numpy as np
 CASE = Path(__file__).resolve().parent / "case.toml"
 sys.path.insert(0, str(CASE.parents[2] / "python"))
 
-from tremolo import bodies, style
+from tremolo import style
+from tremolo.pictures.maps import final_map
 from tremolo.variants import cpu_time, run_variant, variant
 
 SHAKEN = 16.0  # s
@@ -231,17 +232,8 @@ def histories(run, folder):
 
 def final_displacement(run, folder):
     """Size of the displacement at the end, with both buildings in place."""
-    last = len(run.times) - 1
-    figure, axes = style.map_axes(style.extent(run, [0, last]), 1, 1)
-    ax, size = axes[0, 0], np.hypot(*run.field(last, "displacement").T)
-    ax.set_title(f"t = {run.times[last]:.0f} s", loc="left")
-    colouring = dict(cmap=style.SEQUENTIAL, vmin=0.0, vmax=float(np.percentile(size, 99.5)))
-    mappable = style.plt.cm.ScalarMappable(style.plt.Normalize(0.0, colouring["vmax"]), colouring["cmap"])
-    figure.colorbar(mappable, ax=ax, label="displacement (m)", extend="max", shrink=0.8)
-    style.fix_layout(figure)
-    style.fill_particles(ax, run.field(last, "position"), size, style.sizes(run, last), **colouring)
-    bodies.draw(ax, run, last)
-    return style.save(figure, folder, "displacement.png")
+    size = np.hypot(*run.field(len(run.times) - 1, "displacement").T)
+    return final_map(run, size, folder, "displacement.png", "displacement (m)")
 
 
 def stress_path(run, folder):

@@ -7,7 +7,6 @@ of README.md, pressures.png and displacement.png.
 Runs what is not in FOLDER yet.
 """
 
-import subprocess
 import sys
 from pathlib import Path
 
@@ -16,7 +15,8 @@ sys.path.insert(0, str(CASE.parents[2] / "python"))
 
 import numpy as np
 from tremolo import pore_pressure, style
-from tremolo.variants import cpu_time, run_variant, variant
+from tremolo.pictures.maps import final_map
+from tremolo.variants import cpu_time, run_column, run_variant
 
 DEPTHS = (4.0, 3.0, 2.0, 1.0)  # m
 # Means over some seconds of sensors good to 2 kPa, at these times (s).
@@ -38,13 +38,9 @@ VARIANTS = {
 
 def column(tremolo, folder, name, changes, case=CASE):
     """Time (s), excess pore pressure [depth][time] (kPa) and settlement (m) of a variant."""
-    out = folder / f"{name}.h5"
-    if not out.exists():
-        written = folder / f"{name}.toml"
-        written.write_text(variant(case, changes))
-        (folder / "motion.csv").write_bytes(case.with_name("motion.csv").read_bytes())
-        subprocess.run([tremolo, "column", written, "--model", "fe", "--out", out, "--depths", ",".join(map(str, (0.0, *DEPTHS))),
-                        "--every", "0.1", "--duration", "204.5"], check=True, stdout=subprocess.DEVNULL)
+    (folder / "motion.csv").write_bytes(case.with_name("motion.csv").read_bytes())
+    out, _ = run_column(tremolo, case, changes, folder, name, "fe", "--depths", ",".join(map(str, (0.0, *DEPTHS))), "--every", "0.1",
+                        "--duration", "204.5")
     levels, histories, _, settlement, _ = pore_pressure.read(out)
     at = [histories[int(np.argmin(np.abs(levels + depth)))] for depth in DEPTHS]
     return at[0]["time"], np.array([1e-3 * history["pore_pressure"] for history in at]), settlement["settlement"]
@@ -60,21 +56,8 @@ def container(tremolo, folder):
         pressure = [[1e-3 * run.field(frame, "excess_pore_pressure")[row].mean() for frame in range(len(run.times))] for row in rows]
         surface = middle & (place[:, 1] > -0.3)
         moved = [run.field(frame, "displacement")[surface, 0].mean() for frame in range(len(run.times))]
-        final_displacement(run, folder)
+        final_map(run, np.hypot(*run.field(len(run.times) - 1, "displacement").T), folder, "displacement.png", "displacement (m)")
         return run.times, np.array(pressure), np.array(moved), cpu_time(run)
-
-
-def final_displacement(run, folder):
-    """Size of the displacement at the end."""
-    last = len(run.times) - 1
-    figure, axes = style.map_axes(style.extent(run, [0, last]), 1, 1)
-    ax, size = axes[0, 0], np.hypot(*run.field(last, "displacement").T)
-    colouring = dict(cmap=style.SEQUENTIAL, vmin=0.0, vmax=float(size.max()))
-    mappable = style.plt.cm.ScalarMappable(style.plt.Normalize(0.0, colouring["vmax"]), colouring["cmap"])
-    figure.colorbar(mappable, ax=ax, label="displacement (m)", shrink=0.8)
-    style.fix_layout(figure)
-    style.fill_particles(ax, run.field(last, "position"), size, style.sizes(run, last), **colouring)
-    return style.save(figure, folder, "displacement.png")
 
 
 def means(time, pressure, when):

@@ -7,7 +7,6 @@
 Runs what is not in FOLDER yet.
 """
 
-import subprocess
 import sys
 from pathlib import Path
 
@@ -17,7 +16,7 @@ sys.path.insert(0, str(HERE.parents[1] / "python"))
 import numpy as np
 from study import Level
 from tremolo import pore_pressure, style
-from tremolo.variants import run_variant, variant
+from tremolo.variants import run_column, run_variant
 
 ANGLES = (0, 15)  # degrees
 DEPTHS = (2.75, 5.25, 7.75)  # m
@@ -32,13 +31,9 @@ def changes(angle):
 
 def column(tremolo, folder, angle):
     """Histories at the surface and the depths, and the settlement over time."""
-    out = folder / f"angle_{angle}.h5"
-    if not out.exists():
-        case = folder / f"angle_{angle}_column.toml"
-        case.write_text(variant(HERE / "case.toml", changes(angle)))
-        depths = ",".join(map(str, (0, *DEPTHS)))
-        subprocess.run([tremolo, "column", case, "--model", "fe", "--out", out, "--depths", depths, "--duration", f"{END:g}"],
-                       check=True, stdout=subprocess.DEVNULL)
+    depths = ",".join(map(str, (0, *DEPTHS)))
+    out, _ = run_column(tremolo, HERE / "case.toml", changes(angle), folder, f"angle_{angle}", "fe", "--depths", depths,
+                        "--duration", f"{END:g}")
     levels, histories, _, settlement, _ = pore_pressure.read(out)
     at = {depth: histories[int(np.argmin(np.abs(levels + depth)))] for depth in (0.0, *DEPTHS)}
     return at, settlement

@@ -7,8 +7,6 @@ as the domain's own column, and as the domain, whose rest passes 25 times as fas
 Runs what is not in FOLDER yet; prints a table and draws rest.png.
 """
 
-import re
-import subprocess
 import sys
 from pathlib import Path
 
@@ -18,7 +16,7 @@ sys.path.insert(0, str(HERE.parents[1] / "python"))
 import numpy as np
 from study import GRADIENT, PERMEABILITY, Level
 from tremolo import pore_pressure, style
-from tremolo.variants import cpu_time, run_variant, variant
+from tremolo.variants import cpu_time, run_column, run_variant
 
 DURATION = 625.0  # s
 DEPTHS = [2.5, 5.5, 8.5]  # m, centres of cells of 1 m
@@ -31,19 +29,12 @@ FAST = {"duration_s = 11.0\n": f"duration_s = {DURATION - 14.0}\ntime_factor = 2
 
 def column(tremolo, folder, model):
     """Time (s), r_u [depth, time] and settlement (m) of a column, and its CPU time (s)."""
-    out, words = folder / f"rest_{model}.h5", folder / f"rest_{model}.txt"
-    if not words.exists():
-        case = folder / "rest.toml"
-        case.write_text(variant(HERE / "case.toml", COARSE | LONG))
-        depths = ",".join(str(depth) for depth in DEPTHS)
-        done = subprocess.run(
-            [tremolo, "column", case, "--model", model, "--depths", depths, "--duration", f"{DURATION:g}",
-             "--every", "0.1", "--out", out], check=True, capture_output=True, text=True,
-        )
-        words.write_text(done.stdout)
+    depths = ",".join(str(depth) for depth in DEPTHS)
+    out, cpu = run_column(tremolo, HERE / "case.toml", COARSE | LONG, folder, f"rest_{model}", model, "--depths", depths,
+                          "--duration", f"{DURATION:g}", "--every", "0.1")
     levels, histories, _, settlement, _ = pore_pressure.read(out)
     ratios = [histories[int(np.argmin(np.abs(levels + depth)))]["pore_pressure_ratio"] for depth in DEPTHS]
-    return settlement["time"], np.array(ratios), settlement["settlement"], float(re.search(r"([\d.]+) s CPU", words.read_text())[1])
+    return settlement["time"], np.array(ratios), settlement["settlement"], cpu
 
 
 def domain(tremolo, folder):

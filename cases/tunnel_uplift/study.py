@@ -15,7 +15,8 @@ import numpy as np
 CASE = Path(__file__).resolve().parent / "case.toml"
 sys.path.insert(0, str(CASE.parents[2] / "python"))
 
-from tremolo import bodies, style
+from tremolo import style
+from tremolo.pictures.maps import final_map
 from tremolo.variants import cpu_time, run_variant, variant
 
 PERIOD = 1.0 / 0.75  # s, of the motion
@@ -127,18 +128,8 @@ def synthesise(tremolo, folder):
 
 def displacement(run, folder):
     """Vertical displacement of the soil at the end."""
-    last = len(run.times) - 1
-    figure, axes = style.map_axes(style.extent(run, [0, last]), 1, 1)
-    ax, rise = axes[0, 0], run.field(last, "displacement")[:, 1]
-    ax.set_title(f"t = {run.times[last]:.0f} s", loc="left")
-    limit = float(np.percentile(np.abs(rise), 99.5))
-    colouring = dict(cmap=style.DIVERGING, vmin=-limit, vmax=limit)
-    mappable = style.plt.cm.ScalarMappable(style.plt.Normalize(-limit, limit), style.DIVERGING)
-    figure.colorbar(mappable, ax=ax, label="rise of the soil (m)", extend="both", shrink=0.8)
-    style.fix_layout(figure)
-    style.fill_particles(ax, run.field(last, "position"), rise, style.sizes(run, last), **colouring)
-    bodies.draw(ax, run, last)
-    return style.save(figure, folder, "displacement.png")
+    rise = run.field(len(run.times) - 1, "displacement")[:, 1]
+    return final_map(run, rise, folder, "displacement.png", "rise of the soil (m)", diverging=True)
 
 
 def row(label, run, reference):

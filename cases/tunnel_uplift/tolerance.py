@@ -7,15 +7,13 @@ column of cases/level_ground) against CPU time, over the tolerance of PM4Sand's 
 Runs what is not in FOLDER yet.
 """
 
-import re
-import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
-from study import CASE, COARSE, COMPARED, run_variant, style, synthesise, uplift, variant
+from study import CASE, COARSE, COMPARED, run_variant, style, synthesise, uplift
 from tremolo import pore_pressure
-from tremolo.variants import cpu_time
+from tremolo.variants import cpu_time, run_column
 
 TOLERANCES = ("1e-2", "3e-3", "1e-3", "3e-4", "1e-4", "1e-5")
 LEVEL = CASE.parents[1] / "level_ground" / "case.toml"
@@ -32,16 +30,11 @@ def rise(tremolo, folder, tolerance):
 
 def settlement(tremolo, folder, tolerance):
     """Settlement at 25 s (mm) and CPU time (s)."""
-    case, out, printed = (folder / f"level_{tolerance}{end}" for end in (".toml", ".h5", ".txt"))
-    if not printed.exists():
-        (folder / "level_motion.csv").write_bytes(LEVEL.with_name("motion.csv").read_bytes())
-        case.write_text(variant(LEVEL, {'file = "motion.csv"': 'file = "level_motion.csv"',
-                                        'library = "pm4sand_dr55"\n': f'library = "pm4sand_dr55"\ntolerance = {tolerance}\n'}))
-        done = subprocess.run([tremolo, "column", case, "--model", "fe", "--out", out, "--depths", "0", "--duration", f"{END:g}"],
-                              check=True, capture_output=True, text=True)
-        printed.write_text(done.stdout)
-    sunk = pore_pressure.read(out)[3]["settlement"][-1]
-    return 1e3 * float(sunk), float(re.search(r"([\d.]+) s CPU", printed.read_text())[1])
+    (folder / "level_motion.csv").write_bytes(LEVEL.with_name("motion.csv").read_bytes())
+    given = {'file = "motion.csv"': 'file = "level_motion.csv"',
+             'library = "pm4sand_dr55"\n': f'library = "pm4sand_dr55"\ntolerance = {tolerance}\n'}
+    out, cpu = run_column(tremolo, LEVEL, given, folder, f"level_{tolerance}", "fe", "--depths", "0", "--duration", f"{END:g}")
+    return 1e3 * float(pore_pressure.read(out)[3]["settlement"][-1]), cpu
 
 
 def picture(rows, folder):

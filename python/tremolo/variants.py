@@ -1,5 +1,6 @@
 """Runs of cases that differ from one on disk in a few words, for studies."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -27,6 +28,21 @@ def run_variant(tremolo, case, changes, folder, name):
         written.write_text(variant(case, changes))
         subprocess.run([tremolo, "run", written, "--out", out], check=True, stdout=subprocess.DEVNULL)
     return Run(out)
+
+
+def run_column(tremolo, case, changes, folder, name, model, *options):
+    """The free field of a variant alone, `folder`/`name`.h5, and its CPU time, s; it is made unless it stands there already.
+
+    options: of `tremolo column`, such as "--every", "0.1"
+    """
+    out, printed = (Path(folder) / f"{name}{end}" for end in (".h5", ".txt"))
+    if not printed.exists():
+        written = Path(folder) / f"{name}_column.toml"
+        written.write_text(variant(case, changes))
+        done = subprocess.run([tremolo, "column", written, "--model", model, "--out", out, *options],
+                              check=True, capture_output=True, text=True)
+        printed.write_text(done.stdout)
+    return out, float(re.search(r"([\d.]+) s CPU", printed.read_text())[1])
 
 
 def cpu_time(run):

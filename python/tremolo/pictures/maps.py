@@ -60,6 +60,25 @@ def _panels(runs, frames, name, component, colouring, label, colour_extend):
     return figure
 
 
+def final_map(run, values, folder, name, label, diverging=False):
+    """A field of the last frame on the deformed shape, with the structures: a value a particle, from 0 up or symmetric about it.
+
+    The scale cuts off the highest 0.5 %.
+    """
+    last = len(run.times) - 1
+    top = float(np.percentile(np.abs(values), 99.5))
+    colouring = dict(cmap=style.DIVERGING if diverging else style.SEQUENTIAL, vmin=-top if diverging else 0.0, vmax=top)
+    figure, axes = style.map_axes(style.extent(run, [0, last]), 1, 1)
+    ax = axes[0, 0]
+    ax.set_title(f"t = {run.times[last]:.0f} s", loc="left")
+    figure.colorbar(ScalarMappable(Normalize(colouring["vmin"], top), colouring["cmap"]), ax=ax, label=label,
+                    extend="both" if diverging else "max", shrink=0.8)
+    style.fix_layout(figure)
+    style.fill_particles(ax, run.field(last, "position"), values, style.sizes(run, last), **colouring)
+    bodies.draw(ax, run, last)
+    return style.save(figure, folder, name)
+
+
 def acceleration(runs, times, folder, name="acceleration.png"):
     """Horizontal acceleration at the given times, one column a run, all on one symmetric scale."""
     frames = [[run.nearest_frame(time) for time in times] for run in runs]
