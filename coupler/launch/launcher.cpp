@@ -194,7 +194,7 @@ private:
     if (!died)
       text += fmt::format(" ('{}' {})", culprit->name(), culprit->ending());
     auto lines = culprit->last_lines(shown_lines);
-    // What it has reported to the hub stands in its log too.
+    // The log holds what the participant has reported to the hub, too.
     std::erase_if(lines, [&](const auto& line) { return !died && line.ends_with(failure.text); });
     if (!died && lines.empty())
       throw RunFailed(text, 1, circumstances(failure));

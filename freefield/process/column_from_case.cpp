@@ -101,28 +101,37 @@ ColumnInput input_from_case(const scene::Case& scene, const scene::SourceProcess
                                                          : incident_input(scene, source, x, base);
 }
 
-/// @param limit  of central differences, s
-void require_step(const scene::Case& scene, double limit) {
-  if (!(*scene.fe.dt < limit))
+/// The step that the case gives, or a fraction of the limit of central differences, s.
+/// @param limit  (growth of the soil's stiffness) -> that limit, s
+template <typename Limit>
+double time_step(const scene::Case& scene, const Profile& profile, double fraction, const Limit& limit) {
+  if (!scene.fe.dt)
+    return fraction * limit(stiffening(profile));
+  if (const double most = limit(1.0); !(*scene.fe.dt < most))
     throw std::invalid_argument(fmt::format("[fe] 'dt' = {} s, must be below {:.4g} s, the limit of central "
                                             "differences for this column; without 'dt' it chooses its own",
-                                            *scene.fe.dt, limit));
+                                            *scene.fe.dt, most));
+  return *scene.fe.dt;
+}
+
+/// What columns of finite elements have in common.
+template <typename Settings>
+Settings element_settings(const scene::Case& scene, const ColumnInput& input) {
+  Settings settings;
+  settings.max_element_size = scene.fe.element_size;
+  settings.damping = damping_from_case(scene);
+  settings.base = input.base;
+  settings.rest = scene.rest_clock();
+  return settings;
 }
 
 /// Any soil, and water with velocities of its own.
 std::unique_ptr<Column> two_phase_column(const scene::Case& scene, const Profile& profile,
                                          const ColumnInput& input, double start) {
-  TwoPhaseSettings settings;
-  settings.max_element_size = scene.fe.element_size;
-  settings.damping = damping_from_case(scene);
-  settings.base = input.base;
-  settings.rest = scene.rest_clock();
-  const auto limit = [&](double factor) {
-    return two_phase_step_limit(profile, settings.max_element_size, settings.damping, factor);
-  };
-  if (scene.fe.dt)
-    require_step(scene, limit(1.0));
-  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_of_limit * limit(stiffening(profile));
+  auto settings = element_settings<TwoPhaseSettings>(scene, input);
+  settings.time_step = time_step(scene, profile, fraction_of_limit, [&](double growth) {
+    return two_phase_step_limit(profile, settings.max_element_size, settings.damping, growth);
+  });
   settings.start_time = start - 2.0 * settings.time_step;
   return std::make_unique<TwoPhaseColumn>(profile, settings, input.velocity);
 }
@@ -130,19 +139,12 @@ std::unique_ptr<Column> two_phase_column(const scene::Case& scene, const Profile
 /// Any soil and its water under a wave at an angle.
 std::unique_ptr<Column> marched_column(const scene::Case& scene, const Profile& profile,
                                        const ColumnInput& input, double start) {
-  MarchedSettings settings;
-  settings.max_element_size = scene.fe.element_size;
+  auto settings = element_settings<MarchedSettings>(scene, input);
   settings.slowness_x = slowness_from_case(scene);
-  settings.damping = damping_from_case(scene);
-  settings.base = input.base;
-  settings.rest = scene.rest_clock();
-  const auto limit = [&](double growth) {
+  settings.time_step = time_step(scene, profile, fraction_at_an_angle, [&](double growth) {
     return marched_step_limit(profile, settings.max_element_size, settings.slowness_x, settings.damping,
                               growth);
-  };
-  if (scene.fe.dt)
-    require_step(scene, limit(1.0));
-  settings.time_step = scene.fe.dt ? *scene.fe.dt : fraction_at_an_angle * limit(stiffening(profile));
+  });
   settings.start_time = start - 2.0 * settings.time_step;
   return std::make_unique<MarchedColumn>(profile, settings, input.velocity);
 }

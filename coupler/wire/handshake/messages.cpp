@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<std::string_view, 11> types{
     "JOIN", "INVITE", "HELLO", "WELCOME", "REFUSE", "READY", "CREDIT", "BEAT", "CHECKPOINT", "BYE", "ABORT"};
 
-/// What is wrong with a message is reported with the part that it stands in.
+/// Reports what is wrong with a message, and in which part of it.
 template <typename Read>
 auto within(std::string_view what, const Read& read) {
   try {

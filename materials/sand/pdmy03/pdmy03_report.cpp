@@ -1,4 +1,4 @@
-// What is reported of the parameters in force.
+// Lists the parameters in force for reports.
 
 #include "materials/sand/pdmy03/pdmy03.hpp"
 #include "materials/sand/pdmy03/pdmy03_flow.hpp"

@@ -14,6 +14,21 @@ young = 40e6
 poisson = 0.28
 """
 
+# Six metres of sand on rock.
+SAND_ON_ROCK = """
+[surface]
+level = 0.0
+
+[halfspace]
+density = 2200.0
+vs = 760.0
+vp = 1900.0
+
+[[profile]]
+thickness = 6.0
+soil = "sand"
+"""
+
 CASE = """
 title = "small box"
 

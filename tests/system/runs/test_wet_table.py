@@ -68,19 +68,7 @@ point = [1.0, -3.25]
 every_s = 0.5
 history_every_s = 0.01
 """
-COLUMN = GROUND + """
-[surface]
-level = 0.0
-
-[halfspace]
-density = 2200.0
-vs = 760.0
-vp = 1900.0
-
-[[profile]]
-thickness = 6.0
-soil = "sand"
-
+COLUMN = GROUND + small_case.SAND_ON_ROCK + """
 [fe]
 element_size = 0.25
 """

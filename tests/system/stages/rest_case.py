@@ -15,19 +15,7 @@ pulse = {{ shape = "ricker", frequency = 1.5, time = 1.0, velocity = 0.35 }}
 wave = "SV"
 angle_deg = 0.0
 reference = [0.0, -6.0]
-
-[surface]
-level = 0.0
-
-[halfspace]
-density = 2200.0
-vs = 760.0
-vp = 1900.0
-
-[[profile]]
-thickness = 6.0
-soil = "sand"
-
+""" + small_case.SAND_ON_ROCK + """
 [water]
 level = 0.0
 

@@ -42,7 +42,7 @@ Velocity pulse(double t) {
   return {v, 0.4 * v};
 }
 
-/// So small that the length of an element, which closed forms keep, hardly changes.
+/// The pulse is so weak that elements hardly change their length, which closed forms keep.
 Velocity weak_pulse(double t) {
   const auto [x, y] = pulse(t);
   return {1e-6 * x, 1e-6 * y};

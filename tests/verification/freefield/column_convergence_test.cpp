@@ -22,7 +22,8 @@ constexpr double pulse_frequency = 3.0;
 constexpr double pulse_time = 0.5;
 constexpr double duration = 2.0;
 constexpr double exchange_step = 0.02;
-/// Of the pulse, m/s: so small that the length of an element, which the exact column keeps, hardly changes.
+/// Peak velocity of the pulse, m/s. It is so small that elements hardly change their length, which the exact
+/// column keeps.
 constexpr double amplitude = 1e-4;
 
 double pulse(double t) {

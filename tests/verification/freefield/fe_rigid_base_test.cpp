@@ -22,7 +22,8 @@ constexpr double pulse_frequency = 4.0;
 constexpr double pulse_time = 0.4;
 constexpr double damping_frequency = 3.0;
 constexpr double damping_ratio = 0.05;
-/// Of the pulse, m/s: so small that the length of an element, which the closed form keeps, hardly changes.
+/// Peak velocity of the pulse, m/s. It is so small that elements hardly change their length, which the closed
+/// form keeps.
 constexpr double amplitude = 1e-4;
 const Elasticity soil = Elasticity::from_wave_speeds(2000.0, 300.0, 700.0);
 
