@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -133,6 +134,8 @@ protected:
         scene::computed_models(), [&](scene::SourceModel model) { return expect_column_runs(file, model); }));
   }
 
+  double start_pairs(unsigned seed, std::size_t most) const;
+
 private:
   /// It stands at a table or key of the file and names it.
   static bool names_a_key(const std::string& text, const scene::Finding& error) {
@@ -173,12 +176,13 @@ std::optional<Draw> row_with(const Pair& pair, const OpenPairs& open, Random& ra
   return draw;
 }
 
-TEST_F(Agreement, CasesOfAllPairsStart) {
-  Random random(20261125);
+/// Cases that cover all pairs, one after the other, until so many have started.
+/// @returns the share of the pairs that is left
+double Agreement::start_pairs(unsigned seed, std::size_t most) const {
+  Random random(seed);
   OpenPairs open;
   std::size_t rows = 0, columns = 0, impossible = 0;
   const std::size_t all = open.count();
-  const std::size_t most = std::getenv("TREMOLO_AGREEMENT_CASES") != nullptr ? all : 60;
   while (open.count() > 0 && rows < most) {
     const auto at = std::uniform_int_distribution<std::size_t>(0, open.count() - 1)(random);
     const Pair pair = *std::next(open.all().begin(), static_cast<std::ptrdiff_t>(at));
@@ -196,13 +200,24 @@ TEST_F(Agreement, CasesOfAllPairsStart) {
     open.close(*row);
     columns += expect_columns_run(*row);
     if (HasFailure())
-      return;
+      return 0.0;
   }
   std::printf("%zu cases and %zu columns; of %zu pairs %zu are refused, %zu are left\n", rows, columns, all,
               impossible, open.count());
-  EXPECT_GE(rows, std::min<std::size_t>(most, 60));
-  EXPECT_LT(open.count(), all / 2);
+  EXPECT_TRUE(rows == most || open.count() == 0) << rows;
   EXPECT_GT(columns, rows / 3);
+  return static_cast<double>(open.count()) / static_cast<double>(all);
+}
+
+/// None of these has undamped layers that ring without end beyond the critical angle, which take 40 s to
+/// refuse.
+TEST_F(Agreement, CasesOfManyPairsStart) {
+  EXPECT_LT(start_pairs(2, 30), 0.6);
+}
+
+TEST_F(Agreement, AcceptanceCasesOfAllPairsStart) {
+  const bool all = std::getenv("TREMOLO_AGREEMENT_CASES") != nullptr;
+  EXPECT_LT(start_pairs(20261125, all ? std::numeric_limits<std::size_t>::max() : 60), 0.5);
 }
 
 TEST_F(Agreement, ShippedColumnsRun) {
