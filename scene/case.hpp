@@ -81,6 +81,8 @@ struct Region {
   std::size_t soil = 0; ///< index into Case::soils; of a soil that is sliced its uppermost slice
   Polygon polygon;
   std::vector<double> cuts = {}; ///< y where the next slice of the soil begins, from the top down, m
+  std::string name = {};         ///< by which stages call it; empty: they do not
+  std::string path = {};         ///< of its table in messages, "region[1]"
 
   /// Index of the soil at a level (m) of the region.
   std::size_t soil_at(double y) const { return mpm_domain::soil_at(soil, cuts, y); }
@@ -107,6 +109,13 @@ struct Structure {
   std::optional<mpm_domain::Stiffness> stiffness; ///< of an elastic one; none: rigid
   double friction = 0.0;                          ///< against other structures; of two the smaller counts
   std::vector<SoilContact> against;               ///< each of Case::soils
+  std::string path = {};                          ///< of its table in messages, "structure[0]"
+};
+
+/// What stands during some of the stages.
+struct Standing {
+  std::vector<Region> regions;
+  std::vector<Structure> structures;
 };
 
 /// A layer of a free-field profile.
@@ -232,17 +241,30 @@ struct GravityStage {
   double max_time = 0.0;      ///< simulated time within which it must be reached, s
 };
 
-/// [[stage]] kind = "load": a load comes onto the surface of the ground, and stays.
-struct LoadStage {
-  std::string name = "load";
-  double x_min = 0.0; ///< where it begins and ends at the start, m
-  double x_max = 0.0;
-  double pressure = 0.0;      ///< onto the surface, Pa
-  double shear = 0.0;         ///< along it, towards +x, Pa
-  std::optional<double> ramp; ///< time in which it grows, s; none: as slow as the ground asks for
+/// What static stages after gravity have in common.
+struct StaticStage {
+  std::string name;
+  std::optional<double> ramp; ///< time in which the change grows, s; none: as slow as the ground asks for
   double residual = 1e-9;     ///< as of gravity
   double max_time = 0.0;      ///< simulated time after the ramp within which it must be reached, s
+  bool undrained = false;     ///< pore water moves with the grains
   std::string path;           ///< of its table in messages, "stage[1]"
+};
+
+/// [[stage]] kind = "load": a load comes onto the surface of the ground, and stays.
+struct LoadStage : StaticStage {
+  double x_min = 0.0; ///< where it begins and ends at the start, m
+  double x_max = 0.0;
+  double pressure = 0.0; ///< onto the surface, Pa
+  double shear = 0.0;    ///< along it, towards +x, Pa
+};
+
+/// [[stage]] kind = "construction": soil and structures are placed and removed.
+struct ConstructionStage : StaticStage {
+  std::vector<std::string> place;  ///< names of regions and structures
+  std::vector<std::string> remove; ///< likewise
+  std::size_t loads_before = 0;    ///< how many of Case::loads come before it
+  Standing before;                 ///< what stands until it
 };
 
 /// [[stage]] kind = "shaking"; t = 0 of the motion is its start.
@@ -362,10 +384,10 @@ struct Case {
   std::optional<GroundWater> water;
   std::vector<Soil> soils; ///< the slices of a soil stand one behind the other, and all have its name
   std::vector<SoilProfile> soil_profiles; ///< of the soils that are sliced
-  std::vector<Region> regions;
-  std::vector<Structure> structures;
-  double halfspace_damping = 0.0; ///< ratio, of critical
-  std::vector<Layer> profile;     ///< from the surface down; empty: the half-space reaches the surface
+  std::vector<Region> regions;            ///< those that are there while the ground is shaken
+  std::vector<Structure> structures;      ///< likewise
+  double halfspace_damping = 0.0;         ///< ratio, of critical
+  std::vector<Layer> profile; ///< from the surface down; empty: the half-space reaches the surface
   Damping damping;
   FeNumerics fe;
   OdeNumerics ode;
@@ -375,6 +397,7 @@ struct Case {
   Boundary boundary;
   std::optional<GravityStage> gravity; ///< absent: weightless, the model starts at rest without stress
   std::vector<LoadStage> loads;        ///< in the order in which they come
+  std::vector<ConstructionStage> constructions; ///< likewise
   ShakingStage shaking;
   std::optional<RestStage> rest; ///< absent: sand drains to the end as it does while it is shaken
   Coupling coupling;

@@ -85,6 +85,16 @@ constexpr auto words(Absorber) {
   return word_table<Absorber>({{Absorber::dashpots, "dashpots"}, {Absorber::matched_layer, "matched_layer"}});
 }
 
+/// What pore water does in a static stage.
+enum class StageDrainage {
+  drained,  ///< the grains take all of the change
+  undrained ///< it moves with the grains
+};
+constexpr auto words(StageDrainage) {
+  return word_table<StageDrainage>(
+      {{StageDrainage::drained, "drained"}, {StageDrainage::undrained, "undrained"}});
+}
+
 enum class ExchangeMode { window, lockstep };
 constexpr auto words(ExchangeMode) {
   return word_table<ExchangeMode>({{ExchangeMode::window, "window"}, {ExchangeMode::lockstep, "lockstep"}});

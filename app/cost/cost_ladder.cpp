@@ -57,7 +57,7 @@ std::string with_width(std::string text, const scene::Case& scene, const std::st
       const double x = point.x == box.x_min ? left : point.x == box.x_max ? right : point.x;
       corners += (corners.empty() ? "" : ", ") + corner(x, point.y);
     }
-    text = scene::with_value(text, fmt::format("region[{}].polygon", r), fmt::format("[{}]", corners));
+    text = scene::with_value(text, scene.regions[r].path + ".polygon", fmt::format("[{}]", corners));
   }
   return text;
 }

@@ -172,11 +172,16 @@ void Contact::refuse_coarse_cells(const Ground& ground, std::size_t body) const 
   }
 }
 
+void Contact::weigh(const Ground& ground, std::size_t body, double share) {
+  const RigidLoad whole = bodies_[body].load(ground.spec.gravity, water_at_rest(ground.spec));
+  loads_[body] = {{share * whole.force.x, share * whole.force.y}, share * whole.moment};
+}
+
 void Contact::find_nodes(Ground& ground, bool bonded) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     nodes_[b].find(ground, surface(b), bodies_[b].centre(), structures_[b],
                    elastic_[b] ? &ground.bodies[elastic_[b]->number()] : nullptr, bonded);
-    loads_[b] = bodies_[b].load(ground.spec.gravity, water_at_rest(ground.spec));
+    weigh(ground, b, 1.0);
   }
   find_shared();
 }

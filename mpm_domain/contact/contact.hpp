@@ -86,6 +86,8 @@ public:
 
   /// Finds the contact nodes of the gravity stage, in which nothing moves.
   void begin_rest(Ground& ground);
+  /// Lets a rigid body weigh a share (1) of its weight and buoyancy until nodes are found again.
+  void weigh(const Ground& ground, std::size_t body, double share);
 
   /// A step of relaxation, after that of the grid: v+ = keep v + gain f/m.
   /// @param bonded  soil and bodies stick together, whatever that takes

@@ -1,126 +1,21 @@
 #include "mpm_domain/gravity/gravity_stage.hpp"
 
-#include "mpm_domain/dispersion/fullness.hpp"
-#include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/gravity/construction.hpp"
+#include "mpm_domain/gravity/relaxation.hpp"
 #include "mpm_domain/particles/fill.hpp"
-#include "mpm_domain/spec/held_nodes.hpp"
-#include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/tiles/cell_means.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
-#include "mpm_domain/transfer/sharp_transfer.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
+#include <optional>
 
 namespace tremolo::mpm_domain {
 
 namespace {
-
-/// Steps between two looks at the residual.
-constexpr long report_every = 100;
-
-/// Which directions of a node are fixed, and which nodes carry soil.
-struct Supports {
-  std::vector<unsigned char> fixed_x, fixed_y, full;
-  std::vector<unsigned char> met; ///< nodes that structures touch
-};
-
-/// The supports among the nodes of a lattice.
-void find_supports(const Domain& domain, const Lattice& lattice, Supports& supports, Reactions& reactions) {
-  const double empty = empty_mass(domain);
-  for (int j = 0; j < lattice.ny; ++j)
-    for (int i = 0; i < lattice.nx; ++i) {
-      const std::size_t n = lattice.index(i, j);
-      if (domain.grid.mass[n] <= empty)
-        continue;
-      supports.full[n] = 1;
-      const Hold hold = hold_of(lattice, i, j, domain.spec, HeldNodes::on_lines);
-      supports.fixed_y[n] = hold == Hold::all;
-      supports.fixed_x[n] = hold != Hold::none;
-      if (hold != Hold::none)
-        (hold == Hold::all ? reactions.base : reactions.sides).push_back(n);
-    }
-}
-
-Supports find_supports(const Domain& domain, Reactions& reactions) {
-  const std::size_t nodes = domain.grid.size();
-  Supports supports{std::vector<unsigned char>(nodes, 0), std::vector<unsigned char>(nodes, 0),
-                    std::vector<unsigned char>(nodes, 0), std::vector<unsigned char>(nodes, 0)};
-  for (std::size_t b = 0; b < domain.contact.bodies().size(); ++b)
-    for (const ContactNode& contact : domain.contact.nodes(b)) {
-      supports.met[contact.node] = 1;
-      if (contact.body_mass > 0.0)
-        supports.met[contact.body_node] = 1;
-    }
-  for (int level = 0; level < domain.lattice_count(); ++level)
-    find_supports(domain, domain.lattice(level), supports, reactions);
-  return supports;
-}
-
-/// One relaxation step on the grid and of the structures, which stick to the soil where they are bonded;
-/// returns the residual: ||f|| over free directions by ||m g|| over all nodes. A structure's forces and those
-/// of the nodes that it touches count with what contact adds to them.
-double relax_grid(Domain& domain, const Supports& supports, double dt, double alpha, bool bonded) {
-  Grid& grid = domain.grid;
-  const double keep = (1.0 - 0.5 * alpha * dt) / (1.0 + 0.5 * alpha * dt);
-  const double gain = dt / (1.0 + 0.5 * alpha * dt);
-  double unbalanced = 0.0;
-  double applied = 0.0;
-  for (std::size_t n = 0; n < grid.size(); ++n) {
-    if (!supports.full[n])
-      continue;
-    const double m = grid.mass[n];
-    const Vector v = grid.velocity_after(n);
-    const double fx = supports.fixed_x[n] ? 0.0 : grid.force_x[n];
-    const double fy = supports.fixed_y[n] ? 0.0 : grid.force_y[n];
-    grid.vx_after[n] = supports.fixed_x[n] ? 0.0 : keep * v.x + gain * fx / m;
-    grid.vy_after[n] = supports.fixed_y[n] ? 0.0 : keep * v.y + gain * fy / m;
-    if (!supports.met[n])
-      unbalanced += fx * fx + fy * fy;
-    applied += m * m * domain.spec.gravity * domain.spec.gravity;
-  }
-  if (domain.contact.any())
-    unbalanced += domain.contact.relax(domain, keep, gain, bonded);
-  return std::sqrt(unbalanced / applied);
-}
-
-void scatter_forces(Domain& domain) {
-  domain.is_sharp() ? scatter_sharp_forces(domain) : scatter(domain, ScatterPart::force);
-}
-
-/// Strains by the velocity of the nodes.
-void strain(Domain& domain, double dt) {
-  if (!domain.is_sharp()) {
-    gather(domain, dt, {.strain = true});
-    return;
-  }
-  domain.grid.vx_strain = domain.grid.vx_after;
-  domain.grid.vy_strain = domain.grid.vy_after;
-  sharpen_strain(domain);
-  gather(domain, dt, {.strain = true, .remapped = true, .sharp = true});
-}
-
-/// The geometry of a set, which stays the same under gravity.
-class Geometry {
-public:
-  explicit Geometry(const Particles& set)
-      : volume_(set.volume), box_xx_(set.box_xx), box_xy_(set.box_xy), box_yy_(set.box_yy) {}
-
-  void restore(Particles& set) const {
-    set.volume = volume_;
-    set.box_xx = box_xx_;
-    set.box_xy = box_xy_;
-    set.box_yy = box_yy_;
-  }
-
-private:
-  std::vector<double> volume_, box_xx_, box_xy_, box_yy_;
-};
 
 /// Excess pressures are means of cells, and so is the stress that pore pressure ratios are taken over.
 void keep_vertical_stress(Domain& domain) {
@@ -169,56 +64,6 @@ std::vector<CutStress> begin_history(Domain& domain) {
   return cut;
 }
 
-} // namespace
-
-namespace {
-
-/// From 0 to 1 along half of a cosine as s goes there, without a jump of velocity.
-double ramped(double s) {
-  return s < 1.0 ? 0.5 * (1.0 - std::cos(std::numbers::pi * s)) : 1.0;
-}
-
-/// The way that nodes go while loads come onto the ground, m.
-class NodalWay {
-public:
-  explicit NodalWay(const Grid& grid) : x_(grid.size()), y_(grid.size()) {}
-
-  /// Adds that of a step (s) with v+.
-  void add(const Grid& grid, double dt) {
-    for (std::size_t n = 0; n < x_.size(); ++n) {
-      x_[n] += dt * grid.vx_after[n];
-      y_[n] += dt * grid.vy_after[n];
-    }
-  }
-
-  /// Lets the particles' displacement begin with it, u_p = sum S u_i: they keep their places, and have come
-  /// from others.
-  void count_as_displacement(Domain& domain) const {
-    std::ranges::copy(x_, domain.grid.vx_after.begin());
-    std::ranges::copy(y_, domain.grid.vy_after.begin());
-    take_velocities_of_nodes(domain);
-    for (Particles& set : domain.sets) {
-      for (std::size_t k = 0; k < set.size(); ++k) {
-        set.x_initial[k] -= set.vx[k];
-        set.y_initial[k] -= set.vy[k];
-      }
-      for (std::vector<double>* field : {&set.vx, &set.vy, &set.bxx, &set.bxy, &set.byx, &set.byy})
-        std::ranges::fill(*field, 0.0);
-    }
-    for (NodeField* field : {&domain.grid.vx_after, &domain.grid.vy_after})
-      std::ranges::fill(*field, 0.0);
-  }
-
-private:
-  std::vector<double> x_, y_;
-};
-
-/// Where a relaxation has ended.
-struct Relaxed {
-  long step;
-  double residual;
-};
-
 /// Bodies that move at least a hundredth as fast as the fastest: one that slides goes on under the damping,
 /// while others only answer to what it does to the soil.
 std::vector<std::size_t> moving_bodies(const Domain& domain) {
@@ -235,12 +80,21 @@ std::vector<std::size_t> moving_bodies(const Domain& domain) {
 
 /// Relaxes once more with structures that may slide and part from the soil, so that the shaking begins
 /// without a kick. If that finds no rest, the bonded state stays.
+/// @param course  in which they have been bonded, and which ended at `rest`
 /// @returns the bodies that move on
-template <typename Relax>
-std::vector<std::size_t> release(Domain& domain, const Relax& relax) {
+std::vector<std::size_t> release(Domain& domain, Relaxation& relaxation, const Course& course,
+                                 const Relaxed& rest, const GravityProgress& progress) {
+  constexpr long least =
+      1000; // steps that friction may take to find its share, and as often those of the bonds
+  const long steps = std::max(least, 4 * (rest.step - course.first));
+  Course released = course;
+  released.bonded = false;
+  released.ramp = 0.0;
+  released.first = rest.step;
+  released.time = static_cast<double>(steps) * relaxation.step();
   const std::vector<Particles> bonded = domain.sets;
   std::vector<std::size_t> moving;
-  if (!relax()) {
+  if (!(relaxation.run(released, progress).residual < course.residual)) {
     moving = moving_bodies(domain);
     domain.sets = bonded;
     scatter(domain, ScatterPart::force);
@@ -249,110 +103,191 @@ std::vector<std::size_t> release(Domain& domain, const Relax& relax) {
   return moving;
 }
 
+/// The excess pressure that an undrained stage has left is gone.
+void drain(Domain& domain) {
+  for (Particles& set : domain.sets)
+    if (set.traits.wet)
+      set.pore_pressure = set.pressure_at_rest;
+}
+
+/// What a stage did not find, and what that may mean.
+std::string not_at_rest(const std::string& what, const Relaxed& relaxed, double time, double residual,
+                        const std::string& why) {
+  return fmt::format("{}: residual {:.3g} after {:.3g} s of relaxation, wanted {:.3g}; {}", what,
+                     relaxed.residual, time, residual, why);
+}
+
+/// The static stages of a run, one after the other.
+class StaticStages {
+public:
+  StaticStages(Domain& end, std::span<const StaticStage> stages, const StageProgress& progress)
+      : end_(end), stages_(stages), progress_(progress) {
+    begin_model(0);
+  }
+
+  void gravity(const GravitySettings& settings) {
+    set_rest_stress(model_->sets_of_soil(), model_->spec);
+    relaxation_.emplace(*model_);
+    act_with_loads(0);
+    const Course course{.bonded = true, .time = settings.max_time, .residual = settings.residual};
+    const Relaxed rest = run(course, "the gravity stage did not come to rest",
+                             "the slope may not be stable under its weight, which tremolo safety finds out");
+    end_bonds(course, rest);
+  }
+
+  void next() {
+    ++stage_;
+    std::visit([this](const auto& stage) { go(stage); }, stages_[stage_ - 1]);
+    disturbed_ = settings_of(stages_[stage_ - 1]).undrained;
+  }
+
+  Reactions finish() {
+    Reactions reactions = relaxation_->reactions();
+    relaxation_->finish();
+    reactions.slipping_bodies = slipping_;
+    reactions.slipping = !slipping_.empty();
+    reactions.cut = begin_history(*model_);
+    reactions.ways = structure_ways();
+    return reactions;
+  }
+
+private:
+  static const StageSettings& settings_of(const StaticStage& stage) {
+    return std::visit([](const auto& one) -> const StageSettings& { return one; }, stage);
+  }
+
+  /// Ways of the structures of the present model, those in models before it included.
+  std::vector<StructureWay> structure_ways() const {
+    std::vector<StructureWay> ways = relaxation_->structure_ways();
+    for (StructureWay& structure : ways)
+      if (const auto found = std::ranges::find(ways_before_, structure.name, &StructureWay::name);
+          found != ways_before_.end()) {
+        structure.way = {structure.way.x + found->way.x, structure.way.y + found->way.y};
+        structure.turn += found->turn;
+      }
+    return ways;
+  }
+
+  /// Makes the model of the stages from the given one on, up to the next construction.
+  void begin_model(std::size_t first) {
+    std::size_t loads = 0;
+    for (std::size_t s = 0; s < stages_.size(); ++s) {
+      if (s >= first)
+        if (const auto* next = std::get_if<ConstructionSettings>(&stages_[s])) {
+          Spec spec = end_.spec;
+          spec.regions = next->regions;
+          spec.structures = next->structures;
+          spec.loads.resize(loads);
+          own_ = std::make_shared<Domain>(spec);
+          model_ = own_.get();
+          return;
+        }
+      loads += std::holds_alternative<LoadSettings>(stages_[s]) ? 1 : 0;
+    }
+    own_ = nullptr;
+    model_ = &end_;
+  }
+
+  /// Lets the loads of the stages before one act, and those after it not.
+  void act_with_loads(std::size_t stage) {
+    for (std::size_t s = 0; s < stages_.size(); ++s)
+      if (const auto* load = std::get_if<LoadSettings>(&stages_[s]);
+          load != nullptr && load->load < model_->spec.loads.size())
+        model_->loads.scale(load->load, s < stage ? 1.0 : 0.0);
+    model_->loads.follow(*model_);
+  }
+
+  Relaxed run(const Course& course, const std::string& what, const std::string& why) {
+    const Relaxed relaxed =
+        relaxation_->run(course, [this](long step, double residual) { progress_(stage_, step, residual); });
+    if (!(relaxed.residual < course.residual))
+      throw NotAtRest(not_at_rest(what, relaxed, course.time, course.residual, why), stage_, own_);
+    return relaxed;
+  }
+
+  void end_bonds(const Course& course, const Relaxed& rest) {
+    if (model_->contact.any())
+      slipping_ = release(*model_, *relaxation_, course, rest,
+                          [this](long step, double residual) { progress_(stage_, step, residual); });
+  }
+
+  static Course course_of(const StageSettings& settings) {
+    return {.undrained = settings.undrained,
+            .ramp = settings.ramp,
+            .time = settings.ramp + settings.max_time,
+            .residual = settings.residual};
+  }
+
+  void go(const LoadSettings& load) {
+    relaxation_->count_way();
+    if (disturbed_ && !load.undrained) {
+      const std::vector<Vector> f0 = relaxation_->forces();
+      drain(*model_);
+      relaxation_->hold(lacking_forces(*model_, {}, f0, relaxation_->forces()));
+    }
+    Course course = course_of(load);
+    course.grow = [&](double share) {
+      model_->loads.scale(load.load, share);
+      model_->loads.follow(*model_);
+    };
+    const SurfaceLoad& line = model_->spec.loads[load.load];
+    run(course,
+        fmt::format("the ground did not come to rest under the load from x = {:.6g} to {:.6g} m", line.x_min,
+                    line.x_max),
+        "it may not carry the load");
+  }
+
+  void go(const ConstructionSettings& construction) {
+    std::vector<Vector> f0 = relaxation_->forces();
+    const std::shared_ptr<Domain> owner = std::move(own_);
+    const Domain& before = *model_;
+    ways_before_ = structure_ways();
+    begin_model(stage_);
+    for (const std::size_t removed : removed_structures(before, *model_))
+      relaxation_->add_contact_forces(removed, f0);
+    relaxation_->finish();
+    const Placed placed = carry_over(before, *model_);
+    relaxation_.emplace(*model_);
+    relaxation_->count_way();
+    if (disturbed_ && !construction.undrained)
+      drain(*model_);
+    act_with_loads(stage_ - 1);
+    relaxation_->hold(lacking_forces(*model_, placed, f0, relaxation_->forces()));
+    Course course = course_of(construction);
+    course.bonded = true;
+    course.grow = [&](double share) {
+      for (const std::size_t b : placed.structures)
+        model_->contact.weigh(*model_, b, share);
+    };
+    const Relaxed rest = run(course, "the ground did not come to rest in a construction stage",
+                             "it may not stand without what was removed, or carry what was placed");
+    end_bonds(course, rest);
+  }
+
+  Domain& end_;
+  std::span<const StaticStage> stages_;
+  const StageProgress& progress_;
+  std::shared_ptr<Domain> own_; ///< the present model; null: it is that of the end
+  Domain* model_ = nullptr;
+  std::optional<Relaxation> relaxation_; ///< of the present model
+  std::size_t stage_ = 0;
+  std::vector<StructureWay> ways_before_; ///< in models before the present one
+  std::vector<std::size_t> slipping_;     ///< bodies of the present model
+  bool disturbed_ = false;                ///< the last stage has left an excess pressure
+};
+
 } // namespace
 
-Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const LoadSettings> loads,
+Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const StaticStage> then,
                         const StageProgress& progress) {
   if (!(domain.spec.gravity > 0.0))
     throw std::invalid_argument(
         fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", domain.spec.gravity));
-  set_rest_stress(domain.sets_of_soil(), domain.spec);
-  std::vector<materials::Law> laws;
-  for (Particles& set : domain.sets) {
-    laws.push_back(set.law);
-    set.law = materials::without_softening(set.law);
-    set.damping_time = 0.0; // relaxation has a damping of its own, on mass
-  }
-  const std::vector<Geometry> given(domain.sets.begin(), domain.sets.end());
-
-  scatter(domain, ScatterPart::motion);
-  if (domain.is_sharp())
-    find_fullness(domain);
-  domain.contact.begin_rest(domain);
-  for (NodeField* velocity : {&domain.grid.vx_after, &domain.grid.vy_after})
-    std::fill(velocity->begin(), velocity->end(), 0.0);
-  Reactions reactions;
-  const Supports supports = find_supports(domain, reactions);
-  const double depth = domain.spec.box.y_max - domain.spec.box.y_min;
-  double slowest = domain.fastest_wave();
-  for (const Particles& set : domain.sets)
-    slowest = std::min(slowest, materials::elasticity(set.law).s_wave_speed());
-  const double alpha = std::numbers::pi * slowest / depth;
-  const double dt = domain.spec.scheme.fraction * critical_skeleton_step(domain); // pore pressures stay
-
-  for (const LoadSettings& load : loads)
-    domain.loads.scale(load.load, 0.0);
-  domain.loads.follow(domain);
-  NodalWay way(domain.grid);
-  std::size_t stage = 0;
-  /// @param load  that grows; null: none
-  const auto relax = [&](bool bonded, long first, double time, double residual, const LoadSettings* load) {
-    Relaxed relaxed{first, 0.0};
-    for (long step = first;; ++step) {
-      const double passed = static_cast<double>(step - first) * dt;
-      if (load != nullptr && passed < load->ramp + dt) {
-        domain.loads.scale(load->load, ramped(passed / load->ramp));
-        domain.loads.follow(domain);
-      }
-      scatter_forces(domain);
-      domain.loads.add(domain.grid);
-      relaxed = {step, relax_grid(domain, supports, dt, alpha, bonded)};
-      prolong(domain, NodeGroup::velocity);
-      const bool grows = load != nullptr && passed < load->ramp;
-      const bool ends = !grows && (relaxed.residual < residual || !(passed < time));
-      if (ends || step % report_every == 0)
-        progress(stage, step, relaxed.residual);
-      if (ends)
-        return relaxed;
-      if (load != nullptr)
-        way.add(domain.grid, dt);
-      strain(domain, dt);
-      // Geometry is given: volumes, boxes and places do not change.
-      for (std::size_t s = 0; s < domain.sets.size(); ++s)
-        given[s].restore(domain.sets[s]);
-    }
-  };
-  const Relaxed rest = relax(true, 0, settings.max_time, settings.residual, nullptr);
-  if (!(rest.residual < settings.residual))
-    throw NotAtRest(fmt::format(
-        "the gravity stage did not come to rest: residual {:.3g} after {:.3g} s of relaxation, wanted "
-        "{:.3g}; the slope may not be stable under its weight, which tremolo safety finds out",
-        rest.residual, settings.max_time, settings.residual));
-  if (domain.contact.any())
-    reactions.slipping_bodies = release(domain, [&] {
-      constexpr long least =
-          1000; // steps that friction may take to find its share, and as often those of the bonds
-      const double time = static_cast<double>(std::max(least, 4 * rest.step)) * dt;
-      return relax(false, rest.step, time, settings.residual, nullptr).residual < settings.residual;
-    });
-  for (const LoadSettings& load : loads) {
-    ++stage;
-    const double time = load.ramp + load.max_time;
-    const Relaxed loaded = relax(false, 0, time, load.residual, &load);
-    if (!(loaded.residual < load.residual))
-      throw NotAtRest(fmt::format(
-          "the ground did not come to rest under the load from x = {:.6g} to {:.6g} m: residual {:.3g} after "
-          "{:.3g} s of relaxation, wanted {:.3g}; it may not carry the load",
-          domain.spec.loads[load.load].x_min, domain.spec.loads[load.load].x_max, loaded.residual, time,
-          load.residual));
-  }
-
-  reactions.slipping = !reactions.slipping_bodies.empty();
-  reactions.force.assign(domain.grid.size(), Vector{});
-  for (const std::size_t n : reactions.base)
-    reactions.force[n] = {-domain.grid.force_x[n], -domain.grid.force_y[n]};
-  for (const std::size_t n : reactions.sides)
-    reactions.force[n] = {-domain.grid.force_x[n], 0.0};
-  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-    Particles& set = domain.sets[s];
-    set.law = laws[s];
-    if (!set.body)
-      set.damping_time = domain.spec.soils[set.soil_index].damping_time;
-  }
-  if (!loads.empty())
-    way.count_as_displacement(domain);
-  reactions.cut = begin_history(domain);
-  return reactions;
+  StaticStages stages(domain, then, progress);
+  stages.gravity(settings);
+  for (std::size_t s = 0; s < then.size(); ++s)
+    stages.next();
+  return stages.finish();
 }
 
 Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,

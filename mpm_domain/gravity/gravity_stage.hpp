@@ -10,13 +10,16 @@
 // mode of a layer of depth H critically and every other at the same rate. It ends when the unbalanced force
 // in the free directions, ||f|| over the norm of all nodal weights, is below the stated residual.
 //
-// Loads on the surface follow as stages of their own. Each grows from 0 to its size along half of a cosine,
+// Other static stages follow: loads on the surface, and construction, which places and removes soil and
+// structures (construction.hpp). What they bring goes from 0 to its size along half of a cosine,
 //
 //     share(t) = (1 - cos(pi t/T))/2,      0 <= t <= T,
 //
 // while the ground is damped as above, and stays; then the stage goes on until all rests. Places, and with
 // them the weights, are kept here too, as in any analysis of small displacements; the way that the soil has
-// gone, u = int v dt, counts as displacement from then on.
+// gone, u = int v dt, counts as displacement from then on; that of a rigid structure is reported. Static
+// stages are drained unless they say otherwise: what an undrained one has done to the pore pressure is gone
+// at the end of the next drained one.
 //
 // Structures stand in place, bonded to the soil. Once all rests, bonds become contact with friction, and the
 // stage goes on until all rests again. Where it cannot, since a structure stands on a slope that is too
@@ -25,9 +28,12 @@
 #include "mpm_domain/domain.hpp"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -39,6 +45,13 @@ struct CutStress {
   Vector low, high; ///< corners of the box around them, m
 };
 
+/// How far a rigid structure has gone in the stages after gravity, or since it was placed.
+struct StructureWay {
+  std::string name;
+  Vector way;        ///< of its centre, m
+  double turn = 0.0; ///< rad, anticlockwise
+};
+
 /// Nodal reactions of the constraints at the end of the stage, N/m: what the supports exert on the soil.
 struct Reactions {
   std::vector<std::size_t> base;  ///< nodes fixed in x and y
@@ -47,6 +60,7 @@ struct Reactions {
   bool slipping = false; ///< structures do not rest on their friction: they begin to move when bonds end
   std::vector<std::size_t> slipping_bodies; ///< those that do, as places in Contact::bodies()
   std::vector<CutStress> cut;               ///< soils that cannot hold their stress
+  std::vector<StructureWay> ways; ///< of rigid structures; none where there is no stage after gravity
 };
 
 struct GravitySettings {
@@ -54,24 +68,41 @@ struct GravitySettings {
   double max_time = 60.0; ///< s of relaxation after which the stage gives up
 };
 
-/// A stage in which a load comes onto the surface.
-struct LoadSettings {
-  std::size_t load = 0;   ///< index into Spec::loads
+/// How a stage after gravity goes.
+struct StageSettings {
   double ramp = 0.0;      ///< T, s
   double residual = 1e-9; ///< as in GravitySettings
   double max_time = 60.0; ///< s of relaxation after the ramp
+  bool undrained = false; ///< pore water moves with the grains
 };
 
-/// The stage has run out of time before all was at rest.
+/// A stage in which a load comes onto the surface.
+struct LoadSettings : StageSettings {
+  std::size_t load = 0; ///< index into Spec::loads
+};
+
+/// A stage that changes what the model consists of: after the last of them it is what its Spec says.
+struct ConstructionSettings : StageSettings {
+  std::vector<Region> regions; ///< of the model until then
+  std::vector<Structure> structures;
+};
+
+using StaticStage = std::variant<LoadSettings, ConstructionSettings>;
+
+/// A stage has run out of time before all was at rest.
 class NotAtRest : public std::runtime_error {
 public:
-  using std::runtime_error::runtime_error;
+  NotAtRest(const std::string& what, std::size_t stage_, std::shared_ptr<Domain> model_)
+      : std::runtime_error(what), stage(stage_), model(std::move(model_)) {}
+
+  std::size_t stage;             ///< 0 is gravity, the stages after it follow
+  std::shared_ptr<Domain> model; ///< of that stage; null: that of the end
 };
 
 /// Reports how far the stage is, now and then and at its end: steps done, and the residual reached.
 using GravityProgress = std::function<void(long step, double residual)>;
 
-/// Reports how far a stage is, as GravityProgress does; stage 0 is gravity, the loads follow.
+/// Reports how far a stage is, as GravityProgress does; stage 0 is gravity, the stages after it follow.
 using StageProgress = std::function<void(std::size_t stage, long step, double residual)>;
 
 /// Brings the domain to rest under gravity and the loads on its surface, all laws at peak strength (no
@@ -83,8 +114,9 @@ using StageProgress = std::function<void(std::size_t stage, long step, double re
 Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                               const GravityProgress& progress);
 
-/// Does what relax_under_gravity does, and then adds one load after the other; others act from the start.
-Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const LoadSettings> loads,
+/// Does what relax_under_gravity does, and then what the stages after it do, one after the other.
+/// @param domain  the model after the last of them; without construction all of them happen to it
+Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const StaticStage> then,
                         const StageProgress& progress);
 
 /// After NotAtRest: gives the particles the velocity with which the nodes go on, so that they show where the

@@ -122,7 +122,9 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
   std::vector<Particles> sets = empty_sets(spec, tree ? tree->finest() : 0);
   const std::vector<Kind> kinds = kinds_of(spec);
   const auto regions = polygons_of(spec.regions, &Region::polygon);
-  const auto structures = polygons_of(spec.structures, &Structure::outline);
+  auto structures = polygons_of(spec.structures, &Structure::outline);
+  if (structures.empty() && spec.cut_at_edges)
+    structures.emplace_back(); // an outline without corners
   Plots plots;
   const auto add = [&](int level, double x, double y) {
     const Plot plot = plot_of(regions, structures, x, y, particle_size(spec, level));
@@ -161,7 +163,8 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
 
 /// Every particle stands in all columns, as wide as the smallest particles, that it covers, and takes the
 /// mean of their overburdens.
-void set_rest_stress(std::span<Particles> sets, const Spec& spec) {
+void set_rest_stress(std::span<Particles> sets, const Spec& spec,
+                     const std::function<bool(std::size_t, std::size_t)>& concerns) {
   const int finest = std::ranges::max(sets, {}, &Particles::level).level;
   const double width = particle_size(spec, finest);
   struct Place {
@@ -171,8 +174,11 @@ void set_rest_stress(std::span<Particles> sets, const Spec& spec) {
   };
   std::vector<std::vector<Place>> columns(
       static_cast<std::size_t>(std::lround((spec.box.x_max - spec.box.x_min) / width)));
-  for (Particles& set : sets)
-    for (std::size_t k = 0; k < set.size(); ++k) {
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (std::size_t k = 0; k < sets[s].size(); ++k) {
+      if (concerns && !concerns(s, k))
+        continue;
+      Particles& set = sets[s];
       const auto first =
           static_cast<std::size_t>((set.x[k] - set.half_size + 0.5 * width - spec.box.x_min) / width);
       for (std::size_t c = 0; c < std::size_t{1} << (finest - set.level); ++c)
@@ -189,10 +195,12 @@ void set_rest_stress(std::span<Particles> sets, const Spec& spec) {
       overburden += weight;
     }
   }
-  for (Particles& set : sets) {
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    Particles& set = sets[s];
     const double k0 = materials::elasticity(set.law).rest_coefficient();
     for (std::size_t k = 0; k < set.size(); ++k)
-      set.sxx[k] = set.szz[k] = k0 * set.syy[k];
+      if (!concerns || concerns(s, k))
+        set.sxx[k] = set.szz[k] = k0 * set.syy[k];
   }
 }
 

@@ -4,6 +4,8 @@
 #include "mpm_domain/spec/lattice.hpp"
 #include "mpm_domain/spec/spec.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -25,8 +27,10 @@ inline double particle_size(const Spec& spec, int level = 0) {
 /// @throws std::invalid_argument if no particle results or the box is not a multiple of the particle size
 std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree = nullptr);
 
-/// Gives every particle the stress of level layers at rest: s_yy = -overburden of the particles above it,
-/// s_xx = s_zz = K0 s_yy with the soil's nu/(1-nu). A start for the gravity stage, exact for level ground.
-void set_rest_stress(std::span<Particles> sets, const Spec& spec);
+/// Gives particles the stress of level layers at rest: s_yy = -overburden of the particles above them, s_xx =
+/// s_zz = K0 s_yy with the soil's nu/(1-nu). A start for the gravity stage, exact for level ground.
+/// @param concerns  whether a particle, by set and number, gets the stress and weighs on others; none: all do
+void set_rest_stress(std::span<Particles> sets, const Spec& spec,
+                     const std::function<bool(std::size_t, std::size_t)>& concerns = {});
 
 } // namespace tremolo::mpm_domain

@@ -33,11 +33,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <unistd.h>
@@ -69,21 +71,32 @@ std::string told_of_cut(const std::vector<CutStress>& cut) {
   return text;
 }
 
+/// "structure 'tower' has moved by 0.4 mm in x and -12 mm in y and turned by 0.01 degrees", with commas.
+std::string told_of_ways(const std::vector<StructureWay>& ways) {
+  std::string text;
+  for (const StructureWay& structure : ways)
+    text += fmt::format("{}'{}' has moved by {:.3g} mm in x and {:.3g} mm in y and turned by {:.3g} degrees",
+                        text.empty() ? "structure " : ", ", structure.name, 1e3 * structure.way.x,
+                        1e3 * structure.way.y, structure.turn * 180.0 / std::numbers::pi);
+  return text;
+}
+
 /// Brings the whole domain to rest and returns the wall time it took, s. All ranks do so.
 /// @param client  null on all ranks but the first
-double static_stages(Domain& domain, const scene::Case& scene, coupler::DomainClient* client) {
+double come_to_rest(Domain& domain, const scene::Case& scene, coupler::DomainClient* client) {
   coupler::Stopwatch watch;
   watch.start();
   const scene::GravityStage& gravity = *scene.gravity;
-  std::vector<LoadSettings> loads;
-  for (const scene::LoadStage& load : scene.loads)
-    loads.push_back({loads.size(), scene::ramp_of(scene, load), load.residual, load.max_time});
+  const std::vector<scene::PlannedStage> planned = scene::stages(scene);
   const auto progress = [&](std::size_t stage, long step, double residual) {
     if (client != nullptr)
-      client->progress(stage == 0 ? gravity.name : scene.loads[stage - 1].name,
-                       static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
+      client->progress(planned[stage].name, static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
   };
-  const Reactions reactions = bring_to_rest(domain, {gravity.residual, gravity.max_time}, loads, progress);
+  const Reactions reactions =
+      bring_to_rest(domain, {gravity.residual, gravity.max_time}, static_settings(scene), progress);
+  if (client != nullptr && !reactions.ways.empty())
+    fmt::print("note: {} in the stages before the shaking, in which it is drawn where it was placed\n",
+               told_of_ways(reactions.ways));
   if (client != nullptr && !reactions.cut.empty())
     fmt::print("warning: the laws of these soils cannot hold the stress at rest and have cut it: {} of "
                "{} particles; the soil there is not at rest, a gentler slope or stronger soil would be\n",
@@ -95,7 +108,23 @@ double static_stages(Domain& domain, const scene::Case& scene, coupler::DomainCl
   return watch.seconds();
 }
 
+/// The case with the model of a stage, by its number, before a later construction has changed it. What would
+/// be recorded in the model of the shaking is left out.
+scene::Case case_of_stage(const scene::Case& scene, std::size_t stage) {
+  const auto stages = scene::static_stages(scene);
+  for (std::size_t later = stage; later < stages.size(); ++later)
+    if (const auto* next = std::get_if<const scene::ConstructionStage*>(&stages[later])) {
+      scene::Case then = before_construction(scene, **next);
+      then.monitors.clear();
+      then.lines.clear();
+      then.sliding_masses.clear();
+      return then;
+    }
+  return scene;
+}
+
 /// Leaves a frame of ground that has found no rest: its velocities show where it moves.
+/// @param scene  with the model of that stage
 /// @returns the sentence that says so
 std::string leave_frame(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
                         const coupler::ParticipantOptions& options, const NotAtRest& failure) {
@@ -105,7 +134,9 @@ std::string leave_frame(Domain& domain, const scene::Case& scene, const scene::P
   RunOutput output(options.out, scene, scene::to_json(scene, plan), domain, snapshot, faces.sources());
   output.write_before_shaking(Stepper(domain, 0.0, [](auto&&...) {}));
   output.abort(failure.what());
-  return fmt::format("{}; the frame in run.h5 shows where the ground moves", failure.what());
+  const std::string stage =
+      failure.stage == 0 ? "" : fmt::format("stage '{}': ", scene::stages(scene)[failure.stage].name);
+  return fmt::format("{}{}; the frame in run.h5 shows where the ground moves", stage, failure.what());
 }
 
 /// Rank 0 asks the coupler for the free field and passes it to all others.
@@ -304,11 +335,13 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   double gravity_seconds = 0.0;
   try {
     if (scene.gravity && !saved)
-      gravity_seconds = static_stages(domain, scene, client);
+      gravity_seconds = come_to_rest(domain, scene, client);
   } catch (const NotAtRest& failure) {
     if (client == nullptr)
       throw;
-    throw NotAtRest(leave_frame(domain, scene, plan, options, failure));
+    const scene::Case then = case_of_stage(scene, failure.stage);
+    Domain& model = failure.model ? *failure.model : domain;
+    throw std::runtime_error(leave_frame(model, then, scene::plan(then), options, failure));
   }
   shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), ranks, end_of(scene, until));
 }

@@ -2,9 +2,12 @@
 
 #include "scene/plan/boundary/springs.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/stages/stages.hpp"
 #include "scene/soils/viscous_damping.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <variant>
 
 namespace tremolo::mpm_domain {
 
@@ -42,7 +45,39 @@ Structure structure_of(const scene::Structure& structure) {
   return copy;
 }
 
+std::vector<Region> regions_of(const std::vector<scene::Region>& regions) {
+  std::vector<Region> copies;
+  for (const scene::Region& region : regions)
+    copies.push_back({region.soil, corners_of(region.polygon), region.cuts});
+  return copies;
+}
+
+std::vector<Structure> structures_of(const std::vector<scene::Structure>& structures) {
+  std::vector<Structure> copies;
+  std::ranges::transform(structures, std::back_inserter(copies), structure_of);
+  return copies;
+}
+
 } // namespace
+
+std::vector<StaticStage> static_settings(const scene::Case& scene) {
+  std::vector<StaticStage> stages;
+  std::size_t loads = 0;
+  for (const scene::BeforeShaking& stage : scene::static_stages(scene)) {
+    const auto settings = [&](const scene::StaticStage& of) {
+      return StageSettings{scene::ramp_of(scene, of), of.residual, of.max_time, of.undrained};
+    };
+    if (const auto* load = std::get_if<const scene::LoadStage*>(&stage))
+      stages.emplace_back(LoadSettings{settings(**load), loads++});
+    else {
+      const auto& construction = *std::get<const scene::ConstructionStage*>(stage);
+      stages.emplace_back(ConstructionSettings{settings(construction),
+                                               regions_of(construction.before.regions),
+                                               structures_of(construction.before.structures)});
+    }
+  }
+  return stages;
+}
 
 Spec spec_from_case(const scene::Case& scene, int threads) {
   Spec spec;
@@ -59,10 +94,12 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                           scene::damping_time(scene.damping, soil.damping), soil.pores});
   if (scene.water)
     spec.water = {scene.water->level, scene.water->fluid};
-  for (const scene::Region& region : scene.regions)
-    spec.regions.push_back({region.soil, corners_of(region.polygon), region.cuts});
-  for (const scene::Structure& structure : scene.structures)
-    spec.structures.push_back(structure_of(structure));
+  spec.regions = regions_of(scene.regions);
+  spec.structures = structures_of(scene.structures);
+  spec.cut_at_edges = !scene.structures.empty() ||
+                      std::ranges::any_of(scene.constructions, [](const scene::ConstructionStage& stage) {
+                        return !stage.before.structures.empty();
+                      });
   for (const scene::LoadStage& load : scene.loads)
     spec.loads.push_back({load.x_min, load.x_max, load.pressure, load.shear});
   spec.normals = scene.mesh.contact_normals;

@@ -75,6 +75,9 @@ struct Spec {
   std::vector<Region> regions;
   std::vector<Structure> structures = {};
   std::vector<SurfaceLoad> loads = {};
+  /// Squares of particles are cut at the edges of regions even where there are no structures, since the model
+  /// of another stage has some (plot.hpp).
+  bool cut_at_edges = false;
   ContactNormals normals = ContactNormals::automatic;
   ContactGaps gaps = {}; ///< no key of a case: tests/cost/structures measures what other values would do
   Scheme scheme;

@@ -123,8 +123,14 @@ std::vector<Table> model_keys() {
       {.name = "region",
        .kind = Kind::array,
        .required = true,
-       .meaning = "A polygon filled with one soil. Polygons may touch but not overlap.",
+       .meaning =
+           "A polygon filled with one soil. Polygons that are there at the same time may touch but not "
+           "overlap.",
        .keys = {{.name = "soil", .type = Type::text, .meaning = "Name of a `[soil.NAME]`.", .required = true},
+                {.name = "name",
+                 .type = Type::text,
+                 .meaning = "By which construction stages call it. Several regions may share a name.",
+                 .otherwise = "no stage places or removes it"},
                 {.name = "polygon",
                  .type = Type::polygon,
                  .unit = "m",

@@ -100,6 +100,7 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
   read_run(document, findings, scene);
   read_hosts(document, scene);
   slice_soils(root, profiles, findings, scene);
+  find_standing(scene, findings);
   judge(scene, findings);
   scene.remarks = findings.remarks();
   return scene;

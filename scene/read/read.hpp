@@ -25,8 +25,9 @@ std::optional<std::size_t> soil_index(const TableReader& table, const std::vecto
 void read_mesh(Document& document, Case& scene);
 /// Time stepping of the domain.
 void read_time(Document& document, Findings& findings, Case& scene);
-/// Stages: gravity and shaking.
 void read_stages(Document& document, Findings& findings, Case& scene);
+/// What stands before each construction and after all; after all else that knows regions and structures.
+void find_standing(Case& scene, Findings& findings);
 /// Structures; after read_soils.
 void read_structures(Document& document, Findings& findings, Case& scene);
 /// A closed line that stands as a polygon, or else as a table with centre and radius; nothing where it stands

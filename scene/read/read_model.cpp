@@ -5,7 +5,10 @@ namespace tremolo::scene {
 namespace {
 
 Region read_region(const TableReader& table, const std::vector<Soil>& soils, Findings& findings) {
-  return {soil_index(table, soils, findings).value_or(0), table.polygon("polygon")};
+  return {.soil = soil_index(table, soils, findings).value_or(0),
+          .polygon = table.polygon("polygon"),
+          .name = table.text("name"),
+          .path = table.path()};
 }
 
 Box read_box(const TableReader& table) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tremolo::scene {
@@ -30,32 +31,51 @@ std::string read_name(const TableReader& table, const std::string& kind, std::ve
   return name;
 }
 
-LoadStage read_load(const TableReader& table, const std::string& name, const Case& so_far, bool shaken,
-                    Findings& findings) {
+/// What static stages after gravity have in common.
+void read_static(StaticStage& stage, const TableReader& table, const std::string& name, const Case& so_far,
+                 bool shaken, Findings& findings) {
+  stage.name = name;
+  stage.ramp = table.optional_number("ramp_s");
+  stage.residual = table.number("residual");
+  stage.max_time = table.number("max_time_s");
+  stage.undrained = table.choice<StageDrainage>("drainage") == StageDrainage::undrained;
+  stage.path = table.path();
+  const std::string kind = table.text("kind");
+  if (shaken || so_far.rest)
+    findings.add(table.path("kind"), fmt::format("a {} must come before the shaking stage", kind));
+  else if (!so_far.gravity)
+    findings.add(table.path("kind"),
+                 fmt::format("a {} must come after a gravity stage, whose relaxation it goes on with", kind));
+}
+
+LoadStage read_load(const TableReader& table, Findings& findings) {
   const auto ends = table.numbers("x_m");
   if (ends.size() == 2 && !(ends[0] < ends[1]))
     findings.add(table.path("x_m"), fmt::format("'x_m' = [{:g}, {:g}] goes from right to left: the first end "
                                                 "must be the smaller one",
                                                 ends[0], ends[1]));
-  const double pressure = table.number("pressure_pa");
-  const double shear = table.number("shear_pa");
-  if (pressure == 0.0 && shear == 0.0 && findings.sound(table.path("pressure_pa")) &&
+  LoadStage load;
+  load.pressure = table.number("pressure_pa");
+  load.shear = table.number("shear_pa");
+  if (load.pressure == 0.0 && load.shear == 0.0 && findings.sound(table.path("pressure_pa")) &&
       findings.sound(table.path("shear_pa")))
     findings.add(table.path("pressure_pa"), "missing 'pressure_pa' or 'shear_pa': how large the load is");
-  if (shaken || so_far.rest)
-    findings.add(table.path("kind"), "a load must come before the shaking stage");
-  else if (!so_far.gravity)
-    findings.add(table.path("kind"),
-                 "a load must come after a gravity stage, whose relaxation it goes on with");
-  return {.name = name,
-          .x_min = ends.size() == 2 ? ends[0] : 0.0,
-          .x_max = ends.size() == 2 ? ends[1] : 0.0,
-          .pressure = pressure,
-          .shear = shear,
-          .ramp = table.optional_number("ramp_s"),
-          .residual = table.number("residual"),
-          .max_time = table.number("max_time_s"),
-          .path = table.path()};
+  if (ends.size() == 2) {
+    load.x_min = ends[0];
+    load.x_max = ends[1];
+  }
+  return load;
+}
+
+ConstructionStage read_construction(const TableReader& table, const Case& so_far, Findings& findings) {
+  ConstructionStage construction;
+  construction.place = table.texts("place");
+  construction.remove = table.texts("remove");
+  construction.loads_before = so_far.loads.size();
+  if (construction.place.empty() && construction.remove.empty() && findings.sound(table.path("place")) &&
+      findings.sound(table.path("remove")))
+    findings.add(table.path("place"), "missing 'place' or 'remove': what is built");
+  return construction;
 }
 
 } // namespace
@@ -77,13 +97,22 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
         findings.add(table.path("kind"), scene.gravity
                                              ? "a second gravity stage: there can be at most one"
                                              : "the gravity stage must come before the shaking stage");
-      else if (!scene.loads.empty())
-        findings.add(table.path("kind"), "the gravity stage must come before a load");
+      else if (!scene.loads.empty() || !scene.constructions.empty())
+        findings.add(table.path("kind"), fmt::format("the gravity stage must come before a {}",
+                                                     scene.loads.empty() ? "construction" : "load"));
       scene.gravity = GravityStage{name_of_stage(), table.number("acceleration"), table.number("residual"),
                                    table.number("max_time_s")};
     }
-    if (kind == "load")
-      scene.loads.push_back(read_load(table, name_of_stage(), scene, shaken, findings));
+    if (kind == "load") {
+      LoadStage load = read_load(table, findings);
+      read_static(load, table, name_of_stage(), scene, shaken, findings);
+      scene.loads.push_back(std::move(load));
+    }
+    if (kind == "construction") {
+      ConstructionStage construction = read_construction(table, scene, findings);
+      read_static(construction, table, name_of_stage(), scene, shaken, findings);
+      scene.constructions.push_back(std::move(construction));
+    }
     if (kind == "shaking") {
       if (shaken || scene.rest)
         findings.add(table.path("kind"), shaken ? "a second shaking stage: there must be exactly one"

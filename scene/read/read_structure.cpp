@@ -77,7 +77,8 @@ Structure read_structure(const TableReader& table, const std::vector<Soil>& soil
           .density = table.number("density"),
           .stiffness = read_stiffness(table, findings),
           .friction = table.number("friction"),
-          .against = read_against(table, soils, findings)};
+          .against = read_against(table, soils, findings),
+          .path = table.path()};
 }
 
 } // namespace

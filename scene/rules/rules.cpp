@@ -57,6 +57,8 @@ constexpr std::array rules = {
     Rule{Severity::error, elastic_structures_are_alone},
     Rule{Severity::error, elastic_structures_suit_water},
     Rule{Severity::error, structures_suit_time_stepping},
+    Rule{Severity::error, earlier_models_are_sound},
+    Rule{Severity::error, constructions_spare_loads},
     Rule{Severity::error, monitors_lie_in_soil},
     Rule{Severity::error, monitors_lie_on_structures},
     Rule{Severity::error, lines_lie_in_soil},

@@ -83,6 +83,10 @@ void resting_sand_is_shaken_first(const Case& scene, Findings& findings);
 void time_factor_is_allowed(const Case& scene, Findings& findings);
 /// A load lies on soil, away from what it does not go with.
 void loads_act_on_ground(const Case& scene, Findings& findings);
+/// No construction changes the soil that a load lies on.
+void constructions_spare_loads(const Case& scene, Findings& findings);
+/// What stands before a construction is as sound as what stands at last.
+void earlier_models_are_sound(const Case& scene, Findings& findings);
 /// Names of structures can be those of results, and are different.
 void structures_have_names(const Case& scene, Findings& findings);
 /// Outlines and holes have an area and do not cross themselves, and holes lie inside.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -132,10 +133,11 @@ inline mpm_domain::Spec flat_ground(double width, double depth, double h, const 
 /// A domain at rest under gravity whose shaking begins.
 class StandingScene {
 public:
+  /// @param then  the static stages after gravity
   explicit StandingScene(const mpm_domain::Spec& spec, mpm_domain::FreeFieldSource source = quiet_ground(),
-                         double residual = 1e-9)
-      : domain(spec),
-        reactions(mpm_domain::relax_under_gravity(domain, {.residual = residual}, [](long, double) {})),
+                         double residual = 1e-9, std::span<const mpm_domain::StaticStage> then = {})
+      : domain(spec), reactions(mpm_domain::bring_to_rest(domain, {.residual = residual}, then,
+                                                          [](std::size_t, long, double) {})),
         stepper(start(), 0.0, std::move(source)) {}
 
   void run(double duration) {

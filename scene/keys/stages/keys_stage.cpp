@@ -10,15 +10,16 @@ Table stage_table() {
       .name = "stage",
       .kind = Kind::array,
       .required = true,
-      .meaning = "The stages in their order: at most one of gravity, then any number of loads, then one of "
-                 "shaking, then at most one of "
-                 "rest. Without a gravity stage the model is weightless. See docs/stages.md.",
+      .meaning = "The stages in their order: at most one of gravity, then any number of loads and "
+                 "constructions, then one of shaking, then at most one of rest. Without a gravity stage the "
+                 "model is weightless. See docs/stages.md.",
       .keys = {
           choice(
-              "kind", {"gravity", "load", "shaking", "rest"},
+              "kind", {"gravity", "load", "construction", "shaking", "rest"},
               "`gravity`: base fixed, sides on rollers, brought to rest by damped relaxation; what held the "
               "model then acts as static traction. `load`: a load comes onto the surface and stays, and the "
-              "ground comes to rest under it in the same way. `shaking`: the motion enters, t = 0 at its "
+              "ground comes to rest under it in the same way. `construction`: soil and structures are placed "
+              "and removed, likewise. `shaking`: the motion enters, t = 0 at its "
               "start. `rest`: "
               "strong motion is over and sand reconsolidates, with the stiffness that `pm4sand` has after "
               "shaking; what is left of the motion goes on."),
@@ -37,13 +38,35 @@ Table stage_table() {
            .meaning = "Unbalanced nodal forces at rest, relative to the nodal weights (2-norms).",
            .fallback = "1e-9",
            .range = {.low = 1e-12, .high = 0.1},
-           .when = {"kind", {"gravity", "load"}}},
+           .when = {"kind", {"gravity", "load", "construction"}}},
           {.name = "max_time_s",
            .unit = "s",
-           .meaning = "Simulated time within which rest must be reached, after the ramp of a load.",
+           .meaning = "Simulated time within which rest must be reached, after the ramp.",
            .fallback = "60",
            .range = {.low = 0.0, .high = 1e4, .low_open = true},
-           .when = {"kind", {"gravity", "load"}}},
+           .when = {"kind", {"gravity", "load", "construction"}}},
+          {.name = "place",
+           .type = Type::texts,
+           .meaning =
+               "Names of regions and structures that come to stand. What is placed before it is removed "
+               "is not there at the start. Soil begins with the stress of its own weight.",
+           .otherwise = "nothing",
+           .when = {"kind", {"construction"}}},
+          {.name = "remove",
+           .type = Type::texts,
+           .meaning = "Names of regions and structures that go.",
+           .otherwise = "nothing",
+           .when = {"kind", {"construction"}}},
+          {.name = "drainage",
+           .type = Type::choice,
+           .meaning =
+               "What pore water does in the stage. `drained`: it has time to flow, and the grains take all "
+               "of the change. `undrained`: it moves with the grains of soils that are not `drained` "
+               "themselves; the excess pressure lasts until a drained stage, or flows off while the "
+               "ground is shaken and rests.",
+           .fallback = scene::name(StageDrainage::drained),
+           .choices = all_words<StageDrainage>(),
+           .when = {"kind", {"load", "construction"}}},
           {.name = "x_m",
            .type = Type::numbers,
            .unit = "m",
@@ -66,11 +89,11 @@ Table stage_table() {
            .when = {"kind", {"load"}}},
           {.name = "ramp_s",
            .unit = "s",
-           .meaning = "Time in which the load grows, along half of a cosine.",
+           .meaning = "Time in which the change grows, along half of a cosine.",
            .otherwise =
                "five periods 4 H/c_s of the ground, with the depth H of the mesh and its slowest soil",
            .range = {.low = 0.0, .high = 1e4, .low_open = true},
-           .when = {"kind", {"load"}}},
+           .when = {"kind", {"load", "construction"}}},
           {.name = "duration_s",
            .unit = "s",
            .meaning = "Length of the stage.",

@@ -17,6 +17,26 @@ PlannedStage gravity(const GravityStage& stage) {
           fmt::format("until at rest to {:g}, at most {:g} s of relaxation", stage.residual, stage.max_time)};
 }
 
+/// How long a static stage lasts.
+std::string relaxation(const Case& scene, const StaticStage& stage) {
+  return fmt::format("grows in {:.3g} s of relaxation, {}then until at rest to {:g}, at most {:g} s",
+                     ramp_of(scene, stage), stage.undrained ? "undrained, " : "", stage.residual,
+                     stage.max_time);
+}
+
+PlannedStage construction(const Case& scene, const ConstructionStage& stage) {
+  const auto list = [](const char* does, const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names)
+      text += fmt::format("{}'{}'", text.empty() ? std::string(does) + " " : ", ", name);
+    return text;
+  };
+  const std::string removed = list("removes", stage.remove);
+  const std::string placed = list("places", stage.place);
+  return {stage.name, "construction", removed + (removed.empty() || placed.empty() ? "" : ", ") + placed,
+          relaxation(scene, stage)};
+}
+
 PlannedStage load(const Case& scene, const LoadStage& stage) {
   std::string what;
   if (stage.pressure != 0.0)
@@ -26,8 +46,7 @@ PlannedStage load(const Case& scene, const LoadStage& stage) {
   return {
       stage.name, "load",
       fmt::format("{} on the surface from x = {:g} to {:g} m, which stays", what, stage.x_min, stage.x_max),
-      fmt::format("grows in {:.3g} s of relaxation, then until at rest to {:g}, at most {:g} s",
-                  ramp_of(scene, stage), stage.residual, stage.max_time)};
+      relaxation(scene, stage)};
 }
 
 PlannedStage shaking(const Case& scene) {
@@ -57,16 +76,38 @@ double slow_ramp(const Case& scene) {
   return 5.0 * 4.0 * scene.mesh.box.height() / slowest;
 }
 
-double ramp_of(const Case& scene, const LoadStage& load) {
-  return load.ramp.value_or(slow_ramp(scene));
+double ramp_of(const Case& scene, const StaticStage& stage) {
+  return stage.ramp.value_or(slow_ramp(scene));
+}
+
+std::vector<BeforeShaking> static_stages(const Case& scene) {
+  std::vector<BeforeShaking> all;
+  auto next = scene.constructions.begin();
+  for (std::size_t loads = 0; loads <= scene.loads.size(); ++loads) {
+    for (; next != scene.constructions.end() && next->loads_before == loads; ++next)
+      all.emplace_back(&*next);
+    if (loads < scene.loads.size())
+      all.emplace_back(&scene.loads[loads]);
+  }
+  return all;
+}
+
+Case before_construction(const Case& scene, const ConstructionStage& construction) {
+  Case then = scene;
+  then.regions = construction.before.regions;
+  then.structures = construction.before.structures;
+  then.loads.resize(construction.loads_before);
+  return then;
 }
 
 std::vector<PlannedStage> stages(const Case& scene) {
   std::vector<PlannedStage> all;
   if (scene.gravity)
     all.push_back(gravity(*scene.gravity));
-  for (const LoadStage& stage : scene.loads)
-    all.push_back(load(scene, stage));
+  for (const BeforeShaking& stage : static_stages(scene))
+    all.push_back(std::holds_alternative<const LoadStage*>(stage)
+                      ? load(scene, *std::get<const LoadStage*>(stage))
+                      : construction(scene, *std::get<const ConstructionStage*>(stage)));
   all.push_back(shaking(scene));
   if (scene.rest)
     all.push_back(rest(scene));
@@ -77,7 +118,7 @@ std::string stages_text(const Case& scene) {
   std::string text;
   int number = 0;
   for (const PlannedStage& stage : stages(scene))
-    text += fmt::format("  {}  {:<20}{:<10}{}; {}\n", ++number, stage.name, stage.kind, stage.changes,
+    text += fmt::format("  {}  {:<20}{:<14}{}; {}\n", ++number, stage.name, stage.kind, stage.changes,
                         stage.lasts);
   return text;
 }

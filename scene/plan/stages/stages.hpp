@@ -5,6 +5,8 @@
 #include "scene/case.hpp"
 
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace tremolo::scene {
@@ -18,8 +20,15 @@ struct PlannedStage {
 
 /// Five periods 4 H/c_s of ground as deep as the mesh and all of its slowest soil, s.
 double slow_ramp(const Case& scene);
-/// The time in which a load grows, s.
-double ramp_of(const Case& scene, const LoadStage& load);
+/// The time in which a change of a static stage grows, s.
+double ramp_of(const Case& scene, const StaticStage& stage);
+
+/// A stage between gravity and the shaking.
+using BeforeShaking = std::variant<const LoadStage*, const ConstructionStage*>;
+/// All of them in their order; they point into the case.
+std::vector<BeforeShaking> static_stages(const Case& scene);
+/// The case with the model as it was before a construction, and the loads of that time.
+Case before_construction(const Case& scene, const ConstructionStage& construction);
 
 std::vector<PlannedStage> stages(const Case& scene);
 

@@ -7,15 +7,8 @@
 
 namespace tremolo::scene {
 
-namespace {
-
-std::string path(std::size_t region) {
-  return fmt::format("region[{}].polygon", region);
-}
-
-} // namespace
-
 void regions_are_apart(const Case& scene, Findings& findings) {
+  const auto path = [&](std::size_t region) { return scene.regions[region].path + ".polygon"; };
   // A polygon that crosses itself, or has no area, has been reported.
   std::vector<std::size_t> usable;
   for (std::size_t i = 0; i < scene.regions.size(); ++i)

@@ -7,7 +7,7 @@ namespace tremolo::scene {
 void regions_are_simple(const Case& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.regions.size(); ++i) {
     const Polygon& polygon = scene.regions[i].polygon;
-    const std::string path = fmt::format("region[{}].polygon", i);
+    const std::string path = scene.regions[i].path + ".polygon";
     if (polygon.empty())
       continue;
     if (intersects_itself(polygon))

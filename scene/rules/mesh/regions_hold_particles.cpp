@@ -14,7 +14,7 @@ void regions_hold_particles(const Case& scene, Findings& findings) {
   const mesh::Quadtree tree = quadtree(scene);
   for (std::size_t i = 0; i < scene.regions.size(); ++i) {
     const Polygon& polygon = scene.regions[i].polygon;
-    const auto path = fmt::format("region[{}].polygon", i);
+    const auto path = scene.regions[i].path + ".polygon";
     if (!findings.sound(path) || polygon.empty())
       continue;
     const auto [left, right] = std::ranges::minmax(polygon, {}, &Point::x);

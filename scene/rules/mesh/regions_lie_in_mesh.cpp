@@ -12,7 +12,7 @@ void regions_lie_in_mesh(const Case& scene, Findings& findings) {
     for (const Point corner : scene.regions[i].polygon)
       if (!box.contains(corner)) {
         findings.add(
-            fmt::format("region[{}].polygon", i),
+            scene.regions[i].path + ".polygon",
             fmt::format("corner [{}, {}] lies outside the mesh, must be in x {} to {} and y {} to {}",
                         corner.x, corner.y, box.x_min, box.x_max, box.y_min, box.y_max));
         break;

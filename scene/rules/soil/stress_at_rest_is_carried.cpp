@@ -13,7 +13,7 @@ namespace {
 bool ground_is_sound(const Case& scene, const Findings& findings) {
   for (std::size_t i = 0; i < scene.regions.size(); ++i)
     for (const char* key : {"soil", "polygon"})
-      if (!findings.sound(fmt::format("region[{}].{}", i, key)))
+      if (!findings.sound(fmt::format("{}.{}", scene.regions[i].path, key)))
         return false;
   return scene.gravity && !scene.soils.empty() &&
          std::ranges::all_of(std::array{"region", "profile", "surface", "water", "stage"},

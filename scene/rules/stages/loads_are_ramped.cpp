@@ -1,5 +1,6 @@
 // A load that comes faster than the ground swings makes it swing: half a cosine as long as n periods leaves
-// 1/(4 n^2 - 1) of the static deformation, 1 % at n = 5. Soil yields on the way to it.
+// 1/(4 n^2 - 1) of the static deformation, 1 % at n = 5. Soil yields on the way to it. What is placed and
+// removed is a load of the same kind.
 
 #include "scene/plan/stages/stages.hpp"
 #include "scene/rules/rules.hpp"
@@ -9,13 +10,18 @@
 namespace tremolo::scene {
 
 void loads_are_ramped(const Case& scene, Findings& findings) {
-  for (const LoadStage& load : scene.loads)
-    if (const double least = slow_ramp(scene); load.ramp && *load.ramp < (1.0 - 1e-9) * least)
-      findings.add(load.path + ".ramp_s",
-                   fmt::format("the load '{}' comes within {:g} s, less than five periods 4 H/c_s of the "
+  const auto look = [&](const StaticStage& stage, const char* what) {
+    if (const double least = slow_ramp(scene); stage.ramp && *stage.ramp < (1.0 - 1e-9) * least)
+      findings.add(stage.path + ".ramp_s",
+                   fmt::format("the {} '{}' comes within {:g} s, less than five periods 4 H/c_s of the "
                                "ground, {:.3g} s: soil may yield where the ground overshoots; without "
                                "'ramp_s' it takes as long as that",
-                               load.name, *load.ramp, least));
+                               what, stage.name, *stage.ramp, least));
+  };
+  for (const LoadStage& load : scene.loads)
+    look(load, "load");
+  for (const ConstructionStage& construction : scene.constructions)
+    look(construction, "construction");
 }
 
 } // namespace tremolo::scene

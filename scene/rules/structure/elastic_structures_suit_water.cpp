@@ -15,7 +15,7 @@ void elastic_structures_suit_water(const Case& scene, Findings& findings) {
       continue;
     const double lowest = std::ranges::min(structure.hole->corners, {}, &Point::y).y;
     if (lowest < scene.water->level)
-      findings.add(fmt::format("structure[{}].{}", i, structure.hole->key),
+      findings.add(fmt::format("{}.{}", structure.path, structure.hole->key),
                    fmt::format("'{}' reaches down to y = {:.4g} m, below the water table at {:g} m: a "
                                "structure with a hole there must be rigid",
                                structure.hole->key, lowest, scene.water->level));

@@ -5,7 +5,7 @@
 namespace tremolo::scene {
 
 std::string outline_path(const Case& scene, std::size_t structure) {
-  return fmt::format("structure[{}].{}", structure, scene.structures[structure].outline.key);
+  return fmt::format("{}.{}", scene.structures[structure].path, scene.structures[structure].outline.key);
 }
 
 bool outline_is_sound(const Case& scene, std::size_t structure, const Findings& findings) {

@@ -26,7 +26,7 @@ void structures_are_simple(const Case& scene, Findings& findings) {
     check_line(outline_path(scene, i), structure.outline, findings);
     if (!structure.hole)
       continue;
-    const std::string path = fmt::format("structure[{}].{}", i, structure.hole->key);
+    const std::string path = fmt::format("{}.{}", structure.path, structure.hole->key);
     check_line(path, *structure.hole, findings);
     if (outline_is_sound(scene, i, findings) && !structure.hole->corners.empty() && findings.sound(path) &&
         !encloses(structure.outline.corners, structure.hole->corners))

@@ -13,8 +13,7 @@ namespace {
 /// since soil meets its outline alone. A hole that has been refused is not measured against.
 Polygon hole_between_walls(const Case& scene, std::size_t structure, const Findings& findings) {
   const Structure& one = scene.structures[structure];
-  return one.hole && one.stiffness &&
-                 findings.sound(fmt::format("structure[{}].{}", structure, one.hole->key))
+  return one.hole && one.stiffness && findings.sound(fmt::format("{}.{}", one.path, one.hole->key))
              ? one.hole->corners
              : Polygon{};
 }

@@ -35,7 +35,7 @@ void structures_leave_the_step(const Case& scene, Findings& findings) {
     if (!structure.stiffness || critical_step(structure, h) > 0.999 * of_soil)
       continue;
     findings.add(
-        fmt::format("structure[{}].young", i),
+        scene.structures[i].path + ".young",
         fmt::format("'young' = {:g} Pa sets the time step: its critical step is {:.3g} s, that of the soil "
                     "{:.3g} s; {:.3g} Pa would not, nor would rigid = true",
                     structure.stiffness->young, critical_step(structure, h), of_soil,

@@ -17,7 +17,7 @@ void structures_slip(const Case& scene, Findings& findings) {
   };
   for (std::size_t i = 0; i < scene.structures.size(); ++i) {
     const Structure& structure = scene.structures[i];
-    const std::string path = fmt::format("structure[{}]", i);
+    const std::string path = scene.structures[i].path;
     check(path + ".friction", structure.friction);
     for (const SoilContact& against : structure.against)
       if (against.friction != structure.friction)

@@ -55,7 +55,7 @@ class Load(unittest.TestCase):
         with RestWorkspace(TREMOLO, **CHANGES) as work:
             result = work.command("explain", work.case)
             self.assertEqual(0, result.returncode, result.stdout + result.stderr)
-            self.assertIn("2  fill                load      pressure of 30000 Pa on the surface", result.stdout)
+            self.assertIn("2  fill                load          pressure of 30000 Pa on the surface", result.stdout)
 
     def test_ranks_and_a_second_name_are_refused(self):
         with RestWorkspace(TREMOLO, **CHANGES | {"load": LOAD + LOAD}) as work:

@@ -32,7 +32,7 @@ Spec box(double width, double depth, double h, SurfaceLoad load) {
 }
 
 Reactions rest(Domain& domain, double residual) {
-  const LoadSettings load{.load = 0, .ramp = 1.0, .residual = residual, .max_time = 20.0};
+  const StaticStage load = LoadSettings{{.ramp = 1.0, .residual = residual, .max_time = 20.0}, 0};
   return bring_to_rest(domain, {.residual = residual}, {&load, 1}, [](std::size_t, long, double) {});
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+
+// A construction stage exchanges the model for another one. Particles that stand in the same square of the
+// same soil, or of the same structure, keep stress, state, pore pressure and displacement; others are gone or
+// new. New soil begins with the stress of its own weight,
+//
+//     s_yy = -gamma (depth below the top of what is placed with it),      s_xx = s_zz = K0 s_yy,
+//
+// so that a lift does not settle under itself. Forces of soil on nodes are then no longer those before, f0,
+// but f1, and
+//
+//     c = f0 - f1
+//
+// is what the nodes lack: what removed soil held, less the weight of placed soil. With c as a load nothing
+// moves, and as it goes to zero (relaxation.hpp) the ground takes over: excavation and placing are one. What
+// a removed structure pressed onto the soil counts in f0. A placed one begins without weight.
+
+#include "mpm_domain/domain.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// What of a model was not there before.
+struct Placed {
+  std::vector<std::vector<bool>> particles; ///< by set and particle
+  std::vector<std::size_t> structures;      ///< as places in Contact::bodies()
+};
+
+/// Gives the particles of a model what those of the model before have come to, and new soil the stress of its
+/// own weight.
+Placed carry_over(const Domain& before, Domain& after);
+
+/// The structures that are not in the model after, as places in Contact::bodies() of the one before.
+std::vector<std::size_t> removed_structures(const Domain& before, const Domain& after);
+
+/// c of the nodes of the model after.
+/// @param f0, f1  forces on the nodes of the model before and of that after, N/m
+std::vector<Vector> lacking_forces(const Domain& after, const Placed& placed, const std::vector<Vector>& f0,
+                                   const std::vector<Vector>& f1);
+
+} // namespace tremolo::mpm_domain

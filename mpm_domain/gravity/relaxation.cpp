@@ -1,0 +1,257 @@
+#include "mpm_domain/gravity/relaxation.hpp"
+
+#include "mpm_domain/dispersion/fullness.hpp"
+#include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/spec/held_nodes.hpp"
+#include "mpm_domain/step/time_step.hpp"
+#include "mpm_domain/transfer/gather.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
+#include "mpm_domain/transfer/sharp_transfer.hpp"
+#include "mpm_domain/water/pore_pressure.hpp"
+#include "mpm_domain/water/water_scatter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Steps between two looks at the residual.
+constexpr long report_every = 100;
+
+/// The geometry of particles, which stays the same.
+constexpr std::array given_fields{&ParticleFields::volume, &ParticleFields::box_xx, &ParticleFields::box_xy,
+                                  &ParticleFields::box_yy};
+
+/// From 0 to 1 along half of a cosine as s goes there, without a jump of velocity.
+double ramped(double s) {
+  return s < 1.0 ? 0.5 * (1.0 - std::cos(std::numbers::pi * s)) : 1.0;
+}
+
+} // namespace
+
+Relaxation::Relaxation(Domain& domain) : domain_(domain) {
+  for (Particles& set : domain.sets) {
+    laws_.push_back(set.law);
+    set.law = materials::without_softening(set.law);
+    set.damping_time = 0.0; // relaxation has a damping of its own, on mass
+    ParticleFields& given = given_.emplace_back();
+    for (const auto field : given_fields)
+      given.*field = set.*field;
+  }
+  scatter(domain, ScatterPart::motion);
+  if (domain.is_sharp())
+    find_fullness(domain);
+  domain.contact.begin_rest(domain);
+  for (NodeField* velocity : {&domain.grid.vx_after, &domain.grid.vy_after})
+    std::fill(velocity->begin(), velocity->end(), 0.0);
+  find_supports();
+  const double depth = domain.spec.box.y_max - domain.spec.box.y_min;
+  double slowest = domain.fastest_wave();
+  for (const Particles& set : domain.sets)
+    slowest = std::min(slowest, materials::elasticity(set.law).s_wave_speed());
+  alpha_ = std::numbers::pi * slowest / depth;
+  drained_step_ = domain.spec.scheme.fraction * critical_skeleton_step(domain);
+}
+
+void Relaxation::find_supports() {
+  const std::vector<unsigned char> none(domain_.grid.size(), 0);
+  supports_ = {none, none, none, none};
+  for (std::size_t b = 0; b < domain_.contact.bodies().size(); ++b)
+    for (const ContactNode& contact : domain_.contact.nodes(b)) {
+      supports_.met[contact.node] = 1;
+      if (contact.body_mass > 0.0)
+        supports_.met[contact.body_node] = 1;
+    }
+  for (int level = 0; level < domain_.lattice_count(); ++level)
+    find_supports(domain_.lattice(level));
+}
+
+void Relaxation::find_supports(const Lattice& lattice) {
+  const double empty = empty_mass(domain_);
+  for (int j = 0; j < lattice.ny; ++j)
+    for (int i = 0; i < lattice.nx; ++i) {
+      const std::size_t n = lattice.index(i, j);
+      if (domain_.grid.mass[n] <= empty)
+        continue;
+      supports_.full[n] = 1;
+      const Hold hold = hold_of(lattice, i, j, domain_.spec, HeldNodes::on_lines);
+      supports_.fixed_y[n] = hold == Hold::all;
+      supports_.fixed_x[n] = hold != Hold::none;
+      if (hold != Hold::none)
+        (hold == Hold::all ? held_by_.base : held_by_.sides).push_back(n);
+    }
+}
+
+void Relaxation::find_soil_forces() {
+  domain_.is_sharp() ? scatter_sharp_forces(domain_) : scatter(domain_, ScatterPart::force);
+}
+
+std::vector<Vector> Relaxation::forces() {
+  find_soil_forces();
+  std::vector<Vector> forces(domain_.grid.size());
+  for (std::size_t n = 0; n < forces.size(); ++n)
+    forces[n] = {domain_.grid.force_x[n], domain_.grid.force_y[n]};
+  return forces;
+}
+
+/// Adds what is left of c.
+void Relaxation::add_held(double share) {
+  for (std::size_t n = 0; n < held_.size(); ++n) {
+    domain_.grid.force_x[n] += (1.0 - share) * held_[n].x;
+    domain_.grid.force_y[n] += (1.0 - share) * held_[n].y;
+  }
+}
+
+/// One step on the grid and of the structures; returns the residual: ||f|| over free directions by ||m g||
+/// over all nodes. Forces of a structure and of the nodes that it touches count with what contact adds.
+double Relaxation::relax_grid(bool bonded) {
+  Grid& grid = domain_.grid;
+  const double keep = (1.0 - 0.5 * alpha_ * dt_) / (1.0 + 0.5 * alpha_ * dt_);
+  const double gain = kick();
+  double unbalanced = 0.0;
+  double applied = 0.0;
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    if (!supports_.full[n])
+      continue;
+    const double m = grid.mass[n];
+    const Vector v = grid.velocity_after(n);
+    const double fx = supports_.fixed_x[n] ? 0.0 : grid.force_x[n];
+    const double fy = supports_.fixed_y[n] ? 0.0 : grid.force_y[n];
+    grid.vx_after[n] = supports_.fixed_x[n] ? 0.0 : keep * v.x + gain * fx / m;
+    grid.vy_after[n] = supports_.fixed_y[n] ? 0.0 : keep * v.y + gain * fy / m;
+    if (!supports_.met[n])
+      unbalanced += fx * fx + fy * fy;
+    applied += m * m * domain_.spec.gravity * domain_.spec.gravity;
+  }
+  if (domain_.contact.any())
+    unbalanced += domain_.contact.relax(domain_, keep, gain, bonded);
+  return std::sqrt(unbalanced / applied);
+}
+
+/// Strains soil by the velocity of the nodes.
+void Relaxation::strain(bool undrained) {
+  if (domain_.is_sharp()) {
+    domain_.grid.vx_strain = domain_.grid.vx_after;
+    domain_.grid.vy_strain = domain_.grid.vy_after;
+    sharpen_strain(domain_);
+    gather(domain_, dt_, {.strain = true, .remapped = true, .sharp = true});
+  } else {
+    gather(domain_, dt_, {.strain = true});
+  }
+  if (undrained)
+    update_pressures(domain_, dt_, domain_.grid.vx_after, domain_.grid.vy_after, domain_.soil_rows,
+                     domain_.soil_ties);
+  for (std::size_t s = 0; s < domain_.sets.size(); ++s)
+    for (const auto field : given_fields)
+      domain_.sets[s].*field = given_[s].*field;
+}
+
+Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
+  const bool undrained = course.undrained && domain_.has_pore_pressure();
+  dt_ = drained_step_;
+  if (undrained) {
+    dt_ = domain_.spec.scheme.fraction * critical_time_step(domain_, 0.0);
+    // The pore volumes of the nodes are needed.
+    scatter_mixture(domain_, domain_.soil_rows, domain_.soil_ties);
+    scatter(domain_, ScatterPart::motion);
+  }
+  double share = course.ramp > 0.0 ? 0.0 : 1.0;
+  for (long step = 0;; ++step) {
+    const double passed = static_cast<double>(step) * dt_;
+    if (passed < course.ramp + dt_ && course.ramp > 0.0) {
+      share = ramped(passed / course.ramp);
+      if (course.grow)
+        course.grow(share);
+    }
+    find_soil_forces();
+    add_held(share);
+    domain_.loads.add(domain_.grid);
+    const Relaxed relaxed{course.first + step, relax_grid(course.bonded)};
+    prolong(domain_, NodeGroup::velocity);
+    const bool grows = passed < course.ramp;
+    const bool ends = !grows && (relaxed.residual < course.residual || !(passed < course.time));
+    if (ends || relaxed.step % report_every == 0)
+      progress(relaxed.step, relaxed.residual);
+    if (ends) {
+      held_.clear();
+      return relaxed;
+    }
+    add_way();
+    strain(undrained);
+  }
+}
+
+void Relaxation::count_way() {
+  if (!way_x_.empty())
+    return;
+  way_x_.resize(domain_.grid.size());
+  way_y_.resize(domain_.grid.size());
+  for (std::size_t b = 0; b < domain_.contact.bodies().size(); ++b)
+    if (!domain_.contact.is_elastic(b))
+      structure_ways_.push_back({domain_.contact.bodies()[b].name(), {}});
+}
+
+void Relaxation::add_way() {
+  for (std::size_t n = 0; n < way_x_.size(); ++n) {
+    way_x_[n] += dt_ * domain_.grid.vx_after[n];
+    way_y_[n] += dt_ * domain_.grid.vy_after[n];
+  }
+  for (StructureWay& structure : structure_ways_) {
+    const RigidMotion& u =
+        std::ranges::find(domain_.contact.bodies(), structure.name, &RigidBody::name)->motion();
+    structure.way.x += dt_ * u.velocity.x;
+    structure.way.y += dt_ * u.velocity.y;
+    structure.turn += dt_ * u.spin;
+  }
+}
+
+/// u_p = sum S u_i: particles keep their places, and have come from others.
+void Relaxation::take_way_as_displacement() {
+  std::ranges::copy(way_x_, domain_.grid.vx_after.begin());
+  std::ranges::copy(way_y_, domain_.grid.vy_after.begin());
+  take_velocities_of_nodes(domain_);
+  for (Particles& set : domain_.sets) {
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      set.x_initial[k] -= set.vx[k];
+      set.y_initial[k] -= set.vy[k];
+    }
+    for (std::vector<double>* field : {&set.vx, &set.vy, &set.bxx, &set.bxy, &set.byx, &set.byy})
+      std::ranges::fill(*field, 0.0);
+  }
+  for (NodeField* field : {&domain_.grid.vx_after, &domain_.grid.vy_after})
+    std::ranges::fill(*field, 0.0);
+}
+
+void Relaxation::add_contact_forces(std::size_t structure, std::vector<Vector>& to) const {
+  for (const ContactNode& c : domain_.contact.nodes(structure)) {
+    to[c.node].x += c.mass / kick() * c.solid_change.x;
+    to[c.node].y += c.mass / kick() * c.solid_change.y;
+  }
+}
+
+Reactions Relaxation::reactions() const {
+  Reactions reactions = held_by_;
+  reactions.force.assign(domain_.grid.size(), Vector{});
+  for (const std::size_t n : reactions.base)
+    reactions.force[n] = {-domain_.grid.force_x[n], -domain_.grid.force_y[n]};
+  for (const std::size_t n : reactions.sides)
+    reactions.force[n] = {-domain_.grid.force_x[n], 0.0};
+  return reactions;
+}
+
+void Relaxation::finish() {
+  for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
+    Particles& set = domain_.sets[s];
+    set.law = laws_[s];
+    if (!set.body)
+      set.damping_time = domain_.spec.soils[set.soil_index].damping_time;
+  }
+  if (!way_x_.empty())
+    take_way_as_displacement();
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,98 @@
+#pragma once
+
+// Damped relaxation of a domain whose particles keep their places (gravity_stage.hpp):
+//
+//     m_i dv_i/dt = f_i + (1 - s) c_i - alpha m_i v_i,      s(t) = (1 - cos(pi t/T))/2,
+//
+// with base nodes fixed and side nodes free along the side. c_i is a load that holds the nodes at first and
+// goes to zero as s goes to 1; loads and weights that come onto the ground grow with s.
+//
+// Soil carries no more than its strength, but does not soften. Structures stick to the soil where they are
+// bonded. Where pore water cannot drain, its pressure follows the change of volume (water/pore_pressure.hpp);
+// elsewhere it stays what it is.
+
+#include "mpm_domain/domain.hpp"
+#include "mpm_domain/gravity/gravity_stage.hpp"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// What changes while a relaxation goes on, and what ends it.
+struct Course {
+  bool bonded = false;                         ///< structures stick to the soil, whatever that takes
+  bool undrained = false;                      ///< pore water moves with the grains
+  double ramp = 0.0;                           ///< T, s; 0: nothing grows
+  std::function<void(double share)> grow = {}; ///< brings what grows to a share s of its size
+  double time = 0.0;                           ///< s within which all must rest, the ramp included
+  double residual = 1e-9;                      ///< unbalanced over applied force of a domain at rest
+  long first = 0;                              ///< number of the first step, for reports
+};
+
+/// Where a relaxation has ended.
+struct Relaxed {
+  long step;
+  double residual;
+};
+
+class Relaxation {
+public:
+  /// Laws lose their softening, and soil its viscous damping, until finish().
+  explicit Relaxation(Domain& domain);
+
+  /// What soil and elastic bodies bring to the nodes as they are, without contact and loads, N/m.
+  std::vector<Vector> forces();
+  /// Sets the load c that holds the nodes until something has grown.
+  void hold(std::vector<Vector> load) { held_ = std::move(load); }
+
+  /// Goes on until all rests, or time is over.
+  Relaxed run(const Course& course, const GravityProgress& progress);
+  /// Length of a step of the last course, s.
+  double step() const { return dt_; }
+  /// From now on the way that soil goes counts as displacement.
+  void count_way();
+
+  /// How far the rigid structures have gone since.
+  const std::vector<StructureWay>& structure_ways() const { return structure_ways_; }
+
+  /// What a structure presses onto the nodes of the soil at the end of the last course, N/m.
+  void add_contact_forces(std::size_t structure, std::vector<Vector>& to) const;
+
+  /// Gives laws and damping back what they have lost, and particles their displacement.
+  void finish();
+  /// What the constraints hold at the end.
+  Reactions reactions() const;
+
+private:
+  /// Which directions of a node are fixed, and which nodes carry soil.
+  struct Supports {
+    std::vector<unsigned char> fixed_x, fixed_y, full;
+    std::vector<unsigned char> met; ///< nodes that structures touch
+  };
+
+  void find_supports();
+  void find_supports(const Lattice& lattice);
+  void find_soil_forces();
+  void add_held(double share);
+  double relax_grid(bool bonded);
+  void strain(bool undrained);
+  void add_way();
+  void take_way_as_displacement();
+  double kick() const { return dt_ / (1.0 + 0.5 * alpha_ * dt_); }
+
+  Domain& domain_;
+  std::vector<materials::Law> laws_;  ///< by set, with their softening
+  std::vector<ParticleFields> given_; ///< by set: volumes and boxes, which stay
+  Supports supports_;
+  Reactions held_by_;                 ///< nodes of the constraints
+  std::vector<Vector> held_;          ///< c; empty: none
+  std::vector<double> way_x_, way_y_; ///< of nodes since it counts, m; empty: it does not
+  std::vector<StructureWay> structure_ways_;
+  double alpha_ = 0.0;
+  double drained_step_ = 0.0; ///< s
+  double dt_ = 0.0;           ///< of the present course, s
+};
+
+} // namespace tremolo::mpm_domain

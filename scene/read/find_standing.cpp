@@ -1,0 +1,132 @@
+// What stands in which stage. A name that is placed before it is removed is not there at the start; all
+// others are. Each construction keeps what stands until it, and the case what stands after the last one,
+// which is what the ground is shaken with.
+
+#include "scene/read/read.hpp"
+#include "scene/text/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tremolo::scene {
+
+namespace {
+
+/// Whether what has a name stands, and where that was last changed.
+struct State {
+  bool stands = true;
+  const ConstructionStage* changed = nullptr;
+};
+
+using States = std::map<std::string, State, std::less<>>;
+
+/// All names, as they are at the start.
+States states_at_start(const Case& scene) {
+  States states;
+  for (const Region& region : scene.regions)
+    if (!region.name.empty())
+      states.try_emplace(region.name);
+  for (const Structure& structure : scene.structures)
+    states.try_emplace(structure.name);
+  std::set<std::string_view> seen;
+  for (const ConstructionStage& stage : scene.constructions) {
+    for (const std::string& name : stage.remove)
+      seen.insert(name);
+    for (const std::string& name : stage.place)
+      if (const auto state = states.find(name); state != states.end() && seen.insert(name).second)
+        state->second.stands = false;
+  }
+  return states;
+}
+
+Standing standing(const Case& scene, const States& states) {
+  Standing found;
+  const auto stands = [&](const std::string& name) {
+    const auto state = states.find(name);
+    return state == states.end() || state->second.stands;
+  };
+  std::ranges::copy_if(scene.regions, std::back_inserter(found.regions), stands, &Region::name);
+  std::ranges::copy_if(scene.structures, std::back_inserter(found.structures), stands, &Structure::name);
+  return found;
+}
+
+void refuse_shared_names(const Case& scene, Findings& findings) {
+  for (const Structure& structure : scene.structures)
+    for (const Region& region : scene.regions)
+      if (!region.name.empty() && region.name == structure.name)
+        findings.add(region.path + ".name",
+                     fmt::format("the structure in line {} has the name '{}' too: stages could not tell one "
+                                 "from the other",
+                                 findings.place(structure.path + ".name").line, region.name));
+}
+
+/// Changes what a stage places or removes.
+void change(States& states, const ConstructionStage& stage, bool places, Findings& findings) {
+  const std::string path = stage.path + (places ? ".place" : ".remove");
+  for (const std::string& name : places ? stage.place : stage.remove) {
+    const auto found = states.find(name);
+    if (found == states.end()) {
+      std::vector<std::string_view> known;
+      for (const auto& [other, state] : states)
+        known.push_back(other);
+      findings.add(path, fmt::format("no [[region]] or [[structure]] has the name '{}'{}", name,
+                                     known.empty() ? ": none has one" : ", " + suggestion(name, known)));
+      continue;
+    }
+    State& state = found->second;
+    if (state.stands == places) {
+      const std::string since = state.changed != nullptr
+                                    ? fmt::format("since the stage '{}'", state.changed->name)
+                                    : std::string(places ? "from the start" : "yet");
+      findings.add(path, places ? fmt::format("'{}' stands already, {}", name, since)
+                                : fmt::format("'{}' cannot go: it is not there {}", name, since));
+      continue;
+    }
+    state = {places, &stage};
+  }
+}
+
+/// Monitors ride on structures by their number among those that stand at last.
+void renumber_monitors(Case& scene, const Standing& end, Findings& findings) {
+  for (std::size_t m = 0; m < scene.monitors.size(); ++m) {
+    Monitor& monitor = scene.monitors[m];
+    if (!monitor.structure)
+      continue;
+    const std::string name = scene.structures[*monitor.structure].name;
+    const auto found = std::ranges::find(end.structures, name, &Structure::name);
+    if (found == end.structures.end())
+      findings.add(
+          fmt::format("monitor[{}].structure", m),
+          fmt::format("the structure '{}' is removed before the shaking: a monitor cannot ride on it", name));
+    else
+      monitor.structure = static_cast<std::size_t>(found - end.structures.begin());
+  }
+}
+
+} // namespace
+
+void find_standing(Case& scene, Findings& findings) {
+  if (scene.constructions.empty())
+    return;
+  refuse_shared_names(scene, findings);
+  States states = states_at_start(scene);
+  for (ConstructionStage& stage : scene.constructions) {
+    stage.before = standing(scene, states);
+    change(states, stage, false, findings);
+    change(states, stage, true, findings);
+  }
+  Standing end = standing(scene, states);
+  renumber_monitors(scene, end, findings);
+  scene.regions = std::move(end.regions);
+  scene.structures = std::move(end.structures);
+}
+
+} // namespace tremolo::scene

@@ -1,0 +1,23 @@
+// What stands before a construction must be as sound as what stands at last: regions and structures that can
+// be, do not overlap what is there at the same time, and carry the loads of that time.
+
+#include "scene/plan/stages/stages.hpp"
+#include "scene/rules/rules.hpp"
+
+#include <array>
+
+namespace tremolo::scene {
+
+void earlier_models_are_sound(const Case& scene, Findings& findings) {
+  for (const ConstructionStage& construction : scene.constructions) {
+    const Case then = before_construction(scene, construction);
+    for (const auto rule :
+         {regions_are_simple, regions_lie_in_mesh, regions_are_apart, regions_hold_particles,
+          structures_are_simple, structures_lie_in_mesh, structures_are_apart, structures_are_wide,
+          structures_lie_on_finest_level, structures_touch_soil, elastic_structures_are_alone,
+          elastic_structures_suit_water, loads_act_on_ground})
+      rule(then, findings);
+  }
+}
+
+} // namespace tremolo::scene

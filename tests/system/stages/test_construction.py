@@ -1,0 +1,141 @@
+"""Soil and structures that are placed and removed, as a user runs it: explain lists the stages, the model that is
+shaken is that of the last one with what it has gone through, a broken run goes on with the same bits, and a pit that
+does not stand leaves a frame of the model that failed.
+
+    usage: test_construction.py TREMOLO SOURCE_DIR
+"""
+
+import sys
+import unittest
+from pathlib import Path
+
+TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
+sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "tests" / "system" / "runs"), str(SOURCE / "tests" / "system" / "resume")]
+
+import numpy as np
+import small_case
+from broken_run import goes_on_with_the_same_bits, whole_run, with_checkpoints
+from tremolo.run import Run
+
+CASE = """
+title = "ground that is dug and filled"
+
+[motion]
+pulse = {{ shape = "ricker", frequency = 3.0, time = 0.3, velocity = 0.05 }}
+wave = "SV"
+angle_deg = 0.0
+reference = [0.0, -6.0]
+
+[surface]
+level = 0.0
+
+[halfspace]
+density = 1800.0
+vs = 120.0
+poisson = 0.3
+
+[soil.ground]
+model = "mohr_coulomb"
+density = 1800.0
+vs = 120.0
+poisson = 0.3
+cohesion = {cohesion}
+friction_deg = 10.0
+
+[[region]]
+soil = "ground"
+polygon = [[0.0, -6.0], [16.0, -6.0], [16.0, 0.0], [7.0, 0.0], [7.0, -3.0], [3.0, -3.0], [3.0, 0.0], [0.0, 0.0]]
+
+[[region]]
+name = "pit"
+soil = "ground"
+polygon = [[3.0, -3.0], [7.0, -3.0], [7.0, 0.0], [3.0, 0.0]]
+
+[[region]]
+name = "bank"
+soil = "ground"
+polygon = [[9.0, 0.0], [14.0, 0.0], [13.0, 1.0], [10.0, 1.0]]
+
+[[structure]]
+name = "block"
+polygon = [[4.0, -3.0], [6.0, -3.0], [6.0, -1.0], [4.0, -1.0]]
+rigid = true
+density = 2400.0
+friction = 0.5
+
+[mesh]
+size = 0.5
+box = [0.0, -6.0, 16.0, 2.0]
+
+[boundary]
+sides = "periodic"
+base = {{ model = "wave", form = "total" }}
+
+[[stage]]
+kind = "gravity"
+residual = 1e-6
+
+[[stage]]
+kind = "construction"
+name = "dig"
+remove = ["pit"]
+residual = 1e-6
+max_time_s = {patience}
+
+[[stage]]
+kind = "construction"
+name = "build"
+place = ["block", "bank"]
+residual = 1e-6
+
+[[stage]]
+kind = "shaking"
+duration_s = 0.4
+
+[[monitor]]
+name = "block"
+point = [5.0, -2.0]
+structure = "block"
+
+[output]
+every_s = 0.1
+history_every_s = 0.05
+fields = ["displacement", "stress"]
+"""
+
+
+class DugWorkspace(small_case.Workspace):
+    template, defaults = CASE, {"cohesion": "20e3", "patience": 60.0}
+
+
+class Construction(unittest.TestCase):
+    def test_the_ground_is_shaken_as_it_was_built(self):
+        with with_checkpoints(DugWorkspace(TREMOLO), every_steps=300) as work:
+            listed = work.command("explain", work.case).stdout
+            self.assertIn("removes 'pit'", listed)
+            self.assertIn("places 'block', 'bank'", listed)
+            whole = whole_run(work)
+            frame = Run(whole / "run.h5").frame(0)
+            x, y = frame["position"].T
+            self.assertFalse(np.any((x > 3.0) & (x < 7.0) & (y > -3.0)))  # the pit is there
+            bank = (x > 10.0) & (x < 13.0) & (y > 0.0) & (y < 1.0)
+            self.assertTrue(np.any(bank))
+            below = (np.abs(x - 5.0) < 1.0) & (y < -3.0) & (y > -4.0)
+            self.assertGreater(frame["displacement"][below, 1].mean(), 0.0)  # it has risen
+            under_bank = (np.abs(x - 11.5) < 1.0) & (y < 0.0) & (y > -1.0)
+            self.assertLess(frame["displacement"][under_bank, 1].mean(), 0.0)
+            goes_on_with_the_same_bits(self, work, whole)
+
+    def test_a_pit_that_does_not_stand_leaves_a_frame(self):
+        with DugWorkspace(TREMOLO, cohesion="1e3", patience=3.0) as work:
+            result = work.command("run", work.case, "--out", work.path / "fails")
+            self.assertNotEqual(0, result.returncode)
+            self.assertIn("stage 'dig': the ground did not come to rest", result.stdout + result.stderr)
+            run = Run(work.path / "fails" / "run.h5")
+            x, y = run.frame(0)["position"].T
+            self.assertFalse(np.any((x > 3.0) & (x < 7.0) & (y > -3.0)))
+            self.assertFalse(np.any(y > 0.0))  # the bank has not come yet
+
+
+if __name__ == "__main__":
+    unittest.main()

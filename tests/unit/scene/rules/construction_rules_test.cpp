@@ -1,0 +1,127 @@
+// Constructions: what can be placed and removed, and what stands when.
+
+#include "rule_cases.hpp"
+
+#include "scene/plan/stages/stages.hpp"
+
+#include <gmock/gmock.h>
+
+namespace tremolo::scene::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::string region(const std::string& name, const std::string& polygon) {
+  return "[[region]]\nsoil = \"sand\"\nname = \"" + name + "\"\npolygon = " + polygon + "\n";
+}
+
+/// A pit's soil and a fill on the ground beside it, and what is built; the ground below and around is that of
+/// the flat case.
+std::string built(const std::string& stages, const std::string& more = "") {
+  std::string text(flat_case);
+  text = with("polygon = [[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]",
+              "polygon = [[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [10.0, 0.0], [10.0, -2.0], [6.0, -2.0], "
+              "[6.0, 0.0], [0.0, 0.0]]",
+              text);
+  text = with("box = [0.0, -10.0, 20.0, 0.0]", "box = [0.0, -10.0, 20.0, 4.0]", text);
+  text = with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n" + stages + "[[stage]]", text);
+  return text + region("pit", "[[6.0, -2.0], [10.0, -2.0], [10.0, 0.0], [6.0, 0.0]]") +
+         region("fill", "[[11.0, 0.0], [15.0, 0.0], [14.0, 2.0], [12.0, 2.0]]") + more;
+}
+
+std::string stage(const std::string& name, const std::string& keys) {
+  return "[[stage]]\nkind = \"construction\"\nname = \"" + name + "\"\n" + keys + "\n";
+}
+
+const std::string dig = stage("dig", "remove = [\"pit\"]");
+const std::string bank = stage("bank", "place = [\"fill\"]");
+const std::string block = "[[structure]]\nname = \"block\"\nrigid = true\ndensity = 2400.0\nfriction = 0.5\n"
+                          "polygon = [[6.0, -2.0], [10.0, -2.0], [10.0, 1.0], [6.0, 1.0]]\n";
+
+TEST(Constructions, KeepWhatStandsUntilThem) {
+  const Case scene = parse_case(built(dig + bank));
+  ASSERT_EQ(scene.constructions.size(), 2u);
+  const auto names = [](const std::vector<Region>& regions) {
+    std::vector<std::string> found;
+    for (const Region& one : regions)
+      found.push_back(one.name);
+    return found;
+  };
+  EXPECT_THAT(names(scene.constructions[0].before.regions), ElementsAre("", "pit"));
+  EXPECT_THAT(names(scene.constructions[1].before.regions), ElementsAre(""));
+  EXPECT_THAT(names(scene.regions), ElementsAre("", "fill"));
+}
+
+TEST(Constructions, AreListedWithWhatTheyChange) {
+  const std::string text = stages_text(
+      parse_case(built(stage("swap", "remove = [\"pit\"]\nplace = [\"fill\"]\ndrainage = \"undrained\""))));
+  EXPECT_THAT(text, HasSubstr("swap                construction  removes 'pit', places 'fill'; grows in"));
+  EXPECT_THAT(text, HasSubstr("s of relaxation, undrained, then until at rest"));
+}
+
+TEST(Constructions, BringStructuresAndTakeTheirMonitorsAlong) {
+  const std::string other = "[[structure]]\nname = \"shed\"\nrigid = true\ndensity = 500.0\n"
+                            "polygon = [[2.0, 0.0], [5.0, 0.0], [5.0, 2.0], [2.0, 2.0]]\n";
+  const std::string monitor = "[[monitor]]\nname = \"top\"\npoint = [8.0, 0.5]\nstructure = \"block\"\n";
+  const Case scene =
+      parse_case(built(stage("dig", "remove = [\"pit\", \"shed\"]") + stage("build", "place = [\"block\"]"),
+                       other + block + monitor));
+  ASSERT_EQ(scene.structures.size(), 1u);
+  EXPECT_EQ(scene.structures.front().name, "block");
+  EXPECT_EQ(*scene.monitors.front().structure, 0u);
+  EXPECT_THAT(errors_of(built(stage("clear", "remove = [\"block\"]"), block + monitor)),
+              Contains(HasSubstr("the structure 'block' is removed before the shaking")));
+}
+
+TEST(Constructions, NameWhatIsThere) {
+  EXPECT_THAT(
+      errors_of(built(stage("dig", "remove = [\"pitt\"]"))),
+      ElementsAre(HasSubstr("no [[region]] or [[structure]] has the name 'pitt', did you mean 'pit'?")));
+  EXPECT_THAT(errors_of(built(dig + stage("again", "remove = [\"pit\"]"))),
+              ElementsAre(HasSubstr("'pit' cannot go: it is not there since the stage 'dig'")));
+  EXPECT_THAT(errors_of(built(bank + stage("more", "place = [\"fill\"]"))),
+              ElementsAre(HasSubstr("'fill' stands already, since the stage 'bank'")));
+  EXPECT_THAT(errors_of(built(bank + stage("trim", "remove = [\"fill\"]"))), IsEmpty());
+  EXPECT_THAT(errors_of(built(stage("trim", "remove = [\"fill\"]") + bank)), IsEmpty()); // there at the start
+  EXPECT_THAT(errors_of(built("[[stage]]\nkind = \"construction\"\n")),
+              ElementsAre(HasSubstr("missing 'place' or 'remove': what is built")));
+  EXPECT_THAT(errors_of(built(dig, "[[structure]]\nname = \"pit\"\nrigid = true\ndensity = 500.0\n"
+                                   "polygon = [[2.0, 0.0], [5.0, 0.0], [5.0, 2.0], [2.0, 2.0]]\n")),
+              Contains(HasSubstr("has the name 'pit' too")));
+}
+
+TEST(Constructions, ComeBetweenGravityAndShaking) {
+  EXPECT_THAT(errors_of(built(bank) + dig),
+              ElementsAre(HasSubstr("a construction must come before the shaking stage")));
+  EXPECT_THAT(errors_of(with("[[stage]]\nkind = \"gravity\"\n", "", built(bank))),
+              ElementsAre(HasSubstr("a construction must come after a gravity stage")));
+}
+
+// Regions may overlap if they are never there at the same time.
+TEST(Rules, EarlierModelsAreSound) {
+  const std::string backfill = region("backfill", "[[6.0, -2.0], [10.0, -2.0], [10.0, -0.5], [6.0, -0.5]]");
+  EXPECT_THAT(errors_of(built(dig + stage("refill", "place = [\"backfill\"]"), backfill)), IsEmpty());
+  EXPECT_THAT(errors_of(built(stage("refill", "place = [\"backfill\"]") + dig, backfill)),
+              ElementsAre(HasSubstr("'polygon' overlaps the one in line")));
+  EXPECT_THAT(errors_of(built(bank + stage("trim", "remove = [\"fill\"]"),
+                              region("up", "[[2.0, 3.0], [5.0, 3.0], [5.0, 5.0], [2.0, 5.0]]"))),
+              Contains(HasSubstr("lies outside the mesh")));
+  // The block hangs in the air until the fill comes.
+  const std::string high = "[[structure]]\nname = \"block\"\nrigid = true\ndensity = 500.0\n"
+                           "polygon = [[12.0, 2.0], [14.0, 2.0], [14.0, 4.0], [12.0, 4.0]]\n";
+  EXPECT_THAT(errors_of(built(bank, high)), Contains(HasSubstr("touches no soil")));
+  EXPECT_THAT(errors_of(built(stage("bank", "place = [\"fill\", \"block\"]"), high)), IsEmpty());
+}
+
+TEST(Rules, ConstructionsSpareLoads) {
+  const std::string load = "[[stage]]\nkind = \"load\"\nx_m = [9.0, 10.5]\npressure_pa = 1e3\n";
+  EXPECT_THAT(errors_of(built(load + dig)), Contains(HasSubstr("'pit' lies where the load 'load' acts")));
+  EXPECT_THAT(errors_of(built(load + bank)), IsEmpty());
+  EXPECT_THAT(errors_of(built(dig + load)), Contains(HasSubstr("reaches over a wall")));
+}
+
+} // namespace
+} // namespace tremolo::scene::testing

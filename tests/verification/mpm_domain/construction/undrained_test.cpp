@@ -1,0 +1,72 @@
+// Soil that is removed, or a load that comes, while pore water cannot flow. In one dimension water takes
+//
+//     dp/q = -Q/(M + Q),      Q = K_f/n,
+//
+// of what is removed, and the grains the rest. In a drained stage after it the excess is gone.
+
+#include "tests/verification/mpm_domain/construction/stages.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tremolo::mpm_domain::test {
+namespace {
+
+constexpr double height = 10.0;
+constexpr double width = 1.0;
+constexpr double removed = 2.0; // m of dry soil
+constexpr double porosity = 0.4;
+constexpr double residual = 1e-9;
+
+Spec wet_ground() {
+  Spec spec = level_ground(width, height, removed, 0.5);
+  spec.water = {0.0, {.density = 1000.0, .bulk_modulus = 2.0e8}};
+  spec.soils.front().pores = {.porosity = porosity,
+                              .grain_density = 2650.0,
+                              .permeability = 1e-3,
+                              .drainage = materials::Drainage::coupled};
+  spec.soils.push_back(spec.soils.front());
+  spec.soils.back().name = "fill";
+  spec.soils.back().pores.reset();
+  return spec;
+}
+
+std::vector<Region> with_fill() {
+  return {layer(width, -height, 0.0), layer(width, 0.0, removed, 1)};
+}
+
+TEST(Undrained, UnloadingIsThatOfTheWater) {
+  for (const auto drainage : {materials::Drainage::coupled, materials::Drainage::undrained}) {
+    Spec spec = wet_ground();
+    spec.soils.front().pores->drainage = drainage;
+    spec.regions = {layer(width, -height, 0.0)};
+    Domain domain(spec);
+    const StaticStage dig = construction(with_fill(), residual, 2.0, true);
+    rest(domain, {&dig, 1}, residual);
+    const double q = density * gravity * removed;
+    const double water = 2.0e8 / porosity;
+    for (const Particles& p : domain.sets)
+      for (std::size_t k = 0; p.traits.wet && k < p.size(); ++k) {
+        const double excess = p.pore_pressure[k] - p.water->hydrostatic(p.y[k]);
+        EXPECT_NEAR(excess / q, -water / (modulus + water), 1e-3) << "y = " << p.y[k];
+        const double effective = p.weight_share * p.density * gravity * p.y[k]; // as before but for M/(M+Q)
+        EXPECT_NEAR(p.syy[k], effective - q + q * modulus / (modulus + water), 0.5e-3 * q);
+      }
+  }
+}
+
+TEST(Undrained, ExcessPressureIsGoneAfterADrainedStage) {
+  Spec spec = wet_ground();
+  spec.regions = with_fill();
+  Domain domain(spec);
+  const std::vector<StaticStage> stages{construction(with_fill(), residual, 2.0, true),
+                                        construction({layer(width, -height, 0.0)}, residual)};
+  rest(domain, stages, residual);
+  for (const Particles& p : domain.sets)
+    for (std::size_t k = 0; p.traits.wet && k < p.size(); ++k) {
+      EXPECT_NEAR(p.pore_pressure[k], p.water->hydrostatic(p.y[k]), 1e-6);
+      EXPECT_NEAR(p.y[k], p.y_initial[k], 1e-6); // the ground has come back
+    }
+}
+
+} // namespace
+} // namespace tremolo::mpm_domain::test
