@@ -120,8 +120,9 @@ std::string not_at_rest(const std::string& what, const Relaxed& relaxed, double 
 /// The static stages of a run, one after the other.
 class StaticStages {
 public:
-  StaticStages(Domain& end, std::span<const StaticStage> stages, const StageProgress& progress)
-      : end_(end), stages_(stages), progress_(progress) {
+  StaticStages(Domain& end, std::span<const StaticStage> stages, const StageProgress& progress,
+               const StageShown& ended)
+      : end_(end), stages_(stages), progress_(progress), ended_(ended) {
     begin_model(0);
   }
 
@@ -133,12 +134,14 @@ public:
     const Relaxed rest = run(course, "the gravity stage did not come to rest",
                              "the slope may not be stable under its weight, which tremolo safety finds out");
     end_bonds(course, rest);
+    show();
   }
 
   void next() {
     ++stage_;
     std::visit([this](const auto& stage) { go(stage); }, stages_[stage_ - 1]);
     disturbed_ = settings_of(stages_[stage_ - 1]).undrained;
+    show();
   }
 
   Reactions finish() {
@@ -154,6 +157,11 @@ public:
 private:
   static const StageSettings& settings_of(const StaticStage& stage) {
     return std::visit([](const auto& one) -> const StageSettings& { return one; }, stage);
+  }
+
+  void show() {
+    if (ended_)
+      relaxation_->show([this] { ended_(stage_, *model_); });
   }
 
   /// Ways of the structures of the present model, those in models before it included.
@@ -267,6 +275,7 @@ private:
   Domain& end_;
   std::span<const StaticStage> stages_;
   const StageProgress& progress_;
+  const StageShown& ended_;
   std::shared_ptr<Domain> own_; ///< the present model; null: it is that of the end
   Domain* model_ = nullptr;
   std::optional<Relaxation> relaxation_; ///< of the present model
@@ -279,11 +288,11 @@ private:
 } // namespace
 
 Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const StaticStage> then,
-                        const StageProgress& progress) {
+                        const StageProgress& progress, const StageShown& ended) {
   if (!(domain.spec.gravity > 0.0))
     throw std::invalid_argument(
         fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", domain.spec.gravity));
-  StaticStages stages(domain, then, progress);
+  StaticStages stages(domain, then, progress, ended);
   stages.gravity(settings);
   for (std::size_t s = 0; s < then.size(); ++s)
     stages.next();

@@ -114,10 +114,13 @@ using StageProgress = std::function<void(std::size_t stage, long step, double re
 Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                               const GravityProgress& progress);
 
+/// Takes the model at the end of a stage, which is shown with the displacement it has come to.
+using StageShown = std::function<void(std::size_t stage, Domain& model)>;
+
 /// Does what relax_under_gravity does, and then what the stages after it do, one after the other.
 /// @param domain  the model after the last of them; without construction all of them happen to it
 Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const StaticStage> then,
-                        const StageProgress& progress);
+                        const StageProgress& progress, const StageShown& ended = {});
 
 /// After NotAtRest: gives the particles the velocity with which the nodes go on, so that they show where the
 /// soil moves.

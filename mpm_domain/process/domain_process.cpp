@@ -18,6 +18,7 @@
 #include "mpm_domain/process/ranks/shared_memory.hpp"
 #include "mpm_domain/process/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
+#include "mpm_domain/process/stage_frames.hpp"
 #include "mpm_domain/ranks/mpi_communicator.hpp"
 #include "mpm_domain/state.hpp"
 #include "mpm_domain/transfer/snapshot.hpp"
@@ -39,7 +40,6 @@
 #include <string>
 #include <thread>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <unistd.h>
@@ -81,9 +81,11 @@ std::string told_of_ways(const std::vector<StructureWay>& ways) {
   return text;
 }
 
-/// Brings the whole domain to rest and returns the wall time it took, s. All ranks do so.
+/// Brings the whole domain to rest and returns the wall time it took, s. All ranks do so. The first one
+/// leaves frames of the stages where there are several.
 /// @param client  null on all ranks but the first
-double come_to_rest(Domain& domain, const scene::Case& scene, coupler::DomainClient* client) {
+double come_to_rest(Domain& domain, const scene::Case& scene, const coupler::ParticipantOptions& options,
+                    coupler::DomainClient* client) {
   coupler::Stopwatch watch;
   watch.start();
   const scene::GravityStage& gravity = *scene.gravity;
@@ -92,8 +94,14 @@ double come_to_rest(Domain& domain, const scene::Case& scene, coupler::DomainCli
     if (client != nullptr)
       client->progress(planned[stage].name, static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
   };
+  const std::vector<StaticStage> then = static_settings(scene);
+  const auto leave = [&](std::size_t stage, Domain& model) {
+    if (client != nullptr && !then.empty())
+      write_stage_frame(stage_folder(options.out, scene, stage), case_of_stage(scene, stage), model,
+                        fmt::format("the frame of the stage '{}'", planned[stage].name));
+  };
   const Reactions reactions =
-      bring_to_rest(domain, {gravity.residual, gravity.max_time}, static_settings(scene), progress);
+      bring_to_rest(domain, {gravity.residual, gravity.max_time}, then, progress, leave);
   if (client != nullptr && !reactions.ways.empty())
     fmt::print("note: {} in the stages before the shaking, in which it is drawn where it was placed\n",
                told_of_ways(reactions.ways));
@@ -108,32 +116,12 @@ double come_to_rest(Domain& domain, const scene::Case& scene, coupler::DomainCli
   return watch.seconds();
 }
 
-/// The case with the model of a stage, by its number, before a later construction has changed it. What would
-/// be recorded in the model of the shaking is left out.
-scene::Case case_of_stage(const scene::Case& scene, std::size_t stage) {
-  const auto stages = scene::static_stages(scene);
-  for (std::size_t later = stage; later < stages.size(); ++later)
-    if (const auto* next = std::get_if<const scene::ConstructionStage*>(&stages[later])) {
-      scene::Case then = before_construction(scene, **next);
-      then.monitors.clear();
-      then.lines.clear();
-      then.sliding_masses.clear();
-      return then;
-    }
-  return scene;
-}
-
 /// Leaves a frame of ground that has found no rest: its velocities show where it moves.
-/// @param scene  with the model of that stage
 /// @returns the sentence that says so
-std::string leave_frame(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
-                        const coupler::ParticipantOptions& options, const NotAtRest& failure) {
+std::string leave_frame(Domain& domain, const scene::Case& scene, const coupler::ParticipantOptions& options,
+                        const NotAtRest& failure) {
   take_velocities_of_nodes(domain);
-  const CoupledFaces faces(domain, scene, plan);
-  const Snapshot snapshot(domain);
-  RunOutput output(options.out, scene, scene::to_json(scene, plan), domain, snapshot, faces.sources());
-  output.write_before_shaking(Stepper(domain, 0.0, [](auto&&...) {}));
-  output.abort(failure.what());
+  write_stage_frame(options.out, case_of_stage(scene, failure.stage), domain, failure.what());
   const std::string stage =
       failure.stage == 0 ? "" : fmt::format("stage '{}': ", scene::stages(scene)[failure.stage].name);
   return fmt::format("{}{}; the frame in run.h5 shows where the ground moves", stage, failure.what());
@@ -335,13 +323,11 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   double gravity_seconds = 0.0;
   try {
     if (scene.gravity && !saved)
-      gravity_seconds = come_to_rest(domain, scene, client);
+      gravity_seconds = come_to_rest(domain, scene, options, client);
   } catch (const NotAtRest& failure) {
     if (client == nullptr)
       throw;
-    const scene::Case then = case_of_stage(scene, failure.stage);
-    Domain& model = failure.model ? *failure.model : domain;
-    throw std::runtime_error(leave_frame(model, then, scene::plan(then), options, failure));
+    throw std::runtime_error(leave_frame(failure.model ? *failure.model : domain, scene, options, failure));
   }
   shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), ranks, end_of(scene, until));
 }

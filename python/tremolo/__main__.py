@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tremolo import (bodies, column, comparison, cost, deconvolution, drift, failure, histories, motion, outputs,
                      pore_pressure, swap, timeline, verification)
-from tremolo.pictures import fronts, maps, mechanism, preview
+from tremolo.pictures import fronts, maps, mechanism, preview, stages
 from tremolo.soil_test import drawing, record
 from tremolo.extract import command as extract_command
 from tremolo.report import page, watch
@@ -47,6 +47,8 @@ def plot(arguments):
     _require_frames(run)
     folder = _folder(arguments.out, run)
     yield preview.preview(run, folder)
+    if built := stages.picture(run, folder):
+        yield built
     if run.has_field("acceleration"):
         yield maps.acceleration([run], _times(arguments, run), folder)
     if run.has_field("equivalent_plastic_strain"):

@@ -102,12 +102,14 @@ void renumber_monitors(Case& scene, const Standing& end, Findings& findings) {
       continue;
     const std::string name = scene.structures[*monitor.structure].name;
     const auto found = std::ranges::find(end.structures, name, &Structure::name);
-    if (found == end.structures.end())
+    if (found == end.structures.end()) {
+      monitor.structure.reset();
       findings.add(
           fmt::format("monitor[{}].structure", m),
           fmt::format("the structure '{}' is removed before the shaking: a monitor cannot ride on it", name));
-    else
+    } else {
       monitor.structure = static_cast<std::size_t>(found - end.structures.begin());
+    }
   }
 }
 

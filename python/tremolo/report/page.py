@@ -8,7 +8,7 @@ import tempfile
 from pathlib import Path
 
 from tremolo import drift, outputs
-from tremolo.pictures import preview
+from tremolo.pictures import preview, stages
 from tremolo.report import checklist, facts, frames, kinds
 from tremolo.run import Run
 
@@ -32,11 +32,11 @@ def _titles(runs):
     return names if len(set(names)) == len(names) else [str(run.path.parent) for run in runs]
 
 
-def _model_picture(run):
-    """The picture of the model, as `tremolo plot` draws it."""
+def _drawn(run, picture):
+    """One of the pictures of `tremolo plot` as a page holds it; None where the run has none."""
     with tempfile.TemporaryDirectory(prefix="tremolo_report_") as folder:
-        content = preview.preview(run, Path(folder)).read_bytes()
-    return "data:image/png;base64," + base64.b64encode(content).decode("ascii")
+        path = picture(run, Path(folder))
+        return None if path is None else "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode("ascii")
 
 
 def _drift(run, key):
@@ -153,7 +153,8 @@ class Report:
             runs=[
                 {
                     "title": title, "name": run.title, "status": run.status, "case": run.case, "model": facts.model(run),
-                    "picture": _model_picture(run), "plan": facts.plan(run), "measures": facts.measures(run), "waits": facts.waits(run),
+                    "picture": _drawn(run, preview.preview), "stages": _drawn(run, stages.picture), "plan": facts.plan(run),
+                    "measures": facts.measures(run), "waits": facts.waits(run),
                     "processes": facts.processes(run), "origin": facts.origin(run), "warnings": facts.warnings(run),
                     "checklist": None if live else checklist.checklist(run),
                 }

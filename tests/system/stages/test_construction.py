@@ -15,6 +15,7 @@ sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "tests" / "system" / "runs"
 import numpy as np
 import small_case
 from broken_run import goes_on_with_the_same_bits, whole_run, with_checkpoints
+from tremolo.pictures import stages
 from tremolo.run import Run
 
 CASE = """
@@ -32,13 +33,13 @@ level = 0.0
 [halfspace]
 density = 1800.0
 vs = 120.0
-poisson = 0.3
+vp = 225.0
 
 [soil.ground]
-model = "mohr_coulomb"
+model = "drucker_prager"
 density = 1800.0
 vs = 120.0
-poisson = 0.3
+vp = 225.0
 cohesion = {cohesion}
 friction_deg = 10.0
 
@@ -110,7 +111,7 @@ class DugWorkspace(small_case.Workspace):
 
 class Construction(unittest.TestCase):
     def test_the_ground_is_shaken_as_it_was_built(self):
-        with with_checkpoints(DugWorkspace(TREMOLO), every_steps=300) as work:
+        with with_checkpoints(DugWorkspace(TREMOLO), every_steps=60) as work:
             listed = work.command("explain", work.case).stdout
             self.assertIn("removes 'pit'", listed)
             self.assertIn("places 'block', 'bank'", listed)
@@ -124,6 +125,13 @@ class Construction(unittest.TestCase):
             self.assertGreater(frame["displacement"][below, 1].mean(), 0.0)  # it has risen
             under_bank = (np.abs(x - 11.5) < 1.0) & (y < 0.0) & (y > -1.0)
             self.assertLess(frame["displacement"][under_bank, 1].mean(), 0.0)
+            names = [name for name, _ in stages.frames(Run(whole / "run.h5"))]
+            self.assertEqual(["gravity", "dig", "build"], names)
+            moved = [np.hypot(*stage.field(0, "displacement").T).max() for _, stage in stages.frames(Run(whole / "run.h5"))]
+            self.assertEqual(0.0, moved[0])
+            self.assertGreater(moved[1], 0.0)
+            drawn = work.command("plot", whole)
+            self.assertIn("stages.png", drawn.stdout, drawn.stderr)
             goes_on_with_the_same_bits(self, work, whole)
 
     def test_a_pit_that_does_not_stand_leaves_a_frame(self):

@@ -63,7 +63,7 @@ TEST(Constructions, AreListedWithWhatTheyChange) {
 }
 
 TEST(Constructions, BringStructuresAndTakeTheirMonitorsAlong) {
-  const std::string other = "[[structure]]\nname = \"shed\"\nrigid = true\ndensity = 500.0\n"
+  const std::string other = "[[structure]]\nname = \"shed\"\nrigid = true\ndensity = 500.0\nfriction = 0.5\n"
                             "polygon = [[2.0, 0.0], [5.0, 0.0], [5.0, 2.0], [2.0, 2.0]]\n";
   const std::string monitor = "[[monitor]]\nname = \"top\"\npoint = [8.0, 0.5]\nstructure = \"block\"\n";
   const Case scene =
@@ -88,7 +88,7 @@ TEST(Constructions, NameWhatIsThere) {
   EXPECT_THAT(errors_of(built(stage("trim", "remove = [\"fill\"]") + bank)), IsEmpty()); // there at the start
   EXPECT_THAT(errors_of(built("[[stage]]\nkind = \"construction\"\n")),
               ElementsAre(HasSubstr("missing 'place' or 'remove': what is built")));
-  EXPECT_THAT(errors_of(built(dig, "[[structure]]\nname = \"pit\"\nrigid = true\ndensity = 500.0\n"
+  EXPECT_THAT(errors_of(built(dig, "[[structure]]\nname = \"pit\"\nrigid = true\ndensity = 500.0\nfriction = 0.5\n"
                                    "polygon = [[2.0, 0.0], [5.0, 0.0], [5.0, 2.0], [2.0, 2.0]]\n")),
               Contains(HasSubstr("has the name 'pit' too")));
 }
@@ -110,7 +110,7 @@ TEST(Rules, EarlierModelsAreSound) {
                               region("up", "[[2.0, 3.0], [5.0, 3.0], [5.0, 5.0], [2.0, 5.0]]"))),
               Contains(HasSubstr("lies outside the mesh")));
   // The block hangs in the air until the fill comes.
-  const std::string high = "[[structure]]\nname = \"block\"\nrigid = true\ndensity = 500.0\n"
+  const std::string high = "[[structure]]\nname = \"block\"\nrigid = true\ndensity = 500.0\nfriction = 0.5\n"
                            "polygon = [[12.0, 2.0], [14.0, 2.0], [14.0, 4.0], [12.0, 4.0]]\n";
   EXPECT_THAT(errors_of(built(bank, high)), Contains(HasSubstr("touches no soil")));
   EXPECT_THAT(errors_of(built(stage("bank", "place = [\"fill\", \"block\"]"), high)), IsEmpty());

@@ -1,0 +1,50 @@
+#include "mpm_domain/process/stage_frames.hpp"
+
+#include "mpm_domain/process/run_output.hpp"
+#include "mpm_domain/transfer/snapshot.hpp"
+#include "scene/plan/plan.hpp"
+#include "scene/plan/stages/stages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+scene::Case case_of_stage(const scene::Case& scene, std::size_t stage) {
+  const auto stages = scene::static_stages(scene);
+  scene::Case then = scene;
+  for (std::size_t later = stage; later < stages.size(); ++later)
+    if (const auto* next = std::get_if<const scene::ConstructionStage*>(&stages[later])) {
+      then = before_construction(scene, **next);
+      break;
+    }
+  then.monitors.clear();
+  then.lines.clear();
+  then.sliding_masses.clear();
+  for (const auto field : {scene::OutputField::displacement, scene::OutputField::stress})
+    if (std::ranges::find(then.output.fields, field) == then.output.fields.end())
+      then.output.fields.push_back(field);
+  return then;
+}
+
+std::filesystem::path stage_folder(const std::filesystem::path& run, const scene::Case& scene,
+                                   std::size_t stage) {
+  std::string name = fmt::format("{} {}", stage + 1, scene::stages(scene)[stage].name);
+  std::ranges::replace(name, '/', '-');
+  return run / "stages" / name;
+}
+
+void write_stage_frame(const std::filesystem::path& folder, const scene::Case& scene, Domain& domain,
+                       const std::string& reason) {
+  std::filesystem::create_directories(folder);
+  const std::vector<std::string> no_sources(domain.boundary.faces().size());
+  const Snapshot snapshot(domain);
+  RunOutput output(folder, scene, scene::to_json(scene, scene::plan(scene)), domain, snapshot, no_sources);
+  output.write_before_shaking(Stepper(domain, 0.0, [](auto&&...) {}));
+  output.abort(reason);
+}
+
+} // namespace tremolo::mpm_domain
