@@ -67,7 +67,8 @@ void check_rigid_base(const Spec& spec) {
                                 "dispersion");
 }
 
-/// Loads lie in the model, and go with neither what moves them in a static stage nor several clocks.
+/// Loads lie in the model, on soil that no structure covers, and go neither with several clocks nor with
+/// sides that move apart.
 template <typename RefuseUnless>
 void check_loads(const Spec& spec, const RefuseUnless& refuse_unless) {
   for (const SurfaceLoad& load : spec.loads) {
@@ -80,9 +81,18 @@ void check_loads(const Spec& spec, const RefuseUnless& refuse_unless) {
                   load.pressure, "finite, >= 0");
     refuse_unless(std::isfinite(load.shear), "the shear of a load (Pa)", load.shear, "finite");
   }
-  if (!spec.structures.empty() || spec.scheme.subcycle || spec.sides == Sides::periodic_springs)
-    throw std::invalid_argument("a load on the surface goes neither with structures, nor with sub-cycling, "
-                                "nor with springs between the sides");
+  if (spec.scheme.subcycle || spec.sides == Sides::periodic_springs)
+    throw std::invalid_argument(
+        "a load on the surface goes neither with sub-cycling nor with springs between "
+        "the sides");
+  for (const Structure& structure : spec.structures) {
+    const auto [left, right] = std::ranges::minmax(structure.outline, {}, &Vector::x);
+    for (const SurfaceLoad& load : spec.loads)
+      if (load.x_min < right.x && load.x_max > left.x)
+        throw std::invalid_argument(fmt::format(
+            "a load from x = {:.6g} to {:.6g} m lies where structure '{}' is: it acts on soil alone",
+            load.x_min, load.x_max, structure.name));
+  }
 }
 
 const Spec& checked(const Spec& spec) {

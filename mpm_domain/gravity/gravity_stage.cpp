@@ -238,11 +238,14 @@ private:
       model_->loads.scale(load.load, share);
       model_->loads.follow(*model_);
     };
+    course.bonded = model_->contact.any();
     const SurfaceLoad& line = model_->spec.loads[load.load];
-    run(course,
-        fmt::format("the ground did not come to rest under the load from x = {:.6g} to {:.6g} m", line.x_min,
-                    line.x_max),
-        "it may not carry the load");
+    const Relaxed loaded =
+        run(course,
+            fmt::format("the ground did not come to rest under the load from x = {:.6g} to {:.6g} m",
+                        line.x_min, line.x_max),
+            "it may not carry the load");
+    end_bonds(course, loaded);
   }
 
   void go(const ConstructionSettings& construction) {

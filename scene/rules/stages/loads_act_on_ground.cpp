@@ -1,5 +1,5 @@
-// What carries a load is the uppermost soil between its ends. A free field does not know the load, so that it
-// must not reach a side that one drives; and nothing but soil moves in a stage before the shaking.
+// What carries a load is the uppermost soil between its ends, where no structure stands. A free field does
+// not know the load, so that it must not reach a side that one drives.
 
 #include "scene/rules/rules.hpp"
 #include "scene/soils/ground_column.hpp"
@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace tremolo::scene {
 
@@ -61,6 +62,23 @@ std::string reached_side(const Case& scene, const LoadStage& load) {
   return load.x_max > box.x_max - near ? "right" : "";
 }
 
+/// From its left end to its right one, m.
+std::pair<double, double> extent(const Structure& structure) {
+  const auto [left, right] = std::ranges::minmax(structure.outline.corners, {}, &Point::x);
+  return {left.x, right.x};
+}
+
+/// A structure above or below the load; null: there is none.
+const Structure* structure_above(const Case& scene, const LoadStage& load) {
+  const auto found = std::ranges::find_if(scene.structures, [&](const Structure& structure) {
+    if (structure.outline.corners.empty())
+      return false;
+    const auto [left, right] = extent(structure);
+    return load.x_min < right && load.x_max > left;
+  });
+  return found == scene.structures.end() ? nullptr : &*found;
+}
+
 } // namespace
 
 void loads_act_on_ground(const Case& scene, Findings& findings) {
@@ -79,10 +97,11 @@ void loads_act_on_ground(const Case& scene, Findings& findings) {
              fmt::format("reaches the {} side of the model, whose free field does not have it: end it "
                          "before, or take sides that are periodic or a container",
                          side));
-    if (!scene.structures.empty())
-      refuse("",
-             "goes with no [[structure]] yet: in a stage before the shaking, structures cannot follow the "
-             "soil. Give the structure the weight instead, or leave one of both out");
+    if (const Structure* const above = structure_above(scene, load))
+      refuse(".x_m",
+             fmt::format("lies where the structure '{}' is, from x = {:g} to {:g} m, and acts on soil "
+                         "alone: end it beside the structure, or give that one the weight",
+                         above->name, extent(*above).first, extent(*above).second));
     if (scene.time.subcycle)
       refuse("", "does not go with [time] subcycle = true yet: leave the key out");
     if (scene.boundary.sides == Sides::periodic_springs)

@@ -88,9 +88,10 @@ TEST(Constructions, NameWhatIsThere) {
   EXPECT_THAT(errors_of(built(stage("trim", "remove = [\"fill\"]") + bank)), IsEmpty()); // there at the start
   EXPECT_THAT(errors_of(built("[[stage]]\nkind = \"construction\"\n")),
               ElementsAre(HasSubstr("missing 'place' or 'remove': what is built")));
-  EXPECT_THAT(errors_of(built(dig, "[[structure]]\nname = \"pit\"\nrigid = true\ndensity = 500.0\nfriction = 0.5\n"
-                                   "polygon = [[2.0, 0.0], [5.0, 0.0], [5.0, 2.0], [2.0, 2.0]]\n")),
-              Contains(HasSubstr("has the name 'pit' too")));
+  EXPECT_THAT(
+      errors_of(built(dig, "[[structure]]\nname = \"pit\"\nrigid = true\ndensity = 500.0\nfriction = 0.5\n"
+                           "polygon = [[2.0, 0.0], [5.0, 0.0], [5.0, 2.0], [2.0, 2.0]]\n")),
+      Contains(HasSubstr("has the name 'pit' too")));
 }
 
 TEST(Constructions, ComeBetweenGravityAndShaking) {
@@ -121,6 +122,16 @@ TEST(Rules, ConstructionsSpareLoads) {
   EXPECT_THAT(errors_of(built(load + dig)), Contains(HasSubstr("'pit' lies where the load 'load' acts")));
   EXPECT_THAT(errors_of(built(load + bank)), IsEmpty());
   EXPECT_THAT(errors_of(built(dig + load)), Contains(HasSubstr("reaches over a wall")));
+}
+
+TEST(Rules, LoadsActBesideStructures) {
+  const auto load = [](const std::string& ends) {
+    return "[[stage]]\nkind = \"load\"\nx_m = " + ends + "\npressure_pa = 1e3\n";
+  };
+  const std::string build = stage("build", "remove = [\"pit\"]\nplace = [\"block\"]");
+  EXPECT_THAT(errors_of(built(build + load("[10.0, 11.0]"), block)), IsEmpty());
+  EXPECT_THAT(errors_of(built(build + load("[9.0, 11.0]"), block)),
+              Contains(HasSubstr("lies where the structure 'block' is, from x = 6 to 10 m")));
 }
 
 } // namespace
