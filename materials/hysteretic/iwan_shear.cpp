@@ -20,7 +20,11 @@ IwanShear iwan_shear(const Elasticity& elastic, const Backbone& backbone, const 
   check(elastic);
   check(fit);
   validate(backbone);
-  return {elastic, parallel_elements(polygon(backbone, fit.elements, fit.largest_strain)), backbone.loops};
+  IwanShear law{elastic, parallel_elements(polygon(backbone, fit.elements, fit.largest_strain)),
+                backbone.loops};
+  if (backbone.shape)
+    law.strength = backbone.strength();
+  return law;
 }
 
 IwanShear iwan_shear(const Elasticity& elastic, double reference_strain, double beta, double exponent,
@@ -43,6 +47,12 @@ std::span<const StateVariable> state_variables(const IwanShear& law) {
 
 LinearElastic without_softening(const IwanShear& law) {
   return {law.elastic};
+}
+
+std::optional<DruckerPrager> with_reduced_strength(const IwanShear& law, double factor) {
+  if (!law.strength)
+    return std::nullopt;
+  return frictionless(law.elastic, *law.strength / factor);
 }
 
 void update(const IwanShear& law, const Points& points) {
