@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -83,25 +84,31 @@ mpm_domain::Spec between(const mpm_domain::Spec& spec, const Ends& ends) {
         fmt::format("--from and --to are {:.3g} m apart horizontally: soil that fails between them needs at "
                     "least four cells, {:.3g} m",
                     x_max - x_min, 4.0 * spec.cell_size));
-  fmt::print("only soil between x = {:g} and {:g} m may fail\n", x_min, x_max);
   return mpm_domain::held_beside(spec, x_min, x_max);
 }
 
 mpm_domain::Spec spec_of(const Options& options, const scene::Case& scene) {
   const auto spec = mpm_domain::spec_from_case(scene, options.threads);
-  const auto soils = mpm_domain::reducible_soils(spec);
-  if (soils.reduced.empty())
+  if (mpm_domain::reducible_soils(spec).reduced.empty())
     throw std::invalid_argument(
         fmt::format("{}: no soil has a strength that could be reduced: docs/safety.md lists the models of "
                     "soil that have one",
                     options.case_file));
+  const auto ends = ends_of(options);
+  return ends ? between(spec, *ends) : spec;
+}
+
+/// Says what the trials are made with.
+void announce(const scene::Case& scene, const mpm_domain::Spec& spec, const std::optional<Ends>& ends) {
+  const auto soils = mpm_domain::reducible_soils(spec);
   fmt::print("factor of safety at the end of stage '{}'\n",
              scene.loads.empty() ? scene.gravity->name : scene.loads.back().name);
   fmt::print("strength divided by F: {}\n", fmt::join(soils.reduced, ", "));
+  if (ends)
+    fmt::print("only soil between x = {:g} and {:g} m may fail\n", std::min(ends->from.x, ends->to.x),
+               std::max(ends->from.x, ends->to.x));
   if (!soils.kept.empty())
     fmt::print("carry any load at rest: {}\n", fmt::join(soils.kept, ", "));
-  const auto ends = ends_of(options);
-  return ends ? between(spec, *ends) : spec;
 }
 
 std::string trials_text(const std::vector<mpm_domain::StrengthTrial>& trials) {
@@ -145,13 +152,11 @@ std::string place_of_failure(const mpm_domain::FactorOfSafety& safety, double ce
   std::string text = fmt::format("the soil that fails lies between x = {:.3g} and {:.3g} m, down to {:.2g} m below the "
                                  "surface\n",
                                  extent->x_min, extent->x_max, extent->depth);
-  if (extent->depth <= 2.0 * cell_size)
-    text += "that is a skin of two cells: soil without cohesion ravels at the face of a slope, at tan(phi) over "
-            "the slope's tangent; give it the cohesion that it has, or smaller cells\n";
   if (ends)
     for (const Vector end : {ends->from, ends->to})
-      if (!mpm_domain::reaches(safety.mechanism, end, 2.0 * cell_size))
-        text += fmt::format("it does not come within two cells of {:g},{:g}\n", end.x, end.y);
+      if (std::min(std::abs(extent->x_min - end.x), std::abs(extent->x_max - end.x)) < cell_size)
+        text += fmt::format("it ends at {:g},{:g}: with that point farther out the factor may be smaller\n", end.x,
+                            end.y);
   return text;
 }
 
@@ -187,11 +192,12 @@ void find(const Options& options) {
   const auto spec = spec_of(options, scene);
   if (!options.out.empty())
     require_place(options);
+  announce(scene, spec, ends_of(options));
   std::vector<mpm_domain::StrengthTrial> trials;
   const auto progress = [&](const mpm_domain::StrengthTrial& trial) {
     trials.push_back(trial);
-    fmt::print("  F = {:<6.4g} {}, unbalanced over applied force {:.1e}\n", trial.factor,
-               trial.stands ? "stands" : "fails ", trial.residual);
+    fmt::print("  F = {:<6.4g} {}, unbalanced over applied force {:.1e}{}\n", trial.factor,
+               trial.stands ? "stands" : "fails ", trial.residual, trial.ravels ? ", its skin ravels" : "");
     std::fflush(stdout);
   };
   const auto safety = options.floor ? mpm_domain::try_factor(spec, *options.floor, progress)

@@ -1,10 +1,10 @@
 #include "mpm_domain/gravity/mechanism.hpp"
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/surface_line.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace tremolo::mpm_domain {
 
@@ -49,14 +49,9 @@ std::vector<MovingPoint> mechanism_of(Domain& domain) {
 std::optional<Extent> extent_of(std::span<const MovingPoint> mechanism) {
   if (std::ranges::none_of(mechanism, moves))
     return std::nullopt;
-  const double width = std::ranges::max_element(mechanism, {}, &MovingPoint::size)->size;
-  const auto column_of = [&](const MovingPoint& point) { return std::lround(point.place.x / width - 0.5); };
-  std::map<long, double> surface;
-  for (const MovingPoint& point : mechanism) {
-    const double top = point.place.y + 0.5 * point.size;
-    const auto [column, is_new] = surface.try_emplace(column_of(point), top);
-    column->second = std::max(column->second, top);
-  }
+  SurfaceLine surface(std::ranges::max_element(mechanism, {}, &MovingPoint::size)->size);
+  for (const MovingPoint& point : mechanism)
+    surface.add(point.place, point.size);
   Extent extent{.x_min = INFINITY, .x_max = -INFINITY};
   for (const MovingPoint& point : mechanism) {
     if (!moves(point))
@@ -64,15 +59,11 @@ std::optional<Extent> extent_of(std::span<const MovingPoint> mechanism) {
     const double half = 0.5 * point.size;
     extent.x_min = std::min(extent.x_min, point.place.x - half);
     extent.x_max = std::max(extent.x_max, point.place.x + half);
-    extent.depth = std::max(extent.depth, surface.at(column_of(point)) - (point.place.y - half));
+    const double depth = surface.at(point.place.x) - (point.place.y - half);
+    extent.depth = std::max(extent.depth, depth);
+    extent.rows = std::max(extent.rows, depth / point.size);
   }
   return extent;
-}
-
-bool reaches(std::span<const MovingPoint> mechanism, Vector point, double distance) {
-  return std::ranges::any_of(mechanism, [&](const MovingPoint& one) {
-    return moves(one) && std::hypot(one.place.x - point.x, one.place.y - point.y) <= distance;
-  });
 }
 
 } // namespace tremolo::mpm_domain

@@ -27,12 +27,10 @@ struct Extent {
   double x_min = 0.0; ///< m
   double x_max = 0.0;
   double depth = 0.0; ///< largest depth below the surface above it, m
+  double rows = 0.0;  ///< likewise, in sizes of the particles there
 };
 
 /// Nothing where no soil moves, since it is a structure that does.
 std::optional<Extent> extent_of(std::span<const MovingPoint> mechanism);
-
-/// Whether soil moves within a distance (m) of a point.
-bool reaches(std::span<const MovingPoint> mechanism, Vector point, double distance);
 
 } // namespace tremolo::mpm_domain

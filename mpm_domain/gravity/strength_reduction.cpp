@@ -15,6 +15,9 @@ constexpr double rest_residual = 1e-4;
 /// Periods of a layer of the model's depth after which one that still moves has failed.
 constexpr double patience = 60.0;
 
+/// Depth of the skin of which trials say that it ravels, in cells.
+constexpr double skin = 2.0;
+
 constexpr double bracket_step = 1.25;
 
 Spec with_factor(Spec spec, double factor) {
@@ -44,22 +47,38 @@ public:
 
   void make(double factor) {
     StrengthTrial trial{.factor = factor};
-    Domain domain(with_factor(spec_, factor));
-    try {
-      trial.stands = !relax_under_gravity(domain, {.residual = rest_residual, .max_time = time_},
-                                          [&](long, double residual) { trial.residual = residual; })
-                          .slipping;
-    } catch (const NotAtRest&) {
-      trial.stands = false;
+    auto mechanism = relax(trial, 0.0);
+    if (is_skin(mechanism)) {
+      mechanism = relax(trial, skin);
+      trial.ravels = trial.stands;
     }
     if (!trial.stands)
-      found_.mechanism = mechanism_of(domain);
+      found_.mechanism = mechanism;
     (trial.stands ? found_.stands : found_.fails) = factor;
     progress_(trial);
   }
   const FactorOfSafety& found() const { return found_; }
 
 private:
+  /// Makes a trial and returns the soil that fails in it.
+  std::vector<MovingPoint> relax(StrengthTrial& trial, double left_out) {
+    Domain domain(with_factor(spec_, trial.factor));
+    try {
+      trial.stands = !relax_under_gravity(
+                          domain, {.residual = rest_residual, .max_time = time_, .skin = left_out},
+                          [&](long, double residual) { trial.residual = residual; })
+                          .slipping;
+    } catch (const NotAtRest&) {
+      trial.stands = false;
+    }
+    return trial.stands ? std::vector<MovingPoint>{} : mechanism_of(domain);
+  }
+
+  bool is_skin(const std::vector<MovingPoint>& mechanism) const {
+    const auto extent = extent_of(mechanism);
+    return extent && extent->rows <= skin * spec_.particles_per_cell;
+  }
+
   const Spec& spec_;
   const TrialProgress& progress_;
   double time_; ///< after which one that still moves has failed, s
@@ -75,6 +94,9 @@ ReducibleSoils reducible_soils(const Spec& spec) {
     if (names.empty() || names.back() != soil.name) // slices of one soil have its name
       names.push_back(soil.name);
   }
+  // Of a model of which only a part may fail, soils stand there twice (held_soil.hpp).
+  std::erase_if(soils.kept,
+                [&](const std::string& name) { return std::ranges::find(soils.reduced, name) != soils.reduced.end(); });
   return soils;
 }
 

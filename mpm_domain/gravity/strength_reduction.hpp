@@ -31,6 +31,7 @@ inline constexpr double largest_factor = 10.0;
 struct StrengthTrial {
   double factor = 1.0;
   bool stands = false;
+  bool ravels = false;   ///< soil less than two cells deep goes on moving all the same
   double residual = 0.0; ///< unbalanced over applied force at its end
 };
 

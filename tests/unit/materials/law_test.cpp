@@ -119,7 +119,7 @@ TEST(Laws, StrengthIsReducedWhereSoilFailsAtRest) {
 /// stays.
 TEST(Laws, SoilOfShakenLawsIsReducedToItsStrength) {
   const auto undrained_strength = [](const Law& law) {
-    const auto& soil = std::get<DruckerPrager>(with_reduced_strength(law, 2.0).value());
+    const auto soil = std::get<DruckerPrager>(with_reduced_strength(law, 2.0).value());
     EXPECT_EQ(soil.friction, 0.0);
     EXPECT_EQ(soil.elastic.young, elasticity(law).young);
     EXPECT_EQ(soil.elastic.at_rest, elasticity(law).at_rest);

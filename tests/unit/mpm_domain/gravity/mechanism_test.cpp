@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -26,15 +27,9 @@ TEST(Mechanism, LiesWhereSoilMovesMeasuredFromTheSurfaceAboveIt) {
     EXPECT_DOUBLE_EQ(found.x_min, 3.0);
     EXPECT_DOUBLE_EQ(found.x_max, 6.0);
     EXPECT_DOUBLE_EQ(found.depth, depth);
+    EXPECT_DOUBLE_EQ(found.rows, depth / 0.5);
   }
   EXPECT_FALSE(extent_of(sliding(0.0))); // all creeps at less than a tenth
-}
-
-TEST(Mechanism, ReachesPointsThatMovingSoilIsNear) {
-  const auto slide = sliding(2.0);
-  EXPECT_TRUE(reaches(slide, {2.0, 6.0}, 1.5));
-  EXPECT_FALSE(reaches(slide, {2.0, 6.0}, 1.0));
-  EXPECT_FALSE(reaches(slide, {4.5, 3.0}, 1.0)); // below what moves
 }
 
 } // namespace

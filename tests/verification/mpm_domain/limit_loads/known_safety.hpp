@@ -89,4 +89,28 @@ inline Spec strip_load(double cell_size, double factor) {
   return spec;
 }
 
+inline constexpr double sand_friction_deg = 33.0; // phi_cv of PM4Sand
+inline constexpr double sand_slope_deg = 20.0;
+inline double sand_factor() {
+  return std::tan(sand_friction_deg * degree) / std::tan(sand_slope_deg * degree);
+}
+
+/// Sand without cohesion, whose surface in cells is a stair.
+inline Spec sand_slope(double cell_size) {
+  return spec_of({sand_slope_deg, 1.5, cell_size},
+                 materials::pm4sand({.density = 1700.0, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.4}));
+}
+
+/// A ridge of two slopes: 45 degrees of weak soil on the left, and on the right the slope of 2 to 1 of Bishop.
+inline Spec ridge(double cell_size) {
+  const BishopSlope right{2.0, 20.0, 0.05, 20e3, false, cell_size, 1.383};
+  Spec spec = spec_of(right);
+  materials::MohrCoulomb weak = perfectly_plastic({20e3 / gravity, 100e6, 0.3}, 12e3, 15.0 * degree);
+  spec.box = {0.0, -5.0, 80.0, 10.0};
+  spec.soils.push_back({"weak", weak});
+  spec.regions = {{0, {{32.0, -5.0}, {80.0, -5.0}, {80.0, 0.0}, {66.0, 0.0}, {46.0, 10.0}, {32.0, 10.0}}},
+                  {1, {{0.0, -5.0}, {32.0, -5.0}, {32.0, 10.0}, {22.0, 10.0}, {12.0, 0.0}, {0.0, 0.0}}}};
+  return spec;
+}
+
 } // namespace tremolo::mpm_domain::test
