@@ -69,9 +69,10 @@ scene::Case case_of(const Options& options) {
 
 void require_in_soil(const mpm_domain::Spec& spec, const char* option, Vector point) {
   if (const double away = mpm_domain::distance_to_soil(spec, point); away > spec.cell_size)
-    throw std::invalid_argument(fmt::format("{} {:g},{:g}: the nearest soil is {:.3g} m away; give a point in "
-                                            "it or on its surface, m",
-                                            option, point.x, point.y, away));
+    throw std::invalid_argument(
+        fmt::format("{} {:g},{:g}: the nearest soil is {:.3g} m away; give a point in "
+                    "it or on its surface, m",
+                    option, point.x, point.y, away));
 }
 
 /// The model of which only what lies between two points may fail.
@@ -146,17 +147,20 @@ std::string answer(const mpm_domain::FactorOfSafety& safety) {
 /// Where the soil lies that fails, and what to think of that.
 std::string place_of_failure(const mpm_domain::FactorOfSafety& safety, double cell_size,
                              const std::optional<Ends>& ends) {
+  std::string text;
+  if (!safety.structures.empty())
+    text = fmt::format("soil and friction do not hold {}\n", fmt::join(safety.structures, ", "));
   const auto extent = mpm_domain::extent_of(safety.mechanism);
   if (!extent)
-    return "no soil moves: it is a structure that does not rest on its friction\n";
-  std::string text = fmt::format("the soil that fails lies between x = {:.3g} and {:.3g} m, down to {:.2g} m below the "
-                                 "surface\n",
-                                 extent->x_min, extent->x_max, extent->depth);
+    return text;
+  text += fmt::format("the soil that fails lies between x = {:.3g} and {:.3g} m, down to {:.2g} m below the "
+                      "surface\n",
+                      extent->x_min, extent->x_max, extent->depth);
   if (ends)
     for (const Vector end : {ends->from, ends->to})
       if (std::min(std::abs(extent->x_min - end.x), std::abs(extent->x_max - end.x)) < cell_size)
-        text += fmt::format("it ends at {:g},{:g}: with that point farther out the factor may be smaller\n", end.x,
-                            end.y);
+        text += fmt::format("it ends at {:g},{:g}: with that point farther out the factor may be smaller\n",
+                            end.x, end.y);
   return text;
 }
 
@@ -231,9 +235,10 @@ void add_safety(Command& app) {
       ->add_option("CASE", options->case_file,
                    "Case file with a gravity stage and a soil that has a strength")
       ->required();
-  command->add_option("--stage", options->stage,
-                      "Stage at whose end, by its name: gravity or a load; the loads up to it act (default: the "
-                      "last of them)");
+  command->add_option(
+      "--stage", options->stage,
+      "Stage at whose end, by its name: gravity or a load; the loads up to it act (default: the "
+      "last of them)");
   auto* from = command
                    ->add_option("--from", options->from,
                                 "X,Y, m: only soil between this point and --to may fail; a negative X is "
@@ -260,8 +265,9 @@ void add_safety(Command& app) {
   command->add_option("--threads", options->threads, "Threads of the domain")
       ->between(1, most_threads)
       ->capture_default_str();
-  command->footer("Ends with 0 where the question has an answer, with 1 where --floor is given and the factor is "
-                  "below it, and with 2 where the case has no factor of safety.");
+  command->footer(
+      "Ends with 0 where the question has an answer, with 1 where --floor is given and the factor is "
+      "below it, and with 2 where the case has no factor of safety.");
   command->callback([options] { find_or_refuse(*options); });
 }
 

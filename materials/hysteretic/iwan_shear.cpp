@@ -20,11 +20,7 @@ IwanShear iwan_shear(const Elasticity& elastic, const Backbone& backbone, const 
   check(elastic);
   check(fit);
   validate(backbone);
-  IwanShear law{elastic, parallel_elements(polygon(backbone, fit.elements, fit.largest_strain)),
-                backbone.loops};
-  if (backbone.shape)
-    law.strength = backbone.strength();
-  return law;
+  return {elastic, parallel_elements(polygon(backbone, fit.elements, fit.largest_strain)), backbone.loops};
 }
 
 IwanShear iwan_shear(const Elasticity& elastic, double reference_strain, double beta, double exponent,

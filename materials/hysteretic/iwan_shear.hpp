@@ -34,7 +34,7 @@ struct IwanShear {
   Elasticity elastic;                ///< at small strain; its shear modulus is the sum of the elements'
   std::vector<IwanElement> elements; ///< in order of growing yield strain
   LoopReduction loops = {};          ///< what unloading keeps of their damping
-  std::optional<double> strength = std::nullopt; ///< largest shear stress, where the backbone was given one, Pa
+  std::optional<double> strength = std::nullopt; ///< largest shear stress, if one was given, Pa
 };
 
 /// How finely and how far the elements follow the backbone.

@@ -1,8 +1,9 @@
 #pragma once
 
-// A model of which only a part may fail: where its other soil is weaker, as a second slope is, that would fail
-// first. Soil beside the part becomes elastic. All that moves then moves inside the part, so that its factor of
-// safety is that of the weakest mechanism that lies in it as a whole, and never less than that of the model.
+// A model of which only a part may fail: where its other soil is weaker, as a second slope is, that would
+// fail first. Soil beside the part becomes elastic. All that moves then moves inside the part, so that its
+// factor of safety is that of the weakest mechanism that lies in it as a whole, and never less than that of
+// the model.
 
 #include "mpm_domain/spec/spec.hpp"
 

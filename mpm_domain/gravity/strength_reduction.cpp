@@ -47,31 +47,44 @@ public:
 
   void make(double factor) {
     StrengthTrial trial{.factor = factor};
-    auto mechanism = relax(trial, 0.0);
-    if (is_skin(mechanism)) {
-      mechanism = relax(trial, skin);
+    auto failure = relax(trial, 0.0);
+    if (is_skin(failure.soil)) {
+      failure = relax(trial, skin);
       trial.ravels = trial.stands;
     }
-    if (!trial.stands)
-      found_.mechanism = mechanism;
+    if (!trial.stands) {
+      found_.mechanism = failure.soil;
+      found_.structures = failure.structures;
+    }
     (trial.stands ? found_.stands : found_.fails) = factor;
     progress_(trial);
   }
   const FactorOfSafety& found() const { return found_; }
 
 private:
-  /// Makes a trial and returns the soil that fails in it.
-  std::vector<MovingPoint> relax(StrengthTrial& trial, double left_out) {
+  /// What moves in a trial that fails.
+  struct Failure {
+    std::vector<MovingPoint> soil;
+    std::vector<std::string> structures;
+  };
+
+  /// @param left_out  depth of the skin that does not count, in cells
+  Failure relax(StrengthTrial& trial, double left_out) const {
     Domain domain(with_factor(spec_, trial.factor));
+    Failure failure;
     try {
-      trial.stands = !relax_under_gravity(
-                          domain, {.residual = rest_residual, .max_time = time_, .skin = left_out},
-                          [&](long, double residual) { trial.residual = residual; })
-                          .slipping;
+      const Reactions reactions =
+          relax_under_gravity(domain, {.residual = rest_residual, .max_time = time_, .skin = left_out},
+                              [&](long, double residual) { trial.residual = residual; });
+      trial.stands = !reactions.slipping;
+      for (const std::size_t body : reactions.slipping_bodies)
+        failure.structures.push_back(domain.contact.bodies()[body].name());
     } catch (const NotAtRest&) {
       trial.stands = false;
     }
-    return trial.stands ? std::vector<MovingPoint>{} : mechanism_of(domain);
+    if (!trial.stands)
+      failure.soil = mechanism_of(domain);
+    return failure;
   }
 
   bool is_skin(const std::vector<MovingPoint>& mechanism) const {
@@ -95,8 +108,9 @@ ReducibleSoils reducible_soils(const Spec& spec) {
       names.push_back(soil.name);
   }
   // Of a model of which only a part may fail, soils stand there twice (held_soil.hpp).
-  std::erase_if(soils.kept,
-                [&](const std::string& name) { return std::ranges::find(soils.reduced, name) != soils.reduced.end(); });
+  std::erase_if(soils.kept, [&](const std::string& name) {
+    return std::ranges::find(soils.reduced, name) != soils.reduced.end();
+  });
   return soils;
 }
 

@@ -9,9 +9,9 @@
 // Griffiths and Lane 1999, Geotechnique 49, 387-403). No slip surface is assumed: the soil that goes on
 // moving just above F shows it.
 //
-// F is first bracketed by steps of 1.25 between 0.1 and 10 and then halved in. A model that carries its weight
-// comes to rest within some tens of the period 4 H/c_s of a layer of its depth; one that has not come to rest
-// after 60 counts as failed.
+// F is first bracketed by steps of 1.25 between 0.1 and 10 and then halved in. A model that carries its
+// weight comes to rest within some tens of the period 4 H/c_s of a layer of its depth; one that has not come
+// to rest after 60 counts as failed.
 
 #include "mpm_domain/gravity/mechanism.hpp"
 #include "mpm_domain/spec/spec.hpp"
@@ -36,9 +36,10 @@ struct StrengthTrial {
 };
 
 struct FactorOfSafety {
-  std::optional<double> stands;            ///< largest factor that was tried and stands; none: all fail
-  std::optional<double> fails;             ///< smallest factor that does not; none: all stand
-  std::vector<MovingPoint> mechanism = {}; ///< the soil with the factor `fails`
+  std::optional<double> stands;             ///< largest factor that was tried and stands; none: all fail
+  std::optional<double> fails;              ///< smallest factor that does not; none: all stand
+  std::vector<MovingPoint> mechanism = {};  ///< the soil with the factor `fails`
+  std::vector<std::string> structures = {}; ///< those that do not rest on their friction then
 };
 
 /// Names of the soils of a model whose strength can be reduced, and of those that carry any load at rest.

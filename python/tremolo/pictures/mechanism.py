@@ -35,17 +35,20 @@ def picture(folder, ends=()):
     position = np.column_stack([table["x_m"], table["y_m"]])
     velocity = np.column_stack([table["vx_over_fastest"], table["vy_over_fastest"]])
     strain = table["equivalent_plastic_strain"]
+    values, label = strain, "equivalent plastic strain (1)"
+    if not strain.any():  # it is a structure that moves, and the soil with it
+        values, label = np.hypot(*velocity.T), "velocity over the fastest (1)"
     margin = 0.02 * np.ptp(position[:, 0])
     bounds = (*(position.min(axis=0) - margin), *(position.max(axis=0) + margin))
     figure, axes = style.map_axes(bounds, 1, 1)
     ax = axes[0, 0]
-    top = float(np.percentile(strain, 99.0)) or 1.0
+    top = float(np.percentile(values, 99.0)) or 1.0
     scale = Normalize(0.0, top)
-    figure.colorbar(ScalarMappable(scale, style.SEQUENTIAL), ax=ax, label="equivalent plastic strain (1)", extend="max",
+    figure.colorbar(ScalarMappable(scale, style.SEQUENTIAL), ax=ax, label=label, extend="max",
                     shrink=0.8, aspect=18, pad=0.015)
     ax.set_title(_title(trials), loc="left")
     style.fix_layout(figure)
-    style.fill_particles(ax, position, strain, table["size_m"], cmap=style.SEQUENTIAL, norm=scale)
+    style.fill_particles(ax, position, values, table["size_m"], cmap=style.SEQUENTIAL, norm=scale)
     drawn = _spread(position, ARROWS)
     drawn = drawn[np.hypot(*velocity[drawn].T) > 0.05]
     length = 1.5 * np.ptp(position, axis=0).max() / ARROWS

@@ -26,10 +26,9 @@ Spec layered() {
   spec.box = {0.0, 0.0, 12.0, 6.0};
   spec.cell_size = 1.0;
   spec.soils = {{"layer", soil_of(10e6)}, {"layer", soil_of(20e6)}, {"lens", soil_of(30e6)}};
-  spec.regions = {{0, {{0.0, 0.0}, {12.0, 0.0}, {12.0, 6.0}, {0.0, 6.0}}, {3.0}},
-                  {2,
-                   {{1.0, 1.0}, {9.0, 1.0}, {9.0, 5.0}, {7.0, 5.0}, {7.0, 2.0}, {3.0, 2.0}, {3.0, 5.0},
-                    {1.0, 5.0}}}};
+  spec.regions = {
+      {0, {{0.0, 0.0}, {12.0, 0.0}, {12.0, 6.0}, {0.0, 6.0}}, {3.0}},
+      {2, {{1.0, 1.0}, {9.0, 1.0}, {9.0, 5.0}, {7.0, 5.0}, {7.0, 2.0}, {3.0, 2.0}, {3.0, 5.0}, {1.0, 5.0}}}};
   return spec;
 }
 
@@ -46,7 +45,8 @@ Found at_places(const Spec& spec) {
 
 TEST(HeldSoil, IsElasticBesideTheVerticalsAndTheSameOtherwise) {
   const Found given = at_places(layered());
-  for (const auto& [x_min, x_max] : {std::pair{2.0, 8.0}, {4.0, 6.0}, {-5.0, 8.0}, {-5.0, 20.0}, {2.5, 3.5}}) {
+  for (const auto& [x_min, x_max] :
+       {std::pair{2.0, 8.0}, {4.0, 6.0}, {-5.0, 8.0}, {-5.0, 20.0}, {2.5, 3.5}}) {
     const Found held = at_places(held_beside(layered(), x_min, x_max));
     ASSERT_EQ(held.size(), given.size());
     for (const auto& [place, soil] : given) {

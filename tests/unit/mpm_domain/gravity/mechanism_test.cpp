@@ -8,8 +8,8 @@
 namespace tremolo::mpm_domain {
 namespace {
 
-/// Soil under a surface that rises by half a metre a metre, 10 m of it; what lies less than `depth` below it and
-/// from x = 3 to 6 m moves.
+/// Soil under a surface that rises by half a metre a metre, 10 m of it; what lies less than `depth` below it
+/// and from x = 3 to 6 m moves.
 std::vector<MovingPoint> sliding(double depth) {
   std::vector<MovingPoint> points;
   for (double x = 0.25; x < 10.0; x += 0.5)

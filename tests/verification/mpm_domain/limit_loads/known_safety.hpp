@@ -2,14 +2,15 @@
 
 // Models whose factor of safety is known.
 //
-// Sand and c-phi soil. Bishop's simplified method with toe circles, by a search of its own (1955, Geotechnique
-// 5(1), 7-17), gives the factors of slopes of 2 to 1 and 3 to 1, dry and under free water, which weighs on the
-// slope as it weighs on level ground: soil of the submerged slope has its weight under water. In sand without
-// cohesion the skin of a slope of angle beta slides first, F = tan(phi)/tan(beta).
+// Sand and c-phi soil. Bishop's simplified method with toe circles, by a search of its own (1955,
+// Geotechnique 5(1), 7-17), gives the factors of slopes of 2 to 1 and 3 to 1, dry and under free water, which
+// weighs on the slope as it weighs on level ground: soil of the submerged slope has its weight under water.
+// In sand without cohesion the skin of a slope of angle beta slides first, F = tan(phi)/tan(beta).
 //
-// Clay of the strength s_u. A vertical cut of height H stands where gamma H is below N s_u; limit analysis has
-// N between 3.7752 and 3.7776 (Kammoun, Pastor, Smaoui and Pastor 2010, Int. J. Numer. Anal. Meth. Geomech.,
-// doi 10.1002/nag.887), circles give 3.83 (Taylor 1948). A strip load fails at (2 + pi) s_u (Prandtl).
+// Clay of the strength s_u. A vertical cut of height H stands where gamma H is below N s_u; limit analysis
+// has N between 3.7752 and 3.7776 (Kammoun, Pastor, Smaoui and Pastor 2010, Int. J. Numer. Anal. Meth.
+// Geomech., doi 10.1002/nag.887), circles give 3.83 (Taylor 1948). A strip load fails at (2 + pi) s_u
+// (Prandtl).
 
 #include "tests/verification/mpm_domain/limit_loads/footing.hpp"
 #include "tests/verification/mpm_domain/limit_loads/slope.hpp"
@@ -97,11 +98,13 @@ inline double sand_factor() {
 
 /// Sand without cohesion, whose surface in cells is a stair.
 inline Spec sand_slope(double cell_size) {
-  return spec_of({sand_slope_deg, 1.5, cell_size},
-                 materials::pm4sand({.density = 1700.0, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.4}));
+  return spec_of(
+      {sand_slope_deg, 1.5, cell_size},
+      materials::pm4sand({.density = 1700.0, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.4}));
 }
 
-/// A ridge of two slopes: 45 degrees of weak soil on the left, and on the right the slope of 2 to 1 of Bishop.
+/// A ridge of two slopes: 45 degrees of weak soil on the left, and on the right the slope of 2 to 1 of
+/// Bishop.
 inline Spec ridge(double cell_size) {
   const BishopSlope right{2.0, 20.0, 0.05, 20e3, false, cell_size, 1.383};
   Spec spec = spec_of(right);

@@ -1,4 +1,5 @@
-// Factors of safety that are known (known_safety.hpp): each model stands 5 % below its factor and fails 5 % above.
+// Factors of safety that are known (known_safety.hpp): each model stands 5 % below its factor and fails 5 %
+// above.
 
 #include "mpm_domain/gravity/held_soil.hpp"
 #include "mpm_domain/gravity/strength_reduction.hpp"
@@ -20,8 +21,10 @@ bool stands_with(const Spec& spec, double factor) {
 }
 
 void expect_factor(const std::string& what, const Spec& spec, double factor, double tolerance = 0.05) {
-  test_support::exactly(what + " stands just below its factor", stands_with(spec, (1.0 - tolerance) * factor), true);
-  test_support::exactly(what + " stands just above its factor", stands_with(spec, (1.0 + tolerance) * factor), false);
+  test_support::exactly(what + " stands just below its factor", stands_with(spec, (1.0 - tolerance) * factor),
+                        true);
+  test_support::exactly(what + " stands just above its factor", stands_with(spec, (1.0 + tolerance) * factor),
+                        false);
 }
 
 class Bishop : public testing::TestWithParam<BishopSlope> {};
