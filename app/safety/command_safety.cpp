@@ -64,7 +64,7 @@ scene::Case case_of(const Options& options) {
         fmt::format("{}: a factor of safety is that of soil under its weight: the case needs a [[stage]] of "
                     "kind = \"gravity\"",
                     options.case_file));
-  return options.stage.empty() ? scene : at_end_of(scene, options.stage);
+  return scene;
 }
 
 void require_in_soil(const mpm_domain::Spec& spec, const char* option, Vector point) {
@@ -100,10 +100,9 @@ mpm_domain::Spec spec_of(const Options& options, const scene::Case& scene) {
 }
 
 /// Says what the trials are made with.
-void announce(const scene::Case& scene, const mpm_domain::Spec& spec, const std::optional<Ends>& ends) {
+void announce(const std::string& stage, const mpm_domain::Spec& spec, const std::optional<Ends>& ends) {
   const auto soils = mpm_domain::reducible_soils(spec);
-  fmt::print("factor of safety at the end of stage '{}'\n",
-             scene.loads.empty() ? scene.gravity->name : scene.loads.back().name);
+  fmt::print("factor of safety at the end of stage '{}'\n", stage);
   fmt::print("strength divided by F: {}\n", fmt::join(soils.reduced, ", "));
   if (ends)
     fmt::print("only soil between x = {:g} and {:g} m may fail\n", std::min(ends->from.x, ends->to.x),
@@ -193,10 +192,11 @@ void write(const Options& options, const std::vector<mpm_domain::StrengthTrial>&
 
 void find(const Options& options) {
   const auto scene = case_of(options);
-  const auto spec = spec_of(options, scene);
+  const std::string stage = options.stage.empty() ? last_static_stage(scene) : options.stage;
+  const auto spec = spec_of(options, at_end_of(scene, stage));
   if (!options.out.empty())
     require_place(options);
-  announce(scene, spec, ends_of(options));
+  announce(stage, spec, ends_of(options));
   std::vector<mpm_domain::StrengthTrial> trials;
   const auto progress = [&](const mpm_domain::StrengthTrial& trial) {
     trials.push_back(trial);
@@ -237,8 +237,7 @@ void add_safety(Command& app) {
       ->required();
   command->add_option(
       "--stage", options->stage,
-      "Stage at whose end, by its name: gravity or a load; the loads up to it act (default: the "
-      "last of them)");
+      "Stage at whose end, by its name: gravity, a construction or a load (default: the last of them)");
   auto* from = command
                    ->add_option("--from", options->from,
                                 "X,Y, m: only soil between this point and --to may fail; a negative X is "

@@ -9,43 +9,54 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace tremolo::app {
 
 namespace {
 
-/// Whether a stage ends with the ground at rest.
-bool is_static(const scene::PlannedStage& stage) {
-  return stage.kind == "gravity" || stage.kind == "load";
+std::string_view name_of(const scene::BeforeShaking& stage) {
+  return std::visit([](const auto* one) -> std::string_view { return one->name; }, stage);
 }
 
-std::vector<std::string_view> names_of(const std::vector<scene::PlannedStage>& stages) {
-  std::vector<std::string_view> names;
-  names.reserve(stages.size());
-  for (const scene::PlannedStage& stage : stages)
-    names.push_back(stage.name);
-  return names;
+/// Why a name is none of a static stage.
+std::string refusal(const scene::Case& scene, const std::string& stage,
+                    const std::vector<std::string_view>& names) {
+  const auto all = scene::stages(scene);
+  const auto moving = std::ranges::find(all, stage, &scene::PlannedStage::name);
+  if (moving == all.end())
+    return fmt::format("--stage {}: no stage has this name, {}", stage, scene::suggestion(stage, names));
+  return fmt::format("--stage {}: the ground is not at rest in a stage of kind '{}'; possible are {}", stage,
+                     moving->kind, fmt::join(names, ", "));
 }
 
 } // namespace
 
-scene::Case at_end_of(scene::Case scene, const std::string& stage) {
-  const auto all = scene::stages(scene);
-  std::vector<scene::PlannedStage> possible = all;
-  std::erase_if(possible, [](const scene::PlannedStage& one) { return !is_static(one); });
-  const auto names = names_of(possible);
-  if (std::ranges::find(names, stage) == names.end()) {
-    if (const auto moving = std::ranges::find(all, stage, &scene::PlannedStage::name); moving != all.end())
-      throw std::invalid_argument(
-          fmt::format("--stage {}: the ground is not at rest in a stage of kind '{}'; possible are {}", stage,
-                      moving->kind, fmt::join(names, ", ")));
-    throw std::invalid_argument(
-        fmt::format("--stage {}: no stage has this name, {}", stage, scene::suggestion(stage, names)));
-  }
-  const auto later = std::ranges::find(scene.loads, stage, &scene::LoadStage::name);
-  scene.loads.erase(later == scene.loads.end() ? scene.loads.begin() : std::next(later), scene.loads.end());
-  return scene;
+scene::Case at_end_of(const scene::Case& scene, const std::string& stage) {
+  const std::vector<scene::BeforeShaking> stages = scene::static_stages(scene);
+  std::vector<std::string_view> names{scene.gravity->name};
+  std::ranges::transform(stages, std::back_inserter(names), name_of);
+  const auto named = std::ranges::find(names, stage);
+  if (named == names.end())
+    throw std::invalid_argument(refusal(scene, stage, names));
+  scene::Case then = scene;
+  const auto later = stages.begin() + (named - names.begin());
+  const auto change = std::find_if(later, stages.end(), [](const scene::BeforeShaking& one) {
+    return std::holds_alternative<const scene::ConstructionStage*>(one);
+  });
+  if (change != stages.end())
+    then = scene::before_construction(scene, *std::get<const scene::ConstructionStage*>(*change));
+  const auto loads = std::count_if(stages.begin(), later, [](const scene::BeforeShaking& one) {
+    return std::holds_alternative<const scene::LoadStage*>(one);
+  });
+  then.loads.resize(static_cast<std::size_t>(loads));
+  return then;
+}
+
+std::string last_static_stage(const scene::Case& scene) {
+  const auto stages = scene::static_stages(scene);
+  return stages.empty() ? scene.gravity->name : std::string(name_of(stages.back()));
 }
 
 } // namespace tremolo::app

@@ -38,6 +38,28 @@ TEST(StaticStage, HasTheLoadsUpToIt) {
   EXPECT_THAT(loads_at_end_of("crane"), ElementsAre("hall", "crane"));
 }
 
+std::vector<std::size_t> standing_at_end_of(const scene::Case& scene, const std::string& stage) {
+  const scene::Case then = at_end_of(scene, stage);
+  return {then.regions.size(), then.loads.size()};
+}
+
+TEST(StaticStage, HasWhatStandsAtItsEnd) {
+  const std::string fill = "[[region]]\nname = \"fill\"\nsoil = \"sand\"\n"
+                           "polygon = [[8.0, 0.0], [12.0, 0.0], [12.0, 1.0], [8.0, 1.0]]\n";
+  const std::string load = "[[stage]]\nkind = \"load\"\npressure_pa = 50e3\n";
+  std::string text = tremolo::testing::with(
+      "[[stage]]", fill + "[[stage]]\nkind = \"gravity\"\n" + load + "name = \"hall\"\nx_m = [2.0, 4.0]\n" +
+                       "[[stage]]\nkind = \"construction\"\nplace = [\"fill\"]\n" + load +
+                       "name = \"crane\"\nx_m = [9.0, 11.0]\n[[stage]]");
+  text = tremolo::testing::with("box = [0.0, -10.0, 20.0, 0.0]", "box = [0.0, -10.0, 20.0, 1.0]", text);
+  const scene::Case scene = scene::parse(text, "case.toml", ".");
+  EXPECT_THAT(standing_at_end_of(scene, "gravity"), ElementsAre(1u, 0u));
+  EXPECT_THAT(standing_at_end_of(scene, "hall"), ElementsAre(1u, 1u));
+  EXPECT_THAT(standing_at_end_of(scene, "construction"), ElementsAre(2u, 1u));
+  EXPECT_THAT(standing_at_end_of(scene, "crane"), ElementsAre(2u, 2u));
+  EXPECT_EQ(last_static_stage(scene), "crane");
+}
+
 TEST(StaticStage, IsNoneInWhichTheGroundMoves) {
   EXPECT_THAT(
       [] { at_end_of(in_stages(), "shaking"); },
