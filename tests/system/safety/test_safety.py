@@ -15,6 +15,7 @@ from pathlib import Path
 SOURCE = Path(sys.argv.pop())
 TREMOLO = sys.argv.pop()
 CASE = SOURCE / "cases" / "static_slope" / "case.toml"
+BLOCK = SOURCE / "cases" / "block_on_slope" / "case.toml"
 PUBLISHED = 1.4
 
 
@@ -30,8 +31,8 @@ class Safety(unittest.TestCase):
     def tearDown(self):
         self.folder.cleanup()
 
-    def changed(self, *changes):
-        text = CASE.read_text()
+    def changed(self, *changes, case=CASE):
+        text = case.read_text()
         for old, new in changes:
             self.assertIn(old, text)
             text = text.replace(old, new)
@@ -101,6 +102,16 @@ class Safety(unittest.TestCase):
         done = safety(case, "--from", "10,0", "--to", "40,30")
         self.assertEqual(done.returncode, 2)
         self.assertIn("--to 40,30: the nearest soil is", done.stderr)
+
+    def test_a_structure_that_slides_is_named(self):
+        # The slope has 20 degrees, whose tangent is 0.364; its rock is strong.
+        rock = ('model = "linear_elastic"', 'model = "mohr_coulomb"\ncohesion_peak = 1e6\ncohesion_residual = 1e6\n'
+                'friction_peak_deg = 30.0\nfriction_residual_deg = 30.0\nsoftening = 0.0')
+        done = safety(self.changed(rock, case=BLOCK), "--floor", "1.5")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("soil and friction do not hold block", done.stdout)
+        done = safety(self.changed(rock, ("friction = 0.3", "friction = 0.5"), case=BLOCK), "--floor", "1.5")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_what_has_no_factor(self):
         elastic = self.changed(
