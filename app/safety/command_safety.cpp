@@ -238,12 +238,10 @@ void add_safety(Command& app) {
   command->add_option(
       "--stage", options->stage,
       "Stage at whose end, by its name: gravity, a construction or a load (default: the last of them)");
-  auto* from = command
-                   ->add_option("--from", options->from,
-                                "X,Y, m: only soil between this point and --to may fail; a negative X is "
-                                "written --from=-3,2")
-                   ->expected(2)
-                   ->delimiter(',');
+  auto* from =
+      command->add_option("--from", options->from, "X,Y, m: only soil between this point and --to may fail")
+          ->expected(2)
+          ->delimiter(',');
   auto* to = command->add_option("--to", options->to, "X,Y, m: the other end")->expected(2)->delimiter(',');
   from->needs(to);
   to->needs(from);

@@ -73,7 +73,7 @@ class Safety(unittest.TestCase):
         self.assertTrue((self.path / "out" / "mechanism.png").exists())
 
     def test_stages_have_factors_of_their_own(self):
-        load = '\n[[stage]]\nkind = "load"\nname = "hall"\nx_m = [46.0, 52.0]\npressure_pa = 150e3\n'
+        load = '\n[[stage]]\nkind = "load"\nname = "hall"\nx_m = [46.0, 52.0]\npressure_pa = 400e3\n'
         case = self.changed(("size = 1.0", "size = 2.5"), ("residual = 1e-4\n", "residual = 1e-4\n" + load))
         bare = safety(case, "--stage", "gravity", "--floor", "1.2")
         self.assertEqual(bare.returncode, 0, bare.stdout + bare.stderr)
