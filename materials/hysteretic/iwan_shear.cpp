@@ -45,6 +45,12 @@ LinearElastic without_softening(const IwanShear& law) {
   return {law.elastic};
 }
 
+std::optional<DruckerPrager> with_reduced_strength(const IwanShear& law, double factor) {
+  if (!law.strength)
+    return std::nullopt;
+  return frictionless(law.elastic, *law.strength / factor);
+}
+
 void update(const IwanShear& law, const Points& points) {
   update(law.elastic, law.elements, law.loops, points);
 }

@@ -20,8 +20,10 @@
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
 #include "materials/law/traits.hpp"
+#include "materials/plastic/drucker_prager.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +34,7 @@ struct IwanShear {
   Elasticity elastic;                ///< at small strain; its shear modulus is the sum of the elements'
   std::vector<IwanElement> elements; ///< in order of growing yield strain
   LoopReduction loops = {};          ///< what unloading keeps of their damping
+  std::optional<double> strength = std::nullopt; ///< largest shear stress, if one was given, Pa
 };
 
 /// How finely and how far the elements follow the backbone.
@@ -59,6 +62,10 @@ std::span<const StateVariable> state_variables(const IwanShear& law);
 
 /// The elastic soil to make an initial stress with: strain is measured from the initial state.
 LinearElastic without_softening(const IwanShear& law);
+
+/// The soil at its strength over F, static shear included, to which it is elastic; nothing where its backbone
+/// was given no strength: what a modulus curve implies at large strain is none.
+std::optional<DruckerPrager> with_reduced_strength(const IwanShear& law, double factor);
 
 /// Advances stress, element stresses and plastic work of all points by one step.
 void update(const IwanShear& law, const Points& points);

@@ -194,6 +194,10 @@ LinearElastic without_softening(const MultiYieldClay& law) {
   return {law.elastic};
 }
 
+std::optional<DruckerPrager> with_reduced_strength(const MultiYieldClay& law, double factor) {
+  return frictionless(law.elastic, law.undrained_strength / factor);
+}
+
 void update(const MultiYieldClay& law, const Points& points) {
   update(law.elastic, law.elements, {}, points);
 }

@@ -26,8 +26,10 @@
 #include "materials/law/state_variable.hpp"
 #include "materials/law/strength_line.hpp"
 #include "materials/law/traits.hpp"
+#include "materials/plastic/drucker_prager.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -70,6 +72,9 @@ std::vector<StrengthLine> strength_lines(const MultiYieldClay& law);
 
 /// The elastic soil to make an initial stress with: memory begins with that stress.
 LinearElastic without_softening(const MultiYieldClay& law);
+
+/// The clay at its strength s_u/F, to which it is elastic: a limit load does not depend on the curve.
+std::optional<DruckerPrager> with_reduced_strength(const MultiYieldClay& law, double factor);
 
 /// Spreads the deviatoric stress over the elements as monotonic loading does; a stress beyond the strength is
 /// scaled back to it.

@@ -72,8 +72,9 @@ std::vector<ParameterValue> parameters(const Law& law);
 /// pressure; itself if it does not soften.
 Law without_softening(const Law& law);
 
-/// The law with its strength divided by a factor, c/F and tan(phi)/F, as a factor of safety wants it; nothing
-/// for laws that carry any load at rest.
+/// The soil with its strength divided by a factor, c/F and tan(phi)/F or s_u/F, as a factor of safety wants
+/// it: the law itself, or for laws that carry any load at rest another one of its strength; nothing for soil
+/// without a strength.
 /// @param factor  F, 1, > 0
 std::optional<Law> with_reduced_strength(const Law& law, double factor);
 

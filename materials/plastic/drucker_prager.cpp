@@ -148,6 +148,10 @@ std::optional<DruckerPrager> with_reduced_strength(DruckerPrager law, double fac
   return law;
 }
 
+DruckerPrager frictionless(const Elasticity& elastic, double strength) {
+  return {.elastic = elastic, .cohesion = strength};
+}
+
 void validate(const DruckerPrager& law) {
   constexpr double steepest = 89.0 * std::numbers::pi / 180.0;
   check(law.elastic);

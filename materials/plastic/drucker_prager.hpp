@@ -54,6 +54,11 @@ struct DruckerPrager {
 /// @param factor  F, 1, > 0
 std::optional<DruckerPrager> with_reduced_strength(DruckerPrager law, double factor);
 
+/// Clay that yields at its undrained strength whatever the pressure: a cone without friction, which in plane
+/// strain is von Mises' and Tresca's criterion alike.
+/// @param strength  s_u, Pa
+DruckerPrager frictionless(const Elasticity& elastic, double strength);
+
 /// The constants of the cone.
 struct Cone {
   double slope = 0.0;     ///< eta, 1

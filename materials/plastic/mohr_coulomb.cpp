@@ -227,6 +227,10 @@ std::optional<MohrCoulomb> with_reduced_strength(MohrCoulomb law, double factor)
   return law;
 }
 
+MohrCoulomb cohesionless(const Elasticity& elastic, double friction) {
+  return {.elastic = elastic, .friction_peak = friction, .friction_residual = friction};
+}
+
 MohrCoulomb for_cell_size(MohrCoulomb law, double cell_size, double reference_size) {
   check_positive("cell size", cell_size);
   check_positive("reference size", reference_size);

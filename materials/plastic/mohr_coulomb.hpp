@@ -67,6 +67,10 @@ MohrCoulomb without_softening(MohrCoulomb law);
 /// @param factor  F, 1, > 0
 std::optional<MohrCoulomb> with_reduced_strength(MohrCoulomb law, double factor);
 
+/// Sand without cohesion and dilation.
+/// @param friction  rad
+MohrCoulomb cohesionless(const Elasticity& elastic, double friction);
+
 /// The same soil with eta scaled for cells of another size than it was calibrated with: a shear band is about
 /// one cell wide, so eta(h) = eta h / h_ref keeps shear strength against displacement across the band, and
 /// with it the dissipated energy, independent of h.

@@ -91,8 +91,10 @@ public:
 
   /// A step of relaxation, after that of the grid: v+ = keep v + gain f/m.
   /// @param bonded  soil and bodies stick together, whatever that takes
+  /// @param left_out  nodes that do not count, one entry a node
   /// @returns sum of squares of the unbalanced forces of contact nodes and bodies, (N/m)^2
-  double relax(Ground& ground, double keep, double gain, bool bonded);
+  double relax(Ground& ground, double keep, double gain, bool bonded,
+               std::span<const unsigned char> left_out);
   void end_rest();
 
   /// What a checkpoint keeps (state.hpp).

@@ -13,7 +13,8 @@ void Contact::begin_rest(Ground& ground) {
   corners_.clear(); // bodies at rest hold on to the soil alone
 }
 
-double Contact::relax(Ground& ground, double keep, double gain, bool bonded) {
+double Contact::relax(Ground& ground, double keep, double gain, bool bonded,
+                      std::span<const unsigned char> left_out) {
   Grid& grid = ground.grid;
   for (ContactNodes& nodes : nodes_) {
     if (!bonded)
@@ -31,7 +32,8 @@ double Contact::relax(Ground& ground, double keep, double gain, bool bonded) {
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (const ContactNode& c : nodes(b)) {
-      if (std::ranges::any_of(std::span(nodes_).first(b),
+      if (left_out[c.node] ||
+          std::ranges::any_of(std::span(nodes_).first(b),
                               [&](const ContactNodes& earlier) { return earlier.has(c.node); }))
         continue; // counted already
       const double inertia = c.mass / gain;

@@ -130,7 +130,8 @@ public:
     set_rest_stress(model_->sets_of_soil(), model_->spec);
     relaxation_.emplace(*model_);
     act_with_loads(0);
-    const Course course{.bonded = true, .time = settings.max_time, .residual = settings.residual};
+    const Course course{
+        .bonded = true, .time = settings.max_time, .residual = settings.residual, .skin = settings.skin};
     const Relaxed rest = run(course, "the gravity stage did not come to rest",
                              "the slope may not be stable under its weight, which tremolo safety finds out");
     end_bonds(course, rest);

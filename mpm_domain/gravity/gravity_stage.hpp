@@ -66,6 +66,8 @@ struct Reactions {
 struct GravitySettings {
   double residual = 1e-9; ///< unbalanced over applied force
   double max_time = 60.0; ///< s of relaxation after which the stage gives up
+  /// Unbalanced forces less deep than this below the surface do not count, in cells.
+  double skin = 0.0;
 };
 
 /// How a stage after gravity goes.

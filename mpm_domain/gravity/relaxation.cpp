@@ -1,6 +1,7 @@
 #include "mpm_domain/gravity/relaxation.hpp"
 
 #include "mpm_domain/dispersion/fullness.hpp"
+#include "mpm_domain/gravity/surface_line.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/spec/held_nodes.hpp"
 #include "mpm_domain/step/time_step.hpp"
@@ -59,7 +60,7 @@ Relaxation::Relaxation(Domain& domain) : domain_(domain) {
 
 void Relaxation::find_supports() {
   const std::vector<unsigned char> none(domain_.grid.size(), 0);
-  supports_ = {none, none, none, none};
+  supports_ = {none, none, none, none, none};
   for (std::size_t b = 0; b < domain_.contact.bodies().size(); ++b)
     for (const ContactNode& contact : domain_.contact.nodes(b)) {
       supports_.met[contact.node] = 1;
@@ -84,6 +85,23 @@ void Relaxation::find_supports(const Lattice& lattice) {
       if (hold != Hold::none)
         (hold == Hold::all ? held_by_.base : held_by_.sides).push_back(n);
     }
+}
+
+void Relaxation::find_skin(double cells) {
+  double widest = 0.0;
+  for (const Particles& set : domain_.sets_of_soil())
+    widest = std::max(widest, 2.0 * set.half_size);
+  SurfaceLine surface(widest);
+  for (const Particles& set : domain_.sets_of_soil())
+    for (std::size_t k = 0; k < set.size(); ++k)
+      surface.add({set.x[k], set.y[k]}, 2.0 * set.half_size);
+  for (int level = 0; level < domain_.lattice_count(); ++level) {
+    const Lattice& lattice = domain_.lattice(level);
+    for (int j = 0; j < lattice.ny; ++j)
+      for (int i = 0; i < lattice.nx; ++i)
+        supports_.skin[lattice.index(i, j)] =
+            lattice.y0 + j * lattice.h > surface.at(lattice.x0 + i * lattice.h) - cells * lattice.h;
+  }
 }
 
 void Relaxation::find_soil_forces() {
@@ -123,12 +141,12 @@ double Relaxation::relax_grid(bool bonded) {
     const double fy = supports_.fixed_y[n] ? 0.0 : grid.force_y[n];
     grid.vx_after[n] = supports_.fixed_x[n] ? 0.0 : keep * v.x + gain * fx / m;
     grid.vy_after[n] = supports_.fixed_y[n] ? 0.0 : keep * v.y + gain * fy / m;
-    if (!supports_.met[n])
+    if (!supports_.met[n] && !supports_.skin[n])
       unbalanced += fx * fx + fy * fy;
     applied += m * m * domain_.spec.gravity * domain_.spec.gravity;
   }
   if (domain_.contact.any())
-    unbalanced += domain_.contact.relax(domain_, keep, gain, bonded);
+    unbalanced += domain_.contact.relax(domain_, keep, gain, bonded, supports_.skin);
   return std::sqrt(unbalanced / applied);
 }
 
@@ -159,6 +177,8 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
     scatter_mixture(domain_, domain_.soil_rows, domain_.soil_ties);
     scatter(domain_, ScatterPart::motion);
   }
+  if (course.skin > 0.0)
+    find_skin(course.skin);
   double share = course.ramp > 0.0 ? 0.0 : 1.0;
   for (long step = 0;; ++step) {
     const double passed = static_cast<double>(step) * dt_;

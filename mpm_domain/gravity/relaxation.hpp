@@ -28,7 +28,8 @@ struct Course {
   std::function<void(double share)> grow = {}; ///< brings what grows to a share s of its size
   double time = 0.0;                           ///< s within which all must rest, the ramp included
   double residual = 1e-9;                      ///< unbalanced over applied force of a domain at rest
-  long first = 0;                              ///< number of the first step, for reports
+  double skin = 0.0; ///< unbalanced forces less deep than this below the surface do not count, in cells
+  long first = 0;    ///< number of the first step, for reports
 };
 
 /// Where a relaxation has ended.
@@ -71,11 +72,13 @@ private:
   /// Which directions of a node are fixed, and which nodes carry soil.
   struct Supports {
     std::vector<unsigned char> fixed_x, fixed_y, full;
-    std::vector<unsigned char> met; ///< nodes that structures touch
+    std::vector<unsigned char> met;  ///< nodes that structures touch
+    std::vector<unsigned char> skin; ///< nodes whose unbalanced force does not count
   };
 
   void find_supports();
   void find_supports(const Lattice& lattice);
+  void find_skin(double cells);
   void find_soil_forces();
   void add_held(double share);
   double relax_grid(bool bonded);

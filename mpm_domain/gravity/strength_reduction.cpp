@@ -2,12 +2,7 @@
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -20,9 +15,10 @@ constexpr double rest_residual = 1e-4;
 /// Periods of a layer of the model's depth after which one that still moves has failed.
 constexpr double patience = 60.0;
 
+/// Depth of the skin of which trials say that it ravels, in cells.
+constexpr double skin = 2.0;
+
 constexpr double bracket_step = 1.25;
-constexpr double least_factor = 0.1;
-constexpr double largest_factor = 10.0;
 
 Spec with_factor(Spec spec, double factor) {
   for (Soil& soil : spec.soils) {
@@ -40,35 +36,67 @@ double layer_period(const Spec& spec) {
   return 4.0 * (spec.box.y_max - spec.box.y_min) / slowest;
 }
 
-/// The place of the equivalent plastic strain in a law's state, or nothing.
-std::optional<std::size_t> plastic_strain_place(const materials::Law& law) {
-  const auto variables = materials::state_variables(law);
-  const auto found =
-      std::ranges::find(variables, "equivalent_plastic_strain", &materials::StateVariable::name);
-  if (found == variables.end())
-    return std::nullopt;
-  return static_cast<std::size_t>(found - variables.begin());
-}
-
-/// How the soil of a domain moves whose gravity stage has found no rest.
-std::vector<MovingPoint> mechanism_of(Domain& domain) {
-  take_velocities_of_nodes(domain);
-  std::vector<MovingPoint> points;
-  double fastest = 0.0;
-  for (const Particles& set : domain.sets_of_soil()) {
-    const auto strain = plastic_strain_place(set.law);
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      points.push_back({{set.x[k], set.y[k]},
-                        2.0 * set.half_size,
-                        {set.vx[k], set.vy[k]},
-                        strain ? set.state[k * set.state_size + *strain] : 0.0});
-      fastest = std::max(fastest, std::hypot(set.vx[k], set.vy[k]));
-    }
+/// Trials of a model, and what they have said so far.
+class Trials {
+public:
+  Trials(const Spec& spec, const TrialProgress& progress)
+      : spec_(spec), progress_(progress), time_(patience * layer_period(spec)) {
+    if (reducible_soils(spec).reduced.empty())
+      throw std::invalid_argument("no soil of this model has a strength to be divided by a factor");
   }
-  for (MovingPoint& point : points)
-    point.velocity = {point.velocity.x / fastest, point.velocity.y / fastest};
-  return points;
-}
+
+  void make(double factor) {
+    StrengthTrial trial{.factor = factor};
+    auto failure = relax(trial, 0.0);
+    if (is_skin(failure.soil)) {
+      failure = relax(trial, skin);
+      trial.ravels = trial.stands;
+    }
+    if (!trial.stands) {
+      found_.mechanism = failure.soil;
+      found_.structures = failure.structures;
+    }
+    (trial.stands ? found_.stands : found_.fails) = factor;
+    progress_(trial);
+  }
+  const FactorOfSafety& found() const { return found_; }
+
+private:
+  /// What moves in a trial that fails.
+  struct Failure {
+    std::vector<MovingPoint> soil;
+    std::vector<std::string> structures;
+  };
+
+  /// @param left_out  depth of the skin that does not count, in cells
+  Failure relax(StrengthTrial& trial, double left_out) const {
+    Domain domain(with_factor(spec_, trial.factor));
+    Failure failure;
+    try {
+      const Reactions reactions =
+          relax_under_gravity(domain, {.residual = rest_residual, .max_time = time_, .skin = left_out},
+                              [&](long, double residual) { trial.residual = residual; });
+      trial.stands = !reactions.slipping;
+      for (const std::size_t body : reactions.slipping_bodies)
+        failure.structures.push_back(domain.contact.bodies()[body].name());
+    } catch (const NotAtRest&) {
+      trial.stands = false;
+    }
+    if (!trial.stands)
+      failure.soil = mechanism_of(domain);
+    return failure;
+  }
+
+  bool is_skin(const std::vector<MovingPoint>& mechanism) const {
+    const auto extent = extent_of(mechanism);
+    return extent && extent->rows <= skin * spec_.particles_per_cell;
+  }
+
+  const Spec& spec_;
+  const TrialProgress& progress_;
+  double time_; ///< after which one that still moves has failed, s
+  FactorOfSafety found_;
+};
 
 } // namespace
 
@@ -79,48 +107,30 @@ ReducibleSoils reducible_soils(const Spec& spec) {
     if (names.empty() || names.back() != soil.name) // slices of one soil have its name
       names.push_back(soil.name);
   }
+  // Of a model of which only a part may fail, soils stand there twice (held_soil.hpp).
+  std::erase_if(soils.kept, [&](const std::string& name) {
+    return std::ranges::find(soils.reduced, name) != soils.reduced.end();
+  });
   return soils;
 }
 
 FactorOfSafety factor_of_safety(const Spec& spec, double tolerance, const TrialProgress& progress) {
-  if (reducible_soils(spec).reduced.empty())
-    throw std::invalid_argument(
-        "no soil of this model has a cohesion and a friction angle to be divided by a factor");
-  const double time = patience * layer_period(spec);
-  FactorOfSafety safety{.stands = 0.0, .fails = 0.0, .mechanism = {}};
-  const auto stands = [&](double factor) {
-    StrengthTrial trial{.factor = factor};
-    const auto note = [&](long, double residual) { trial.residual = residual; };
-    Domain domain(with_factor(spec, factor));
-    try {
-      trial.stands =
-          !relax_under_gravity(domain, {.residual = rest_residual, .max_time = time}, note).slipping;
-    } catch (const NotAtRest&) {
-      trial.stands = false;
-    }
-    if (!trial.stands)
-      safety.mechanism = mechanism_of(domain);
-    (trial.stands ? safety.stands : safety.fails) = factor;
-    progress(trial);
-    return trial.stands;
-  };
-  double factor = 1.0;
-  if (stands(factor))
-    while (stands(factor *= bracket_step))
-      if (factor >= largest_factor)
-        throw std::runtime_error(
-            fmt::format("the model carries its weight with its strength divided by {:.3g}: "
-                        "its soil does not fail, allowed are factors from {} to {}",
-                        factor, least_factor, largest_factor));
-  while (safety.stands == 0.0)
-    if (!stands(factor /= bracket_step) && factor <= least_factor)
-      throw std::runtime_error(
-          fmt::format("the model fails with its strength multiplied by {:.3g}: it is not the "
-                      "strength that is missing, allowed are factors from {} to {}",
-                      1.0 / factor, least_factor, largest_factor));
-  while (safety.fails > (1.0 + tolerance) * safety.stands)
-    stands(0.5 * (safety.stands + safety.fails));
-  return safety;
+  Trials trials(spec, progress);
+  const FactorOfSafety& found = trials.found();
+  trials.make(1.0);
+  while (!found.fails && *found.stands < largest_factor)
+    trials.make(std::min(*found.stands * bracket_step, largest_factor));
+  while (!found.stands && *found.fails > least_factor)
+    trials.make(std::max(*found.fails / bracket_step, least_factor));
+  while (found.stands && found.fails && *found.fails > (1.0 + tolerance) * *found.stands)
+    trials.make(0.5 * (*found.stands + *found.fails));
+  return found;
+}
+
+FactorOfSafety try_factor(const Spec& spec, double factor, const TrialProgress& progress) {
+  Trials trials(spec, progress);
+  trials.make(factor);
+  return trials.found();
 }
 
 } // namespace tremolo::mpm_domain

@@ -114,14 +114,20 @@ def point(text):
     return x, y
 
 
-def failure_times(arguments):
-    """Yields a line a run: when its slope failed."""
+def ends_of(arguments):
+    """The points --from and --to (m), or None without them."""
     ends = (getattr(arguments, "from"), arguments.to)
     if (ends[0] is None) != (ends[1] is None):
         raise ValueError("--from and --to are the two ends of one band: give both, or neither")
+    return None if ends[0] is None else ends
+
+
+def failure_times(arguments):
+    """Yields a line a run: when its slope failed."""
+    ends = ends_of(arguments)
     for path in arguments.runs:
         run = Run(path)
-        time = failure.failure_time(run, arguments.strain, None if ends[0] is None else ends)
+        time = failure.failure_time(run, arguments.strain, ends)
         when = f"fails at {time:.2f} s" if time is not None else f"has not failed by {run.times[-1]:.2f} s"
         yield f"{run.path.parent}: {run.attribute('angle_deg'):g} degrees, {when}"
 
@@ -158,7 +164,7 @@ def cost_picture(arguments):
 
 
 def safety_picture(arguments):
-    yield mechanism.picture(Path(arguments.path))
+    yield mechanism.picture(Path(arguments.path), ends_of(arguments) or ())
 
 
 def sweep_runs(arguments):
@@ -257,6 +263,8 @@ def _parser():
     costly.add_argument("path", help="the folder that `tremolo cost` wrote")
     safe = add("safety-picture", safety_picture, "The soil that fails in a strength reduction.")
     safe.add_argument("path", help="the folder that `tremolo safety` wrote")
+    safe.add_argument("--from", type=point, metavar="X,Y", help="one end of the soil that may fail, m")
+    safe.add_argument("--to", type=point, metavar="X,Y", help="the other end")
     verified = add("verify-picture", verify_picture, "Picture of a verification: error map and histories.")
     verified.add_argument("path", help="verify.json, or its folder")
     shaken = add("motion-picture", motion_picture, "Picture of a motion, from the tables of `tremolo motion`.")

@@ -22,6 +22,7 @@
 #include "materials/law/state_variable.hpp"
 #include "materials/law/strength_line.hpp"
 #include "materials/law/traits.hpp"
+#include "materials/plastic/mohr_coulomb.hpp"
 
 #include <array>
 #include <cstddef>
@@ -127,6 +128,10 @@ std::vector<StrengthLine> strength_lines(const Pdmy03& law);
 
 /// The elastic soil to make an initial stress with: stiffness and memory begin with that stress.
 LinearElastic without_softening(const Pdmy03& law);
+
+/// Drained sand of its friction angle, whatever the cone, tan(phi)/F without cohesion and dilation, to which
+/// it is elastic.
+std::optional<MohrCoulomb> with_reduced_strength(const Pdmy03& law, double factor);
 
 /// Relative density of the recommended set, 1; nothing where no set was asked for.
 std::optional<double> relative_density(const Pdmy03& law);

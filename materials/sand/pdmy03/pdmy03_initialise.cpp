@@ -37,6 +37,10 @@ LinearElastic without_softening(const Pdmy03& law) {
   return {law.elastic};
 }
 
+std::optional<MohrCoulomb> with_reduced_strength(const Pdmy03& law, double factor) {
+  return with_reduced_strength(cohesionless(law.elastic, law.friction), factor);
+}
+
 void initialise(const Pdmy03& law, const Points& points) {
   const std::size_t size = pdmy03_state_size(law.surfaces);
   const YieldCone failure = {law.ratio[law.surfaces], {}};

@@ -113,6 +113,10 @@ LinearElastic without_softening(const Pm4Sand& law) {
   return {law.elastic};
 }
 
+std::optional<MohrCoulomb> with_reduced_strength(const Pm4Sand& law, double factor) {
+  return with_reduced_strength(cohesionless(law.elastic, law.phi_cv), factor);
+}
+
 std::span<const StateVariable> state_variables(const Pm4Sand& /*law*/) {
   static constexpr std::array<StateVariable, pm4::state_size> table = {{
       {"angle", "rad", "by which the axes of the material have turned", 0.0},

@@ -25,6 +25,7 @@
 #include "materials/law/state_variable.hpp"
 #include "materials/law/strength_line.hpp"
 #include "materials/law/traits.hpp"
+#include "materials/plastic/mohr_coulomb.hpp"
 
 #include <bitset>
 #include <cstddef>
@@ -130,6 +131,9 @@ std::vector<StrengthLine> strength_lines(const Pm4Sand& law);
 
 /// The elastic soil to make an initial stress with: stiffness and memory begin with that stress.
 LinearElastic without_softening(const Pm4Sand& law);
+
+/// Drained sand at its critical state, tan(phi_cv)/F without cohesion and dilation, to which it is elastic.
+std::optional<MohrCoulomb> with_reduced_strength(const Pm4Sand& law, double factor);
 
 std::optional<double> relative_density(const Pm4Sand& law);
 

@@ -21,29 +21,40 @@ def _spread(position, count):
     return order[first]
 
 
-def picture(folder):
-    """Draws mechanism.png beside mechanism.csv and returns its path."""
+def _title(trials):
+    stands, fails = (trials["factor"][trials["stands"] == side] for side in (1, 0))
+    answer = f"factor of safety {stands.max():.3g}" if len(stands) else f"factor of safety below {fails.min():.3g}"
+    return f"{answer}: velocity of the soil where it is {fails.min():.4g}"
+
+
+def picture(folder, ends=()):
+    """Draws mechanism.png beside mechanism.csv, with the verticals through the points (m) between which soil may fail, and
+    returns its path."""
     table = np.genfromtxt(folder / "mechanism.csv", delimiter=",", names=True)
     trials = np.atleast_1d(np.genfromtxt(folder / "safety.csv", delimiter=",", names=True))
-    stands = trials["factor"][trials["stands"] == 1].max()
-    fails = trials["factor"][trials["stands"] == 0].min()
     position = np.column_stack([table["x_m"], table["y_m"]])
     velocity = np.column_stack([table["vx_over_fastest"], table["vy_over_fastest"]])
     strain = table["equivalent_plastic_strain"]
+    values, label = strain, "equivalent plastic strain (1)"
+    if not strain.any():  # it is a structure that moves, and the soil with it
+        values, label = np.hypot(*velocity.T), "velocity over the fastest (1)"
     margin = 0.02 * np.ptp(position[:, 0])
     bounds = (*(position.min(axis=0) - margin), *(position.max(axis=0) + margin))
     figure, axes = style.map_axes(bounds, 1, 1)
     ax = axes[0, 0]
-    top = float(np.percentile(strain, 99.0)) or 1.0
+    top = float(np.percentile(values, 99.0)) or 1.0
     scale = Normalize(0.0, top)
-    figure.colorbar(ScalarMappable(scale, style.SEQUENTIAL), ax=ax, label="equivalent plastic strain (1)", extend="max",
+    figure.colorbar(ScalarMappable(scale, style.SEQUENTIAL), ax=ax, label=label, extend="max",
                     shrink=0.8, aspect=18, pad=0.015)
-    ax.set_title(f"factor of safety {stands:.3g}: velocity of the soil where it is {fails:.4g}", loc="left")
+    ax.set_title(_title(trials), loc="left")
     style.fix_layout(figure)
-    style.fill_particles(ax, position, strain, table["size_m"], cmap=style.SEQUENTIAL, norm=scale)
+    style.fill_particles(ax, position, values, table["size_m"], cmap=style.SEQUENTIAL, norm=scale)
     drawn = _spread(position, ARROWS)
     drawn = drawn[np.hypot(*velocity[drawn].T) > 0.05]
     length = 1.5 * np.ptp(position, axis=0).max() / ARROWS
     ax.quiver(*position[drawn].T, *(velocity[drawn].T * length), angles="xy", scale_units="xy", scale=1.0,
               color="white", width=0.003, headwidth=4)
+    for x, y in ends:
+        ax.axvline(x, color="grey", linestyle="--")
+        ax.plot(x, y, "o", color="grey", markersize=4)
     return style.save(figure, folder, "mechanism.png")

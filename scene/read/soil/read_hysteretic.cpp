@@ -138,12 +138,10 @@ Soil read_hysteretic(const NamedTable& soil, const std::filesystem::path& direct
     const materials::MasingShear law{elastic,         backbone->reference_strain,
                                      backbone->beta,  backbone->exponent,
                                      backbone->shape, backbone->loops};
-    Soil read{soil.name,
-              materials::iwan_shear(elastic, *backbone),
-              law,
-              {},
-              curve ? curves_of(*curve) : curves_of(*backbone)};
-    read.given_strength = table.optional_number("shear_strength");
+    materials::IwanShear in_domain = materials::iwan_shear(elastic, *backbone);
+    in_domain.strength = table.optional_number("shear_strength");
+    Soil read{soil.name, in_domain, law, {}, curve ? curves_of(*curve) : curves_of(*backbone)};
+    read.given_strength = in_domain.strength;
     return read;
   } catch (const std::exception& error) {
     findings.add(table.path(source), error.what());

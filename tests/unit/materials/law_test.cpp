@@ -109,9 +109,39 @@ TEST(Laws, StrengthIsReducedWhereSoilFailsAtRest) {
   EXPECT_DOUBLE_EQ(std::tan(cone.friction), 0.5 * std::tan(0.6));
   EXPECT_DOUBLE_EQ(cone.dilation, cone.friction);
   for (const Law& law : all_laws())
-    EXPECT_EQ(with_reduced_strength(law, 2.0).has_value(),
-              std::holds_alternative<MohrCoulomb>(law) || std::holds_alternative<DruckerPrager>(law))
+    EXPECT_EQ(with_reduced_strength(law, 2.0).has_value(), !std::holds_alternative<LinearElastic>(law) &&
+                                                               !std::holds_alternative<MasingShear>(law) &&
+                                                               !std::holds_alternative<IwanShear>(law))
         << name(law);
+}
+
+/// Laws that carry any load at rest have a strength as well: what their soil fails with under a load that
+/// stays.
+TEST(Laws, SoilOfShakenLawsIsReducedToItsStrength) {
+  const auto undrained_strength = [](const Law& law) {
+    const auto soil = std::get<DruckerPrager>(with_reduced_strength(law, 2.0).value());
+    EXPECT_EQ(soil.friction, 0.0);
+    EXPECT_EQ(soil.elastic.young, elasticity(law).young);
+    EXPECT_EQ(soil.elastic.at_rest, elasticity(law).at_rest);
+    return soil.cohesion;
+  };
+  const Law clay = with_rest_coefficient(multi_yield_clay({1800.0, 60e6, 0.49}, 30e3), 0.7);
+  EXPECT_DOUBLE_EQ(undrained_strength(clay), 15e3);
+  // s1 - s3 = 2 s_u/F in plane strain, whatever the pressure: sqrt(J2) = s_u/F
+  EXPECT_DOUBLE_EQ(cone(std::get<DruckerPrager>(with_reduced_strength(clay, 2.0).value())).strength, 15e3);
+  EXPECT_EQ(cone(std::get<DruckerPrager>(with_reduced_strength(clay, 2.0).value())).slope, 0.0);
+
+  IwanShear hyperbola = iwan_shear(elastic, 1e-3, 1.0, 1.0);
+  EXPECT_FALSE(
+      with_reduced_strength(hyperbola, 2.0)); // what the curve implies at large strain does not count
+  hyperbola.strength = 20e3;
+  EXPECT_DOUBLE_EQ(undrained_strength(hyperbola), 10e3);
+
+  const MohrCoulomb sand = with_reduced_strength(pm4(), 2.0).value();
+  EXPECT_DOUBLE_EQ(std::tan(sand.friction_peak), 0.5 * std::tan(33.0 * std::acos(-1.0) / 180.0));
+  EXPECT_EQ(sand.friction_residual, sand.friction_peak);
+  EXPECT_EQ(sand.cohesion_peak, 0.0);
+  EXPECT_EQ(sand.dilation_peak, 0.0);
 }
 
 /// A law of its own, as somebody adds it, that says nothing beyond what every law must.

@@ -92,6 +92,17 @@ TEST(HystereticSoil, WithAStrengthReachesIt) {
   EXPECT_EQ(backbone_of(given).shape->fifth, 0.99);
 }
 
+/// The strength of the law in the domain: what a factor of safety is taken of.
+TEST(HystereticSoil, OfAnyBackboneKnowsTheStrengthThatItIsGiven) {
+  const auto strength = [](const std::string& keys) {
+    const auto scene = parse_case(with_clay(keys));
+    return std::get<materials::IwanShear>(scene.soils.at(*scene.profile.at(0).soil).law).strength;
+  };
+  EXPECT_EQ(strength("model = \"gqh\"\nshear_strength = 12e3\n" + darendeli_clay), 12e3);
+  EXPECT_EQ(strength("model = \"hyperbolic\"\nreference_strain = 5e-4\nshear_strength = 5e3\n"), 5e3);
+  EXPECT_FALSE(strength("model = \"hyperbolic\"\nreference_strain = 5e-4\n"));
+}
+
 TEST(HystereticSoil, ComparesTheImpliedWithTheGivenStrength) {
   EXPECT_THAT(
       remarks_of(with_clay("model = \"mkz\"\nreference_strain = 5e-4\nbeta = 1.0\nexponent = 0.9\n"

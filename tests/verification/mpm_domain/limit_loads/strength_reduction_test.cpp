@@ -23,17 +23,17 @@ TEST(StrengthReduction, FindsTheFactorOfGriffithsAndLane) {
   std::vector<StrengthTrial> trials;
   const auto found = factor_of_safety(spec_of(test::SandySlope{1.5, 1.0, 0.3}, 1.0), 0.02,
                                       [&](const StrengthTrial& trial) { trials.push_back(trial); });
-  EXPECT_NEAR(found.stands, test::griffiths_and_lane, 0.05 * test::griffiths_and_lane);
-  EXPECT_LE(found.fails, 1.02 * found.stands);
-  EXPECT_GT(found.fails, found.stands);
+  EXPECT_NEAR(*found.stands, test::griffiths_and_lane, 0.05 * test::griffiths_and_lane);
+  EXPECT_LE(*found.fails, 1.02 * *found.stands);
+  EXPECT_GT(*found.fails, *found.stands);
   EXPECT_EQ(trials.front().factor, 1.0);
   for (const StrengthTrial& trial : trials)
-    EXPECT_EQ(trial.stands, trial.factor <= found.stands) << trial.factor;
+    EXPECT_EQ(trial.stands, trial.factor <= *found.stands) << trial.factor;
 }
 
 TEST(AcceptanceStrengthReduction, FindsFactorsBelowOne) {
   const auto found = factor_of_safety(taylor(0.7, 0.3), 0.04, [](const StrengthTrial&) {});
-  EXPECT_NEAR(0.5 * (found.stands + found.fails), 0.7, 0.05 * 0.7);
+  EXPECT_NEAR(0.5 * (*found.stands + *found.fails), 0.7, 0.05 * 0.7);
 }
 
 /// A circle through the toe or below it: the crest goes down, the ground before the toe goes up or outwards,
@@ -71,12 +71,42 @@ TEST(StrengthReduction, RefusesSoilThatCarriesAnyLoad) {
   EXPECT_THAT(reducible_soils(taylor(1.0)).reduced, testing::ElementsAre("soil"));
 }
 
-TEST(StrengthReduction, TellsThatNothingFails) {
+/// Level ground of clay: it stands whatever its strength.
+Spec level() {
   Spec flat = taylor(1.0);
   flat.regions.front().polygon = {{0.0, -5.0}, {8.0, -5.0}, {8.0, 0.0}, {0.0, 0.0}};
   flat.box = {0.0, -5.0, 8.0, 0.0};
-  EXPECT_THAT([&] { factor_of_safety(flat, 0.02, [](const StrengthTrial&) {}); },
-              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("its soil does not fail")));
+  return flat;
+}
+
+TEST(StrengthReduction, SaysThatNothingFails) {
+  const auto found = factor_of_safety(level(), 0.02, [](const StrengthTrial&) {});
+  EXPECT_EQ(found.stands, largest_factor);
+  EXPECT_FALSE(found.fails);
+  EXPECT_TRUE(found.mechanism.empty());
+}
+
+/// Under a load of a hundred times what its clay can carry, ten times the strength is no help.
+TEST(StrengthReduction, SaysThatTheGroundFailsWithTenTimesItsStrength) {
+  Spec overloaded = level();
+  overloaded.soils.front().law = test::perfectly_plastic({1800.0, 20e6, 0.3}, 1e3, 0.0);
+  overloaded.loads = {{2.0, 6.0, 500e3, 0.0}};
+  const auto found = factor_of_safety(overloaded, 0.02, [](const StrengthTrial&) {});
+  EXPECT_FALSE(found.stands);
+  EXPECT_EQ(found.fails, least_factor);
+  EXPECT_FALSE(found.mechanism.empty());
+}
+
+TEST(StrengthReduction, AnswersAFloorByOneTrial) {
+  int trials = 0;
+  const auto count = [&](const StrengthTrial&) { ++trials; };
+  const Spec slope = taylor(1.0, 0.3);
+  EXPECT_EQ(try_factor(slope, 0.9, count).stands, 0.9);
+  const auto found = try_factor(slope, 1.1, count);
+  EXPECT_EQ(found.fails, 1.1);
+  EXPECT_FALSE(found.stands);
+  EXPECT_FALSE(found.mechanism.empty());
+  EXPECT_EQ(trials, 2);
 }
 
 } // namespace

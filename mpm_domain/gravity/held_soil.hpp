@@ -1,0 +1,18 @@
+#pragma once
+
+// A model of which only a part may fail: where its other soil is weaker, as a second slope is, that would
+// fail first. Soil beside the part becomes elastic. All that moves then moves inside the part, so that its
+// factor of safety is that of the weakest mechanism that lies in it as a whole, and never less than that of
+// the model.
+
+#include "mpm_domain/spec/spec.hpp"
+
+namespace tremolo::mpm_domain {
+
+/// The model with elastic soil to the left of x_min and to the right of x_max, m.
+Spec held_beside(Spec spec, double x_min, double x_max);
+
+/// How far a point is from the nearest particle of soil, m.
+double distance_to_soil(const Spec& spec, Vector point);
+
+} // namespace tremolo::mpm_domain
