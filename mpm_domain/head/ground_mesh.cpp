@@ -115,7 +115,7 @@ seepage::Element element_of(const GroundMesh& mesh, std::size_t i, std::size_t j
   seepage::Element element;
   element.corners = 0;
   for (const auto& [node, ground] : corners)
-    if (mesh.problem.nodes[node].y <= ground + 1e-5 * grid.h)
+    if (mesh.problem.nodes[node].y <= ground + mesh.slack())
       element.nodes[element.corners++] = node;
   return element;
 }
@@ -139,27 +139,32 @@ void find_elements(GroundMesh& mesh, const Spec& spec) {
     }
 }
 
-/// Edges of one element alone border on what is not ground.
+/// Edges of one element alone border on what is not ground. Those that face down are sealed, as the base is.
 void find_edges(GroundMesh& mesh) {
-  std::map<std::pair<std::size_t, std::size_t>, int> elements_of;
+  struct Edge {
+    int elements = 0;
+    bool faces_down = false;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, Edge> edges;
   for (const seepage::Element& element : mesh.problem.elements)
-    for (std::size_t c = 0; c < element.corners; ++c)
-      ++elements_of[std::minmax(element.nodes[c], element.nodes[(c + 1) % element.corners])];
+    for (std::size_t c = 0; c < element.corners; ++c) {
+      const std::size_t from = element.nodes[c];
+      const std::size_t to = element.nodes[(c + 1) % element.corners];
+      Edge& edge = edges[std::minmax(from, to)];
+      ++edge.elements;
+      edge.faces_down = mesh.column(to) > mesh.column(from); // corners run counter-clockwise
+    }
   const std::size_t last = mesh.grid.columns - 1;
-  for (const auto& [edge, elements] : elements_of) {
-    if (elements > 1)
+  for (const auto& [nodes, edge] : edges) {
+    if (edge.elements > 1 || edge.faces_down)
       continue;
-    const auto& [a, b] = edge;
-    const auto both = [&](auto is) { return is(a) && is(b); };
-    std::vector<std::size_t>* to = &mesh.surface;
-    if (both([&](std::size_t n) { return mesh.column(n) == 0; }))
-      to = &mesh.left;
-    else if (both([&](std::size_t n) { return mesh.column(n) == last; }))
-      to = &mesh.right;
-    else if (both([&](std::size_t n) { return n < mesh.grid.columns; }))
-      continue; // the base
-    to->push_back(a);
-    to->push_back(b);
+    const auto& [a, b] = nodes;
+    const auto both_in = [&](std::size_t column) {
+      return mesh.column(a) == column && mesh.column(b) == column;
+    };
+    std::vector<std::size_t>& to = both_in(0) ? mesh.left : both_in(last) ? mesh.right : mesh.surface;
+    to.push_back(a);
+    to.push_back(b);
   }
 }
 

@@ -23,6 +23,8 @@ struct GroundMesh {
   std::vector<std::size_t> surface;     ///< nodes that are open to the air, or to free water
 
   double ground(std::size_t column) const { return std::max(left_of[column], right_of[column]); }
+  /// Levels as near as this are one, m.
+  double slack() const { return 1e-5 * grid.h; }
   std::size_t column(std::size_t node) const { return node % grid.columns; }
 };
 

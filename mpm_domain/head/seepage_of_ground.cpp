@@ -26,10 +26,10 @@ struct FreeWater {
 FreeWater free_water(const GroundMesh& mesh, const SideLevels& levels) {
   const std::size_t columns = mesh.grid.columns;
   std::size_t left = 0;
-  while (left < columns && mesh.ground(left) < levels.left)
+  while (left < columns && mesh.ground(left) < levels.left - mesh.slack())
     ++left;
   std::size_t right = columns;
-  while (right > 0 && mesh.ground(right - 1) < levels.right)
+  while (right > 0 && mesh.ground(right - 1) < levels.right - mesh.slack())
     --right;
   if (levels.left != levels.right && (left == columns || right == 0))
     throw std::invalid_argument(fmt::format(
@@ -39,7 +39,7 @@ FreeWater free_water(const GroundMesh& mesh, const SideLevels& levels) {
   return {left, right > 0 ? right - 1 : 0};
 }
 
-void set_conditions(GroundMesh& mesh, const SideLevels& levels) {
+void set_conditions(GroundMesh& mesh, const SideLevels& levels, const FreeWater& water) {
   seepage::FlowProblem& problem = mesh.problem;
   problem.conditions.assign(problem.nodes.size(), Condition::none);
   problem.given.assign(problem.nodes.size(), 0.0);
@@ -47,19 +47,18 @@ void set_conditions(GroundMesh& mesh, const SideLevels& levels) {
     problem.conditions[n] = Condition::head;
     problem.given[n] = head;
   };
-  const FreeWater water = free_water(mesh, levels);
   for (const std::size_t n : mesh.surface) {
     const double y = problem.nodes[n].y;
-    if (mesh.column(n) <= water.left_end && y <= levels.left)
+    if (mesh.column(n) <= water.left_end && y <= levels.left + mesh.slack())
       give(n, levels.left);
-    else if (mesh.column(n) >= water.right_begin && y <= levels.right)
+    else if (mesh.column(n) >= water.right_begin && y <= levels.right + mesh.slack())
       give(n, levels.right);
     else
       problem.conditions[n] = Condition::exit;
   }
   const auto stand_beside = [&](const std::vector<std::size_t>& nodes, double level) {
     for (const std::size_t n : nodes)
-      if (problem.nodes[n].y <= level)
+      if (problem.nodes[n].y <= level + mesh.slack())
         give(n, level);
   };
   stand_beside(mesh.left, levels.left);
@@ -118,7 +117,8 @@ bool extend(HeadGrid& grid, std::vector<unsigned char>& known, const From& from)
 }
 
 /// The heads of the regular grid.
-HeadGrid regular(const GroundMesh& mesh, const std::vector<double>& heads) {
+HeadGrid regular(const GroundMesh& mesh, const std::vector<double>& heads, const SideLevels& levels,
+                 const FreeWater& water) {
   const NodeSlopes slopes = slopes_of(mesh.problem, heads);
   const auto along_slope = [&](std::size_t n, const Vector& to) {
     const seepage::Place& at = mesh.problem.nodes[n];
@@ -134,6 +134,11 @@ HeadGrid regular(const GroundMesh& mesh, const std::vector<double>& heads) {
         known[n] = 1;
       }
   extend(grid, known, along_slope);
+  for (std::size_t n = 0; n < heads.size(); ++n)
+    if (known[n] == 0 && (mesh.column(n) <= water.left_end || mesh.column(n) >= water.right_begin)) {
+      grid.heads[n] = mesh.column(n) <= water.left_end ? levels.left : levels.right;
+      known[n] = 1;
+    }
   while (extend(grid, known, [&](std::size_t n, const Vector&) { return grid.heads[n]; })) {
   }
   return grid;
@@ -163,13 +168,15 @@ void find_steepest_rise(const seepage::FlowProblem& problem, const std::vector<d
 
 SeepageOfGround seep(const Spec& spec) {
   GroundMesh mesh = mesh_of(spec);
-  set_conditions(mesh, *spec.water->seepage);
+  const SideLevels& levels = *spec.water->seepage;
+  const FreeWater water = free_water(mesh, levels);
+  set_conditions(mesh, levels, water);
   const seepage::SteadyFlow flow = seepage::solve(mesh.problem);
   SeepageFound found{.discharge = flow.discharge, .iterations = flow.iterations};
   if (const auto exit = seepage::exit_point(mesh.problem, flow))
     found.exit = {exit->x, exit->y};
   find_steepest_rise(mesh.problem, flow.heads, found);
-  return {Head(regular(mesh, flow.heads)), found};
+  return {Head(regular(mesh, flow.heads, levels, water)), found};
 }
 
 std::optional<Head> head_of(const Spec& spec) {

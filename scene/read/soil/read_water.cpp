@@ -29,6 +29,14 @@ void refuse_dry(const TableReader& table, Findings& findings) {
                                key, key));
 }
 
+/// A line that is level is a table, and between equal levels nothing flows.
+void rest_if_level(GroundWater& water) {
+  if (std::ranges::all_of(water.line, [&](const Point& corner) { return corner.y == water.level; }))
+    water.line.clear();
+  if (water.seepage && water.seepage->left == water.seepage->right)
+    water.seepage.reset();
+}
+
 /// A case says once where its water is.
 void refuse_two_tables(const TableReader& table, Findings& findings) {
   const bool seeps = table.boolean("seepage");
@@ -98,6 +106,7 @@ void read_water(Document& document, Findings& findings, Case& scene) {
     water.level = table.number("level");
   if (!water.is_level())
     water.level = water.beside(Side::left);
+  rest_if_level(water);
   refuse_two_tables(table, findings);
 }
 
