@@ -19,6 +19,11 @@ WaterState water_state(const Particles& set, std::size_t k) {
   if (set.traits.flowing) {
     const double porosity = set.water->porosity(set.mass[k], set.volume[k]);
     state.flux = {porosity * (set.wx[k] - set.vx[k]), porosity * (set.wy[k] - set.vy[k])};
+    if (set.traits.seeping) { // the velocity of the water counts from its steady flow
+      const double k_darcy = set.water->pores.permeability;
+      state.flux = {state.flux.x - k_darcy * set.head_slope_x[k],
+                    state.flux.y - k_darcy * set.head_slope_y[k]};
+    }
   }
   return state;
 }
