@@ -63,7 +63,8 @@ public:
     }
     for (const Element& element : problem.elements) {
       full_.push_back(full_conductance(problem, element));
-      no_flow_ = std::max(no_flow_, 1e-9 * element.permeability * range_.span());
+      no_flow_ = std::max(no_flow_, 1e-6 * element.permeability *
+                                        std::max(std::abs(range_.low), std::abs(range_.high)));
     }
     find_conductances();
   }

@@ -39,13 +39,13 @@ std::string seepage_text(const scene::Case& scene) {
       fmt::format("\nSeepage\n  {:.4g} m3/s flow through a metre of width, found in {} iterations\n",
                   found.discharge, found.iterations);
   text += found.exit
-              ? fmt::format("  the phreatic surface leaves the ground at x = {:.4g} m, y = {:.4g} m; water "
+              ? fmt::format("  the phreatic surface leaves the ground at x = {:.2f} m, y = {:.2f} m; water "
                             "runs out below\n",
                             found.exit->x, found.exit->y)
               : std::string("  no water leaves the ground above the levels at its sides\n");
   const double critical = critical_gradient(spec);
   text += fmt::format(
-      "  water rises most steeply at x = {:.4g} m, y = {:.4g} m, with a gradient of {:.3g}; {:.3g} "
+      "  water rises most steeply at x = {:.2f} m, y = {:.2f} m, with a gradient of {:.3g}; {:.3g} "
       "carries the grains{}\n",
       found.at.x, found.at.y, found.steepest_rise, critical,
       found.steepest_rise >= critical ? ": the ground boils there" : "");

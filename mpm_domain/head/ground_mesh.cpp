@@ -91,6 +91,8 @@ void place_nodes(GroundMesh& mesh, const Spec& spec) {
     const double x = grid.place(i, 0).x;
     mesh.left_of.push_back(i > 0 ? ground_at(spec, x - aside) : spec.box.y_min);
     mesh.right_of.push_back(i + 1 < grid.columns ? ground_at(spec, x + aside) : spec.box.y_min);
+    if (std::abs(mesh.left_of[i] - mesh.right_of[i]) < mesh.slack()) // a slope, and no wall
+      mesh.left_of[i] = mesh.right_of[i] = 0.5 * (mesh.left_of[i] + mesh.right_of[i]);
   }
   for (std::size_t j = 0; j < grid.rows; ++j)
     for (std::size_t i = 0; i < grid.columns; ++i) {

@@ -71,9 +71,9 @@ struct WaterField {
 std::vector<double> phreatic_line(const Domain& domain) {
   const Box& box = domain.spec.box;
   const GroundWater& water = *domain.spec.water;
-  double highest = box.y_max;
+  double highest = water.level;
   if (water.seepage)
-    highest = std::max({highest, water.seepage->left, water.seepage->right});
+    highest = std::max(water.seepage->left, water.seepage->right);
   for (const Vector& corner : water.line)
     highest = std::max(highest, corner.y);
   const auto places = static_cast<std::size_t>(std::lround((box.x_max - box.x_min) / domain.spec.cell_size));

@@ -31,7 +31,7 @@ constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double damping_cost_ns = 10.0;
 constexpr double pressure_cost_ns = 90.0;
 constexpr double flow_cost_ns = 150.0;
-constexpr double seepage_cost_ns = 40.0;
+constexpr double seepage_cost_ns = 25.0;
 constexpr double pressure_bytes = 24.0;    // while pressures are found
 constexpr double mobility_cost_ns = 400.0; // PM4Sand or PDMY03 at small strain increments
 

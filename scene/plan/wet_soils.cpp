@@ -71,6 +71,24 @@ std::string line_text(const Case& scene) {
       std::atan(steepest) * 180.0 / std::numbers::pi, 100.0 * steepest * steepest);
 }
 
+/// Whether water stands over the ground of the domain: at a corner of its surface, or at a side.
+bool has_free_water(const Case& scene) {
+  const Box& box = scene.mesh.box;
+  const double inside = 1e-6 * box.width();
+  const auto stands_at = [&](double x, double table) {
+    const GroundColumn ground = ground_of_domain(scene, x);
+    return !ground.empty() && ground.front().top < table - 1e-6 * box.height();
+  };
+  if (stands_at(box.x_min + inside, scene.water->beside(Side::left)) ||
+      stands_at(box.x_max - inside, scene.water->beside(Side::right)))
+    return true;
+  return !scene.water->seepage && std::ranges::any_of(scene.regions, [&](const Region& region) {
+    return std::ranges::any_of(region.polygon, [&](Point corner) {
+      return corner.x > box.x_min && corner.x < box.x_max && stands_at(corner.x, table_at(scene, corner.x));
+    });
+  });
+}
+
 std::string soil_text(const Soil& soil, const materials::PoreFluid& fluid, double gravity) {
   const materials::PoreSpace& pores = *soil.pores;
   const auto& skeleton = materials::elasticity(soil.law);
@@ -138,9 +156,13 @@ std::string water_text(const Case& scene) {
       fmt::format("{}; models other than \"fe\" and \"mpm\" take the ground below it as undrained; soil "
                   "there:\n",
                   table_text(*scene.water));
-  text += line_text(scene);
   for (const Soil& soil : one_of_each_name(soils))
     text += soil_text(soil, scene.water->fluid, scene.gravity.value_or(GravityStage{}).acceleration);
+  text += line_text(scene);
+  if (has_free_water(scene))
+    text += "  free water over the ground presses on it as at rest; what it adds to the inertia in the "
+            "shaking is "
+            "left out\n";
   return text;
 }
 
